@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// error.hpp - what can go wrong, with where in the input.
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace convexact {
+
+enum class ErrorCode {
+  InvalidArgument,  ///< A precondition of a function or an option of the caller is broken.
+  Unreadable,       ///< A file cannot be opened or read.
+  Malformed,        ///< A file or a number in it does not spell what was expected.
+  NotFinite,        ///< NaN, infinity, or a decimal beyond the largest double.
+  NoInterior,       ///< INPUT is empty, flat or unbounded where a solid was asked for.
+  Unwritable,       ///< A file cannot be created or written.
+  Unrepresentable,  ///< The output format cannot hold the result.
+  Stopped,          ///< Out of memory, interrupted, closed pipe.
+  Internal,         ///< An invariant or a verification of convexact failed: a bug.
+};
+
+/// Broken precondition, unreadable input or unwritable output; never a mathematical answer.
+/// what() is one sentence and starts with "file:line: " as far as these are known.
+class Error : public std::runtime_error {
+ public:
+  Error(ErrorCode code, const std::string& message, std::optional<std::size_t> line = {});
+
+  ErrorCode code() const noexcept { return code_; }
+  /// Offending line or row of a text, 1-based.
+  std::optional<std::size_t> line() const noexcept { return line_; }
+  /// The same error, with the name of the file put in front of the message.
+  Error in_file(const std::string& file) const;
+
+ private:
+  Error(ErrorCode code, const std::string& file, const std::string& message,
+        std::optional<std::size_t> line);
+  ErrorCode code_;
+  std::string message_;  // without file and line
+  std::optional<std::size_t> line_;
+};
+
+/// The process exit code that stands for an error: 2, 3, 4, 5, 6 or 70 (docs/usage.md).
+int exit_code(ErrorCode code) noexcept;
+
+namespace detail {
+[[noreturn]] void assertion_failed(const char* condition, const char* file, int line);
+}
+
+}  // namespace convexact
+
+/// An invariant of ours. Throws Error(Internal) when broken; compiled in for tests and fuzzing.
+#ifdef CONVEXACT_ASSERTIONS
+#define CONVEXACT_ASSERT(condition) \
+  ((condition) ? void(0) : ::convexact::detail::assertion_failed(#condition, __FILE__, __LINE__))
+#else
+#define CONVEXACT_ASSERT(condition) (void(sizeof(bool(condition))))
+#endif

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/geometry/halfspace.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "convexact/error.hpp"
+
+namespace convexact {
+
+Halfspace::Halfspace(IntegerVector3 normal, Integer offset)
+    : normal_(std::move(normal)), offset_(std::move(offset)) {
+  normal_gcd_ = gcd(gcd(normal_[0], normal_[1]), normal_[2]);
+  if (normal_gcd_ == 0) throw Error(ErrorCode::InvalidArgument, "a halfspace has a zero normal");
+  const Integer common = gcd(normal_gcd_, offset_);
+  if (common == 1) return;
+  for (int k = 0; k < 3; ++k) normal_[k] /= common;
+  offset_ /= common;
+  normal_gcd_ /= common;
+}
+
+namespace {
+
+// The integer vector that a rational one becomes when its common denominator is cleared.
+IntegerVector3 clear_denominator(const RationalVector3& v, const Integer& denominator) {
+  IntegerVector3 cleared;
+  for (int k = 0; k < 3; ++k)
+    cleared[k] = numerator(v[k]) * (denominator / boost::multiprecision::denominator(v[k]));
+  return cleared;
+}
+
+Integer common_denominator(const RationalVector3& v, const Rational& w) {
+  Integer common = denominator(w);
+  for (int k = 0; k < 3; ++k) common = lcm(common, denominator(v[k]));
+  return common;
+}
+
+Integer dot(const IntegerVector3& a, const IntegerVector3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// x = mantissa * 2^exponent with an integer mantissa; 0 = 0 * 2^kNoExponent.
+constexpr int kNoExponent = 4096;
+int exponent_of(double x) {
+  if (x == 0) return kNoExponent;
+  int exponent;
+  std::frexp(x, &exponent);
+  return std::max(exponent - 53, -1074);
+}
+
+Integer scaled_to_integer(double x, int exponent) {
+  if (x == 0) return 0;
+  const int own = exponent_of(x);
+  Integer value(static_cast<long long>(std::ldexp(x, -own)));
+  return value << static_cast<unsigned>(own - exponent);
+}
+
+IntegerVector3 scaled_to_integer(const Point& p, int exponent) {
+  return {scaled_to_integer(p[0], exponent), scaled_to_integer(p[1], exponent),
+          scaled_to_integer(p[2], exponent)};
+}
+
+IntegerVector3 normal_through(const IntegerVector3& a, const IntegerVector3& b,
+                              const IntegerVector3& c) {
+  const IntegerVector3 u = b - a, v = c - a;
+  return u.cross(v);
+}
+
+}  // namespace
+
+Halfspace::Halfspace(const RationalVector3& normal, const Rational& offset)
+    : Halfspace(
+          clear_denominator(normal, common_denominator(normal, offset)),
+          Integer(numerator(offset) * (common_denominator(normal, offset) / denominator(offset)))) {
+}
+
+Halfspace Halfspace::through(const RationalPoint& a, const RationalPoint& b,
+                             const RationalPoint& c) {
+  const RationalVector3 u = b - a, v = c - a;
+  const RationalVector3 normal = u.cross(v);
+  return {normal, Rational(-normal.dot(a))};
+}
+
+Halfspace Halfspace::through(const Point& a, const Point& b, const Point& c) {
+  // With P = p * 2^-e integer: N.P + D = 0 means (N 2^-e).p + D = 0, so one shift undoes the scale.
+  int exponent = kNoExponent;
+  for (const Point* p : {&a, &b, &c}) {
+    for (int k = 0; k < 3; ++k) exponent = std::min(exponent, exponent_of((*p)[k]));
+  }
+  const IntegerVector3 first = scaled_to_integer(a, exponent);
+  IntegerVector3 normal =
+      normal_through(first, scaled_to_integer(b, exponent), scaled_to_integer(c, exponent));
+  Integer offset = -dot(normal, first);
+  if (exponent >= 0) {
+    offset <<= static_cast<unsigned>(exponent);
+  } else {
+    for (int k = 0; k < 3; ++k) normal[k] <<= static_cast<unsigned>(-exponent);
+  }
+  return {std::move(normal), std::move(offset)};
+}
+
+Rational Halfspace::operator()(const RationalPoint& x) const {
+  return Rational(normal_[0]) * x[0] + Rational(normal_[1]) * x[1] + Rational(normal_[2]) * x[2] +
+         Rational(offset_);
+}
+
+std::strong_ordering operator<=>(const Halfspace& a, const Halfspace& b) {
+  // n_a/g_a against n_b/g_b without dividing; both g are positive.
+  const auto compare = [&](const Integer& x, const Integer& y) {
+    const int c = a.normal_gcd_ == b.normal_gcd_
+                      ? x.compare(y)
+                      : Integer(x * b.normal_gcd_).compare(Integer(y * a.normal_gcd_));
+    return c <=> 0;
+  };
+  for (int k = 0; k < 3; ++k) {
+    if (const auto order = compare(a.normal_[k], b.normal_[k]); order != 0) return order;
+  }
+  return compare(a.offset_, b.offset_);
+}
+
+bool same_direction(const Halfspace& a, const Halfspace& b) {
+  const IntegerVector3 cross = a.normal().cross(b.normal());
+  return cross == IntegerVector3::Zero() && dot(a.normal(), b.normal()) > 0;
+}
+
+RationalPoint meet(const Halfspace& a, const Halfspace& b, const Halfspace& c) {
+  // Cramer: x = -(d_a n_b x n_c + d_b n_c x n_a + d_c n_a x n_b) / det(n_a, n_b, n_c).
+  const IntegerVector3 bc = b.normal().cross(c.normal());
+  const Integer determinant = dot(a.normal(), bc);
+  if (determinant == 0) {
+    throw Error(ErrorCode::InvalidArgument, "three planes do not meet in one point");
+  }
+  const IntegerVector3 ca = c.normal().cross(a.normal()), ab = a.normal().cross(b.normal());
+  RationalPoint x;
+  for (int k = 0; k < 3; ++k) {
+    const Integer top = a.offset() * bc[k] + b.offset() * ca[k] + c.offset() * ab[k];
+    x[k] = Rational(Integer(-top), determinant);
+  }
+  return x;
+}
+
+}  // namespace convexact

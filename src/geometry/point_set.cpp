@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/geometry/point_set.hpp"
+
+#include <algorithm>
+
+#include "convexact/error.hpp"
+#include "convexact/number/rounding.hpp"
+
+namespace convexact {
+
+PointSet::PointSet(std::vector<Point> points) : points_(std::move(points)) {
+  const auto bad =
+      std::find_if(points_.begin(), points_.end(), [](const Point& p) { return !p.allFinite(); });
+  if (bad != points_.end()) {
+    throw Error(ErrorCode::NotFinite,
+                "point " + std::to_string(bad - points_.begin()) +
+                    " (counting from 0) has a coordinate that is NaN or infinite");
+  }
+}
+
+PointSet::PointSet(std::vector<RationalPoint> points) {
+  bool binary = true;
+  for (const RationalPoint& p : points) {
+    Point rounded;
+    for (int k = 0; k < 3; ++k) rounded[k] = to_double(p[k], Rounding::Nearest);
+    if (!rounded.allFinite()) {
+      throw Error(ErrorCode::NotFinite, "point " + std::to_string(points_.size()) +
+                                            " (counting from 0) is beyond the largest double");
+    }
+    binary = binary && to_rational(rounded) == p;
+    points_.push_back(rounded);
+  }
+  if (!binary) rationals_ = std::move(points);
+}
+
+RationalPoint PointSet::operator[](PointId id) const {
+  return is_binary() ? to_rational(points_[id.index()]) : rationals_[id.index()];
+}
+
+}  // namespace convexact

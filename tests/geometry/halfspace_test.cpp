@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Halfspaces: primitive form, canonical order, intersection of planes. Expected values by hand.
+#include "convexact/geometry/halfspace.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "convexact/error.hpp"
+#include "property.hpp"
+
+using namespace convexact;
+
+namespace {
+Halfspace make(int a, int b, int c, int d) { return {IntegerVector3(a, b, c), Integer(d)}; }
+}  // namespace
+
+TEST_CASE("Halfspace: equal planes are equal vectors") {
+  CHECK(make(2, 4, -6, 8) == make(1, 2, -3, 4));
+  CHECK(make(2, 4, -6, 7).normal()[0] == 2);  // gcd 1 over all four
+  CHECK_FALSE(make(1, 0, 0, 0) == make(-1, 0, 0, 0));
+  CHECK_THROWS_AS(make(0, 0, 0, 1), Error);
+}
+
+TEST_CASE("Halfspace: the canonical order goes by direction, then by offset") {
+  CHECK(make(1, 2, 3, 0) < make(1, 2, 4, 0));
+  CHECK(make(2, 4, 6, 1) < make(1, 2, 3, 1));  // same direction; 1/2 < 1
+  CHECK(make(2, 4, 6, -1) > make(1, 2, 3, -1));
+  CHECK(make(2, 0, 0, 1) < make(1, 1, 0, 5));  // (1, 0, 0) before (1, 1, 0)
+  CHECK(same_direction(make(2, 4, 6, 1), make(1, 2, 3, 1)));
+  CHECK_FALSE(same_direction(make(-2, -4, -6, 1), make(1, 2, 3, 1)));
+}
+
+TEST_CASE("Halfspace: through three doubles, and through the same rationals") {
+  const Halfspace top = Halfspace::through(Point(0, 0, 0.5), Point(1, 0, 0.5), Point(0, 1, 0.5));
+  CHECK(top == make(0, 0, 2, -1));
+  check_property("doubles and rationals give the same halfspace",
+                 [](const std::array<std::int32_t, 9>& raw, int shift) {
+                   std::array<Point, 3> p;
+                   for (int k = 0; k < 9; ++k)
+                     p[k / 3][k % 3] = std::ldexp(raw[k], (k * shift) % 300);
+                   const Point u = p[1] - p[0], v = p[2] - p[0];
+                   RC_PRE(u.cross(v).norm() > 0);
+                   const Halfspace fast = Halfspace::through(p[0], p[1], p[2]);
+                   const Halfspace slow =
+                       Halfspace::through(to_rational(p[0]), to_rational(p[1]), to_rational(p[2]));
+                   RC_ASSERT(fast == slow);
+                   for (const Point& x : p) RC_ASSERT(fast(to_rational(x)) == 0);
+                 });
+}
+
+TEST_CASE("Halfspace: extreme doubles") {
+  const Point a(1e300, 0, 0), b(0, 5e-324, 0), c(0, 0, 1);
+  const Halfspace h = Halfspace::through(a, b, c);
+  for (const Point& p : {a, b, c}) CHECK(h(to_rational(p)) == 0);
+  CHECK_THROWS_AS(Halfspace::through(a, a, b), Error);
+}
+
+TEST_CASE("meet: three planes, or none") {
+  const RationalPoint x = meet(make(1, 0, 0, -1), make(0, 2, 0, -1), make(1, 1, 1, 0));
+  CHECK(x == RationalPoint(Rational(1), Rational(1, 2), Rational(-3, 2)));
+  CHECK_THROWS_AS((void)meet(make(1, 0, 0, 0), make(2, 0, 0, 1), make(0, 1, 0, 0)), Error);
+}
+
+TEST_CASE("PointSet: a point that is not finite is named") {
+  std::vector<Point> points(3, Point(0, 0, 0));
+  points[2].y() = std::nan("");
+  CHECK_THROWS_WITH_AS(PointSet{points}, doctest::Contains("point 2"), Error);
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Conversions into Rational. Expected values are written out by hand.
+#include "convexact/number/rational.hpp"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+
+#include "convexact/error.hpp"
+
+using namespace convexact;
+
+TEST_CASE("to_rational: a double is a dyadic rational") {
+  CHECK(to_string(to_rational(0.0)) == "0");
+  CHECK(to_string(to_rational(-0.0)) == "0");
+  CHECK(to_string(to_rational(-0.75)) == "-3/4");
+  CHECK(to_string(to_rational(0.1)) == "3602879701896397/36028797018963968");
+  CHECK(to_rational(std::numeric_limits<double>::denorm_min()) ==
+        scale_by_power_of_two(Rational(1), -1074));
+}
+
+TEST_CASE("to_rational: NaN and infinity are refused") {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+        -std::numeric_limits<double>::infinity()}) {
+    try {
+      (void)to_rational(bad);
+      FAIL("accepted");
+    } catch (const Error& error) {
+      CHECK(error.code() == ErrorCode::NotFinite);
+      CHECK(exit_code(error.code()) == 3);
+    }
+  }
+}
+
+TEST_CASE("parse_rational: decimals and fractions as spelled") {
+  CHECK(to_string(parse_rational("0.1")) == "1/10");
+  CHECK(to_string(parse_rational("+1.5")) == "3/2");
+  CHECK(to_string(parse_rational("5.")) == "5");
+  CHECK(to_string(parse_rational("-.5e-3")) == "-1/2000");
+  CHECK(to_string(parse_rational("12E+2")) == "1200");
+  CHECK(to_string(parse_rational("-6/4")) == "-3/2");
+}
+
+TEST_CASE("parse_rational: anything else is malformed") {
+  for (const char* bad :
+       {"", "-", ".", "e5", "1e", "1e+", "1.2.3", "nan", "inf", "0x1", "1/0", "1/-2", "1 ", " 1",
+        "1e999999", "--1", "1e1.5", "/2", "1e99999999999999999999"}) {
+    CAPTURE(bad);
+    CHECK_THROWS_AS((void)parse_rational(bad), Error);
+  }
+}
+
+TEST_CASE("gcd and bit_length: zero and sign") {
+  CHECK(gcd(0, 0) == 0);
+  CHECK(gcd(-12, 18) == 6);
+  CHECK(bit_length(0) == 0);
+  CHECK(bit_length(-8) == 4);
+}
