@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/io/mesh_format.hpp"
+
+#include <algorithm>
+
+#include "mesh_readers.hpp"
+#include "text_cursor.hpp"
+
+namespace convexact {
+namespace {
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return lower;
+}
+
+}  // namespace
+
+std::optional<MeshFormat> mesh_format_of_path(const std::string& path) {
+  if (path.size() < 4) return {};
+  const std::string extension = lower_case(std::string_view(path).substr(path.size() - 4));
+  if (extension == ".obj") return MeshFormat::Obj;
+  if (extension == ".off") return MeshFormat::Off;
+  if (extension == ".ply") return MeshFormat::Ply;
+  if (extension == ".stl") return MeshFormat::Stl;
+  return {};
+}
+
+MeshFormat mesh_format_of_content(std::string_view bytes) {
+  if (is_binary_stl(bytes)) return MeshFormat::Stl;
+  // '#' begins a comment in OFF and OBJ; a PLY or STL file does not start with one.
+  TextCursor cursor(bytes, {.comment = '#'});
+  const std::string first = cursor.next_line() ? lower_case(cursor.token()) : "";
+  if (first == "ply") return MeshFormat::Ply;
+  if (first == "solid") return MeshFormat::Stl;
+  // OFF, COFF, NOFF, STCNOFF, 4OFF and so on.
+  const bool is_off = first.size() >= 3 && first.size() <= 9 && first.ends_with("off");
+  return is_off ? MeshFormat::Off : MeshFormat::Obj;
+}
+
+}  // namespace convexact

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// The polygonal part of Wavefront OBJ; statements of the format that say nothing about points,
+// polygons and groups are passed over, words that are none of its statements are errors.
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "mesh_readers.hpp"
+#include "point_collector.hpp"
+
+namespace convexact {
+namespace {
+
+constexpr std::array<std::string_view, 38> kPassedOver = {
+    "vt",       "vn",       "vp",   "p",          "l",         "s",     "usemtl", "mtllib",
+    "mg",       "cstype",   "deg",  "bmat",       "step",      "curv",  "curv2",  "surf",
+    "parm",     "trim",     "hole", "scrv",       "sp",        "end",   "con",    "bevel",
+    "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech", "stech",  "usemap",
+    "maplib",   "res",      "bzp",  "bsp",        "cdc",       "cdp"};
+
+class ObjReader {
+ public:
+  ObjReader(std::string_view bytes, Decimal decimal)
+      : cursor_(bytes, {.comment = '#', .continuation = true}), points_(decimal) {}
+
+  Mesh read() {
+    while (cursor_.next_line()) read_statement(cursor_.token());
+    if (largest_index_ > points_.size()) {
+      throw Error(ErrorCode::Malformed,
+                  "expected the index of one of " + std::to_string(points_.size()) +
+                      " points, found " + std::to_string(largest_index_),
+                  line_of_largest_);
+    }
+    end_part();
+    if (mesh_.parts.empty()) mesh_.parts.push_back({"", 0, 0});
+    mesh_.points = points_.finish();
+    return std::move(mesh_);
+  }
+
+ private:
+  void read_statement(std::string_view keyword) {
+    if (keyword == "v") {
+      read_vertex();
+    } else if (keyword == "f" || keyword == "fo") {  // "fo" is the older spelling
+      read_face();
+    } else if (keyword == "o" || keyword == "g") {
+      end_part();
+      part_name_ = cursor_.rest();
+    } else if (std::find(kPassedOver.begin(), kPassedOver.end(), keyword) == kPassedOver.end()) {
+      cursor_.fail_expected("an OBJ statement such as v, f, o or g", keyword);
+    }
+  }
+
+  // v x y z [weight] [red green blue]
+  void read_vertex() {
+    std::array<std::string_view, 3> coordinates;
+    for (auto& coordinate : coordinates) coordinate = cursor_.expect_token("three coordinates");
+    points_.add(coordinates, cursor_);
+    int extra = 0;
+    for (auto token = cursor_.token(); !token.empty(); token = cursor_.token(), ++extra) {
+      (void)cursor_.to_number(token);
+    }
+    if (extra == 2 || extra > 4) {
+      cursor_.fail("expected x y z, with a weight or a colour or both, found " +
+                   std::to_string(3 + extra) + " numbers");
+    }
+  }
+
+  // f v v v ..., where each v may drag texture and normal along: v/vt, v//vn, v/vt/vn
+  void read_face() {
+    corners_.clear();
+    for (auto token = cursor_.token(); !token.empty(); token = cursor_.token()) {
+      corners_.push_back(read_corner(token));
+    }
+    if (corners_.size() < 3) {
+      cursor_.fail("expected at least 3 corners, found " + std::to_string(corners_.size()));
+    }
+    mesh_.polygons.emplace_back(corners_.begin(), corners_.end());
+  }
+
+  std::uint32_t read_corner(std::string_view token) {
+    const char* end = token.data() + token.size();
+    const char* next = token.data();
+    const std::int64_t vertex = read_index(next, end, token);
+    for (int k = 0; k < 2 && next != end && *next == '/'; ++k) {
+      ++next;
+      const bool absent = k == 0 && next != end && *next == '/';
+      if (!absent) (void)read_index(next, end, token);
+    }
+    if (next != end) fail_corner(token);
+    // Indices count from 1; -1 is the point last read. Points may also follow their faces, so the
+    // upper end of the range is known only at the end.
+    const std::int64_t index = vertex > 0 ? vertex : vertex + std::int64_t(points_.size()) + 1;
+    if (index < 1) {
+      cursor_.fail("expected an index of one of the " + std::to_string(points_.size()) +
+                   " points so far, found " + quoted(token));
+    }
+    if (std::size_t(index) > largest_index_) {
+      largest_index_ = std::size_t(index);
+      line_of_largest_ = cursor_.line();
+    }
+    return static_cast<std::uint32_t>(index - 1);
+  }
+
+  // A nonzero integer at `next`, which moves behind it.
+  std::int64_t read_index(const char*& next, const char* end, std::string_view token) const {
+    std::int32_t value = 0;
+    const auto result = std::from_chars(next, end, value);
+    if (result.ec != std::errc() || value == 0) fail_corner(token);
+    next = result.ptr;
+    return value;
+  }
+
+  [[noreturn]] void fail_corner(std::string_view token) const {
+    cursor_.fail_expected("a corner such as 3, -1, 3/2, 3//4 or 3/2/4 with indices from 1", token);
+  }
+
+  // Closes the polygons since the last o or g; none: no part. One name twice in a row is one part.
+  void end_part() {
+    const std::size_t last = mesh_.polygons.size();
+    const std::size_t first = mesh_.parts.empty() ? 0 : mesh_.parts.back().last_polygon;
+    if (first == last) return;
+    if (!mesh_.parts.empty() && mesh_.parts.back().name == part_name_) {
+      mesh_.parts.back().last_polygon = last;
+    } else {
+      mesh_.parts.push_back({std::string(part_name_), first, last});
+    }
+  }
+
+  TextCursor cursor_;
+  PointCollector points_;
+  Mesh mesh_;
+  std::string_view part_name_;
+  std::vector<std::uint32_t> corners_;
+  std::size_t largest_index_ = 0;
+  std::size_t line_of_largest_ = 0;
+};
+
+}  // namespace
+
+Mesh read_obj(std::string_view bytes, Decimal decimal) { return ObjReader(bytes, decimal).read(); }
+
+}  // namespace convexact

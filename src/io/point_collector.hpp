@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// point_collector.hpp - gathers the points of a text file as doubles or as spelled.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "convexact/geometry/point_set.hpp"
+#include "text_cursor.hpp"
+
+namespace convexact {
+
+class PointCollector {
+ public:
+  explicit PointCollector(Decimal decimal) : decimal_(decimal) {}
+
+  /// @throws Error Malformed or NotFinite at the line of `cursor`.
+  void add(const std::array<std::string_view, 3>& coordinates, const TextCursor& cursor) {
+    Point point;
+    for (int k = 0; k < 3; ++k) point[k] = cursor.to_number(coordinates[k]);
+    doubles_.push_back(point);
+    if (decimal_ == Decimal::Exact) rationals_.push_back(spelled(coordinates, cursor));
+  }
+
+  /// A point of a binary file, finite.
+  void add(const Point& point) {
+    doubles_.push_back(point);
+    if (decimal_ == Decimal::Exact) rationals_.push_back(to_rational(point));
+  }
+
+  std::size_t size() const { return doubles_.size(); }
+  const Point& double_at(std::size_t index) const { return doubles_[index]; }
+  bool equal(std::size_t a, std::size_t b) const {
+    return decimal_ == Decimal::Exact ? rationals_[a] == rationals_[b] : doubles_[a] == doubles_[b];
+  }
+  void drop_last() {
+    doubles_.pop_back();
+    if (decimal_ == Decimal::Exact) rationals_.pop_back();
+  }
+  PointSet finish() {
+    return decimal_ == Decimal::Exact ? PointSet(std::move(rationals_))
+                                      : PointSet(std::move(doubles_));
+  }
+
+ private:
+  // Called after all three proved to be decimals of finite value; what may still be refused is an
+  // exponent so low that its digits would fill the memory.
+  static RationalPoint spelled(const std::array<std::string_view, 3>& coordinates,
+                               const TextCursor& cursor) {
+    try {
+      return {parse_rational(coordinates[0]), parse_rational(coordinates[1]),
+              parse_rational(coordinates[2])};
+    } catch (const Error& error) {
+      cursor.fail(error.what(), error.code());
+    }
+  }
+
+  Decimal decimal_;
+  std::vector<Point> doubles_;
+  std::vector<RationalPoint> rationals_;
+};
+
+}  // namespace convexact

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "text_cursor.hpp"
+
+#include <charconv>
+
+namespace convexact {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
+}  // namespace
+
+TextCursor::TextCursor(std::string_view text, TextRules rules)
+    : begin_(text.data()), position_(begin_), end_(begin_ + text.size()), rules_(rules) {
+  // Some editors put a byte order mark before UTF-8.
+  if (text.substr(0, 3) == "\xEF\xBB\xBF") position_ += 3;
+}
+
+bool TextCursor::at_continuation() const {
+  return rules_.continuation && *position_ == '\\' && position_ + 1 < end_ &&
+         is_line_end(position_[1]);
+}
+
+void TextCursor::step_over_line_end() {
+  const bool two = *position_ == '\r' && position_ + 1 < end_ && position_[1] == '\n';
+  position_ += two ? 2 : 1;
+  ++line_;
+}
+
+void TextCursor::skip_blanks() {
+  while (position_ < end_) {
+    if (is_blank(*position_)) {
+      ++position_;
+    } else if (at_continuation()) {
+      ++position_;
+      step_over_line_end();
+    } else {
+      return;
+    }
+  }
+}
+
+bool TextCursor::at_line_end() const {
+  return position_ == end_ || is_line_end(*position_) ||
+         (rules_.comment != '\0' && *position_ == rules_.comment);
+}
+
+bool TextCursor::next_line() {
+  if (!started_) {
+    started_ = true;
+    skip_blanks();
+    if (!at_line_end()) return true;
+  }
+  while (position_ < end_) {
+    if (is_line_end(*position_)) {
+      step_over_line_end();
+      skip_blanks();
+      if (!at_line_end()) return true;
+    } else {
+      ++position_;
+    }
+  }
+  return false;
+}
+
+std::string_view TextCursor::token() {
+  skip_blanks();
+  if (at_line_end()) return {};
+  const char* first = position_;
+  while (position_ < end_ && !is_blank(*position_) && !is_line_end(*position_) &&
+         !at_continuation()) {
+    ++position_;
+  }
+  return {first, static_cast<std::size_t>(position_ - first)};
+}
+
+std::string_view TextCursor::rest() {
+  skip_blanks();
+  const char* first = position_;
+  while (position_ < end_ && !is_line_end(*position_)) ++position_;
+  const char* last = position_;
+  while (last > first && is_blank(last[-1])) --last;
+  return {first, static_cast<std::size_t>(last - first)};
+}
+
+std::string_view TextCursor::expect_line(std::string_view what, std::optional<std::size_t> number) {
+  if (next_line()) return token();
+  const std::string numbered = number ? " " + std::to_string(*number) : "";
+  fail("expected " + std::string(what) + numbered + ", found the end of the file");
+}
+
+std::string_view TextCursor::expect_token(std::string_view what) {
+  const std::string_view found = token();
+  if (found.empty()) fail_expected(what, found);
+  return found;
+}
+
+void TextCursor::expect_line_end() {
+  const std::string_view found = token();
+  if (!found.empty()) fail_expected("the end of the line", found);
+}
+
+void TextCursor::expect_end() {
+  if (next_line()) fail_expected("the end of the file", token());
+}
+
+std::uint32_t TextCursor::to_count(std::string_view token, std::string_view what) const {
+  std::uint32_t value = 0;
+  const auto [end, status] = std::from_chars(token.data(), token.data() + token.size(), value);
+  if (status != std::errc() || end != token.data() + token.size()) fail_expected(what, token);
+  return value;
+}
+
+double TextCursor::to_number(std::string_view token) const {
+  try {
+    return nearest_double(token);
+  } catch (const Error& error) {
+    fail(error.what(), error.code());
+  }
+}
+
+void TextCursor::fail_expected(std::string_view what, std::string_view token) const {
+  fail("expected " + std::string(what) + ", found " +
+       (token.empty() ? "the end of the line" : quoted(token)));
+}
+
+}  // namespace convexact

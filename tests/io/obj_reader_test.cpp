@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// OBJ files as found in the wild and broken ones. Expected values are written out by hand.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "convexact/io/read_mesh.hpp"
+#include "expect_error.hpp"
+
+using namespace convexact;
+
+namespace {
+
+using Polygon = std::vector<std::uint32_t>;
+
+Mesh obj(std::string_view text, Decimal decimal = Decimal::Nearest) {
+  return read_mesh_bytes(text, {.decimal = decimal, .format = MeshFormat::Obj});
+}
+
+const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+}  // namespace
+
+TEST_CASE("read_obj: nothing, and points without faces") {
+  CHECK(obj("").points.size() == 0);
+  CHECK(obj("\n\n# nothing\n").points.size() == 0);
+  const Mesh mesh = obj("v 1 2 3");
+  CHECK(mesh.points.doubles()[0] == Point(1, 2, 3));
+  CHECK(mesh.polygons.empty());
+  REQUIRE(mesh.parts.size() == 1);
+  CHECK(mesh.parts[0].last_polygon == 0);
+}
+
+TEST_CASE("read_obj: every spelling of a corner") {
+  for (const std::string face :
+       {"f 1 2 3 4", "f -4 -3 -2 -1", "f 1/9 2/8 3/7 4/6", "f 1//9 2//8 3//-7 4//6",
+        "f 1/9/1 2/8/1 3/7/1 4/6/1", "f\t1\t 2 \t3 4  ", "f 1 2 \\\n 3 4", "fo 1 -3 3/1 4//1"}) {
+    CAPTURE(face);
+    CHECK(obj(kSquare + face).polygons == std::vector<Polygon>{{0, 1, 2, 3}});
+  }
+}
+
+TEST_CASE("read_obj: line ends, byte order mark, comments, weights, colours, passed-over lines") {
+  const Mesh expected = obj(kSquare + "f 1 2 3\n");
+  for (const std::string text :
+       {"v 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\nf 1 2 3\r\n",
+        "v 0 0 0\rv 1 0 0\rv 1 1 0\rv 0 1 0\rf 1 2 3",
+        "\xEF\xBB\xBFv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 .5 .5 .5\nv 0 1 0 1 0 0 0\nf 1 2 3 # why not",
+        "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nvn 0 0 1\nvt 0 0\nv 1 1 0\nv 0 1 0\nusemtl m\ns off\n"
+        "  f 1 2 3\nl 1 2\np 1"}) {
+    CAPTURE(text);
+    const Mesh mesh = obj(text);
+    CHECK(mesh.polygons == expected.polygons);
+    for (std::size_t k = 0; k < 4; ++k) {
+      CHECK(mesh.points.doubles()[k] == expected.points.doubles()[k]);
+    }
+  }
+}
+
+TEST_CASE("read_obj: points may follow the faces that use them") {
+  CHECK(obj("f 1 2 3\n" + kSquare).polygons == std::vector<Polygon>{{0, 1, 2}});
+}
+
+TEST_CASE("read_obj: groups become parts, empty ones vanish") {
+  const Mesh mesh = obj(kSquare +
+                        "f 1 2 3\no first part \ng none\ng second\nf 1 2 4\nf 1 3 4\n"
+                        "g second\nf 2 3 4\no last\n");
+  REQUIRE(mesh.parts.size() == 2);
+  CHECK(mesh.parts[0].name == "");
+  CHECK(mesh.parts[0].first_polygon == 0);
+  CHECK(mesh.parts[0].last_polygon == 1);
+  CHECK(mesh.parts[1].name == "second");
+  CHECK(mesh.parts[1].first_polygon == 1);
+  CHECK(mesh.parts[1].last_polygon == 4);
+}
+
+TEST_CASE("read_obj: decimals as spelled") {
+  const Mesh mesh = obj("v 0.1 1e-400 -5.\n", Decimal::Exact);
+  const RationalPoint point = mesh.points[PointId(0)];
+  CHECK(to_string(point[0]) == "1/10");
+  CHECK(point[1] == parse_rational("1e-400"));
+  CHECK(point[2] == -5);
+  CHECK(mesh.points.doubles()[0] == Point(0.1, 0, -5));
+}
+
+TEST_CASE("read_obj: every error has its line and says what was expected") {
+  struct Case {
+    std::string text;
+    std::size_t line;
+    ErrorCode code;
+    const char* expected;
+  };
+  const auto malformed = ErrorCode::Malformed, not_finite = ErrorCode::NotFinite;
+  for (const Case& c : std::vector<Case>{
+           {"v 0 0\n", 1, malformed, "expected three coordinates, found the end of the line"},
+           {"\n\nv 0 0 zero\n", 3, malformed, "expected a number, found 'zero'"},
+           {"v 0 0 0 x", 1, malformed, "expected a number, found 'x'"},
+           {"v 0 0 0 1 1", 1, malformed, "found 5 numbers"},
+           {"v 0 0 0 1 1 1 1 1", 1, malformed, "found 8 numbers"},
+           {"v 0 0 \\\n \\\n nan", 3, not_finite, "expected a finite number, found 'nan'"},
+           {"v 0 0 -inf", 1, not_finite, "'-inf'"},
+           {"# x\r\nv 0 1e309 0", 2, not_finite, "'1e309'"},
+           {kSquare + "f 1 2 5\nf 1 2 3\n", 5, malformed, "one of 4 points, found 5"},
+           {kSquare + "f 1 2 -5", 5, malformed, "4 points so far, found '-5'"},
+           {kSquare + "f 0 1 2", 5, malformed, "expected a corner"},
+           {kSquare + "f 1 2 3/", 5, malformed, "expected a corner"},
+           {kSquare + "f 1 2 3//", 5, malformed, "expected a corner"},
+           {kSquare + "f 1 2 3/1/1/1", 5, malformed, "expected a corner"},
+           {kSquare + "f 1 2 3.0", 5, malformed, "expected a corner"},
+           {kSquare + "f 1 2 99999999999", 5, malformed, "expected a corner"},
+           {kSquare + "f 1 2", 5, malformed, "at least 3 corners, found 2"},
+           {kSquare + "f 1 2 \\", 5, malformed, "expected a corner"},
+           {"ply\n", 1, malformed, "expected an OBJ statement such as v, f, o or g, found 'ply'"},
+           {std::string("\0\0\0", 3), 1, malformed, "found '"},
+       }) {
+    CAPTURE(c.text);
+    const Error error = error_of([&] { return obj(c.text); });
+    CHECK(error.code() == c.code);
+    CHECK(error.line() == c.line);
+    CHECK(std::string(error.what()).find(c.expected) != std::string::npos);
+  }
+}
+
+TEST_CASE("read_mesh: the shipped meshes have the documented sizes") {
+  const std::string data = std::getenv("CONVEXACT_TEST_DATA");
+  CHECK(read_mesh(data + "/bunny.obj").points.size() == 35947);
+  CHECK(read_mesh(data + "/bunny.obj").polygons.size() == 69451);
+  CHECK(read_mesh(data + "/spot.obj").points.size() == 2930);
+  CHECK(read_mesh(data + "/teapot.obj").polygons.size() == 6320);
+}
+
+TEST_CASE("read_mesh: what cannot be read is named") {
+  const std::string data = std::getenv("CONVEXACT_TEST_DATA");
+  for (const std::string& path : {data, data + "/none.obj"}) {
+    const Error error = error_of([&] { return read_mesh(path); });
+    CHECK(error.code() == ErrorCode::Unreadable);
+    CHECK(std::string(error.what()).starts_with(path + ": cannot be read: "));
+  }
+}

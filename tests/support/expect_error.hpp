@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// expect_error.hpp - runs something that must be refused, and says how it was.
+#pragma once
+#include <doctest/doctest.h>
+
+#include "convexact/error.hpp"
+
+/// The Error that `action` throws. Anything else fails the test case.
+template <class Action>
+convexact::Error error_of(Action&& action) {
+  try {
+    (void)action();
+  } catch (const convexact::Error& error) {
+    return error;
+  }
+  FAIL("nothing was thrown");
+  return {convexact::ErrorCode::Internal, ""};
+}
