@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// extreme.hpp - stiff inputs: needles, slabs, far offsets, the ends of the exponent range, one ulp.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "convexact/geometry/point_set.hpp"
+
+namespace convexact::shapes {
+
+/// n points of in_ball() with y and z divided by `aspect` >= 1.
+[[nodiscard]] std::vector<Point> needle(std::uint32_t n, double aspect, std::uint64_t seed);
+/// n points of in_ball() with z divided by `aspect` >= 1.
+[[nodiscard]] std::vector<Point> slab(std::uint32_t n, double aspect, std::uint64_t seed);
+/// n points of in_ball() with `distance` added to each coordinate, so that few of their bits are
+/// left.
+[[nodiscard]] std::vector<Point> offset_ball(std::uint32_t n, double distance, std::uint64_t seed);
+/// n points of in_ball() times 2^exponent; exact while nothing leaves the range of normal doubles.
+[[nodiscard]] std::vector<Point> scaled_ball(std::uint32_t n, int exponent, std::uint64_t seed);
+/// n points of lattice(range) times 2^-1074: every coordinate is subnormal.
+/// Precondition: range < 2^52.
+[[nodiscard]] std::vector<Point> subnormal(std::uint32_t n, std::uint64_t range,
+                                           std::uint64_t seed);
+/// n points of in_box() times 1e300: squares overflow.
+[[nodiscard]] std::vector<Point> huge(std::uint32_t n, std::uint64_t seed);
+/// n points of in_box(), each coordinate times its own power of two from 2^-exponent to 2^exponent.
+[[nodiscard]] std::vector<Point> wide_exponents(std::uint32_t n, std::uint32_t exponent,
+                                                std::uint64_t seed);
+/// n points of the plane z = 1, half of them one ulp above it.
+[[nodiscard]] std::vector<Point> nearly_flat(std::uint32_t n, std::uint64_t seed);
+/// n points (x, y, (x + y) / 3) with x and y uniform in [0, 1), off that plane by the rounding of
+/// z, and the apex (1, 0, -1): a lid of many facets that hardly differ.
+[[nodiscard]] std::vector<Point> nearly_coplanar(std::uint32_t n, std::uint64_t seed);
+
+}  // namespace convexact::shapes

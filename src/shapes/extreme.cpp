@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/shapes/extreme.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "convexact/error.hpp"
+#include "convexact/number/random.hpp"
+#include "convexact/shapes/random_points.hpp"
+
+namespace convexact::shapes {
+namespace {
+
+void require_aspect(double aspect) {
+  if (!(aspect >= 1 && std::isfinite(aspect))) {
+    throw Error(ErrorCode::InvalidArgument, "an aspect ratio is at least 1");
+  }
+}
+
+}  // namespace
+
+std::vector<Point> needle(std::uint32_t n, double aspect, std::uint64_t seed) {
+  require_aspect(aspect);
+  std::vector<Point> points = in_ball(n, seed);
+  for (Point& p : points) p = Point(p[0], p[1] / aspect, p[2] / aspect);
+  return points;
+}
+
+std::vector<Point> slab(std::uint32_t n, double aspect, std::uint64_t seed) {
+  require_aspect(aspect);
+  std::vector<Point> points = in_ball(n, seed);
+  for (Point& p : points) p[2] /= aspect;
+  return points;
+}
+
+std::vector<Point> offset_ball(std::uint32_t n, double distance, std::uint64_t seed) {
+  std::vector<Point> points = in_ball(n, seed);
+  for (Point& p : points) p += Point::Constant(distance);
+  return points;
+}
+
+std::vector<Point> scaled_ball(std::uint32_t n, int exponent, std::uint64_t seed) {
+  std::vector<Point> points = in_ball(n, seed);
+  for (Point& p : points) {
+    for (int k = 0; k < 3; ++k) p[k] = std::ldexp(p[k], exponent);
+  }
+  return points;
+}
+
+std::vector<Point> subnormal(std::uint32_t n, std::uint64_t range, std::uint64_t seed) {
+  if (range >= std::uint64_t(1) << 52) {
+    throw Error(ErrorCode::InvalidArgument, "subnormal numbers have at most 52 bits");
+  }
+  std::vector<Point> points = lattice(n, range, seed);
+  for (Point& p : points) {
+    for (int k = 0; k < 3; ++k) p[k] = std::ldexp(p[k], -1074);
+  }
+  return points;
+}
+
+std::vector<Point> huge(std::uint32_t n, std::uint64_t seed) {
+  std::vector<Point> points = in_box(n, seed);
+  for (Point& p : points) p *= 1e300;
+  return points;
+}
+
+std::vector<Point> wide_exponents(std::uint32_t n, std::uint32_t exponent, std::uint64_t seed) {
+  if (exponent > 1000) throw Error(ErrorCode::InvalidArgument, "an exponent is at most 1000");
+  Random random(seed);
+  std::vector<Point> points = in_box(n, random());
+  for (Point& p : points) {
+    for (int k = 0; k < 3; ++k) {
+      const auto draw = uniform_below(random, 2 * std::uint64_t(exponent) + 1);
+      p[k] = std::ldexp(p[k], static_cast<int>(draw) - static_cast<int>(exponent));
+    }
+  }
+  return points;
+}
+
+std::vector<Point> nearly_flat(std::uint32_t n, std::uint64_t seed) {
+  std::vector<Point> points = in_box(n, seed);
+  const double above = 1 + std::numeric_limits<double>::epsilon();
+  for (std::size_t i = 0; i < points.size(); ++i) points[i][2] = i % 2 == 0 ? 1 : above;
+  return points;
+}
+
+std::vector<Point> nearly_coplanar(std::uint32_t n, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Point> points;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double x = uniform_unit(random), y = uniform_unit(random);
+    points.emplace_back(x, y, (x + y) / 3);
+  }
+  points.emplace_back(1, 0, -1);
+  return points;
+}
+
+}  // namespace convexact::shapes
