@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/stored/containment.hpp"
+
+#include "convexact/number/rounding.hpp"
+#include "coordinates.hpp"
+
+namespace convexact {
+namespace {
+
+using stored::Coordinates;
+
+// A halfspace scaled by a power of two so that its largest normal component is in [1/2, 1].
+struct DoubleHalfspace {
+  double n[3];
+  double d;
+
+  explicit DoubleHalfspace(const Halfspace& h) {
+    std::size_t bits = 0;
+    for (int k = 0; k < 3; ++k) bits = std::max(bits, bit_length(h.normal()[k]));
+    const auto scaled = [&](const Integer& value) {
+      return to_double(scale_by_power_of_two(Rational(value), -static_cast<long>(bits)),
+                       Rounding::Nearest);
+    };
+    for (int k = 0; k < 3; ++k) n[k] = scaled(h.normal()[k]);
+    d = scaled(h.offset());
+  }
+};
+
+// Blocks stay in the first-level cache while all halfspaces pass over them.
+constexpr std::size_t kBlock = 512;
+
+class OutsideCounter {
+ public:
+  OutsideCounter(std::span<const Halfspace> halfspaces, const PointSet& points)
+      : halfspaces_(halfspaces),
+        points_(points),
+        doubles_(points.doubles()),
+        absolute_(stored::absolute_error(std::max(1.0, doubles_.largest))) {
+    filters_.reserve(halfspaces.size());
+    for (const Halfspace& h : halfspaces) filters_.emplace_back(h);
+  }
+
+  std::size_t count() {
+    std::size_t total = 0;
+    for (std::size_t first = 0; first < points_.size(); first += kBlock) {
+      total += count_block(first, std::min(points_.size(), first + kBlock));
+    }
+    return total;
+  }
+
+ private:
+  // Negative for certain, or not: the filter of coordinates.hpp.
+  bool surely_inside(const DoubleHalfspace& h, std::size_t j) const {
+    const double px = h.n[0] * doubles_.x[j], py = h.n[1] * doubles_.y[j],
+                 pz = h.n[2] * doubles_.z[j];
+    const double size = std::abs(px) + std::abs(py) + std::abs(pz) + std::abs(h.d);
+    return px + py + pz + h.d + (stored::kRelative * size + absolute_) < 0;
+  }
+
+  std::size_t count_block(std::size_t first, std::size_t last) {
+    std::vector<bool> outside(last - first, false);
+    for (std::size_t i = 0; i < filters_.size(); ++i) {
+      std::size_t open = 0;  // no branch in the loop, so that it can run on vectors
+      for (std::size_t j = first; j < last; ++j) open += !surely_inside(filters_[i], j);
+      if (open == 0) continue;
+      for (std::size_t j = first; j < last; ++j) {
+        if (outside[j - first] || surely_inside(filters_[i], j)) continue;
+        outside[j - first] = halfspaces_[i](points_[PointId(j)]) > 0;
+      }
+    }
+    return static_cast<std::size_t>(std::count(outside.begin(), outside.end(), true));
+  }
+
+  std::span<const Halfspace> halfspaces_;
+  const PointSet& points_;
+  Coordinates doubles_;
+  double absolute_;
+  std::vector<DoubleHalfspace> filters_;
+};
+
+}  // namespace
+
+std::size_t count_outside(std::span<const Halfspace> halfspaces, const PointSet& points) {
+  return OutsideCounter(halfspaces, points).count();
+}
+
+}  // namespace convexact

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// coordinates.hpp - points as three arrays of doubles, and the error bound of n.x + d on them.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "convexact/geometry/point_set.hpp"
+
+namespace convexact::stored {
+
+/// Bound of |fl(n.x + d) - (n.x + d)| where fl() works on n, x and d each rounded to nearest once:
+///   kRelative * (|n1 x1| + |n2 x2| + |n3 x3| + |d|) + absolute().
+/// With u = 2^-53 a term n_k x_k suffers two input roundings, its product and three sums, so a
+/// factor within (1 + u)^6; d suffers fewer. 8u covers 6u, the terms of second order and the
+/// rounding of the bound itself. Underflow adds: an input rounded in the subnormal range is off by
+/// at most 2^-1075, times the other factor; a product likewise by 2^-1075. Overflow makes the value
+/// infinite or NaN, and the bound with it; a comparison with NaN is false, so such pairs are left
+/// to the exact numbers.
+inline constexpr double kRelative = 8 * 0x1p-53;
+/// `largest` bounds every |n_k| and |x_k|. At most 2^-1075 * (3 largest_n + 3 largest_x + 3 + 1)
+/// and second order terms, rounded: 2^-1070 * (1 + largest) covers it.
+inline double absolute_error(double largest) { return 0x1p-1070 + 0x1p-1070 * largest; }
+
+struct Coordinates {
+  std::vector<double> x, y, z;
+  double largest = 0;  ///< Of the absolute values of all coordinates.
+
+  explicit Coordinates(std::span<const Point> points) {
+    reserve(points.size());
+    for (const Point& p : points) push_back(p);
+  }
+  Coordinates(const PointSet& points, std::span<const PointId> ids) {
+    reserve(ids.size());
+    for (const PointId id : ids) push_back(points.doubles()[id.index()]);
+  }
+  std::size_t size() const { return x.size(); }
+
+ private:
+  void reserve(std::size_t count) {
+    x.reserve(count);
+    y.reserve(count);
+    z.reserve(count);
+  }
+  void push_back(const Point& p) {
+    x.push_back(p.x());
+    y.push_back(p.y());
+    z.push_back(p.z());
+    for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(p[k]));
+  }
+};
+
+}  // namespace convexact::stored

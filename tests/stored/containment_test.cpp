@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// count_outside against the definition in GMP integers, and at one ulp from the plane.
+#include "convexact/stored/containment.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "convexact/shapes/extreme.hpp"
+#include "convexact/shapes/random_points.hpp"
+#include "property.hpp"
+#include "stored_cases.hpp"
+
+using namespace convexact;
+
+namespace {
+
+std::size_t by_definition(std::span<const Halfspace> halfspaces, const PointSet& points) {
+  std::vector<stored_checker::Plane> planes;
+  for (const Halfspace& h : halfspaces) planes.push_back(stored_cases::to_plane(h));
+  return stored_checker::count_outside(planes, stored_cases::to_homogeneous(points));
+}
+
+}  // namespace
+
+TEST_CASE("count_outside: a point on the plane is inside, one ulp beyond it is outside") {
+  // x + y + z <= 0.6 as the doubles are.
+  const Rational sum = to_rational(0.1) + to_rational(0.2) + to_rational(0.3);
+  const Halfspace h(RationalVector3(1, 1, 1), Rational(-sum));
+  const std::vector<Halfspace> halfspaces{h};
+  CHECK(count_outside(halfspaces, PointSet(std::vector<Point>{{0.1, 0.2, 0.3}})) == 0);
+  CHECK(count_outside(halfspaces,
+                      PointSet(std::vector<Point>{{0.1, 0.2, std::nextafter(0.3, 1.0)}})) == 1);
+  CHECK(count_outside(halfspaces,
+                      PointSet(std::vector<Point>{{0.1, 0.2, std::nextafter(0.3, 0.0)}})) == 0);
+}
+
+TEST_CASE("count_outside: a point counts once, whatever number of halfspaces it violates") {
+  const std::vector<Halfspace> halfspaces{{IntegerVector3(1, 0, 0), -1},
+                                          {IntegerVector3(0, 1, 0), -1}};
+  CHECK(count_outside(halfspaces, PointSet(std::vector<Point>{
+                                      {2, 2, 0}, {0, 0, 0}, {0, 2, 0}, {1, 1, 9}})) == 2);
+  CHECK(count_outside(halfspaces, PointSet(std::vector<Point>{})) == 0);
+  CHECK(count_outside({}, PointSet(std::vector<Point>{{2, 2, 0}})) == 0);
+}
+
+TEST_CASE("count_outside: overflow and underflow are left to the exact numbers") {
+  const double most = std::numeric_limits<double>::max();
+  const double least = std::numeric_limits<double>::denorm_min();
+  // x - y + z - most <= 0: every partial sum may overflow, and inf - inf is NaN.
+  const std::vector<Halfspace> large{{RationalVector3(1, -1, 1), Rational(-to_rational(most))}};
+  CHECK(count_outside(large, PointSet(std::vector<Point>{{most, -most, most}})) == 1);
+  CHECK(count_outside(large, PointSet(std::vector<Point>{{most, most, most}})) == 0);
+  CHECK(count_outside(large, PointSet(std::vector<Point>{{-most, most, -most}})) == 0);
+  // x / 3 + y <= least: the product x / 3 underflows.
+  const std::vector<Halfspace> small{
+      {RationalVector3(Rational(1, 3), 1, 0), Rational(-to_rational(least))}};
+  CHECK(count_outside(small, PointSet(std::vector<Point>{{least, least, 0}})) == 1);
+  CHECK(count_outside(small, PointSet(std::vector<Point>{{-least, least, 0}})) == 0);
+  // An offset beyond the largest double.
+  const Rational beyond = scale_by_power_of_two(Rational(1), 1030);
+  const std::vector<Halfspace> far{{RationalVector3(1, 1, 1), Rational(-beyond)}};
+  CHECK(count_outside(far, PointSet(std::vector<Point>{{most, most, most}})) == 0);
+  const std::vector<Halfspace> none{{RationalVector3(1, 1, 1), beyond}};
+  CHECK(count_outside(none, PointSet(std::vector<Point>{{-most, -most, -most}})) == 1);
+}
+
+TEST_CASE("count_outside: agrees with the definition") {
+  check_property("count_outside agrees with GMP on random planes through near points", [] {
+    const auto seed = *rc::gen::arbitrary<std::uint32_t>();
+    for (const auto& points :
+         {shapes::lattice(40, 4, seed), shapes::in_ball(40, seed),
+          shapes::wide_exponents(40, 200, seed), shapes::offset_ball(40, 1e8, seed)}) {
+      const std::vector<Halfspace> halfspaces = [&] {
+        std::vector<Halfspace> made;
+        for (int i = 0; i + 3 <= 9; i += 3) {
+          const Point u = points[i + 1] - points[i], v = points[i + 2] - points[i];
+          if (to_rational(points[i]) == to_rational(points[i + 1])) continue;
+          const RationalVector3 n = to_rational(u).cross(to_rational(v));
+          if (n == RationalVector3::Zero()) continue;
+          made.push_back({n, Rational(-n.dot(to_rational(points[i])))});
+        }
+        return made;
+      }();
+      const PointSet set(points);
+      RC_ASSERT(count_outside(halfspaces, set) == by_definition(halfspaces, set));
+      std::vector<RationalPoint> thirds;
+      for (const Point& p : points) thirds.push_back(to_rational(p) / Rational(3));
+      const PointSet rational(thirds);
+      RC_ASSERT(count_outside(halfspaces, rational) == by_definition(halfspaces, rational));
+    }
+  });
+}

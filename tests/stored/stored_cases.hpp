@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// stored_cases.hpp - results to store (hulls and bounded subsets of their planes), and how the
+// independent checker sees them.
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "convexact/dual/dual_hull.hpp"
+#include "convexact/hull/hull.hpp"
+#include "convexact/number/precision.hpp"
+#include "convexact/number/random.hpp"
+#include "stored_checker.hpp"
+
+namespace stored_cases {
+
+using namespace convexact;
+
+inline constexpr Precision kPrecisions[] = {Precision::Binary64, Precision::Binary32};
+
+struct Case {
+  PointSet input;
+  std::vector<PointId> witnesses;
+  Polytope exact;
+};
+
+/// The hull itself as the result; nothing if the points are flat.
+inline std::optional<Case> hull_case(PointSet input) {
+  const HullOutcome outcome = convex_hull(input);
+  const auto* hull = std::get_if<Hull>(&outcome);
+  if (hull == nullptr) return {};
+  Polytope exact = to_polytope(*hull, input);
+  return Case{std::move(input), hull->vertices, std::move(exact)};
+}
+
+inline mpz_class to_mpz(const Integer& x) { return mpz_class(x.backend().data()); }
+inline mpq_class to_mpq(const Rational& x) { return mpq_class(x.backend().data()); }
+
+inline stored_checker::Plane to_plane(const Halfspace& h) {
+  return {to_mpz(h.normal()[0]), to_mpz(h.normal()[1]), to_mpz(h.normal()[2]), to_mpz(h.offset())};
+}
+
+inline std::vector<stored_checker::Homogeneous> to_homogeneous(const PointSet& points) {
+  std::vector<stored_checker::Homogeneous> converted;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const RationalPoint p = points[PointId(i)];
+    converted.push_back(stored_checker::point(to_mpq(p[0]), to_mpq(p[1]), to_mpq(p[2])));
+  }
+  return converted;
+}
+
+/// The same input with a random subset of the hull's planes as the result; halfspaces go one after
+/// another as long as the rest is bounded, until `left` are left.
+inline Case drop_planes(const Case& hull, std::size_t left, std::uint64_t seed) {
+  std::vector<Halfspace> kept = hull.exact.planes;
+  std::vector<stored_checker::Plane> planes;
+  for (const Halfspace& h : kept) planes.push_back(to_plane(h));
+  Random random(seed);
+  for (int attempt = 0; attempt < 100 && kept.size() > left; ++attempt) {
+    const auto i = static_cast<std::ptrdiff_t>(uniform_below(random, kept.size()));
+    auto fewer = planes;
+    fewer.erase(fewer.begin() + i);
+    if (!stored_checker::is_bounded(fewer)) continue;
+    planes = fewer;
+    kept.erase(kept.begin() + i);
+  }
+  RationalPoint center = RationalPoint::Zero();
+  for (const PointId id : hull.witnesses) center += hull.input[id];
+  center /= Rational(hull.witnesses.size());
+  const HalfspaceDual dual = dual_of(kept, center);
+  return {hull.input, hull.witnesses, to_polytope(dual.dual.halfspaces, dual.dual.triangles)};
+}
+
+}  // namespace stored_cases
