@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/number/enclosure.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "convexact/error.hpp"
+
+namespace convexact {
+namespace {
+
+using Operation = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
+
+// The least and the greatest of f at the four corners of a box, rounded down and up. For an f that
+// is monotone in each argument where the other is fixed, that is its range over the box: its
+// extremes lie on the sides of the box, and on a side at its ends.
+struct Range {
+  BigFloat low, high;
+};
+
+Range range_at_corners(Operation f, const std::array<mpfr_srcptr, 2>& a,
+                       const std::array<mpfr_srcptr, 2>& b, long precision) {
+  Range range{BigFloat(precision), BigFloat(precision)};
+  f(range.low.data(), a[0], b[0], MPFR_RNDD);
+  f(range.high.data(), a[0], b[0], MPFR_RNDU);
+  BigFloat corner(precision);
+  for (int k = 1; k < 4; ++k) {
+    f(corner.data(), a[k & 1], b[k >> 1], MPFR_RNDD);
+    mpfr_min(range.low.data(), range.low.data(), corner.data(), MPFR_RNDD);
+    f(corner.data(), a[k & 1], b[k >> 1], MPFR_RNDU);
+    mpfr_max(range.high.data(), range.high.data(), corner.data(), MPFR_RNDU);
+  }
+  return range;
+}
+
+[[noreturn]] void reject(const char* message) { throw Error(ErrorCode::InvalidArgument, message); }
+
+}  // namespace
+
+Enclosure::Enclosure(const Rational& x, long precision) : Enclosure(precision) {
+  mpfr_set_q(low_.data(), x.backend().data(), MPFR_RNDD);
+  mpfr_set_q(high_.data(), x.backend().data(), MPFR_RNDU);
+  require_finite();
+}
+
+Enclosure::Enclosure(const Integer& x, long precision) : Enclosure(precision) {
+  mpfr_set_z(low_.data(), x.backend().data(), MPFR_RNDD);
+  mpfr_set_z(high_.data(), x.backend().data(), MPFR_RNDU);
+  require_finite();
+}
+
+Enclosure Enclosure::pi(long precision) {
+  Enclosure result(precision);
+  mpfr_const_pi(result.low_.data(), MPFR_RNDD);
+  mpfr_const_pi(result.high_.data(), MPFR_RNDU);
+  return result;
+}
+
+// An overflow leaves an infinite end (directed rounding), and no operation starts from one, so
+// NaN cannot arise either.
+void Enclosure::require_finite() const {
+  if (!mpfr_number_p(low_.data()) || !mpfr_number_p(high_.data())) {
+    throw Error(ErrorCode::Unrepresentable, "a number is beyond 2^(2^30)");
+  }
+}
+
+void Enclosure::widen_to(long precision) {
+  if (precision <= this->precision()) return;
+  mpfr_prec_round(low_.data(), precision, MPFR_RNDD);  // exact: more bits
+  mpfr_prec_round(high_.data(), precision, MPFR_RNDU);
+}
+
+double Enclosure::low_double() const { return mpfr_get_d(low_.data(), MPFR_RNDD); }
+double Enclosure::high_double() const { return mpfr_get_d(high_.data(), MPFR_RNDU); }
+
+std::optional<Sign> Enclosure::sign() const {
+  const int low = mpfr_sgn(low_.data()), high = mpfr_sgn(high_.data());
+  if (low > 0) return Sign::Positive;
+  if (high < 0) return Sign::Negative;
+  if (low == 0 && high == 0) return Sign::Zero;
+  return std::nullopt;
+}
+
+Enclosure Enclosure::operator-() const {
+  Enclosure result(precision());
+  mpfr_neg(result.low_.data(), high_.data(), MPFR_RNDD);
+  mpfr_neg(result.high_.data(), low_.data(), MPFR_RNDU);
+  return result;
+}
+
+Enclosure& Enclosure::operator+=(const Enclosure& other) {
+  widen_to(other.precision());
+  mpfr_add(low_.data(), low_.data(), other.low_.data(), MPFR_RNDD);
+  mpfr_add(high_.data(), high_.data(), other.high_.data(), MPFR_RNDU);
+  require_finite();
+  return *this;
+}
+
+Enclosure& Enclosure::operator*=(const Enclosure& other) {
+  Range range = range_at_corners(mpfr_mul, {low_.data(), high_.data()},
+                                 {other.low_.data(), other.high_.data()},
+                                 std::max(precision(), other.precision()));
+  low_ = std::move(range.low);
+  high_ = std::move(range.high);
+  require_finite();
+  return *this;
+}
+
+Enclosure& Enclosure::operator/=(const Enclosure& other) {
+  if (other.sign().value_or(Sign::Zero) == Sign::Zero) reject("a divisor may be zero");
+  Range range = range_at_corners(mpfr_div, {low_.data(), high_.data()},
+                                 {other.low_.data(), other.high_.data()},
+                                 std::max(precision(), other.precision()));
+  low_ = std::move(range.low);
+  high_ = std::move(range.high);
+  require_finite();
+  return *this;
+}
+
+Enclosure sqrt(const Enclosure& x) {
+  if (x.sign() == Sign::Negative) reject("the square root of a negative number");
+  Enclosure result(x.precision());  // its lower end is 0
+  if (mpfr_sgn(x.low_.data()) > 0) mpfr_sqrt(result.low_.data(), x.low_.data(), MPFR_RNDD);
+  mpfr_sqrt(result.high_.data(), x.high_.data(), MPFR_RNDU);
+  return result;
+}
+
+Enclosure atan2(const Enclosure& y, const Enclosure& x) {
+  if (mpfr_sgn(y.low_.data()) < 0) reject("an angle below the x axis");
+  if (mpfr_zero_p(y.low_.data()) && x.sign().value_or(Sign::Zero) == Sign::Zero) {
+    reject("the angle of the origin");
+  }
+  // Where y >= 0, the angle falls with x, and for a fixed x it is monotone in y: corners suffice.
+  Enclosure result(std::max(y.precision(), x.precision()));
+  BigFloat low(y.low_), high(y.high_);  // without the sign of -0, whose angles are negative
+  mpfr_abs(low.data(), low.data(), MPFR_RNDD);
+  mpfr_abs(high.data(), high.data(), MPFR_RNDU);
+  Range range = range_at_corners(mpfr_atan2, {low.data(), high.data()},
+                                 {x.low_.data(), x.high_.data()}, result.precision());
+  result.low_ = std::move(range.low);
+  result.high_ = std::move(range.high);
+  return result;
+}
+
+Enclosure enclose_sum(std::span<const Rational> terms, long precision) {
+  Enclosure sum(precision);
+  for (const Rational& term : terms) sum += Enclosure(term, precision);
+  return sum;
+}
+
+}  // namespace convexact
