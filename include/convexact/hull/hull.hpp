@@ -66,7 +66,11 @@ struct FlatInput {
 using HullOutcome = std::variant<Hull, FlatInput>;
 
 struct HullOptions {
-  std::uint64_t seed = 1;  ///< Of the insertion order; the hull does not depend on it.
+  /// Of the insertion order; the hull does not depend on it.
+  std::uint64_t seed = 1;
+  /// Points are inserted furthest first until e n log2(n) steps are spent, the rest in random
+  /// order. At least 0; 0 is random order from the start.
+  double furthest_first_effort = 8;
 };
 
 /// Exact hull by randomised incremental insertion with a conflict graph.

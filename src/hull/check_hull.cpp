@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+// The checker of hulls, after [Mehlhorn1999]. It shares the exact points with the construction
+// and nothing else. Why these checks suffice: docs/design/hull.md.
+#include <algorithm>
+#include <unordered_map>
+
+#include "convexact/hull/double_points.hpp"
+#include "convexact/hull/dual_hull.hpp"
+#include "convexact/hull/homogeneous_points.hpp"
+#include "convexact/hull/hull.hpp"
+
+namespace convexact {
+namespace {
+
+template <class Points>
+class HullCheck {
+ public:
+  HullCheck(const Hull& hull, Points points) : hull_(hull), points_(std::move(points)) {}
+
+  bool passes() {
+    return ids_are_valid() && has_center() && all_facets_are_convex() && ridges_are_convex() &&
+           has_euler_characteristic_two() && one_ray_meets_one_facet() && the_rest_is_inside();
+  }
+
+ private:
+  bool ids_are_valid() const {
+    const auto valid = [&](PointId p) { return p.index() < points_.size(); };
+    const auto& v = hull_.vertices;
+    const auto not_ascending = [](PointId a, PointId b) { return a >= b; };
+    if (!std::ranges::all_of(v, valid) || std::ranges::adjacent_find(v, not_ascending) != v.end())
+      return false;
+    for (std::size_t f = 0; f < hull_.facets.size(); ++f) {
+      if (hull_.facets[f].size() < 3 || !std::ranges::all_of(hull_.facets[f], valid)) return false;
+    }
+    for (const InsideProof& proof : hull_.certificate.inside) {
+      if (!valid(proof.point) || !std::ranges::all_of(proof.triangle, valid)) return false;
+    }
+    return std::ranges::all_of(hull_.certificate.simplex, valid);
+  }
+
+  // The simplex spans a volume, so its centroid o is an interior point of the true hull.
+  bool has_center() {
+    const auto& s = hull_.certificate.simplex;
+    if (points_.side(s[0], s[1], s[2], s[3]) == Sign::Zero) return false;
+    points_.center_at(s);
+    return true;
+  }
+
+  Sign turn(PointId a, PointId b, PointId c) const { return center_side_of(points_, a, b, c); }
+
+  bool all_facets_are_convex() const {
+    for (std::size_t f = 0; f < hull_.facets.size(); ++f) {
+      if (!is_convex_facet(hull_.facets[f])) return false;
+    }
+    return hull_.facets.size() >= 4;
+  }
+
+  // A strictly convex polygon in one plane, with o strictly below: seen from c[0] the angle of the
+  // other corners grows all the way, within less than pi, and each corner turns to the left.
+  bool is_convex_facet(std::span<const PointId> c) const {
+    const std::size_t size = c.size();
+    const NearPlane plane = NearPlane::through(
+        points_.near()[c[0].index()], points_.near()[c[1].index()], points_.near()[c[2].index()]);
+    for (std::size_t k = 0; k < size; ++k) {
+      if (turn(c[k], c[(k + 1) % size], c[(k + 2) % size]) != Sign::Positive) return false;
+      if (k >= 2 && turn(c[0], c[1], c[k]) != Sign::Positive) return false;
+      if (k >= 2 && k + 1 < size && turn(c[0], c[k], c[k + 1]) != Sign::Positive) return false;
+      if (k >= 3 && side_of(points_, plane, {c[0], c[1], c[2]}, c[k]) != Sign::Zero) return false;
+    }
+    return true;
+  }
+
+  // Where a directed edge lies: its facet, and the corner after its end.
+  struct Place {
+    std::size_t facet;
+    PointId next;
+  };
+  static std::uint64_t key(PointId from, PointId to) {
+    return std::uint64_t{from.value} << 32 | to.value;
+  }
+
+  // Every directed edge is there once and once in the other direction (closed), and the facet over
+  // it falls off strictly.
+  bool ridges_are_convex() const {
+    std::unordered_map<std::uint64_t, Place> edges;
+    edges.reserve(hull_.facets.corner_count());
+    for (std::size_t f = 0; f < hull_.facets.size(); ++f) {
+      const auto c = hull_.facets[f];
+      for (std::size_t k = 0; k < c.size(); ++k) {
+        const PointId next = c[(k + 2) % c.size()];
+        if (!edges.try_emplace(key(c[k], c[(k + 1) % c.size()]), Place{f, next}).second)
+          return false;
+      }
+    }
+    for (const auto& [edge, place] : edges) {
+      const auto over = edges.find(edge << 32 | edge >> 32);
+      if (over == edges.end()) return false;
+      const auto c = hull_.facets[place.facet];
+      if (side_of(points_, {c[0], c[1], c[2]}, over->second.next) != Sign::Negative) return false;
+    }
+    return true;
+  }
+
+  bool has_euler_characteristic_two() const {
+    std::vector<bool> used(points_.size(), false);
+    std::size_t count = 0;
+    for (std::size_t f = 0; f < hull_.facets.size(); ++f) {
+      for (const PointId p : hull_.facets[f]) {
+        count += used[p.index()] ? 0 : 1;
+        used[p.index()] = true;
+      }
+    }
+    for (const PointId p : hull_.vertices) {
+      if (!used[p.index()]) return false;
+    }
+    return count == hull_.vertices.size() &&
+           hull_.vertices.size() + hull_.facets.size() == hull_.facets.corner_count() / 2 + 2;
+  }
+
+  // The ray from o through the interior of the first facet, along r = c0 + c1 + c2 - 3o, stays
+  // clear of every other (closed) facet.
+  bool one_ray_meets_one_facet() const {
+    const auto c = hull_.facets[0];
+    const std::array<PointId, 3> ray{c[0], c[1], c[2]};
+    for (std::size_t f = 1; f < hull_.facets.size(); ++f) {
+      if (is_in_cone(hull_.facets[f], ray)) return false;
+    }
+    return true;
+  }
+
+  bool is_in_cone(std::span<const PointId> facet, const std::array<PointId, 3>& ray) const {
+    for (std::size_t k = 0; k < facet.size(); ++k) {
+      if (ray_side(facet[k], facet[(k + 1) % facet.size()], ray) == Sign::Negative) return false;
+    }
+    return true;
+  }
+
+  // The sign of det[a-o; b-o; r], r the sum of three points from o.
+  Sign ray_side(PointId a, PointId b, const std::array<PointId, 3>& ray) const {
+    const auto near = points_.near();
+    const NearPoint normal = cross(near[a.index()], near[b.index()]);
+    double sum = 0;
+    for (const PointId p : ray) sum += dot(normal, near[p.index()]);
+    // Three times the error of one, and two sums of values up to 18.
+    if (const auto sign = certain_sign(sum, 3 * kCenterBound + 64 * kRoundoff)) return *sign;
+    RationalPoint center = RationalPoint::Zero();
+    for (const PointId p : hull_.certificate.simplex) center += points_.rational(p) / Rational(4);
+    const RationalVector3 u = points_.rational(a) - center, v = points_.rational(b) - center;
+    const RationalVector3 exact = u.cross(v);
+    Rational value = 0;
+    for (const PointId p : ray) value += exact.dot(RationalVector3(points_.rational(p) - center));
+    return sign_of(value);
+  }
+
+  // Backwards, each point lies in a tetrahedron of o and points that are known to be in the hull.
+  bool the_rest_is_inside() const {
+    std::vector<bool> known(points_.size(), false);
+    std::size_t count = hull_.vertices.size();
+    for (const PointId p : hull_.vertices) known[p.index()] = true;
+    const auto& proofs = hull_.certificate.inside;
+    for (auto proof = proofs.rbegin(); proof != proofs.rend(); ++proof, ++count) {
+      const auto& [p, t] = *proof;
+      if (known[p.index()] || !is_inside(p, t)) return false;
+      for (const PointId corner : t) {
+        if (!known[corner.index()]) return false;
+      }
+      known[p.index()] = true;
+    }
+    return count == points_.size();
+  }
+
+  bool is_inside(PointId p, const std::array<PointId, 3>& t) const {
+    if (t[0] == t[1] && t[1] == t[2]) return points_.equal(p, t[0]);
+    return turn(t[0], t[1], t[2]) == Sign::Positive && turn(t[0], t[1], p) != Sign::Negative &&
+           turn(t[1], t[2], p) != Sign::Negative && turn(t[2], t[0], p) != Sign::Negative &&
+           side_of(points_, t, p) != Sign::Positive;
+  }
+
+  const Hull& hull_;
+  Points points_;
+};
+
+}  // namespace
+
+bool check_hull(const Hull& hull, const PointSet& points) {
+  if (points.is_binary()) return HullCheck(hull, DoublePoints(points.doubles())).passes();
+  std::vector<HomogeneousPoint> homogeneous;
+  homogeneous.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    homogeneous.push_back(to_homogeneous(points[PointId(i)]));
+  return check_hull(hull, homogeneous);
+}
+
+bool check_hull(const Hull& hull, std::span<const HomogeneousPoint> points) {
+  return HullCheck(hull, HomogeneousPoints(points)).passes();
+}
+
+}  // namespace convexact
