@@ -58,7 +58,8 @@ TEST_CASE("convex_hull: a grid has the eight corners and six facets of its box")
 TEST_CASE("convex_hull: small lattice points agree with the definition") {
   check_property("facets by definition", [](const std::vector<std::array<std::int8_t, 3>>& raw) {
     std::vector<Point> list;
-    for (const auto& r : raw) list.emplace_back(r[0] % 3, r[1] % 3, r[2] % 3);
+    for (const auto& r : raw)
+      if (list.size() < 20) list.emplace_back(r[0] % 3, r[1] % 3, r[2] % 3);
     const PointSet points(list);
     const HullOutcome outcome = convex_hull(points);
     if (const auto* flat = std::get_if<FlatInput>(&outcome)) {
