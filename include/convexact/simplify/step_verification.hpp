@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// step_verification.hpp - proves each step of a run again, from plain lists and original planes.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "convexact/dual/dual_hull.hpp"
+#include "convexact/simplify/options.hpp"
+#include "convexact/simplify/trace.hpp"
+
+namespace convexact {
+
+/// Replays steps on its own copy of the dual's directed edges. It shares no code with any engine:
+/// it knows no center, computes with the planes (n, d) themselves, and trusts nothing in a step.
+/// docs/verification.md says what each check proves.
+class StepVerification {
+ public:
+  /// @param solid  What the run starts from; must outlive this object.
+  /// @param seed   Draws the two primes of the volume check.
+  StepVerification(const DualHull& solid, VerifyLevel level, std::uint64_t seed = 1);
+  ~StepVerification();
+
+  /// Checks the next step. @throws Error Internal, naming the step (counted from 1) and the check.
+  /// @par Cost  Local: O(k^2) signs for a ring of k. Full: all vertices against all halfspaces.
+  void check(const Step& step);
+  /// The last checks of a run: no input vertex outside any survivor and, at level full, the volume
+  /// as a rational.
+  void finish();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace convexact

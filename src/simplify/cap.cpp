@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/simplify/cap.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "convexact/error.hpp"
+#include "convexact/number/sum.hpp"
+
+namespace convexact {
+namespace {
+
+// A directed edge of the roof with the triangle on its left.
+struct RoofEdge {
+  HalfspaceId from, to, third;
+  std::uint32_t triangle;
+};
+
+bool starts_before(const RoofEdge& edge, const std::array<HalfspaceId, 2>& ends) {
+  return edge.from != ends[0] ? edge.from < ends[0] : edge.to < ends[1];
+}
+
+std::vector<RoofEdge> sorted_edges(std::span<const DualTriangle> triangles) {
+  std::vector<RoofEdge> edges;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    for (int e = 0; e < 3; ++e) {
+      edges.push_back({triangles[t][e], triangles[t][(e + 1) % 3], triangles[t][(e + 2) % 3], t});
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const RoofEdge& a, const RoofEdge& b) {
+    return starts_before(a, {b.from, b.to});
+  });
+  return edges;
+}
+
+// A vertex relative to the apex: x / d, in primitive integers, d > 0.
+struct Arm {
+  IntegerVector3 x;
+  Integer d;
+};
+
+Arm arm_from(const DualPlane& apex, const DualPlane& vertex) {
+  Arm arm{vertex.x * apex.d - apex.x * vertex.d, vertex.d * apex.d};
+  const Integer divisor = gcd(gcd(arm.d, arm.x[0]), gcd(arm.x[1], arm.x[2]));
+  if (divisor == 1) return arm;
+  for (Integer* z : {&arm.x[0], &arm.x[1], &arm.x[2], &arm.d}) {
+    mpz_divexact(z->backend().data(), z->backend().data(), divisor.backend().data());
+  }
+  return arm;
+}
+
+}  // namespace
+
+Cap make_cap(std::span<const HalfspaceId> ring, std::span<const DualPlane> base,
+             const RingTriangulation& roof) {
+  const std::size_t k = ring.size();
+  Cap cap;
+  cap.vertices.assign(base.begin(), base.end());
+  cap.vertices.insert(cap.vertices.end(), roof.planes.begin(), roof.planes.end());
+  const std::vector<RoofEdge> edges = sorted_edges(roof.triangles);
+  for (std::size_t t = 0; t < k; ++t) {
+    // The roof triangles at ring[t], counter-clockwise: from the edge to its successor in the ring
+    // to the edge from its predecessor.
+    const std::size_t previous = (t + k - 1) % k;
+    std::vector<std::uint32_t> side;
+    for (HalfspaceId next = ring[(t + 1) % k]; next != ring[previous];) {
+      const auto edge =
+          std::lower_bound(edges.begin(), edges.end(), std::array{ring[t], next}, starts_before);
+      CONVEXACT_ASSERT(edge != edges.end() && edge->from == ring[t] && edge->to == next);
+      side.push_back(static_cast<std::uint32_t>(k + edge->triangle));
+      next = edge->third;
+    }
+    side.push_back(static_cast<std::uint32_t>(previous));
+    side.push_back(static_cast<std::uint32_t>(t));
+    cap.sides.push_back(std::move(side));
+  }
+  return cap;
+}
+
+Rational volume(const Cap& cap) {
+  std::vector<Arm> arms;
+  for (const DualPlane& vertex : cap.vertices) {
+    arms.push_back(arm_from(cap.vertices[0], vertex));
+  }
+  // Sides 0 and 1 and the base contain the apex; the others are the bases of pyramids over it.
+  std::vector<Rational> six_volumes;
+  for (std::size_t t = 2; t < cap.sides.size(); ++t) {
+    const std::vector<std::uint32_t>& side = cap.sides[t];
+    const Arm& first = arms[side.back()];
+    for (std::size_t c = 1; c + 1 < side.size(); ++c) {
+      const Arm &u = arms[side[c - 1]], &v = arms[side[c]];
+      const Integer determinant = first.x.dot(u.x.cross(v.x));
+      CONVEXACT_ASSERT(determinant >= 0);
+      if (determinant != 0) {
+        six_volumes.emplace_back(determinant, Integer(first.d * u.d * v.d));
+      }
+    }
+  }
+  return balanced_sum(std::move(six_volumes)) / 6;
+}
+
+}  // namespace convexact

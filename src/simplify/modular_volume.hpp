@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// modular_volume.hpp - six times the volume of a solid modulo a random prime.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "convexact/geometry/halfspace.hpp"
+#include "convexact/number/random.hpp"
+#include "plain_surface.hpp"
+
+namespace convexact {
+
+/// Everything is reduced first: Cramer's rule, the inverse and the sum take 64-bit numbers only.
+/// Two unequal rationals of b bits agree modulo a random prime of 61 bits with a chance of about
+/// b / 2^60 or less, so two primes leave a wrong volume practically no way through.
+class ModularVolume {
+ public:
+  ModularVolume(std::span<const Halfspace> halfspaces, Random& random);
+
+  /// Of the solid whose dual is `surface`.
+  /// @throws Error Internal if a denominator is a multiple of the prime (as unlikely as above).
+  [[nodiscard]] std::uint64_t six_volume(const PlainSurface& surface) const;
+  [[nodiscard]] std::uint64_t residue(const Rational& x) const;
+  [[nodiscard]] std::uint64_t sum(std::uint64_t a, std::uint64_t b) const;
+  [[nodiscard]] std::uint64_t product(std::uint64_t a, std::uint64_t b) const;
+
+ private:
+  using Point = std::array<std::uint64_t, 3>;
+  std::uint64_t residue(const Integer& x) const;
+  std::uint64_t difference(std::uint64_t a, std::uint64_t b) const;
+  std::uint64_t inverse(std::uint64_t a) const;
+  Point cross(const Point& a, const Point& b) const;
+  std::uint64_t dot(const Point& a, const Point& b) const;
+  Point vertex(const DualTriangle& triangle) const;
+
+  std::uint64_t prime_;
+  std::vector<Point> normals_;
+  std::vector<std::uint64_t> offsets_;
+};
+
+}  // namespace convexact

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "plain_vertex.hpp"
+
+namespace convexact {
+
+PlainVertex plain_vertex(const Halfspace& a, const Halfspace& b, const Halfspace& c) {
+  const IntegerVector3 bc = b.normal().cross(c.normal());
+  const IntegerVector3 ca = c.normal().cross(a.normal());
+  const IntegerVector3 ab = a.normal().cross(b.normal());
+  return {-(bc * a.offset() + ca * b.offset() + ab * c.offset()), a.normal().dot(bc)};
+}
+
+PlainVertex plain_vertex(const RationalPoint& point) {
+  Integer common = 1;
+  for (int k = 0; k < 3; ++k) common = lcm(common, denominator(point[k]));
+  PlainVertex vertex{{}, common};
+  for (int k = 0; k < 3; ++k) {
+    vertex.x[k] = numerator(point[k]) * (common / denominator(point[k]));
+  }
+  return vertex;
+}
+
+Integer value_at(const PlainVertex& vertex, const Halfspace& halfspace) {
+  Integer sum;
+  mpz_t& z = sum.backend().data();
+  mpz_mul(z, vertex.d.backend().data(), halfspace.offset().backend().data());
+  for (int k = 0; k < 3; ++k) {
+    mpz_addmul(z, vertex.x[k].backend().data(), halfspace.normal()[k].backend().data());
+  }
+  return sum;
+}
+
+Integer determinant(const Halfspace& a, const Halfspace& b, const Halfspace& c,
+                    const Halfspace& p) {
+  // Columns 1, 2 of two rows against columns 3, 4 of the other two.
+  const auto left = [](const Halfspace& u, const Halfspace& v) {
+    return Integer(u.normal()[0] * v.normal()[1] - u.normal()[1] * v.normal()[0]);
+  };
+  const auto right = [](const Halfspace& u, const Halfspace& v) {
+    return Integer(u.normal()[2] * v.offset() - u.offset() * v.normal()[2]);
+  };
+  return left(a, b) * right(c, p) - left(a, c) * right(b, p) + left(a, p) * right(b, c) +
+         left(b, c) * right(a, p) - left(b, p) * right(a, c) + left(c, p) * right(a, b);
+}
+
+}  // namespace convexact

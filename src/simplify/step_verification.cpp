@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// The checks of a single step, in the order of docs/verification.md.
+#include "convexact/simplify/step_verification.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "convexact/error.hpp"
+#include "plain_surface.hpp"
+#include "plain_vertex.hpp"
+#include "whole_dual.hpp"
+
+namespace convexact {
+
+struct StepVerification::State {
+  State(const DualHull& input, VerifyLevel wanted, std::uint64_t seed);
+
+  void check_ring(const Step& step) const;
+  void check_disk(const Step& step) const;
+  void check_beyond(const Step& step) const;
+  void check_bounded(const Step& step) const;
+  void check_convex(const Step& step) const;
+  void check_cap(const Step& step) const;
+  void check_witnesses(const Step& step) const;
+  void replace(const Step& step);
+
+  const Halfspace& plane(HalfspaceId i) const { return solid.halfspaces[i.index()]; }
+  PlainVertex vertex_of(const DualTriangle& t) const {
+    return plain_vertex(plane(t[0]), plane(t[1]), plane(t[2]));
+  }
+  void require(bool holds, const std::string& check) const {
+    if (holds) return;
+    throw Error(ErrorCode::Internal,
+                "verification of step " + std::to_string(number) + " failed: " + check);
+  }
+
+  const DualHull& solid;
+  VerifyLevel level;
+  std::size_t number = 0;  // of the step at hand, from 1
+  PlainSurface surface;
+  std::vector<bool> present;
+  std::vector<PlainVertex> vertices;  // of the solid
+  std::optional<WholeDual> whole;     // level full only
+};
+
+StepVerification::State::State(const DualHull& input, VerifyLevel wanted, std::uint64_t seed)
+    : solid(input),
+      level(wanted),
+      surface(input.halfspaces.size(), input.triangles),
+      present(input.halfspaces.size(), true) {
+  for (const RationalPoint& v : input.vertices) vertices.push_back(plain_vertex(v));
+  if (level == VerifyLevel::Full) whole.emplace(input.halfspaces, vertices, surface, seed);
+}
+
+// The ring in the step is the ring of the removed dual point, turning the right way.
+void StepVerification::State::check_ring(const Step& step) const {
+  const std::size_t k = step.ring.size();
+  const auto known = [&](HalfspaceId i) {
+    return i.index() < present.size() && present[i.index()];
+  };
+  bool holds =
+      known(step.removed) && k >= 3 && std::all_of(step.ring.begin(), step.ring.end(), known);
+  for (std::size_t t = 0; holds && t < k; ++t) {
+    holds = surface.third(step.removed, step.ring[t]) == step.ring[(t + 1) % k];
+  }
+  holds = holds && std::set(step.ring.begin(), step.ring.end()).size() == k;
+  require(holds, "the ring is the one-ring of the removed dual point");
+}
+
+// T_i is a disk: around each ring vertex its triangles form one fan from the ring edge that leaves
+// to the one that enters, all triangles are in those fans, and no new edge exists elsewhere.
+void StepVerification::State::check_disk(const Step& step) const {
+  const std::string name = "the new triangles form a disk with the ring as its rim";
+  const std::size_t k = step.ring.size();
+  require(step.triangles.size() == k - 2, name);
+  std::set<HalfspaceId> corners;
+  for (const DualTriangle& t : step.triangles) corners.insert(t.begin(), t.end());
+  require(std::set(step.ring.begin(), step.ring.end()) == corners, name);
+  PlainSurface disk(surface.size(), {});
+  for (const DualTriangle& t : step.triangles) require(disk.add(t), name);
+  std::size_t visited = 0;
+  for (std::size_t t = 0; t < k; ++t) {
+    const HalfspaceId i = step.ring[t], enter = step.ring[(t + k - 1) % k];
+    for (std::optional<HalfspaceId> next = step.ring[(t + 1) % k]; next != enter; ++visited) {
+      require(visited < disk.directed_edges(), name);
+      next = disk.third(i, *next);
+      require(next.has_value() && (next == enter || !surface.third(i, *next)), name);
+    }
+  }
+  require(visited == disk.directed_edges(), name);
+}
+
+void StepVerification::State::check_beyond(const Step& step) const {
+  for (const auto& [a, b, c] : step.triangles) {
+    require(determinant(plane(a), plane(b), plane(c), plane(step.removed)) >= 0,
+            "the removed dual point lies on or beyond every new triangle");
+  }
+}
+
+void StepVerification::State::check_bounded(const Step& step) const {
+  for (const DualTriangle& t : step.triangles) {
+    require(vertex_of(t).d > 0, "every new triangle is bounded (D > 0)");
+  }
+}
+
+// Across every edge of a new triangle, inner or of the ring, lies a dual point on or below it.
+void StepVerification::State::check_convex(const Step& step) const {
+  PlainSurface disk(surface.size(), step.triangles);
+  for (const DualTriangle& t : step.triangles) {
+    const PlainVertex vertex = vertex_of(t);
+    for (int e = 0; e < 3; ++e) {
+      const HalfspaceId from = t[e], to = t[(e + 1) % 3];
+      const auto inner = disk.third(to, from);
+      const auto apex = inner ? inner : surface.third(to, from);
+      require(apex.has_value() && value_at(vertex, plane(*apex)) <= 0,
+              std::string("every ") + (inner ? "inner" : "ring") + " edge is convex");
+    }
+  }
+}
+
+void StepVerification::State::check_cap(const Step& step) const {
+  for (const DualTriangle& t : step.triangles) {
+    const PlainVertex vertex = vertex_of(t);
+    for (const HalfspaceId j : t) {
+      require(value_at(vertex, plane(j)) == 0, "every new cap vertex lies on its three planes");
+    }
+    for (const HalfspaceId j : step.ring) {
+      require(value_at(vertex, plane(j)) <= 0,
+              "every new cap vertex lies inside the other planes of the ring");
+    }
+    require(value_at(vertex, plane(step.removed)) >= 0,
+            "every new cap vertex lies on or beyond the removed plane");
+  }
+}
+
+// Planes never change, so the witnesses of halfspaces that the step does not touch stand as before;
+// finish() asks them all.
+void StepVerification::State::check_witnesses(const Step& step) const {
+  for (const HalfspaceId j : step.ring) {
+    require(value_at(vertices[solid.witness[j.index()]], plane(j)) == 0,
+            "the support witnesses of the survivors stand");
+  }
+}
+
+void StepVerification::State::replace(const Step& step) {
+  const std::size_t k = step.ring.size();
+  for (std::size_t t = 0; t < k; ++t) {
+    surface.remove({step.removed, step.ring[t], step.ring[(t + 1) % k]});
+  }
+  for (const DualTriangle& t : step.triangles) {
+    require(surface.add(t), "the dual stays a surface");
+  }
+  present[step.removed.index()] = false;
+}
+
+StepVerification::StepVerification(const DualHull& solid, VerifyLevel level, std::uint64_t seed)
+    : state_(level == VerifyLevel::None ? nullptr : std::make_unique<State>(solid, level, seed)) {}
+StepVerification::~StepVerification() = default;
+
+void StepVerification::check(const Step& step) {
+  if (!state_) return;
+  ++state_->number;
+  state_->check_ring(step);
+  state_->check_disk(step);
+  state_->check_beyond(step);
+  state_->check_bounded(step);
+  state_->check_convex(step);
+  state_->check_cap(step);
+  state_->check_witnesses(step);
+  state_->replace(step);
+  if (!state_->whole) return;
+  WholeDual& whole = *state_->whole;
+  state_->require(whole.is_certified(state_->surface, state_->present),
+                  "the whole dual is a convex hull around the origin");
+  state_->require(whole.holds_vertices(state_->present), "every survivor holds every hull vertex");
+  state_->require(whole.volume_grew_by(step.cost, state_->surface),
+                  "the volume grew by the cost, modulo two primes");
+}
+
+void StepVerification::finish() {
+  if (!state_) return;
+  for (std::size_t i = 0; i < state_->present.size(); ++i) {
+    if (!state_->present[i]) continue;
+    const Halfspace& plane = state_->solid.halfspaces[i];
+    for (const PlainVertex& v : state_->vertices) {
+      state_->require(value_at(v, plane) <= 0, "every survivor holds every hull vertex at the end");
+    }
+    state_->require(value_at(state_->vertices[state_->solid.witness[i]], plane) == 0,
+                    "every survivor touches its support witness at the end");
+  }
+  if (!state_->whole) return;
+  state_->require(state_->whole->volume_is_sum_of_costs(state_->surface),
+                  "the final volume is the first one and all costs, as rationals");
+}
+
+}  // namespace convexact
