@@ -91,7 +91,8 @@ std::string AdjacencyMatrix::dense() const {
     for (std::size_t j = 0; j < rows_.size(); ++j) {
       const std::optional<HalfspaceId> k = at(HalfspaceId(i), HalfspaceId(j));
       const std::string cell = k ? std::to_string(k->value) : ".";
-      table += (j > 0 ? " " : "") + std::string(width - cell.size(), ' ') + cell;
+      if (j > 0) table += ' ';
+      table.append(width - cell.size(), ' ').append(cell);
     }
     table += '\n';
   }

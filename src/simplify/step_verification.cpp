@@ -113,7 +113,7 @@ void StepVerification::State::check_convex(const Step& step) const {
       const auto inner = disk.third(to, from);
       const auto apex = inner ? inner : surface.third(to, from);
       require(apex.has_value() && value_at(vertex, plane(*apex)) <= 0,
-              std::string("every ") + (inner ? "inner" : "ring") + " edge is convex");
+              inner ? "every inner edge is convex" : "every ring edge is convex");
     }
   }
 }

@@ -2,6 +2,7 @@
 // definitional_dual.hpp - the dual hull of a few points straight from the definition: every plane
 // through three points is tried, and the planes through a vertex are sorted around it.
 #pragma once
+#include <algorithm>
 #include <set>
 
 #include "convexact/dual/dual_hull.hpp"
@@ -34,8 +35,12 @@ inline std::vector<Halfspace> facets_of(const std::vector<RationalPoint>& points
   return {facets.begin(), facets.end()};
 }
 
-/// The dual hull of points that span a volume.
-inline DualHull dual_of_points(const std::vector<RationalPoint>& points) {
+/// The dual hull of points that span a volume; repeats allowed.
+inline DualHull dual_of_points(std::vector<RationalPoint> points) {
+  std::sort(points.begin(), points.end(), [](const RationalPoint& a, const RationalPoint& b) {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
   DualHull dual;
   dual.halfspaces = facets_of(points);
   dual.witness.resize(dual.halfspaces.size());
@@ -47,9 +52,7 @@ inline DualHull dual_of_points(const std::vector<RationalPoint>& points) {
     for (std::size_t i = 0; i < dual.halfspaces.size(); ++i) {
       if (dual.halfspaces[i](p) == 0) around.emplace_back(i);
     }
-    // A point inside a facet or an edge has fewer than three planes; a repeat is skipped.
-    if (around.size() < 3) continue;
-    if (std::find(dual.vertices.begin(), dual.vertices.end(), p) != dual.vertices.end()) continue;
+    if (around.size() < 3) continue;  // inside a facet or an edge
     std::sort(around.begin() + 1, around.end(), [&](HalfspaceId a, HalfspaceId b) {
       return normal(around[0]).dot(normal(a).cross(normal(b))) > 0;
     });

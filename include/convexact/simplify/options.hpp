@@ -21,12 +21,12 @@ struct SimplifyOptions {
   /// Stop at this many halfspaces; at least 4. At or above the input's number: nothing happens.
   std::size_t faces = 4;
   /// Stop before the volume exceeds (1 + max_growth) times the input's; >= 0.
-  std::optional<Rational> max_growth;
+  std::optional<Rational> max_growth = {};
   /// Of the random choices; the removals and their costs do not depend on it.
   std::uint64_t seed = 1;
   VerifyLevel verify = VerifyLevel::Local;
   /// Called after every step with the number of halfspaces left.
-  std::function<void(std::size_t left)> progress;
+  std::function<void(std::size_t left)> progress = {};
   /// When it becomes true, the run ends with Error(Stopped). May be set by a signal handler.
   const std::atomic<bool>* stop = nullptr;
 };
