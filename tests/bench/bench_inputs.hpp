@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// bench_inputs.hpp - the point sets that benchmarks run on.
+#pragma once
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "convexact/io/read_mesh.hpp"
+#include "convexact/shapes/random_points.hpp"
+
+struct BenchInput {
+  std::string name;
+  std::vector<convexact::Point> points;
+};
+
+/// Every point of the meshes in the directory $CONVEXACT_TEST_DATA, and of further files named in
+/// $CONVEXACT_BENCH_MESHES (separated by colons); then Fibonacci spheres.
+inline std::vector<BenchInput> bench_inputs() {
+  std::vector<BenchInput> inputs;
+  const auto add_mesh = [&](const std::string& path) {
+    const convexact::Mesh mesh = convexact::read_mesh(path);
+    const auto points = mesh.points.doubles();
+    const std::string file = path.substr(path.find_last_of('/') + 1);
+    inputs.push_back({file.substr(0, file.find('.')), {points.begin(), points.end()}});
+  };
+  if (const char* directory = std::getenv("CONVEXACT_TEST_DATA")) {
+    for (const char* mesh : {"bunny.obj", "spot.obj"}) {
+      add_mesh(std::string(directory) + "/" + mesh);
+    }
+  }
+  if (const char* files = std::getenv("CONVEXACT_BENCH_MESHES")) {
+    const std::string list(files);
+    for (std::size_t begin = 0; begin < list.size();) {
+      const std::size_t end = std::min(list.find(':', begin), list.size());
+      add_mesh(list.substr(begin, end - begin));
+      begin = end + 1;
+    }
+  }
+  for (const std::uint32_t n : {1'000u, 10'000u, 100'000u})
+    inputs.push_back({"sphere" + std::to_string(n), convexact::shapes::fibonacci_sphere(n)});
+  return inputs;
+}
