@@ -20,4 +20,16 @@ namespace convexact {
   return orient3d(a, b, c, p) == Sign::Negative;
 }
 
+/// What decided a sign: A doubles; B the rounded differences, exactly; C these and a correction;
+/// D everything exactly; Rationals where a coordinate is outside [2^-306, 2^338].
+enum class Orient3dStage { A, B, C, D, Rationals };
+struct StagedSign {
+  Sign sign;
+  Orient3dStage stage;
+};
+
+/// orient3d() with the stage that was reached, for tests and measurements.
+[[nodiscard]] StagedSign orient3d_staged(const Point& a, const Point& b, const Point& c,
+                                         const Point& d);
+
 }  // namespace convexact

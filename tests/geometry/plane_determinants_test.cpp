@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Determinants of planes: against their expansion along rows, in rationals.
+#include "convexact/geometry/plane_determinants.hpp"
+
+#include <doctest/doctest.h>
+
+#include "convexact/number/random.hpp"
+#include "exact_determinant.hpp"
+
+using namespace convexact;
+
+namespace {
+
+Halfspace make(int a, int b, int c, int d) { return {IntegerVector3(a, b, c), Integer(d)}; }
+
+Rational by_definition(std::span<const Halfspace> planes) {
+  std::vector<std::vector<Rational>> rows;
+  for (const Halfspace& h : planes) {
+    rows.push_back({h.normal()[0], h.normal()[1], h.normal()[2]});
+    if (planes.size() == 4) rows.back().push_back(h.offset());
+  }
+  return exact_determinant(rows);
+}
+
+Integer random_integer(Random& random, unsigned bits) {
+  Integer value = 0;
+  for (unsigned k = 0; k < bits; k += 32) value = (value << 32) + (random() >> 32);
+  value >>= (bits + 31) / 32 * 32 - bits;
+  return random() % 2 == 0 ? value : Integer(-value);
+}
+
+// The last plane is a combination of the others, up to `noise` in one entry: H and D are 0 or tiny.
+std::array<Halfspace, 4> nearly_dependent(Random& random, unsigned bits, int noise) {
+  std::vector<std::array<Integer, 4>> rows(4);
+  for (int i = 0; i < 3; ++i)
+    for (Integer& x : rows[i]) x = random_integer(random, bits) * 2 + 1;
+  for (int k = 0; k < 4; ++k) rows[3][k] = rows[0][k] * 3 - rows[1][k] * 5 + rows[2][k] * 7;
+  rows[3][0] += noise;
+  const auto plane = [&](int i) {
+    return Halfspace(IntegerVector3(rows[i][0], rows[i][1], rows[i][2]), rows[i][3]);
+  };
+  return {plane(0), plane(1), plane(2), plane(3)};
+}
+
+// Counts how often doubles decide, and compares every sign with the definition.
+int certain_count(const std::array<Halfspace, 4>& h) {
+  const auto& [a, b, c, p] = h;
+  const Sign plane = sign_of(by_definition(h));
+  const Sign normal = sign_of(by_definition(std::span(h).first(3)));
+  CHECK(plane_sign(a, b, c, p) == plane);
+  CHECK(normal_sign(a, b, c) == normal);
+  CHECK(Rational(plane_determinant(a, b, c, p)) == by_definition(h));
+  CHECK(Rational(normal_determinant(a, b, c)) == by_definition(std::span(h).first(3)));
+  const auto fast = certain_plane_sign(plane_row(a), plane_row(b), plane_row(c), plane_row(p));
+  const auto fast_normal = certain_normal_sign(plane_row(a), plane_row(b), plane_row(c));
+  if (fast) CHECK(*fast == plane);
+  if (fast_normal) CHECK(*fast_normal == normal);
+  return (fast ? 1 : 0) + (fast_normal ? 1 : 0);
+}
+
+}  // namespace
+
+TEST_CASE("plane determinants: the documented examples") {
+  const Halfspace x = make(1, 0, 0, 0), y = make(0, 1, 0, 0), z = make(0, 0, 1, 0);
+  const Halfspace p = make(-1, -1, -1, -1);
+  CHECK(normal_determinant(x, y, z) == 1);
+  CHECK(plane_determinant(x, y, z, p) == -1);
+  CHECK(is_bounded(x, y, z));
+  CHECK_FALSE(is_bounded(x, z, y));
+  CHECK_FALSE(is_bounded(x, y, make(1, 1, 0, 5)));
+}
+
+TEST_CASE(
+    "plane determinants: a halfspace that cuts off the vertex lies beyond its dual triangle") {
+  // The corner (1, 1, 1) of the cube |x| <= 1, about the origin.
+  const Halfspace a = make(1, 0, 0, -1), b = make(0, 1, 0, -1), c = make(0, 0, 1, -1);
+  CHECK(is_beyond(a, b, c, make(1, 1, 1, -2)));
+  CHECK_FALSE(is_beyond(a, b, c, make(1, 1, 1, -3)));  // touches it
+  CHECK_FALSE(is_beyond(a, b, c, make(1, 1, 1, -4)));
+}
+
+TEST_CASE("plane determinants: random planes are decided by doubles, dependent ones by integers") {
+  Random random(1);
+  int random_certain = 0, dependent_certain = 0;
+  for (int i = 0; i < 300; ++i) {
+    const auto plane = [&](unsigned bits) {
+      return Halfspace(IntegerVector3(random_integer(random, bits), random_integer(random, bits),
+                                      random_integer(random, bits) * 2 + 1),
+                       random_integer(random, 2 * bits));
+    };
+    const unsigned bits = 4 + static_cast<unsigned>(i);
+    random_certain += certain_count({plane(bits), plane(bits), plane(bits), plane(bits)});
+    dependent_certain += certain_count(nearly_dependent(random, 60 + bits, i % 3 - 1));
+  }
+  CHECK(random_certain > 590);
+  // D of the first three is certain, H never is.
+  CHECK(dependent_certain > 290);
+  CHECK(dependent_certain <= 300);
+}
+
+TEST_CASE("plane determinants: entries of very different size") {
+  const Integer huge = Integer(1) << 5000;
+  const Halfspace a(IntegerVector3(1, huge, 0), 1), b(IntegerVector3(0, 1, huge), 1);
+  const Halfspace c(IntegerVector3(huge, 0, 1), 1), d(IntegerVector3(1, 1, 1), huge);
+  certain_count({a, b, c, d});
+  certain_count({a, a, b, c});
+  certain_count({a, b, d, d});
+}
