@@ -1,39 +1,16 @@
 // SPDX-License-Identifier: MIT
-// definitional_dual.hpp - the dual hull of a few points straight from the definition: every plane
-// through three points is tried, and the planes through a vertex are sorted around it.
+// definitional_dual.hpp - the dual hull of a few points straight from the definition: the
+// supporting planes, sorted around each vertex.
 #pragma once
 #include <algorithm>
-#include <set>
+#include <vector>
 
 #include "convexact/dual/dual_hull.hpp"
+#include "supporting_planes.hpp"
 
 namespace definition {
 
 using namespace convexact;
-
-/// The facets' halfspaces in canonical order: planes through three points with none beyond.
-inline std::vector<Halfspace> facets_of(const std::vector<RationalPoint>& points) {
-  std::set<Halfspace> facets;
-  for (std::size_t a = 0; a < points.size(); ++a) {
-    for (std::size_t b = 0; b < a; ++b) {
-      for (std::size_t c = 0; c < b; ++c) {
-        const RationalVector3 u = points[b] - points[a], v = points[c] - points[a];
-        const RationalVector3 n = u.cross(v);
-        if (n == RationalVector3::Zero()) continue;
-        int below = 0, above = 0;
-        for (const RationalPoint& p : points) {
-          const Rational height = n.dot(p - points[a]);
-          below += height < 0;
-          above += height > 0;
-        }
-        const Rational offset = -n.dot(points[a]);
-        if (above == 0) facets.emplace(n, offset);
-        if (below == 0) facets.emplace(RationalVector3(-n), Rational(-offset));
-      }
-    }
-  }
-  return {facets.begin(), facets.end()};
-}
 
 /// The dual hull of points that span a volume; repeats allowed.
 inline DualHull dual_of_points(std::vector<RationalPoint> points) {
@@ -42,7 +19,7 @@ inline DualHull dual_of_points(std::vector<RationalPoint> points) {
   });
   points.erase(std::unique(points.begin(), points.end()), points.end());
   DualHull dual;
-  dual.halfspaces = facets_of(points);
+  dual.halfspaces = supporting_planes(points);
   dual.witness.resize(dual.halfspaces.size());
   const auto normal = [&](HalfspaceId i) -> const IntegerVector3& {
     return dual.halfspaces[i.index()].normal();

@@ -2,17 +2,13 @@
 // polar.hpp - polar duality about a center: halfspaces to points and planes to vertices, and back.
 #pragma once
 #include "convexact/geometry/halfspace.hpp"
+#include "convexact/hull/homogeneous_point.hpp"
 #include "convexact/number/rational.hpp"
 
 namespace convexact {
 
-/// The point n / w of dual space, homogeneous and in primitive integers; w > 0.
-struct DualPoint {
-  IntegerVector3 n;
-  Integer w;
-
-  friend bool operator==(const DualPoint&, const DualPoint&) = default;
-};
+/// The point n / w of dual space, in primitive integers; w > 0.
+using DualPoint = HomogeneousPoint;
 
 /// The plane {p : dot(x, p) = d} of dual space in primitive integers, x nonzero. With d > 0 it is
 /// the polar of the primal vertex center + x / d and the origin lies below it; with d <= 0 it
@@ -20,8 +16,6 @@ struct DualPoint {
 struct DualPlane {
   IntegerVector3 x;
   Integer d;
-
-  friend bool operator==(const DualPlane&, const DualPlane&) = default;
 };
 
 /// Halfspace {x : n.x + d <= 0} to its dual point (n : w), w = -(n.center + d).
