@@ -93,7 +93,7 @@ class ObjReader {
     const std::int64_t index = vertex > 0 ? vertex : vertex + std::int64_t(points_.size()) + 1;
     if (index < 1) {
       cursor_.fail("expected an index of one of the " + std::to_string(points_.size()) +
-                   " points so far, found " + quoted(token));
+                   " points so far, found " + in_quotes(token));
     }
     if (std::size_t(index) > largest_index_) {
       largest_index_ = std::size_t(index);

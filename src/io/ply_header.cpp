@@ -40,7 +40,7 @@ PlyElement read_element(TextCursor& cursor, const PlyHeader& header) {
   PlyElement element;
   element.name = cursor.expect_token("the name of an element");
   if (header.find(element.name) != nullptr) {
-    cursor.fail("expected each element once, found " + quoted(element.name) + " again");
+    cursor.fail("expected each element once, found " + in_quotes(element.name) + " again");
   }
   constexpr std::string_view kCount = "the number of elements";
   element.count = cursor.to_count(cursor.expect_token(kCount), kCount);
@@ -60,7 +60,7 @@ PlyProperty read_property(TextCursor& cursor, const PlyElement& element) {
   property.name = cursor.expect_token("the name of a property");
   for (const PlyProperty& other : element.properties) {
     if (other.name == property.name) {
-      cursor.fail("expected each property once, found " + quoted(property.name) + " again");
+      cursor.fail("expected each property once, found " + in_quotes(property.name) + " again");
     }
   }
   return property;

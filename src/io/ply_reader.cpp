@@ -154,7 +154,7 @@ class PlyReader {
     fits = fits && body_.can_hold(element.count * shortest, PlyType::UInt8);
     if (!fits) {
       body_.fail("expected " + std::to_string(element.count) + " rows of element " +
-                 quoted(element.name) + ", found a file too short for them");
+                 in_quotes(element.name) + ", found a file too short for them");
     }
   }
 
@@ -224,7 +224,7 @@ const PlyElement& check_declarations(const PlyHeader& header, const TextCursor& 
     for (const PlyProperty& property : face->properties) {
       const bool is_corners = property.name == "vertex_indices" || property.name == "vertex_index";
       if (is_corners && (!property.count_type || !is_integer(property.type))) {
-        cursor.fail("expected " + quoted(property.name) + " to be a list of integers");
+        cursor.fail("expected " + in_quotes(property.name) + " to be a list of integers");
       }
     }
   }

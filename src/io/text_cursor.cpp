@@ -76,7 +76,7 @@ std::string_view TextCursor::token() {
 }
 
 std::string_view TextCursor::rest() {
-  skip_blanks();
+  while (position_ < end_ && is_blank(*position_)) ++position_;
   const char* first = position_;
   while (position_ < end_ && !is_line_end(*position_)) ++position_;
   const char* last = position_;
@@ -122,7 +122,7 @@ double TextCursor::to_number(std::string_view token) const {
 
 void TextCursor::fail_expected(std::string_view what, std::string_view token) const {
   fail("expected " + std::string(what) + ", found " +
-       (token.empty() ? "the end of the line" : quoted(token)));
+       (token.empty() ? "the end of the line" : in_quotes(token)));
 }
 
 }  // namespace convexact

@@ -12,11 +12,11 @@ namespace convexact {
 namespace {
 
 [[noreturn]] void reject(std::string_view text) {
-  throw Error(ErrorCode::Malformed, "expected a number, found " + quoted(text));
+  throw Error(ErrorCode::Malformed, "expected a number, found " + in_quotes(text));
 }
 
 [[noreturn]] void reject_as_infinite(std::string_view text) {
-  throw Error(ErrorCode::NotFinite, "expected a finite number, found " + quoted(text));
+  throw Error(ErrorCode::NotFinite, "expected a finite number, found " + in_quotes(text));
 }
 
 // The exponent e of the first nonzero digit: |x| = d.ddd * 10^e. Saturates far beyond any double.
@@ -72,7 +72,7 @@ Rational parse_number(std::string_view text, Decimal decimal) {
   return decimal == Decimal::Exact ? parse_rational(text) : to_rational(nearest);
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t kLongest = 40;
   std::string shown = "'";
   for (const char c : text.substr(0, kLongest)) shown += c >= ' ' && c <= '~' ? c : '?';

@@ -23,6 +23,6 @@ enum class Decimal {
 [[nodiscard]] Rational parse_number(std::string_view text, Decimal decimal);
 
 /// `text` between quotes for an error message: shortened, and printable whatever it holds.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string in_quotes(std::string_view text);
 
 }  // namespace convexact

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/io/atomic_output.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "convexact/error.hpp"
+
+namespace convexact {
+namespace {
+
+[[noreturn]] void fail(const std::string& path, const std::string& reason) {
+  throw Error(ErrorCode::Unwritable, "cannot be written: " + reason).in_file(path);
+}
+[[noreturn]] void fail(const std::string& path, int reason) { fail(path, std::strerror(reason)); }
+
+std::string folder_of(const std::string& target) {
+  const std::string folder = std::filesystem::path(target).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+// Follows symbolic links to the file itself, which need not exist yet.
+std::string resolve(const std::string& path) {
+  std::error_code failed;
+  const auto resolved = std::filesystem::weakly_canonical(path, failed);
+  return failed ? path : resolved.string();
+}
+
+// A name beside the target that nothing has; `attempt` tells one from the next.
+std::string name_beside(const std::string& target, const char* suffix, int attempt) {
+  const std::filesystem::path path(target);
+  const std::string name = "." + path.filename().string() + "." + std::to_string(::getpid()) + "-" +
+                           std::to_string(attempt) + suffix;
+  return (path.parent_path() / name).string();
+}
+
+constexpr int kAttempts = 1000;  // leftovers of runs that were killed may have taken some names
+
+int create_beside(const std::string& target, std::string& name) {
+  int file = -1;
+  for (int attempt = 0; attempt < kAttempts && file < 0; ++attempt) {
+    name = name_beside(target, ".new", attempt);
+    file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file < 0 && errno != EEXIST) break;
+  }
+  if (file < 0) name.clear();
+  return file;
+}
+
+// 0, or the errno of what went wrong.
+int write_all(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(file, bytes.data(), bytes.size());
+    if (count < 0 && errno != EINTR) return errno;
+    if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return ::fsync(file) == 0 ? 0 : errno;
+}
+
+// Makes the renames in a folder last; some file systems cannot, and lose nothing but durability.
+void sync_folder(const std::string& target) {
+  const int folder = ::open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) return;
+  (void)::fsync(folder);
+  ::close(folder);
+}
+
+}  // namespace
+
+AtomicOutput::~AtomicOutput() { undo(); }
+
+void AtomicOutput::add(const std::string& path, std::string_view bytes) {
+  try {
+    File file{.path = path, .target = resolve(path), .temporary = {}, .backup = {}};
+    for (const File& other : files_) {
+      if (other.target != file.target) continue;
+      throw Error(ErrorCode::InvalidArgument, "two outputs go to this file").in_file(path);
+    }
+    files_.push_back(std::move(file));
+    write_temporary(files_.back(), bytes);
+  } catch (...) {
+    undo();
+    throw;
+  }
+}
+
+void AtomicOutput::write_temporary(File& file, std::string_view bytes) {
+  struct stat status;
+  const bool exists = ::stat(file.target.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) fail(file.path, EISDIR);
+  if (exists && !S_ISREG(status.st_mode)) fail(file.path, "Is not a regular file");
+  if (exists && ::access(file.target.c_str(), W_OK) != 0) fail(file.path, errno);
+  const int descriptor = create_beside(file.target, file.temporary);
+  if (descriptor < 0) fail(file.path, errno);
+  int reason = write_all(descriptor, bytes);
+  if (exists && reason == 0 && ::fchmod(descriptor, status.st_mode & 07777) != 0) reason = errno;
+  if (::close(descriptor) != 0 && reason == 0) reason = errno;
+  if (reason != 0) fail(file.path, reason);
+}
+
+void AtomicOutput::commit() {
+  try {
+    for (File& file : files_) {
+      // The move of the last file is never undone, so what it replaces needs no second name.
+      if (&file != &files_.back()) keep_replaced(file);
+      if (std::rename(file.temporary.c_str(), file.target.c_str()) != 0) fail(file.path, errno);
+      file.moved = true;
+    }
+  } catch (...) {
+    undo();
+    throw;
+  }
+  for (const File& file : files_) {
+    if (!file.backup.empty()) (void)::unlink(file.backup.c_str());
+    sync_folder(file.target);
+  }
+  files_.clear();
+}
+
+void AtomicOutput::keep_replaced(File& file) {
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    file.backup = name_beside(file.target, ".old", attempt);
+    if (::link(file.target.c_str(), file.backup.c_str()) == 0) return;
+    const int reason = errno;
+    file.backup.clear();  // the name is not ours
+    if (reason == ENOENT) return;
+    if (reason != EEXIST) fail(file.path, reason);
+  }
+  fail(file.path, EEXIST);
+}
+
+void AtomicOutput::undo() noexcept {
+  for (const File& file : files_) {
+    if (!file.moved) {
+      if (!file.temporary.empty()) (void)::unlink(file.temporary.c_str());
+      if (!file.backup.empty()) (void)::unlink(file.backup.c_str());
+    } else if (file.backup.empty()) {
+      (void)::unlink(file.target.c_str());
+    } else {
+      (void)std::rename(file.backup.c_str(), file.target.c_str());
+    }
+  }
+  files_.clear();
+}
+
+}  // namespace convexact
