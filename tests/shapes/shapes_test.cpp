@@ -17,7 +17,7 @@
 #include "convexact/shapes/prisms.hpp"
 #include "convexact/shapes/random_points.hpp"
 #include "convexact/shapes/solids.hpp"
-#include "supporting_planes.hpp"
+#include "polytope_by_definition.hpp"
 using namespace convexact;
 using namespace convexact::shapes;
 
@@ -28,16 +28,9 @@ struct Counts {
   friend bool operator==(const Counts&, const Counts&) = default;
 };
 
-std::vector<RationalPoint> exact(const std::vector<Point>& points) {
-  std::vector<RationalPoint> result;
-  for (const Point& p : points) result.push_back(to_rational(p));
-  return result;
-}
-
-Counts counts(const std::vector<Point>& doubles) {
-  const std::vector<RationalPoint> points = exact(doubles);
-  const std::vector<Halfspace> planes = supporting_planes(points);
-  return {extreme_points(points, planes).size(), planes.size()};
+Counts counts(const std::vector<Point>& points) {
+  const Polytope polytope = polytope_by_definition(PointSet(points));
+  return {polytope.vertices.size(), polytope.planes.size()};
 }
 
 doctest::String toString(const Counts& c) {
@@ -160,11 +153,11 @@ TEST_CASE("boxes: closed-form counts") {
 
 TEST_CASE("rounded_box: sides and edge rectangles are exactly plane at any segment count") {
   const std::uint32_t segments = 2;
-  const std::vector<RationalPoint> points = exact(rounded_box({1, 1, 1}, 0.25, segments));
-  const std::vector<Halfspace> planes = supporting_planes(points);
-  CHECK(extreme_points(points, planes).size() == points.size());
+  const std::vector<Point> points = rounded_box({1, 1, 1}, 0.25, segments);
+  const Polytope polytope = polytope_by_definition(PointSet(points));
+  CHECK(polytope.vertices.size() == points.size());
   std::size_t sides = 0, rectangles = 0;
-  for (const Halfspace& plane : planes) {
+  for (const Halfspace& plane : polytope.planes) {
     const auto zeros = (plane.normal().array() == 0).count();
     sides += zeros == 2 ? 1 : 0;
     rectangles += zeros == 1 ? 1 : 0;  // parallel to exactly one axis

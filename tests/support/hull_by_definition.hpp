@@ -25,6 +25,7 @@ inline std::set<convexact::Halfspace> facets_by_definition(const convexact::Poin
           const Rational height = normal.dot(RationalVector3(x - p[a]));
           below = below || height < 0;
           beyond = beyond || height > 0;
+          if (below && beyond) break;
         }
         if (below == beyond) continue;  // both: no facet; neither: collinear or flat
         if (beyond) normal = -normal;

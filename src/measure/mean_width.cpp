@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/measure/mean_width.hpp"
+
+#include "convexact/geometry/edges.hpp"
+
+namespace convexact {
+namespace {
+
+Integer dot(const IntegerVector3& a, const IntegerVector3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// The angle between two outward normals: 0 would be coplanar, pi a knife.
+Enclosure angle_between(const IntegerVector3& a, const IntegerVector3& b, long precision) {
+  const IntegerVector3 cross = a.cross(b);
+  return atan2(sqrt(Enclosure(dot(cross, cross), precision)), Enclosure(dot(a, b), precision));
+}
+
+}  // namespace
+
+Enclosure mean_width(const Polytope& polytope, long precision) {
+  Enclosure sum(precision);
+  for (const Edge& edge : edges(polytope)) {
+    const RationalVector3 along = polytope.vertices[edge.head] - polytope.vertices[edge.tail];
+    const Enclosure length = sqrt(Enclosure(along.squaredNorm(), precision));
+    sum += length * angle_between(polytope.planes[edge.left].normal(),
+                                  polytope.planes[edge.right].normal(), precision);
+  }
+  return sum / (Enclosure(Integer(4), precision) * Enclosure::pi(precision));
+}
+
+}  // namespace convexact

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/measure/surface_area.hpp"
+
+#include "facet_area.hpp"
+
+namespace convexact {
+
+std::vector<RootTerm> facet_areas(const Polytope& polytope) {
+  std::vector<RootTerm> areas;
+  for (std::size_t f = 0; f < polytope.facets.size(); ++f) {
+    const IntegerVector3& n = polytope.planes[f].normal();
+    const Integer common = gcd(gcd(n[0], n[1]), n[2]);
+    const Integer x = n[0] / common, y = n[1] / common, z = n[2] / common;
+    areas.push_back({area_per_normal(polytope, f) * Rational(common), x * x + y * y + z * z});
+  }
+  return areas;
+}
+
+Enclosure enclose_sum(const std::vector<RootTerm>& terms, long precision) {
+  Enclosure sum(precision);
+  for (const RootTerm& term : terms) {
+    sum += Enclosure(term.factor, precision) * sqrt(Enclosure(term.radicand, precision));
+  }
+  return sum;
+}
+
+Enclosure surface_area(const Polytope& polytope, long precision) {
+  return enclose_sum(facet_areas(polytope), precision);
+}
+
+}  // namespace convexact
