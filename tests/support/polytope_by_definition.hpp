@@ -5,27 +5,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "affine_dimension.hpp"
 #include "convexact/geometry/polytope.hpp"
-#include "hull_by_definition.hpp"
+#include "supporting_planes.hpp"
 
-namespace by_definition {
-
-// Extreme: three facets with independent normals pass through the point.
-inline bool is_extreme(const convexact::RationalPoint& x,
-                       const std::vector<convexact::Halfspace>& planes) {
-  using namespace convexact;
-  std::vector<RationalPoint> normals{RationalPoint::Zero()};
-  for (const Halfspace& plane : planes) {
-    if (plane(x) == 0) normals.push_back(plane.normal().cast<Rational>());
-  }
-  return affine_dimension(normals) == 3;
-}
-
-// The vertices on a plane, counter-clockwise from outside. All others lie within half a turn as
-// seen from any one of them, and no three are collinear.
-inline std::vector<std::uint32_t> corners(const convexact::Polytope& polytope,
-                                          const convexact::Halfspace& plane) {
+/// The vertices on a plane, counter-clockwise from outside. All others lie within half a turn as
+/// seen from any one of them, and no three are collinear.
+inline std::vector<std::uint32_t> corners_on(const convexact::Polytope& polytope,
+                                             const convexact::Halfspace& plane) {
   using namespace convexact;
   std::vector<std::uint32_t> list;
   for (std::uint32_t v = 0; v < polytope.vertices.size(); ++v) {
@@ -40,22 +26,18 @@ inline std::vector<std::uint32_t> corners(const convexact::Polytope& polytope,
   return list;
 }
 
-}  // namespace by_definition
-
 /// Precondition: the points span a volume. Vertices in the order of the points, repeats dropped.
 inline convexact::Polytope polytope_by_definition(const convexact::PointSet& points) {
   using namespace convexact;
+  std::vector<RationalPoint> list;
+  for (std::size_t i = 0; i < points.size(); ++i) list.push_back(points[PointId(i)]);
   Polytope polytope;
-  const std::set<Halfspace> planes = facets_by_definition(points);
-  polytope.planes.assign(planes.begin(), planes.end());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const RationalPoint x = points[PointId(i)];
-    const auto& known = polytope.vertices;
-    if (std::find(known.begin(), known.end(), x) != known.end()) continue;
-    if (by_definition::is_extreme(x, polytope.planes)) polytope.vertices.push_back(x);
+  polytope.planes = supporting_planes(list);
+  for (const std::size_t i : extreme_points(list, polytope.planes)) {
+    polytope.vertices.push_back(list[i]);
   }
   for (const Halfspace& plane : polytope.planes) {
-    polytope.facets.push_back(by_definition::corners(polytope, plane));
+    polytope.facets.push_back(corners_on(polytope, plane));
   }
   return polytope;
 }
