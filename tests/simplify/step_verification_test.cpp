@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// Mutation tests of the verifier: every way of corrupting a true step is caught, by the check that
+// is there for it.
+#include "convexact/simplify/step_verification.hpp"
+
+#include <doctest/doctest.h>
+
+#include <functional>
+
+#include "convexact/dual/adjacency_matrix.hpp"
+#include "convexact/error.hpp"
+#include "convexact/shapes/boxes.hpp"
+#include "convexact/shapes/prisms.hpp"
+#include "convexact/shapes/random_points.hpp"
+#include "simplify_points.hpp"
+
+using namespace convexact;
+
+namespace {
+
+// Points near a sphere: triangular facets, five or six at each vertex.
+DualHull round_solid() { return dual_of_doubles(shapes::fibonacci_sphere(24)); }
+
+std::vector<Step> steps_of(const DualHull& solid) {
+  return simplify_exact(solid, center_of(solid), {.faces = 20}).trace.steps;
+}
+
+// The message of the verifier on a run whose first step with a ring of at least `valence` is
+// corrupted; "" if it found nothing.
+std::string verdict(VerifyLevel level, std::size_t valence,
+                    const std::function<void(Step&)>& corrupt) {
+  const DualHull solid = round_solid();
+  StepVerification verification(solid, level);
+  for (Step step : steps_of(solid)) {
+    const bool here = step.ring.size() >= valence;
+    if (here) corrupt(step);
+    try {
+      verification.check(step);
+    } catch (const Error& error) {
+      CHECK(error.code() == ErrorCode::Internal);
+      CHECK(here);
+      return error.what();
+    }
+    if (here) break;
+  }
+  return "";
+}
+
+void check_caught(const std::string& check, const std::function<void(Step&)>& corrupt) {
+  CAPTURE(check);
+  for (const VerifyLevel level : {VerifyLevel::Local, VerifyLevel::Full}) {
+    const std::string message = verdict(level, 5, corrupt);
+    CAPTURE(message);
+    CHECK(message.find("verification of step") == 0);
+    CHECK(message.find(check) != std::string::npos);
+  }
+}
+
+const std::string kRing = "the ring is the one-ring of the removed dual point";
+const std::string kDisk = "the new triangles form a disk with the ring as its rim";
+
+}  // namespace
+
+TEST_CASE("StepVerification: true steps pass at every level") {
+  for (const VerifyLevel level : {VerifyLevel::None, VerifyLevel::Local, VerifyLevel::Full}) {
+    CHECK(verdict(level, 5, [](Step&) {}).empty());
+  }
+}
+
+TEST_CASE("StepVerification: a wrong ring") {
+  check_caught(kRing, [](Step& s) { std::swap(s.ring[0], s.ring[1]); });
+  check_caught(kRing, [](Step& s) { std::reverse(s.ring.begin(), s.ring.end()); });
+  check_caught(kRing, [](Step& s) { s.ring.pop_back(); });
+  check_caught(kRing, [](Step& s) { s.ring.insert(s.ring.end(), s.ring.begin(), s.ring.end()); });
+  check_caught(kRing, [](Step& s) { s.ring.clear(); });
+  check_caught(kRing, [](Step& s) { s.ring[2] = HalfspaceId(99999); });
+  check_caught(kRing, [](Step& s) { s.removed = s.ring[0]; });
+}
+
+TEST_CASE("StepVerification: triangles that are no disk") {
+  check_caught(kDisk, [](Step& s) { s.triangles.pop_back(); });
+  check_caught(kDisk, [](Step& s) { s.triangles.back() = s.triangles.front(); });
+  check_caught(kDisk, [](Step& s) { s.triangles.push_back(s.triangles.front()); });
+  check_caught(kDisk, [](Step& s) { std::swap(s.triangles[0][0], s.triangles[0][1]); });
+  check_caught(kDisk, [](Step& s) { s.triangles[0][0] = s.removed; });
+}
+
+TEST_CASE("StepVerification: a disk that is not the hull") {
+  // A fan from any one corner is a disk with the right rim; the ring of five has a single right
+  // triangulation, and at most one of the five fans is it.
+  const auto fan_from = [](std::size_t apex) {
+    return [apex](Step& s) {
+      const std::size_t k = s.ring.size();
+      for (std::size_t t = 0; t < k - 2; ++t) {
+        s.triangles[t] = {s.ring[apex % k], s.ring[(apex + t + 1) % k], s.ring[(apex + t + 2) % k]};
+      }
+    };
+  };
+  std::size_t caught = 0, convex = 0;
+  for (std::size_t apex = 0; apex < 5; ++apex) {
+    const std::string message = verdict(VerifyLevel::Local, 5, fan_from(apex));
+    caught += !message.empty();
+    convex += message.find("edge is convex") != std::string::npos;
+  }
+  CHECK(caught >= 4);
+  CHECK(convex >= 1);
+}
+
+TEST_CASE("StepVerification: a removal that opens a gap (D <= 0)") {
+  // The top of a prism: its sides never meet. Its fan is a disk below the top.
+  const DualHull prism = dual_of_doubles(shapes::prism(5));
+  StepVerification verification(prism, VerifyLevel::Local);
+  const auto top =
+      std::find_if(prism.halfspaces.begin(), prism.halfspaces.end(), [](const Halfspace& h) {
+        return h.normal()[0] == 0 && h.normal()[1] == 0 && h.normal()[2] > 0;
+      });
+  REQUIRE(top != prism.halfspaces.end());
+  AdjacencyMatrix dual(prism.halfspaces.size());
+  for (const DualTriangle& t : prism.triangles) dual.add(t);
+  Step step;
+  step.removed = HalfspaceId(top - prism.halfspaces.begin());
+  step.ring = dual.one_ring(step.removed);
+  for (std::size_t t = 2; t < step.ring.size(); ++t) {
+    step.triangles.push_back({step.ring[0], step.ring[t - 1], step.ring[t]});
+  }
+  CHECK_THROWS_WITH_AS(verification.check(step), doctest::Contains("bounded (D > 0)"), Error);
+}
+
+TEST_CASE("StepVerification: a wrong cost shows in the volume, at level full") {
+  const auto wrong = [](Step& s) { s.cost += scale_by_power_of_two(Rational(1), -300); };
+  CHECK(verdict(VerifyLevel::Full, 5, wrong).find("the volume grew by the cost") !=
+        std::string::npos);
+  CHECK(verdict(VerifyLevel::Local, 5, wrong).empty());  // local proves the step, not its price
+}
+
+TEST_CASE("StepVerification: a witness that does not touch its plane") {
+  DualHull solid = round_solid();
+  const std::vector<Step> steps = steps_of(solid);
+  const HalfspaceId neighbour = steps.front().ring.front();
+  const Halfspace& plane = solid.halfspaces[neighbour.index()];
+  for (std::uint32_t v = 0; v < solid.vertices.size(); ++v) {
+    if (plane(solid.vertices[v]) != 0) solid.witness[neighbour.index()] = v;
+  }
+  StepVerification verification(solid, VerifyLevel::Local);
+  CHECK_THROWS_WITH_AS(verification.check(steps.front()), doctest::Contains("support witnesses"),
+                       Error);
+}
+
+TEST_CASE("StepVerification: an input point outside a survivor is found at the end") {
+  DualHull solid = round_solid();
+  solid.vertices.push_back(RationalPoint(Rational(2), Rational(0), Rational(0)));
+  StepVerification verification(solid, VerifyLevel::Local);
+  CHECK_THROWS_WITH_AS(verification.finish(), doctest::Contains("holds every hull vertex"), Error);
+  // Level full sees it at the first step.
+  StepVerification full(solid, VerifyLevel::Full);
+  CHECK_THROWS_WITH_AS(full.check(steps_of(round_solid()).front()),
+                       doctest::Contains("every survivor holds every hull vertex"), Error);
+}
+
+TEST_CASE("StepVerification: a dual that is no hull from the start") {
+  // Two neighbouring triangles with the edge between them turned: a surface, but not convex.
+  DualHull solid = round_solid();
+  const std::vector<Step> steps = steps_of(solid);
+  AdjacencyMatrix dual(solid.halfspaces.size());
+  for (const DualTriangle& t : solid.triangles) dual.add(t);
+  const auto untouched = [&](HalfspaceId i) {
+    const Step& s = steps.front();
+    return i != s.removed && std::find(s.ring.begin(), s.ring.end(), i) == s.ring.end();
+  };
+  for (const DualTriangle& t : solid.triangles) {
+    const auto [a, b, c] = t;
+    const HalfspaceId d = *dual.at(b, a);
+    if (!untouched(a) || !untouched(b) || !untouched(c) || !untouched(d)) continue;
+    if (dual.at(c, d)) continue;
+    const auto& h = solid.halfspaces;
+    if (h[d.index()](meet(h[a.index()], h[b.index()], h[c.index()])) == 0) continue;  // level
+    dual.remove(t);
+    dual.remove({b, a, d});
+    dual.add({a, d, c});
+    dual.add({d, b, c});
+    break;
+  }
+  solid.triangles = dual.triangles();
+  StepVerification local(solid, VerifyLevel::Local);
+  CHECK_NOTHROW(local.check(steps.front()));
+  StepVerification full(solid, VerifyLevel::Full);
+  CHECK_THROWS_WITH_AS(full.check(steps.front()), doctest::Contains("the whole dual"), Error);
+}
