@@ -5,7 +5,7 @@
 #include <array>
 
 #include "convexact/error.hpp"
-#include "convexact/number/sum.hpp"
+#include "convexact/number/balanced_sum.hpp"
 
 namespace convexact {
 namespace {

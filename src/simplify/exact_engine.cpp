@@ -133,7 +133,10 @@ Simplification simplify_exact(const DualHull& solid, const RationalPoint& center
   }
   ExactEngine engine(solid, center, options.seed);
   StepVerification verification(solid, options.verify, options.seed);
-  GrowthLimit growth(solid, options.max_growth);
+  std::optional<GrowthLimit> growth;
+  if (options.max_growth) {
+    growth.emplace(to_polytope(solid.halfspaces, solid.triangles), *options.max_growth);
+  }
   Trace trace{solid.halfspaces, {}, StopReason::Reached};
   if (engine.left() > options.faces) engine.evaluate_all(options.stop);
   while (engine.left() > options.faces) {
@@ -143,7 +146,7 @@ Simplification simplify_exact(const DualHull& solid, const RationalPoint& center
       break;
     }
     Step step = engine.cheapest();
-    if (!growth.allows(step.cost)) {
+    if (growth && !growth->allows(step.cost)) {
       trace.stop = StopReason::GrowthLimit;
       break;
     }

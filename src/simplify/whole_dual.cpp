@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "convexact/number/sum.hpp"
+#include "convexact/number/balanced_sum.hpp"
 
 namespace convexact {
 namespace {

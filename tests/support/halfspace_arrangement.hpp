@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "convexact/geometry/halfspace.hpp"
-#include "convexact/number/sum.hpp"
+#include "convexact/number/balanced_sum.hpp"
 
 namespace definition {
 

@@ -26,6 +26,7 @@ inline std::set<convexact::Halfspace> facets_by_definition(const convexact::Poin
           below = below || height < 0;
           beyond = beyond || height > 0;
           if (below && beyond) break;
+          if (below && beyond) break;
         }
         if (below == beyond) continue;  // both: no facet; neither: collinear or flat
         if (beyond) normal = -normal;

@@ -4,7 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "convexact/dual/dual_hull.hpp"
+#include "convexact/geometry/polytope.hpp"
+#include "convexact/number/enclosure.hpp"
 #include "convexact/number/rational.hpp"
 
 namespace convexact {
@@ -12,19 +13,22 @@ namespace convexact {
 /// Decides V <= (1 + g) V0, where V is V0 plus the costs of the steps so far.
 class GrowthLimit {
  public:
-  /// @param solid       Its volume is V0; must outlive this object.
-  /// @param max_growth  g >= 0; none allows everything.
+  /// @param solid       The input, of volume V0.
+  /// @param max_growth  g >= 0.
   /// @throws Error      InvalidArgument if g < 0.
-  GrowthLimit(const DualHull& solid, std::optional<Rational> max_growth);
+  GrowthLimit(Polytope solid, Rational max_growth);
 
   /// Whether a further step of this cost stays within the limit; if so, it counts from now on.
+  /// @par Cost  Constant while enclosures decide; an exact sum of all costs where they do not.
   [[nodiscard]] bool allows(const Rational& cost);
 
  private:
-  const DualHull& solid_;
-  std::optional<Rational> max_growth_;
-  std::optional<Rational> allowance_;  // g V0, computed when first asked for
+  Polytope solid_;
+  Rational max_growth_;
+  Enclosure allowance_;  // g V0
+  Enclosure spent_;      // the costs so far
   std::vector<Rational> costs_;
+  std::optional<Rational> exact_allowance_;  // once it was needed
 };
 
 }  // namespace convexact
