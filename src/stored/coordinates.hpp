@@ -36,6 +36,14 @@ struct Coordinates {
     for (const PointId id : ids) push_back(points.doubles()[id.index()]);
   }
   std::size_t size() const { return x.size(); }
+  /// Largest absolute value of the coordinates of the points [first, last).
+  double largest_of(std::size_t first, std::size_t last) const {
+    double most = 0;
+    for (std::size_t j = first; j < last; ++j) {
+      most = std::max({most, std::abs(x[j]), std::abs(y[j]), std::abs(z[j])});
+    }
+    return most;
+  }
 
  private:
   void reserve(std::size_t count) {
