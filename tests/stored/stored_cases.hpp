@@ -9,6 +9,7 @@
 
 #include "convexact/dual/dual_hull.hpp"
 #include "convexact/hull/hull.hpp"
+#include "convexact/lp/feasibility.hpp"
 #include "convexact/number/precision.hpp"
 #include "convexact/number/random.hpp"
 #include "stored_checker.hpp"
@@ -50,26 +51,28 @@ inline std::vector<stored_checker::Homogeneous> to_homogeneous(const PointSet& p
   return converted;
 }
 
+/// The solid that halfspaces around the points bound.
+inline Polytope solid_of(std::span<const Halfspace> halfspaces, const PointSet& points,
+                         std::span<const PointId> witnesses) {
+  RationalPoint center = RationalPoint::Zero();
+  for (const PointId id : witnesses) center += points[id];
+  center /= Rational(witnesses.size());
+  const HalfspaceDual dual = dual_of(halfspaces, center);
+  return to_polytope(dual.dual.halfspaces, dual.dual.triangles);
+}
+
 /// The same input with a random subset of the hull's planes as the result; halfspaces go one after
 /// another as long as the rest is bounded, until `left` are left.
 inline Case drop_planes(const Case& hull, std::size_t left, std::uint64_t seed) {
   std::vector<Halfspace> kept = hull.exact.planes;
-  std::vector<stored_checker::Plane> planes;
-  for (const Halfspace& h : kept) planes.push_back(to_plane(h));
   Random random(seed);
   for (int attempt = 0; attempt < 100 && kept.size() > left; ++attempt) {
     const auto i = static_cast<std::ptrdiff_t>(uniform_below(random, kept.size()));
-    auto fewer = planes;
+    std::vector<Halfspace> fewer = kept;
     fewer.erase(fewer.begin() + i);
-    if (!stored_checker::is_bounded(fewer)) continue;
-    planes = fewer;
-    kept.erase(kept.begin() + i);
+    if (std::holds_alternative<BoundedProof>(find_recession(fewer))) kept = std::move(fewer);
   }
-  RationalPoint center = RationalPoint::Zero();
-  for (const PointId id : hull.witnesses) center += hull.input[id];
-  center /= Rational(hull.witnesses.size());
-  const HalfspaceDual dual = dual_of(kept, center);
-  return {hull.input, hull.witnesses, to_polytope(dual.dual.halfspaces, dual.dual.triangles)};
+  return {hull.input, hull.witnesses, solid_of(kept, hull.input, hull.witnesses)};
 }
 
 }  // namespace stored_cases

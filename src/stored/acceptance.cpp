@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "acceptance.hpp"
+
+#include <cmath>
+
+#include "convexact/error.hpp"
+#include "convexact/measure/bounding_box.hpp"
+#include "convexact/stored/containment.hpp"
+#include "interior_point.hpp"
+
+namespace convexact::stored {
+
+void refuse(Precision precision, const std::string& why) {
+  const std::string name = precision == Precision::Binary64 ? "binary64" : "binary32";
+  throw Error(ErrorCode::Unrepresentable, name + " cannot hold the result: " + why +
+                                              "; exact integers hold it (.json or .ine)");
+}
+
+std::size_t final_pass(std::span<const Halfspace> halfspaces, const PointSet& input) {
+  const std::size_t violations = count_outside(halfspaces, input);
+  if (violations > 0) {
+    throw Error(ErrorCode::Internal,
+                std::to_string(violations) + " input points are outside the rounded result");
+  }
+  return violations;
+}
+
+Growth checked_growth(const Polytope& exact, const Polytope& solid, const PointSet& input,
+                      std::span<const PointId> witnesses, Precision precision) {
+  std::vector<Halfspace> both = exact.planes;
+  both.insert(both.end(), solid.planes.begin(), solid.planes.end());
+  const RationalPoint center = interior_point(input, witnesses, both);
+  const Rational squared = bounding_box(input).squared_diameter();
+  const Growth result = growth(exact, solid, center, squared);
+  const char* const too_far = "rounded, it lies farther from the exact one than that one is long";
+  if (!std::isfinite(result.push)) refuse(precision, too_far);
+  const Rational push = to_rational(result.push);
+  if (push * push * squared > bounding_box(exact.vertices).squared_diameter())
+    refuse(precision, too_far);
+  return result;
+}
+
+}  // namespace convexact::stored

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// interior_point.hpp - a point strictly inside solids that hold the same points.
+#pragma once
+#include <span>
+
+#include "convexact/geometry/halfspace.hpp"
+#include "convexact/geometry/point_set.hpp"
+
+namespace convexact::stored {
+
+/// The mean of `witnesses`, rounded to doubles if it is still strictly inside all of `halfspaces`,
+/// else exactly: points that span a volume have their mean strictly inside whatever holds them.
+[[nodiscard]] RationalPoint interior_point(const PointSet& points,
+                                           std::span<const PointId> witnesses,
+                                           std::span<const Halfspace> halfspaces);
+
+}  // namespace convexact::stored

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/stored/stored_mesh.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "acceptance.hpp"
+#include "convexact/error.hpp"
+#include "convexact/hull/hull.hpp"
+#include "convexact/stored/containment.hpp"
+#include "interior_point.hpp"
+
+namespace convexact {
+namespace {
+
+// center + (1 + factor)(v - center) to nearest; exact until the one rounding.
+std::vector<Point> round_vertices(const Polytope& exact, const RationalPoint& center, double factor,
+                                  Precision precision) {
+  const Rational scale = 1 + to_rational(factor);
+  std::vector<Point> rounded;
+  rounded.reserve(exact.vertices.size());
+  for (const RationalPoint& v : exact.vertices) {
+    const RationalPoint target = center + (v - center) * scale;
+    Point p;
+    for (int k = 0; k < 3; ++k) p[k] = round_to(precision, target[k], Rounding::Nearest);
+    if (!p.allFinite()) stored::refuse(precision, "a vertex is beyond its largest number");
+    rounded.push_back(p);
+  }
+  return rounded;
+}
+
+// A rung that holds the witnesses.
+struct Rung {
+  double factor;
+  PointSet points;
+  Hull hull;
+  std::vector<Halfspace> halfspaces;
+};
+
+std::optional<Rung> try_rung(double factor, std::vector<Point> vertices,
+                             const PointSet& witnesses) {
+  PointSet points(std::move(vertices));
+  HullOutcome outcome = convex_hull(points);
+  if (!std::holds_alternative<Hull>(outcome)) return {};  // flat
+  Hull& hull = std::get<Hull>(outcome);
+  std::vector<Halfspace> halfspaces = facet_halfspaces(hull, points);
+  if (count_outside(halfspaces, witnesses) > 0) return {};
+  return Rung{factor, std::move(points), std::move(hull), std::move(halfspaces)};
+}
+
+PointSet subset(const PointSet& points, std::span<const PointId> ids) {
+  if (!points.is_binary()) {
+    std::vector<RationalPoint> chosen;
+    for (const PointId id : ids) chosen.push_back(points[id]);
+    return PointSet(std::move(chosen));
+  }
+  std::vector<Point> chosen;
+  for (const PointId id : ids) chosen.push_back(points.doubles()[id.index()]);
+  return PointSet(std::move(chosen));
+}
+
+Rung climb(const Polytope& exact, const PointSet& witnesses, const RationalPoint& center,
+           Precision precision) {
+  const double unit = std::ldexp(1.0, 1 - significand_bits(precision));
+  for (double factor = 0; factor <= 1; factor = factor == 0 ? unit : 2 * factor) {
+    auto rung = try_rung(factor, round_vertices(exact, center, factor, precision), witnesses);
+    if (rung) return std::move(*rung);
+  }
+  stored::refuse(precision, "no scaling of the vertices up to twofold holds the input");
+}
+
+// Only the extreme points, numbered in their order.
+Mesh to_mesh(const Rung& rung) {
+  Mesh mesh;
+  mesh.points = subset(rung.points, rung.hull.vertices);
+  std::vector<std::uint32_t> number(rung.points.size());
+  for (std::size_t i = 0; i < rung.hull.vertices.size(); ++i) {
+    number[rung.hull.vertices[i].index()] = static_cast<std::uint32_t>(i);
+  }
+  for (std::size_t f = 0; f < rung.hull.facets.size(); ++f) {
+    std::vector<std::uint32_t> polygon;
+    for (const PointId corner : rung.hull.facets[f]) polygon.push_back(number[corner.index()]);
+    mesh.polygons.push_back(std::move(polygon));
+  }
+  mesh.parts.push_back({"", 0, mesh.polygons.size()});
+  return mesh;
+}
+
+}  // namespace
+
+StoredMesh store_mesh(const Polytope& exact, const PointSet& input,
+                      std::span<const PointId> witnesses, Precision precision) {
+  StoredMesh stored;
+  stored.precision = precision;
+  const RationalPoint center = stored::interior_point(input, witnesses, exact.planes);
+  const Rung rung = climb(exact, subset(input, witnesses), center, precision);
+  stored.factor = rung.factor;
+  stored.mesh = to_mesh(rung);
+  stored.violations = stored::final_pass(rung.halfspaces, input);
+  const Polytope solid = to_polytope(rung.hull, rung.points);
+  stored.growth = stored::checked_growth(exact, solid, input, witnesses, precision);
+  return stored;
+}
+
+std::size_t count_outside_hull(const PointSet& mesh_points, const PointSet& input) {
+  const HullOutcome outcome = convex_hull(mesh_points);
+  const auto* hull = std::get_if<Hull>(&outcome);
+  if (hull == nullptr) return input.size();
+  return count_outside(facet_halfspaces(*hull, mesh_points), input);
+}
+
+}  // namespace convexact

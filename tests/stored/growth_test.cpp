@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Growth of solids whose distance and volume have a closed form.
+#include "convexact/stored/growth.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "convexact/measure/distance.hpp"
+#include "convexact/shapes/boxes.hpp"
+#include "convexact/shapes/random_points.hpp"
+#include "convexact/shapes/solids.hpp"
+#include "stored_cases.hpp"
+
+using namespace convexact;
+
+namespace {
+
+Polytope hull_of(const std::vector<Point>& points) {
+  return stored_cases::hull_case(PointSet(points))->exact;
+}
+
+Polytope box(double a, double b, double c) { return hull_of(shapes::box({a, b, c})); }
+
+const RationalPoint kOrigin = RationalPoint::Zero();
+
+// At or above the true value, by no more than some units in the last place.
+bool is_upper_bound(double bound, double value) {
+  return bound >= value * (1 - 1e-15) && bound <= value * (1 + 1e-14);
+}
+
+}  // namespace
+
+TEST_CASE("growth: a solid is at distance 0 from itself") {
+  const Growth same = growth(box(1, 2, 3), box(1, 2, 3), kOrigin, Rational(56));
+  CHECK(same.push == 0);
+  CHECK(same.volume_ratio == 1);
+}
+
+TEST_CASE("growth: a scaled cube, either way round") {
+  // Half edges 1 and 1 + 2^-20: corners move by sqrt(3) 2^-20; divided by the diagonal 2 sqrt(3).
+  const double step = 0x1p-20;
+  const Polytope inner = box(1, 1, 1), outer = box(1 + step, 1 + step, 1 + step);
+  const Growth grown = growth(inner, outer, kOrigin, Rational(12));
+  CHECK(is_upper_bound(grown.push, step / 2));
+  CHECK(is_upper_bound(grown.volume_ratio, std::pow(1 + step, 3)));
+  const Growth shrunk = growth(outer, inner, kOrigin, Rational(12));
+  CHECK(shrunk.push == grown.push);
+  CHECK(shrunk.volume_ratio < 1);
+}
+
+TEST_CASE("growth: neither solid holds the other") {
+  // Boxes of half edges (1, 1, 2) and (1, 2, 1): a corner is at distance 1 from the other box, and
+  // the nearest corner of the other is at distance sqrt(2): the bound is between them.
+  const Growth moved = growth(box(1, 1, 2), box(1, 2, 1), kOrigin, Rational(1));
+  CHECK(moved.push >= 1);
+  CHECK(moved.push <= std::sqrt(2) * (1 + 1e-15));
+  CHECK(moved.volume_ratio == 1);
+}
+
+TEST_CASE("growth: a vertex far from all others, near to an edge") {
+  // The long box with one end cut off by 2^-30: no vertex of the cut box is nearer than that, so
+  // the way in along the ray to the center, about 2^-30 long, is the bound.
+  const double step = 0x1p-30;
+  std::vector<Point> cut = shapes::box({8, 1, 1});
+  for (Point& p : cut) p.x() = p.x() > 0 ? p.x() - step : p.x();
+  const Growth grown = growth(hull_of(cut), box(8, 1, 1), kOrigin, Rational(1));
+  CHECK(grown.push >= step);
+  CHECK(grown.push <= 1.01 * step);
+}
+
+TEST_CASE("growth: never below the exact distance, and near it") {
+  // NearestPoint is exact and knows nothing of rays to a center.
+  const auto exact_square = [](const Polytope& from, const Polytope& to) {
+    const NearestPoint nearest(to);
+    Rational most = 0;
+    for (const RationalPoint& v : from.vertices) {
+      most = std::max(most, (v - nearest(v)).squaredNorm());
+    }
+    return most;
+  };
+  for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+    const Polytope a = hull_of(shapes::in_box(20, seed)), b = hull_of(shapes::in_box(20, seed + 9));
+    const Rational squared = std::max(exact_square(a, b), exact_square(b, a));
+    const Rational bound = to_rational(growth(a, b, kOrigin, Rational(1)).push);
+    CHECK(bound * bound >= squared);
+    CHECK(bound * bound <= 4 * squared);
+  }
+}
