@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# run.sh BUILD_DIR - installs the library to a scratch folder, then builds and runs a program of ten
+# lines against it, once by pkg-config and once by CMake.
+set -euo pipefail
+build_dir=$1
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+command -v cmake >/dev/null || { echo "skipped: cmake is not installed"; exit 77; }
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+expected="8 vertices, 6 facets"
+
+DESTDIR= meson install -C "$build_dir" --no-rebuild --destdir "$scratch/root" >"$scratch/log"
+config=$(find "$scratch/root" -name convexact.pc)
+prefix=$(dirname "$(dirname "$(dirname "$config")")")
+prefix=$(cd "$prefix" && while [ ! -d include ]; do cd ..; done && pwd)
+
+# By pkg-config, with the prefix moved to where the files are.
+pkg() { PKG_CONFIG_PATH=$(dirname "$config") pkg-config --define-variable=prefix="$prefix" "$@" convexact; }
+read -ra flags <<<"$(pkg --cflags --libs --static)"
+read -ra cxx <<<"${CXX:-c++}"
+"${cxx[@]}" -std=c++20 "$here/main.cpp" -o "$scratch/by_pkg_config" "${flags[@]}"
+[ "$("$scratch/by_pkg_config")" = "$expected" ]
+echo "pkg-config: builds and runs"
+
+cmake -S "$here" -B "$scratch/cmake" -DCMAKE_PREFIX_PATH="$prefix" >"$scratch/log"
+cmake --build "$scratch/cmake" >"$scratch/log"
+[ "$("$scratch/cmake/consumer")" = "$expected" ]
+echo "CMake: builds and runs"
