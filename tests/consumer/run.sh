@@ -12,12 +12,9 @@ expected="8 vertices, 6 facets"
 
 DESTDIR= meson install -C "$build_dir" --no-rebuild --destdir "$scratch/root" >"$scratch/log"
 config=$(find "$scratch/root" -name convexact.pc)
-prefix=$(dirname "$(dirname "$(dirname "$config")")")
-prefix=$(cd "$prefix" && while [ ! -d include ]; do cd ..; done && pwd)
+prefix=$(cd "$(dirname "$config")" && while [ ! -d include ]; do cd ..; done && pwd)
 
-# By pkg-config, with the prefix moved to where the files are.
-pkg() { PKG_CONFIG_PATH=$(dirname "$config") pkg-config --define-variable=prefix="$prefix" "$@" convexact; }
-read -ra flags <<<"$(pkg --cflags --libs --static)"
+read -ra flags <<<"$(PKG_CONFIG_PATH=$(dirname "$config") pkg-config --cflags --libs --static convexact)"
 read -ra cxx <<<"${CXX:-c++}"
 "${cxx[@]}" -std=c++20 "$here/main.cpp" -o "$scratch/by_pkg_config" "${flags[@]}"
 [ "$("$scratch/by_pkg_config")" = "$expected" ]
