@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "convexact/lp/interior_point.hpp"
-#include "convexact/number/sum.hpp"
+#include "convexact/number/balanced_sum.hpp"
 
 namespace convexact::stored {
 
@@ -17,9 +17,13 @@ RationalPoint interior_point(const PointSet& points, std::span<const PointId> wi
     const RationalPoint rounded = to_rational(mean);
     if (is_strictly_inside(halfspaces, rounded)) return rounded;
   }
-  std::vector<RationalPoint> terms;
-  for (const PointId id : witnesses) terms.push_back(points[id]);
-  return balanced_sum(std::move(terms)) / Rational(witnesses.size());
+  RationalPoint exact;
+  for (int k = 0; k < 3; ++k) {
+    std::vector<Rational> terms;
+    for (const PointId id : witnesses) terms.push_back(points[id][k]);
+    exact[k] = balanced_sum(std::move(terms)) / witnesses.size();
+  }
+  return exact;
 }
 
 }  // namespace convexact::stored
