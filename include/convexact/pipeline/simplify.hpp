@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// simplify.hpp - the main job: enclose a shape in few halfspaces and prove that they hold it.
+#pragma once
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "convexact/pipeline/measured.hpp"
+#include "convexact/pipeline/solid.hpp"
+#include "convexact/pipeline/stored_solid.hpp"
+#include "convexact/simplify/exact_engine.hpp"
+
+namespace convexact {
+
+/// What is wanted. At least one of `faces` and `max_growth` must be given.
+struct SimplifyRequest {
+  std::optional<std::size_t> faces;    ///< Halfspaces to keep, >= 4.
+  std::optional<Rational> max_growth;  ///< Volume may grow to (1 + max_growth) times; >= 0.
+  VerifyLevel verify = VerifyLevel::Local;
+  std::optional<RationalPoint> center;  ///< Unset: the Chebyshev center. The answer is the same.
+  std::uint64_t seed = 1;               ///< Of every random order. The answer is the same.
+  StoreRequest store;
+  bool exact_volumes = false;  ///< As rationals too, not only their certain digits.
+  /// Called after each removal with the number of halfspaces left and at the start.
+  std::function<void(std::size_t left, std::size_t at_start)> progress;
+  const std::atomic<bool>* stop = nullptr;  ///< When it becomes true: Error Stopped.
+};
+
+struct SimplifyResult {
+  std::size_t input_points = 0;  ///< 0 where the input is halfspaces.
+  std::size_t hull_vertices = 0;
+  std::vector<RedundantHalfspace> redundant;  ///< Of halfspace input.
+  Trace trace;
+  StoredSolid solid;      ///< What encloses the input.
+  Measured input_volume;  ///< Of the input's hull, in cubed length units.
+  Measured output_volume;
+  std::size_t tested_points = 0;  ///< Points tested directly against every survivor.
+  VerifyLevel verified = VerifyLevel::Local;
+};
+
+using SimplifyOutcome = std::variant<SimplifyResult, NotSolid>;
+
+/// Runs the stages that the request and the shape need; `log` gets each with its time, or the
+/// reason why it was left out.
+/// @throws Error InvalidArgument for a request that makes no sense or a center that is not strictly
+///         inside; Unrepresentable if a stored format cannot hold the result; Stopped; Internal if
+///         a verification fails.
+[[nodiscard]] SimplifyOutcome simplify(const Shape& shape, const SimplifyRequest& request,
+                                       StageLog& log);
+
+}  // namespace convexact

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// stage.hpp - the stages of a run: what each took, or why the scene did not need it.
+#pragma once
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace convexact {
+
+enum class StageKind { Io, Compute };
+
+struct Stage {
+  std::string name;
+  StageKind kind = StageKind::Compute;
+  double seconds = 0;   ///< Wall time; 0 for a skipped stage.
+  std::string skipped;  ///< Why the stage was not needed; empty if it ran.
+};
+
+/// Runs stages one after another and keeps the record.
+class StageLog {
+ public:
+  /// Runs `work` and returns what it returns. Work under a name that ran before is added to it.
+  template <class Work>
+  decltype(auto) run(const std::string& name, StageKind kind, Work&& work) {
+    const Clock clock(*this, name, kind);
+    return std::forward<Work>(work)();
+  }
+  template <class Work>
+  decltype(auto) run(const std::string& name, Work&& work) {
+    return run(name, StageKind::Compute, std::forward<Work>(work));
+  }
+  void skip(const std::string& name, const std::string& reason) {
+    stages_.push_back({name, StageKind::Compute, 0, reason});
+  }
+  /// Adds another object's stages: times add up, and what was not needed for any is said once.
+  void add(const StageLog& other) {
+    for (const Stage& stage : other.stages_) {
+      if (stage.skipped.empty()) {
+        stages_[index_of(stage.name, stage.kind)].seconds += stage.seconds;
+      } else if (!mentions(stage.name)) {
+        stages_.push_back(stage);
+      }
+    }
+  }
+  const std::vector<Stage>& stages() const { return stages_; }
+
+ private:
+  // Adds the time between its making and its end to a stage, also when the work throws.
+  class Clock {
+   public:
+    Clock(StageLog& log, const std::string& name, StageKind kind)
+        : stages_(log.stages_), index_(log.index_of(name, kind)) {}
+    ~Clock() {
+      const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
+      stages_[index_].seconds += spent.count();
+    }
+    Clock(const Clock&) = delete;
+    Clock& operator=(const Clock&) = delete;
+
+   private:
+    std::vector<Stage>& stages_;
+    std::size_t index_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  };
+
+  std::size_t index_of(const std::string& name, StageKind kind) {
+    for (std::size_t i = 0; i < stages_.size(); ++i) {
+      if (stages_[i].name == name && stages_[i].skipped.empty()) return i;
+    }
+    stages_.push_back({name, kind, 0, {}});
+    return stages_.size() - 1;
+  }
+
+  bool mentions(const std::string& name) const {
+    return std::any_of(stages_.begin(), stages_.end(),
+                       [&](const Stage& stage) { return stage.name == name; });
+  }
+
+  std::vector<Stage> stages_;
+};
+
+}  // namespace convexact

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// command.hpp - what the subcommands share: global options, how a run ends, how errors are told.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "convexact/error.hpp"
+#include "convexact/pipeline/not_solid.hpp"
+
+namespace convexact::cli {
+
+/// Options that every subcommand understands.
+struct GlobalOptions {
+  bool json = false;             ///< One JSON object on standard output, also on failure.
+  std::uint64_t seed = 1;        ///< Of every random order; no answer depends on it.
+  std::uint64_t max_memory = 0;  ///< Bytes of address space; 0 for no limit.
+};
+
+/// Adds --json, --seed and --max-memory to a subcommand.
+void add_global_options(CLI::App& command, GlobalOptions& options);
+
+/// Each adds its subcommand to the program; the subcommand's exit code goes to `exit_code`.
+void add_hull_command(CLI::App& program, int& exit_code);
+void add_simplify_command(CLI::App& program, int& exit_code);
+
+/// Runs a subcommand's work and turns each Error into its sentence on standard error (or, with
+/// --json, into {"error": {...}} on standard output) and its exit code.
+int run_guarded(const GlobalOptions& options, const std::function<int()>& work);
+
+/// Tells that an input encloses no volume, with the proof, and returns the exit code.
+int report_not_solid(const GlobalOptions& options, const std::string& name, const NotSolid& reason);
+
+/// Prints to standard output. @throws Error Stopped if nobody reads it any more.
+void print(const std::string& text);
+void print(const nlohmann::ordered_json& document);
+
+/// Becomes true when an interrupt (Ctrl-C, SIGTERM) arrives; long loops ask and end with Stopped.
+const std::atomic<bool>& interrupted() noexcept;
+
+/// Progress on one line of standard error, when that is a terminal and the work takes over a
+/// second.
+class Progress {
+ public:
+  ~Progress() { clear(); }
+  /// @param done of total; called often, prints at most ten times a second.
+  void operator()(const char* what, std::size_t done, std::size_t total);
+  /// Takes the line away again.
+  void clear();
+
+ private:
+  double started_ = now();
+  double printed_ = 0;
+  static double now();
+};
+
+}  // namespace convexact::cli

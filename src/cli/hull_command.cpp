@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// convexact hull: the exact hull, or the exact solid that halfspaces bound, and its measures.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "command.hpp"
+#include "convexact/format/result_json.hpp"
+#include "convexact/format/summary.hpp"
+#include "outputs.hpp"
+#include "scene.hpp"
+
+namespace convexact::cli {
+namespace {
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  convexact hull bunny.obj\n"
+    "  convexact hull bunny.obj --digits 50 -o hull.obj -o planes.ine\n"
+    "  convexact hull planes.json --json\n"
+    "\n"
+    "Every digit printed is certain: off by less than one unit of the last one.\n"
+    "Planes are written as exact integers unless --precision is given.";
+
+struct Options {
+  GlobalOptions global;
+  std::vector<std::string> inputs;
+  SceneOptions scene;
+  OutputOptions output;
+  HullRequest request;
+};
+
+struct MeasuredObject {
+  SceneObject source;
+  HullResult result;
+  StageLog log;
+};
+
+nlohmann::ordered_json document_of(const std::vector<MeasuredObject>& objects, int digits) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const MeasuredObject& object : objects) {
+    nlohmann::ordered_json entry = {{"name", object.source.name}};
+    entry.update(hull_json(object.result, digits));
+    entry["stages"] = stages_json(object.log.stages());
+    list.push_back(entry);
+  }
+  return objects.size() == 1 ? list[0] : nlohmann::ordered_json{{"objects", list}};
+}
+
+int run(const Options& options) {
+  options.output.require_sensible();
+  StageLog log;
+  std::vector<SceneObject> scene =
+      log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
+  options.output.require_room_for(scene.size());
+  HullRequest request = options.request;
+  request.seed = options.global.seed;
+  request.store = options.output.store_request();
+  std::vector<MeasuredObject> objects;
+  for (SceneObject& source : scene) {
+    StageLog own;
+    HullReport outcome = measure_hull(source.shape, request, own);
+    if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
+      return report_not_solid(options.global, source.name, *reason);
+    }
+    log.add(own);
+    objects.push_back({std::move(source), std::get<HullResult>(std::move(outcome)), own});
+  }
+  std::vector<OutputObject> outputs;
+  for (const MeasuredObject& object : objects) {
+    outputs.push_back({object.source, object.result.solid});
+  }
+  log.run("write", StageKind::Io, [&] { write_outputs(outputs, options.output); });
+  if (options.global.json) {
+    print(document_of(objects, request.digits));
+    return 0;
+  }
+  std::string text;
+  for (const MeasuredObject& object : objects) {
+    text += object.source.name + "\n" + summary(object.result, request.digits);
+  }
+  for (const std::string& path : options.output.all_paths()) {
+    text += fmt::format("  written     {}\n", path);
+  }
+  print(text + "\n" + stage_table(log.stages()));
+  return 0;
+}
+
+}  // namespace
+
+void add_hull_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command =
+      *program.add_subcommand("hull", "the exact hull: counts, volume, area, mean width");
+  command.footer(kFooter);
+  add_input_argument(command, options->inputs);
+  add_output_options(command, options->output);
+  add_scene_options(command, options->scene);
+  command
+      .add_option("--digits", options->request.digits, "certain digits of each measure, 1 to 10000")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  command.add_flag("--exact-values", options->request.exact_volume,
+                   "with --json: the volume as a fraction too");
+  add_global_options(command, options->global);
+  command.callback([options, &exit_code] {
+    exit_code = run_guarded(options->global, [&] { return run(*options); });
+  });
+}
+
+}  // namespace convexact::cli

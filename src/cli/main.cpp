@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The program: one subcommand per file.
+#include <gmp.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <cstring>
+
+#include "command.hpp"
+
+namespace {
+
+// GMP cannot pass an exception through, so running out of memory in it ends the process here. No
+// output file is open at that point: files are written after the last computation.
+[[noreturn]] void out_of_memory() {
+  constexpr char kMessage[] = "convexact: out of memory\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, kMessage, std::strlen(kMessage));
+  std::_Exit(convexact::exit_code(convexact::ErrorCode::Stopped));
+}
+
+void* allocate(std::size_t size) {
+  void* block = std::malloc(size);
+  if (block == nullptr) out_of_memory();
+  return block;
+}
+
+void* reallocate(void* old, std::size_t, std::size_t size) {
+  void* block = std::realloc(old, size);
+  if (block == nullptr) out_of_memory();
+  return block;
+}
+
+void release(void* block, std::size_t) { std::free(block); }
+
+constexpr const char* kDescription =
+    "convexact encloses a 3D shape in few halfspaces, and proves in exact arithmetic that it "
+    "does.\n";
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  convexact hull tests/data/spot.obj\n"
+    "  convexact simplify tests/data/bunny.obj --faces 18 -o bunny18.obj\n"
+    "  convexact simplify --help\n"
+    "\n"
+    "Exit codes:\n"
+    "  0  done, and every claim holds        4  the input has no 3D interior or is unbounded\n"
+    "  1  the oracle's answer is no          5  the output cannot be written or represented\n"
+    "  2  wrong usage                        6  stopped: memory, interrupt, closed pipe\n"
+    "  3  a file is unreadable or malformed  70 an internal verification failed";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  mp_set_memory_functions(allocate, reallocate, release);
+  CLI::App program(kDescription, "convexact");
+  program.footer(kFooter);
+  program.set_version_flag("--version", CONVEXACT_VERSION);
+  program.require_subcommand(1);
+  int exit_code = 0;
+  convexact::cli::add_hull_command(program, exit_code);
+  convexact::cli::add_simplify_command(program, exit_code);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? 0
+                                    : convexact::exit_code(convexact::ErrorCode::InvalidArgument);
+  }
+  return exit_code;
+}

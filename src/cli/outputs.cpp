@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "outputs.hpp"
+
+#include <algorithm>
+
+#include "convexact/error.hpp"
+#include "convexact/format/halfspace_list.hpp"
+#include "convexact/format/trace_json.hpp"
+#include "convexact/io/atomic_output.hpp"
+#include "convexact/io/read_mesh.hpp"
+#include "convexact/io/write_mesh.hpp"
+#include "convexact/report/picture.hpp"
+#include "convexact/stored/containment.hpp"
+
+namespace convexact::cli {
+namespace {
+
+[[noreturn]] void reject(const std::string& message) {
+  throw Error(ErrorCode::InvalidArgument, message);
+}
+
+bool is_stl(const std::string& path) { return mesh_format_of_path(path) == MeshFormat::Stl; }
+
+Precision precision_of(int bits) { return bits == 32 ? Precision::Binary32 : Precision::Binary64; }
+
+const PointSet* points_of(const SceneObject& object) {
+  return std::get_if<PointSet>(&object.shape);
+}
+
+void require_inside(std::size_t outside, const std::string& path) {
+  if (outside == 0) return;
+  throw Error(ErrorCode::Internal, "read back from its bytes, " + path + " misses " +
+                                       std::to_string(outside) + " input points");
+}
+
+// The points that one part of a mesh uses.
+PointSet points_of_part(const Mesh& mesh, const MeshPart& part) {
+  std::vector<Point> points;
+  for (std::size_t k = part.first_polygon; k < part.last_polygon; ++k) {
+    for (const std::uint32_t corner : mesh.polygons[k]) {
+      points.push_back(mesh.points.doubles()[corner]);
+    }
+  }
+  return PointSet(std::move(points));
+}
+
+// Proves the bytes themselves, as a reader of the file would take them.
+void prove_bytes(const std::string& bytes, const std::string& path,
+                 const std::vector<OutputObject>& objects) {
+  if (const auto format = halfspace_format_of_path(path)) {
+    const HalfspaceList read = read_halfspaces_bytes(bytes, *format);
+    require_inside(count_outside(read.halfspaces, objects[0].solid.points), path);
+    return;
+  }
+  const Mesh mesh = read_mesh_bytes(bytes, {.format = mesh_format_of_path(path)});
+  if (objects.size() == 1) {
+    require_inside(count_outside_hull(mesh.points, objects[0].solid.points), path);
+    return;
+  }
+  CONVEXACT_ASSERT(mesh.parts.size() == objects.size());
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    const PointSet corners = points_of_part(mesh, mesh.parts[k]);
+    require_inside(count_outside_hull(corners, objects[k].solid.points), path);
+  }
+}
+
+// Several solids in one mesh: points and polygons one after another, a part for each.
+Mesh joined(const std::vector<OutputObject>& objects) {
+  if (objects.size() == 1) return objects[0].solid.mesh->mesh;
+  Mesh all;
+  std::vector<Point> points;
+  for (const OutputObject& object : objects) {
+    const Mesh& mesh = object.solid.mesh->mesh;
+    const auto first_point = static_cast<std::uint32_t>(points.size());
+    const std::size_t first_polygon = all.polygons.size();
+    points.insert(points.end(), mesh.points.doubles().begin(), mesh.points.doubles().end());
+    for (std::vector<std::uint32_t> polygon : mesh.polygons) {
+      for (std::uint32_t& corner : polygon) corner += first_point;
+      all.polygons.push_back(std::move(polygon));
+    }
+    all.parts.push_back({object.source.part, first_polygon, all.polygons.size()});
+  }
+  all.points = PointSet(std::move(points));
+  return all;
+}
+
+std::string mesh_bytes(const std::vector<OutputObject>& objects, MeshFormat format,
+                       Precision precision) {
+  const Encoding encoding = format == MeshFormat::Stl ? Encoding::Binary : Encoding::Text;
+  return write_mesh(joined(objects), format, {.precision = precision, .encoding = encoding});
+}
+
+std::string plane_bytes(const StoredSolid& solid, HalfspaceFormat format) {
+  if (!solid.planes) return write_halfspaces(solid.exact.planes, format);
+  return write_halfspaces(solid.planes->planes, format);
+}
+
+std::string picture_bytes(const std::vector<OutputObject>& objects) {
+  Picture picture;
+  picture.title = objects.size() == 1 ? objects[0].source.name : "Several objects";
+  std::size_t halfspaces = 0;
+  for (const OutputObject& object : objects) {
+    const auto first = static_cast<std::uint32_t>(picture.points.size());
+    if (const PointSet* points = points_of(object.source)) {
+      picture.points.insert(picture.points.end(), points->doubles().begin(),
+                            points->doubles().end());
+      for (std::vector<std::uint32_t> polygon : object.source.polygons) {
+        for (std::uint32_t& corner : polygon) corner += first;
+        picture.polygons.push_back(std::move(polygon));
+      }
+    }
+    halfspaces += object.solid.exact.planes.size();
+    picture.proxies.push_back(object.solid.exact);
+  }
+  picture.caption = "Enclosed in " + std::to_string(halfspaces) + " halfspaces.";
+  return picture_html(picture);
+}
+
+}  // namespace
+
+std::vector<std::string> OutputOptions::all_paths() const {
+  std::vector<std::string> paths = results;
+  if (!picture.empty()) paths.push_back(picture);
+  if (!trace.empty()) paths.push_back(trace);
+  return paths;
+}
+
+StoreRequest OutputOptions::store_request() const {
+  StoreRequest request;
+  const bool has_stl = std::any_of(results.begin(), results.end(), is_stl);
+  for (const std::string& path : results) {
+    if (mesh_format_of_path(path)) {
+      request.mesh = precision_of(precision != 0 ? precision : has_stl ? 32 : 64);
+    } else if (precision != 0) {
+      request.planes = precision_of(precision);
+    }
+  }
+  return request;
+}
+
+void OutputOptions::require_sensible() const {
+  bool stl = false, other_mesh = false;
+  for (const std::string& path : results) {
+    if (!mesh_format_of_path(path) && !halfspace_format_of_path(path)) {
+      reject("-o " + path + ": expected an extension .obj, .off, .ply, .stl, .json or .ine");
+    }
+    stl = stl || is_stl(path);
+    other_mesh = other_mesh || (mesh_format_of_path(path) && !is_stl(path));
+  }
+  if (stl && (precision == 64 || (other_mesh && precision == 0))) {
+    reject("STL holds binary32 only: ask for --precision 32, or write the STL in a run of its own");
+  }
+}
+
+void OutputOptions::require_room_for(std::size_t objects) const {
+  if (objects < 2) return;
+  if (!trace.empty()) reject("--trace: a trace tells of one object, and there are several");
+  for (const std::string& path : results) {
+    if (mesh_format_of_path(path) != MeshFormat::Obj) {
+      reject("-o " + path + ": only .obj holds several objects");
+    }
+  }
+}
+
+void add_input_argument(CLI::App& command, std::vector<std::string>& inputs) {
+  command
+      .add_option("INPUT", inputs,
+                  "meshes (OBJ, OFF, PLY, STL) or halfspaces (JSON, .ine); - is standard input")
+      ->required();
+}
+
+void add_output_options(CLI::App& command, OutputOptions& options) {
+  command
+      .add_option(
+          "-o,--output", options.results,
+          "where the result goes, by extension: .obj .off .ply .stl or .json .ine; may be repeated")
+      ->expected(1)
+      ->take_all();
+  command.add_option("--picture", options.picture, "a page (.html) that shows input and result");
+  command
+      .add_option("--precision", options.precision,
+                  "round outward to binary64 or binary32: 64 or 32")
+      ->check(CLI::IsMember({64, 32}));
+}
+
+void add_scene_options(CLI::App& command, SceneOptions& options) {
+  command.add_flag("--parts", options.parts, "each object (o or g line, STL solid) on its own");
+  command
+      .add_option("--decimal", options.decimal,
+                  "decimals in text: nearest (double) or exact (as spelled)")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Decimal>{{"nearest", Decimal::Nearest}, {"exact", Decimal::Exact}}))
+      ->default_str("nearest");
+}
+
+void write_outputs(const std::vector<OutputObject>& objects, const OutputOptions& options) {
+  AtomicOutput files;
+  for (const std::string& path : options.results) {
+    const auto mesh_format = mesh_format_of_path(path);
+    const std::string bytes =
+        mesh_format ? mesh_bytes(objects, *mesh_format, objects[0].solid.mesh->precision)
+                    : plane_bytes(objects[0].solid, *halfspace_format_of_path(path));
+    prove_bytes(bytes, path, objects);
+    files.add(path, bytes);
+  }
+  if (!options.picture.empty()) files.add(options.picture, picture_bytes(objects));
+  if (!options.trace.empty()) files.add(options.trace, write_trace_json(*objects[0].trace));
+  files.commit();
+}
+
+}  // namespace convexact::cli

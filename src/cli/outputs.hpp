@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// outputs.hpp - the files that simplify writes: all of them, complete, or none.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "convexact/pipeline/stored_solid.hpp"
+#include "convexact/simplify/trace.hpp"
+#include "scene.hpp"
+
+namespace convexact::cli {
+
+struct OutputOptions {
+  std::vector<std::string> results;  ///< -o: .obj .off .ply .stl are meshes, .json .ine planes.
+  std::string picture;               ///< An HTML page; empty for none.
+  std::string trace;                 ///< Every step as JSON; empty for none.
+  int precision = 0;                 ///< 64 or 32; 0 if not given.
+
+  std::vector<std::string> all_paths() const;
+  /// The formats that the result must be stored in; nothing where no output needs them.
+  StoreRequest store_request() const;
+  /// @throws Error InvalidArgument for unknown extensions and for formats that contradict each
+  /// other.
+  void require_sensible() const;
+  /// @throws Error InvalidArgument if an output cannot hold that many objects.
+  void require_room_for(std::size_t objects) const;
+};
+
+void add_input_argument(CLI::App& command, std::vector<std::string>& inputs);
+void add_output_options(CLI::App& command, OutputOptions& options);
+void add_scene_options(CLI::App& command, SceneOptions& options);
+
+/// One object and what encloses it.
+struct OutputObject {
+  const SceneObject& source;
+  const StoredSolid& solid;
+  const Trace* trace = nullptr;  ///< Set wherever a trace may be asked for.
+};
+
+/// Writes every output, after reading each mesh and plane file back from its bytes and testing
+/// that what they spell holds every input point.
+/// @throws Error Unwritable; Internal if that test fails.
+void write_outputs(const std::vector<OutputObject>& objects, const OutputOptions& options);
+
+}  // namespace convexact::cli

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "scene.hpp"
+
+#include <filesystem>
+#include <unordered_map>
+
+#include "convexact/error.hpp"
+#include "convexact/format/halfspace_list.hpp"
+#include "convexact/io/read_bytes.hpp"
+#include "convexact/io/read_mesh.hpp"
+
+namespace convexact::cli {
+namespace {
+
+std::string stem_of(const std::string& path) {
+  return path == "-" ? "input" : std::filesystem::path(path).stem().string();
+}
+
+// The points that a part's polygons use, renumbered in the order of the file.
+SceneObject extract_part(const Mesh& mesh, const MeshPart& part, const std::string& file) {
+  SceneObject object{file + ": " + part.name, part.name, {}, {}};
+  std::unordered_map<std::uint32_t, std::uint32_t> renumbered;
+  std::vector<Point> doubles;
+  std::vector<RationalPoint> rationals;
+  for (std::size_t k = part.first_polygon; k < part.last_polygon; ++k) {
+    auto& polygon = object.polygons.emplace_back(mesh.polygons[k]);
+    for (std::uint32_t& corner : polygon) {
+      const auto [entry, is_new] =
+          renumbered.try_emplace(corner, static_cast<std::uint32_t>(renumbered.size()));
+      if (is_new && mesh.points.is_binary()) doubles.push_back(mesh.points.doubles()[corner]);
+      if (is_new && !mesh.points.is_binary()) rationals.push_back(mesh.points[PointId(corner)]);
+      corner = entry->second;
+    }
+  }
+  object.shape =
+      mesh.points.is_binary() ? PointSet(std::move(doubles)) : PointSet(std::move(rationals));
+  return object;
+}
+
+void read_mesh_objects(const std::string& path, const std::string& bytes,
+                       const SceneOptions& options, std::vector<SceneObject>& objects) {
+  const std::string file = display_name(path);
+  Mesh mesh =
+      read_mesh_bytes(bytes, {.decimal = options.decimal, .format = mesh_format_of_path(path)});
+  if (!options.parts) {
+    objects.push_back({file, stem_of(path), std::move(mesh.points), std::move(mesh.polygons)});
+    return;
+  }
+  const std::size_t before = objects.size();
+  for (const MeshPart& part : mesh.parts) {
+    if (part.first_polygon < part.last_polygon) objects.push_back(extract_part(mesh, part, file));
+  }
+  if (objects.size() == before) {
+    throw Error(ErrorCode::InvalidArgument, "--parts: the file has no faces, so no parts");
+  }
+}
+
+SceneObject halfspace_object(const std::string& path, HalfspaceList list) {
+  if (list.impossible_row) {
+    throw Error(ErrorCode::NoInterior,
+                "the input is empty: halfspace " + std::to_string(*list.impossible_row) +
+                    " (counting from 1) has a zero normal and holds nowhere");
+  }
+  return {display_name(path), stem_of(path), std::move(list.halfspaces), {}};
+}
+
+}  // namespace
+
+std::vector<SceneObject> read_scene(const std::vector<std::string>& paths,
+                                    const SceneOptions& options) {
+  std::vector<SceneObject> objects;
+  for (const std::string& path : paths) {
+    const std::string bytes = read_bytes(path);
+    try {
+      std::optional<HalfspaceFormat> halfspaces = halfspace_format_of_path(path);
+      if (!halfspaces && !mesh_format_of_path(path)) {
+        halfspaces = halfspace_format_of_content(bytes);
+      }
+      if (halfspaces) {
+        objects.push_back(
+            halfspace_object(path, read_halfspaces_bytes(bytes, *halfspaces, options.decimal)));
+      } else {
+        read_mesh_objects(path, bytes, options, objects);
+      }
+    } catch (const Error& error) {
+      throw error.in_file(display_name(path));
+    }
+  }
+  return objects;
+}
+
+}  // namespace convexact::cli

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// convexact simplify: the main job.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "command.hpp"
+#include "convexact/format/result_json.hpp"
+#include "convexact/format/summary.hpp"
+#include "outputs.hpp"
+#include "scene.hpp"
+
+namespace convexact::cli {
+namespace {
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  convexact simplify bunny.obj --faces 18 -o proxy.obj --picture proxy.html\n"
+    "  convexact simplify bunny.obj --max-growth 5% -o planes.json --precision 64\n"
+    "  convexact simplify room.obj --parts --faces 12 -o proxies.obj\n"
+    "  convexact simplify planes.ine --faces 6 --json --trace steps.json\n"
+    "\n"
+    "Without --precision, planes are written as exact integers and meshes in binary64 (STL: 32).\n"
+    "Whatever is written was tested, on the stored numbers, to hold every input point.";
+
+struct Options {
+  GlobalOptions global;
+  std::vector<std::string> inputs;
+  SceneOptions scene;
+  OutputOptions output;
+  std::size_t faces = 0;
+  std::string max_growth;
+  std::string center = "chebyshev";
+  VerifyLevel verify = VerifyLevel::Local;
+  bool exact_values = false;
+};
+
+// "5%" or "0.05".
+Rational parse_growth(std::string text) {
+  const bool percent = !text.empty() && text.back() == '%';
+  if (percent) text.pop_back();
+  try {
+    const Rational growth = parse_rational(text);
+    return percent ? Rational(growth / 100) : growth;
+  } catch (const Error&) {
+    throw Error(ErrorCode::InvalidArgument,
+                "--max-growth: expected a share such as 5% or 0.05, found '" + text + "'");
+  }
+}
+
+// "chebyshev" or "X,Y,Z".
+std::optional<RationalPoint> parse_center(const std::string& text) {
+  if (text == "chebyshev") return std::nullopt;
+  const std::vector<std::string> words = CLI::detail::split(text, ',');
+  if (words.size() == 3) {
+    try {
+      return RationalPoint(parse_rational(words[0]), parse_rational(words[1]),
+                           parse_rational(words[2]));
+    } catch (const Error&) {  // told below
+    }
+  }
+  throw Error(ErrorCode::InvalidArgument,
+              "--center: expected chebyshev or three numbers X,Y,Z, found '" + text + "'");
+}
+
+SimplifyRequest request_of(const Options& options) {
+  SimplifyRequest request;
+  if (options.faces != 0) request.faces = options.faces;
+  if (!options.max_growth.empty()) request.max_growth = parse_growth(options.max_growth);
+  request.verify = options.verify;
+  request.center = parse_center(options.center);
+  request.seed = options.global.seed;
+  request.store = options.output.store_request();
+  request.exact_volumes = options.exact_values;
+  request.stop = &interrupted();
+  return request;
+}
+
+struct SimplifiedObject {
+  SceneObject source;
+  SimplifyResult result;
+  StageLog log;
+};
+
+nlohmann::ordered_json document_of(const std::vector<SimplifiedObject>& objects,
+                                   const StageLog& log) {
+  if (objects.size() == 1) {
+    nlohmann::ordered_json document = result_json(objects[0].result);
+    document["stages"] = stages_json(log.stages());
+    return document;
+  }
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const SimplifiedObject& object : objects) {
+    nlohmann::ordered_json entry = {{"name", object.source.name}};
+    entry.update(result_json(object.result));
+    entry["stages"] = stages_json(object.log.stages());
+    list.push_back(entry);
+  }
+  return {{"objects", list}, {"stages", stages_json(log.stages())}};
+}
+
+void print_summary(const std::vector<SimplifiedObject>& objects, const StageLog& log,
+                   const OutputOptions& output) {
+  std::string text;
+  for (const SimplifiedObject& object : objects) {
+    text += object.source.name + "\n" + summary(object.result);
+  }
+  for (const std::string& path : output.all_paths())
+    text += fmt::format("  written     {}\n", path);
+  if (output.all_paths().empty()) {
+    text += "  written     nothing; -o proxy.obj keeps the solid, --picture proxy.html shows it\n";
+  }
+  print(text + "\n" + stage_table(log.stages()));
+}
+
+void write(const std::vector<SimplifiedObject>& objects, const OutputOptions& options) {
+  std::vector<OutputObject> outputs;
+  for (const SimplifiedObject& object : objects) {
+    outputs.push_back({object.source, object.result.solid, &object.result.trace});
+  }
+  write_outputs(outputs, options);
+}
+
+int run(const Options& options) {
+  StageLog log;
+  SimplifyRequest request = request_of(options);
+  options.output.require_sensible();
+  std::vector<SceneObject> scene =
+      log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
+  options.output.require_room_for(scene.size());
+  Progress progress;
+  request.progress = [&](std::size_t left, std::size_t at_start) {
+    progress("removing halfspaces", at_start - left, at_start - request.faces.value_or(4));
+  };
+  std::vector<SimplifiedObject> objects;
+  for (SceneObject& source : scene) {
+    StageLog own;
+    SimplifyOutcome outcome = simplify(source.shape, request, own);
+    if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
+      return report_not_solid(options.global, source.name, *reason);
+    }
+    log.add(own);
+    objects.push_back({std::move(source), std::get<SimplifyResult>(std::move(outcome)), own});
+  }
+  progress.clear();
+  log.run("write", StageKind::Io, [&] { write(objects, options.output); });
+  if (options.global.json) {
+    print(document_of(objects, log));
+  } else {
+    print_summary(objects, log, options.output);
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_simplify_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command = *program.add_subcommand(
+      "simplify", "enclose a shape in few halfspaces, adding as little volume as possible");
+  command.footer(kFooter);
+  add_input_argument(command, options->inputs);
+  command.add_option("-k,--faces", options->faces, "how many halfspaces to keep, at least 4")
+      ->check(CLI::Range(std::size_t{4}, std::size_t{1} << 32));
+  command.add_option("--max-growth", options->max_growth,
+                     "stop before the volume grows by more, e.g. 5% or 0.05");
+  add_output_options(command, options->output);
+  command.add_option("--trace", options->output.trace,
+                     "every step as JSON, for a program that replays it");
+  add_scene_options(command, options->scene);
+  command
+      .add_option("--verify", options->verify,
+                  "what is proven again at each step: local, full, none")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, VerifyLevel>{
+          {"local", VerifyLevel::Local}, {"full", VerifyLevel::Full}, {"none", VerifyLevel::None}}))
+      ->default_str("local");
+  command
+      .add_option("--center", options->center,
+                  "of the polar dual: chebyshev, or X,Y,Z strictly inside; the answer does not "
+                  "depend on it")
+      ->capture_default_str();
+  command.add_flag("--exact-values", options->exact_values,
+                   "with --json: volumes as fractions too");
+  add_global_options(command, options->global);
+  command.callback([options, &exit_code] {
+    exit_code = run_guarded(options->global, [&] { return run(*options); });
+  });
+}
+
+}  // namespace convexact::cli

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/format/result_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "convexact/error.hpp"
+#include "convexact/number/digits.hpp"
+#include "convexact/number/rounding.hpp"
+
+namespace convexact {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kDigits = 17;  // as many as a double needs
+
+Json plane_json(const Halfspace& h) {
+  return {to_string(h.normal()[0]), to_string(h.normal()[1]), to_string(h.normal()[2]),
+          to_string(h.offset())};
+}
+
+Json vector_json(const RationalVector3& v) {
+  return {to_string(v[0]), to_string(v[1]), to_string(v[2])};
+}
+
+Json multipliers_json(const std::vector<Multiplier>& multipliers) {
+  Json list = Json::array();
+  for (const Multiplier& m : multipliers) {
+    list.push_back({{"halfspace", m.row}, {"multiplier", to_string(m.value)}});
+  }
+  return list;
+}
+
+const char* name_of(StopReason reason) {
+  switch (reason) {
+    case StopReason::Reached:
+      return "reached";
+    case StopReason::GrowthLimit:
+      return "growth-limit";
+    case StopReason::AllUnbounded:
+      break;
+  }
+  return "all-unbounded";
+}
+
+const char* name_of(VerifyLevel level) {
+  switch (level) {
+    case VerifyLevel::None:
+      return "none";
+    case VerifyLevel::Local:
+      return "local";
+    case VerifyLevel::Full:
+      break;
+  }
+  return "full";
+}
+
+Json stored_json(const std::string& format, const Growth& growth, std::size_t violations) {
+  return {{"format", format},
+          {"push", growth.push},
+          {"volume_ratio", growth.volume_ratio},
+          {"violations", violations}};
+}
+
+std::string format_name(Precision precision, const char* what) {
+  return std::string(what) + (precision == Precision::Binary64 ? " in binary64" : " in binary32");
+}
+
+// The most derived form that was asked for; the exact integers if none was.
+Json stored_json(const StoredSolid& solid) {
+  if (const auto& mesh = solid.mesh) {
+    return stored_json(format_name(mesh->precision, "mesh"), mesh->growth, mesh->violations);
+  }
+  if (const auto& planes = solid.planes) {
+    return stored_json(format_name(planes->precision, "planes"), planes->growth,
+                       planes->violations);
+  }
+  return stored_json("planes in integers", Growth{}, 0);
+}
+
+Json planes_json(const std::vector<Halfspace>& halfspaces) {
+  Json planes = Json::array();
+  for (const Halfspace& plane : halfspaces) planes.push_back(plane_json(plane));
+  return planes;
+}
+
+Json input_json(std::size_t points, std::size_t vertices, std::size_t halfspaces,
+                const std::vector<RedundantHalfspace>& redundant) {
+  Json input = {{"points", points}, {"hull_vertices", vertices}, {"halfspaces", halfspaces}};
+  if (points > 0) return input;
+  input["redundant"] = Json::array();
+  for (const RedundantHalfspace& row : redundant) input["redundant"].push_back(row.row);
+  return input;
+}
+
+struct ProofJson {
+  Json operator()(const FlatInput& flat) const {
+    Json basis = Json::array(), equations = Json::array();
+    for (const PointId id : flat.basis) basis.push_back(id.index());
+    for (const Halfspace& plane : flat.equations) equations.push_back(plane_json(plane));
+    return {{"kind", "flat-points"},
+            {"dimension", flat.dimension},
+            {"basis", basis},
+            {"equations", equations}};
+  }
+  Json operator()(const EmptyProof& proof) const {
+    return {{"kind", "empty"}, {"farkas", multipliers_json(proof.farkas)}};
+  }
+  Json operator()(const FlatProof& proof) const {
+    return {{"kind", "flat-halfspaces"},
+            {"point", vector_json(proof.point)},
+            {"multipliers", multipliers_json(proof.multipliers)}};
+  }
+  Json operator()(const RecessionRay& ray) const {
+    return {{"kind", "unbounded"}, {"ray", vector_json(ray.direction)}};
+  }
+};
+
+}  // namespace
+
+Json measured_json(const Measured& x, int digits) {
+  const std::optional<std::string> decimal = to_decimal(x.bounds, digits);
+  if (!decimal) throw Error(ErrorCode::Internal, "the bounds of a measure are too wide to print");
+  const double value = to_double(parse_rational(*decimal), Rounding::Nearest);
+  Json json = {{"value", std::isfinite(value) ? Json(value) : Json(nullptr)},
+               {"decimal", *decimal}};
+  if (x.exact) json["exact"] = to_string(*x.exact);
+  return json;
+}
+
+Json stages_json(const std::vector<Stage>& stages) {
+  Json list = Json::array();
+  for (const Stage& stage : stages) {
+    if (!stage.skipped.empty()) {
+      list.push_back({{"name", stage.name}, {"skipped", stage.skipped}});
+    } else {
+      const char* kind = stage.kind == StageKind::Io ? "io" : "compute";
+      list.push_back({{"name", stage.name}, {"kind", kind}, {"seconds", stage.seconds}});
+    }
+  }
+  return list;
+}
+
+Json result_json(const SimplifyResult& result) {
+  Json json;
+  json["input"] = input_json(result.input_points, result.hull_vertices,
+                             result.trace.halfspaces.size(), result.redundant);
+  json["output"] = {{"halfspaces", result.solid.exact.planes.size()},
+                    {"reached", result.trace.stop != StopReason::AllUnbounded},
+                    {"stop", name_of(result.trace.stop)},
+                    {"planes", planes_json(result.solid.exact.planes)},
+                    {"stored", stored_json(result.solid)}};
+  // An upper bound, so that it never reads as less than 1.
+  const Enclosure ratio = result.output_volume.bounds / result.input_volume.bounds;
+  json["volume"] = {{"input", measured_json(result.input_volume, kDigits)},
+                    {"output", measured_json(result.output_volume, kDigits)},
+                    {"ratio", ratio.high_double()}};
+  json["verified"] = {
+      {"level", name_of(result.verified)}, {"steps", result.trace.steps.size()}, {"violations", 0}};
+  return json;
+}
+
+Json hull_json(const HullResult& result, int digits) {
+  const Polytope& hull = result.solid.exact;
+  Json vertices = Json::array(), facets = Json::array();
+  for (const RationalPoint& vertex : hull.vertices) vertices.push_back(vector_json(vertex));
+  for (const auto& facet : hull.facets) facets.push_back(facet);
+  return {{"input", input_json(result.input_points, hull.vertices.size(), hull.planes.size(),
+                               result.redundant)},
+          {"edges", result.edges},
+          {"box", {{"low", vector_json(result.box.low)}, {"high", vector_json(result.box.high)}}},
+          {"diameter", measured_json(result.diameter, digits)},
+          {"volume", measured_json(result.volume, digits)},
+          {"area", measured_json(result.area, digits)},
+          {"mean_width", measured_json(result.mean_width, digits)},
+          {"planes", planes_json(hull.planes)},
+          {"vertices", vertices},
+          {"facets", facets},
+          {"stored", stored_json(result.solid)}};
+}
+
+Json proof_json(const NotSolid& reason) { return std::visit(ProofJson{}, reason); }
+
+}  // namespace convexact

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/format/summary.hpp"
+
+#include <fmt/format.h>
+
+#include "convexact/number/digits.hpp"
+
+namespace convexact {
+namespace {
+
+constexpr int kDigits = 6;
+
+std::string line(const char* label, const std::string& text) {
+  return fmt::format("  {:<12}{}\n", label, text);
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return with_separators(count) + " " + (count == 1 ? one : many);
+}
+
+std::string input_line(std::size_t points, std::size_t vertices, std::size_t halfspaces,
+                       std::size_t redundant) {
+  const std::string hull = counted(vertices, "vertex", "vertices") + " and " +
+                           counted(halfspaces, "halfspace", "halfspaces");
+  if (points > 0) return counted(points, "point", "points") + "; their hull has " + hull;
+  if (redundant == 0) return hull;
+  return hull + "; " + counted(redundant, "redundant one", "redundant ones") + " left out";
+}
+
+std::string output_line(const SimplifyResult& result) {
+  std::string text = counted(result.solid.exact.planes.size(), "halfspace", "halfspaces");
+  switch (result.trace.stop) {
+    case StopReason::Reached:
+      return text + (result.trace.steps.empty() ? ": as many as the input has" : "");
+    case StopReason::GrowthLimit:
+      return text + ": removing one more would exceed the growth allowed";
+    case StopReason::AllUnbounded:
+      break;
+  }
+  return text + ": removing any one more would leave the solid unbounded";
+}
+
+// As many certain digits as the bounds give, up to `digits`.
+std::string certain(const Enclosure& bounds, int digits) {
+  for (; digits > 0; --digits) {
+    if (const auto text = to_decimal(bounds, digits)) return *text;
+  }
+  return "less than " + to_decimal(bounds.high(), 2);
+}
+
+std::string volume_line(const SimplifyResult& result) {
+  const Enclosure &before = result.input_volume.bounds, &after = result.output_volume.bounds;
+  const std::string text = certain(before, kDigits) + " -> " + certain(after, kDigits);
+  if (result.trace.steps.empty()) return text + ", unchanged";
+  const Enclosure hundred(Integer(100), kVolumeBits);
+  return text + ", +" + certain(hundred * (after - before) / before, 4) + "%";
+}
+
+std::string verified_line(const SimplifyResult& result) {
+  if (result.verified == VerifyLevel::None) return "nothing, as asked";
+  return fmt::format(
+      "{} proven again, exactly ({}); {} tested against every halfspace: none outside",
+      counted(result.trace.steps.size(), "step", "steps"),
+      result.verified == VerifyLevel::Local ? "local" : "full",
+      counted(result.tested_points, "point", "points"));
+}
+
+std::string push_text(const Growth& growth) {
+  if (growth.push == 0) return "without any change";
+  return fmt::format("within {:.2g} of the diameter, volume times at most 1 + {:.2g}", growth.push,
+                     std::max(0.0, growth.volume_ratio - 1));
+}
+
+const char* name_of(Precision precision) {
+  return precision == Precision::Binary64 ? "binary64" : "binary32";
+}
+
+std::string stored_lines(const StoredSolid& solid) {
+  std::string text;
+  if (const auto& planes = solid.planes) {
+    text += line("stored", fmt::format("planes in {}, {}; no point outside",
+                                       name_of(planes->precision), push_text(planes->growth)));
+  }
+  if (const auto& mesh = solid.mesh) {
+    text += line("stored", fmt::format("mesh in {}, {}; no point outside", name_of(mesh->precision),
+                                       push_text(mesh->growth)));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string with_separators(std::size_t count) {
+  std::string digits = std::to_string(count);
+  for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
+  return digits;
+}
+
+std::string summary(const SimplifyResult& result) {
+  std::string text =
+      line("input", input_line(result.input_points, result.hull_vertices,
+                               result.trace.halfspaces.size(), result.redundant.size()));
+  text += line("output", output_line(result));
+  text += line("volume", volume_line(result));
+  text += line("verified", verified_line(result));
+  return text + stored_lines(result.solid);
+}
+
+std::string summary(const HullResult& result, int digits) {
+  const Polytope& hull = result.solid.exact;
+  std::string text = line("input", input_line(result.input_points, hull.vertices.size(),
+                                              hull.planes.size(), result.redundant.size()));
+  text += line("edges", with_separators(result.edges));
+  const char* const axes[] = {"x", "y", "z"};
+  for (int k = 0; k < 3; ++k) {
+    text += line(axes[k], to_decimal(result.box.low[k], digits) + " to " +
+                              to_decimal(result.box.high[k], digits));
+  }
+  text += line("diameter", certain(result.diameter.bounds, digits) + " (of the box)");
+  text += line("volume", certain(result.volume.bounds, digits));
+  text += line("area", certain(result.area.bounds, digits));
+  text += line("mean width", certain(result.mean_width.bounds, digits));
+  return text + stored_lines(result.solid);
+}
+
+std::string stage_table(const std::vector<Stage>& stages) {
+  std::string ran, skipped;
+  for (const Stage& stage : stages) {
+    if (stage.skipped.empty()) {
+      ran += fmt::format("  {:<24}{:>9.3f} s\n", stage.name, stage.seconds);
+    } else {
+      skipped += fmt::format("  {:<24}not needed: {}\n", stage.name, stage.skipped);
+    }
+  }
+  return ran + skipped;
+}
+
+}  // namespace convexact

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// process.hpp - runs the program as a user would and keeps what it said.
+#pragma once
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace support {
+
+/// A folder of its own for one test, gone afterwards.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "convexact-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder");
+    path_ = name;
+  }
+  ~ScratchFolder() { std::filesystem::remove_all(path_); }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+  std::string write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(path_ / name, std::ios::binary) << bytes;
+    return file(name);
+  }
+  std::size_t count() const {
+    std::size_t entries = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(path_)) ++entries;
+    return entries;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  return bytes.str();
+}
+
+struct Ran {
+  int exit = -1;  ///< 128 + signal if one ended it.
+  std::string out, err;
+};
+
+/// Runs the program under test (CONVEXACT_PROGRAM) with shell-quoted arguments.
+inline Ran run_program(const std::string& arguments) {
+  const char* program = std::getenv("CONVEXACT_PROGRAM");
+  if (program == nullptr) throw std::runtime_error("CONVEXACT_PROGRAM is not set");
+  const ScratchFolder scratch;
+  const std::string command = std::string("'") + program + "' " + arguments + " >" +
+                              scratch.file("out") + " 2>" + scratch.file("err");
+  const int status = std::system(command.c_str());
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return {code, bytes_of(scratch.file("out")), bytes_of(scratch.file("err"))};
+}
+
+}  // namespace support
