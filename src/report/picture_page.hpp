@@ -38,6 +38,7 @@ function drawPoints() {
   for (let i = 0; i < points.length; i += 6) {
     const [x, y, z] = view(points[i] / grid, points[i + 1] / grid, points[i + 2] / grid);
     const n = view(points[i + 3] / 99, points[i + 4] / 99, points[i + 5] / 99);
+    if (n[2] < 0) continue;  // faces away; points without faces have no normal and are all drawn
     const light = 0.35 + 0.65 * Math.abs(0.3 * n[0] + 0.5 * n[1] + 0.81 * n[2]);
     const column = Math.round(size / 2 + scale * x), row = Math.round(size / 2 - scale * y);
     for (let r = row - half; r <= row + half; ++r) {
