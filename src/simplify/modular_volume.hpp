@@ -13,8 +13,10 @@
 namespace convexact {
 
 /// Everything is reduced first: Cramer's rule, the inverse and the sum take 64-bit numbers only.
-/// Two unequal rationals of b bits agree modulo a random prime of 61 bits with a chance of about
-/// b / 2^60 or less, so two primes leave a wrong volume practically no way through.
+/// Two unequal rationals of b bits differ by a fraction whose numerator has at most 2 b + 1 bits,
+/// hence at most b / 30 prime divisors above 2^60; there are more than 2^54 primes between 2^60 and
+/// 2^61. So they agree modulo a random one with a chance below b / 2^58, modulo two with its
+/// square.
 class ModularVolume {
  public:
   ModularVolume(std::span<const Halfspace> halfspaces, Random& random);

@@ -181,14 +181,13 @@ void StepVerification::finish() {
   if (!state_) return;
   for (std::size_t i = 0; i < state_->present.size(); ++i) {
     if (!state_->present[i]) continue;
-    const Halfspace& plane = state_->solid.halfspaces[i];
-    for (const PlainVertex& v : state_->vertices) {
-      state_->require(value_at(v, plane) <= 0, "every survivor holds every hull vertex at the end");
-    }
-    state_->require(value_at(state_->vertices[state_->solid.witness[i]], plane) == 0,
+    const PlainVertex& witness = state_->vertices[state_->solid.witness[i]];
+    state_->require(value_at(witness, state_->solid.halfspaces[i]) == 0,
                     "every survivor touches its support witness at the end");
   }
   if (!state_->whole) return;
+  state_->require(state_->whole->holds_vertices(state_->present),
+                  "every survivor holds every hull vertex at the end");
   state_->require(state_->whole->volume_is_sum_of_costs(state_->surface),
                   "the final volume is the first one and all costs, as rationals");
 }

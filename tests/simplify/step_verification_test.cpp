@@ -149,12 +149,23 @@ TEST_CASE("StepVerification: a witness that does not touch its plane") {
 TEST_CASE("StepVerification: an input point outside a survivor is found at the end") {
   DualHull solid = round_solid();
   solid.vertices.push_back(RationalPoint(Rational(2), Rational(0), Rational(0)));
-  StepVerification verification(solid, VerifyLevel::Local);
-  CHECK_THROWS_WITH_AS(verification.finish(), doctest::Contains("holds every hull vertex"), Error);
-  // Level full sees it at the first step.
+  StepVerification at_end(solid, VerifyLevel::Full);
+  CHECK_THROWS_WITH_AS(at_end.finish(), doctest::Contains("holds every hull vertex at the end"),
+                       Error);
+  // After a step it is seen at once.
   StepVerification full(solid, VerifyLevel::Full);
   CHECK_THROWS_WITH_AS(full.check(steps_of(round_solid()).front()),
                        doctest::Contains("every survivor holds every hull vertex"), Error);
+}
+
+TEST_CASE("StepVerification: a witness of an untouched halfspace is asked at the end") {
+  DualHull solid = round_solid();
+  for (std::uint32_t v = 0; v < solid.vertices.size(); ++v) {
+    if (solid.halfspaces[0](solid.vertices[v]) != 0) solid.witness[0] = v;
+  }
+  StepVerification verification(solid, VerifyLevel::Local);
+  CHECK_THROWS_WITH_AS(verification.finish(), doctest::Contains("touches its support witness"),
+                       Error);
 }
 
 TEST_CASE("StepVerification: a dual that is no hull from the start") {

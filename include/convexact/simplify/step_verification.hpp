@@ -24,8 +24,9 @@ class StepVerification {
   /// Checks the next step. @throws Error Internal, naming the step (counted from 1) and the check.
   /// @par Cost  Local: O(k^2) signs for a ring of k. Full: all vertices against all halfspaces.
   void check(const Step& step);
-  /// The last checks of a run: no input vertex outside any survivor and, at level full, the volume
-  /// as a rational.
+  /// The last checks of a run: the witness of every survivor and, at level full, every hull vertex
+  /// and the volume as a rational. That the planes that are written hold every input point is for
+  /// the writer to prove, from what it writes.
   void finish();
 
  private:
