@@ -22,6 +22,24 @@ TEST_CASE("read_ine: 1 - x >= 0 is x - 1 <= 0") {
   CHECK(list.halfspaces == std::vector<Halfspace>{make(1, 0, 0, -1), make(0, 0, -1, 0)});
 }
 
+TEST_CASE("read_ine: the solid whose vertices lrslib 7.1 lists") {
+  const HalfspaceList list =
+      ine("H-representation\nbegin\n5 4 rational\n-1 1 0 0\n2 -1/3 0 0\n-5 0 1 0\n0 0 0 1\n"
+          "7 0 -1/2 -4\nend\n");
+  const Rational top(9, 8);
+  const std::vector<RationalPoint> vertices = {{6, 14, 0},  {1, 14, 0}, {6, 5, top},
+                                               {1, 5, top}, {6, 5, 0},  {1, 5, 0}};
+  std::vector<int> tight(vertices.size(), 0);
+  REQUIRE(list.halfspaces.size() == 5);
+  for (const Halfspace& h : list.halfspaces) {
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      CHECK(h(vertices[k]) <= 0);
+      if (h(vertices[k]) == 0) ++tight[k];
+    }
+  }
+  CHECK(tight == std::vector<int>(6, 3));
+}
+
 TEST_CASE("read_ine: names, comments, options, fractions, decimals") {
   const char* text =
       "a name\r\n* a comment\r\nH-representation\r\nlinearity 0\r\nbegin\r\n 3 4 rational\r\n"
