@@ -8,7 +8,7 @@
 #include "convexact/dual/dual_hull.hpp"
 #include "convexact/dual/polar.hpp"
 #include "convexact/error.hpp"
-#include "convexact/hull/dual_hull.hpp"
+#include "convexact/hull/homogeneous_hull.hpp"
 
 namespace convexact {
 namespace {

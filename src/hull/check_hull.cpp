@@ -5,7 +5,7 @@
 #include <unordered_map>
 
 #include "convexact/hull/double_points.hpp"
-#include "convexact/hull/dual_hull.hpp"
+#include "convexact/hull/homogeneous_hull.hpp"
 #include "convexact/hull/homogeneous_points.hpp"
 #include "convexact/hull/hull.hpp"
 

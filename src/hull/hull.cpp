@@ -2,7 +2,7 @@
 #include "convexact/hull/hull.hpp"
 
 #include "convexact/hull/double_points.hpp"
-#include "convexact/hull/dual_hull.hpp"
+#include "convexact/hull/homogeneous_hull.hpp"
 #include "convexact/hull/homogeneous_points.hpp"
 #include "convexact/hull/initial_simplex.hpp"
 #include "convexact/hull/merge_facets.hpp"

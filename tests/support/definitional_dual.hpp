@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "convexact/dual/dual_hull.hpp"
-#include "hull_by_definition.hpp"
+#include "supporting_planes.hpp"
 
 namespace definition {
 
@@ -19,8 +19,7 @@ inline DualHull dual_of_points(std::vector<RationalPoint> points) {
   });
   points.erase(std::unique(points.begin(), points.end()), points.end());
   DualHull dual;
-  const std::set<Halfspace> facets = facets_by_definition(PointSet(points));
-  dual.halfspaces.assign(facets.begin(), facets.end());
+  dual.halfspaces = supporting_planes(points);
   dual.witness.resize(dual.halfspaces.size());
   const auto normal = [&](HalfspaceId i) -> const IntegerVector3& {
     return dual.halfspaces[i.index()].normal();

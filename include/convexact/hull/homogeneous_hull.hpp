@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// dual_hull.hpp - the hull of homogeneous points, such as the dual points of halfspaces.
+// homogeneous_hull.hpp - the hull of homogeneous points, such as the dual points of halfspaces.
 #pragma once
 #include <span>
 

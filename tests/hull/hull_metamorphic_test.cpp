@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// What must not change the hull: order, repeats, inner points, powers of two, lattice translations;
+// and the same points as doubles, rationals and homogeneous integers.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "checked_hull.hpp"
+#include "convexact/error.hpp"
+#include "convexact/hull/homogeneous_hull.hpp"
+#include "convexact/number/random.hpp"
+#include "convexact/shapes/boxes.hpp"
+#include "convexact/shapes/random_points.hpp"
+
+using namespace convexact;
+
+namespace {
+
+std::vector<std::vector<Point>> samples() {
+  return {shapes::lattice(60, 3, 1),       shapes::lattice(200, 6, 2),
+          shapes::in_ball(200, 3),         shapes::fibonacci_sphere(150),
+          shapes::cube_symmetric(3, 8, 4), shapes::chamfered_box(Point(1, 2, 4), 0.25)};
+}
+
+std::set<Halfspace> planes(const std::vector<Point>& list) {
+  const PointSet points(list);
+  return facet_set(checked_hull(points), points);
+}
+
+}  // namespace
+
+TEST_CASE("convex_hull: a permutation of the points leaves the planes as they are") {
+  Random random(1);
+  for (std::vector<Point> list : samples()) {
+    const auto before = planes(list);
+    shuffle(std::span(list), random);
+    CHECK(planes(list) == before);
+  }
+}
+
+TEST_CASE("convex_hull: repeats and inner points change neither vertices nor facets") {
+  for (const std::vector<Point>& list : samples()) {
+    const Hull before = checked_hull(PointSet(list));
+    std::vector<Point> more = list;
+    more.insert(more.end(), list.begin(), list.end());
+    // The origin is in each of these hulls, and halving is exact.
+    for (const Point& p : list) more.push_back(p / 2);
+    const Hull after = checked_hull(PointSet(more));
+    CHECK(after.vertices == before.vertices);
+    CHECK(after.facets == before.facets);
+  }
+}
+
+TEST_CASE("convex_hull: powers of two for each axis leave vertices and facets as they are") {
+  for (const std::vector<Point>& list : samples()) {
+    const Hull before = checked_hull(PointSet(list));
+    for (const std::array<int, 3> e : {std::array{300, 300, 300}, std::array{-300, -300, -300},
+                                       std::array{0, 40, -60}, std::array{900, 0, -900}}) {
+      std::vector<Point> scaled = list;
+      for (Point& p : scaled)
+        for (int k = 0; k < 3; ++k) p[k] = std::ldexp(p[k], e[k]);
+      const Hull after = checked_hull(PointSet(scaled));
+      CHECK(after.vertices == before.vertices);
+      CHECK(after.facets == before.facets);
+    }
+  }
+}
+
+TEST_CASE("convex_hull: translation on the lattice leaves vertices and facets as they are") {
+  for (const std::vector<Point>& list : {shapes::lattice(60, 3, 1), shapes::lattice(200, 6, 2)}) {
+    const Hull before = checked_hull(PointSet(list));
+    std::vector<Point> moved = list;
+    for (Point& p : moved) p += Point(0x1p52 - 8, -0x1p40, 12345);
+    const Hull after = checked_hull(PointSet(moved));
+    CHECK(after.vertices == before.vertices);
+    CHECK(after.facets == before.facets);
+  }
+}
+
+TEST_CASE("convex_hull: the same points as homogeneous integers, each with its own weight") {
+  for (const std::vector<Point>& list : samples()) {
+    const Hull doubles = checked_hull(PointSet(list));
+    std::vector<HomogeneousPoint> points;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      HomogeneousPoint p;
+      for (int k = 0; k < 3; ++k)
+        p.n[k] = numerator(scale_by_power_of_two(to_rational(list[i][k]), 1074)) * (i + 1);
+      p.w = (Integer(1) << 1074) * (i + 1);
+      points.push_back(p);
+    }
+    const HullOutcome outcome = convex_hull(points);
+    const Hull& hull = std::get<Hull>(outcome);
+    CHECK(check_hull(hull, points));
+    CHECK(hull.vertices == doubles.vertices);
+    CHECK(hull.facets == doubles.facets);
+  }
+  std::vector<HomogeneousPoint> bad(1, {IntegerVector3(1, 0, 0), Integer(0)});
+  CHECK_THROWS_AS((void)convex_hull(bad), Error);
+}
