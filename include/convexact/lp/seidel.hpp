@@ -8,12 +8,13 @@
 namespace convexact {
 
 struct LpOptions {
-  std::uint64_t seed =
-      1;  ///< Of the order of the rows; kind of outcome and optimum do not depend on it.
+  /// Of the order of the rows. Kind, x, start and ray do not depend on it; where more rows are
+  /// tight than needed, multipliers may.
+  std::uint64_t seed = 1;
 };
 
 /// Solves a linear program by randomised incremental construction, exactly. Of several optimal
-/// points it takes the lexicographically largest if that is a finite point.
+/// points it takes the lexicographically largest if there is one.
 /// @throws Error InvalidArgument if the shapes of N, d and c do not fit.
 /// @par Cost    Expected O(k! n) dot products of integers in k coordinates; memory O(k n).
 /// @par Source  [Seidel1991]; infinity and certificates: docs/design/lp.md
