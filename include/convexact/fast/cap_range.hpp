@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// cap_range.hpp - two numbers that enclose the volume of a cap, from rounded dual points.
+#pragma once
+#include <limits>
+
+#include "convexact/fast/cap_volume.hpp"
+#include "convexact/fast/ring_geometry.hpp"
+
+namespace convexact {
+
+/// lower <= x <= upper for some x >= 0. Operations on the ends are rounded to nearest: whoever has
+/// used n of them in a row widens the result by n roundings.
+template <class Scalar>
+struct Range {
+  Scalar lower, upper;
+
+  friend Range operator*(const Range& a, const Range& b) {
+    return {a.lower * b.lower, a.upper * b.upper};
+  }
+  friend Range operator/(const Range& a, const Range& b) {
+    return {a.lower / b.upper, a.upper / b.lower};
+  }
+};
+
+/// What doubles say about a cap.
+struct CapRange {
+  enum class Kind : unsigned char {
+    Bounded,    ///< lower <= six times its volume <= upper; both positive.
+    Unbounded,  ///< Proven: some triangle of T has D < 0.
+    Doubtful,   ///< Some D is too small for this arithmetic to tell.
+  };
+  Kind kind;
+  double lower, upper;
+};
+
+/// Determinants of a RingGeometry as ranges, for CapVolume.
+///
+/// Rounding: below any term of the sum lie 5 factors, each of whose ends is rounded once, 3
+/// products and 4 quotients; then up to 2 k additions. So (12 + 2 k) kOperation bounds the relative
+/// error of an end, and twice (16 + 2 k) leaves room for higher orders.
+/// Underflow: with D >= kSmallest = 2^-150, at most four of them below any product, and sizes of at
+/// most 48, nothing overflows and the 2^-1018 lost per operation ends as less than 2^-300 in a sum
+/// of 2^32 terms; kUnderflow covers it.
+template <class Scalar>
+class RangeSource {
+ public:
+  using Number = Range<Scalar>;
+  struct Sum {
+    Number total{Scalar(0.0), Scalar(0.0)};
+    void add(const Number& x) {
+      total.lower += x.lower;
+      total.upper += x.upper;
+    }
+    Number scaled_down(const Number& x) const { return total / x; }
+  };
+
+  explicit RangeSource(const RingGeometry<Scalar>& ring) : ring_(ring), filter_(ring.filter()) {}
+
+  Number base(std::uint32_t m) { return positive(dot(ring_.side[m], ring_.center)); }
+  Number slack(std::uint32_t m) const { return lift(-dot(ring_.side[0], ring_.arm[m])); }
+  Number leg(std::uint32_t m, std::uint32_t q) const {
+    return lift(-dot(ring_.side[m], ring_.arm[q]));
+  }
+  void set_triangle(std::uint32_t low, std::uint32_t middle, std::uint32_t high) {
+    low_ = low;
+    normal_ = cross(ring_.point[middle] - ring_.point[low], ring_.point[high] - ring_.point[low]);
+  }
+  Number vertex() { return positive(dot(normal_, ring_.point[low_])); }
+  Number to_center() const { return lift(-dot(normal_, ring_.arm[low_])); }
+  Number to(std::uint32_t q) const {
+    return lift(-dot(normal_, ring_.point[q] - ring_.point[low_]));
+  }
+
+  /// What six_times() returned, with everything that was rounded away.
+  CapRange widened(const Number& six_times) const {
+    if (negative_) return {CapRange::Kind::Unbounded, 0, 0};
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (doubtful_) return {CapRange::Kind::Doubtful, 0, infinity};
+    const double slop = 2 * (16 + 2 * static_cast<double>(ring_.arm.size())) * kOperation;
+    return {CapRange::Kind::Bounded,
+            std::max(leading(six_times.lower) * (1 - slop) - kUnderflow, 0.0),
+            leading(six_times.upper) * (1 + slop) + kUnderflow};
+  }
+
+ private:
+  // The ends are handed out as doubles, so their rounding counts whatever Scalar is.
+  static constexpr double kOperation = 0x1p-53;
+  static constexpr double kSmallest = 0x1p-150, kUnderflow = 0x1p-250;
+
+  Number lift(const Scalar& value) const {
+    const Scalar lower = value - Scalar(filter_.height);
+    return {leading(lower) > 0 ? lower : Scalar(0.0), value + Scalar(filter_.height)};
+  }
+  Number positive(const Scalar& value) {
+    const Number range{value - Scalar(filter_.determinant), value + Scalar(filter_.determinant)};
+    negative_ |= leading(range.upper) < 0;
+    doubtful_ |= !(leading(range.lower) > kSmallest);
+    return range;
+  }
+
+  const RingGeometry<Scalar>& ring_;
+  PlaneFilter<Scalar> filter_;
+  Triple<Scalar> normal_{};
+  std::uint32_t low_ = 0;
+  bool negative_ = false, doubtful_ = false;
+};
+
+}  // namespace convexact

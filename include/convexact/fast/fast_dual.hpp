@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// fast_dual.hpp - the dual hull as the fast engines take it: dual points in doubles with a proven
+// error, exact planes only on demand.
+#pragma once
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "convexact/dual/dual_hull.hpp"
+#include "convexact/fast/triple.hpp"
+#include "convexact/hull/hull.hpp"
+#include "convexact/number/double_double.hpp"
+
+namespace convexact {
+
+/// A bounded solid as dual points. With c the center and w_i = -(n_i.c + d_i) > 0, dual point i is
+/// P_i = n_i / w_i, each axis scaled by a power of two so that the largest coordinate is in
+/// [1/2, 1]. Scaling an axis multiplies every determinant by one positive constant, so no sign and
+/// no comparison of volumes depends on it.
+///
+/// Two roundings are kept: near(i), a double per coordinate, and near(i) + rest(i), twice as long.
+/// Each coordinate q of P_i, wherever it does not underflow (see plane_filter.hpp), satisfies
+///   |near - q| <= kNearError |near|   and   |near + rest - q| <= kLongError |near|.
+class FastDual {
+ public:
+  static constexpr double kNearError = 0x1p-52;
+  static constexpr double kLongError = 0x1p-85;
+
+  /// Reads the dual off a hull without forming its exact planes: ids are positions in hull.facets,
+  /// *not* canonical. Both arguments must outlive the object.
+  /// @par Cost  Linear; about 0.3 microseconds per facet. Where cancellation would break the bound
+  ///            (a facet normal close to, but not in, a coordinate plane), exact numbers step in.
+  static FastDual of(const Hull& hull, const PointSet& points);
+  /// From exact planes; ids are theirs. `solid` must outlive the object.
+  /// @param center  Strictly inside. @throws Error InvalidArgument if it is not.
+  static FastDual of(const DualHull& solid, const RationalPoint& center);
+
+  FastDual(FastDual&&) noexcept;
+  ~FastDual();
+
+  std::size_t size() const { return near_.size(); }
+  /// A closed triangulated sphere, 2 size() - 4 triangles.
+  std::span<const DualTriangle> triangles() const { return triangles_; }
+  const Triple<double>& near(HalfspaceId i) const { return near_[i.index()]; }
+  const Triple<double>& rest(HalfspaceId i) const { return rest_[i.index()]; }
+  Triple<DoubleDouble> long_point(HalfspaceId i) const {
+    const Triple<double>&a = near(i), &b = rest(i);
+    return {{a.x, b.x}, {a.y, b.y}, {a.z, b.z}};
+  }
+  /// The vertices of the solid that lie on plane i, as ascending numbers: planes with a common
+  /// number have a common point.
+  std::span<const std::uint32_t> incidences(HalfspaceId i) const {
+    return {incident_.data() + incident_start_[i.index()],
+            incident_.data() + incident_start_[i.index() + 1]};
+  }
+  /// Volumes in these coordinates times 2^this are volumes in the caller's cubed length unit.
+  long volume_exponent() const { return volume_exponent_; }
+
+  /// The halfspace itself; formed at the first call. Not to be called from two threads.
+  const Halfspace& exact(HalfspaceId i) const;
+  /// Whether i stands before j in canonical order.
+  bool precedes(HalfspaceId i, HalfspaceId j) const;
+  /// Strictly inside: the point that the dual refers to.
+  const RationalPoint& center() const { return center_; }
+
+ private:
+  friend class FastDualBuilder;
+  FastDual();
+  struct Planes;
+
+  std::vector<Triple<double>> near_, rest_;
+  std::vector<DualTriangle> triangles_;
+  std::vector<std::uint32_t> incident_, incident_start_;
+  long volume_exponent_ = 0;
+  RationalPoint center_;
+  std::unique_ptr<Planes> planes_;
+};
+
+}  // namespace convexact

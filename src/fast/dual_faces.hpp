@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// dual_faces.hpp - the faces of a dual hull: the facets around each vertex of the primal hull.
+#pragma once
+#include <vector>
+
+#include "convexact/hull/hull.hpp"
+
+namespace convexact {
+
+/// The dual hull of a primal hull as triangles. A dual face, the convex polygon of the facets
+/// around a vertex, is cut in a zigzag: no dual point gets more than two diagonals of it, so rings
+/// stay short where hundreds of facets meet, as a fan would not keep them.
+/// @param facets       Closed and manifold; corners below point_count. Ids are positions in it.
+/// @par Cost           Linear: an edge is looked up at whichever of its ends has fewer.
+[[nodiscard]] std::vector<DualTriangle> triangulate_dual_faces(const FacetList& facets,
+                                                               std::size_t point_count);
+
+}  // namespace convexact

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Doubles, incidence, DoubleDouble, integers: each stage asked only when the one before is silent.
+#include "convexact/fast/dual_signs.hpp"
+
+#include <algorithm>
+
+namespace convexact {
+namespace {
+
+// H and D of four or three points in one stage of floating arithmetic. With all w = 1,
+// H = ((b - a) x (c - a)).(p - a) and D = ((b - a) x (c - a)).a.
+template <class Scalar>
+Verdict height_in(const Triple<Scalar>& a, const Triple<Scalar>& b, const Triple<Scalar>& c,
+                  const Triple<Scalar>& p) {
+  const Triple<Scalar> f = b - a, g = c - a, h = p - a;
+  Extent extent;
+  extent.include(f);
+  extent.include(g);
+  extent.include(h);
+  return verdict(leading(dot(cross(f, g), h)), PlaneFilter<Scalar>::within(extent.size).height);
+}
+
+template <class Scalar>
+Verdict determinant_in(const Triple<Scalar>& a, const Triple<Scalar>& b, const Triple<Scalar>& c) {
+  const Triple<Scalar> f = b - a, g = c - a;
+  Extent extent;
+  extent.include(f);
+  extent.include(g);
+  return verdict(leading(dot(cross(f, g), a)), PlaneFilter<Scalar>::within(extent.size).determinant);
+}
+
+Sign to_sign(Verdict v) { return Sign(static_cast<signed char>(v)); }
+
+bool contains(std::span<const std::uint32_t> list, std::uint32_t x) {
+  constexpr std::size_t kFewEnoughToScan = 8;
+  return list.size() <= kFewEnoughToScan ? std::find(list.begin(), list.end(), x) != list.end()
+                                         : std::binary_search(list.begin(), list.end(), x);
+}
+
+// Whether four planes are known to pass through one vertex; then they are dependent.
+bool share_vertex(const FastDual& dual, const std::array<HalfspaceId, 4>& planes) {
+  std::array<std::span<const std::uint32_t>, 4> lists;
+  for (int k = 0; k < 4; ++k) lists[k] = dual.incidences(planes[k]);
+  std::sort(lists.begin(), lists.end(),
+            [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  return std::any_of(lists[0].begin(), lists[0].end(), [&](std::uint32_t vertex) {
+    return contains(lists[1], vertex) && contains(lists[2], vertex) && contains(lists[3], vertex);
+  });
+}
+
+Integer dot(const IntegerVector3& a, const IntegerVector3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+}  // namespace
+
+Sign DualSigns::height(HalfspaceId a, HalfspaceId b, HalfspaceId c, HalfspaceId p) const {
+  const Verdict sure = height_in(dual_->near(a), dual_->near(b), dual_->near(c), dual_->near(p));
+  if (sure == Verdict::Unknown) return height_beyond_doubles(a, b, c, p);
+  ++counts_.filtered;
+  return to_sign(sure);
+}
+
+Sign DualSigns::height_beyond_doubles(HalfspaceId a, HalfspaceId b, HalfspaceId c,
+                                      HalfspaceId p) const {
+  if (share_vertex(*dual_, {a, b, c, p})) {
+    ++counts_.incident;
+    return Sign::Zero;
+  }
+  const Verdict sure = height_in(dual_->long_point(a), dual_->long_point(b), dual_->long_point(c),
+                                 dual_->long_point(p));
+  if (sure != Verdict::Unknown) {
+    ++counts_.extended;
+    return to_sign(sure);
+  }
+  ++counts_.exact;
+  return sign_of(
+      exact_height(dual_->exact(a), dual_->exact(b), dual_->exact(c), dual_->exact(p)));
+}
+
+Sign DualSigns::determinant(HalfspaceId a, HalfspaceId b, HalfspaceId c) const {
+  const Verdict sure = determinant_in(dual_->near(a), dual_->near(b), dual_->near(c));
+  if (sure == Verdict::Unknown) return determinant_beyond_doubles(a, b, c);
+  ++counts_.filtered;
+  return to_sign(sure);
+}
+
+Sign DualSigns::determinant_beyond_doubles(HalfspaceId a, HalfspaceId b, HalfspaceId c) const {
+  const Verdict sure =
+      determinant_in(dual_->long_point(a), dual_->long_point(b), dual_->long_point(c));
+  if (sure != Verdict::Unknown) {
+    ++counts_.extended;
+    return to_sign(sure);
+  }
+  ++counts_.exact;
+  return sign_of(exact_determinant(dual_->exact(a), dual_->exact(b), dual_->exact(c)));
+}
+
+Integer exact_determinant(const Halfspace& a, const Halfspace& b, const Halfspace& c) {
+  const IntegerVector3 bc = b.normal().cross(c.normal());
+  return dot(a.normal(), bc);
+}
+
+Integer exact_height(const Halfspace& a, const Halfspace& b, const Halfspace& c,
+                     const Halfspace& p) {
+  // Laplace expansion along the first two rows: 2x2 minors of (a, b) with those of (c, p).
+  const IntegerVector3 ab = a.normal().cross(b.normal()), cp = c.normal().cross(p.normal());
+  IntegerVector3 ab_d, cp_d;
+  for (int k = 0; k < 3; ++k) {
+    ab_d[k] = a.normal()[k] * b.offset() - b.normal()[k] * a.offset();
+    cp_d[k] = c.normal()[k] * p.offset() - p.normal()[k] * c.offset();
+  }
+  return dot(ab, cp_d) + dot(ab_d, cp);
+}
+
+}  // namespace convexact

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: MIT
+// Dual points in doubles: from the corners of facets where that is certain, else from exact planes.
+#include "convexact/fast/fast_dual.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "convexact/error.hpp"
+#include "convexact/fast/dual_signs.hpp"
+#include "convexact/fast/half_edge_mesh.hpp"
+#include "convexact/number/rounding.hpp"
+#include "dual_faces.hpp"
+
+namespace convexact {
+
+// Exact planes: those of a solid as they stand, or formed from corners when first asked for.
+struct FastDual::Planes {
+  const DualHull* solid = nullptr;
+  const Hull* hull = nullptr;
+  const PointSet* points = nullptr;
+  std::vector<std::unique_ptr<const Halfspace>> formed;
+
+  std::array<PointId, 3> corners(std::size_t facet) const {
+    const auto all = hull->facets[facet];
+    return {all[0], all[all.size() / 3], all[2 * all.size() / 3]};
+  }
+  const Halfspace& operator[](std::size_t i) {
+    if (solid != nullptr) return solid->halfspaces[i];
+    if (formed[i] == nullptr) {
+      const auto [a, b, c] = corners(i);
+      const auto exact = [&](PointId id) { return points->doubles()[id.index()]; };
+      formed[i] = std::make_unique<const Halfspace>(
+          points->is_binary() ? Halfspace::through(exact(a), exact(b), exact(c))
+                              : Halfspace::through((*points)[a], (*points)[b], (*points)[c]));
+    }
+    return *formed[i];
+  }
+};
+
+FastDual::FastDual() : planes_(std::make_unique<Planes>()) {}
+FastDual::FastDual(FastDual&&) noexcept = default;
+FastDual::~FastDual() = default;
+
+const Halfspace& FastDual::exact(HalfspaceId i) const { return (*planes_)[i.index()]; }
+
+bool FastDual::precedes(HalfspaceId i, HalfspaceId j) const {
+  return planes_->solid != nullptr ? i < j : exact(i) < exact(j);
+}
+
+namespace {
+
+using Long = Triple<DoubleDouble>;
+
+double& axis(Triple<double>& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; }
+
+// x = mantissa * 2^exponent, |mantissa| in [1/2, 1); a large negative exponent for zero.
+int exponent_of(double x) {
+  if (x == 0) return -1100;
+  int exponent;
+  (void)std::frexp(x, &exponent);
+  return exponent;
+}
+
+DoubleDouble to_long(const Rational& x) {
+  const double hi = to_double(x, Rounding::Nearest);
+  return {hi, to_double(Rational(x - to_rational(hi)), Rounding::Nearest)};
+}
+
+// What is off by at most `error` has a relative error of at most 2^-87.
+bool is_certain(const DoubleDouble& value, double error) {
+  return error <= 0x1p-88 * std::abs(value.hi());
+}
+
+}  // namespace
+
+class FastDualBuilder {
+ public:
+  explicit FastDualBuilder(FastDual& dual) : dual_(dual) {}
+
+  // (1) A frame in which the solid has about unit size on each axis. If some coordinate does not
+  //     survive the scaling by a power of two, only exact numbers will do.
+  void scale(const Hull& hull, const PointSet& points);
+  // (2) The mean of the extreme points, as it comes out: any interior point will do.
+  void choose_center(const Hull& hull);
+  // (3) Dual points; false if the center is not strictly inside.
+  bool add_all_from_corners();
+  bool add_all_from_planes();
+  // (4) Each axis to unit size.
+  void normalise();
+  // (5) Which planes share a vertex, read off the flat edges of the dual.
+  void merge_flat_edges();
+
+ private:
+  bool add_from_corners(std::size_t facet);
+  bool add_from_plane(std::size_t i);
+  bool is_finite() const;
+
+  std::array<int, 3> exponent_{0, 0, 0};  // caller's length = scaled length * 2^exponent
+  std::vector<Point> scaled_;             // by PointId; empty if only exact numbers will do
+  Long center_;                           // in scaled lengths, exactly dual_.center_
+  FastDual& dual_;
+};
+
+void FastDualBuilder::scale(const Hull& hull, const PointSet& points) {
+  Point low = points.doubles()[hull.vertices[0].index()], high = low;
+  for (const PointId v : hull.vertices) {
+    low = low.cwiseMin(points.doubles()[v.index()]);
+    high = high.cwiseMax(points.doubles()[v.index()]);
+  }
+  for (int k = 0; k < 3; ++k) exponent_[k] = exponent_of(high[k] / 2 - low[k] / 2) + 1;
+  if (!points.is_binary()) return;
+  scaled_.resize(points.size());
+  for (const PointId v : hull.vertices) {
+    for (int k = 0; k < 3; ++k) {
+      const double x = points.doubles()[v.index()][k], y = std::ldexp(x, -exponent_[k]);
+      // Also refused: so far from the origin, or so close, that products would leave the range.
+      const bool fits = std::ldexp(y, exponent_[k]) == x && std::abs(y) < 0x1p200 &&
+                        (x == 0 || std::abs(y) > 0x1p-200);
+      if (!fits) {
+        scaled_.clear();
+        return;
+      }
+      scaled_[v.index()][k] = y;
+    }
+  }
+}
+
+void FastDualBuilder::choose_center(const Hull& hull) {
+  if (scaled_.empty()) return;
+  Long sum{0.0, 0.0, 0.0};
+  for (const PointId v : hull.vertices) {
+    const Point& p = scaled_[v.index()];
+    sum = {sum.x + p[0], sum.y + p[1], sum.z + p[2]};
+  }
+  const DoubleDouble n(static_cast<double>(hull.vertices.size()));
+  center_ = {sum.x / n, sum.y / n, sum.z / n};
+  const DoubleDouble* const parts[] = {&center_.x, &center_.y, &center_.z};
+  for (int k = 0; k < 3; ++k) {
+    dual_.center_[k] = scale_by_power_of_two(
+        Rational(to_rational(parts[k]->hi()) + to_rational(parts[k]->lo())), exponent_[k]);
+  }
+}
+
+bool FastDualBuilder::add_from_corners(std::size_t facet) {
+  // With v = 2^-102, the unit of DoubleDouble: differences of doubles are exact, so a component of
+  // n is off by v (|f.y g.z| + |f.z g.y|) from the products and v times its size: 2v m, m that sum.
+  // The distance a - c is off by v relative. Each product n.k (a - c).k, its factors included, is
+  // off by (2v + v + v) m.k |a - c|.k, two additions by 2v more: w is off by 6v M, M = sum of
+  // m.k |a - c|.k. A quotient adds v, so with relative errors of 2^-88 of both: less than 2^-86.
+  constexpr double v = DoubleDouble::kUnit;
+  static_assert(0x1p-88 + 0x1p-88 + 2 * v < FastDual::kLongError);
+  const auto [ia, ib, ic] = dual_.planes_->corners(facet);
+  const Point &a = scaled_[ia.index()], &b = scaled_[ib.index()], &c = scaled_[ic.index()];
+  const auto difference = [](const Point& p, const Point& q) {
+    return Long{DoubleDouble::difference(p[0], q[0]), DoubleDouble::difference(p[1], q[1]),
+                DoubleDouble::difference(p[2], q[2])};
+  };
+  const Long f = difference(b, a), g = difference(c, a);
+  const Long from_center{DoubleDouble(a[0]) - center_.x, DoubleDouble(a[1]) - center_.y,
+                         DoubleDouble(a[2]) - center_.z};
+  const Long n = cross(f, g);
+  const DoubleDouble w = dot(n, from_center);
+  const auto size = [](const DoubleDouble& p, const DoubleDouble& q, const DoubleDouble& r,
+                       const DoubleDouble& s) {
+    return std::abs(p.hi() * q.hi()) + std::abs(r.hi() * s.hi());
+  };
+  const Triple<double> m{size(f.y, g.z, f.z, g.y), size(f.z, g.x, f.x, g.z),
+                         size(f.x, g.y, f.y, g.x)};
+  const double total = m.x * std::abs(from_center.x.hi()) + m.y * std::abs(from_center.y.hi()) +
+                       m.z * std::abs(from_center.z.hi());
+  // The constants are rounded up enough (2 to 3, 6 to 8) for m and M being rounded themselves.
+  if (w.hi() > 0 && is_certain(w, 8 * v * total) && is_certain(n.x, 3 * v * m.x) &&
+      is_certain(n.y, 3 * v * m.y) && is_certain(n.z, 3 * v * m.z)) {
+    const Long p{n.x / w, n.y / w, n.z / w};
+    dual_.near_[facet] = {p.x.hi(), p.y.hi(), p.z.hi()};
+    dual_.rest_[facet] = {p.x.lo(), p.y.lo(), p.z.lo()};
+    return true;
+  }
+  return add_from_plane(facet);
+}
+
+bool FastDualBuilder::add_from_plane(std::size_t i) {
+  const Halfspace& plane = dual_.exact(HalfspaceId(i));
+  const Rational w = -plane(dual_.center_);
+  if (w <= 0) return false;
+  for (int k = 0; k < 3; ++k) {
+    const DoubleDouble p =
+        to_long(scale_by_power_of_two(Rational(plane.normal()[k]) / w, exponent_[k]));
+    axis(dual_.near_[i], k) = p.hi();
+    axis(dual_.rest_[i], k) = p.lo();
+  }
+  return true;
+}
+
+bool FastDualBuilder::add_all_from_corners() {
+  if (scaled_.empty()) return false;
+  for (std::size_t i = 0; i < dual_.size(); ++i) {
+    if (!add_from_corners(i)) return false;
+  }
+  return is_finite();
+}
+
+bool FastDualBuilder::add_all_from_planes() {
+  // The frame is free, and only the sizes of the results show which one keeps them in range.
+  const auto bits = [](const Integer& x) { return static_cast<long>(bit_length(x)); };
+  std::array<long, 3> largest;
+  largest.fill(std::numeric_limits<long>::min());
+  for (std::size_t i = 0; i < dual_.size(); ++i) {
+    const Halfspace& plane = dual_.exact(HalfspaceId(i));
+    const Rational w = -plane(dual_.center_);
+    if (w <= 0) return false;
+    for (int k = 0; k < 3; ++k) {
+      if (plane.normal()[k] == 0) continue;
+      largest[k] = std::max(
+          largest[k], bits(plane.normal()[k]) + bits(denominator(w)) - bits(numerator(w)));
+    }
+  }
+  for (int k = 0; k < 3; ++k) exponent_[k] = static_cast<int>(-largest[k]);
+  for (std::size_t i = 0; i < dual_.size(); ++i) (void)add_from_plane(i);
+  return true;
+}
+
+bool FastDualBuilder::is_finite() const {
+  return std::all_of(dual_.near_.begin(), dual_.near_.end(), [](const Triple<double>& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+  });
+}
+
+void FastDualBuilder::normalise() {
+  for (int k = 0; k < 3; ++k) {
+    double largest = 0;
+    for (Triple<double>& p : dual_.near_) largest = std::max(largest, std::abs(axis(p, k)));
+    const int down = exponent_of(largest);
+    for (std::vector<Triple<double>>* part : {&dual_.near_, &dual_.rest_}) {
+      for (Triple<double>& p : *part) axis(p, k) = std::ldexp(axis(p, k), -down);
+    }
+    dual_.volume_exponent_ += exponent_[k] - down;
+  }
+}
+
+void FastDualBuilder::merge_flat_edges() {
+  const DualSigns signs(dual_);
+  const HalfEdgeMesh mesh(dual_.size(), dual_.triangles_);
+  // Union-find over triangles: those in one plane are one vertex of the solid.
+  std::vector<std::uint32_t> parent(dual_.triangles_.size());
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto root = [&](std::uint32_t t) {
+    while (parent[t] != t) t = parent[t] = parent[parent[t]];
+    return t;
+  };
+  std::vector<std::vector<std::uint32_t>> vertices(dual_.size());
+  for (std::uint32_t t = 0; t < parent.size(); ++t) {
+    const auto [a, b, c] = dual_.triangles_[t];
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+      const std::uint32_t across = mesh.twin(h);
+      if (across > h || signs.height(a, b, c, mesh.apex(across)) != Sign::Zero) continue;
+      parent[root(t)] = root(across / 3);
+    }
+  }
+  for (std::uint32_t t = 0; t < parent.size(); ++t) {
+    for (const HalfspaceId i : dual_.triangles_[t]) vertices[i.index()].push_back(root(t));
+  }
+  dual_.incident_start_.push_back(0);
+  for (std::vector<std::uint32_t>& of_plane : vertices) {
+    std::sort(of_plane.begin(), of_plane.end());
+    const auto last = std::unique(of_plane.begin(), of_plane.end());
+    dual_.incident_.insert(dual_.incident_.end(), of_plane.begin(), last);
+    dual_.incident_start_.push_back(static_cast<std::uint32_t>(dual_.incident_.size()));
+  }
+}
+
+FastDual FastDual::of(const Hull& hull, const PointSet& points) {
+  FastDual dual;
+  dual.planes_->hull = &hull;
+  dual.planes_->points = &points;
+  dual.planes_->formed.resize(hull.facets.size());
+  dual.near_.resize(hull.facets.size());
+  dual.rest_.resize(hull.facets.size());
+  dual.triangles_ = triangulate_dual_faces(hull.facets, points.size());
+  dual.incident_start_.push_back(0);
+  for (std::size_t f = 0; f < hull.facets.size(); ++f) {
+    for (const PointId corner : hull.facets[f]) dual.incident_.push_back(corner.value);
+    std::sort(dual.incident_.begin() + dual.incident_start_.back(), dual.incident_.end());
+    dual.incident_start_.push_back(static_cast<std::uint32_t>(dual.incident_.size()));
+  }
+
+  FastDualBuilder builder(dual);
+  builder.scale(hull, points);
+  builder.choose_center(hull);
+  if (!builder.add_all_from_corners()) {
+    // The mean of four points that span a volume is strictly inside, exactly.
+    RationalPoint sum = RationalPoint::Zero();
+    for (const PointId corner : hull.certificate.simplex) sum += points[corner];
+    dual.center_ = sum / Rational(4);
+    const bool inside = builder.add_all_from_planes();
+    CONVEXACT_ASSERT(inside);
+    (void)inside;
+  }
+  builder.normalise();
+  return dual;
+}
+
+FastDual FastDual::of(const DualHull& solid, const RationalPoint& center) {
+  FastDual dual;
+  dual.planes_->solid = &solid;
+  dual.center_ = center;
+  dual.near_.resize(solid.halfspaces.size());
+  dual.rest_.resize(solid.halfspaces.size());
+  dual.triangles_ = solid.triangles;
+  FastDualBuilder builder(dual);
+  if (!builder.add_all_from_planes()) {
+    throw Error(ErrorCode::InvalidArgument, "the center is not strictly inside every halfspace");
+  }
+  builder.normalise();
+  builder.merge_flat_edges();
+  return dual;
+}
+
+}  // namespace convexact

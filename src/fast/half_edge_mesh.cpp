@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/fast/half_edge_mesh.hpp"
+
+#include "convexact/error.hpp"
+
+namespace convexact {
+
+std::vector<std::uint32_t> match_twins(std::span<const std::uint32_t> tail,
+                                       std::span<const std::uint32_t> head,
+                                       std::size_t vertex_count) {
+  // Half-edges grouped by tail: those of v are sorted[start[v], start[v + 1]).
+  std::vector<std::uint32_t> start(vertex_count + 1, 0), sorted(tail.size());
+  for (const std::uint32_t v : tail) ++start[v + 1];
+  for (std::size_t v = 0; v < vertex_count; ++v) start[v + 1] += start[v];
+  std::vector<std::uint32_t> place(start.begin(), start.end() - 1);
+  for (std::uint32_t h = 0; h < tail.size(); ++h) sorted[place[tail[h]]++] = h;
+
+  std::vector<std::uint32_t> twin(tail.size(), kNone);
+  const auto degree = [&](std::uint32_t v) { return start[v + 1] - start[v]; };
+  for (std::uint32_t h = 0; h < tail.size(); ++h) {
+    const std::uint32_t a = tail[h], b = head[h];
+    // The opposite b -> a is looked for at b, if b has fewer edges than a; else b -> a finds h.
+    if (degree(b) > degree(a) || twin[h] != kNone) continue;
+    for (std::uint32_t s = start[b]; s < start[b + 1]; ++s) {
+      if (head[sorted[s]] != a) continue;
+      twin[h] = sorted[s];
+      twin[sorted[s]] = h;
+      break;
+    }
+  }
+  for (const std::uint32_t h : twin) {
+    if (h == kNone) throw Error(ErrorCode::InvalidArgument, "a surface is not closed");
+  }
+  return twin;
+}
+
+HalfEdgeMesh::HalfEdgeMesh(std::size_t vertex_count, std::span<const DualTriangle> triangles)
+    : out_(vertex_count, kNone) {
+  tail_.reserve(3 * triangles.size());
+  std::vector<std::uint32_t> head;
+  head.reserve(3 * triangles.size());
+  for (const DualTriangle& t : triangles) {
+    for (int k = 0; k < 3; ++k) {
+      tail_.push_back(t[k].value);
+      head.push_back(t[(k + 1) % 3].value);
+    }
+  }
+  for (std::uint32_t h = 0; h < tail_.size(); ++h) out_[tail_[h]] = h;
+  twin_ = match_twins(tail_, head, vertex_count);
+}
+
+void HalfEdgeMesh::one_ring(HalfspaceId v, OneRing& ring) const {
+  ring.vertices.clear();
+  ring.outer.clear();
+  const std::uint32_t first = out_[v.index()];
+  std::uint32_t spoke = first;
+  do {
+    const std::uint32_t rim = next(spoke);
+    ring.vertices.push_back(HalfspaceId(tail_[rim]));
+    ring.outer.push_back(twin_[rim]);
+    spoke = twin_[previous(spoke)];
+  } while (spoke != first);
+}
+
+void HalfEdgeMesh::remove(HalfspaceId v, const OneRing& ring,
+                          std::span<const RingTriangle> triangles) {
+  const std::size_t k = ring.vertices.size();
+  CONVEXACT_ASSERT(triangles.size() == k - 2);
+  slots_.clear();
+  for (const std::uint32_t outer : ring.outer) slots_.push_back(twin_[outer] / 3);
+  for (const std::uint32_t slot : {slots_[k - 2], slots_[k - 1]}) {
+    for (std::uint32_t h = 3 * slot; h < 3 * slot + 3; ++h) tail_[h] = kNone;
+  }
+  out_[v.index()] = kNone;
+
+  const auto link_rim = [&](std::uint32_t h, std::uint32_t m) {
+    link(h, ring.outer[m]);
+    out_[ring.vertices[m].index()] = h;
+  };
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const RingTriangle& triangle = triangles[t];
+    const std::uint32_t h = 3 * slots_[t];
+    tail_[h] = ring.vertices[triangle.low].value;
+    tail_[h + 1] = ring.vertices[triangle.middle].value;
+    tail_[h + 2] = ring.vertices[triangle.high].value;
+    if (triangle.middle == triangle.low + 1) link_rim(h, triangle.low);
+    if (triangle.high == triangle.middle + 1) link_rim(h + 1, triangle.middle);
+    if (triangle.parent == kNone) {
+      link_rim(h + 2, triangle.high);
+    } else {
+      const bool below_first = triangles[triangle.parent].low == triangle.low;
+      link(h + 2, 3 * slots_[triangle.parent] + (below_first ? 0 : 1));
+    }
+  }
+}
+
+std::vector<DualTriangle> HalfEdgeMesh::triangles() const {
+  std::vector<DualTriangle> list;
+  for (std::size_t h = 0; h < tail_.size(); h += 3) {
+    if (tail_[h] == kNone) continue;
+    list.push_back({HalfspaceId(tail_[h]), HalfspaceId(tail_[h + 1]), HalfspaceId(tail_[h + 2])});
+  }
+  return list;
+}
+
+}  // namespace convexact
