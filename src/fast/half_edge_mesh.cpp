@@ -103,4 +103,12 @@ std::vector<DualTriangle> HalfEdgeMesh::triangles() const {
   return list;
 }
 
+std::vector<HalfspaceId> HalfEdgeMesh::vertices() const {
+  std::vector<HalfspaceId> list;
+  for (std::size_t v = 0; v < out_.size(); ++v) {
+    if (out_[v] != kNone) list.push_back(HalfspaceId(v));
+  }
+  return list;
+}
+
 }  // namespace convexact

@@ -22,21 +22,30 @@ struct Range {
   }
 };
 
-/// What doubles say about a cap.
+/// What one stage of arithmetic says about a cap.
+template <class Scalar>
 struct CapRange {
   enum class Kind : unsigned char {
-    Bounded,    ///< lower <= six times its volume <= upper; both positive.
+    Bounded,    ///< 0 <= lower <= six times its volume <= upper.
     Unbounded,  ///< Proven: some triangle of T has D < 0.
     Doubtful,   ///< Some D is too small for this arithmetic to tell.
   };
   Kind kind;
-  double lower, upper;
+  Scalar lower, upper;
 };
+
+/// The relative error of one operation; Roundoff also counts what the coordinates lack.
+template <class Scalar>
+inline constexpr double kOperation = 0;
+template <>
+inline constexpr double kOperation<double> = 0x1p-53;
+template <>
+inline constexpr double kOperation<DoubleDouble> = DoubleDouble::kUnit;
 
 /// Determinants of a RingGeometry as ranges, for CapVolume.
 ///
 /// Rounding: below any term of the sum lie 5 factors, each of whose ends is rounded once, 3
-/// products and 4 quotients; then up to 2 k additions. So (12 + 2 k) kOperation bounds the relative
+/// products and 4 quotients; then up to 2 k additions. So (13 + 2 k) kOperation bounds the relative
 /// error of an end, and twice (16 + 2 k) leaves room for higher orders.
 /// Underflow: with D >= kSmallest = 2^-150, at most four of them below any product, and sizes of at
 /// most 48, nothing overflows and the 2^-1018 lost per operation ends as less than 2^-300 in a sum
@@ -53,6 +62,9 @@ class RangeSource {
     }
     Number scaled_down(const Number& x) const { return total / x; }
   };
+
+  /// What is lost to underflow.
+  static constexpr double kUnderflow = 0x1p-250;
 
   explicit RangeSource(const RingGeometry<Scalar>& ring) : ring_(ring), filter_(ring.filter()) {}
 
@@ -71,21 +83,23 @@ class RangeSource {
     return lift(-dot(normal_, ring_.point[q] - ring_.point[low_]));
   }
 
+  /// Whether every D asked for so far is proven positive.
+  bool is_certain() const { return !doubtful_; }
   /// What six_times() returned, with everything that was rounded away.
-  CapRange widened(const Number& six_times) const {
-    if (negative_) return {CapRange::Kind::Unbounded, 0, 0};
+  CapRange<Scalar> widened(const Number& six_times) const {
+    using Kind = typename CapRange<Scalar>::Kind;
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (doubtful_) return {CapRange::Kind::Doubtful, 0, infinity};
-    const double slop = 2 * (16 + 2 * static_cast<double>(ring_.arm.size())) * kOperation;
-    return {CapRange::Kind::Bounded,
-            std::max(leading(six_times.lower) * (1 - slop) - kUnderflow, 0.0),
-            leading(six_times.upper) * (1 + slop) + kUnderflow};
+    if (negative_) return {Kind::Unbounded, Scalar(0.0), Scalar(0.0)};
+    if (doubtful_) return {Kind::Doubtful, Scalar(0.0), Scalar(infinity)};
+    const double n = 16 + 2 * static_cast<double>(ring_.arm.size());
+    const Scalar slop(2 * n * kOperation<Scalar>), tiny(kUnderflow);
+    const Scalar lower = six_times.lower * (Scalar(1.0) - slop) - tiny;
+    return {Kind::Bounded, leading(lower) > 0 ? lower : Scalar(0.0),
+            six_times.upper * (Scalar(1.0) + slop) + tiny};
   }
 
  private:
-  // The ends are handed out as doubles, so their rounding counts whatever Scalar is.
-  static constexpr double kOperation = 0x1p-53;
-  static constexpr double kSmallest = 0x1p-150, kUnderflow = 0x1p-250;
+  static constexpr double kSmallest = 0x1p-150;
 
   Number lift(const Scalar& value) const {
     const Scalar lower = value - Scalar(filter_.height);

@@ -40,6 +40,8 @@ class DualSigns {
                                            HalfspaceId p) const;
   [[nodiscard]] Sign determinant_beyond_doubles(HalfspaceId a, HalfspaceId b, HalfspaceId c) const;
 
+  /// Notes a sign that the caller has decided by doubles itself.
+  void count_filtered() const { ++counts_.filtered; }
   const SignCounts& counts() const { return counts_; }
 
  private:

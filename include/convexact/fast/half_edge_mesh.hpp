@@ -43,6 +43,8 @@ class HalfEdgeMesh {
   void remove(HalfspaceId v, const OneRing& ring, std::span<const RingTriangle> triangles);
   /// Every triangle once; the ones freed are left out.
   std::vector<DualTriangle> triangles() const;
+  /// Every vertex that was not removed, ascending.
+  std::vector<HalfspaceId> vertices() const;
 
  private:
   static std::uint32_t next(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }

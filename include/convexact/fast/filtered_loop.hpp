@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+// filtered_loop.hpp - the lazy greedy loop of the filtered engine, open to an auditor.
+#pragma once
+#include <algorithm>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "convexact/error.hpp"
+#include "convexact/fast/cap_evaluator.hpp"
+#include "convexact/fast/filtered_engine.hpp"
+#include "convexact/fast/growth_limit.hpp"
+#include "convexact/fast/lazy_queue.hpp"
+#include "convexact/fast/step_check.hpp"
+#include "convexact/number/rounding.hpp"
+
+namespace convexact {
+
+/// The queue holds, for every halfspace whose removal may be bounded, a lower end of its cost. The
+/// cost never decreases, so the end stays true while the ring changes; the entry is *stale* then,
+/// and looked at again only when it comes near the top [Minoux1978].
+template <class Audit = NoAudit>
+class FilteredLoop {
+ public:
+  FilteredLoop(const FastDual& dual, const SimplifyOptions& options, Audit& audit);
+
+  /// @param steps  If not null, the full record of every step is appended.
+  FastResult run(std::vector<Step>* steps = nullptr);
+
+ private:
+  // Where doubles did not suffice to rank a cap; dropped when its ring changes.
+  struct Refined {
+    CapRange<DoubleDouble> range;
+    std::optional<Rational> cost;
+  };
+
+  void evaluate(HalfspaceId i);
+  void refine(HalfspaceId i);
+  const Rational& exact_cost(HalfspaceId i);
+  void raise(HalfspaceId i, double lower, double upper);
+  void give_up(HalfspaceId i);
+
+  std::optional<HalfspaceId> choose();
+  bool settle_top();
+  bool refresh_contenders();
+  bool refine_contenders();
+  void keep_lowest_ranges();
+  void keep_cheapest();
+
+  FastStep describe(HalfspaceId i) const;
+  Step record(HalfspaceId i);
+  void verify(HalfspaceId i);
+  void remove(HalfspaceId i);
+  std::vector<DualTriangle> new_triangles() const;
+
+  const FastDual& dual_;
+  const SimplifyOptions& options_;
+  HalfEdgeMesh mesh_;
+  CapEvaluator<Audit> cap_;
+  LazyQueue queue_;
+  std::vector<double> upper_;
+  std::vector<bool> stale_;
+  std::unordered_map<HalfspaceId, Refined> refined_;
+  std::vector<HalfspaceId> contenders_;  // after choose(): the tie
+  StepCheck check_;
+  std::vector<HalfspaceId> across_;
+  std::size_t left_;
+  FastCounts counts_;
+};
+
+template <class Audit>
+FilteredLoop<Audit>::FilteredLoop(const FastDual& dual, const SimplifyOptions& options,
+                                  Audit& audit)
+    : dual_(dual),
+      options_(options),
+      mesh_(dual.size(), dual.triangles()),
+      cap_(dual, mesh_, options.seed, audit),
+      queue_(dual.size()),
+      upper_(dual.size()),
+      stale_(dual.size(), false),
+      check_(dual),
+      left_(dual.size()) {
+  if (options.faces < 4) throw Error(ErrorCode::InvalidArgument, "a solid has at least 4 faces");
+}
+
+template <class Audit>
+FastResult FilteredLoop<Audit>::run(std::vector<Step>* steps) {
+  FastResult result;
+  GrowthLimit growth(dual_, options_.max_growth);
+  for (std::size_t i = 0; i < dual_.size(); ++i) queue_.append(HalfspaceId(i), 0);
+  for (std::size_t i = 0; left_ > options_.faces && i < dual_.size(); ++i) evaluate(HalfspaceId(i));
+  while (left_ > options_.faces) {
+    if (options_.stop != nullptr && *options_.stop) throw Error(ErrorCode::Stopped, "interrupted");
+    const std::optional<HalfspaceId> choice = choose();
+    if (!choice) {
+      result.stop = StopReason::AllUnbounded;
+      break;
+    }
+    cap_.prepare(*choice);
+    const FastStep step = describe(*choice);
+    const auto volume_after = [&] {
+      return Rational(exact_volume(dual_, mesh_.triangles()) + exact_cost(*choice));
+    };
+    if (!growth.allows(step.cost_lower, step.cost_upper, volume_after)) {
+      result.stop = StopReason::GrowthLimit;
+      break;
+    }
+    result.steps.push_back(step);
+    if (steps != nullptr) steps->push_back(record(*choice));
+    if (options_.verify != VerifyLevel::None) verify(*choice);
+    remove(*choice);
+    if (options_.progress) options_.progress(left_);
+  }
+  result.triangles = mesh_.triangles();
+  result.survivors = mesh_.vertices();
+  counts_.signs = cap_.sign_counts();
+  result.counts = counts_;
+  return result;
+}
+
+// Ends of a fresh entry. An old lower end is one still, and the higher of the two is better.
+template <class Audit>
+void FilteredLoop<Audit>::raise(HalfspaceId i, double lower, double upper) {
+  upper_[i.index()] = upper;
+  if (lower > queue_.key(i)) queue_.update(i, lower);
+}
+
+template <class Audit>
+void FilteredLoop<Audit>::give_up(HalfspaceId i) {
+  queue_.erase(i);
+  refined_.erase(i);
+}
+
+template <class Audit>
+void FilteredLoop<Audit>::evaluate(HalfspaceId i) {
+  cap_.prepare(i);
+  const CapRange<double> range = cap_.in_doubles();
+  using Kind = CapRange<double>::Kind;
+  ++counts_.evaluations;
+  counts_.doubtful += range.kind == Kind::Doubtful;
+  stale_[i.index()] = false;
+  if (range.kind == Kind::Unbounded) {
+    give_up(i);  // for ever: a larger cap is not bounded either
+  } else {
+    raise(i, range.lower, range.upper);
+  }
+}
+
+template <class Audit>
+void FilteredLoop<Audit>::refine(HalfspaceId i) {
+  if (refined_.contains(i)) {
+    (void)exact_cost(i);
+    return;
+  }
+  cap_.prepare(i);
+  const CapRange<DoubleDouble> range = cap_.in_double_doubles();
+  ++counts_.extended;
+  refined_[i] = {range, {}};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  raise(i, std::nextafter(range.lower.hi(), 0.0), std::nextafter(range.upper.hi(), infinity));
+}
+
+template <class Audit>
+const Rational& FilteredLoop<Audit>::exact_cost(HalfspaceId i) {
+  Refined& refined = refined_[i];
+  if (!refined.cost) {
+    cap_.prepare(i);
+    refined.cost = cap_.exactly();
+    ++counts_.exact;
+    const Rational scaled = scale_by_power_of_two(*refined.cost * 6, -dual_.volume_exponent());
+    const double lower = to_double(scaled, Rounding::Down), upper = to_double(scaled, Rounding::Up);
+    refined.range = {CapRange<DoubleDouble>::Kind::Bounded, lower, upper};
+    raise(i, lower, upper);
+  }
+  return *refined.cost;
+}
+
+// The cheapest of all, first in canonical order where several are; contenders_ is the tie.
+template <class Audit>
+std::optional<HalfspaceId> FilteredLoop<Audit>::choose() {
+  for (;;) {
+    if (queue_.empty()) return {};
+    if (!settle_top()) continue;
+    queue_.collect(upper_[queue_.top().index()], contenders_);
+    if (contenders_.size() == 1) return contenders_[0];
+    if (!refresh_contenders()) continue;
+    keep_lowest_ranges();
+    if (contenders_.size() == 1) return contenders_[0];
+    if (!refine_contenders()) continue;
+    keep_cheapest();
+    return contenders_[0];
+  }
+}
+
+// Whether the top is fresh and its ends are close; otherwise one step is made towards that.
+template <class Audit>
+bool FilteredLoop<Audit>::settle_top() {
+  const HalfspaceId top = queue_.top();
+  if (stale_[top.index()]) {
+    evaluate(top);
+    return false;
+  }
+  // An end far away would make contenders of too many. The exact cost is always close enough.
+  constexpr double kClose = 1 + 0x1p-10;
+  if (upper_[top.index()] <= kClose * queue_.key(top)) return true;
+  const auto refined = refined_.find(top);
+  if (refined != refined_.end() && refined->second.cost) return true;
+  refine(top);
+  return false;
+}
+
+// Whether all contenders are fresh already.
+template <class Audit>
+bool FilteredLoop<Audit>::refresh_contenders() {
+  bool all_fresh = true;
+  for (const HalfspaceId i : contenders_) {
+    if (!stale_[i.index()]) continue;
+    evaluate(i);
+    all_fresh = false;
+  }
+  return all_fresh;
+}
+
+template <class Audit>
+void FilteredLoop<Audit>::keep_lowest_ranges() {
+  double best = std::numeric_limits<double>::infinity();
+  for (const HalfspaceId i : contenders_) best = std::min(best, upper_[i.index()]);
+  std::erase_if(contenders_, [&](HalfspaceId i) { return queue_.key(i) > best; });
+}
+
+// Whether all contenders have a DoubleDouble range already.
+template <class Audit>
+bool FilteredLoop<Audit>::refine_contenders() {
+  bool all_refined = true;
+  for (const HalfspaceId i : contenders_) {
+    if (refined_.contains(i)) continue;
+    refine(i);
+    all_refined = false;
+  }
+  return all_refined;
+}
+
+// Reduces refined contenders to those of minimal exact cost, in canonical order.
+template <class Audit>
+void FilteredLoop<Audit>::keep_cheapest() {
+  const auto range = [&](HalfspaceId i) -> const CapRange<DoubleDouble>& {
+    return refined_.at(i).range;
+  };
+  DoubleDouble best = range(contenders_[0]).upper;
+  for (const HalfspaceId i : contenders_) {
+    if (range(i).upper < best) best = range(i).upper;
+  }
+  std::erase_if(contenders_, [&](HalfspaceId i) { return range(i).lower > best; });
+  if (contenders_.size() == 1) return;
+
+  Rational least = exact_cost(contenders_[0]);
+  for (const HalfspaceId i : contenders_) least = std::min(least, exact_cost(i));
+  std::erase_if(contenders_, [&](HalfspaceId i) { return exact_cost(i) != least; });
+  std::sort(contenders_.begin(), contenders_.end(),
+            [&](HalfspaceId a, HalfspaceId b) { return dual_.precedes(a, b); });
+}
+
+template <class Audit>
+FastStep FilteredLoop<Audit>::describe(HalfspaceId i) const {
+  return {i, static_cast<std::uint32_t>(contenders_.size()), queue_.key(i) / 6, upper_[i.index()] / 6};
+}
+
+template <class Audit>
+std::vector<DualTriangle> FilteredLoop<Audit>::new_triangles() const {
+  std::vector<DualTriangle> triangles;
+  const auto& v = cap_.ring().vertices;
+  for (const RingTriangle& t : cap_.triangles()) {
+    triangles.push_back({v[t.low], v[t.middle], v[t.high]});
+  }
+  return triangles;
+}
+
+template <class Audit>
+Step FilteredLoop<Audit>::record(HalfspaceId i) {
+  Step step;
+  step.removed = i;
+  step.cost = exact_cost(i);
+  step.tie = contenders_;
+  step.ring = cap_.ring().vertices;
+  step.triangles = new_triangles();
+  step.left = left_ - 1;
+  return step;
+}
+
+template <class Audit>
+void FilteredLoop<Audit>::verify(HalfspaceId i) {
+  across_.clear();
+  for (const std::uint32_t h : cap_.ring().outer) across_.push_back(mesh_.apex(h));
+  check_.check({i, cap_.ring().vertices, across_, new_triangles()});
+}
+
+template <class Audit>
+void FilteredLoop<Audit>::remove(HalfspaceId i) {
+  mesh_.remove(i, cap_.ring(), cap_.triangles());
+  --left_;
+  give_up(i);
+  for (const HalfspaceId r : cap_.ring().vertices) {
+    stale_[r.index()] = true;
+    refined_.erase(r);
+  }
+  cap_.invalidate();
+}
+
+}  // namespace convexact

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/fast/step_check.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "convexact/error.hpp"
+
+namespace convexact {
+namespace {
+
+void require(bool holds, const char* claim) {
+  if (!holds) {
+    throw Error(ErrorCode::Internal, std::string("verification of a step failed: ") + claim);
+  }
+}
+
+}  // namespace
+
+void StepCheck::check(const ClaimedStep& step) {
+  for (std::uint32_t m = 0; m < step.ring.size(); ++m) {
+    require(position_[step.ring[m].index()] == kNotInRing, "a ring visits a halfspace once");
+    position_[step.ring[m].index()] = m;
+  }
+  check_disk(step);
+  check_triangles(step);
+  check_rim(step);
+  for (const HalfspaceId r : step.ring) position_[r.index()] = kNotInRing;
+}
+
+// k - 2 triangles on the k ring vertices, whose directed edges are the ring's, once each, and pairs
+// of opposites. Then the triangles form a disk: the component that the ring bounds has F triangles
+// and Euler characteristic (k - F) / 2 <= 1, so F = k - 2 and there is no other component.
+void StepCheck::check_disk(const ClaimedStep& step) {
+  const std::size_t k = step.ring.size();
+  require(step.triangles.size() == k - 2, "a ring of k is closed by k - 2 triangles");
+  edges_.clear();
+  rim_owner_.assign(k, step.removed);
+  for (const DualTriangle& t : step.triangles) {
+    for (int c = 0; c < 3; ++c) {
+      const std::uint32_t a = position_[t[c].index()], b = position_[t[(c + 1) % 3].index()];
+      require(a != kNotInRing && b != kNotInRing, "new triangles have their corners on the ring");
+      if (b == (a + 1 == k ? 0 : a + 1)) {
+        require(rim_owner_[a] == step.removed, "one new triangle lies at each edge of the ring");
+        rim_owner_[a] = t[(c + 2) % 3];
+      } else {
+        // Both directions of an inner edge share a key but for the lowest bit.
+        edges_.push_back(a < b ? (std::uint64_t{a} << 33 | std::uint64_t{b} << 1)
+                               : (std::uint64_t{b} << 33 | std::uint64_t{a} << 1 | 1));
+      }
+    }
+  }
+  require(std::find(rim_owner_.begin(), rim_owner_.end(), step.removed) == rim_owner_.end(),
+          "the ring bounds the new triangles");
+  std::sort(edges_.begin(), edges_.end());
+  require(edges_.size() % 2 == 0, "every inner edge has two sides");
+  for (std::size_t e = 0; e < edges_.size(); e += 2) {
+    require((edges_[e] & 1) == 0 && edges_[e + 1] == edges_[e] + 1 &&
+                (e + 2 == edges_.size() || edges_[e + 2] != edges_[e]),
+            "every inner edge has two sides");
+  }
+}
+
+// Each new triangle is a vertex of the cap: it exists, it lies on or beyond the removed plane, and
+// inside all planes of the ring. The last also says that every inner edge is convex.
+void StepCheck::check_triangles(const ClaimedStep& step) const {
+  for (const auto& [a, b, c] : step.triangles) {
+    require(signs_.determinant(a, b, c) == Sign::Positive, "every new triangle has a vertex");
+    require(signs_.height(a, b, c, step.removed) != Sign::Negative,
+            "new vertices lie on or beyond the removed plane");
+    for (const HalfspaceId r : step.ring) {
+      if (r == a || r == b || r == c) continue;
+      require(signs_.height(a, b, c, r) != Sign::Positive, "new vertices lie inside the ring's planes");
+    }
+  }
+}
+
+// Convex across the edges of the ring, between new triangles and the old ones outside.
+void StepCheck::check_rim(const ClaimedStep& step) const {
+  const std::size_t k = step.ring.size();
+  require(step.across.size() == k, "every edge of the ring has an outside");
+  for (std::size_t m = 0; m < k; ++m) {
+    const HalfspaceId a = step.ring[m], b = step.ring[m + 1 == k ? 0 : m + 1];
+    require(step.across[m] != rim_owner_[m], "no edge is there twice");
+    require(signs_.height(a, b, rim_owner_[m], step.across[m]) != Sign::Positive,
+            "every edge of the ring is convex");
+  }
+}
+
+}  // namespace convexact
