@@ -10,4 +10,16 @@ FastResult simplify_filtered(const FastDual& dual, const SimplifyOptions& option
   return FilteredLoop<>(dual, options, audit).run();
 }
 
+Simplification simplify_filtered(const DualHull& solid, const RationalPoint& center,
+                                 const SimplifyOptions& options) {
+  const FastDual dual = FastDual::of(solid, center);
+  NoAudit audit;
+  Simplification simplification;
+  simplification.trace.halfspaces = solid.halfspaces;
+  FastResult result = FilteredLoop<>(dual, options, audit).run(&simplification.trace.steps);
+  simplification.trace.stop = result.stop;
+  simplification.triangles = std::move(result.triangles);
+  return simplification;
+}
+
 }  // namespace convexact

@@ -6,6 +6,7 @@
 
 #include "convexact/fast/dual_signs.hpp"
 #include "convexact/fast/fast_dual.hpp"
+#include "convexact/simplify/exact_engine.hpp"
 #include "convexact/simplify/options.hpp"
 #include "convexact/simplify/trace.hpp"
 
@@ -48,5 +49,12 @@ struct FastResult {
 /// @par Source     [Jacobson2026], [Minoux1978]
 [[nodiscard]] FastResult simplify_filtered(const FastDual& dual,
                                            const SimplifyOptions& options = {});
+
+/// The same with the full record of every step: exact costs, ties, rings and triangles. Equals
+/// simplify_exact() but for the choice among triangulations, and so among rings, where planes share
+/// a point.
+/// @param center  Strictly inside the solid.
+[[nodiscard]] Simplification simplify_filtered(const DualHull& solid, const RationalPoint& center,
+                                               const SimplifyOptions& options = {});
 
 }  // namespace convexact

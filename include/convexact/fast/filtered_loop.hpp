@@ -9,7 +9,7 @@
 #include "convexact/error.hpp"
 #include "convexact/fast/cap_evaluator.hpp"
 #include "convexact/fast/filtered_engine.hpp"
-#include "convexact/fast/growth_limit.hpp"
+#include "convexact/fast/growth_watch.hpp"
 #include "convexact/fast/lazy_queue.hpp"
 #include "convexact/fast/step_check.hpp"
 #include "convexact/number/rounding.hpp"
@@ -86,7 +86,7 @@ FilteredLoop<Audit>::FilteredLoop(const FastDual& dual, const SimplifyOptions& o
 template <class Audit>
 FastResult FilteredLoop<Audit>::run(std::vector<Step>* steps) {
   FastResult result;
-  GrowthLimit growth(dual_, options_.max_growth);
+  GrowthWatch growth(dual_, options_.max_growth);
   for (std::size_t i = 0; i < dual_.size(); ++i) queue_.append(HalfspaceId(i), 0);
   for (std::size_t i = 0; left_ > options_.faces && i < dual_.size(); ++i) evaluate(HalfspaceId(i));
   while (left_ > options_.faces) {

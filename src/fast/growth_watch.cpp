@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/fast/growth_limit.hpp"
+#include "convexact/fast/growth_watch.hpp"
 
 #include <cmath>
 #include <limits>
@@ -61,7 +61,7 @@ Rational exact_volume(const FastDual& dual, std::span<const DualTriangle> triang
   return Rational(sum.total() / 6);
 }
 
-GrowthLimit::GrowthLimit(const FastDual& dual, const std::optional<Rational>& max_growth)
+GrowthWatch::GrowthWatch(const FastDual& dual, const std::optional<Rational>& max_growth)
     : dual_(dual), max_growth_(max_growth) {
   if (!max_growth_) return;
   if (*max_growth_ < 0) throw Error(ErrorCode::InvalidArgument, "a growth limit is not negative");
@@ -71,7 +71,7 @@ GrowthLimit::GrowthLimit(const FastDual& dual, const std::optional<Rational>& ma
   limit_upper_ = round_up(round_up(six_times.upper / 6) * to_double(*max_growth_, Rounding::Up));
 }
 
-bool GrowthLimit::allows(double lower, double upper,
+bool GrowthWatch::allows(double lower, double upper,
                          const std::function<Rational()>& volume_after) {
   if (!max_growth_) return true;
   const double grown_lower = round_down(grown_lower_ + lower);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// growth_limit.hpp - how far a volume may grow, decided by enclosures and in doubt by rationals.
+// growth_watch.hpp - how far a volume may grow, decided by enclosures and in doubt by rationals.
 #pragma once
 #include <functional>
 #include <optional>
@@ -14,11 +14,11 @@ namespace convexact {
 [[nodiscard]] Rational exact_volume(const FastDual& dual, std::span<const DualTriangle> triangles);
 
 /// Watches that the sum of costs stays within max_growth times the initial volume.
-class GrowthLimit {
+class GrowthWatch {
  public:
   /// @param max_growth  None: everything is allowed, and no volume is computed.
   /// @throws Error      InvalidArgument if negative.
-  GrowthLimit(const FastDual& dual, const std::optional<Rational>& max_growth);
+  GrowthWatch(const FastDual& dual, const std::optional<Rational>& max_growth);
 
   /// Whether a step of this cost, in units of FastDual::volume_exponent(), may follow the allowed
   /// ones. If so it counts from now on.

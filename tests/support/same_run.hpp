@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// same_run.hpp - the filtered engine against the exact one, step by step, on one set of points.
+#pragma once
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <variant>
+
+#include "convexact/dual/dual_hull.hpp"
+#include "convexact/fast/filtered_engine.hpp"
+#include "convexact/hull/hull.hpp"
+#include "convexact/simplify/exact_engine.hpp"
+#include "simplify_points.hpp"
+
+/// Checks the removals, exact costs, ties and the end; rings depend on the triangulation of faces.
+inline void check_same_steps(const convexact::Trace& exact, const convexact::Trace& filtered) {
+  CHECK(exact.stop == filtered.stop);
+  REQUIRE(exact.steps.size() == filtered.steps.size());
+  for (std::size_t s = 0; s < exact.steps.size(); ++s) {
+    CAPTURE(s);
+    REQUIRE(exact.steps[s].removed == filtered.steps[s].removed);
+    REQUIRE(exact.steps[s].cost == filtered.steps[s].cost);
+    REQUIRE(exact.steps[s].tie == filtered.steps[s].tie);
+    REQUIRE(exact.steps[s].left == filtered.steps[s].left);
+  }
+}
+
+/// Runs both engines to the end, the filtered one from the exact dual hull and from the hull.
+/// Points that span no volume are skipped. @return Whether the engines were compared.
+inline bool check_same_run(const std::vector<convexact::Point>& points,
+                           convexact::SimplifyOptions options = {}) {
+  using namespace convexact;
+  const PointSet set(points);
+  const HullOutcome outcome = convex_hull(set);
+  const Hull* hull = std::get_if<Hull>(&outcome);
+  if (hull == nullptr) return false;
+  const DualHull solid = dual_of(*hull, set);
+  const RationalPoint center = center_of(solid);
+
+  const Simplification filtered = simplify_filtered(solid, center, options);
+  const FastDual dual = FastDual::of(*hull, set);
+  const FastResult lean = simplify_filtered(dual, options);
+  options.verify = VerifyLevel::None;  // has tests of its own
+  const Simplification exact = simplify_exact(solid, center, options);
+  check_same_steps(exact.trace, filtered.trace);
+
+  CHECK(lean.stop == exact.trace.stop);
+  REQUIRE(lean.steps.size() == exact.trace.steps.size());
+  for (std::size_t s = 0; s < lean.steps.size(); ++s) {
+    CAPTURE(s);
+    const Step& step = exact.trace.steps[s];
+    REQUIRE(dual.exact(lean.steps[s].removed) == solid.halfspaces[step.removed.index()]);
+    REQUIRE(lean.steps[s].tied == step.tie.size());
+    const Rational scaled = scale_by_power_of_two(step.cost, -dual.volume_exponent());
+    REQUIRE(to_rational(lean.steps[s].cost_lower) <= scaled);
+    REQUIRE(to_rational(lean.steps[s].cost_upper) >= scaled);
+  }
+  return true;
+}
