@@ -26,7 +26,8 @@ Verdict determinant_in(const Triple<Scalar>& a, const Triple<Scalar>& b, const T
   Extent extent;
   extent.include(f);
   extent.include(g);
-  return verdict(leading(dot(cross(f, g), a)), PlaneFilter<Scalar>::within(extent.size).determinant);
+  return verdict(leading(dot(cross(f, g), a)),
+                 PlaneFilter<Scalar>::within(extent.size).determinant);
 }
 
 Sign to_sign(Verdict v) { return Sign(static_cast<signed char>(v)); }
@@ -74,8 +75,7 @@ Sign DualSigns::height_beyond_doubles(HalfspaceId a, HalfspaceId b, HalfspaceId 
     return to_sign(sure);
   }
   ++counts_.exact;
-  return sign_of(
-      exact_height(dual_->exact(a), dual_->exact(b), dual_->exact(c), dual_->exact(p)));
+  return sign_of(exact_height(dual_->exact(a), dual_->exact(b), dual_->exact(c), dual_->exact(p)));
 }
 
 Sign DualSigns::determinant(HalfspaceId a, HalfspaceId b, HalfspaceId c) const {

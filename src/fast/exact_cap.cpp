@@ -14,8 +14,7 @@ Rational ExactCapSource::Sum::total() {
 }
 
 Rational ExactCapSource::height(HalfspaceId a, HalfspaceId b, HalfspaceId c, HalfspaceId p) const {
-  return Rational(
-      exact_height(dual_.exact(a), dual_.exact(b), dual_.exact(c), dual_.exact(p)));
+  return Rational(exact_height(dual_.exact(a), dual_.exact(b), dual_.exact(c), dual_.exact(p)));
 }
 Rational ExactCapSource::base(std::uint32_t m) const {
   return Rational(

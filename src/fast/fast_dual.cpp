@@ -214,8 +214,8 @@ bool FastDualBuilder::add_all_from_planes() {
     if (w <= 0) return false;
     for (int k = 0; k < 3; ++k) {
       if (plane.normal()[k] == 0) continue;
-      largest[k] = std::max(
-          largest[k], bits(plane.normal()[k]) + bits(denominator(w)) - bits(numerator(w)));
+      largest[k] =
+          std::max(largest[k], bits(plane.normal()[k]) + bits(denominator(w)) - bits(numerator(w)));
     }
   }
   for (int k = 0; k < 3; ++k) exponent_[k] = static_cast<int>(-largest[k]);
@@ -242,6 +242,7 @@ void FastDualBuilder::normalise() {
 }
 
 void FastDualBuilder::merge_flat_edges() {
+  dual_.incident_start_.assign(dual_.size() + 1, 0);  // nothing is known to be incident yet
   const DualSigns signs(dual_);
   const HalfEdgeMesh mesh(dual_.size(), dual_.triangles_);
   // Union-find over triangles: those in one plane are one vertex of the solid.
@@ -263,7 +264,7 @@ void FastDualBuilder::merge_flat_edges() {
   for (std::uint32_t t = 0; t < parent.size(); ++t) {
     for (const HalfspaceId i : dual_.triangles_[t]) vertices[i.index()].push_back(root(t));
   }
-  dual_.incident_start_.push_back(0);
+  dual_.incident_start_.assign(1, 0);
   for (std::vector<std::uint32_t>& of_plane : vertices) {
     std::sort(of_plane.begin(), of_plane.end());
     const auto last = std::unique(of_plane.begin(), of_plane.end());

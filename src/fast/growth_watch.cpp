@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "convexact/fast/growth_watch.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 
 #include "convexact/error.hpp"
 #include "convexact/fast/cap_range.hpp"
 #include "convexact/fast/exact_cap.hpp"
 #include "convexact/fast/half_edge_mesh.hpp"
+#include "convexact/fast/outward.hpp"
 #include "convexact/fast/solid_volume.hpp"
 #include "convexact/number/rounding.hpp"
 
 namespace convexact {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double round_down(double x) { return std::nextafter(x, -kInfinity); }
-double round_up(double x) { return std::nextafter(x, kInfinity); }
 
 // Six times the volume of the initial solid, enclosed.
 CapRange<double> volume_range(const FastDual& dual) {
@@ -36,7 +32,7 @@ CapRange<double> volume_range(const FastDual& dual) {
     certain = certain && source.is_certain();
   }
   using Kind = CapRange<double>::Kind;
-  if (!certain) return {Kind::Doubtful, 0, kInfinity};
+  if (!certain) return {Kind::Doubtful, 0, std::numeric_limits<double>::infinity()};
   // As for a cap, with all cones in one sum.
   const double slop = 2 * (16 + 2 * static_cast<double>(terms)) * kOperation<double>;
   const double tiny = RangeSource<double>::kUnderflow;
@@ -66,16 +62,17 @@ GrowthWatch::GrowthWatch(const FastDual& dual, const std::optional<Rational>& ma
   if (!max_growth_) return;
   if (*max_growth_ < 0) throw Error(ErrorCode::InvalidArgument, "a growth limit is not negative");
   const CapRange<double> six_times = volume_range(dual);
-  limit_lower_ =
-      std::max(0.0, round_down(round_down(six_times.lower / 6) * to_double(*max_growth_, Rounding::Down)));
-  limit_upper_ = round_up(round_up(six_times.upper / 6) * to_double(*max_growth_, Rounding::Up));
+  limit_lower_ = std::max(
+      0.0, next_below(next_below(six_times.lower / 6) * to_double(*max_growth_, Rounding::Down)));
+  limit_upper_ =
+      next_above(next_above(six_times.upper / 6) * to_double(*max_growth_, Rounding::Up));
 }
 
 bool GrowthWatch::allows(double lower, double upper,
                          const std::function<Rational()>& volume_after) {
   if (!max_growth_) return true;
-  const double grown_lower = round_down(grown_lower_ + lower);
-  const double grown_upper = round_up(grown_upper_ + upper);
+  const double grown_lower = next_below(grown_lower_ + lower);
+  const double grown_upper = next_above(grown_upper_ + upper);
   if (grown_lower > limit_upper_) return false;
   if (!(grown_upper <= limit_lower_)) {
     if (!exact_limit_) {

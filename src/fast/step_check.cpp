@@ -70,7 +70,8 @@ void StepCheck::check_triangles(const ClaimedStep& step) const {
             "new vertices lie on or beyond the removed plane");
     for (const HalfspaceId r : step.ring) {
       if (r == a || r == b || r == c) continue;
-      require(signs_.height(a, b, c, r) != Sign::Positive, "new vertices lie inside the ring's planes");
+      require(signs_.height(a, b, c, r) != Sign::Positive,
+              "new vertices lie inside the ring's planes");
     }
   }
 }

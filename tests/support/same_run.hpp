@@ -10,7 +10,13 @@
 #include "convexact/fast/filtered_engine.hpp"
 #include "convexact/hull/hull.hpp"
 #include "convexact/simplify/exact_engine.hpp"
-#include "simplify_points.hpp"
+
+/// Strictly inside.
+inline convexact::RationalPoint mean_of_vertices(const convexact::DualHull& solid) {
+  convexact::RationalPoint sum = convexact::RationalPoint::Zero();
+  for (const convexact::RationalPoint& v : solid.vertices) sum += v;
+  return sum / convexact::Rational(solid.vertices.size());
+}
 
 /// Checks the removals, exact costs, ties and the end; rings depend on the triangulation of faces.
 inline void check_same_steps(const convexact::Trace& exact, const convexact::Trace& filtered) {
@@ -35,7 +41,7 @@ inline bool check_same_run(const std::vector<convexact::Point>& points,
   const Hull* hull = std::get_if<Hull>(&outcome);
   if (hull == nullptr) return false;
   const DualHull solid = dual_of(*hull, set);
-  const RationalPoint center = center_of(solid);
+  const RationalPoint center = mean_of_vertices(solid);
 
   const Simplification filtered = simplify_filtered(solid, center, options);
   const FastDual dual = FastDual::of(*hull, set);

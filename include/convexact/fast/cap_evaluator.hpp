@@ -20,8 +20,8 @@ namespace convexact {
 struct NoAudit {
   void height(HalfspaceId, HalfspaceId, HalfspaceId, HalfspaceId, Verdict) {}
   template <class Scalar>
-  void cap(HalfspaceId, const OneRing&, const std::vector<RingTriangle>&,
-           const CapRange<Scalar>&) {}
+  void cap(HalfspaceId, const OneRing&, const std::vector<RingTriangle>&, const CapRange<Scalar>&) {
+  }
 };
 
 /// The ring of one dual point, its triangulation T, and the volume of the cap in three arithmetics.

@@ -24,11 +24,11 @@ struct FastStep {
 
 /// How often which arithmetic was needed.
 struct FastCounts {
-  SignCounts signs;                ///< Of the loop, not of the verification.
-  std::uint64_t evaluations = 0;   ///< Caps enclosed by doubles.
-  std::uint64_t doubtful = 0;      ///< Of these, caps that doubles could not enclose.
-  std::uint64_t extended = 0;      ///< Caps enclosed again by DoubleDouble.
-  std::uint64_t exact = 0;         ///< Caps computed as rationals.
+  SignCounts signs;               ///< Of the loop, not of the verification.
+  std::uint64_t evaluations = 0;  ///< Caps enclosed by doubles.
+  std::uint64_t doubtful = 0;     ///< Of these, caps that doubles could not enclose.
+  std::uint64_t extended = 0;     ///< Caps enclosed again by DoubleDouble.
+  std::uint64_t exact = 0;        ///< Caps computed as rationals.
 };
 
 struct FastResult {

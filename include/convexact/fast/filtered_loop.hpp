@@ -11,6 +11,7 @@
 #include "convexact/fast/filtered_engine.hpp"
 #include "convexact/fast/growth_watch.hpp"
 #include "convexact/fast/lazy_queue.hpp"
+#include "convexact/fast/outward.hpp"
 #include "convexact/fast/step_check.hpp"
 #include "convexact/number/rounding.hpp"
 
@@ -156,8 +157,7 @@ void FilteredLoop<Audit>::refine(HalfspaceId i) {
   const CapRange<DoubleDouble> range = cap_.in_double_doubles();
   ++counts_.extended;
   refined_[i] = {range, {}};
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  raise(i, std::nextafter(range.lower.hi(), 0.0), std::nextafter(range.upper.hi(), infinity));
+  raise(i, next_below(range.lower.hi()), next_above(range.upper.hi()));
 }
 
 template <class Audit>
@@ -262,7 +262,8 @@ void FilteredLoop<Audit>::keep_cheapest() {
 
 template <class Audit>
 FastStep FilteredLoop<Audit>::describe(HalfspaceId i) const {
-  return {i, static_cast<std::uint32_t>(contenders_.size()), queue_.key(i) / 6, upper_[i.index()] / 6};
+  return {i, static_cast<std::uint32_t>(contenders_.size()), next_below(queue_.key(i) / 6),
+          next_above(upper_[i.index()] / 6)};
 }
 
 template <class Audit>

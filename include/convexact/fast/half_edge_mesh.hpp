@@ -56,7 +56,7 @@ class HalfEdgeMesh {
 
   std::vector<std::uint32_t> tail_;  // kNone in a freed triangle
   std::vector<std::uint32_t> twin_;
-  std::vector<std::uint32_t> out_;  // of each vertex some half-edge that starts there
+  std::vector<std::uint32_t> out_;    // of each vertex some half-edge that starts there
   std::vector<std::uint32_t> slots_;  // scratch of remove()
 };
 

@@ -64,7 +64,8 @@ struct PlaneFilter {
   static PlaneFilter within(const Triple<double>& extent) {
     const double sum = extent.x + extent.y + extent.z;
     const double area = extent.y * extent.z + extent.x * (extent.y + extent.z);
-    return {kHeightFactor * kUnit * area + kUnderflow, kDeterminantFactor * kUnit * sum + kUnderflow};
+    return {kHeightFactor * kUnit * area + kUnderflow,
+            kDeterminantFactor * kUnit * sum + kUnderflow};
   }
 };
 

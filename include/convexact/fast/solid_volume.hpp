@@ -7,8 +7,8 @@ namespace convexact {
 
 /// Adds six times the volume of the cone from the center over facet i, whose ring has k members, to
 /// `sum`. The facet is cut in a fan from its vertex v = (i, 0, 1); a triangle of it stands on the
-/// edge that ring plane q cuts out, between q - 1 and q + 1. As in CapVolume, with the center (where
-/// every slack is 1) as the apex, six times the tetrahedron is
+/// edge that ring plane q cuts out, between q - 1 and q + 1. As in CapVolume, with the center
+/// (where every slack is 1) as the apex, six times the tetrahedron is
 ///   slack(q, v) |H(i q-1 q, q+1)| / (D(i, q-1, q) D(i, q, q+1)).
 /// @param source  As for CapVolume.
 template <class Source>

@@ -9,7 +9,8 @@
 namespace convexact {
 
 /// What a removal claims: the ring of `removed`, counter-clockwise from outside; for each edge
-/// ring[m] -> ring[m + 1] the third corner of the dual triangle across it; the ring's new triangles.
+/// ring[m] -> ring[m + 1] the third corner of the dual triangle across it; the ring's new
+/// triangles.
 struct ClaimedStep {
   HalfspaceId removed;
   std::span<const HalfspaceId> ring;
@@ -21,8 +22,7 @@ struct ClaimedStep {
 /// mesh, no queue and no volume, and shares nothing with the step but the predicates.
 class StepCheck {
  public:
-  explicit StepCheck(const FastDual& dual)
-      : signs_(dual), position_(dual.size(), kNotInRing) {}
+  explicit StepCheck(const FastDual& dual) : signs_(dual), position_(dual.size(), kNotInRing) {}
 
   /// @throws Error Internal, naming the check that failed.
   /// @par Cost     O(k^2) signs for a ring of k.
@@ -35,8 +35,8 @@ class StepCheck {
 
   static constexpr std::uint32_t kNotInRing = 0xffffffff;
   DualSigns signs_;
-  std::vector<std::uint32_t> position_;   // in the ring, while a step is checked
-  std::vector<HalfspaceId> rim_owner_;    // the third corner of the new triangle at each ring edge
+  std::vector<std::uint32_t> position_;  // in the ring, while a step is checked
+  std::vector<HalfspaceId> rim_owner_;   // the third corner of the new triangle at each ring edge
   std::vector<std::uint64_t> edges_;
 };
 
