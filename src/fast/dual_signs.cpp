@@ -17,7 +17,8 @@ Verdict height_in(const Triple<Scalar>& a, const Triple<Scalar>& b, const Triple
   extent.include(f);
   extent.include(g);
   extent.include(h);
-  return verdict(leading(dot(cross(f, g), h)), PlaneFilter<Scalar>::within(extent.size).height);
+  return verdict(leading(dot(cross(f, g), h)),
+                 PlaneFilter::within(extent.size, Roundoff<Scalar>::kUnit).height);
 }
 
 template <class Scalar>
@@ -27,7 +28,7 @@ Verdict determinant_in(const Triple<Scalar>& a, const Triple<Scalar>& b, const T
   extent.include(f);
   extent.include(g);
   return verdict(leading(dot(cross(f, g), a)),
-                 PlaneFilter<Scalar>::within(extent.size).determinant);
+                 PlaneFilter::within(extent.size, Roundoff<Scalar>::kUnit).determinant);
 }
 
 Sign to_sign(Verdict v) { return Sign(static_cast<signed char>(v)); }

@@ -29,7 +29,7 @@ template <class Audit>
 class CapEvaluator {
  public:
   CapEvaluator(const FastDual& dual, const HalfEdgeMesh& mesh, std::uint64_t seed, Audit& audit)
-      : dual_(dual), mesh_(mesh), audit_(audit), signs_(dual), random_(seed) {}
+      : dual_(dual), mesh_(mesh), audit_(audit), signs_(dual), seed_(seed) {}
 
   /// Reads the ring of i and triangulates it, unless it is the one read last.
   void prepare(HalfspaceId i);
@@ -58,7 +58,7 @@ class CapEvaluator {
   OneRing ring_;
   std::vector<RingTriangle> triangles_;
   RingTriangulator triangulator_;
-  Random random_;
+  std::uint64_t seed_;
   RingGeometry<double> geometry_;
   RingGeometry<DoubleDouble> long_geometry_;
   CapVolume<RangeSource<double>> volume_;
@@ -103,7 +103,7 @@ void CapEvaluator<Audit>::prepare(HalfspaceId i) {
   mesh_.one_ring(i, ring_);
   geometry_.load(i, ring_.vertices, [&](HalfspaceId v) { return dual_.near(v); });
   Beyond beyond(*this, geometry_.filter().height);
-  triangulator_.run(static_cast<std::uint32_t>(ring_.vertices.size()), beyond, random_, triangles_);
+  triangulator_.run(static_cast<std::uint32_t>(ring_.vertices.size()), beyond, seed_, triangles_);
   prepared_ = i;
 }
 

@@ -113,7 +113,7 @@ class RangeSource {
   }
 
   const RingGeometry<Scalar>& ring_;
-  PlaneFilter<Scalar> filter_;
+  PlaneFilter filter_;
   Triple<Scalar> normal_{};
   std::uint32_t low_ = 0;
   bool negative_ = false, doubtful_ = false;

@@ -10,8 +10,8 @@
 
 namespace convexact {
 
-/// The rounding that a stage of arithmetic works with. Every operation is off by at most a
-/// relative kUnit, every coordinate by 2 kUnit.
+/// The rounding that an arithmetic works with: every operation is off by at most a relative kUnit,
+/// every coordinate of a dual point by 2 kUnit.
 template <class Scalar>
 struct Roundoff;
 
@@ -34,7 +34,8 @@ inline double leading(const DoubleDouble& x) { return x.hi(); }
 /// Bounds for determinants of a handful of dual points whose differences, as computed, have
 /// components of at most E = (extent.x, extent.y, extent.z).
 ///
-/// Let u = kUnit; coordinates are at most 1 in size and off by 2u, so E <= 2. First order in u:
+/// Let u be the unit of Roundoff; coordinates are at most 1 in size and off by 2u, so E <= 2. First
+/// order in u:
 /// - A difference f = b - a is off by 2u + 2u from its ends and by u |f| <= 2u from rounding: 6u.
 /// - A component of N = f x g, such as f.y g.z - f.z g.y, is at most 2 E.y E.z; it is off by
 ///   2 (6u E.z + 6u E.y) from its factors and by 4u E.y E.z <= 4u (E.y + E.z) from rounding
@@ -47,9 +48,7 @@ inline double leading(const DoubleDouble& x) { return x.hi(); }
 /// Higher orders are below 2^-40 of these. Nothing overflows, all sizes being at most 48.
 /// Underflow of a product loses 2^-1075, and at most a factor of 48 follows it; an underflowing
 /// coordinate loses as much. kUnderflow covers both, and what the bound itself loses.
-template <class Scalar>
 struct PlaneFilter {
-  static constexpr double kUnit = Roundoff<Scalar>::kUnit;
   static constexpr double kDifference = 2 + 2 + 2;
   static constexpr double kNormal = 2 * kDifference + 4;
   static constexpr double kHeight = 2 * kNormal + 2 * kDifference + 12;
@@ -61,11 +60,10 @@ struct PlaneFilter {
   double height = 0;       ///< Of |((b - a) x (c - a)).(p - q)|, q one of a, b, c.
   double determinant = 0;  ///< Of |((b - a) x (c - a)).a|, that is of |det(a, b, c)|.
 
-  static PlaneFilter within(const Triple<double>& extent) {
+  static PlaneFilter within(const Triple<double>& extent, double unit) {
     const double sum = extent.x + extent.y + extent.z;
     const double area = extent.y * extent.z + extent.x * (extent.y + extent.z);
-    return {kHeightFactor * kUnit * area + kUnderflow,
-            kDeterminantFactor * kUnit * sum + kUnderflow};
+    return {kHeightFactor * unit * area + kUnderflow, kDeterminantFactor * unit * sum + kUnderflow};
   }
 };
 

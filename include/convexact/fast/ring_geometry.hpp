@@ -38,7 +38,9 @@ struct RingGeometry {
   }
   /// Bounds for determinants of any of these points: differences between ring points are at most
   /// twice the arms.
-  PlaneFilter<Scalar> filter() const { return PlaneFilter<Scalar>::within(extent().doubled()); }
+  PlaneFilter filter(double unit = Roundoff<Scalar>::kUnit) const {
+    return PlaneFilter::within(extent().doubled(), unit);
+  }
 };
 
 }  // namespace convexact

@@ -20,13 +20,16 @@ class RingTriangulator {
  public:
   /// @par Cost  Up to kShortRing points: at most (k - 2)(k - 3) / 2 questions, fewer than by
   ///            insertion. Above: expected O(k) questions, by insertion in random order.
+  /// @param seed  Of that order: the same ring and seed give the same triangles.
   /// @par Source  [Chew1990] for long rings.
   template <class Beyond>
-  void run(std::uint32_t k, Beyond& beyond, Random& random, std::vector<RingTriangle>& triangles) {
+  void run(std::uint32_t k, Beyond& beyond, std::uint64_t seed,
+           std::vector<RingTriangle>& triangles) {
     triangles.clear();
     if (k <= kShortRing) {
       wrap(k, beyond, triangles);
     } else {
+      Random random(seed);
       insert_all(k, beyond, random);
       as_tree(k, triangles);
     }

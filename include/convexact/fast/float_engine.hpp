@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// float_engine.hpp - the greedy simplification in plain floating point: fast, never wrong by much.
+#pragma once
+#include "convexact/fast/filtered_engine.hpp"
+
+namespace convexact {
+
+/// The removals that doubles find cheapest. No exact number is used.
+///
+/// What holds without any check of the result: the survivors are a subset of the input's
+/// halfspaces, so they contain the solid; and they are bounded, because a removal is made only if
+/// every new vertex is proven to exist (docs/design/float.md). What may differ from
+/// simplify_filtered(): the choice between costs that are equal up to rounding; and where the solid
+/// is so thin that doubles cannot tell whether a vertex exists, the run may end early with
+/// AllUnbounded.
+/// @param options  `verify` is not looked at: there is no claim to verify but the two above.
+///                 `max_growth` is compared in doubles.
+/// @throws Error   As simplify_filtered(), but never Internal.
+/// @par Source     [Jacobson2026]
+[[nodiscard]] FastResult simplify_float(const FastDual& dual, const SimplifyOptions& options = {});
+
+}  // namespace convexact
