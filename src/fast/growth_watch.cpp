@@ -26,16 +26,16 @@ CapRange<double> volume_range(const FastDual& dual) {
   for (std::size_t i = 0; i < dual.size(); ++i) {
     mesh.one_ring(HalfspaceId(i), ring);
     geometry.load(HalfspaceId(i), ring.vertices, [&](HalfspaceId v) { return dual.near(v); });
-    RangeSource<double> source(geometry);
+    RangeSource<double> source(geometry, Roundoff<double>::kUnit);
     add_cone(static_cast<std::uint32_t>(ring.vertices.size()), source, sum);
     terms += ring.vertices.size();
     certain = certain && source.is_certain();
   }
   using Kind = CapRange<double>::Kind;
-  if (!certain) return {Kind::Doubtful, 0, std::numeric_limits<double>::infinity()};
+  if (!certain) return CapRange<double>::doubtful();
   // As for a cap, with all cones in one sum.
-  const double slop = 2 * (16 + 2 * static_cast<double>(terms)) * kOperation<double>;
-  const double tiny = RangeSource<double>::kUnderflow;
+  const double slop = 2 * (16 + 2 * static_cast<double>(terms)) * Roundoff<double>::kUnit;
+  const double tiny = kVolumeUnderflow;
   return {Kind::Bounded, std::max(sum.total.lower * (1 - slop) - tiny, 0.0),
           sum.total.upper * (1 + slop) + tiny};
 }

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "convexact/fast/cap_range.hpp"
+#include "convexact/fast/cap_enclosure.hpp"
 #include "convexact/fast/exact_cap.hpp"
 #include "convexact/fast/half_edge_mesh.hpp"
 #include "convexact/fast/triangulate_ring.hpp"
@@ -61,8 +61,8 @@ class CapEvaluator {
   std::uint64_t seed_;
   RingGeometry<double> geometry_;
   RingGeometry<DoubleDouble> long_geometry_;
-  CapVolume<RangeSource<double>> volume_;
-  CapVolume<RangeSource<DoubleDouble>> long_volume_;
+  CapEnclosure<double> enclosure_;
+  CapEnclosure<DoubleDouble> long_enclosure_;
   CapVolume<ExactCapSource> exact_volume_;
 };
 
@@ -102,7 +102,7 @@ void CapEvaluator<Audit>::prepare(HalfspaceId i) {
   if (prepared_ == i) return;
   mesh_.one_ring(i, ring_);
   geometry_.load(i, ring_.vertices, [&](HalfspaceId v) { return dual_.near(v); });
-  Beyond beyond(*this, geometry_.filter().height);
+  Beyond beyond(*this, geometry_.filter(Roundoff<double>::kUnit).height);
   triangulator_.run(static_cast<std::uint32_t>(ring_.vertices.size()), beyond, seed_, triangles_);
   prepared_ = i;
 }
@@ -118,9 +118,7 @@ bool CapEvaluator<Audit>::is_bounded() const {
 
 template <class Audit>
 CapRange<double> CapEvaluator<Audit>::in_doubles() {
-  RangeSource<double> source(geometry_);
-  const auto k = static_cast<std::uint32_t>(ring_.vertices.size());
-  CapRange<double> range = source.widened(volume_.six_times(k, triangles_, source));
+  CapRange<double> range = enclosure_.run(geometry_, triangles_, Roundoff<double>::kUnit);
   using Kind = CapRange<double>::Kind;
   if (range.kind == Kind::Doubtful && !is_bounded()) range = {Kind::Unbounded, 0, 0};
   audit_.cap(*prepared_, ring_, triangles_, range);
@@ -131,10 +129,8 @@ template <class Audit>
 CapRange<DoubleDouble> CapEvaluator<Audit>::in_double_doubles() {
   long_geometry_.load(*prepared_, ring_.vertices,
                       [&](HalfspaceId v) { return dual_.long_point(v); });
-  RangeSource<DoubleDouble> source(long_geometry_);
-  const auto k = static_cast<std::uint32_t>(ring_.vertices.size());
   const CapRange<DoubleDouble> range =
-      source.widened(long_volume_.six_times(k, triangles_, source));
+      long_enclosure_.run(long_geometry_, triangles_, Roundoff<DoubleDouble>::kUnit);
   audit_.cap(*prepared_, ring_, triangles_, range);
   return range;
 }

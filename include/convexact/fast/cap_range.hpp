@@ -32,24 +32,22 @@ struct CapRange {
   };
   Kind kind;
   Scalar lower, upper;
+
+  static CapRange doubtful() {
+    return {Kind::Doubtful, Scalar(0.0), Scalar(std::numeric_limits<double>::infinity())};
+  }
 };
 
-/// The relative error of one operation; Roundoff also counts what the coordinates lack.
-template <class Scalar>
-inline constexpr double kOperation = 0;
-template <>
-inline constexpr double kOperation<double> = 0x1p-53;
-template <>
-inline constexpr double kOperation<DoubleDouble> = DoubleDouble::kUnit;
+/// No D below this enters a quotient, so that nothing overflows; and what is lost to underflow in a
+/// volume then, at 2^-1018 per operation: with at most four D below any product and sizes of at
+/// most 48, less than 2^-300 in a sum of 2^32 terms.
+inline constexpr double kSmallestDeterminant = 0x1p-150, kVolumeUnderflow = 0x1p-250;
 
 /// Determinants of a RingGeometry as ranges, for CapVolume.
 ///
 /// Rounding: below any term of the sum lie 5 factors, each of whose ends is rounded once, 3
-/// products and 4 quotients; then up to 2 k additions. So (13 + 2 k) kOperation bounds the relative
-/// error of an end, and twice (16 + 2 k) leaves room for higher orders.
-/// Underflow: with D >= kSmallest = 2^-150, at most four of them below any product, and sizes of at
-/// most 48, nothing overflows and the 2^-1018 lost per operation ends as less than 2^-300 in a sum
-/// of 2^32 terms; kUnderflow covers it.
+/// products and 4 quotients; then up to 2 k additions. So 13 + 2 k units bound the relative error
+/// of an end, and twice (16 + 2 k) leaves room for higher orders.
 template <class Scalar>
 class RangeSource {
  public:
@@ -63,10 +61,8 @@ class RangeSource {
     Number scaled_down(const Number& x) const { return total / x; }
   };
 
-  /// What is lost to underflow.
-  static constexpr double kUnderflow = 0x1p-250;
-
-  explicit RangeSource(const RingGeometry<Scalar>& ring) : ring_(ring), filter_(ring.filter()) {}
+  RangeSource(const RingGeometry<Scalar>& ring, double unit)
+      : ring_(ring), unit_(unit), filter_(ring.filter(unit)) {}
 
   Number base(std::uint32_t m) { return positive(dot(ring_.side[m], ring_.center)); }
   Number slack(std::uint32_t m) const { return lift(-dot(ring_.side[0], ring_.arm[m])); }
@@ -83,24 +79,21 @@ class RangeSource {
     return lift(-dot(normal_, ring_.point[q] - ring_.point[low_]));
   }
 
-  /// Whether every D asked for so far is proven positive.
-  bool is_certain() const { return !doubtful_; }
   /// What six_times() returned, with everything that was rounded away.
   CapRange<Scalar> widened(const Number& six_times) const {
     using Kind = typename CapRange<Scalar>::Kind;
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     if (negative_) return {Kind::Unbounded, Scalar(0.0), Scalar(0.0)};
-    if (doubtful_) return {Kind::Doubtful, Scalar(0.0), Scalar(infinity)};
+    if (doubtful_) return CapRange<Scalar>::doubtful();
     const double n = 16 + 2 * static_cast<double>(ring_.arm.size());
-    const Scalar slop(2 * n * kOperation<Scalar>), tiny(kUnderflow);
+    const Scalar slop(2 * n * unit_), tiny(kVolumeUnderflow);
     const Scalar lower = six_times.lower * (Scalar(1.0) - slop) - tiny;
     return {Kind::Bounded, leading(lower) > 0 ? lower : Scalar(0.0),
             six_times.upper * (Scalar(1.0) + slop) + tiny};
   }
+  /// Whether every D asked for so far is proven positive.
+  bool is_certain() const { return !doubtful_; }
 
  private:
-  static constexpr double kSmallest = 0x1p-150;
-
   Number lift(const Scalar& value) const {
     const Scalar lower = value - Scalar(filter_.height);
     return {leading(lower) > 0 ? lower : Scalar(0.0), value + Scalar(filter_.height)};
@@ -108,11 +101,12 @@ class RangeSource {
   Number positive(const Scalar& value) {
     const Number range{value - Scalar(filter_.determinant), value + Scalar(filter_.determinant)};
     negative_ |= leading(range.upper) < 0;
-    doubtful_ |= !(leading(range.lower) > kSmallest);
+    doubtful_ |= !(leading(range.lower) > kSmallestDeterminant);
     return range;
   }
 
   const RingGeometry<Scalar>& ring_;
+  double unit_;
   PlaneFilter filter_;
   Triple<Scalar> normal_{};
   std::uint32_t low_ = 0;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // float_loop.hpp - the greedy loop in any floating-point arithmetic, without exact numbers.
 #pragma once
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <vector>
 
 #include "convexact/error.hpp"
-#include "convexact/fast/cap_volume.hpp"
+#include "convexact/fast/cap_enclosure.hpp"
 #include "convexact/fast/filtered_engine.hpp"
 #include "convexact/fast/half_edge_mesh.hpp"
 #include "convexact/fast/lazy_queue.hpp"
@@ -18,82 +17,31 @@
 
 namespace convexact {
 
-/// Determinants as they come out, for CapVolume and add_cone.
-template <class Scalar>
-class FloatSource {
- public:
-  using Number = Scalar;
-  struct Sum {
-    Number total{0.0};
-    void add(const Number& x) { total += x; }
-    Number scaled_down(const Number& x) const { return total / x; }
-  };
-
-  FloatSource(const RingGeometry<Scalar>& ring, double existence_guard)
-      : ring_(ring), existence_guard_(existence_guard) {}
-
-  Number base(std::uint32_t m) { return existing(dot(ring_.side[m], ring_.center)); }
-  Number slack(std::uint32_t m) const { return clamped(-dot(ring_.side[0], ring_.arm[m])); }
-  Number leg(std::uint32_t m, std::uint32_t q) const {
-    return clamped(-dot(ring_.side[m], ring_.arm[q]));
-  }
-  void set_triangle(std::uint32_t low, std::uint32_t middle, std::uint32_t high) {
-    low_ = low;
-    normal_ = cross(ring_.point[middle] - ring_.point[low], ring_.point[high] - ring_.point[low]);
-  }
-  Number vertex() { return existing(dot(normal_, ring_.point[low_])); }
-  Number to_center() const { return clamped(-dot(normal_, ring_.arm[low_])); }
-  Number to(std::uint32_t q) const {
-    return clamped(-dot(normal_, ring_.point[q] - ring_.point[low_]));
-  }
-
-  /// Whether every vertex asked for exists beyond doubt.
-  bool all_exist() const { return all_exist_; }
-
- private:
-  // True heights are not negative; one that comes out so is zero up to rounding.
-  static Number clamped(const Number& x) { return leading(x) > 0 ? x : Number(0.0); }
-  Number existing(const Number& determinant) {
-    all_exist_ &= leading(determinant) > existence_guard_;  // false for NaN as well
-    return determinant;
-  }
-
-  const RingGeometry<Scalar>& ring_;
-  double existence_guard_;
-  Triple<Scalar> normal_{};
-  std::uint32_t low_ = 0;
-  bool all_exist_ = true;
-};
-
 /// Arithmetic provides
 ///   Scalar                              + - * / and, by leading(), a double of the same sign
 ///   Triple<Scalar> point(HalfspaceId)   the dual point, off by at most 2 unit() per coordinate
 ///   double unit()                       the relative error of one operation
 ///
-/// Every changed cap is evaluated at once. To put that off as FilteredLoop does takes proven lower
-/// ends: an estimate that is too high would never be looked at again.
+/// Signs of H are taken as they come out. Three guards, all relative to the size of what is
+/// computed (PlaneFilter), keep the result sound:
+/// - Existence: a halfspace is removed only if every D of its cap is beyond its error bound.
+/// - Laziness: a changed cap is looked at again when its *lower end* comes to the top, not its
+///   estimate; an ill-conditioned cap has a low one. (Without this guard an estimate that
+///   is too high would never be looked at again.)
+/// - Doubt: a cap that cannot be enclosed counts as unbounded until its ring changes.
 ///
-/// It ends: each pass removes a halfspace or stops, and RingTriangulator ends whatever the signs.
-/// The surface stays a sphere around the center: the new triangles of a removal cover, seen
-/// from the center, what the old ones covered, because all are proven to be positively oriented
-/// (D > existence guard) and have the same rim. So the center stays inside the hull of the dual
-/// points that are left, and the solid stays bounded. No ring gets shorter than three.
+/// It ends: each pass removes a halfspace, evaluates a stale cap or stops, and RingTriangulator
+/// ends whatever the signs. The surface stays a sphere around the center: the new triangles of a
+/// removal cover, seen from the center, what the old ones covered, because all are proven to be
+/// positively oriented and have the same rim. So the center stays strictly inside the hull of the
+/// dual points that are left, and the solid stays bounded. Nor does a ring get shorter than three:
+/// two triangles on the same three dual points would have opposite orientations.
 template <class Arithmetic>
 class FloatLoop {
  public:
   using Scalar = typename Arithmetic::Scalar;
 
-  FloatLoop(const FastDual& dual, const Arithmetic& arithmetic, const SimplifyOptions& options)
-      : dual_(dual),
-        arithmetic_(arithmetic),
-        options_(options),
-        mesh_(dual.size(), dual.triangles()),
-        queue_(dual.size()) {
-    if (options.faces < 4) throw Error(ErrorCode::InvalidArgument, "a solid has at least 4 faces");
-    if (options.max_growth && *options.max_growth < 0)
-      throw Error(ErrorCode::InvalidArgument, "a growth limit is not negative");
-  }
-
+  FloatLoop(const FastDual& dual, const Arithmetic& arithmetic, const SimplifyOptions& options);
   FastResult run();
 
  private:
@@ -111,54 +59,73 @@ class FloatLoop {
       return leading(dot(normal, ring.point[m] - ring.point[low])) > 0;
     }
   };
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   void prepare(HalfspaceId i);
-  double six_times_cost(HalfspaceId i);
+  double evaluate(HalfspaceId i);
   double six_times_volume();
+  std::optional<HalfspaceId> choose();
   void remove(HalfspaceId i);
 
   const FastDual& dual_;
   const Arithmetic& arithmetic_;
   const SimplifyOptions& options_;
   HalfEdgeMesh mesh_;
-  LazyQueue queue_;  // of costs; infinite where the removal may be unbounded
+  LazyQueue queue_;            // of estimates where fresh, of lower ends where stale
+  std::vector<double> lower_;  // of six times the cost, as last enclosed
+  std::vector<char> stale_;
+  std::optional<HalfspaceId> prepared_;
   OneRing ring_;
   RingGeometry<Scalar> geometry_;
   RingTriangulator triangulator_;
   std::vector<RingTriangle> triangles_;
-  CapVolume<FloatSource<Scalar>> volume_;
-  std::vector<HalfspaceId> changed_;
+  CapEnclosure<Scalar> enclosure_;
   std::uint64_t evaluations_ = 0;
 };
 
 template <class Arithmetic>
+FloatLoop<Arithmetic>::FloatLoop(const FastDual& dual, const Arithmetic& arithmetic,
+                                 const SimplifyOptions& options)
+    : dual_(dual),
+      arithmetic_(arithmetic),
+      options_(options),
+      mesh_(dual.size(), dual.triangles()),
+      queue_(dual.size()),
+      lower_(dual.size(), 0),
+      stale_(dual.size(), false) {
+  if (options.faces < 4) throw Error(ErrorCode::InvalidArgument, "a solid has at least 4 faces");
+  if (options.max_growth && *options.max_growth < 0) {
+    throw Error(ErrorCode::InvalidArgument, "a growth limit is not negative");
+  }
+}
+
+template <class Arithmetic>
 FastResult FloatLoop<Arithmetic>::run() {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   FastResult result;
-  double allowance = infinity;
+  double allowance = kInfinity;
   if (options_.max_growth) {
     allowance = to_double(*options_.max_growth, Rounding::Nearest) * six_times_volume();
   }
   std::size_t left = dual_.size();
   for (std::size_t i = 0; left > options_.faces && i < dual_.size(); ++i) {
-    queue_.append(HalfspaceId(i), six_times_cost(HalfspaceId(i)));
+    queue_.append(HalfspaceId(i), evaluate(HalfspaceId(i)));
   }
   queue_.make_heap();
   while (left > options_.faces) {
     if (options_.stop != nullptr && *options_.stop) throw Error(ErrorCode::Stopped, "interrupted");
-    const HalfspaceId choice = queue_.top();
-    const double cost = queue_.key(choice);
-    if (cost == infinity) {
+    const std::optional<HalfspaceId> choice = choose();
+    if (!choice) {
       result.stop = StopReason::AllUnbounded;
       break;
     }
+    const double cost = queue_.key(*choice);
     allowance -= cost;
     if (allowance < 0) {
       result.stop = StopReason::GrowthLimit;
       break;
     }
-    result.steps.push_back({choice, 1, cost / 6, cost / 6});
-    remove(choice);
+    result.steps.push_back({*choice, 1, cost / 6, cost / 6});
+    remove(*choice);
     --left;
     if (options_.progress) options_.progress(left);
   }
@@ -170,33 +137,52 @@ FastResult FloatLoop<Arithmetic>::run() {
 
 template <class Arithmetic>
 void FloatLoop<Arithmetic>::prepare(HalfspaceId i) {
+  if (prepared_ == i) return;
   mesh_.one_ring(i, ring_);
   geometry_.load(i, ring_.vertices, [&](HalfspaceId v) { return arithmetic_.point(v); });
   Beyond beyond{geometry_};
   triangulator_.run(static_cast<std::uint32_t>(ring_.vertices.size()), beyond, options_.seed,
                     triangles_);
+  prepared_ = i;
 }
 
-// Infinite if some vertex of the cap may not exist.
+// The estimate; infinite if some vertex of the cap does not exist, or may not.
 template <class Arithmetic>
-double FloatLoop<Arithmetic>::six_times_cost(HalfspaceId i) {
+double FloatLoop<Arithmetic>::evaluate(HalfspaceId i) {
   prepare(i);
   ++evaluations_;
-  FloatSource<Scalar> source(geometry_, geometry_.filter(arithmetic_.unit()).determinant);
-  const auto k = static_cast<std::uint32_t>(ring_.vertices.size());
-  const double cost = leading(volume_.six_times(k, triangles_, source));
-  return source.all_exist() && cost >= 0 ? cost : std::numeric_limits<double>::infinity();
+  stale_[i.index()] = false;
+  const CapRange<Scalar> range = enclosure_.run(geometry_, triangles_, arithmetic_.unit());
+  using Kind = typename CapRange<Scalar>::Kind;
+  lower_[i.index()] = range.kind == Kind::Unbounded ? kInfinity : leading(range.lower);
+  if (range.kind != Kind::Bounded) return kInfinity;
+  return (leading(range.lower) + leading(range.upper)) / 2;
+}
+
+// The cheapest estimate, once no stale lower end is below it.
+template <class Arithmetic>
+std::optional<HalfspaceId> FloatLoop<Arithmetic>::choose() {
+  for (;;) {
+    const HalfspaceId top = queue_.top();
+    if (stale_[top.index()]) {
+      queue_.update(top, evaluate(top));
+    } else if (queue_.key(top) == kInfinity) {
+      return {};
+    } else {
+      return top;
+    }
+  }
 }
 
 template <class Arithmetic>
 double FloatLoop<Arithmetic>::six_times_volume() {
-  typename FloatSource<Scalar>::Sum sum;
+  typename RangeSource<Scalar>::Sum sum;
   for (std::size_t i = 0; i < dual_.size(); ++i) {
     prepare(HalfspaceId(i));
-    FloatSource<Scalar> source(geometry_, 0);
+    RangeSource<Scalar> source(geometry_, arithmetic_.unit());
     add_cone(static_cast<std::uint32_t>(ring_.vertices.size()), source, sum);
   }
-  return leading(sum.total);
+  return (leading(sum.total.lower) + leading(sum.total.upper)) / 2;
 }
 
 template <class Arithmetic>
@@ -204,8 +190,13 @@ void FloatLoop<Arithmetic>::remove(HalfspaceId i) {
   prepare(i);
   mesh_.remove(i, ring_, triangles_);
   queue_.erase(i);
-  changed_ = ring_.vertices;
-  for (const HalfspaceId r : changed_) queue_.update(r, six_times_cost(r));
+  for (const HalfspaceId r : ring_.vertices) {
+    if (stale_[r.index()]) continue;
+    stale_[r.index()] = true;
+    // What was unbounded stays so; what was in doubt, with a lower end of 0, is looked at next.
+    queue_.update(r, lower_[r.index()]);
+  }
+  prepared_.reset();
 }
 
 }  // namespace convexact

@@ -15,6 +15,7 @@ template <class Scalar>
 struct RingGeometry {
   Triple<Scalar> center;
   std::vector<Triple<Scalar>> point, arm, side;
+  Extent extent;  ///< Of the arms.
 
   /// @param coordinates  From an id to Triple<Scalar>.
   template <class Coordinates, class Id, class Ids>
@@ -24,23 +25,18 @@ struct RingGeometry {
     point.resize(k);
     arm.resize(k);
     side.resize(k);
+    extent = Extent();
     for (std::size_t m = 0; m < k; ++m) {
       point[m] = coordinates(ring[m]);
       arm[m] = point[m] - center;
+      extent.include(arm[m]);
     }
     for (std::size_t m = 0; m + 1 < k; ++m) side[m] = cross(arm[m], arm[m + 1]);
     side[k - 1] = cross(arm[k - 1], arm[0]);
   }
-  Extent extent() const {
-    Extent extent;
-    for (const Triple<Scalar>& a : arm) extent.include(a);
-    return extent;
-  }
   /// Bounds for determinants of any of these points: differences between ring points are at most
   /// twice the arms.
-  PlaneFilter filter(double unit = Roundoff<Scalar>::kUnit) const {
-    return PlaneFilter::within(extent().doubled(), unit);
-  }
+  PlaneFilter filter(double unit) const { return PlaneFilter::within(extent.doubled(), unit); }
 };
 
 }  // namespace convexact
