@@ -32,6 +32,7 @@ struct Options {
   std::size_t faces = 0;
   std::string max_growth;
   std::string center = "chebyshev";
+  Engine engine = Engine::Filtered;
   VerifyLevel verify = VerifyLevel::Local;
   bool exact_values = false;
 };
@@ -68,6 +69,8 @@ SimplifyRequest request_of(const Options& options) {
   SimplifyRequest request;
   if (options.faces != 0) request.faces = options.faces;
   if (!options.max_growth.empty()) request.max_growth = parse_growth(options.max_growth);
+  request.engine = options.engine;
+  request.trace = !options.output.trace.empty();
   request.verify = options.verify;
   request.center = parse_center(options.center);
   request.seed = options.global.seed;
@@ -117,7 +120,8 @@ void print_summary(const std::vector<SimplifiedObject>& objects, const StageLog&
 void write(const std::vector<SimplifiedObject>& objects, const OutputOptions& options) {
   std::vector<OutputObject> outputs;
   for (const SimplifiedObject& object : objects) {
-    outputs.push_back({object.source, object.result.solid, &object.result.trace});
+    outputs.push_back({object.source, object.result.solid,
+                       object.result.trace ? &*object.result.trace : nullptr});
   }
   write_outputs(outputs, options);
 }
@@ -169,6 +173,13 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
   command.add_option("--trace", options->output.trace,
                      "every step as JSON, for a program that replays it");
   add_scene_options(command, options->scene);
+  command
+      .add_option("--engine", options->engine,
+                  "exact: rationals everywhere; filtered: the same answer, faster; float: doubles "
+                  "choose, the result is proven")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Engine>{
+          {"exact", Engine::Exact}, {"filtered", Engine::Filtered}, {"float", Engine::Float}}))
+      ->default_str("filtered");
   command
       .add_option("--verify", options->verify,
                   "what is proven again at each step: local, full, none")

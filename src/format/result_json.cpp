@@ -56,6 +56,18 @@ const char* name_of(VerifyLevel level) {
   return "full";
 }
 
+const char* name_of(Engine engine) {
+  switch (engine) {
+    case Engine::Exact:
+      return "exact";
+    case Engine::Filtered:
+      return "filtered";
+    case Engine::Float:
+      break;
+  }
+  return "float";
+}
+
 Json stored_json(const std::string& format, const Growth& growth, std::size_t violations) {
   return {{"format", format},
           {"push", growth.push},
@@ -144,11 +156,11 @@ Json stages_json(const std::vector<Stage>& stages) {
 
 Json result_json(const SimplifyResult& result) {
   Json json;
-  json["input"] = input_json(result.input_points, result.hull_vertices,
-                             result.trace.halfspaces.size(), result.redundant);
+  json["input"] = input_json(result.input_points, result.hull_vertices, result.input_halfspaces,
+                             result.redundant);
   json["output"] = {{"halfspaces", result.solid.exact.planes.size()},
-                    {"reached", result.trace.stop != StopReason::AllUnbounded},
-                    {"stop", name_of(result.trace.stop)},
+                    {"reached", result.stop != StopReason::AllUnbounded},
+                    {"stop", name_of(result.stop)},
                     {"planes", planes_json(result.solid.exact.planes)},
                     {"stored", stored_json(result.solid)}};
   // An upper bound, so that it never reads as less than 1.
@@ -156,8 +168,9 @@ Json result_json(const SimplifyResult& result) {
   json["volume"] = {{"input", measured_json(result.input_volume, kDigits)},
                     {"output", measured_json(result.output_volume, kDigits)},
                     {"ratio", ratio.high_double()}};
+  json["engine"] = name_of(result.engine);
   json["verified"] = {
-      {"level", name_of(result.verified)}, {"steps", result.trace.steps.size()}, {"violations", 0}};
+      {"level", name_of(result.verified)}, {"steps", result.steps}, {"violations", 0}};
   return json;
 }
 

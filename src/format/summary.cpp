@@ -29,9 +29,9 @@ std::string input_line(std::size_t points, std::size_t vertices, std::size_t hal
 
 std::string output_line(const SimplifyResult& result) {
   std::string text = counted(result.solid.exact.planes.size(), "halfspace", "halfspaces");
-  switch (result.trace.stop) {
+  switch (result.stop) {
     case StopReason::Reached:
-      return text + (result.trace.steps.empty() ? ": as many as the input has" : "");
+      return text + (result.steps == 0 ? ": as many as the input has" : "");
     case StopReason::GrowthLimit:
       return text + ": removing one more would exceed the growth allowed";
     case StopReason::AllUnbounded:
@@ -51,18 +51,18 @@ std::string certain(const Enclosure& bounds, int digits) {
 std::string volume_line(const SimplifyResult& result) {
   const Enclosure &before = result.input_volume.bounds, &after = result.output_volume.bounds;
   const std::string text = certain(before, kDigits) + " -> " + certain(after, kDigits);
-  if (result.trace.steps.empty()) return text + ", unchanged";
+  if (result.steps == 0) return text + ", unchanged";
   const Enclosure hundred(Integer(100), kVolumeBits);
   return text + ", +" + certain(hundred * (after - before) / before, 4) + "%";
 }
 
 std::string verified_line(const SimplifyResult& result) {
   if (result.verified == VerifyLevel::None) return "nothing, as asked";
-  return fmt::format(
-      "{} proven again, exactly ({}); {} tested against every halfspace: none outside",
-      counted(result.trace.steps.size(), "step", "steps"),
-      result.verified == VerifyLevel::Local ? "local" : "full",
-      counted(result.tested_points, "point", "points"));
+  const std::string points = counted(result.tested_points, "point", "points") +
+                             " tested exactly against every halfspace: none outside";
+  if (result.engine == Engine::Float) return points + "; the steps are those of doubles";
+  return fmt::format("{} proven again, exactly ({}); {}", counted(result.steps, "step", "steps"),
+                     result.verified == VerifyLevel::Local ? "local" : "full", points);
 }
 
 std::string push_text(const Growth& growth) {
@@ -97,9 +97,8 @@ std::string with_separators(std::size_t count) {
 }
 
 std::string summary(const SimplifyResult& result) {
-  std::string text =
-      line("input", input_line(result.input_points, result.hull_vertices,
-                               result.trace.halfspaces.size(), result.redundant.size()));
+  std::string text = line("input", input_line(result.input_points, result.hull_vertices,
+                                              result.input_halfspaces, result.redundant.size()));
   text += line("output", output_line(result));
   text += line("volume", volume_line(result));
   text += line("verified", verified_line(result));

@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <unordered_map>
 
 #include "convexact/error.hpp"
+#include "convexact/fast/filtered_engine.hpp"
+#include "convexact/fast/float_engine.hpp"
 #include "convexact/lp/chebyshev_center.hpp"
 #include "convexact/lp/interior_point.hpp"
+#include "convexact/measure/hull_volume.hpp"
 #include "convexact/measure/volume.hpp"
 #include "convexact/stored/containment.hpp"
 
@@ -25,25 +28,10 @@ void require_sensible(const SimplifyRequest& request) {
   if (request.max_growth && *request.max_growth < 0) {
     throw Error(ErrorCode::InvalidArgument, "the growth of volume cannot be negative");
   }
-}
-
-RationalPoint find_center(const Solid& solid, const SimplifyRequest& request, StageLog& log) {
-  const std::vector<Halfspace>& halfspaces = solid.dual.halfspaces;
-  if (request.center) {
-    log.skip("Chebyshev center", "the caller gave a center");
-    if (!is_strictly_inside(halfspaces, *request.center)) {
-      throw Error(ErrorCode::InvalidArgument, "the center is not strictly inside the input's hull");
-    }
-    return *request.center;
+  if (request.engine == Engine::Float && (request.trace || request.verify == VerifyLevel::Full)) {
+    throw Error(ErrorCode::InvalidArgument,
+                "the float engine keeps no record of its steps: no trace, no full verification");
   }
-  return log.run("Chebyshev center", [&] {
-    const auto outcome = chebyshev_center(halfspaces, LpOptions{.seed = request.seed});
-    const auto* center = std::get_if<ChebyshevCenter>(&outcome);
-    if (center == nullptr || !check(halfspaces, *center)) {
-      throw Error(ErrorCode::Internal, "the certificate fails: a largest ball in the hull");
-    }
-    return center->center;
-  });
 }
 
 SimplifyOptions options_of(const SimplifyRequest& request, std::size_t at_start) {
@@ -59,20 +47,94 @@ SimplifyOptions options_of(const SimplifyRequest& request, std::size_t at_start)
   return options;
 }
 
-// The last word, by the definition of containment alone. Returns how many points were tested.
-std::size_t verify_containment(const Solid& solid, const Polytope& result, VerifyLevel level,
-                               StageLog& log) {
-  if (level == VerifyLevel::None) {
-    log.skip("containment", "nothing is to be verified");
-    return 0;
+// Where a run led, whichever engine made it.
+struct Run {
+  std::size_t halfspaces, steps;
+  StopReason stop;
+  Polytope polytope;
+  std::optional<Trace> trace;
+};
+
+// What the result is measured against.
+struct Reference {
+  PointSet points;
+  std::vector<PointId> extreme;
+  std::size_t input_points;
+  std::vector<RedundantHalfspace> redundant;
+  Measured volume;
+};
+
+RationalPoint chebyshev_stage(const std::vector<Halfspace>& halfspaces, std::uint64_t seed,
+                              StageLog& log) {
+  return log.run("Chebyshev center", [&] {
+    const auto outcome = chebyshev_center(halfspaces, LpOptions{.seed = seed});
+    const auto* center = std::get_if<ChebyshevCenter>(&outcome);
+    if (center == nullptr || !check(halfspaces, *center)) {
+      throw Error(ErrorCode::Internal, "the certificate fails: a largest ball in the hull");
+    }
+    return center->center;
+  });
+}
+
+RationalPoint find_center(const Solid& solid, const SimplifyRequest& request, StageLog& log) {
+  const std::vector<Halfspace>& halfspaces = solid.dual.halfspaces;
+  if (request.center) {
+    log.skip("Chebyshev center", "the caller gave a center");
+    if (!is_strictly_inside(halfspaces, *request.center)) {
+      throw Error(ErrorCode::InvalidArgument, "the center is not strictly inside the input's hull");
+    }
+    return *request.center;
   }
-  const std::size_t outside =
-      log.run("containment", [&] { return count_outside(result.planes, solid.points); });
-  if (outside != 0) {
-    throw Error(ErrorCode::Internal,
-                fmt::format("{} input points lie outside the result", outside));
+  if (request.engine != Engine::Exact && solid.interior) {
+    log.skip("Chebyshev center", "any interior point serves this engine, and one is known");
+    return *solid.interior;
   }
-  return solid.points.size();
+  return chebyshev_stage(halfspaces, request.seed, log);
+}
+
+// The exact planes of the survivors alone, and their solid.
+Polytope polytope_of(const FastResult& result, const FastDual& dual, Engine engine) {
+  std::vector<Halfspace> halfspaces;
+  std::unordered_map<HalfspaceId, HalfspaceId> position;
+  for (const HalfspaceId id : result.survivors) {
+    position.emplace(id, HalfspaceId(halfspaces.size()));
+    halfspaces.push_back(dual.exact(id));
+  }
+  if (engine == Engine::Float) {
+    // Doubles made this topology, so it is not trusted: the solid comes from the planes alone.
+    const DualHull exact = dual_of(halfspaces, dual.center()).dual;
+    return to_polytope(exact.halfspaces, exact.triangles);
+  }
+  std::vector<DualTriangle> triangles;
+  for (const DualTriangle& t : result.triangles) {
+    triangles.push_back({position.at(t[0]), position.at(t[1]), position.at(t[2])});
+  }
+  return to_polytope(halfspaces, triangles);
+}
+
+Run run_lean(const FastDual& dual, const SimplifyRequest& request, StageLog& log) {
+  const FastResult result = log.run("simplify", [&] {
+    const SimplifyOptions options = options_of(request, dual.size());
+    return request.engine == Engine::Float ? simplify_float(dual, options)
+                                           : simplify_filtered(dual, options);
+  });
+  Polytope polytope =
+      log.run("polytope", [&] { return polytope_of(result, dual, request.engine); });
+  return {dual.size(), result.steps.size(), result.stop, std::move(polytope), std::nullopt};
+}
+
+Run run_with_record(const Solid& solid, const RationalPoint& center, const SimplifyRequest& request,
+                    StageLog& log) {
+  Simplification result = log.run("simplify", [&] {
+    const SimplifyOptions options = options_of(request, solid.dual.halfspaces.size());
+    return request.engine == Engine::Exact ? simplify_exact(solid.dual, center, options)
+                                           : simplify_filtered(solid.dual, center, options);
+  });
+  Trace& trace = result.trace;
+  Polytope polytope =
+      log.run("polytope", [&] { return to_polytope(trace.halfspaces, result.triangles); });
+  return {trace.halfspaces.size(), trace.steps.size(), trace.stop, std::move(polytope),
+          std::move(trace)};
 }
 
 Measured measure_volume(const Polytope& polytope, bool exact) {
@@ -81,32 +143,89 @@ Measured measure_volume(const Polytope& polytope, bool exact) {
   return {Enclosure(value, kVolumeBits), value};
 }
 
+// The last word, by the definition of containment alone. Returns how many points were tested.
+std::size_t verify_containment(const PointSet& points, const Polytope& result, VerifyLevel level,
+                               StageLog& log) {
+  if (level == VerifyLevel::None) {
+    log.skip("containment", "nothing is to be verified");
+    return 0;
+  }
+  const std::size_t outside =
+      log.run("containment", [&] { return count_outside(result.planes, points); });
+  if (outside != 0) {
+    throw Error(ErrorCode::Internal,
+                fmt::format("{} input points lie outside the result", outside));
+  }
+  return points.size();
+}
+
+SimplifyResult finish(Reference reference, Run run, const SimplifyRequest& request, StageLog& log) {
+  Measured output_volume =
+      log.run("volume", [&] { return measure_volume(run.polytope, request.exact_volumes); });
+  if (!request.exact_volumes) log.skip("exact volume", "nobody asked for the fraction");
+  log.skip("area and mean width", "simplify does not report them; hull does");
+  const std::size_t tested =
+      verify_containment(reference.points, run.polytope, request.verify, log);
+  StoredSolid stored =
+      store(std::move(run.polytope), reference.points, reference.extreme, request.store, log);
+  return SimplifyResult{reference.input_points,
+                        reference.extreme.size(),
+                        std::move(reference.redundant),
+                        run.halfspaces,
+                        run.steps,
+                        run.stop,
+                        std::move(run.trace),
+                        std::move(stored),
+                        std::move(reference.volume),
+                        std::move(output_volume),
+                        tested,
+                        request.engine,
+                        request.verify};
+}
+
+// Points, and nobody wants to see the steps: exact planes are formed of what is left only.
+SimplifyOutcome simplify_lean(const PointSet& points, const SimplifyRequest& request,
+                              StageLog& log) {
+  auto outcome = make_hull(points, request.seed, false, log);
+  if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
+  const auto& hull = std::get<Hull>(outcome);
+  log.skip("Chebyshev center", "any interior point serves this engine");
+  log.skip("exact planes", "formed for what is left, and where doubles cannot decide");
+  const FastDual dual = log.run("dual", [&] { return FastDual::of(hull, points); });
+  Run run = run_lean(dual, request, log);
+  Measured input_volume = log.run("volume", [&] {
+    const Rational exact = volume(hull, points);
+    return Measured{Enclosure(exact, kVolumeBits), exact};
+  });
+  if (!request.exact_volumes) input_volume.exact.reset();
+  Reference reference{points, hull.vertices, points.size(), {}, std::move(input_volume)};
+  return finish(std::move(reference), std::move(run), request, log);
+}
+
+SimplifyOutcome simplify_solid(const Shape& shape, const SimplifyRequest& request, bool record,
+                               StageLog& log) {
+  SolidOutcome outcome = make_solid(shape, request.seed, request.verify != VerifyLevel::None, log);
+  if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
+  auto& solid = std::get<Solid>(outcome);
+  const RationalPoint center = find_center(solid, request, log);
+  Run run = record ? run_with_record(solid, center, request, log)
+                   : run_lean(FastDual::of(solid.dual, center), request, log);
+  Measured input_volume =
+      log.run("volume", [&] { return measure_volume(solid.polytope, request.exact_volumes); });
+  Reference reference{std::move(solid.points), std::move(solid.extreme), solid.input_points,
+                      std::move(solid.redundant), std::move(input_volume)};
+  return finish(std::move(reference), std::move(run), request, log);
+}
+
 }  // namespace
 
 SimplifyOutcome simplify(const Shape& shape, const SimplifyRequest& request, StageLog& log) {
   require_sensible(request);
-  SolidOutcome outcome = make_solid(shape, request.seed, request.verify != VerifyLevel::None, log);
-  if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
-  const auto& solid = std::get<Solid>(outcome);
-  const RationalPoint center = find_center(solid, request, log);
-
-  Simplification simplification = log.run("simplify", [&] {
-    return simplify_exact(solid.dual, center, options_of(request, solid.dual.halfspaces.size()));
-  });
-  Trace& trace = simplification.trace;
-  Polytope polytope =
-      log.run("polytope", [&] { return to_polytope(trace.halfspaces, simplification.triangles); });
-  const auto [input_volume, output_volume] = log.run("volume", [&] {
-    return std::pair(measure_volume(solid.polytope, request.exact_volumes),
-                     measure_volume(polytope, request.exact_volumes));
-  });
-  if (!request.exact_volumes) log.skip("exact volume", "nobody asked for the fraction");
-  log.skip("area and mean width", "simplify does not report them; hull does");
-  const std::size_t tested = verify_containment(solid, polytope, request.verify, log);
-  StoredSolid stored = store(std::move(polytope), solid.points, solid.extreme, request.store, log);
-  return SimplifyResult{solid.input_points, solid.extreme.size(), solid.redundant, std::move(trace),
-                        std::move(stored),  input_volume,         output_volume,   tested,
-                        request.verify};
+  const bool record =
+      request.engine == Engine::Exact || request.trace || request.verify == VerifyLevel::Full;
+  const auto* points = std::get_if<PointSet>(&shape);
+  if (points != nullptr && !record && !request.center) return simplify_lean(*points, request, log);
+  return simplify_solid(shape, request, record, log);
 }
 
 }  // namespace convexact

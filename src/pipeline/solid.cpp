@@ -14,21 +14,9 @@ void require(bool proven, const char* claim) {
 
 SolidOutcome solid_of_points(const PointSet& points, std::uint64_t seed, bool check,
                              StageLog& log) {
-  const HullOutcome outcome =
-      log.run("hull", [&] { return convex_hull(points, HullOptions{.seed = seed}); });
-  if (const auto* flat = std::get_if<FlatInput>(&outcome)) {
-    require(check_flat(*flat, points), "every point lies on these planes");
-    return NotSolid(*flat);
-  }
+  auto outcome = make_hull(points, seed, check, log);
+  if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   const auto& hull = std::get<Hull>(outcome);
-  if (check) {
-    log.run("hull certificate",
-            [&] { require(check_hull(hull, points), "the hull is convex and holds every point"); });
-  } else {
-    log.skip("hull certificate", "nothing is to be verified");
-  }
-  log.skip("empty, flat, bounded", "the hull of points that span a volume is none of these");
-  log.skip("hull of dual points", "the input is points: the dual is read off its hull");
   Solid solid;
   solid.dual = log.run("dual", [&] { return dual_of(hull, points); });
   solid.polytope = log.run("polytope", [&] { return to_polytope(hull, points); });
@@ -82,6 +70,26 @@ SolidOutcome solid_of_halfspaces(std::span<const Halfspace> halfspaces, std::uin
 }
 
 }  // namespace
+
+std::variant<Hull, NotSolid> make_hull(const PointSet& points, std::uint64_t seed, bool check,
+                                       StageLog& log) {
+  HullOutcome outcome =
+      log.run("hull", [&] { return convex_hull(points, HullOptions{.seed = seed}); });
+  if (const auto* flat = std::get_if<FlatInput>(&outcome)) {
+    require(check_flat(*flat, points), "every point lies on these planes");
+    return NotSolid(*flat);
+  }
+  auto& hull = std::get<Hull>(outcome);
+  if (check) {
+    log.run("hull certificate",
+            [&] { require(check_hull(hull, points), "the hull is convex and holds every point"); });
+  } else {
+    log.skip("hull certificate", "not asked for: the result itself is tested against every point");
+  }
+  log.skip("empty, flat, bounded", "the hull of points that span a volume is none of these");
+  log.skip("hull of dual points", "the input is points: the dual is read off its hull");
+  return std::move(hull);
+}
 
 SolidOutcome make_solid(const Shape& shape, std::uint64_t seed, bool check, StageLog& log) {
   if (const auto* points = std::get_if<PointSet>(&shape)) {

@@ -14,10 +14,20 @@
 
 namespace convexact {
 
+enum class Engine {
+  Exact,     ///< Rationals and integers everywhere: the reference.
+  Filtered,  ///< The same answer; exact numbers only where doubles cannot decide.
+  Float,     ///< Doubles decide which halfspaces go. What is left is proven all the same.
+};
+
 /// What is wanted. At least one of `faces` and `max_growth` must be given.
 struct SimplifyRequest {
   std::optional<std::size_t> faces;    ///< Halfspaces to keep, >= 4.
   std::optional<Rational> max_growth;  ///< Volume may grow to (1 + max_growth) times; >= 0.
+  Engine engine = Engine::Filtered;
+  bool trace = false;  ///< Keep the full record of every step. Not for the float engine.
+  /// How much of each step is proven again. The float engine proves no steps, only the result; Full
+  /// makes the filtered engine keep the record that it needs.
   VerifyLevel verify = VerifyLevel::Local;
   std::optional<RationalPoint> center;  ///< Unset: the Chebyshev center. The answer is the same.
   std::uint64_t seed = 1;               ///< Of every random order. The answer is the same.
@@ -32,11 +42,15 @@ struct SimplifyResult {
   std::size_t input_points = 0;  ///< 0 where the input is halfspaces.
   std::size_t hull_vertices = 0;
   std::vector<RedundantHalfspace> redundant;  ///< Of halfspace input.
-  Trace trace;
-  StoredSolid solid;      ///< What encloses the input.
-  Measured input_volume;  ///< Of the input's hull, in cubed length units.
+  std::size_t input_halfspaces = 0;           ///< Of the hull, redundant ones not counted.
+  std::size_t steps = 0;                      ///< Halfspaces removed.
+  StopReason stop = StopReason::Reached;
+  std::optional<Trace> trace;  ///< If it was asked for, and by the exact engine.
+  StoredSolid solid;           ///< What encloses the input.
+  Measured input_volume;       ///< Of the input's hull, in cubed length units.
   Measured output_volume;
   std::size_t tested_points = 0;  ///< Points tested directly against every survivor.
+  Engine engine = Engine::Filtered;
   VerifyLevel verified = VerifyLevel::Local;
 };
 

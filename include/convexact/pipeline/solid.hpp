@@ -30,6 +30,11 @@ struct Solid {
 
 using SolidOutcome = std::variant<Solid, NotSolid>;
 
+/// The hull of points with its certificate checked if asked for, or why there is none.
+/// @throws Error Internal if a certificate fails.
+[[nodiscard]] std::variant<Hull, NotSolid> make_hull(const PointSet& points, std::uint64_t seed,
+                                                     bool check, StageLog& log);
+
 /// Runs the stages that the shape needs and notes in `log` those that it does not.
 /// @param check  Whether the certificates of the stages are checked, each a stage of its own.
 /// @throws Error Internal if a certificate fails.

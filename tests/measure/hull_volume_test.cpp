@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Volume of a hull from its points. Expected values: closed forms of boxes and simplices, and the
+// volume of the same hull as a polytope, which is computed by facets and heights instead.
+#include "convexact/measure/hull_volume.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "convexact/measure/volume.hpp"
+#include "property.hpp"
+
+using namespace convexact;
+
+namespace {
+Hull hull_of(const PointSet& points) { return std::get<Hull>(convex_hull(points)); }
+
+PointSet box(double x, double y, double z) {
+  std::vector<Point> corners;
+  for (int c = 0; c < 8; ++c) corners.push_back({c & 1 ? x : 0, c & 2 ? y : 0, c & 4 ? z : 0});
+  return PointSet(std::move(corners));
+}
+}  // namespace
+
+TEST_CASE("volume of a hull: boxes of every size") {
+  for (const double size : {1.0, 0x1p-300, 0x1p300, 0.1}) {
+    CAPTURE(size);
+    const PointSet points = box(size, 3, 0.5);
+    CHECK(volume(hull_of(points), points) == to_rational(size) * 3 / 2);
+  }
+}
+
+TEST_CASE("volume of a hull: coordinates from the least to the largest double") {
+  const double tiny = 5e-324, huge = 1e308;
+  const PointSet points = box(tiny, huge, 1);
+  CHECK(volume(hull_of(points), points) == to_rational(tiny) * to_rational(huge));
+}
+
+TEST_CASE("volume of a hull: points that are no doubles") {
+  const Rational third(1, 3);
+  const PointSet points(std::vector<RationalPoint>{
+      RationalPoint(third, third, third), RationalPoint(third + 1, third, third),
+      RationalPoint(third, third + 1, third), RationalPoint(third, third, third + third)});
+  REQUIRE_FALSE(points.is_binary());
+  CHECK(volume(hull_of(points), points) == Rational(1, 18));
+}
+
+TEST_CASE("volume of a hull: as by facets and heights") {
+  check_property("two formulas agree", [](const std::vector<std::array<std::int16_t, 3>>& raw) {
+    std::vector<Point> list;
+    for (const auto& p : raw) list.push_back({std::ldexp(p[0], -7), p[1] * 0.1, 1e-9 * p[2]});
+    const PointSet points(std::move(list));
+    const HullOutcome outcome = convex_hull(points);
+    RC_PRE(std::holds_alternative<Hull>(outcome));
+    const Hull& hull = std::get<Hull>(outcome);
+    RC_ASSERT(volume(hull, points) == volume(to_polytope(hull, points)));
+  });
+}
