@@ -6,26 +6,29 @@
 #include <vector>
 
 #include "convexact/io/read_mesh.hpp"
+#include "convexact/shapes/boxes.hpp"
+#include "convexact/shapes/prisms.hpp"
 #include "convexact/shapes/random_points.hpp"
 
 struct BenchInput {
   std::string name;
   std::vector<convexact::Point> points;
+  bool exact_too;  ///< Small enough for the exact engine.
 };
 
-/// Every point of the meshes in the directory $CONVEXACT_TEST_DATA, and of further files named in
-/// $CONVEXACT_BENCH_MESHES (separated by colons); then Fibonacci spheres.
+/// The points of the meshes in the folder $CONVEXACT_TEST_DATA and of further files named in
+/// $CONVEXACT_BENCH_MESHES (separated by colons); then spheres, a rounded box and a cylinder.
 inline std::vector<BenchInput> bench_inputs() {
   std::vector<BenchInput> inputs;
   const auto add_mesh = [&](const std::string& path) {
     const convexact::Mesh mesh = convexact::read_mesh(path);
     const auto points = mesh.points.doubles();
     const std::string file = path.substr(path.find_last_of('/') + 1);
-    inputs.push_back({file.substr(0, file.find('.')), {points.begin(), points.end()}});
+    inputs.push_back({file.substr(0, file.find('.')), {points.begin(), points.end()}, true});
   };
-  if (const char* directory = std::getenv("CONVEXACT_TEST_DATA")) {
-    for (const char* mesh : {"bunny.obj", "spot.obj"}) {
-      add_mesh(std::string(directory) + "/" + mesh);
+  if (const char* folder = std::getenv("CONVEXACT_TEST_DATA")) {
+    for (const char* mesh : {"bunny.obj", "spot.obj", "teapot.obj"}) {
+      add_mesh(std::string(folder) + "/" + mesh);
     }
   }
   if (const char* files = std::getenv("CONVEXACT_BENCH_MESHES")) {
@@ -36,7 +39,11 @@ inline std::vector<BenchInput> bench_inputs() {
       begin = end + 1;
     }
   }
-  for (const std::uint32_t n : {1'000u, 10'000u, 100'000u})
-    inputs.push_back({"sphere" + std::to_string(n), convexact::shapes::fibonacci_sphere(n)});
+  for (const std::uint32_t n : {1'000u, 10'000u, 50'000u, 100'000u, 200'000u}) {
+    inputs.push_back(
+        {"sphere" + std::to_string(n), convexact::shapes::fibonacci_sphere(n), n <= 1000});
+  }
+  inputs.push_back({"rounded_box", convexact::shapes::rounded_box({3, 2, 1}, 0.5, 16), true});
+  inputs.push_back({"cylinder1000", convexact::shapes::cylinder(1000, 3), true});
   return inputs;
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The hull against CGAL (exact predicates, inexact constructions) and Qhull, in one run. Reading and
-// converting the points is not timed; the certificate is part of ours, checking it is on its own.
+// The hull against CGAL (exact predicates, inexact constructions) and Qhull, in one run. Reading
+// and converting the points is not timed; the certificate is part of ours, checking it is on its
+// own.
 #include <benchmark/benchmark.h>
 
-#include "bench_inputs.hpp"
+#include "benches.hpp"
 #include "convexact/hull/hull.hpp"
 
 #ifdef CONVEXACT_HAVE_CGAL
@@ -76,22 +77,19 @@ void qhull(benchmark::State& state, const std::vector<Point>& points) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  const std::vector<BenchInput> inputs = bench_inputs();
-  const auto add = [](const std::string& name, auto* function, const BenchInput& input) {
-    benchmark::RegisterBenchmark((name + "/" + input.name).c_str(), function, input.points)
+void register_hull_bench(const std::vector<BenchInput>& inputs) {
+  const auto add = [](const BenchInput& input, const char* what, auto* function) {
+    benchmark::RegisterBenchmark((input.name + "/" + what).c_str(), function, input.points)
         ->Unit(benchmark::kMillisecond);
   };
   for (const BenchInput& input : inputs) {
-    add("hull", hull, input);
-    add("check", check, input);
+    add(input, "hull", hull);
+    add(input, "check", check);
 #ifdef CONVEXACT_HAVE_CGAL
-    add("cgal", cgal, input);
+    add(input, "cgal", cgal);
 #endif
 #ifdef CONVEXACT_HAVE_QHULL
-    add("qhull", qhull, input);
+    add(input, "qhull", qhull);
 #endif
   }
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
 }

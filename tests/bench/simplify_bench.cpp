@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The exact engine down to 18 halfspaces: the meshes with and without verification, and its growth
-// from 500 to 8,000 halfspaces on random spheres. The hull and its dual are not timed.
+// How the exact engine grows: random spheres of 500 to 8,000 halfspaces down to 18. The hull and
+// its dual are not timed.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
-#include "bench_inputs.hpp"
+#include "benches.hpp"
+#include "convexact/shapes/random_points.hpp"
 #include "convexact/simplify/exact_engine.hpp"
 
 using namespace convexact;
@@ -45,29 +46,13 @@ void spheres(benchmark::State& state) {
   const auto halfspaces = static_cast<std::uint32_t>(state.range(0));
   simplify(state, shapes::on_sphere(halfspaces / 2 + 2, halfspaces), VerifyLevel::Local);
 }
-BENCHMARK(spheres)
-    ->Arg(500)
-    ->Arg(1000)
-    ->Arg(2000)
-    ->Arg(4000)
-    ->Arg(8000)
-    ->Unit(benchmark::kMillisecond)
-    ->Complexity(benchmark::oNLogN);
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  const std::vector<BenchInput> inputs = bench_inputs();
-  for (const BenchInput& input : inputs) {
-    if (input.name.find("sphere") == 0) continue;
-    for (const auto& [level, name] : {std::pair(VerifyLevel::None, "/verify none"),
-                                      std::pair(VerifyLevel::Local, "/verify local")}) {
-      benchmark::RegisterBenchmark((input.name + name).c_str(), [&, level = level](auto& state) {
-        simplify(state, input.points, level);
-      })->Unit(benchmark::kMillisecond);
-    }
-  }
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
+void register_exact_growth() {
+  benchmark::RegisterBenchmark("exact_growth", spheres)
+      ->RangeMultiplier(2)
+      ->Range(500, 8000)
+      ->Unit(benchmark::kMillisecond)
+      ->Complexity(benchmark::oNLogN);
 }

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// convexact-bench: everything in one run, so that ratios mean something.
+#include <benchmark/benchmark.h>
+
+#include "benches.hpp"
+
+int main(int argc, char** argv) {
+  const std::vector<BenchInput> inputs = bench_inputs();
+  register_hull_bench(inputs);
+  register_pipeline_bench(inputs);
+  register_exact_growth();
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// benches.hpp - the groups of benchmarks that convexact-bench runs.
+#pragma once
+#include <vector>
+
+#include "bench_inputs.hpp"
+
+/// INPUT/hull, /check (its certificate), and the peers' /cgal and /qhull where they are installed.
+void register_hull_bench(const std::vector<BenchInput>& inputs);
+/// INPUT/filtered, /float, /exact: from points to 18 proven planes, by the pipeline.
+void register_pipeline_bench(const std::vector<BenchInput>& inputs);
+/// exact_growth/HALFSPACES: the exact engine alone.
+void register_exact_growth();

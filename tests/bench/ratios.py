@@ -1,0 +1,45 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Prints the ratios of one benchmark run as a table in Markdown.
+
+Usage: ratios.py build/bench.json
+Each time is the median of its repetitions, in milliseconds; a dash where a benchmark did not run.
+"""
+import json
+import sys
+
+COLUMNS = [("hull", "cgal"), ("hull", "qhull"), ("filtered", "cgal"), ("float", "cgal"), ("exact", "filtered")]
+
+
+def medians(path):
+    """{input: {what: milliseconds}} of the runs named INPUT/WHAT."""
+    with open(path, encoding="utf-8") as file:
+        runs = json.load(file)["benchmarks"]
+    repeated = any(run.get("aggregate_name") == "median" for run in runs)
+    times = {}
+    for run in runs:
+        if repeated and run.get("aggregate_name") != "median":
+            continue
+        parts = run["run_name"].split("/")
+        if len(parts) == 2 and not parts[1].isdigit():
+            times.setdefault(parts[0], {})[parts[1]] = run["real_time"]
+    return times
+
+
+def cell(times, above, below):
+    if above not in times or below not in times:
+        return "-"
+    return f"{times[above] / times[below]:.2f}"
+
+
+def main():
+    print("| input | CGAL ms | hull ms | filtered ms | float ms | " +
+          " | ".join(f"{a} / {b}" for a, b in COLUMNS) + " |")
+    print("|---|" + "---|" * (4 + len(COLUMNS)))
+    for name, times in medians(sys.argv[1]).items():
+        shown = [f"{times[what]:.2f}" if what in times else "-" for what in ("cgal", "hull", "filtered", "float")]
+        print(f"| {name} | " + " | ".join(shown + [cell(times, a, b) for a, b in COLUMNS]) + " |")
+
+
+if __name__ == "__main__":
+    main()
