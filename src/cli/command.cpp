@@ -12,6 +12,7 @@
 #include <new>
 
 #include "convexact/format/result_json.hpp"
+#include "reproducer.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -50,6 +51,20 @@ const char* name_of(ErrorCode code) {
   return "internal";
 }
 
+Reproducer& reproducer() {
+  static Reproducer kept;
+  return kept;
+}
+
+// An internal error, with the file that a report of it needs.
+Error with_reproducer(const Error& error) {
+  reproducer().failure = error.what();
+  const std::string path = write_reproducer(reproducer(), ".");
+  const std::string hint =
+      path.empty() ? "please report it with the input" : "please report it with " + path;
+  return {ErrorCode::Internal, std::string(error.what()) + "; this is a bug in convexact: " + hint};
+}
+
 // Tells an error, with further facts for --json, and returns its exit code.
 int report(const GlobalOptions& options, const Error& error,
            const nlohmann::ordered_json& proof = {}) {
@@ -86,6 +101,14 @@ void add_global_options(CLI::App& command, GlobalOptions& options) {
       ->transform(CLI::AsSizeValue(false));
 }
 
+void remember_command_line(int argc, char** argv) {
+  reproducer().command_line.assign(argv, argv + argc);
+}
+
+void remember_input(const std::string& name, const std::string& bytes) {
+  reproducer().inputs.emplace_back(name, bytes);
+}
+
 int run_guarded(const GlobalOptions& options, const std::function<int()>& work) {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
@@ -95,11 +118,12 @@ int run_guarded(const GlobalOptions& options, const std::function<int()>& work) 
     limit_memory(options.max_memory);
     return work();
   } catch (const Error& error) {
-    return report(options, error);
+    const bool is_bug = error.code() == ErrorCode::Internal;
+    return report(options, is_bug ? with_reproducer(error) : error);
   } catch (const std::bad_alloc&) {
     return report(options, Error(ErrorCode::Stopped, "out of memory"));
   } catch (const std::exception& error) {
-    return report(options, Error(ErrorCode::Internal, error.what()));
+    return report(options, with_reproducer(Error(ErrorCode::Internal, error.what())));
   }
 }
 

@@ -26,8 +26,13 @@ void add_global_options(CLI::App& command, GlobalOptions& options);
 void add_hull_command(CLI::App& program, int& exit_code);
 void add_simplify_command(CLI::App& program, int& exit_code);
 
+/// For a reproducer: the words of the command line, and each input as soon as it is read.
+void remember_command_line(int argc, char** argv);
+void remember_input(const std::string& name, const std::string& bytes);
+
 /// Runs a subcommand's work and turns each Error into its sentence on standard error (or, with
-/// --json, into {"error": {...}} on standard output) and its exit code.
+/// --json, into {"error": {...}} on standard output) and its exit code. Internal errors leave a
+/// reproducer in the current folder.
 int run_guarded(const GlobalOptions& options, const std::function<int()>& work);
 
 /// Tells that an input encloses no volume, with the proof, and returns the exit code.

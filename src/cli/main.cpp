@@ -52,6 +52,7 @@ constexpr const char* kFooter =
 
 int main(int argc, char** argv) {
   mp_set_memory_functions(allocate, reallocate, release);
+  convexact::cli::remember_command_line(argc, argv);
   CLI::App program(kDescription, "convexact");
   program.footer(kFooter);
   program.set_version_flag("--version", CONVEXACT_VERSION);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <unordered_map>
 
+#include "command.hpp"
 #include "convexact/error.hpp"
 #include "convexact/format/halfspace_list.hpp"
 #include "convexact/io/read_bytes.hpp"
@@ -71,6 +72,7 @@ std::vector<SceneObject> read_scene(const std::vector<std::string>& paths,
   std::vector<SceneObject> objects;
   for (const std::string& path : paths) {
     const std::string bytes = read_bytes(path);
+    remember_input(display_name(path), bytes);
     try {
       std::optional<HalfspaceFormat> halfspaces = halfspace_format_of_path(path);
       if (!halfspaces && !mesh_format_of_path(path)) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <unordered_map>
 
 #include "convexact/error.hpp"
@@ -94,9 +95,12 @@ RationalPoint find_center(const Solid& solid, const SimplifyRequest& request, St
 
 // The exact planes of the survivors alone, and their solid.
 Polytope polytope_of(const FastResult& result, const FastDual& dual, Engine engine) {
+  std::vector<HalfspaceId> survivors = result.survivors;  // ids of a FastDual need not be canonical
+  std::sort(survivors.begin(), survivors.end(),
+            [&](HalfspaceId a, HalfspaceId b) { return dual.precedes(a, b); });
   std::vector<Halfspace> halfspaces;
   std::unordered_map<HalfspaceId, HalfspaceId> position;
-  for (const HalfspaceId id : result.survivors) {
+  for (const HalfspaceId id : survivors) {
     position.emplace(id, HalfspaceId(halfspaces.size()));
     halfspaces.push_back(dual.exact(id));
   }

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// reproducer.hpp - what a bug report needs, kept when a verification of convexact itself fails.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace convexact::cli {
+
+/// What was run, on which bytes, and what failed.
+struct Reproducer {
+  std::vector<std::string> command_line;
+  std::string failure;
+  /// Names and bytes of the inputs that were read.
+  std::vector<std::pair<std::string, std::string>> inputs;
+};
+
+/// Writes a text file "convexact-reproducer.txt" (or "-2", "-3", ... where that exists) into
+/// `folder` and returns its path; empty if it cannot be written, since an error is being told
+/// anyway.
+std::string write_reproducer(const Reproducer& reproducer, const std::string& folder) noexcept;
+
+}  // namespace convexact::cli
