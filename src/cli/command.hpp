@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -21,6 +22,19 @@ struct GlobalOptions {
 
 /// Adds --json, --seed and --max-memory to a subcommand.
 void add_global_options(CLI::App& command, GlobalOptions& options);
+
+/// An option that takes one of a few words; the help shows them and the default.
+template <class Value>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, Value& value,
+                        const std::map<std::string, Value>& words, const std::string& meaning) {
+  std::string list;
+  for (const auto& [word, meant] : words) {
+    list += (list.empty() ? "" : "|") + word + (meant == value ? "*" : "");
+  }
+  return command.add_option(name, value, meaning + " (* is the default)")
+      ->transform(CLI::CheckedTransformer(words, CLI::ignore_case).description(""))
+      ->type_name(list);
+}
 
 /// Each adds its subcommand to the program; the subcommand's exit code goes to `exit_code`.
 void add_hull_command(CLI::App& program, int& exit_code);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "command.hpp"
 #include "convexact/error.hpp"
 #include "convexact/format/halfspace_list.hpp"
 #include "convexact/format/trace_json.hpp"
@@ -185,12 +186,9 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
   command.add_flag("--parts", options.parts, "each object (o or g line, STL solid) on its own");
-  command
-      .add_option("--decimal", options.decimal,
-                  "decimals in text: nearest (double) or exact (as spelled)")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Decimal>{{"nearest", Decimal::Nearest}, {"exact", Decimal::Exact}}))
-      ->default_str("nearest");
+  add_choice<Decimal>(command, "--decimal", options.decimal,
+                      {{"nearest", Decimal::Nearest}, {"exact", Decimal::Exact}},
+                      "decimals in text mean the nearest double, or what they spell");
 }
 
 void write_outputs(const std::vector<OutputObject>& objects, const OutputOptions& options) {

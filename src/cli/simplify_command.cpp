@@ -173,19 +173,14 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
   command.add_option("--trace", options->output.trace,
                      "every step as JSON, for a program that replays it");
   add_scene_options(command, options->scene);
-  command
-      .add_option("--engine", options->engine,
-                  "exact: rationals everywhere; filtered: the same answer, faster; float: doubles "
-                  "choose, the result is proven")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Engine>{
-          {"exact", Engine::Exact}, {"filtered", Engine::Filtered}, {"float", Engine::Float}}))
-      ->default_str("filtered");
-  command
-      .add_option("--verify", options->verify,
-                  "what is proven again at each step: local, full, none")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, VerifyLevel>{
-          {"local", VerifyLevel::Local}, {"full", VerifyLevel::Full}, {"none", VerifyLevel::None}}))
-      ->default_str("local");
+  add_choice<Engine>(
+      command, "--engine", options->engine,
+      {{"exact", Engine::Exact}, {"filtered", Engine::Filtered}, {"float", Engine::Float}},
+      "rationals everywhere; the same answer, faster; doubles choose, the result is proven");
+  add_choice<VerifyLevel>(
+      command, "--verify", options->verify,
+      {{"local", VerifyLevel::Local}, {"full", VerifyLevel::Full}, {"none", VerifyLevel::None}},
+      "what is proven again at each step");
   command
       .add_option("--center", options->center,
                   "of the polar dual: chebyshev, or X,Y,Z strictly inside; the answer does not "

@@ -19,10 +19,21 @@ std::string list(const RationalVector3& v) {
   return fmt::format("({}, {}, {})", to_string(v[0]), to_string(v[1]), to_string(v[2]));
 }
 
+// "2 x - z + 5 = 0"
 std::string list(const Halfspace& plane) {
-  return fmt::format("{} x + {} y + {} z + {} = 0", to_string(plane.normal()[0]),
-                     to_string(plane.normal()[1]), to_string(plane.normal()[2]),
-                     to_string(plane.offset()));
+  std::string sum;
+  const auto add = [&](const Integer& factor, const std::string& name) {
+    if (factor == 0) return;
+    const Integer magnitude = abs(factor);
+    sum += sum.empty() ? (factor < 0 ? "-" : "") : (factor < 0 ? " - " : " + ");
+    if (magnitude != 1 || name.empty()) sum += to_string(magnitude) + (name.empty() ? "" : " ");
+    sum += name;
+  };
+  add(plane.normal()[0], "x");
+  add(plane.normal()[1], "y");
+  add(plane.normal()[2], "z");
+  add(plane.offset(), "");
+  return sum + " = 0";
 }
 
 struct Description {
