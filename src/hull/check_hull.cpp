@@ -2,7 +2,7 @@
 // The checker of hulls, after [Mehlhorn1999]. It shares the exact points with the construction
 // and nothing else. Why these checks suffice: docs/design/hull.md.
 #include <algorithm>
-#include <unordered_map>
+#include <numeric>
 
 #include "convexact/hull/double_points.hpp"
 #include "convexact/hull/homogeneous_hull.hpp"
@@ -70,33 +70,41 @@ class HullCheck {
     return true;
   }
 
-  // Where a directed edge lies: its facet, and the corner after its end.
-  struct Place {
+  // A directed edge of a facet, and the corner after its end.
+  struct Edge {
+    PointId from, to, next;
     std::size_t facet;
-    PointId next;
   };
-  static std::uint64_t key(PointId from, PointId to) {
-    return std::uint64_t{from.value} << 32 | to.value;
+
+  // Stable, linear.
+  std::vector<Edge> sorted_by(PointId Edge::*key, const std::vector<Edge>& edges) const {
+    std::vector<std::size_t> place(points_.size() + 1, 0);
+    for (const Edge& e : edges) ++place[(e.*key).index() + 1];
+    std::partial_sum(place.begin(), place.end(), place.begin());
+    std::vector<Edge> sorted(edges.size());
+    for (const Edge& e : edges) sorted[place[(e.*key).index()]++] = e;
+    return sorted;
   }
 
   // Every directed edge is there once and once in the other direction (closed), and the facet over
-  // it falls off strictly.
+  // it falls off strictly. Sorted by (from, to) and by (to, from), an edge stands where its
+  // opposite does.
   bool ridges_are_convex() const {
-    std::unordered_map<std::uint64_t, Place> edges;
+    std::vector<Edge> edges;
     edges.reserve(hull_.facets.corner_count());
     for (std::size_t f = 0; f < hull_.facets.size(); ++f) {
       const auto c = hull_.facets[f];
-      for (std::size_t k = 0; k < c.size(); ++k) {
-        const PointId next = c[(k + 2) % c.size()];
-        if (!edges.try_emplace(key(c[k], c[(k + 1) % c.size()]), Place{f, next}).second)
-          return false;
-      }
+      for (std::size_t k = 0; k < c.size(); ++k)
+        edges.push_back({c[k], c[(k + 1) % c.size()], c[(k + 2) % c.size()], f});
     }
-    for (const auto& [edge, place] : edges) {
-      const auto over = edges.find(edge << 32 | edge >> 32);
-      if (over == edges.end()) return false;
-      const auto c = hull_.facets[place.facet];
-      if (side_of(points_, {c[0], c[1], c[2]}, over->second.next) != Sign::Negative) return false;
+    const auto over = sorted_by(&Edge::to, sorted_by(&Edge::from, edges));
+    edges = sorted_by(&Edge::from, sorted_by(&Edge::to, edges));
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const Edge& e = edges[i];
+      if (e.from != over[i].to || e.to != over[i].from) return false;
+      if (i > 0 && e.from == edges[i - 1].from && e.to == edges[i - 1].to) return false;
+      const auto c = hull_.facets[e.facet];
+      if (side_of(points_, {c[0], c[1], c[2]}, over[i].next) != Sign::Negative) return false;
     }
     return true;
   }
