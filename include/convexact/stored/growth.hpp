@@ -11,8 +11,8 @@ struct Growth {
   /// diameter of the input (the diagonal of its axis-aligned box). 0 iff they are the same set;
   /// infinity if it is beyond the largest double.
   double push = 0;
-  /// Volume of the stored solid over the exact one's, rounded up; may be below 1, because both hold
-  /// the input but not each other. Infinity if it is beyond the largest double.
+  /// Upper bound of the stored solid's volume over the exact one's, from 128 bits; may be below 1,
+  /// because both hold the input but not each other. Infinity beyond the largest double.
   double volume_ratio = 1;
 };
 
