@@ -19,19 +19,24 @@ using namespace convexact;
 namespace {
 
 // Points near a sphere: triangular facets, five or six at each vertex.
-DualHull round_solid() { return dual_of_doubles(shapes::fibonacci_sphere(24)); }
+const DualHull& round_solid() {
+  static const DualHull solid = dual_of_doubles(shapes::fibonacci_sphere(24));
+  return solid;
+}
 
-std::vector<Step> steps_of(const DualHull& solid) {
-  return simplify_exact(solid, center_of(solid), {.faces = 20}).trace.steps;
+// Its true steps down to 20 halfspaces.
+const std::vector<Step>& true_steps() {
+  static const std::vector<Step> steps =
+      simplify_exact(round_solid(), center_of(round_solid()), {.faces = 20}).trace.steps;
+  return steps;
 }
 
 // The message of the verifier on a run whose first step with a ring of at least `valence` is
 // corrupted; "" if it found nothing.
 std::string verdict(VerifyLevel level, std::size_t valence,
                     const std::function<void(Step&)>& corrupt) {
-  const DualHull solid = round_solid();
-  StepVerification verification(solid, level);
-  for (Step step : steps_of(solid)) {
+  StepVerification verification(round_solid(), level);
+  for (Step step : true_steps()) {
     const bool here = step.ring.size() >= valence;
     if (here) corrupt(step);
     try {
@@ -135,7 +140,7 @@ TEST_CASE("StepVerification: a wrong cost shows in the volume, at level full") {
 
 TEST_CASE("StepVerification: a witness that does not touch its plane") {
   DualHull solid = round_solid();
-  const std::vector<Step> steps = steps_of(solid);
+  const std::vector<Step>& steps = true_steps();
   const HalfspaceId neighbour = steps.front().ring.front();
   const Halfspace& plane = solid.halfspaces[neighbour.index()];
   for (std::uint32_t v = 0; v < solid.vertices.size(); ++v) {
@@ -154,7 +159,7 @@ TEST_CASE("StepVerification: an input point outside a survivor is found at the e
                        Error);
   // After a step it is seen at once.
   StepVerification full(solid, VerifyLevel::Full);
-  CHECK_THROWS_WITH_AS(full.check(steps_of(round_solid()).front()),
+  CHECK_THROWS_WITH_AS(full.check(true_steps().front()),
                        doctest::Contains("every survivor holds every hull vertex"), Error);
 }
 
@@ -171,7 +176,7 @@ TEST_CASE("StepVerification: a witness of an untouched halfspace is asked at the
 TEST_CASE("StepVerification: a dual that is no hull from the start") {
   // Two neighbouring triangles with the edge between them turned: a surface, but not convex.
   DualHull solid = round_solid();
-  const std::vector<Step> steps = steps_of(solid);
+  const std::vector<Step>& steps = true_steps();
   AdjacencyMatrix dual(solid.halfspaces.size());
   for (const DualTriangle& t : solid.triangles) dual.add(t);
   const auto untouched = [&](HalfspaceId i) {
