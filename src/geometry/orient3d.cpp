@@ -154,8 +154,11 @@ StagedSign adapt(const Point& a, const Point& b, const Point& c, const Point& d,
 }  // namespace
 
 StagedSign orient3d_staged(const Point& a, const Point& b, const Point& c, const Point& d) {
-  if (!(is_in_range(a) & is_in_range(b) & is_in_range(c) & is_in_range(d)))
-    return by_rationals(a, b, c, d);
+  bool in_range = is_in_range(a);  // no branch before all four are known
+  in_range &= is_in_range(b);
+  in_range &= is_in_range(c);
+  in_range &= is_in_range(d);
+  if (!in_range) return by_rationals(a, b, c, d);
   const Point x = a - d, y = b - d, z = c - d;
   const double value = determinant(x, y, z);
   const double magnitude = permanent(x, y, z);

@@ -32,7 +32,7 @@ TEST_CASE("to_decimal: others are rounded to nearest, half to even, zeros kept")
   CHECK(to_decimal(Rational(5, 2), 1) == "2");
   CHECK(to_decimal(Rational(7, 2), 1) == "4");
   CHECK(to_decimal(Rational(2, 3), 1) == "0.7");
-  CHECK_THROWS_AS(to_decimal(Rational(1), 0), Error);
+  CHECK_THROWS_AS((void)to_decimal(Rational(1), 0), Error);
 }
 
 TEST_CASE("to_decimal: read back, within half a unit of the last digit") {
