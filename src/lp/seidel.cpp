@@ -159,6 +159,8 @@ std::variant<Solution, Conflict> Solver::maximise_on(const Flat& flat, const Row
 
 // As the caller gave it; box rows are +-e_k.
 RationalVector Solver::normal(RowId id) const {
+  // Eigen would take a row of no columns by an offset from a null pointer, which is undefined.
+  if (dimension_ == 0) return RationalVector(0);
   if (id < count_) return lp_.normals.row(id).transpose();
   RationalVector axis = RationalVector::Zero(static_cast<Eigen::Index>(dimension_));
   const RowId box = id - static_cast<RowId>(count_);

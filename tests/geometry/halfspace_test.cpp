@@ -38,7 +38,7 @@ TEST_CASE("Halfspace: through three doubles, and through the same rationals") {
                  [](const std::array<std::int32_t, 9>& raw, int shift) {
                    std::array<Point, 3> p;
                    for (int k = 0; k < 9; ++k)
-                     p[k / 3][k % 3] = std::ldexp(raw[k], (k * shift) % 300);
+                     p[k / 3][k % 3] = std::ldexp(raw[k], (k * (shift % 300)) % 300);
                    const Point u = p[1] - p[0], v = p[2] - p[0];
                    RC_PRE(u.cross(v).norm() > 0);
                    const Halfspace fast = Halfspace::through(p[0], p[1], p[2]);
