@@ -49,6 +49,27 @@ Arm arm_from(const DualPlane& apex, const DualPlane& vertex) {
   return arm;
 }
 
+// n / d, not in lowest terms.
+struct Fraction {
+  Integer n, d;
+};
+
+// The sum of fractions, halves first. One long greatest common divisor at the end costs less than
+// many short ones on the way.
+Rational sum_of(std::span<const Fraction> terms) {
+  const auto add = [](const auto& self, std::span<const Fraction> part) -> Fraction {
+    if (part.size() == 1) return part.front();
+    const Fraction a = self(self, part.first(part.size() / 2));
+    const Fraction b = self(self, part.subspan(part.size() / 2));
+    Fraction sum{a.n * b.d, a.d * b.d};
+    mpz_addmul(sum.n.backend().data(), b.n.backend().data(), a.d.backend().data());
+    return sum;
+  };
+  if (terms.empty()) return 0;
+  const Fraction sum = add(add, terms);
+  return Rational(sum.n, sum.d);
+}
+
 }  // namespace
 
 Cap make_cap(std::span<const HalfspaceId> ring, std::span<const DualPlane> base,
@@ -83,7 +104,7 @@ Rational volume(const Cap& cap) {
     arms.push_back(arm_from(cap.vertices[0], vertex));
   }
   // Sides 0 and 1 and the base contain the apex; the others are the bases of pyramids over it.
-  std::vector<Rational> six_volumes;
+  std::vector<Fraction> six_volumes;
   for (std::size_t t = 2; t < cap.sides.size(); ++t) {
     const std::vector<std::uint32_t>& side = cap.sides[t];
     const Arm& first = arms[side.back()];
@@ -92,11 +113,11 @@ Rational volume(const Cap& cap) {
       const Integer determinant = first.x.dot(u.x.cross(v.x));
       CONVEXACT_ASSERT(determinant >= 0);
       if (determinant != 0) {
-        six_volumes.emplace_back(determinant, Integer(first.d * u.d * v.d));
+        six_volumes.push_back({determinant, Integer(first.d * u.d * v.d)});
       }
     }
   }
-  return balanced_sum(std::move(six_volumes)) / 6;
+  return sum_of(six_volumes) / 6;
 }
 
 }  // namespace convexact
