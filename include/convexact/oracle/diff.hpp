@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// diff.hpp - engines against each other on one shape.
+#pragma once
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "convexact/number/enclosure.hpp"
+#include "convexact/oracle/divergence.hpp"
+#include "convexact/pipeline/simplify.hpp"
+
+namespace convexact {
+
+struct DiffRequest {
+  std::size_t faces = 4;  ///< Halfspaces at which each run ends, >= 4.
+  /// At least two, all different; the first is what the others are compared with.
+  std::vector<Engine> engines = {Engine::Exact, Engine::Filtered, Engine::Float};
+  std::uint64_t seed = 1;  ///< Of every random order. The answer is the same.
+  /// Called after each removal with the engine and the number of halfspaces left and at the start.
+  std::function<void(Engine engine, std::size_t left, std::size_t at_start)> progress;
+  const std::atomic<bool>* stop = nullptr;  ///< When it becomes true: Error Stopped.
+};
+
+/// One engine against the reference.
+struct Comparison {
+  Engine reference, other;
+  std::optional<Divergence> divergence;  ///< None: the same, step by step.
+  /// No divergence, or one of the float engine that is a tie or below rounding.
+  bool explained = true;
+  /// Final volume of `other` over that of the reference; none if either is unbounded.
+  std::optional<Enclosure> volume_ratio;
+};
+
+struct DiffReport {
+  std::vector<Halfspace> halfspaces;  ///< Of the input, in canonical order; ids are positions.
+  std::vector<EngineRun> runs;        ///< In the order asked for.
+  std::vector<Comparison> comparisons;
+
+  /// Whether every difference is explained.
+  bool holds() const;
+};
+
+using DiffOutcome = std::variant<DiffReport, NotSolid>;
+
+/// Runs the engines on one dual hull, from one center, and judges where they part. Nothing is
+/// verified on the way: the comparison is the verification. The filtered engine keeps its record
+/// only if the exact one runs too.
+/// @throws Error InvalidArgument for a request that makes no sense; Stopped; Internal.
+[[nodiscard]] DiffOutcome diff_engines(const Shape& shape, const DiffRequest& request,
+                                       StageLog& log);
+
+}  // namespace convexact

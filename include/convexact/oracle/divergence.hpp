@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// divergence.hpp - where two greedy runs on the same solid part, and which of them was right.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "convexact/oracle/engine_run.hpp"
+#include "convexact/oracle/removal_cost.hpp"
+
+namespace convexact {
+
+/// What parted two runs, judged by exact costs from the definition.
+enum class DivergenceKind {
+  Tie,               ///< Equal costs; the canonical order should have decided.
+  BelowRounding,     ///< Costs so close that planes rounded to doubles cannot tell them apart.
+  WrongTopology,     ///< Costs further apart: what it acted on cannot come from the right cap.
+  WrongBoundedness,  ///< An unbounded removal, or the end although a bounded one existed.
+  WrongRecord,       ///< The same removal, but another cost, tie list or reason to end.
+};
+
+/// What one run did at the step where they part.
+struct Choice {
+  std::optional<HalfspaceId> removed;  ///< None: it ended here.
+  std::optional<Rational> cost;  ///< Exact, in cubed length units; none if unbounded or it ended.
+};
+
+struct Divergence {
+  std::size_t step;  ///< Removals in common, so also the 0-based number of the step.
+  std::size_t left;  ///< Halfspaces left before it.
+  DivergenceKind kind;
+  Choice reference, other;
+  bool reference_at_fault;  ///< Else `other` is: it chose the higher cost or, in a tie, the higher
+                            ///< id.
+  /// (higher cost - lower cost) / lower cost. None where it is infinite or a cost is missing.
+  std::optional<Rational> regret;
+  /// How large a regret rounding explains: RemovalCost::rounding of both, over the lower cost. None
+  /// as for the regret.
+  std::optional<Rational> rounding;
+};
+
+/// The first step where two runs differ; none if they made the same removals, ended for the same
+/// reason and, where both kept them, recorded the same costs and ties.
+/// @param halfspaces  Of the solid, in canonical order, none redundant; ids are positions.
+/// @param center      Strictly inside.
+/// @throws Error      InvalidArgument if the runs agree on a prefix that leaves an unbounded solid.
+/// @par Cost          Three intersections of what is left, from scratch: expected O(n log n).
+[[nodiscard]] std::optional<Divergence> find_divergence(std::span<const Halfspace> halfspaces,
+                                                        const RationalPoint& center,
+                                                        const EngineRun& reference,
+                                                        const EngineRun& other);
+
+/// Whether the engine at fault may differ like this: only the float engine may, and only where
+/// costs are equal or too close for doubles.
+[[nodiscard]] bool is_explained(const Divergence& divergence, Engine reference, Engine other);
+
+}  // namespace convexact

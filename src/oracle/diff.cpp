@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/oracle/diff.hpp"
+
+#include <algorithm>
+
+#include "convexact/error.hpp"
+#include "convexact/lp/interior_point.hpp"
+#include "convexact/measure/volume.hpp"
+#include "convexact/number/balanced_sum.hpp"
+
+namespace convexact {
+namespace {
+
+void require_sensible(const DiffRequest& request) {
+  std::vector<Engine> engines = request.engines;
+  std::sort(engines.begin(), engines.end());
+  if (engines.size() < 2 || std::unique(engines.begin(), engines.end()) != engines.end()) {
+    throw Error(ErrorCode::InvalidArgument, "name two or three different engines");
+  }
+  if (request.faces < 4) {
+    throw Error(ErrorCode::InvalidArgument, "no bounded solid has fewer than 4 faces");
+  }
+}
+
+// The mean of the solid's vertices on a short grid: as deep inside as the fast engines go when
+// they are on their own.
+RationalPoint find_center(const Solid& solid) {
+  if (solid.interior) return *solid.interior;
+  RationalPoint mean;
+  for (int k = 0; k < 3; ++k) {
+    std::vector<Rational> coordinates;
+    for (const RationalPoint& vertex : solid.dual.vertices) coordinates.push_back(vertex[k]);
+    mean[k] = balanced_sum(std::move(coordinates)) / Rational(solid.dual.vertices.size());
+  }
+  const auto center = short_dyadic_interior_point(solid.dual.halfspaces, mean);
+  if (!center) throw Error(ErrorCode::Internal, "the mean of the vertices is not inside");
+  return *center;
+}
+
+const char* stage_name(Engine engine) {
+  switch (engine) {
+    case Engine::Exact:
+      return "exact engine";
+    case Engine::Filtered:
+      return "filtered engine";
+    case Engine::Float:
+      break;
+  }
+  return "float engine";
+}
+
+std::vector<EngineRun> run_engines(const DualHull& solid, const RationalPoint& center,
+                                   const DiffRequest& request, StageLog& log) {
+  const auto& engines = request.engines;
+  const bool record = std::find(engines.begin(), engines.end(), Engine::Exact) != engines.end();
+  std::vector<EngineRun> runs;
+  for (const Engine engine : engines) {
+    SimplifyOptions options;
+    options.faces = request.faces;
+    options.seed = request.seed;
+    options.verify = VerifyLevel::None;
+    options.stop = request.stop;
+    if (request.progress) {
+      options.progress = [&, engine](std::size_t left) {
+        request.progress(engine, left, solid.halfspaces.size());
+      };
+    }
+    runs.push_back(log.run(stage_name(engine),
+                           [&] { return run_engine(engine, solid, center, options, record); }));
+  }
+  return runs;
+}
+
+std::optional<Enclosure> volume_ratio(std::span<const Halfspace> halfspaces,
+                                      const RationalPoint& center, const EngineRun& reference,
+                                      const EngineRun& other) {
+  const auto before = left_after(halfspaces, reference, reference.removed.size());
+  const auto after = left_after(halfspaces, other, other.removed.size());
+  if (before == after) return Enclosure(Rational(1), kVolumeBits);
+  const auto first = intersect(before, center), second = intersect(after, center);
+  if (!first || !second) return std::nullopt;
+  return enclose_volume(*second, kVolumeBits) / enclose_volume(*first, kVolumeBits);
+}
+
+}  // namespace
+
+bool DiffReport::holds() const {
+  return std::all_of(comparisons.begin(), comparisons.end(),
+                     [](const Comparison& comparison) { return comparison.explained; });
+}
+
+DiffOutcome diff_engines(const Shape& shape, const DiffRequest& request, StageLog& log) {
+  require_sensible(request);
+  SolidOutcome outcome = make_solid(shape, request.seed, true, log);
+  if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
+  auto& solid = std::get<Solid>(outcome);
+  log.skip("Chebyshev center", "any interior point serves, and all engines get the same");
+  const RationalPoint center = log.run("center", [&] { return find_center(solid); });
+
+  DiffReport report;
+  report.runs = run_engines(solid.dual, center, request, log);
+  report.halfspaces = std::move(solid.dual.halfspaces);
+  for (std::size_t k = 1; k < report.runs.size(); ++k) {
+    const EngineRun &reference = report.runs[0], &other = report.runs[k];
+    Comparison comparison{reference.engine, other.engine, {}, true, {}};
+    comparison.divergence = log.run("costs by definition", [&] {
+      return find_divergence(report.halfspaces, center, reference, other);
+    });
+    comparison.explained = !comparison.divergence ||
+                           is_explained(*comparison.divergence, reference.engine, other.engine);
+    comparison.volume_ratio = log.run(
+        "final volumes", [&] { return volume_ratio(report.halfspaces, center, reference, other); });
+    report.comparisons.push_back(std::move(comparison));
+  }
+  return report;
+}
+
+}  // namespace convexact

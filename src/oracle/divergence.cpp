@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/oracle/divergence.hpp"
+
+#include <algorithm>
+
+namespace convexact {
+namespace {
+
+bool same_record(const EngineRun& a, const EngineRun& b, std::size_t step) {
+  if (a.costs.empty() || b.costs.empty()) return true;  // one of them kept none
+  return a.costs[step] == b.costs[step] && a.ties[step] == b.ties[step];
+}
+
+// The first step at which the runs differ in anything, or where the shorter one ends.
+std::size_t common_steps(const EngineRun& a, const EngineRun& b) {
+  const std::size_t shorter = std::min(a.removed.size(), b.removed.size());
+  std::size_t step = 0;
+  while (step < shorter && a.removed[step] == b.removed[step] && same_record(a, b, step)) ++step;
+  return step;
+}
+
+std::optional<HalfspaceId> removal_at(const EngineRun& run, std::size_t step) {
+  if (step >= run.removed.size()) return std::nullopt;
+  return run.removed[step];
+}
+
+// Whether a step's recorded cost and ties are what the definition says, as far as `candidates` (all
+// that either run listed) go.
+bool is_true_record(const EngineRun& run, std::size_t step, const Rational& cost,
+                    const std::vector<HalfspaceId>& candidates,
+                    std::span<const Halfspace> halfspaces, const RemovalOracle& oracle) {
+  if (run.costs[step] != cost) return false;
+  const std::vector<HalfspaceId>& listed = run.ties[step];
+  return std::all_of(candidates.begin(), candidates.end(), [&](HalfspaceId id) {
+    const bool is_tied = oracle.without(halfspaces[id.index()]).cost == cost;
+    return is_tied == (std::find(listed.begin(), listed.end(), id) != listed.end());
+  });
+}
+
+// The same removal, recorded differently: the definition says by whom wrongly.
+void judge_record(Divergence& found, const EngineRun& reference, const EngineRun& other,
+                  std::span<const Halfspace> halfspaces, const RemovalOracle& oracle) {
+  found.kind = DivergenceKind::WrongRecord;
+  found.reference.cost = reference.costs[found.step];
+  found.other.cost = other.costs[found.step];
+  std::vector<HalfspaceId> candidates;  // those that only one of them listed
+  std::set_symmetric_difference(reference.ties[found.step].begin(),
+                                reference.ties[found.step].end(), other.ties[found.step].begin(),
+                                other.ties[found.step].end(), std::back_inserter(candidates));
+  const auto cost = oracle.without(halfspaces[found.reference.removed->index()]).cost;
+  found.reference_at_fault =
+      !cost || !is_true_record(reference, found.step, *cost, candidates, halfspaces, oracle);
+}
+
+// Two different bounded removals.
+void judge_costs(Divergence& found, const RemovalCost& reference, const RemovalCost& other) {
+  const Rational &a = *reference.cost, &b = *other.cost;
+  if (a == b) {
+    found.kind = DivergenceKind::Tie;
+    found.reference_at_fault = *found.other.removed < *found.reference.removed;
+    found.regret = Rational(0);
+    return;
+  }
+  found.reference_at_fault = b < a;
+  const Rational lower = std::min(a, b), gap = std::max(a, b) - lower;
+  const Rational rounding = reference.rounding + other.rounding;
+  found.kind = gap <= rounding ? DivergenceKind::BelowRounding : DivergenceKind::WrongTopology;
+  if (lower == 0) return;
+  found.regret = gap / lower;
+  found.rounding = rounding / lower;
+}
+
+}  // namespace
+
+std::optional<Divergence> find_divergence(std::span<const Halfspace> halfspaces,
+                                          const RationalPoint& center, const EngineRun& reference,
+                                          const EngineRun& other) {
+  const std::size_t step = common_steps(reference, other);
+  Divergence found{step,
+                   halfspaces.size() - step,
+                   DivergenceKind::WrongRecord,
+                   {removal_at(reference, step), {}},
+                   {removal_at(other, step), {}},
+                   false,
+                   {},
+                   {}};
+  if (!found.reference.removed && !found.other.removed) {
+    if (reference.stop == other.stop) return std::nullopt;
+    return found;
+  }
+  const RemovalOracle oracle(left_after(halfspaces, reference, step), center);
+  if (found.reference.removed == found.other.removed) {
+    judge_record(found, reference, other, halfspaces, oracle);
+    return found;
+  }
+  const auto cost_of = [&](const Choice& choice) {
+    return choice.removed ? oracle.without(halfspaces[choice.removed->index()]) : RemovalCost{};
+  };
+  const RemovalCost first = cost_of(found.reference), second = cost_of(found.other);
+  found.reference.cost = first.cost;
+  found.other.cost = second.cost;
+  if (first.cost && second.cost) {
+    judge_costs(found, first, second);
+  } else {
+    // Without a cost a run ended or removed what it must not. Both without one: whoever removed
+    // something is wrong; if both did, both are, and so the reference is no reference.
+    found.kind = DivergenceKind::WrongBoundedness;
+    found.reference_at_fault = !first.cost && (second.cost || found.reference.removed);
+  }
+  return found;
+}
+
+bool is_explained(const Divergence& divergence, Engine reference, Engine other) {
+  const Engine at_fault = divergence.reference_at_fault ? reference : other;
+  return at_fault == Engine::Float && (divergence.kind == DivergenceKind::Tie ||
+                                       divergence.kind == DivergenceKind::BelowRounding);
+}
+
+}  // namespace convexact

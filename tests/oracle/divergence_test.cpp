@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// Runs doctored by hand on a cube with cut corners: what parts them, and who is at fault. A cut of
+// depth t costs t^3 / 6, which gives every regret in closed form.
+#include "convexact/oracle/divergence.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "convexact/oracle/diff.hpp"
+#include "convexact/shapes/random_points.hpp"
+#include "cut_box.hpp"
+
+using namespace convexact;
+
+namespace {
+
+EngineRun exact_run(const DualHull& solid) {
+  return run_engine(Engine::Exact, solid, kCutBoxCenter, {}, true);
+}
+
+// A run without record.
+EngineRun plain_run(Engine engine, std::vector<HalfspaceId> removed, StopReason stop) {
+  return {engine, std::move(removed), {}, {}, stop};
+}
+
+std::optional<Divergence> compare(const DualHull& solid, const EngineRun& a, const EngineRun& b) {
+  return find_divergence(solid.halfspaces, kCutBoxCenter, a, b);
+}
+
+}  // namespace
+
+TEST_CASE("divergence: the three engines agree on a cube with different cuts") {
+  const DualHull solid = cut_box({Rational(1), Rational(1, 2), Rational(3, 2)});
+  const EngineRun exact = exact_run(solid);
+  REQUIRE(exact.removed.size() == 3);
+  CHECK(exact.stop == StopReason::AllUnbounded);
+  for (const Engine engine : {Engine::Exact, Engine::Filtered, Engine::Float}) {
+    CHECK_FALSE(compare(solid, exact, run_engine(engine, solid, kCutBoxCenter, {}, true)));
+  }
+  CHECK(left_after(solid.halfspaces, exact, 3).size() == 6);
+}
+
+TEST_CASE("divergence: two tied removals swapped are a tie, and the higher id is at fault") {
+  const DualHull solid = cut_box({Rational(1), Rational(1), Rational(3, 2)});
+  const EngineRun exact = exact_run(solid);
+  REQUIRE(exact.ties[0].size() == 2);
+  EngineRun swapped = plain_run(Engine::Float, exact.removed, exact.stop);
+  std::swap(swapped.removed[0], swapped.removed[1]);
+
+  const auto found = compare(solid, exact, swapped);
+  REQUIRE(found);
+  CHECK(found->kind == DivergenceKind::Tie);
+  CHECK(found->step == 0);
+  CHECK(found->left == 9);
+  CHECK(found->regret == Rational(0));
+  CHECK(found->reference.cost == Rational(1, 6));
+  CHECK(found->other.cost == Rational(1, 6));
+  CHECK_FALSE(found->reference_at_fault);
+  CHECK(is_explained(*found, Engine::Exact, Engine::Float));
+  CHECK_FALSE(is_explained(*found, Engine::Exact, Engine::Filtered));
+
+  const auto mirrored = compare(solid, swapped, exact);
+  REQUIRE(mirrored);
+  CHECK(mirrored->reference_at_fault);
+  CHECK(is_explained(*mirrored, Engine::Float, Engine::Exact));
+}
+
+TEST_CASE("divergence: a costlier removal is wrong topology, with its regret") {
+  const DualHull solid = cut_box({Rational(1, 2), Rational(1), Rational(3, 2)});
+  const EngineRun exact = exact_run(solid);
+  EngineRun doctored = plain_run(Engine::Float, exact.removed, exact.stop);
+  std::swap(doctored.removed[1], doctored.removed[2]);
+  const auto found = compare(solid, exact, doctored);
+  REQUIRE(found);
+  CHECK(found->kind == DivergenceKind::WrongTopology);
+  CHECK(found->step == 1);
+  CHECK(found->left == 8);
+  CHECK(found->reference.cost == Rational(1, 6));
+  CHECK(found->other.cost == Rational(27, 48));
+  CHECK(found->regret == Rational(19, 8));  // (3/2)^3 - 1
+  CHECK_FALSE(is_explained(*found, Engine::Exact, Engine::Float));
+}
+
+TEST_CASE("divergence: whether a gap is below rounding depends on its size alone") {
+  for (const long bits : {-30L, -60L}) {
+    CAPTURE(bits);
+    const Rational close = 1 + scale_by_power_of_two(Rational(1), bits);
+    const DualHull solid = cut_box({Rational(1), close});
+    const EngineRun exact = exact_run(solid);
+    REQUIRE(exact.ties[0].size() == 1);
+    EngineRun doctored = plain_run(Engine::Float, exact.removed, exact.stop);
+    std::swap(doctored.removed[0], doctored.removed[1]);
+    const auto found = compare(solid, exact, doctored);
+    REQUIRE(found);
+    CHECK(found->regret == Rational(close * close * close - 1));
+    const bool is_tiny = bits == -60;
+    CHECK(found->kind == (is_tiny ? DivergenceKind::BelowRounding : DivergenceKind::WrongTopology));
+    CHECK(is_explained(*found, Engine::Exact, Engine::Float) == is_tiny);
+    CHECK_FALSE(is_explained(*found, Engine::Exact, Engine::Filtered));
+    REQUIRE(found->rounding);
+    CHECK((*found->regret <= *found->rounding) == is_tiny);
+  }
+}
+
+TEST_CASE("divergence: an unbounded removal, or an early end, is wrong boundedness") {
+  const DualHull solid = cut_box({Rational(1), Rational(3, 2)});
+  const EngineRun exact = exact_run(solid);
+  const HalfspaceId side = id_of(solid, cube_sides()[4]);  // z <= 4: no cut bounds that
+
+  EngineRun unbounded = plain_run(Engine::Float, exact.removed, exact.stop);
+  unbounded.removed[1] = side;
+  auto found = compare(solid, exact, unbounded);
+  REQUIRE(found);
+  CHECK(found->kind == DivergenceKind::WrongBoundedness);
+  CHECK(found->step == 1);
+  CHECK_FALSE(found->other.cost.has_value());
+  CHECK_FALSE(found->regret.has_value());
+  CHECK_FALSE(found->reference_at_fault);
+  CHECK_FALSE(is_explained(*found, Engine::Exact, Engine::Float));
+
+  // One goes on, unbounded, where the reference ends.
+  EngineRun longer = plain_run(Engine::Float, exact.removed, exact.stop);
+  longer.removed.push_back(side);
+  found = compare(solid, exact, longer);
+  REQUIRE(found);
+  CHECK(found->kind == DivergenceKind::WrongBoundedness);
+  CHECK_FALSE(found->reference.removed.has_value());
+  CHECK_FALSE(found->reference_at_fault);
+
+  // One ends where the reference goes on; and the reference itself may be the one that ends.
+  const EngineRun shorter = plain_run(Engine::Float, {exact.removed[0]}, StopReason::AllUnbounded);
+  found = compare(solid, exact, shorter);
+  REQUIRE(found);
+  CHECK(found->kind == DivergenceKind::WrongBoundedness);
+  CHECK_FALSE(found->reference_at_fault);
+  CHECK(found->reference.cost == Rational(27, 48));
+  found = compare(solid, shorter, exact);
+  REQUIRE(found);
+  CHECK(found->reference_at_fault);
+}
+
+TEST_CASE("divergence: records are compared, and the definition says which one is wrong") {
+  const DualHull solid = cut_box({Rational(1), Rational(1), Rational(3, 2)});
+  const EngineRun exact = exact_run(solid);
+  EngineRun missing_tie = exact, other_cost = exact, other_stop = exact;
+  missing_tie.ties[0].pop_back();
+  other_cost.costs[2] += 1;
+  other_stop.stop = StopReason::Reached;
+
+  for (const bool swap : {false, true}) {
+    CAPTURE(swap);
+    const auto judge = [&](const EngineRun& doctored) {
+      return swap ? compare(solid, doctored, exact) : compare(solid, exact, doctored);
+    };
+    auto found = judge(missing_tie);
+    REQUIRE(found);
+    CHECK(found->kind == DivergenceKind::WrongRecord);
+    CHECK(found->step == 0);
+    CHECK(found->reference_at_fault == swap);
+    found = judge(other_cost);
+    REQUIRE(found);
+    CHECK(found->kind == DivergenceKind::WrongRecord);
+    CHECK(found->step == 2);
+    CHECK(found->reference_at_fault == swap);
+    CHECK_FALSE(is_explained(*found, Engine::Exact, Engine::Filtered));
+  }
+  const auto found = compare(solid, exact, other_stop);
+  REQUIRE(found);
+  CHECK(found->kind == DivergenceKind::WrongRecord);
+  CHECK(found->step == 3);
+}
+
+TEST_CASE("diff: engines agree on random points; a request must make sense") {
+  StageLog log;
+  const Shape shape = PointSet(shapes::in_ball(60, 3));
+  const DiffOutcome outcome = diff_engines(shape, {}, log);
+  const auto* report = std::get_if<DiffReport>(&outcome);
+  REQUIRE(report != nullptr);
+  CHECK(report->holds());
+  REQUIRE(report->runs.size() == 3);
+  REQUIRE(report->comparisons.size() == 2);
+  CHECK_FALSE(report->comparisons[0].divergence);
+  CHECK(report->comparisons[0].volume_ratio->contains(Rational(1)));
+
+  DiffRequest request;
+  request.faces = 3;
+  CHECK_THROWS(diff_engines(shape, request, log));
+  request = {};
+  request.engines = {Engine::Exact};
+  CHECK_THROWS(diff_engines(shape, request, log));
+  request.engines = {Engine::Exact, Engine::Exact};
+  CHECK_THROWS(diff_engines(shape, request, log));
+}
