@@ -7,6 +7,7 @@
 #include "convexact/error.hpp"
 #include "convexact/number/digits.hpp"
 #include "convexact/number/rounding.hpp"
+#include "words.hpp"
 
 namespace convexact {
 namespace {
@@ -32,18 +33,6 @@ Json multipliers_json(const std::vector<Multiplier>& multipliers) {
   return list;
 }
 
-const char* name_of(StopReason reason) {
-  switch (reason) {
-    case StopReason::Reached:
-      return "reached";
-    case StopReason::GrowthLimit:
-      return "growth-limit";
-    case StopReason::AllUnbounded:
-      break;
-  }
-  return "all-unbounded";
-}
-
 const char* name_of(VerifyLevel level) {
   switch (level) {
     case VerifyLevel::None:
@@ -54,18 +43,6 @@ const char* name_of(VerifyLevel level) {
       break;
   }
   return "full";
-}
-
-const char* name_of(Engine engine) {
-  switch (engine) {
-    case Engine::Exact:
-      return "exact";
-    case Engine::Filtered:
-      return "filtered";
-    case Engine::Float:
-      break;
-  }
-  return "float";
 }
 
 Json stored_json(const std::string& format, const Growth& growth, std::size_t violations) {
@@ -160,7 +137,7 @@ Json result_json(const SimplifyResult& result) {
                              result.redundant);
   json["output"] = {{"halfspaces", result.solid.exact.planes.size()},
                     {"reached", result.stop != StopReason::AllUnbounded},
-                    {"stop", name_of(result.stop)},
+                    {"stop", words::name_of(result.stop)},
                     {"planes", planes_json(result.solid.exact.planes)},
                     {"stored", stored_json(result.solid)}};
   // An upper bound, so that it never reads as less than 1.
@@ -168,7 +145,7 @@ Json result_json(const SimplifyResult& result) {
   json["volume"] = {{"input", measured_json(result.input_volume, kDigits)},
                     {"output", measured_json(result.output_volume, kDigits)},
                     {"ratio", ratio.high_double()}};
-  json["engine"] = name_of(result.engine);
+  json["engine"] = words::name_of(result.engine);
   json["verified"] = {
       {"level", name_of(result.verified)}, {"steps", result.steps}, {"violations", 0}};
   return json;

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// convexact diff: engines against each other, step by step.
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "command.hpp"
+#include "convexact/format/diff_json.hpp"
+#include "convexact/format/result_json.hpp"
+#include "convexact/format/summary.hpp"
+#include "outputs.hpp"
+#include "scene.hpp"
+
+namespace convexact::cli {
+namespace {
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  convexact diff bunny.obj --faces 18\n"
+    "  convexact diff meshes/*.obj --engines filtered,float --json\n"
+    "\n"
+    "Where two runs part, both costs are computed from scratch: the halfspaces that are left are\n"
+    "intersected with and without each plane. Exit code 0: the engines agree, or the float engine\n"
+    "chose between costs that are equal up to rounding. Exit code 1: anything else.";
+
+struct Options {
+  GlobalOptions global;
+  std::vector<std::string> inputs;
+  SceneOptions scene;
+  std::size_t faces = 4;
+  std::string engines = "exact,filtered,float";
+};
+
+std::vector<Engine> parse_engines(const std::string& text) {
+  std::vector<Engine> engines;
+  for (const std::string& word : CLI::detail::split(text, ',')) {
+    if (word == "exact") {
+      engines.push_back(Engine::Exact);
+    } else if (word == "filtered") {
+      engines.push_back(Engine::Filtered);
+    } else if (word == "float") {
+      engines.push_back(Engine::Float);
+    } else {
+      throw Error(ErrorCode::InvalidArgument,
+                  "--engines: expected names out of exact,filtered,float, found '" + word + "'");
+    }
+  }
+  return engines;
+}
+
+struct DiffedObject {
+  std::string name;
+  DiffReport report;
+  StageLog log;
+};
+
+nlohmann::ordered_json document_of(const std::vector<DiffedObject>& objects, std::size_t faces,
+                                   bool explained, const StageLog& log) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const DiffedObject& object : objects) {
+    nlohmann::ordered_json entry = {{"name", object.name}};
+    entry.update(diff_json(object.report));
+    entry["stages"] = stages_json(object.log.stages());
+    list.push_back(entry);
+  }
+  return {{"faces", faces},
+          {"explained", explained},
+          {"objects", list},
+          {"stages", stages_json(log.stages())}};
+}
+
+void print_table(const std::vector<DiffedObject>& objects, const StageLog& log) {
+  std::vector<NamedDiff> named;
+  for (const DiffedObject& object : objects) named.push_back({object.name, &object.report});
+  print(diff_table(named) + "\n" + stage_table(log.stages()));
+}
+
+int run(const Options& options) {
+  StageLog log;
+  Progress progress;
+  DiffRequest request;
+  request.faces = options.faces;
+  request.engines = parse_engines(options.engines);
+  request.seed = options.global.seed;
+  request.stop = &interrupted();
+  request.progress = [&](Engine, std::size_t left, std::size_t at_start) {
+    progress("removing halfspaces", at_start - left, at_start - options.faces);
+  };
+  const std::vector<SceneObject> scene =
+      log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
+  std::vector<DiffedObject> objects;
+  for (const SceneObject& source : scene) {
+    StageLog own;
+    DiffOutcome outcome = diff_engines(source.shape, request, own);
+    if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
+      return report_not_solid(options.global, source.name, *reason);
+    }
+    log.add(own);
+    objects.push_back({source.name, std::get<DiffReport>(std::move(outcome)), own});
+  }
+  progress.clear();
+  const bool explained = std::all_of(objects.begin(), objects.end(),
+                                     [](const DiffedObject& o) { return o.report.holds(); });
+  if (options.global.json) {
+    print(document_of(objects, options.faces, explained, log));
+  } else {
+    print_table(objects, log);
+  }
+  return explained ? 0 : 1;
+}
+
+}  // namespace
+
+void add_diff_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command = *program.add_subcommand(
+      "diff", "run engines against each other and explain the first step where they part");
+  command.footer(kFooter);
+  add_input_argument(command, options->inputs);
+  command.add_option("-k,--faces", options->faces, "how many halfspaces to keep, at least 4")
+      ->check(CLI::Range(std::size_t{4}, std::size_t{1} << 32))
+      ->capture_default_str();
+  command
+      .add_option("--engines", options->engines,
+                  "which to run; the first is the reference of the others")
+      ->capture_default_str();
+  add_scene_options(command, options->scene);
+  add_global_options(command, options->global);
+  command.callback([options, &exit_code] {
+    exit_code = run_guarded(options->global, [&] { return run(*options); });
+  });
+}
+
+}  // namespace convexact::cli

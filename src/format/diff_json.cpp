@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/format/diff_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "convexact/format/result_json.hpp"
+#include "convexact/number/digits.hpp"
+#include "words.hpp"
+
+namespace convexact {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kDigits = 17;  // as many as a double needs
+
+Json quantity_json(const std::optional<Rational>& x) {
+  if (!x) return nullptr;
+  return measured_json({Enclosure(*x, kVolumeBits), *x}, kDigits);
+}
+
+Json choice_json(const Choice& choice, const std::vector<Halfspace>& halfspaces) {
+  if (!choice.removed) return {{"removed", nullptr}};
+  const Halfspace& plane = halfspaces[choice.removed->index()];
+  return {{"removed", choice.removed->index()},
+          {"plane",
+           {to_string(plane.normal()[0]), to_string(plane.normal()[1]),
+            to_string(plane.normal()[2]), to_string(plane.offset())}},
+          {"cost", quantity_json(choice.cost)}};
+}
+
+Json divergence_json(const Comparison& comparison, const std::vector<Halfspace>& halfspaces) {
+  const Divergence& found = *comparison.divergence;
+  const auto shortened = [](const std::optional<Rational>& x) {
+    return x ? measured_json({Enclosure(*x, kVolumeBits), std::nullopt}, kDigits) : Json(nullptr);
+  };
+  return {{"step", found.step},
+          {"left", found.left},
+          {"class", words::name_of(found.kind)},
+          {"at_fault",
+           words::name_of(found.reference_at_fault ? comparison.reference : comparison.other)},
+          {"reference", choice_json(found.reference, halfspaces)},
+          {"other", choice_json(found.other, halfspaces)},
+          {"regret", shortened(found.regret)},
+          {"rounding", shortened(found.rounding)}};
+}
+
+Json comparison_json(const Comparison& comparison, const std::vector<Halfspace>& halfspaces) {
+  Json json = {{"reference", words::name_of(comparison.reference)},
+               {"other", words::name_of(comparison.other)},
+               {"same", !comparison.divergence},
+               {"explained", comparison.explained}};
+  if (comparison.divergence) json["divergence"] = divergence_json(comparison, halfspaces);
+  json["volume_ratio"] = comparison.volume_ratio
+                             ? measured_json({*comparison.volume_ratio, std::nullopt}, kDigits)
+                             : Json(nullptr);
+  return json;
+}
+
+}  // namespace
+
+Json diff_json(const DiffReport& report) {
+  Json engines = Json::array(), comparisons = Json::array();
+  for (const EngineRun& run : report.runs) {
+    engines.push_back({{"engine", words::name_of(run.engine)},
+                       {"steps", run.removed.size()},
+                       {"stop", words::name_of(run.stop)}});
+  }
+  for (const Comparison& comparison : report.comparisons) {
+    comparisons.push_back(comparison_json(comparison, report.halfspaces));
+  }
+  return {{"halfspaces", report.halfspaces.size()},
+          {"explained", report.holds()},
+          {"engines", engines},
+          {"comparisons", comparisons}};
+}
+
+}  // namespace convexact

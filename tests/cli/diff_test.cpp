@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// convexact diff: exit codes, what --json prints (docs/schema/diff.schema.json, validated by
+// valijson), and that the engines agree on what is shipped.
+#include <doctest/doctest.h>
+
+#include "json_schema.hpp"
+#include "process.hpp"
+
+using nlohmann::json;
+using support::run_program;
+using support::ScratchFolder;
+
+namespace {
+
+std::string data(const std::string& name) {
+  return std::string(std::getenv("CONVEXACT_TEST_DATA")) + "/" + name;
+}
+
+std::string complaint(const json& document) {
+  return schema_complaint(std::string(std::getenv("CONVEXACT_SCHEMAS")) + "/diff.schema.json",
+                          document);
+}
+
+// [0, 4]^3 with two opposite corners of a side cut off at depths of which the costs are
+// depth^3 / 6: 9/2 and 4/3.
+const char* const kCutCube =
+    "[[1,0,0,-4],[-1,0,0,0],[0,1,0,-4],[0,-1,0,0],[0,0,1,-4],[0,0,-1,0],"
+    "[-1,-1,-1,3],[1,1,-1,-6]]";
+
+}  // namespace
+
+TEST_CASE("diff --json: engines that agree are exit 0, as the schema says") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("cut.json", kCutCube);
+  const auto ran = run_program("diff " + input + " --json");
+  REQUIRE(ran.exit == 0);
+  const json document = json::parse(ran.out);
+  CHECK(complaint(document) == "");
+  CHECK(document["explained"] == true);
+  const json& object = document["objects"][0];
+  CHECK(object["halfspaces"] == 8);
+  CHECK(object["engines"][0] == json{{"engine", "exact"}, {"steps", 2}, {"stop", "all-unbounded"}});
+  REQUIRE(object["comparisons"].size() == 2);
+  for (const json& comparison : object["comparisons"]) {
+    CHECK(comparison["same"] == true);
+    CHECK(comparison["volume_ratio"]["decimal"] == "1");
+  }
+}
+
+TEST_CASE("diff --json: a tie that the float engine breaks otherwise is explained") {
+  // The mirror images of the shipped cow tie exactly, and doubles do not see it.
+  const auto ran = run_program("diff " + data("spot.obj") + " --faces 560 --json");
+  REQUIRE(ran.exit == 0);
+  json document = json::parse(ran.out);
+  CHECK(complaint(document) == "");
+  const json& comparisons = document["objects"][0]["comparisons"];
+  CHECK(comparisons[0]["same"] == true);
+  CHECK(comparisons[0]["other"] == "filtered");
+  REQUIRE(comparisons[1]["same"] == false);
+  const json& found = comparisons[1]["divergence"];
+  CHECK(found["class"] == "tie");
+  CHECK(found["at_fault"] == "float");
+  CHECK(found["regret"]["decimal"] == "0");
+  CHECK(found["reference"]["cost"]["exact"] == found["other"]["cost"]["exact"]);
+  CHECK(found["reference"]["removed"] < found["other"]["removed"]);
+  document["objects"][0]["comparisons"][1]["divergence"]["class"] = "bad luck";
+  CHECK(complaint(document) != "");
+}
+
+TEST_CASE("diff: several files make a table of a row per comparison") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("cut.json", kCutCube);
+  const auto ran = run_program("diff " + input + " " + input + " --engines filtered,float");
+  CHECK(ran.exit == 0);
+  std::size_t rows = 0;
+  for (std::size_t at = ran.out.find("filtered float "); at != std::string::npos;
+       at = ran.out.find("filtered float ", at + 1)) {
+    ++rows;
+  }
+  CHECK(rows == 2);
+}
+
+TEST_CASE("diff: bad input and wrong usage have the exit codes of the manual") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("cut.json", kCutCube);
+  for (const char* arguments : {"--faces 3", "--engines exact", "--engines exact,exact",
+                                "--engines exact,slow", "--engines ,"}) {
+    CAPTURE(arguments);
+    CHECK(run_program("diff " + input + " " + arguments).exit == 2);
+  }
+  CHECK(run_program("diff").exit == 2);
+  CHECK(run_program("diff --help").exit == 0);
+  CHECK(run_program("diff " + scratch.file("missing.obj")).exit == 3);
+  const auto flat = run_program("diff --json " + scratch.write("flat.obj", "v 0 0 0\nv 1 0 0\n"));
+  CHECK(flat.exit == 4);
+  CHECK(complaint(json::parse(flat.out)) == "");
+}
