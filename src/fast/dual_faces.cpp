@@ -8,59 +8,105 @@
 namespace convexact {
 namespace {
 
-void zigzag(std::span<const HalfspaceId> polygon, std::vector<DualTriangle>& triangles) {
-  std::size_t low = 0, high = polygon.size() - 1;
-  for (bool left = true; high - low >= 2; left = !left) {
-    if (left) {
-      triangles.push_back({polygon[low], polygon[low + 1], polygon[high]});
-      ++low;
-    } else {
-      triangles.push_back({polygon[low], polygon[high - 1], polygon[high]});
-      --high;
+// Half-edges of the hull's facets; those of facet f are [start[f], start[f + 1]), in its order.
+struct FacetEdges {
+  std::vector<std::uint32_t> start, tail, twin, facet;
+
+  FacetEdges(const FacetList& facets, std::size_t point_count);
+  std::uint32_t previous(std::uint32_t h) const {
+    return h == start[facet[h]] ? start[facet[h] + 1] - 1 : h - 1;
+  }
+};
+
+FacetEdges::FacetEdges(const FacetList& facets, std::size_t point_count) : start(1, 0) {
+  std::vector<std::uint32_t> head;
+  for (std::vector<std::uint32_t>* list : {&tail, &head, &facet}) {
+    list->reserve(facets.corner_count());
+  }
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const auto corners = facets[f];
+    for (const PointId corner : corners) {
+      tail.push_back(corner.value);
+      facet.push_back(static_cast<std::uint32_t>(f));
+    }
+    for (const PointId corner : corners.subspan(1)) head.push_back(corner.value);
+    head.push_back(corners[0].value);
+    start.push_back(static_cast<std::uint32_t>(tail.size()));
+  }
+  twin = match_twins(tail, head, point_count);
+}
+
+// Cuts polygons and links the pieces. Edge e of a polygon runs from its corner e to the next; it is
+// known by the half-edge `rim` of the hull that it crosses, and its opposite by that one's twin.
+class Zigzag {
+ public:
+  Zigzag(DualFaces& faces, std::size_t rim_count) : faces_(faces), at_rim_(rim_count, kNone) {}
+
+  void cut(const std::vector<HalfspaceId>& polygon, const std::vector<std::uint32_t>& rim) {
+    std::size_t low = 0, high = polygon.size() - 1;
+    std::uint32_t diagonal = kNone;  // the half-edge that the next triangle hangs on
+    for (bool left = true; high - low >= 2; left = !left) {
+      const auto h = static_cast<std::uint32_t>(3 * faces_.triangles.size());
+      const std::size_t middle = left ? low + 1 : high - 1;
+      faces_.triangles.push_back({polygon[low], polygon[middle], polygon[high]});
+      faces_.twins.insert(faces_.twins.end(), 3, kNone);
+      if (diagonal == kNone) {
+        at_rim_[rim[high]] = h + 2;
+      } else {
+        link(h + 2, diagonal);
+      }
+      const bool last = high - low == 2;
+      if (left || last) at_rim_[rim[low]] = h;
+      if (!left || last) at_rim_[rim[middle]] = h + 1;
+      diagonal = left ? h + 1 : h;
+      (left ? low : high) = middle;
     }
   }
-}
+  void link_rims(const FacetEdges& edges) {
+    for (std::uint32_t h = 0; h < at_rim_.size(); ++h) {
+      faces_.twins[at_rim_[h]] = at_rim_[edges.twin[h]];
+    }
+  }
+
+ private:
+  void link(std::uint32_t a, std::uint32_t b) {
+    faces_.twins[a] = b;
+    faces_.twins[b] = a;
+  }
+
+  DualFaces& faces_;
+  std::vector<std::uint32_t> at_rim_;  // the dual half-edge that crosses each half-edge of the hull
+};
 
 }  // namespace
 
-std::vector<DualTriangle> triangulate_dual_faces(const FacetList& facets, std::size_t point_count) {
-  // Half-edge h runs from corner tail[h] along facet[h]; those of one facet are consecutive.
-  std::vector<std::uint32_t> tail, head, previous, facet_of;
-  tail.reserve(facets.corner_count());
-  head.reserve(facets.corner_count());
-  previous.reserve(facets.corner_count());
-  facet_of.reserve(facets.corner_count());
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    const auto corners = facets[f];
-    const auto first = static_cast<std::uint32_t>(tail.size());
-    const auto count = static_cast<std::uint32_t>(corners.size());
-    for (std::uint32_t c = 0; c < count; ++c) {
-      tail.push_back(corners[c].value);
-      head.push_back(corners[c + 1 == count ? 0 : c + 1].value);
-      previous.push_back(first + (c == 0 ? count - 1 : c - 1));
-      facet_of.push_back(static_cast<std::uint32_t>(f));
-    }
-  }
+DualFaces triangulate_dual_faces(const FacetList& facets, std::size_t point_count) {
+  const FacetEdges edges(facets, point_count);
   std::vector<std::uint32_t> out(point_count, kNone);
-  for (std::uint32_t h = 0; h < tail.size(); ++h) out[tail[h]] = h;
-  const std::vector<std::uint32_t> twin = match_twins(tail, head, point_count);
+  for (std::uint32_t h = 0; h < edges.tail.size(); ++h) out[edges.tail[h]] = h;
 
-  std::vector<DualTriangle> triangles;
-  triangles.reserve(2 * facets.size() - 4);
+  DualFaces faces;
+  faces.triangles.reserve(2 * facets.size() - 4);
+  faces.twins.reserve(3 * (2 * facets.size() - 4));
+  Zigzag zigzag(faces, edges.tail.size());
   std::vector<HalfspaceId> polygon;
-  for (std::size_t v = 0; v < point_count; ++v) {
-    if (out[v] == kNone) continue;
+  std::vector<std::uint32_t> rim;
+  for (const std::uint32_t first : out) {
+    if (first == kNone) continue;
     // The facet to the left of v -> w, then the one across its edge into v: counter-clockwise.
     polygon.clear();
-    std::uint32_t h = out[v];
+    rim.clear();
+    std::uint32_t h = first;
     do {
-      polygon.push_back(HalfspaceId(facet_of[h]));
-      h = twin[previous[h]];
-    } while (h != out[v]);
-    zigzag(polygon, triangles);
+      polygon.push_back(HalfspaceId(edges.facet[h]));
+      rim.push_back(edges.previous(h));
+      h = edges.twin[rim.back()];
+    } while (h != first);
+    zigzag.cut(polygon, rim);
   }
-  CONVEXACT_ASSERT(triangles.size() == 2 * facets.size() - 4);
-  return triangles;
+  CONVEXACT_ASSERT(faces.triangles.size() == 2 * facets.size() - 4);
+  zigzag.link_rims(edges);
+  return faces;
 }
 
 }  // namespace convexact

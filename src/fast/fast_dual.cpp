@@ -23,8 +23,8 @@ struct FastDual::Planes {
   const PointSet* points = nullptr;
   std::vector<std::unique_ptr<const Halfspace>> formed;
 
-  std::array<PointId, 3> corners(std::size_t facet) const {
-    const auto all = hull->facets[facet];
+  std::array<PointId, 3> corners(std::size_t i) const {
+    const auto all = hull->facets[i];
     return {all[0], all[all.size() / 3], all[2 * all.size() / 3]};
   }
   const Halfspace& operator[](std::size_t i) {
@@ -64,6 +64,16 @@ int exponent_of(double x) {
   return exponent;
 }
 
+// 2^exponent in two halves, as it may not be a double itself. A product with it is exact where the
+// result is a normal number, because everything between x and the result is in range as well.
+struct PowerOfTwo {
+  double first, second;
+
+  explicit PowerOfTwo(int exponent)
+      : first(std::ldexp(1.0, exponent / 2)), second(std::ldexp(1.0, exponent - exponent / 2)) {}
+  double times(double x) const { return x * first * second; }
+};
+
 DoubleDouble to_long(const Rational& x) {
   const double hi = to_double(x, Rounding::Nearest);
   return {hi, to_double(Rational(x - to_rational(hi)), Rounding::Nearest)};
@@ -94,7 +104,7 @@ class FastDualBuilder {
   void merge_flat_edges();
 
  private:
-  bool add_from_corners(std::size_t facet);
+  bool add_from_corners(std::size_t i);
   bool add_from_plane(std::size_t i);
   bool is_finite() const;
 
@@ -113,12 +123,13 @@ void FastDualBuilder::scale(const Hull& hull, const PointSet& points) {
   for (int k = 0; k < 3; ++k) exponent_[k] = exponent_of(high[k] / 2 - low[k] / 2) + 1;
   if (!points.is_binary()) return;
   scaled_.resize(points.size());
+  const std::array<PowerOfTwo, 3> factor{PowerOfTwo(-exponent_[0]), PowerOfTwo(-exponent_[1]),
+                                         PowerOfTwo(-exponent_[2])};
   for (const PointId v : hull.vertices) {
     for (int k = 0; k < 3; ++k) {
-      const double x = points.doubles()[v.index()][k], y = std::ldexp(x, -exponent_[k]);
-      // Also refused: so far from the origin, or so close, that products would leave the range.
-      const bool fits = std::ldexp(y, exponent_[k]) == x && std::abs(y) < 0x1p200 &&
-                        (x == 0 || std::abs(y) > 0x1p-200);
+      const double x = points.doubles()[v.index()][k], y = factor[k].times(x);
+      // Refused: so far from the origin, or so close, that products would leave the range.
+      const bool fits = x == 0 || (std::abs(y) < 0x1p200 && std::abs(y) > 0x1p-200);
       if (!fits) {
         scaled_.clear();
         return;
@@ -144,7 +155,7 @@ void FastDualBuilder::choose_center(const Hull& hull) {
   }
 }
 
-bool FastDualBuilder::add_from_corners(std::size_t facet) {
+bool FastDualBuilder::add_from_corners(std::size_t i) {
   // With v = 2^-102, the unit of DoubleDouble: differences of doubles are exact, so a component of
   // n is off by v (|f.y g.z| + |f.z g.y|) from the products and v times its size: 2v m, m that sum.
   // The distance a - c is off by v relative. Each product n.k (a - c).k, its factors included, is
@@ -152,7 +163,7 @@ bool FastDualBuilder::add_from_corners(std::size_t facet) {
   // m.k |a - c|.k. A quotient adds v, so with relative errors of 2^-88 of both: less than 2^-86.
   constexpr double v = DoubleDouble::kUnit;
   static_assert(0x1p-88 + 0x1p-88 + 2 * v < FastDual::kLongError);
-  const auto [ia, ib, ic] = dual_.planes_->corners(facet);
+  const auto [ia, ib, ic] = dual_.planes_->corners(i);
   const Point &a = scaled_[ia.index()], &b = scaled_[ib.index()], &c = scaled_[ic.index()];
   const auto difference = [](const Point& p, const Point& q) {
     return Long{DoubleDouble::difference(p[0], q[0]), DoubleDouble::difference(p[1], q[1]),
@@ -175,11 +186,11 @@ bool FastDualBuilder::add_from_corners(std::size_t facet) {
   if (w.hi() > 0 && is_certain(w, 8 * v * total) && is_certain(n.x, 3 * v * m.x) &&
       is_certain(n.y, 3 * v * m.y) && is_certain(n.z, 3 * v * m.z)) {
     const Long p{n.x / w, n.y / w, n.z / w};
-    dual_.near_[facet] = {p.x.hi(), p.y.hi(), p.z.hi()};
-    dual_.rest_[facet] = {p.x.lo(), p.y.lo(), p.z.lo()};
+    dual_.near_[i] = {p.x.hi(), p.y.hi(), p.z.hi()};
+    dual_.rest_[i] = {p.x.lo(), p.y.lo(), p.z.lo()};
     return true;
   }
-  return add_from_plane(facet);
+  return add_from_plane(i);
 }
 
 bool FastDualBuilder::add_from_plane(std::size_t i) {
@@ -234,8 +245,9 @@ void FastDualBuilder::normalise() {
     double largest = 0;
     for (Triple<double>& p : dual_.near_) largest = std::max(largest, std::abs(axis(p, k)));
     const int down = exponent_of(largest);
+    const PowerOfTwo factor(-down);
     for (std::vector<Triple<double>>* part : {&dual_.near_, &dual_.rest_}) {
-      for (Triple<double>& p : *part) axis(p, k) = std::ldexp(axis(p, k), -down);
+      for (Triple<double>& p : *part) axis(p, k) = factor.times(axis(p, k));
     }
     dual_.volume_exponent_ += exponent_[k] - down;
   }
@@ -245,6 +257,8 @@ void FastDualBuilder::merge_flat_edges() {
   dual_.incident_start_.assign(dual_.size() + 1, 0);  // nothing is known to be incident yet
   const DualSigns signs(dual_);
   const HalfEdgeMesh mesh(dual_.size(), dual_.triangles_);
+  dual_.twins_.resize(3 * dual_.triangles_.size());
+  for (std::uint32_t h = 0; h < dual_.twins_.size(); ++h) dual_.twins_[h] = mesh.twin(h);
   // Union-find over triangles: those in one plane are one vertex of the solid.
   std::vector<std::uint32_t> parent(dual_.triangles_.size());
   std::iota(parent.begin(), parent.end(), 0u);
@@ -280,7 +294,11 @@ FastDual FastDual::of(const Hull& hull, const PointSet& points) {
   dual.planes_->formed.resize(hull.facets.size());
   dual.near_.resize(hull.facets.size());
   dual.rest_.resize(hull.facets.size());
-  dual.triangles_ = triangulate_dual_faces(hull.facets, points.size());
+  DualFaces faces = triangulate_dual_faces(hull.facets, points.size());
+  dual.triangles_ = std::move(faces.triangles);
+  dual.twins_ = std::move(faces.twins);
+  dual.incident_.reserve(hull.facets.corner_count());
+  dual.incident_start_.reserve(hull.facets.size() + 1);
   dual.incident_start_.push_back(0);
   for (std::size_t f = 0; f < hull.facets.size(); ++f) {
     for (const PointId corner : hull.facets[f]) dual.incident_.push_back(corner.value);

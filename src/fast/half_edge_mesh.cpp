@@ -34,19 +34,36 @@ std::vector<std::uint32_t> match_twins(std::span<const std::uint32_t> tail,
   return twin;
 }
 
-HalfEdgeMesh::HalfEdgeMesh(std::size_t vertex_count, std::span<const DualTriangle> triangles)
-    : out_(vertex_count, kNone) {
-  tail_.reserve(3 * triangles.size());
-  std::vector<std::uint32_t> head;
-  head.reserve(3 * triangles.size());
+namespace {
+
+std::vector<std::uint32_t> match_twins_of(std::span<const DualTriangle> triangles,
+                                          std::size_t vertex_count) {
+  std::vector<std::uint32_t> tail, head;
   for (const DualTriangle& t : triangles) {
-    for (int k = 0; k < 3; ++k) {
-      tail_.push_back(t[k].value);
-      head.push_back(t[(k + 1) % 3].value);
+    for (int c = 0; c < 3; ++c) {
+      tail.push_back(t[c].value);
+      head.push_back(t[(c + 1) % 3].value);
     }
   }
-  for (std::uint32_t h = 0; h < tail_.size(); ++h) out_[tail_[h]] = h;
-  twin_ = match_twins(tail_, head, vertex_count);
+  return match_twins(tail, head, vertex_count);
+}
+
+}  // namespace
+
+HalfEdgeMesh::HalfEdgeMesh(std::size_t vertex_count, std::span<const DualTriangle> triangles)
+    : HalfEdgeMesh(vertex_count, triangles, match_twins_of(triangles, vertex_count)) {}
+
+HalfEdgeMesh::HalfEdgeMesh(std::size_t vertex_count, std::span<const DualTriangle> triangles,
+                           std::span<const std::uint32_t> twins)
+    : out_(vertex_count, kNone) {
+  edges_.reserve(3 * triangles.size());
+  for (const DualTriangle& t : triangles) {
+    for (const HalfspaceId corner : t) {
+      const auto h = static_cast<std::uint32_t>(edges_.size());
+      edges_.push_back({corner.value, twins[h]});
+      out_[corner.index()] = h;
+    }
+  }
 }
 
 void HalfEdgeMesh::one_ring(HalfspaceId v, OneRing& ring) const {
@@ -56,9 +73,9 @@ void HalfEdgeMesh::one_ring(HalfspaceId v, OneRing& ring) const {
   std::uint32_t spoke = first;
   do {
     const std::uint32_t rim = next(spoke);
-    ring.vertices.push_back(HalfspaceId(tail_[rim]));
-    ring.outer.push_back(twin_[rim]);
-    spoke = twin_[previous(spoke)];
+    ring.vertices.push_back(HalfspaceId(edges_[rim].tail));
+    ring.outer.push_back(edges_[rim].twin);
+    spoke = edges_[previous(spoke)].twin;
   } while (spoke != first);
 }
 
@@ -67,9 +84,9 @@ void HalfEdgeMesh::remove(HalfspaceId v, const OneRing& ring,
   const std::size_t k = ring.vertices.size();
   CONVEXACT_ASSERT(triangles.size() == k - 2);
   slots_.clear();
-  for (const std::uint32_t outer : ring.outer) slots_.push_back(twin_[outer] / 3);
+  for (const std::uint32_t outer : ring.outer) slots_.push_back(edges_[outer].twin / 3);
   for (const std::uint32_t slot : {slots_[k - 2], slots_[k - 1]}) {
-    for (std::uint32_t h = 3 * slot; h < 3 * slot + 3; ++h) tail_[h] = kNone;
+    for (std::uint32_t h = 3 * slot; h < 3 * slot + 3; ++h) edges_[h].tail = kNone;
   }
   out_[v.index()] = kNone;
 
@@ -80,9 +97,9 @@ void HalfEdgeMesh::remove(HalfspaceId v, const OneRing& ring,
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const RingTriangle& triangle = triangles[t];
     const std::uint32_t h = 3 * slots_[t];
-    tail_[h] = ring.vertices[triangle.low].value;
-    tail_[h + 1] = ring.vertices[triangle.middle].value;
-    tail_[h + 2] = ring.vertices[triangle.high].value;
+    edges_[h].tail = ring.vertices[triangle.low].value;
+    edges_[h + 1].tail = ring.vertices[triangle.middle].value;
+    edges_[h + 2].tail = ring.vertices[triangle.high].value;
     if (triangle.middle == triangle.low + 1) link_rim(h, triangle.low);
     if (triangle.high == triangle.middle + 1) link_rim(h + 1, triangle.middle);
     if (triangle.parent == kNone) {
@@ -96,9 +113,10 @@ void HalfEdgeMesh::remove(HalfspaceId v, const OneRing& ring,
 
 std::vector<DualTriangle> HalfEdgeMesh::triangles() const {
   std::vector<DualTriangle> list;
-  for (std::size_t h = 0; h < tail_.size(); h += 3) {
-    if (tail_[h] == kNone) continue;
-    list.push_back({HalfspaceId(tail_[h]), HalfspaceId(tail_[h + 1]), HalfspaceId(tail_[h + 2])});
+  for (std::size_t h = 0; h < edges_.size(); h += 3) {
+    if (edges_[h].tail == kNone) continue;
+    list.push_back({HalfspaceId(edges_[h].tail), HalfspaceId(edges_[h + 1].tail),
+                    HalfspaceId(edges_[h + 2].tail)});
   }
   return list;
 }

@@ -23,6 +23,7 @@ void StepCheck::check(const ClaimedStep& step) {
     position_[step.ring[m].index()] = m;
   }
   check_disk(step);
+  measure(step);
   check_triangles(step);
   check_rim(step);
   for (const HalfspaceId r : step.ring) position_[r.index()] = kNotInRing;
@@ -61,16 +62,38 @@ void StepCheck::check_disk(const ClaimedStep& step) {
   }
 }
 
+// One error bound for all determinants of the step, from the largest differences to its center.
+void StepCheck::measure(const ClaimedStep& step) {
+  Extent extent;
+  for (const HalfspaceId r : step.ring) extent.include(dual_.near(r) - dual_.near(step.removed));
+  for (const HalfspaceId r : step.across) extent.include(dual_.near(r) - dual_.near(step.removed));
+  filter_ = PlaneFilter::within(extent.doubled(), Roundoff<double>::kUnit);
+}
+
+// `height` is H in doubles; where it is within its error, exact numbers decide.
+bool StepCheck::is_beyond(const DualTriangle& t, HalfspaceId p, double height) const {
+  const Verdict sure = verdict(height, filter_.height);
+  if (sure != Verdict::Unknown) return sure == Verdict::Positive;
+  return signs_.height_beyond_doubles(t[0], t[1], t[2], p) == Sign::Positive;
+}
+
 // Each new triangle is a vertex of the cap: it exists, it lies on or beyond the removed plane, and
 // inside all planes of the ring. The last also says that every inner edge is convex.
 void StepCheck::check_triangles(const ClaimedStep& step) const {
-  for (const auto& [a, b, c] : step.triangles) {
-    require(signs_.determinant(a, b, c) == Sign::Positive, "every new triangle has a vertex");
-    require(signs_.height(a, b, c, step.removed) != Sign::Negative,
-            "new vertices lie on or beyond the removed plane");
+  for (const DualTriangle& t : step.triangles) {
+    const Triple<double>& a = dual_.near(t[0]);
+    const Triple<double> normal = cross(dual_.near(t[1]) - a, dual_.near(t[2]) - a);
+    require(verdict(dot(normal, a), filter_.determinant) == Verdict::Positive ||
+                signs_.determinant_beyond_doubles(t[0], t[1], t[2]) == Sign::Positive,
+            "every new triangle has a vertex");
+    // On or beyond the removed plane: seen from the other side, not strictly inside it.
+    const double height = dot(normal, dual_.near(step.removed) - a);
+    require(
+        height > filter_.height || signs_.height(t[0], t[1], t[2], step.removed) != Sign::Negative,
+        "new vertices lie on or beyond the removed plane");
     for (const HalfspaceId r : step.ring) {
-      if (r == a || r == b || r == c) continue;
-      require(signs_.height(a, b, c, r) != Sign::Positive,
+      if (r == t[0] || r == t[1] || r == t[2]) continue;
+      require(!is_beyond(t, r, dot(normal, dual_.near(r) - a)),
               "new vertices lie inside the ring's planes");
     }
   }
@@ -83,7 +106,10 @@ void StepCheck::check_rim(const ClaimedStep& step) const {
   for (std::size_t m = 0; m < k; ++m) {
     const HalfspaceId a = step.ring[m], b = step.ring[m + 1 == k ? 0 : m + 1];
     require(step.across[m] != rim_owner_[m], "no edge is there twice");
-    require(signs_.height(a, b, rim_owner_[m], step.across[m]) != Sign::Positive,
+    const Triple<double>& origin = dual_.near(a);
+    const Triple<double> normal = cross(dual_.near(b) - origin, dual_.near(rim_owner_[m]) - origin);
+    require(!is_beyond({a, b, rim_owner_[m]}, step.across[m],
+                       dot(normal, dual_.near(step.across[m]) - origin)),
             "every edge of the ring is convex");
   }
 }

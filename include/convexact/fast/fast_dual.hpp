@@ -26,8 +26,8 @@ class FastDual {
   static constexpr double kNearError = 0x1p-52;
   static constexpr double kLongError = 0x1p-85;
 
-  /// Reads the dual off a hull without forming its exact planes: ids are positions in hull.facets,
-  /// *not* canonical. Both arguments must outlive the object.
+  /// Reads the dual off a hull without forming its exact planes: ids are positions
+  /// in hull.facets, *not* canonical. Both arguments must outlive the object.
   /// @par Cost  Linear; about 0.3 microseconds per facet. Where cancellation would break the bound
   ///            (a facet normal close to, but not in, a coordinate plane), exact numbers step in.
   static FastDual of(const Hull& hull, const PointSet& points);
@@ -41,6 +41,8 @@ class FastDual {
   std::size_t size() const { return near_.size(); }
   /// A closed triangulated sphere, 2 size() - 4 triangles.
   std::span<const DualTriangle> triangles() const { return triangles_; }
+  /// Of half-edge 3 t + c, which leaves corner c of triangle t, the opposite one.
+  std::span<const std::uint32_t> twins() const { return twins_; }
   const Triple<double>& near(HalfspaceId i) const { return near_[i.index()]; }
   const Triple<double>& rest(HalfspaceId i) const { return rest_[i.index()]; }
   Triple<DoubleDouble> long_point(HalfspaceId i) const {
@@ -70,6 +72,7 @@ class FastDual {
 
   std::vector<Triple<double>> near_, rest_;
   std::vector<DualTriangle> triangles_;
+  std::vector<std::uint32_t> twins_;
   std::vector<std::uint32_t> incident_, incident_start_;
   long volume_exponent_ = 0;
   RationalPoint center_;

@@ -6,7 +6,6 @@
 
 #include "convexact/fast/dual_signs.hpp"
 #include "convexact/fast/fast_dual.hpp"
-#include "convexact/simplify/exact_engine.hpp"
 #include "convexact/simplify/options.hpp"
 #include "convexact/simplify/trace.hpp"
 

@@ -52,7 +52,7 @@ class FilteredLoop {
   Step record(HalfspaceId i);
   void verify(HalfspaceId i);
   void remove(HalfspaceId i);
-  std::vector<DualTriangle> new_triangles() const;
+  void list_new_triangles();
 
   const FastDual& dual_;
   const SimplifyOptions& options_;
@@ -65,6 +65,7 @@ class FilteredLoop {
   std::vector<HalfspaceId> contenders_;  // after choose(): the tie
   StepCheck check_;
   std::vector<HalfspaceId> across_;
+  std::vector<DualTriangle> new_triangles_;
   std::size_t left_;
   FastCounts counts_;
 };
@@ -74,7 +75,7 @@ FilteredLoop<Audit>::FilteredLoop(const FastDual& dual, const SimplifyOptions& o
                                   Audit& audit)
     : dual_(dual),
       options_(options),
-      mesh_(dual.size(), dual.triangles()),
+      mesh_(dual.size(), dual.triangles(), dual.twins()),
       cap_(dual, mesh_, options.seed, audit),
       queue_(dual.size()),
       upper_(dual.size()),
@@ -267,13 +268,12 @@ FastStep FilteredLoop<Audit>::describe(HalfspaceId i) const {
 }
 
 template <class Audit>
-std::vector<DualTriangle> FilteredLoop<Audit>::new_triangles() const {
-  std::vector<DualTriangle> triangles;
+void FilteredLoop<Audit>::list_new_triangles() {
+  new_triangles_.clear();
   const auto& v = cap_.ring().vertices;
   for (const RingTriangle& t : cap_.triangles()) {
-    triangles.push_back({v[t.low], v[t.middle], v[t.high]});
+    new_triangles_.push_back({v[t.low], v[t.middle], v[t.high]});
   }
-  return triangles;
 }
 
 template <class Audit>
@@ -283,7 +283,8 @@ Step FilteredLoop<Audit>::record(HalfspaceId i) {
   step.cost = exact_cost(i);
   step.tie = contenders_;
   step.ring = cap_.ring().vertices;
-  step.triangles = new_triangles();
+  list_new_triangles();
+  step.triangles = new_triangles_;
   step.left = left_ - 1;
   return step;
 }
@@ -292,7 +293,8 @@ template <class Audit>
 void FilteredLoop<Audit>::verify(HalfspaceId i) {
   across_.clear();
   for (const std::uint32_t h : cap_.ring().outer) across_.push_back(mesh_.apex(h));
-  check_.check({i, cap_.ring().vertices, across_, new_triangles()});
+  list_new_triangles();
+  check_.check({i, cap_.ring().vertices, across_, new_triangles_});
 }
 
 template <class Audit>

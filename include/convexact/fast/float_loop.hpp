@@ -71,9 +71,14 @@ class FloatLoop {
   const Arithmetic& arithmetic_;
   const SimplifyOptions& options_;
   HalfEdgeMesh mesh_;
-  LazyQueue queue_;            // of estimates where fresh, of lower ends where stale
-  std::vector<double> lower_;  // of six times the cost, as last enclosed
-  std::vector<char> stale_;
+  // Keys are estimates where fresh and lower ends where stale. Where these hardly differ, as nearly
+  // always, the key stays as it is and State says so.
+  enum State : unsigned char { kFresh = 0, kStale = 1, kWide = 2 };
+  static constexpr double kNarrow = 1 + 0x1p-24;
+  LazyQueue queue_;
+  std::vector<unsigned char> state_;
+  std::vector<double> lower_;     // of six times the cost, as last enclosed
+  std::vector<double> estimate_;  // likewise
   std::optional<HalfspaceId> prepared_;
   OneRing ring_;
   RingGeometry<Scalar> geometry_;
@@ -89,10 +94,11 @@ FloatLoop<Arithmetic>::FloatLoop(const FastDual& dual, const Arithmetic& arithme
     : dual_(dual),
       arithmetic_(arithmetic),
       options_(options),
-      mesh_(dual.size(), dual.triangles()),
+      mesh_(dual.size(), dual.triangles(), dual.twins()),
       queue_(dual.size()),
-      lower_(dual.size(), 0),
-      stale_(dual.size(), false) {
+      state_(dual.size(), kFresh),
+      lower_(dual.size()),
+      estimate_(dual.size()) {
   if (options.faces < 4) throw Error(ErrorCode::InvalidArgument, "a solid has at least 4 faces");
   if (options.max_growth && *options.max_growth < 0) {
     throw Error(ErrorCode::InvalidArgument, "a growth limit is not negative");
@@ -118,7 +124,7 @@ FastResult FloatLoop<Arithmetic>::run() {
       result.stop = StopReason::AllUnbounded;
       break;
     }
-    const double cost = queue_.key(*choice);
+    const double cost = estimate_[choice->index()];
     allowance -= cost;
     if (allowance < 0) {
       result.stop = StopReason::GrowthLimit;
@@ -146,17 +152,20 @@ void FloatLoop<Arithmetic>::prepare(HalfspaceId i) {
   prepared_ = i;
 }
 
-// The estimate; infinite if some vertex of the cap does not exist, or may not.
+// The key of i, fresh: infinite if some vertex of the cap does not exist, or may not.
 template <class Arithmetic>
 double FloatLoop<Arithmetic>::evaluate(HalfspaceId i) {
   prepare(i);
   ++evaluations_;
-  stale_[i.index()] = false;
   const CapRange<Scalar> range = enclosure_.run(geometry_, triangles_, arithmetic_.unit());
   using Kind = typename CapRange<Scalar>::Kind;
-  lower_[i.index()] = range.kind == Kind::Unbounded ? kInfinity : leading(range.lower);
-  if (range.kind != Kind::Bounded) return kInfinity;
-  return (leading(range.lower) + leading(range.upper)) / 2;
+  double& lower = lower_[i.index()];
+  double& estimate = estimate_[i.index()];
+  lower = range.kind == Kind::Unbounded ? kInfinity : leading(range.lower);
+  estimate = range.kind != Kind::Bounded ? kInfinity : (lower + leading(range.upper)) / 2;
+  const bool narrow = estimate <= kNarrow * lower;
+  state_[i.index()] = narrow ? kFresh : kWide;
+  return narrow ? lower : estimate;
 }
 
 // The cheapest estimate, once no stale lower end is below it.
@@ -164,7 +173,7 @@ template <class Arithmetic>
 std::optional<HalfspaceId> FloatLoop<Arithmetic>::choose() {
   for (;;) {
     const HalfspaceId top = queue_.top();
-    if (stale_[top.index()]) {
+    if (state_[top.index()] & kStale) {
       queue_.update(top, evaluate(top));
     } else if (queue_.key(top) == kInfinity) {
       return {};
@@ -191,10 +200,9 @@ void FloatLoop<Arithmetic>::remove(HalfspaceId i) {
   mesh_.remove(i, ring_, triangles_);
   queue_.erase(i);
   for (const HalfspaceId r : ring_.vertices) {
-    if (stale_[r.index()]) continue;
-    stale_[r.index()] = true;
     // What was unbounded stays so; what was in doubt, with a lower end of 0, is looked at next.
-    queue_.update(r, lower_[r.index()]);
+    if (state_[r.index()] == kWide) queue_.update(r, lower_[r.index()]);
+    state_[r.index()] |= kStale;
   }
   prepared_.reset();
 }

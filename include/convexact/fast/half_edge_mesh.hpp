@@ -30,14 +30,17 @@ struct OneRing {
 /// ever allocated.
 class HalfEdgeMesh {
  public:
+  /// @param twins  Of half-edge 3 t + c, which leaves corner c of triangle t, the opposite one.
+  HalfEdgeMesh(std::size_t vertex_count, std::span<const DualTriangle> triangles,
+               std::span<const std::uint32_t> twins);
   HalfEdgeMesh(std::size_t vertex_count, std::span<const DualTriangle> triangles);
 
   /// Reads the ring of v into `ring`. @par Cost  Its length.
   void one_ring(HalfspaceId v, OneRing& ring) const;
-  std::uint32_t twin(std::uint32_t half_edge) const { return twin_[half_edge]; }
+  std::uint32_t twin(std::uint32_t half_edge) const { return edges_[half_edge].twin; }
   /// The third corner of the triangle of a half-edge.
   HalfspaceId apex(std::uint32_t half_edge) const {
-    return HalfspaceId(tail_[previous(half_edge)]);
+    return HalfspaceId(edges_[previous(half_edge)].tail);
   }
   /// Takes v out and closes the hole. `ring` is v's, `triangles` a triangulation of it.
   void remove(HalfspaceId v, const OneRing& ring, std::span<const RingTriangle> triangles);
@@ -50,12 +53,16 @@ class HalfEdgeMesh {
   static std::uint32_t next(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static std::uint32_t previous(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
   void link(std::uint32_t a, std::uint32_t b) {
-    twin_[a] = b;
-    twin_[b] = a;
+    edges_[a].twin = b;
+    edges_[b].twin = a;
   }
 
-  std::vector<std::uint32_t> tail_;  // kNone in a freed triangle
-  std::vector<std::uint32_t> twin_;
+  struct HalfEdge {
+    std::uint32_t tail;  // kNone in a freed triangle
+    std::uint32_t twin;
+  };
+
+  std::vector<HalfEdge> edges_;
   std::vector<std::uint32_t> out_;    // of each vertex some half-edge that starts there
   std::vector<std::uint32_t> slots_;  // scratch of remove()
 };

@@ -22,7 +22,8 @@ struct ClaimedStep {
 /// mesh, no queue and no volume, and shares nothing with the step but the predicates.
 class StepCheck {
  public:
-  explicit StepCheck(const FastDual& dual) : signs_(dual), position_(dual.size(), kNotInRing) {}
+  explicit StepCheck(const FastDual& dual)
+      : dual_(dual), signs_(dual), position_(dual.size(), kNotInRing) {}
 
   /// @throws Error Internal, naming the check that failed.
   /// @par Cost     O(k^2) signs for a ring of k.
@@ -30,11 +31,15 @@ class StepCheck {
 
  private:
   void check_disk(const ClaimedStep& step);
+  void measure(const ClaimedStep& step);
   void check_triangles(const ClaimedStep& step) const;
   void check_rim(const ClaimedStep& step) const;
+  bool is_beyond(const DualTriangle& triangle, HalfspaceId p, double height) const;
 
   static constexpr std::uint32_t kNotInRing = 0xffffffff;
+  const FastDual& dual_;
   DualSigns signs_;
+  PlaneFilter filter_;                   // for all dual points of the step
   std::vector<std::uint32_t> position_;  // in the ring, while a step is checked
   std::vector<HalfspaceId> rim_owner_;   // the third corner of the new triangle at each ring edge
   std::vector<std::uint64_t> edges_;

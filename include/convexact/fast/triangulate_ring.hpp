@@ -81,23 +81,24 @@ class RingTriangulator {
 // All candidates lie within half a turn, so pairwise comparison finds it.
 template <class Beyond>
 void RingTriangulator::wrap(std::uint32_t k, Beyond& beyond, std::vector<RingTriangle>& triangles) {
-  tasks_.assign(1, {0, k - 1, kNone});
-  while (!tasks_.empty()) {
-    const Task task = tasks_.back();
-    tasks_.pop_back();
+  std::array<Task, kShortRing> tasks;
+  std::size_t pending = 0;
+  tasks[pending++] = {0, k - 1, kNone};
+  triangles.resize(k - 2);
+  for (std::uint32_t self = 0; self < k - 2; ++self) {
+    const Task task = tasks[--pending];
     std::uint32_t best = task.low + 1;
     if (best + 1 < task.high) {
       beyond.set_triangle(task.low, best, task.high);
       for (std::uint32_t m = best + 1; m < task.high; ++m) {
         if (!beyond.is_beyond(m)) continue;
         best = m;
-        beyond.set_triangle(task.low, best, task.high);
+        if (m + 1 < task.high) beyond.set_triangle(task.low, best, task.high);
       }
     }
-    const auto self = static_cast<std::uint32_t>(triangles.size());
-    triangles.push_back({task.low, best, task.high, task.parent});
-    if (best > task.low + 1) tasks_.push_back({task.low, best, self});
-    if (task.high > best + 1) tasks_.push_back({best, task.high, self});
+    triangles[self] = {task.low, best, task.high, task.parent};
+    if (best > task.low + 1) tasks[pending++] = {task.low, best, self};
+    if (task.high > best + 1) tasks[pending++] = {best, task.high, self};
   }
 }
 

@@ -9,13 +9,6 @@
 
 namespace convexact {
 
-/// A trace and where it led.
-struct Simplification {
-  Trace trace;
-  /// The dual hull of the halfspaces that are left, for to_polytope().
-  std::vector<DualTriangle> triangles;
-};
-
 /// Removes one halfspace after another, each time the one whose removal adds the least volume; of
 /// equal ones the first in canonical order. Every sign is exact and every cost a rational.
 /// @param solid   The dual hull of the input.

@@ -37,4 +37,11 @@ struct Trace {
   std::vector<HalfspaceId> survivors() const { return survivors(steps.size()); }
 };
 
+/// A trace and where it led.
+struct Simplification {
+  Trace trace;
+  /// The dual hull of the halfspaces that are left, for to_polytope().
+  std::vector<DualTriangle> triangles;
+};
+
 }  // namespace convexact
