@@ -50,6 +50,20 @@ bool share_vertex(const FastDual& dual, const std::array<HalfspaceId, 4>& planes
   });
 }
 
+// Whether all three normals are known to lie in one coordinate plane, as along a prism; then they
+// are dependent. A coordinate that underflowed to zero is told from a true zero.
+bool share_axis(const FastDual& dual, HalfspaceId a, HalfspaceId b, HalfspaceId c) {
+  constexpr std::array<double Triple<double>::*, 3> kAxes{&Triple<double>::x, &Triple<double>::y,
+                                                          &Triple<double>::z};
+  for (int k = 0; k < 3; ++k) {
+    const auto is_zero = [&](HalfspaceId i) {
+      return dual.near(i).*kAxes[k] == 0 && dual.exact(i).normal()[k].is_zero();
+    };
+    if (is_zero(a) && is_zero(b) && is_zero(c)) return true;
+  }
+  return false;
+}
+
 Integer dot(const IntegerVector3& a, const IntegerVector3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -87,6 +101,10 @@ Sign DualSigns::determinant(HalfspaceId a, HalfspaceId b, HalfspaceId c) const {
 }
 
 Sign DualSigns::determinant_beyond_doubles(HalfspaceId a, HalfspaceId b, HalfspaceId c) const {
+  if (share_axis(*dual_, a, b, c)) {
+    ++counts_.incident;
+    return Sign::Zero;
+  }
   const Verdict sure =
       determinant_in(dual_->long_point(a), dual_->long_point(b), dual_->long_point(c));
   if (sure != Verdict::Unknown) {

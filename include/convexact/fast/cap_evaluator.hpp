@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "convexact/fast/cap_enclosure.hpp"
+#include "convexact/fast/congruence.hpp"
 #include "convexact/fast/exact_cap.hpp"
 #include "convexact/fast/half_edge_mesh.hpp"
 #include "convexact/fast/triangulate_ring.hpp"
@@ -43,6 +43,7 @@ class CapEvaluator {
   CapRange<double> in_doubles();
   CapRange<DoubleDouble> in_double_doubles();
   Rational exactly();
+  CapOutline outline() const;
 
   const SignCounts& sign_counts() const { return signs_.counts(); }
 
@@ -140,6 +141,19 @@ Rational CapEvaluator<Audit>::exactly() {
   ExactCapSource source(dual_, *prepared_, ring_.vertices);
   const auto k = static_cast<std::uint32_t>(ring_.vertices.size());
   return exact_volume_.six_times(k, triangles_, source) / 6;
+}
+
+// Between the vertices (i, m - 1, m) and (i, m, m + 1) there is an edge unless they are the same.
+template <class Audit>
+CapOutline CapEvaluator<Audit>::outline() const {
+  CapOutline result{*prepared_, {}};
+  const auto& v = ring_.vertices;
+  for (std::size_t m = 0, k = v.size(); m < k; ++m) {
+    const HalfspaceId before = v[m == 0 ? k - 1 : m - 1], after = v[m + 1 == k ? 0 : m + 1];
+    if (signs_.height(*prepared_, before, v[m], after) == Sign::Zero) continue;
+    result.neighbours.push_back(v[m]);
+  }
+  return result;
 }
 
 }  // namespace convexact

@@ -12,7 +12,7 @@ namespace convexact {
 /// How far signs had to go.
 struct SignCounts {
   std::uint64_t filtered = 0;  ///< Decided by doubles.
-  std::uint64_t incident = 0;  ///< Zero, because the planes share a vertex of the input.
+  std::uint64_t incident = 0;  ///< Zero: the planes share a vertex of the input, or a direction.
   std::uint64_t extended = 0;  ///< Decided by DoubleDouble.
   std::uint64_t exact = 0;     ///< Decided by integers.
 };

@@ -31,9 +31,11 @@ class FastDual {
   /// @par Cost  Linear; about 0.3 microseconds per facet. Where cancellation would break the bound
   ///            (a facet normal close to, but not in, a coordinate plane), exact numbers step in.
   static FastDual of(const Hull& hull, const PointSet& points);
+  static FastDual of(Hull&&, const PointSet&) = delete;
   /// From exact planes; ids are theirs. `solid` must outlive the object.
   /// @param center  Strictly inside. @throws Error InvalidArgument if it is not.
   static FastDual of(const DualHull& solid, const RationalPoint& center);
+  static FastDual of(DualHull&&, const RationalPoint&) = delete;
 
   FastDual(FastDual&&) noexcept;
   ~FastDual();

@@ -27,6 +27,7 @@ struct FastCounts {
   std::uint64_t evaluations = 0;  ///< Caps enclosed by doubles.
   std::uint64_t doubtful = 0;     ///< Of these, caps that doubles could not enclose.
   std::uint64_t extended = 0;     ///< Caps enclosed again by DoubleDouble.
+  std::uint64_t congruent = 0;    ///< Caps found to be congruent to one that they may tie with.
   std::uint64_t exact = 0;        ///< Caps computed as rationals.
 };
 

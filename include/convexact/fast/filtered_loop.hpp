@@ -3,16 +3,14 @@
 #pragma once
 #include <algorithm>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "convexact/error.hpp"
-#include "convexact/fast/cap_evaluator.hpp"
 #include "convexact/fast/filtered_engine.hpp"
 #include "convexact/fast/growth_watch.hpp"
 #include "convexact/fast/lazy_queue.hpp"
-#include "convexact/fast/outward.hpp"
 #include "convexact/fast/step_check.hpp"
+#include "convexact/fast/tie_breaker.hpp"
 #include "convexact/number/rounding.hpp"
 
 namespace convexact {
@@ -29,19 +27,13 @@ class FilteredLoop {
   FastResult run(std::vector<Step>* steps = nullptr);
 
  private:
-  // Where doubles did not suffice to rank a cap; dropped when its ring changes.
-  struct Refined {
-    CapRange<DoubleDouble> range;
-    std::optional<Rational> cost;
-  };
-
   void evaluate(HalfspaceId i);
   void refine(HalfspaceId i);
-  const Rational& exact_cost(HalfspaceId i);
   void raise(HalfspaceId i, double lower, double upper);
   void give_up(HalfspaceId i);
 
   std::optional<HalfspaceId> choose();
+  bool are_ends_close(HalfspaceId i) const;
   bool settle_top();
   bool refresh_contenders();
   bool refine_contenders();
@@ -57,17 +49,17 @@ class FilteredLoop {
   const FastDual& dual_;
   const SimplifyOptions& options_;
   HalfEdgeMesh mesh_;
+  FastCounts counts_;
   CapEvaluator<Audit> cap_;
+  TieBreaker<Audit> ties_;
   LazyQueue queue_;
   std::vector<double> upper_;
   std::vector<bool> stale_;
-  std::unordered_map<HalfspaceId, Refined> refined_;
   std::vector<HalfspaceId> contenders_;  // after choose(): the tie
   StepCheck check_;
   std::vector<HalfspaceId> across_;
   std::vector<DualTriangle> new_triangles_;
   std::size_t left_;
-  FastCounts counts_;
 };
 
 template <class Audit>
@@ -77,6 +69,7 @@ FilteredLoop<Audit>::FilteredLoop(const FastDual& dual, const SimplifyOptions& o
       options_(options),
       mesh_(dual.size(), dual.triangles(), dual.twins()),
       cap_(dual, mesh_, options.seed, audit),
+      ties_(dual, cap_, counts_),
       queue_(dual.size()),
       upper_(dual.size()),
       stale_(dual.size(), false),
@@ -101,7 +94,7 @@ FastResult FilteredLoop<Audit>::run(std::vector<Step>* steps) {
     cap_.prepare(*choice);
     const FastStep step = describe(*choice);
     const auto volume_after = [&] {
-      return Rational(exact_volume(dual_, mesh_.triangles()) + exact_cost(*choice));
+      return Rational(exact_volume(dual_, mesh_.triangles()) + ties_.exact_cost(*choice));
     };
     if (!growth.allows(step.cost_lower, step.cost_upper, volume_after)) {
       result.stop = StopReason::GrowthLimit;
@@ -130,7 +123,7 @@ void FilteredLoop<Audit>::raise(HalfspaceId i, double lower, double upper) {
 template <class Audit>
 void FilteredLoop<Audit>::give_up(HalfspaceId i) {
   queue_.erase(i);
-  refined_.erase(i);
+  ties_.forget(i);
 }
 
 template <class Audit>
@@ -150,30 +143,8 @@ void FilteredLoop<Audit>::evaluate(HalfspaceId i) {
 
 template <class Audit>
 void FilteredLoop<Audit>::refine(HalfspaceId i) {
-  if (refined_.contains(i)) {
-    (void)exact_cost(i);
-    return;
-  }
-  cap_.prepare(i);
-  const CapRange<DoubleDouble> range = cap_.in_double_doubles();
-  ++counts_.extended;
-  refined_[i] = {range, {}};
-  raise(i, next_below(range.lower.hi()), next_above(range.upper.hi()));
-}
-
-template <class Audit>
-const Rational& FilteredLoop<Audit>::exact_cost(HalfspaceId i) {
-  Refined& refined = refined_[i];
-  if (!refined.cost) {
-    cap_.prepare(i);
-    refined.cost = cap_.exactly();
-    ++counts_.exact;
-    const Rational scaled = scale_by_power_of_two(*refined.cost * 6, -dual_.volume_exponent());
-    const double lower = to_double(scaled, Rounding::Down), upper = to_double(scaled, Rounding::Up);
-    refined.range = {CapRange<DoubleDouble>::Kind::Bounded, lower, upper};
-    raise(i, lower, upper);
-  }
-  return *refined.cost;
+  const auto [lower, upper] = ties_.refine(i);
+  raise(i, lower, upper);
 }
 
 // The cheapest of all, first in canonical order where several are; contenders_ is the tie.
@@ -193,6 +164,13 @@ std::optional<HalfspaceId> FilteredLoop<Audit>::choose() {
   }
 }
 
+// The exact cost is close enough, whatever its ends are.
+template <class Audit>
+bool FilteredLoop<Audit>::are_ends_close(HalfspaceId i) const {
+  constexpr double kClose = 1 + 0x1p-10;
+  return upper_[i.index()] <= kClose * queue_.key(i);
+}
+
 // Whether the top is fresh and its ends are close; otherwise one step is made towards that.
 template <class Audit>
 bool FilteredLoop<Audit>::settle_top() {
@@ -201,13 +179,11 @@ bool FilteredLoop<Audit>::settle_top() {
     evaluate(top);
     return false;
   }
-  // An end far away would make contenders of too many. The exact cost is always close enough.
-  constexpr double kClose = 1 + 0x1p-10;
-  if (upper_[top.index()] <= kClose * queue_.key(top)) return true;
-  const auto refined = refined_.find(top);
-  if (refined != refined_.end() && refined->second.cost) return true;
+  // An end far away would make contenders of too many.
+  if (are_ends_close(top)) return true;
+  const bool is_exact = ties_.is_exact(top);
   refine(top);
-  return false;
+  return is_exact;
 }
 
 // Whether all contenders are fresh already.
@@ -234,31 +210,20 @@ template <class Audit>
 bool FilteredLoop<Audit>::refine_contenders() {
   bool all_refined = true;
   for (const HalfspaceId i : contenders_) {
-    if (refined_.contains(i)) continue;
+    if (ties_.is_refined(i)) continue;
     refine(i);
     all_refined = false;
   }
   return all_refined;
 }
 
-// Reduces refined contenders to those of minimal exact cost, in canonical order.
+// Reduces refined contenders to the tie, in canonical order.
 template <class Audit>
 void FilteredLoop<Audit>::keep_cheapest() {
-  const auto range = [&](HalfspaceId i) -> const CapRange<DoubleDouble>& {
-    return refined_.at(i).range;
-  };
-  DoubleDouble best = range(contenders_[0]).upper;
-  for (const HalfspaceId i : contenders_) {
-    if (range(i).upper < best) best = range(i).upper;
-  }
-  std::erase_if(contenders_, [&](HalfspaceId i) { return range(i).lower > best; });
-  if (contenders_.size() == 1) return;
-
-  Rational least = exact_cost(contenders_[0]);
-  for (const HalfspaceId i : contenders_) least = std::min(least, exact_cost(i));
-  std::erase_if(contenders_, [&](HalfspaceId i) { return exact_cost(i) != least; });
+  ties_.keep_cheapest(contenders_);
   std::sort(contenders_.begin(), contenders_.end(),
             [&](HalfspaceId a, HalfspaceId b) { return dual_.precedes(a, b); });
+  if (!are_ends_close(contenders_[0])) refine(contenders_[0]);
 }
 
 template <class Audit>
@@ -280,7 +245,7 @@ template <class Audit>
 Step FilteredLoop<Audit>::record(HalfspaceId i) {
   Step step;
   step.removed = i;
-  step.cost = exact_cost(i);
+  step.cost = ties_.exact_cost(i);
   step.tie = contenders_;
   step.ring = cap_.ring().vertices;
   list_new_triangles();
@@ -304,7 +269,7 @@ void FilteredLoop<Audit>::remove(HalfspaceId i) {
   give_up(i);
   for (const HalfspaceId r : cap_.ring().vertices) {
     stale_[r.index()] = true;
-    refined_.erase(r);
+    ties_.forget(r);
   }
   cap_.invalidate();
 }

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/fast/congruence.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "convexact/fast/dual_signs.hpp"
+
+namespace convexact {
+namespace {
+
+// Row k has its only entry, sign[k], in column axis[k].
+struct SignedPermutation {
+  std::array<int, 3> axis, sign;
+
+  // Mirror images are run through clockwise.
+  bool is_reflection() const {
+    const bool even = (axis[1] - axis[0] + 3) % 3 == 1;
+    return sign[0] * sign[1] * sign[2] * (even ? 1 : -1) < 0;
+  }
+  // Whether to = S from.
+  bool carries(const IntegerVector3& from, const IntegerVector3& to) const {
+    for (int k = 0; k < 3; ++k) {
+      const Integer& x = from[axis[k]];
+      if (x.sign() * sign[k] != to[k].sign()) return false;
+      if (mpz_cmpabs(x.backend().data(), to[k].backend().data()) != 0) return false;
+    }
+    return true;
+  }
+};
+
+std::array<SignedPermutation, 48> all_signed_permutations() {
+  std::array<SignedPermutation, 48> all;
+  auto next = all.begin();
+  std::array<int, 3> axis{0, 1, 2};
+  do {
+    for (int signs = 0; signs < 8; ++signs) {
+      *next++ = {axis, {signs & 1 ? -1 : 1, signs & 2 ? -1 : 1, signs & 4 ? -1 : 1}};
+    }
+  } while (std::next_permutation(axis.begin(), axis.end()));
+  return all;
+}
+
+// Pairs of planes, one of each cap, whose normals correspond.
+using Pairs = std::vector<std::pair<const Halfspace*, const Halfspace*>>;
+
+// x -> S x + t carries {n.x + d = 0} to {Sn.x + d - Sn.t = 0}. So there is a t that serves all
+// pairs if and only if some (t, 1) is orthogonal to all rows (Sn, d' - d). The first three planes
+// meet in a vertex, so they decide t.
+bool differ_by_one_translation(const Pairs& pairs) {
+  if (std::all_of(pairs.begin(), pairs.end(),
+                  [](const auto& p) { return p.first->offset() == p.second->offset(); })) {
+    return true;  // t = 0
+  }
+  const auto row = [&](std::size_t m) {
+    const auto& [from, to] = pairs[m];
+    return Halfspace(to->normal(), Integer(to->offset() - from->offset()));
+  };
+  const Halfspace a = row(0), b = row(1), c = row(2);
+  for (std::size_t m = 3; m < pairs.size(); ++m) {
+    if (exact_height(a, b, c, row(m)) != 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool are_congruent(const FastDual& dual, const CapOutline& a, const CapOutline& b) {
+  static const std::array<SignedPermutation, 48> kSymmetries = all_signed_permutations();
+  const std::size_t k = a.neighbours.size();
+  if (b.neighbours.size() != k) return false;
+  Pairs pairs(k + 1);
+  pairs[0] = {&dual.exact(a.facet), &dual.exact(b.facet)};
+  for (const SignedPermutation& symmetry : kSymmetries) {
+    if (!symmetry.carries(pairs[0].first->normal(), pairs[0].second->normal())) continue;
+    const std::size_t step = symmetry.is_reflection() ? k - 1 : 1;
+    for (std::size_t start = 0; start < k; ++start) {
+      std::size_t m = 0;
+      for (; m < k; ++m) {
+        pairs[m + 1] = {&dual.exact(a.neighbours[m]),
+                        &dual.exact(b.neighbours[(start + m * step) % k])};
+        if (!symmetry.carries(pairs[m + 1].first->normal(), pairs[m + 1].second->normal())) break;
+      }
+      if (m == k && differ_by_one_translation(pairs)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace convexact
