@@ -35,7 +35,7 @@ CapRange<double> volume_range(const FastDual& dual) {
   if (!certain) return CapRange<double>::doubtful();
   // As for a cap, with all cones in one sum.
   const double slop = 2 * (16 + 2 * static_cast<double>(terms)) * Roundoff<double>::kUnit;
-  const double tiny = kVolumeUnderflow;
+  const double tiny = ExponentRange<double>::kVolumeUnderflow;
   return {Kind::Bounded, std::max(sum.total.lower * (1 - slop) - tiny, 0.0),
           sum.total.upper * (1 + slop) + tiny};
 }

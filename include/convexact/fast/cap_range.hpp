@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "convexact/fast/cap_volume.hpp"
+#include "convexact/fast/exponent_range.hpp"
 #include "convexact/fast/ring_geometry.hpp"
 
 namespace convexact {
@@ -38,11 +39,6 @@ struct CapRange {
   }
 };
 
-/// No D below this enters a quotient, so that nothing overflows; and what is lost to underflow in a
-/// volume then, at 2^-1018 per operation: with at most four D below any product and sizes of at
-/// most 48, less than 2^-300 in a sum of 2^32 terms.
-inline constexpr double kSmallestDeterminant = 0x1p-150, kVolumeUnderflow = 0x1p-250;
-
 /// Determinants of a RingGeometry as ranges, for CapVolume.
 ///
 /// Rounding: below any term of the sum lie 5 factors, each of whose ends is rounded once, 3
@@ -64,16 +60,23 @@ class RangeSource {
   RangeSource(const RingGeometry<Scalar>& ring, double unit)
       : ring_(ring), unit_(unit), filter_(ring.filter(unit)) {}
 
-  Number base(std::uint32_t m) { return positive(dot(ring_.side[m], ring_.center)); }
+  // D by the bounds of their triangles alone: in a long ring a small one would drown in that of
+  // all.
+  Number base(std::uint32_t m) {
+    const std::size_t next = m + 1 == ring_.arm.size() ? 0 : m + 1;
+    return positive(dot(ring_.side[m], ring_.center), ring_.arm[m], ring_.arm[next]);
+  }
   Number slack(std::uint32_t m) const { return lift(-dot(ring_.side[0], ring_.arm[m])); }
   Number leg(std::uint32_t m, std::uint32_t q) const {
     return lift(-dot(ring_.side[m], ring_.arm[q]));
   }
   void set_triangle(std::uint32_t low, std::uint32_t middle, std::uint32_t high) {
     low_ = low;
-    normal_ = cross(ring_.point[middle] - ring_.point[low], ring_.point[high] - ring_.point[low]);
+    first_ = ring_.point[middle] - ring_.point[low];
+    second_ = ring_.point[high] - ring_.point[low];
+    normal_ = cross(first_, second_);
   }
-  Number vertex() { return positive(dot(normal_, ring_.point[low_])); }
+  Number vertex() { return positive(dot(normal_, ring_.point[low_]), first_, second_); }
   Number to_center() const { return lift(-dot(normal_, ring_.arm[low_])); }
   Number to(std::uint32_t q) const {
     return lift(-dot(normal_, ring_.point[q] - ring_.point[low_]));
@@ -85,9 +88,10 @@ class RangeSource {
     if (negative_) return {Kind::Unbounded, Scalar(0.0), Scalar(0.0)};
     if (doubtful_) return CapRange<Scalar>::doubtful();
     const double n = 16 + 2 * static_cast<double>(ring_.arm.size());
-    const Scalar slop(2 * n * unit_), tiny(kVolumeUnderflow);
+    const Scalar slop = Scalar(2 * n * unit_);
+    const Scalar tiny = Scalar(ExponentRange<Scalar>::kVolumeUnderflow);
     const Scalar lower = six_times.lower * (Scalar(1.0) - slop) - tiny;
-    return {Kind::Bounded, leading(lower) > 0 ? lower : Scalar(0.0),
+    return {Kind::Bounded, is_positive(lower) ? lower : Scalar(0.0),
             six_times.upper * (Scalar(1.0) + slop) + tiny};
   }
   /// Whether every D asked for so far is proven positive.
@@ -96,19 +100,24 @@ class RangeSource {
  private:
   Number lift(const Scalar& value) const {
     const Scalar lower = value - Scalar(filter_.height);
-    return {leading(lower) > 0 ? lower : Scalar(0.0), value + Scalar(filter_.height)};
+    return {is_positive(lower) ? lower : Scalar(0.0), value + Scalar(filter_.height)};
   }
-  Number positive(const Scalar& value) {
-    const Number range{value - Scalar(filter_.determinant), value + Scalar(filter_.determinant)};
-    negative_ |= leading(range.upper) < 0;
-    doubtful_ |= !(leading(range.lower) > kSmallestDeterminant);
+  // Of D as computed from a point and the differences f and g of the two others to it.
+  Number positive(const Scalar& value, const Triple<Scalar>& f, const Triple<Scalar>& g) {
+    Extent sides;
+    sides.include(f);
+    sides.include(g);
+    const Scalar error = Scalar(filter_for<Scalar>(sides.size, unit_).determinant);
+    const Number range{value - error, value + error};
+    negative_ |= range.upper < Scalar(0.0);
+    doubtful_ |= !(range.lower > Scalar(ExponentRange<Scalar>::kSmallestDeterminant));
     return range;
   }
 
   const RingGeometry<Scalar>& ring_;
   double unit_;
   PlaneFilter filter_;
-  Triple<Scalar> normal_{};
+  Triple<Scalar> first_{}, second_{}, normal_{};
   std::uint32_t low_ = 0;
   bool negative_ = false, doubtful_ = false;
 };

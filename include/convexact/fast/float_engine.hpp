@@ -9,7 +9,7 @@ namespace convexact {
 ///
 /// What holds without any check of the result: the survivors are a subset of the input's
 /// halfspaces, so they contain the solid; and they are bounded, because a removal is made only if
-/// every new vertex is proven to exist (docs/design/float.md). What may differ from
+/// every new vertex is proven to exist (docs/design/filtered.md). What may differ from
 /// simplify_filtered(): the choice between costs that are equal up to rounding; and where the solid
 /// is so thin that doubles cannot tell whether a vertex exists, the run may end early with
 /// AllUnbounded.

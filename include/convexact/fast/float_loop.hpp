@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // float_loop.hpp - the greedy loop in any floating-point arithmetic, without exact numbers.
 #pragma once
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <vector>
 
 #include "convexact/error.hpp"
-#include "convexact/fast/cap_enclosure.hpp"
+#include "convexact/fast/cap_estimate.hpp"
 #include "convexact/fast/filtered_engine.hpp"
 #include "convexact/fast/half_edge_mesh.hpp"
 #include "convexact/fast/lazy_queue.hpp"
@@ -18,17 +19,17 @@
 namespace convexact {
 
 /// Arithmetic provides
-///   Scalar                              + - * / and, by leading(), a double of the same sign
+///   Scalar                              + - * / < > and, by leading(), the nearest double
 ///   Triple<Scalar> point(HalfspaceId)   the dual point, off by at most 2 unit() per coordinate
-///   double unit()                       the relative error of one operation
+///   double unit()                       the relative error of one operation, at most 2^-24
 ///
-/// Signs of H are taken as they come out. Three guards, all relative to the size of what is
-/// computed (PlaneFilter), keep the result sound:
+/// Signs of H are taken as they come out, and costs as CapEstimator computes them. Three guards,
+/// all relative to the size of what is computed (PlaneFilter), keep the result sound:
 /// - Existence: a halfspace is removed only if every D of its cap is beyond its error bound.
 /// - Laziness: a changed cap is looked at again when its *lower end* comes to the top, not its
-///   estimate; an ill-conditioned cap has a low one. (Without this guard an estimate that
-///   is too high would never be looked at again.)
-/// - Doubt: a cap that cannot be enclosed counts as unbounded until its ring changes.
+///   estimate, unless both are nearly the same; an ill-conditioned cap has a low one. (Without this
+///   guard an estimate that is too high would never be looked at again.)
+/// - Doubt: a cap some D of which may be zero counts as unbounded until its ring changes.
 ///
 /// It ends: each pass removes a halfspace, evaluates a stale cap or stops, and RingTriangulator
 /// ends whatever the signs. The surface stays a sphere around the center: the new triangles of a
@@ -56,14 +57,13 @@ class FloatLoop {
       normal = cross(ring.point[b] - ring.point[a], ring.point[c] - ring.point[a]);
     }
     bool is_beyond(std::uint32_t m) const {
-      return leading(dot(normal, ring.point[m] - ring.point[low])) > 0;
+      return is_positive(dot(normal, ring.point[m] - ring.point[low]));
     }
   };
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   void prepare(HalfspaceId i);
-  double evaluate(HalfspaceId i);
-  double six_times_volume();
+  const Scalar& evaluate(HalfspaceId i);
+  Scalar six_times_volume();
   std::optional<HalfspaceId> choose();
   void remove(HalfspaceId i);
 
@@ -71,20 +71,21 @@ class FloatLoop {
   const Arithmetic& arithmetic_;
   const SimplifyOptions& options_;
   HalfEdgeMesh mesh_;
-  // Keys are estimates where fresh and lower ends where stale. Where these hardly differ, as nearly
-  // always, the key stays as it is and State says so.
+  // Keys are estimates where fresh and lower ends where stale. Where these hardly differ, as
+  // mostly, the key stays as it is and State says so.
   enum State : unsigned char { kFresh = 0, kStale = 1, kWide = 2 };
-  static constexpr double kNarrow = 1 + 0x1p-24;
-  LazyQueue queue_;
+  const Scalar infinity_{std::numeric_limits<double>::infinity()};
+  const Scalar narrow_;  // estimate over lower end, at most
+  KeyedQueue<Scalar> queue_;
   std::vector<unsigned char> state_;
-  std::vector<double> lower_;     // of six times the cost, as last enclosed
-  std::vector<double> estimate_;  // likewise
+  std::vector<Scalar> lower_;     // of six times the cost, as last enclosed
+  std::vector<Scalar> estimate_;  // likewise; infinite if there is no such cap, or may be none
   std::optional<HalfspaceId> prepared_;
   OneRing ring_;
   RingGeometry<Scalar> geometry_;
   RingTriangulator triangulator_;
   std::vector<RingTriangle> triangles_;
-  CapEnclosure<Scalar> enclosure_;
+  CapEstimator<Scalar> estimator_;
   std::uint64_t evaluations_ = 0;
 };
 
@@ -95,6 +96,7 @@ FloatLoop<Arithmetic>::FloatLoop(const FastDual& dual, const Arithmetic& arithme
       arithmetic_(arithmetic),
       options_(options),
       mesh_(dual.size(), dual.triangles(), dual.twins()),
+      narrow_(1 + std::min(0x1p-24, 0x1p29 * arithmetic.unit())),
       queue_(dual.size()),
       state_(dual.size(), kFresh),
       lower_(dual.size()),
@@ -108,9 +110,9 @@ FloatLoop<Arithmetic>::FloatLoop(const FastDual& dual, const Arithmetic& arithme
 template <class Arithmetic>
 FastResult FloatLoop<Arithmetic>::run() {
   FastResult result;
-  double allowance = kInfinity;
+  Scalar allowance = infinity_;
   if (options_.max_growth) {
-    allowance = to_double(*options_.max_growth, Rounding::Nearest) * six_times_volume();
+    allowance = Scalar(to_double(*options_.max_growth, Rounding::Nearest)) * six_times_volume();
   }
   std::size_t left = dual_.size();
   for (std::size_t i = 0; left > options_.faces && i < dual_.size(); ++i) {
@@ -124,13 +126,13 @@ FastResult FloatLoop<Arithmetic>::run() {
       result.stop = StopReason::AllUnbounded;
       break;
     }
-    const double cost = estimate_[choice->index()];
-    allowance -= cost;
-    if (allowance < 0) {
+    const Scalar& cost = estimate_[choice->index()];
+    if (!(cost <= allowance)) {
       result.stop = StopReason::GrowthLimit;
       break;
     }
-    result.steps.push_back({*choice, 1, cost / 6, cost / 6});
+    allowance = allowance - cost;
+    result.steps.push_back({*choice, 1, leading(cost) / 6, leading(cost) / 6});
     remove(*choice);
     --left;
     if (options_.progress) options_.progress(left);
@@ -152,20 +154,19 @@ void FloatLoop<Arithmetic>::prepare(HalfspaceId i) {
   prepared_ = i;
 }
 
-// The key of i, fresh: infinite if some vertex of the cap does not exist, or may not.
+// The key of i, fresh.
 template <class Arithmetic>
-double FloatLoop<Arithmetic>::evaluate(HalfspaceId i) {
+const typename FloatLoop<Arithmetic>::Scalar& FloatLoop<Arithmetic>::evaluate(HalfspaceId i) {
   prepare(i);
   ++evaluations_;
-  const CapRange<Scalar> range = enclosure_.run(geometry_, triangles_, arithmetic_.unit());
+  const CapEstimate<Scalar> cap = estimator_.run(geometry_, triangles_, arithmetic_.unit());
   using Kind = typename CapRange<Scalar>::Kind;
-  double& lower = lower_[i.index()];
-  double& estimate = estimate_[i.index()];
-  lower = range.kind == Kind::Unbounded ? kInfinity : leading(range.lower);
-  estimate = range.kind != Kind::Bounded ? kInfinity : (lower + leading(range.upper)) / 2;
-  const bool narrow = estimate <= kNarrow * lower;
-  state_[i.index()] = narrow ? kFresh : kWide;
-  return narrow ? lower : estimate;
+  Scalar& lower = lower_[i.index()];
+  Scalar& estimate = estimate_[i.index()];
+  lower = cap.kind == Kind::Unbounded ? infinity_ : cap.lower;
+  estimate = cap.kind == Kind::Bounded ? cap.value : infinity_;
+  state_[i.index()] = estimate <= narrow_ * lower ? kFresh : kWide;
+  return estimate;
 }
 
 // The cheapest estimate, once no stale lower end is below it.
@@ -175,7 +176,7 @@ std::optional<HalfspaceId> FloatLoop<Arithmetic>::choose() {
     const HalfspaceId top = queue_.top();
     if (state_[top.index()] & kStale) {
       queue_.update(top, evaluate(top));
-    } else if (queue_.key(top) == kInfinity) {
+    } else if (!(queue_.key(top) < infinity_)) {
       return {};
     } else {
       return top;
@@ -183,15 +184,19 @@ std::optional<HalfspaceId> FloatLoop<Arithmetic>::choose() {
   }
 }
 
+// Of the initial solid. Where doubts remain, rather too small: the growth limit is kept.
 template <class Arithmetic>
-double FloatLoop<Arithmetic>::six_times_volume() {
+typename FloatLoop<Arithmetic>::Scalar FloatLoop<Arithmetic>::six_times_volume() {
   typename RangeSource<Scalar>::Sum sum;
+  bool certain = true;
   for (std::size_t i = 0; i < dual_.size(); ++i) {
     prepare(HalfspaceId(i));
     RangeSource<Scalar> source(geometry_, arithmetic_.unit());
     add_cone(static_cast<std::uint32_t>(ring_.vertices.size()), source, sum);
+    certain = certain && source.is_certain();
   }
-  return (leading(sum.total.lower) + leading(sum.total.upper)) / 2;
+  const auto& [lower, upper] = sum.total;
+  return certain ? (lower + upper) / Scalar(2.0) : lower;
 }
 
 template <class Arithmetic>

@@ -35,12 +35,19 @@ class LawrenceSum {
   static constexpr double kMargin = 1024, kVertexError = 6, kRelativeErrors = kVertexError + 3;
   static_assert(kRelativeErrors / kMargin < 0.05);
   static_assert(3 * 4 * 4 < PlaneFilter::kDeterminantFactor);
-  /// A sum whose relative error is more than this many units is worth the slower way.
-  static constexpr double kAcceptable = 0x1p37;
+  /// A sum whose relative error is more than this many units, or than this share, is worth the
+  /// slower way.
+  static constexpr double kAcceptable = 0x1p37, kAcceptableShare = 0x1p-8;
 
   /// Doubtful where another way must decide.
   CapRange<Scalar> run(const RingGeometry<Scalar>& ring, std::span<const RingTriangle> triangles,
                        double unit);
+
+  /// The sum as run() computed it, for whoever asks for no bound. *Stable*: what D being rounded
+  /// may do to it is within kAcceptableShare, so no two terms cancel. How far H is off is not
+  /// asked.
+  const Scalar& value() const { return value_; }
+  bool is_stable() const { return stable_; }
 
  private:
   void start(const RingGeometry<Scalar>& ring);
@@ -53,6 +60,8 @@ class LawrenceSum {
   std::vector<Scalar> base_;            // D(i, m, m + 1)
   std::vector<Scalar> first_, second_;  // of each triangle D(i, low, middle), D(i, middle, high)
   double smallest_ = 0;                 // of all |D|
+  Scalar value_{0.0};
+  bool stable_ = false;
 };
 
 template <class Scalar>
@@ -89,7 +98,7 @@ inline Scalar LawrenceSum<Scalar>::height_and_edges(const RingGeometry<Scalar>& 
     second_[t] = dot(cross(ring.arm[middle], ring.arm[high]), ring.center);
     note(second_[t]);
   }
-  return leading(height) > 0 ? height : Scalar(0.0);
+  return is_positive(height) ? height : Scalar(0.0);
 }
 
 template <class Scalar>
@@ -98,6 +107,7 @@ CapRange<Scalar> LawrenceSum<Scalar>::run(const RingGeometry<Scalar>& ring,
   using Kind = typename CapRange<Scalar>::Kind;
   const PlaneFilter filter = ring.filter(unit);
   start(ring);
+  stable_ = false;
   Scalar sum(0.0);
   double from_heights = 0, total = 0;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -107,10 +117,10 @@ CapRange<Scalar> LawrenceSum<Scalar>::run(const RingGeometry<Scalar>& ring,
                          : triangles[parent].low == low ? -first_[parent]
                                                         : -second_[parent];
     const Scalar vertex = first_[t] + second_[t] + above - height;
-    if (leading(vertex) < -kVertexError * filter.determinant) {
+    if (vertex < Scalar(-kVertexError * filter.determinant)) {
       return {Kind::Unbounded, Scalar(0.0), Scalar(0.0)};
     }
-    if (!(leading(vertex) > 0)) return CapRange<Scalar>::doubtful();
+    if (!is_positive(vertex)) return CapRange<Scalar>::doubtful();
     note(vertex);
     const Scalar weight = Scalar(1.0) / ((vertex * first_[t]) * (second_[t] * above));
     const Scalar term = height * height * height * weight;
@@ -119,13 +129,18 @@ CapRange<Scalar> LawrenceSum<Scalar>::run(const RingGeometry<Scalar>& ring,
     from_heights += raised * raised * std::abs(leading(weight));
     total += std::abs(leading(term));
   }
-  if (!(smallest_ > std::max(kMargin * filter.determinant, kSmallestDeterminant))) {
+  using Exponents = ExponentRange<Scalar>;
+  if (!(smallest_ > std::max(kMargin * filter.determinant, Exponents::kSmallestDeterminant))) {
     return CapRange<Scalar>::doubtful();
   }
   const double relative = kRelativeErrors * filter.determinant / smallest_ +
                           (16 + static_cast<double>(triangles.size())) * unit;
-  const double error = 2 * (3 * filter.height * from_heights + total * relative) + kVolumeUnderflow;
-  if (!(error <= kAcceptable * unit * leading(sum))) return CapRange<Scalar>::doubtful();
+  value_ = sum;
+  stable_ = 2 * total * relative <= kAcceptableShare * leading(sum);
+  const double error =
+      2 * (3 * filter.height * from_heights + total * relative) + Exponents::kVolumeUnderflow;
+  const double acceptable = std::min(kAcceptable * unit, kAcceptableShare);
+  if (!(error <= acceptable * leading(sum))) return CapRange<Scalar>::doubtful();
   return {Kind::Bounded, sum - Scalar(error), sum + Scalar(error)};
 }
 

@@ -12,17 +12,18 @@
 namespace convexact {
 
 /// A binary heap of (key, id), smallest key first, that knows where each id stands.
-class LazyQueue {
+template <class Key>
+class KeyedQueue {
  public:
-  explicit LazyQueue(std::size_t size) : place_(size, kAbsent) {}
+  explicit KeyedQueue(std::size_t size) : place_(size, kAbsent) {}
 
   bool empty() const { return heap_.empty(); }
   HalfspaceId top() const { return heap_.front().id; }
-  double key(HalfspaceId id) const { return heap_[place_[id.index()]].key; }
+  const Key& key(HalfspaceId id) const { return heap_[place_[id.index()]].key; }
   bool contains(HalfspaceId id) const { return place_[id.index()] != kAbsent; }
 
   /// Adds without order; call make_heap() before anything else.
-  void append(HalfspaceId id, double key) {
+  void append(HalfspaceId id, const Key& key) {
     place_[id.index()] = static_cast<std::uint32_t>(heap_.size());
     heap_.push_back({key, id});
   }
@@ -30,7 +31,7 @@ class LazyQueue {
     for (std::size_t i = heap_.size() / 2; i-- > 0;) sink(i, heap_[i]);
   }
   /// Sets a key, higher or lower.
-  void update(HalfspaceId id, double key) { settle(place_[id.index()], {key, id}); }
+  void update(HalfspaceId id, const Key& key) { settle(place_[id.index()], {key, id}); }
   void erase(HalfspaceId id) {
     const std::size_t hole = place_[id.index()];
     place_[id.index()] = kAbsent;
@@ -39,7 +40,7 @@ class LazyQueue {
     if (hole < heap_.size()) settle(hole, last);
   }
   /// All ids with a key of at most `limit`, in no order. @par Cost  Their number.
-  void collect(double limit, std::vector<HalfspaceId>& ids) {
+  void collect(const Key& limit, std::vector<HalfspaceId>& ids) {
     ids.clear();
     pending_.assign(1, 0);
     while (!pending_.empty()) {
@@ -54,7 +55,7 @@ class LazyQueue {
 
  private:
   struct Entry {
-    double key;
+    Key key;
     HalfspaceId id;
   };
   static constexpr std::uint32_t kAbsent = std::numeric_limits<std::uint32_t>::max();
@@ -83,5 +84,7 @@ class LazyQueue {
   std::vector<std::uint32_t> place_;
   std::vector<std::size_t> pending_;
 };
+
+using LazyQueue = KeyedQueue<double>;
 
 }  // namespace convexact

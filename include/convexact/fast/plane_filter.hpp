@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "convexact/fast/exponent_range.hpp"
 #include "convexact/fast/fast_dual.hpp"
 #include "convexact/fast/triple.hpp"
 
@@ -30,6 +31,10 @@ struct Roundoff<DoubleDouble> {
 
 inline double leading(double x) { return x; }
 inline double leading(const DoubleDouble& x) { return x.hi(); }
+template <class Scalar>
+inline bool is_positive(const Scalar& x) {
+  return x > Scalar(0.0);
+}
 
 /// Bounds for determinants of a handful of dual points whose differences, as computed, have
 /// components of at most E = (extent.x, extent.y, extent.z).
@@ -45,25 +50,26 @@ inline double leading(const DoubleDouble& x) { return x.hi(); }
 ///   (E.x E.y E.z <= 2A/3): 56u A.
 /// - determinant = N.p, p a point: with B = E.x + E.y + E.z, off by 16u 2B from N, by
 ///   2u 2A + 3u 2A from p and rounding, where A <= 2B (E.y E.z <= E.y + E.z): 52u B.
-/// Higher orders are below 2^-40 of these. Nothing overflows, all sizes being at most 48.
-/// Underflow of a product loses 2^-1075, and at most a factor of 48 follows it; an underflowing
-/// coordinate loses as much. kUnderflow covers both, and what the bound itself loses.
+/// Higher orders are below 2^-40 of these, in binary32 2^-15. Nothing overflows, all sizes being at
+/// most 48. Underflow of a product loses 2^-1075, and at most a factor of 48 follows it; an
+/// underflowing coordinate loses as much. ExponentRange covers both, and what the bound itself
+/// loses.
 struct PlaneFilter {
   static constexpr double kDifference = 2 + 2 + 2;
   static constexpr double kNormal = 2 * kDifference + 4;
   static constexpr double kHeight = 2 * kNormal + 2 * kDifference + 12;
   static constexpr double kDeterminant = 2 * kNormal + 2 * (2 * 2 + 3 * 2);
-  static constexpr double kUnderflow = 0x1p-1000;
   static constexpr double kHeightFactor = 64, kDeterminantFactor = 64;
   static_assert(kHeight < kHeightFactor - 1 && kDeterminant < kDeterminantFactor - 1);
 
   double height = 0;       ///< Of |((b - a) x (c - a)).(p - q)|, q one of a, b, c.
   double determinant = 0;  ///< Of |((b - a) x (c - a)).a|, that is of |det(a, b, c)|.
 
-  static PlaneFilter within(const Triple<double>& extent, double unit) {
+  static PlaneFilter within(const Triple<double>& extent, double unit,
+                            double underflow = ExponentRange<double>::kUnderflow) {
     const double sum = extent.x + extent.y + extent.z;
     const double area = extent.y * extent.z + extent.x * (extent.y + extent.z);
-    return {kHeightFactor * unit * area + kUnderflow, kDeterminantFactor * unit * sum + kUnderflow};
+    return {kHeightFactor * unit * area + underflow, kDeterminantFactor * unit * sum + underflow};
   }
 };
 
@@ -80,5 +86,11 @@ struct Extent {
   /// Of the differences of these differences.
   Triple<double> doubled() const { return {2 * size.x, 2 * size.y, 2 * size.z}; }
 };
+
+/// Bounds in the arithmetic of Scalar for determinants within that extent.
+template <class Scalar>
+inline PlaneFilter filter_for(const Triple<double>& extent, double unit) {
+  return PlaneFilter::within(extent, unit, ExponentRange<Scalar>::kUnderflow);
+}
 
 }  // namespace convexact

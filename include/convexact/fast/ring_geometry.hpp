@@ -36,7 +36,7 @@ struct RingGeometry {
   }
   /// Bounds for determinants of any of these points: differences between ring points are at most
   /// twice the arms.
-  PlaneFilter filter(double unit) const { return PlaneFilter::within(extent.doubled(), unit); }
+  PlaneFilter filter(double unit) const { return filter_for<Scalar>(extent.doubled(), unit); }
 };
 
 }  // namespace convexact
