@@ -7,6 +7,7 @@
 #include "convexact/shapes/prisms.hpp"
 #include "convexact/shapes/random_points.hpp"
 #include "convexact/shapes/solids.hpp"
+#include "perturb.hpp"
 #include "same_run.hpp"
 
 using namespace convexact;
@@ -79,4 +80,11 @@ TEST_CASE("simplify_filtered: round shapes") {
   check_same_run(shapes::on_sphere(60, 3));
   check_same_run(shapes::in_ball(100, 4));
   check_same_run(shapes::in_box(100, 5));
+}
+
+TEST_CASE(
+    "simplify_filtered: a cap that is exact before its lower end is raised hides no stale one") {
+  // A lattice solid in a skew slab: doubles enclose no cap of it. When the lower end of the first
+  // in the queue was raised to a known exact cost, the next one was removed unseen.
+  check_same_run(perturb::turned(perturb::stretched(shapes::lattice(12, 1, 6), {0, 0, -40})));
 }

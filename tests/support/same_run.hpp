@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// same_run.hpp - the filtered engine against the exact one, step by step, on one set of points.
+// same_run.hpp - the filtered engine against the exact one, step by step, on one solid.
 #pragma once
 #include <doctest/doctest.h>
 
-#include <algorithm>
+#include <limits>
 #include <variant>
 
 #include "convexact/dual/dual_hull.hpp"
@@ -31,35 +31,48 @@ inline void check_same_steps(const convexact::Trace& exact, const convexact::Tra
   }
 }
 
+/// Checks that a run without a record is the first `count` steps of an exact one, and why it ended.
+inline void check_same_prefix(const convexact::Trace& exact, std::size_t count,
+                              const convexact::FastDual& dual, const convexact::FastResult& lean) {
+  using namespace convexact;
+  REQUIRE(lean.steps.size() == count);
+  for (std::size_t s = 0; s < count; ++s) {
+    CAPTURE(s);
+    const Step& step = exact.steps[s];
+    REQUIRE(dual.exact(lean.steps[s].removed) == exact.halfspaces[step.removed.index()]);
+    REQUIRE(lean.steps[s].tied == step.tie.size());
+    const Rational scaled = scale_by_power_of_two(step.cost, -dual.volume_exponent());
+    REQUIRE(to_rational(lean.steps[s].cost_lower) <= scaled);
+    const double upper = lean.steps[s].cost_upper;
+    REQUIRE((upper == std::numeric_limits<double>::infinity() || to_rational(upper) >= scaled));
+  }
+}
+
+/// Runs both engines to the end on a solid. @return The exact run.
+inline convexact::Trace check_same_solid(const convexact::DualHull& solid,
+                                         convexact::SimplifyOptions options = {}) {
+  using namespace convexact;
+  const RationalPoint center = mean_of_vertices(solid);
+  const Simplification filtered = simplify_filtered(solid, center, options);
+  options.verify = VerifyLevel::None;  // has tests of its own
+  Trace exact = simplify_exact(solid, center, options).trace;
+  check_same_steps(exact, filtered.trace);
+  return exact;
+}
+
 /// Runs both engines to the end, the filtered one from the exact dual hull and from the hull.
 /// Points that span no volume are skipped. @return Whether the engines were compared.
 inline bool check_same_run(const std::vector<convexact::Point>& points,
-                           convexact::SimplifyOptions options = {}) {
+                           const convexact::SimplifyOptions& options = {}) {
   using namespace convexact;
   const PointSet set(points);
   const HullOutcome outcome = convex_hull(set);
   const Hull* hull = std::get_if<Hull>(&outcome);
   if (hull == nullptr) return false;
-  const DualHull solid = dual_of(*hull, set);
-  const RationalPoint center = mean_of_vertices(solid);
-
-  const Simplification filtered = simplify_filtered(solid, center, options);
+  const Trace exact = check_same_solid(dual_of(*hull, set), options);
   const FastDual dual = FastDual::of(*hull, set);
   const FastResult lean = simplify_filtered(dual, options);
-  options.verify = VerifyLevel::None;  // has tests of its own
-  const Simplification exact = simplify_exact(solid, center, options);
-  check_same_steps(exact.trace, filtered.trace);
-
-  CHECK(lean.stop == exact.trace.stop);
-  REQUIRE(lean.steps.size() == exact.trace.steps.size());
-  for (std::size_t s = 0; s < lean.steps.size(); ++s) {
-    CAPTURE(s);
-    const Step& step = exact.trace.steps[s];
-    REQUIRE(dual.exact(lean.steps[s].removed) == solid.halfspaces[step.removed.index()]);
-    REQUIRE(lean.steps[s].tied == step.tie.size());
-    const Rational scaled = scale_by_power_of_two(step.cost, -dual.volume_exponent());
-    REQUIRE(to_rational(lean.steps[s].cost_lower) <= scaled);
-    REQUIRE(to_rational(lean.steps[s].cost_upper) >= scaled);
-  }
+  CHECK(lean.stop == exact.stop);
+  check_same_prefix(exact, exact.steps.size(), dual, lean);
   return true;
 }

@@ -17,7 +17,8 @@ struct FastStep {
   /// How many halfspaces have this exact cost, `removed` included.
   std::uint32_t tied;
   /// The cost, enclosed by the filtered engine and estimated by the float engine (then both are
-  /// equal), in units of 2^FastDual::volume_exponent() cubed length units.
+  /// equal), in units of 2^FastDual::volume_exponent() cubed length units. Where it is beyond the
+  /// largest double the upper end is infinite.
   double cost_lower, cost_upper;
 };
 

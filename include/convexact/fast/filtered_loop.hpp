@@ -183,7 +183,7 @@ bool FilteredLoop<Audit>::settle_top() {
   if (are_ends_close(top)) return true;
   const bool is_exact = ties_.is_exact(top);
   refine(top);
-  return is_exact;
+  return is_exact && queue_.top() == top;  // its end may have been raised only now
 }
 
 // Whether all contenders are fresh already.
