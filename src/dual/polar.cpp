@@ -16,10 +16,7 @@ Result primitive(const RationalVector3& v, const Rational& w) {
   };
   Result result{{cleared(v[0]), cleared(v[1]), cleared(v[2])}, cleared(w)};
   auto& [x, d] = result;
-  Integer divisor = gcd(gcd(x[0], x[1]), gcd(x[2], d));
-  if (divisor == 1) return result;
-  for (int k = 0; k < 3; ++k) x[k] /= divisor;
-  d /= divisor;
+  make_primitive(x, d);
   return result;
 }
 
@@ -70,13 +67,8 @@ DualPlane plane_through(const DualPoint& a, const DualPoint& b, const DualPoint&
   };
   for (int k = 0; k < 3; ++k) sum_of_products(plane.x[k], a.w, bc[k], b.w, ca[k], c.w, ab[k]);
   sum_of_products(plane.d, a.n[0], bc[0], a.n[1], bc[1], a.n[2], bc[2]);
-  // Primitive integers: dividing once here halves the length of all that follows.
-  const Integer divisor = gcd(gcd(plane.d, plane.x[0]), gcd(plane.x[1], plane.x[2]));
-  CONVEXACT_ASSERT(divisor > 0);
-  if (divisor == 1) return plane;
-  for (Integer* z : {&plane.x[0], &plane.x[1], &plane.x[2], &plane.d}) {
-    mpz_divexact(z->backend().data(), z->backend().data(), divisor.backend().data());
-  }
+  // Dividing once here halves the length of all that follows.
+  make_primitive(plane.x, plane.d);
   return plane;
 }
 

@@ -2,7 +2,7 @@
 #include "convexact/measure/volume.hpp"
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 #include "convexact/number/balanced_sum.hpp"
 #include "facet_area.hpp"
@@ -24,31 +24,65 @@ Rational volume(const Polytope& polytope) {
 
 namespace {
 
-using EnclosureVector3 = std::array<Enclosure, 3>;
-
-// Six times the volume by tetrahedra from vertex 0, whose corners are rounded first. The rounding
-// is cheap, but what it costs in digits depends on how far from the origin the polytope lies.
-Enclosure six_volumes_of_rounded(const Polytope& polytope, long precision) {
-  std::vector<EnclosureVector3> arms;
+// Largest exponent e of a coordinate, |x| < 2^e.
+long exponent_of(const Polytope& polytope) {
+  long largest = 0;
+  bool first = true;
   for (const RationalPoint& p : polytope.vertices) {
-    const auto coordinate = [&](int k) {
-      Enclosure x(p[k], precision);
-      return x -= Enclosure(polytope.vertices[0][k], precision);
-    };
-    arms.push_back({coordinate(0), coordinate(1), coordinate(2)});
+    for (const Rational& x : p) {
+      if (x == 0) continue;
+      const long e = static_cast<long>(bit_length(numerator(x))) -
+                     static_cast<long>(bit_length(denominator(x))) + 1;
+      largest = first ? e : std::max(largest, e);
+      first = false;
+    }
   }
-  Enclosure sum(precision);
+  return largest;
+}
+
+// The vertices less vertex 0 as multiples of 2^-shift, both rounded down: each off by less than 1.
+std::vector<IntegerVector3> rounded_arms(const Polytope& polytope, long shift) {
+  std::vector<IntegerVector3> arms;
+  arms.reserve(polytope.vertices.size());
+  const auto up = static_cast<unsigned>(std::max(shift, 0L)),
+             down = static_cast<unsigned>(std::max(-shift, 0L));
+  for (const RationalPoint& p : polytope.vertices) {
+    IntegerVector3& arm = arms.emplace_back();
+    for (int k = 0; k < 3; ++k) {
+      const Integer above = numerator(p[k]) << up, below = denominator(p[k]) << down;
+      mpz_fdiv_q(arm[k].backend().data(), above.backend().data(), below.backend().data());
+    }
+  }
+  const IntegerVector3 apex = arms[0];
+  for (IntegerVector3& arm : arms) arm -= apex;
+  return arms;
+}
+
+// By tetrahedra from vertex 0 in integers of about `bits` bits. That is cheap, but what the
+// rounding costs in digits depends on how far from the origin the polytope lies.
+//
+// Where no entry of a 3 x 3 determinant is larger than L, and each is off by less than 1, each of
+// its six products is off by less than (L + 1)^3 - L^3 <= 3 (L + 1)^2.
+Enclosure enclose_by_rounding(const Polytope& polytope, long bits) {
+  const long shift = bits - exponent_of(polytope);
+  const std::vector<IntegerVector3> arms = rounded_arms(polytope, shift);
+  Integer sum = 0, largest = 0, tetrahedra = 0;
+  for (const IntegerVector3& arm : arms) {
+    for (const Integer& x : arm) largest = std::max(largest, Integer(abs(x)));
+  }
   for (const auto& facet : polytope.facets) {
     if (std::find(facet.begin(), facet.end(), 0u) != facet.end()) continue;  // apex in its plane
     for (std::size_t m = 2; m < facet.size(); ++m) {
-      const EnclosureVector3 &a = arms[facet[0]], &b = arms[facet[m - 1]], &c = arms[facet[m]];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-        sum += a[k] * (b[i] * c[j] - b[j] * c[i]);
-      }
+      const IntegerVector3 normal = arms[facet[m - 1]].cross(arms[facet[m]]);
+      sum += arms[facet[0]].dot(normal);
+      ++tetrahedra;
     }
   }
-  return sum;
+  const Integer error = 6 * 3 * tetrahedra * (largest + 1) * (largest + 1);
+  const auto end = [&](const Integer& six_volumes) {
+    return scale_by_power_of_two(Rational(six_volumes), -3 * shift) / 6;
+  };
+  return {end(sum - error), end(sum + error), bits};
 }
 
 // From exact heights and areas: no term is negative, so the digits are there at once.
@@ -66,8 +100,7 @@ Enclosure enclose_by_heights(const Polytope& polytope, long precision) {
 
 Enclosure enclose_volume(const Polytope& polytope, long precision) {
   constexpr long kSpareBits = 96;  // for what cancels in an ordinary scene
-  const Enclosure rounded =
-      six_volumes_of_rounded(polytope, precision + kSpareBits) / Enclosure(Integer(6), precision);
+  const Enclosure rounded = enclose_by_rounding(polytope, precision + kSpareBits);
   const bool is_narrow = scale_by_power_of_two(rounded.width(), precision) <= rounded.low();
   return is_narrow ? rounded : enclose_by_heights(polytope, precision);
 }

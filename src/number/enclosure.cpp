@@ -37,9 +37,12 @@ Range range_at_corners(Operation f, const std::array<mpfr_srcptr, 2>& a,
 
 }  // namespace
 
-Enclosure::Enclosure(const Rational& x, long precision) : Enclosure(precision) {
-  mpfr_set_q(low_.data(), x.backend().data(), MPFR_RNDD);
-  mpfr_set_q(high_.data(), x.backend().data(), MPFR_RNDU);
+Enclosure::Enclosure(const Rational& x, long precision) : Enclosure(x, x, precision) {}
+
+Enclosure::Enclosure(const Rational& low, const Rational& high, long precision)
+    : Enclosure(precision) {
+  mpfr_set_q(low_.data(), low.backend().data(), MPFR_RNDD);
+  mpfr_set_q(high_.data(), high.backend().data(), MPFR_RNDU);
   require_finite();
 }
 

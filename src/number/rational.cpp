@@ -108,6 +108,16 @@ Integer gcd(const Integer& a, const Integer& b) {
   return g;
 }
 
+void make_primitive(IntegerVector3& x, Integer& d) {
+  // One after another, not in pairs: the first divisor is mostly short, and the rest cheap then.
+  Integer divisor = gcd(d, x[0]);
+  for (int k = 1; k < 3 && divisor != 1; ++k) divisor = gcd(divisor, x[k]);
+  if (divisor == 1) return;
+  for (Integer* z : {&x[0], &x[1], &x[2], &d}) {
+    mpz_divexact(z->backend().data(), z->backend().data(), divisor.backend().data());
+  }
+}
+
 Rational scale_by_power_of_two(const Rational& x, long k) {
   Rational y;
   if (k >= 0) {

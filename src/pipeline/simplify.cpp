@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "convexact/error.hpp"
+#include "convexact/fast/check_surface.hpp"
 #include "convexact/fast/filtered_engine.hpp"
 #include "convexact/fast/float_engine.hpp"
 #include "convexact/lp/chebyshev_center.hpp"
@@ -104,8 +105,8 @@ Polytope polytope_of(const FastResult& result, const FastDual& dual, Engine engi
     position.emplace(id, HalfspaceId(halfspaces.size()));
     halfspaces.push_back(dual.exact(id));
   }
-  if (engine == Engine::Float) {
-    // Doubles made this topology, so it is not trusted: the solid comes from the planes alone.
+  if (engine == Engine::Float && !is_dual_hull(dual, result.triangles)) {
+    // Doubles made this topology, and got it wrong: the solid comes from the planes alone.
     const DualHull exact = dual_of(halfspaces, dual.center()).dual;
     return to_polytope(exact.halfspaces, exact.triangles);
   }

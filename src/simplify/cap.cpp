@@ -33,20 +33,14 @@ std::vector<RoofEdge> sorted_edges(std::span<const DualTriangle> triangles) {
   return edges;
 }
 
-// A vertex relative to the apex: x / d, in primitive integers, d > 0.
+// A vertex relative to the apex: x / (d_apex d). The common d_apex is divided by in the end.
 struct Arm {
   IntegerVector3 x;
   Integer d;
 };
 
 Arm arm_from(const DualPlane& apex, const DualPlane& vertex) {
-  Arm arm{vertex.x * apex.d - apex.x * vertex.d, vertex.d * apex.d};
-  const Integer divisor = gcd(gcd(arm.d, arm.x[0]), gcd(arm.x[1], arm.x[2]));
-  if (divisor == 1) return arm;
-  for (Integer* z : {&arm.x[0], &arm.x[1], &arm.x[2], &arm.d}) {
-    mpz_divexact(z->backend().data(), z->backend().data(), divisor.backend().data());
-  }
-  return arm;
+  return {vertex.x * apex.d - apex.x * vertex.d, vertex.d};
 }
 
 // n / d, not in lowest terms.
@@ -56,7 +50,7 @@ struct Fraction {
 
 // The sum of fractions, halves first. One long greatest common divisor at the end costs less than
 // many short ones on the way.
-Rational sum_of(std::span<const Fraction> terms) {
+Rational sum_of(std::span<const Fraction> terms, const Integer& common_denominator) {
   const auto add = [](const auto& self, std::span<const Fraction> part) -> Fraction {
     if (part.size() == 1) return part.front();
     const Fraction a = self(self, part.first(part.size() / 2));
@@ -67,7 +61,7 @@ Rational sum_of(std::span<const Fraction> terms) {
   };
   if (terms.empty()) return 0;
   const Fraction sum = add(add, terms);
-  return Rational(sum.n, sum.d);
+  return Rational(sum.n, Integer(sum.d * common_denominator));
 }
 
 }  // namespace
@@ -117,7 +111,8 @@ Rational volume(const Cap& cap) {
       }
     }
   }
-  return sum_of(six_volumes) / 6;
+  const Integer& d = cap.vertices[0].d;
+  return sum_of(six_volumes, 6 * d * d * d);
 }
 
 }  // namespace convexact

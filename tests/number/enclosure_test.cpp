@@ -50,6 +50,14 @@ TEST_CASE("enclosure: a rational lies between two neighbours of the precision") 
   CHECK_THROWS_AS(Enclosure(Integer(1), 0), Error);
 }
 
+TEST_CASE("enclosure: an interval of rationals widens outward to the precision") {
+  const Enclosure x(Rational(1, 3), Rational(2, 3), 10);
+  CHECK(x.low() <= Rational(1, 3));
+  CHECK(x.high() >= Rational(2, 3));
+  CHECK(x.width() < Rational(1, 3) + Rational(2, 1024));
+  CHECK(Enclosure(Rational(-1), Rational(3), 10).low() == -1);
+}
+
 TEST_CASE("enclosure: arithmetic holds the exact result, closely") {
   check_property("+ - * /", [](std::int32_t p, std::uint16_t q, std::int32_t r, std::uint16_t s) {
     const Rational x = ratio(p, q), y = ratio(r, s);

@@ -57,3 +57,17 @@ TEST_CASE("gcd and bit_length: zero and sign") {
   CHECK(bit_length(0) == 0);
   CHECK(bit_length(-8) == 4);
 }
+
+TEST_CASE("make_primitive: divides by what all four share, and by nothing else") {
+  IntegerVector3 x(12, -18, 0);
+  Integer d = -30;
+  make_primitive(x, d);
+  CHECK(x == IntegerVector3(2, -3, 0));
+  CHECK(d == -5);
+  make_primitive(x, d);
+  CHECK(d == -5);
+  x = {0, 0, -7}, d = 0;
+  make_primitive(x, d);
+  CHECK(x == IntegerVector3(0, 0, -1));
+  CHECK(d == 0);
+}

@@ -22,6 +22,8 @@ class Enclosure {
   /// The narrowest interval around x; a point if `precision` bits hold x.
   Enclosure(const Rational& x, long precision);
   Enclosure(const Integer& x, long precision);
+  /// The narrowest interval around [low, high], low <= high.
+  Enclosure(const Rational& low, const Rational& high, long precision);
   static Enclosure pi(long precision);
 
   long precision() const { return low_.precision(); }

@@ -47,6 +47,9 @@ using RationalVector = Eigen::Matrix<Rational, Eigen::Dynamic, 1>;
 /// Greatest common divisor, >= 0; gcd(0, 0) = 0.
 [[nodiscard]] Integer gcd(const Integer& a, const Integer& b);
 
+/// Divides (x, d), not all zero, by the greatest common divisor of all four.
+void make_primitive(IntegerVector3& x, Integer& d);
+
 /// x * 2^k, exactly; k of either sign.
 [[nodiscard]] Rational scale_by_power_of_two(const Rational& x, long k);
 
