@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The whole pipeline, from points in memory to 18 proven planes: every stage but reading and
 // writing, `local` verification included. Counters give the seconds of each stage in the last
-// round.
+// round, and the peak of memory per hull facet, the points not counted.
 #include <benchmark/benchmark.h>
 
 #include "benches.hpp"
 #include "convexact/pipeline/simplify.hpp"
+#include "peak_memory.hpp"
 
 using namespace convexact;
 
@@ -17,12 +18,16 @@ void pipeline(benchmark::State& state, const std::vector<Point>& points, Engine 
   request.faces = 18;
   request.engine = engine;
   StageLog log;
+  const PeakMemory memory;
+  double facets = 1;
   for (auto _ : state) {
     log = StageLog();
     const SimplifyOutcome outcome = simplify(shape, request, log);
-    state.counters["planes"] =
-        static_cast<double>(std::get<SimplifyResult>(outcome).solid.exact.planes.size());
+    const auto& result = std::get<SimplifyResult>(outcome);
+    state.counters["planes"] = static_cast<double>(result.solid.exact.planes.size());
+    facets = static_cast<double>(result.input_halfspaces);
   }
+  state.counters["bytes_per_facet"] = memory.bytes() / facets;
   for (const Stage& stage : log.stages()) {
     if (stage.skipped.empty()) state.counters[stage.name] = stage.seconds;
   }

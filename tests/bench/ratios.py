@@ -12,7 +12,7 @@ COLUMNS = [("hull", "cgal"), ("hull", "qhull"), ("filtered", "cgal"), ("float", 
 
 
 def medians(path):
-    """{input: {what: milliseconds}} of the runs named INPUT/WHAT."""
+    """{input: {what: milliseconds}} of the runs named INPUT/WHAT, and {"bytes": peak per facet} of the filtered one."""
     with open(path, encoding="utf-8") as file:
         runs = json.load(file)["benchmarks"]
     repeated = any(run.get("aggregate_name") == "median" for run in runs)
@@ -23,6 +23,8 @@ def medians(path):
         parts = run["run_name"].split("/")
         if len(parts) == 2 and not parts[1].isdigit():
             times.setdefault(parts[0], {})[parts[1]] = run["real_time"]
+            if parts[1] == "filtered":
+                times[parts[0]]["bytes"] = run["bytes_per_facet"]
     return times
 
 
@@ -34,11 +36,12 @@ def cell(times, above, below):
 
 def main():
     print("| input | CGAL ms | hull ms | filtered ms | float ms | " +
-          " | ".join(f"{a} / {b}" for a, b in COLUMNS) + " |")
-    print("|---|" + "---|" * (4 + len(COLUMNS)))
+          " | ".join(f"{a} / {b}" for a, b in COLUMNS) + " | bytes / facet |")
+    print("|---|" + "---|" * (5 + len(COLUMNS)))
     for name, times in medians(sys.argv[1]).items():
         shown = [f"{times[what]:.2f}" if what in times else "-" for what in ("cgal", "hull", "filtered", "float")]
-        print(f"| {name} | " + " | ".join(shown + [cell(times, a, b) for a, b in COLUMNS]) + " |")
+        memory = [f"{times['bytes']:.0f}" if "bytes" in times else "-"]
+        print(f"| {name} | " + " | ".join(shown + [cell(times, a, b) for a, b in COLUMNS] + memory) + " |")
 
 
 if __name__ == "__main__":
