@@ -33,20 +33,26 @@ Verdict determinant_in(const Triple<Scalar>& a, const Triple<Scalar>& b, const T
 
 Sign to_sign(Verdict v) { return Sign(static_cast<signed char>(v)); }
 
+// `list` is ascending.
 bool contains(std::span<const std::uint32_t> list, std::uint32_t x) {
   constexpr std::size_t kFewEnoughToScan = 8;
-  return list.size() <= kFewEnoughToScan ? std::find(list.begin(), list.end(), x) != list.end()
-                                         : std::binary_search(list.begin(), list.end(), x);
+  if (list.size() > kFewEnoughToScan) return std::binary_search(list.begin(), list.end(), x);
+  for (const std::uint32_t y : list) {
+    if (y == x) return true;
+  }
+  return false;
 }
 
 // Whether four planes are known to pass through one vertex; then they are dependent.
-bool share_vertex(const FastDual& dual, const std::array<HalfspaceId, 4>& planes) {
-  std::array<std::span<const std::uint32_t>, 4> lists;
-  for (int k = 0; k < 4; ++k) lists[k] = dual.incidences(planes[k]);
-  std::sort(lists.begin(), lists.end(),
-            [](const auto& a, const auto& b) { return a.size() < b.size(); });
-  return std::any_of(lists[0].begin(), lists[0].end(), [&](std::uint32_t vertex) {
-    return contains(lists[1], vertex) && contains(lists[2], vertex) && contains(lists[3], vertex);
+bool share_vertex(const FastDual& dual, HalfspaceId a, HalfspaceId b, HalfspaceId c,
+                  HalfspaceId d) {
+  std::span<const std::uint32_t> few = dual.incidences(a), second = dual.incidences(b),
+                                 third = dual.incidences(c), fourth = dual.incidences(d);
+  for (std::span<const std::uint32_t>* other : {&second, &third, &fourth}) {
+    if (other->size() < few.size()) std::swap(*other, few);
+  }
+  return std::any_of(few.begin(), few.end(), [&](std::uint32_t vertex) {
+    return contains(second, vertex) && contains(third, vertex) && contains(fourth, vertex);
   });
 }
 
@@ -79,7 +85,7 @@ Sign DualSigns::height(HalfspaceId a, HalfspaceId b, HalfspaceId c, HalfspaceId 
 
 Sign DualSigns::height_beyond_doubles(HalfspaceId a, HalfspaceId b, HalfspaceId c,
                                       HalfspaceId p) const {
-  if (share_vertex(*dual_, {a, b, c, p})) {
+  if (share_vertex(*dual_, a, b, c, p)) {
     ++counts_.incident;
     return Sign::Zero;
   }
