@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "convexact/stored/containment.hpp"
 
+#include "convexact/geometry/plane_side.hpp"
 #include "convexact/number/rounding.hpp"
 #include "coordinates.hpp"
 
@@ -27,7 +28,7 @@ struct DoubleHalfspace {
 };
 
 // Blocks stay in the first-level cache while all halfspaces pass over them.
-constexpr std::size_t kBlock = 512;
+constexpr std::size_t kBlock = 128;
 
 class OutsideCounter {
  public:
@@ -72,6 +73,11 @@ class OutsideCounter {
     return open == 0 && size < 0x1p1022;  // no partial sum overflowed
   }
 
+  bool is_outside(const Halfspace& h, std::size_t j) const {
+    return points_.is_binary() ? side_of(h, points_.doubles()[j]) == Sign::Positive
+                               : h(points_[PointId(j)]) > 0;
+  }
+
   std::size_t count_block(std::size_t first, std::size_t last) {
     const double largest = doubles_.largest_of(first, last);
     std::vector<bool> outside(last - first, false);
@@ -79,7 +85,7 @@ class OutsideCounter {
       if (surely_inside(filters_[i], first, last, largest)) continue;
       for (std::size_t j = first; j < last; ++j) {
         if (outside[j - first] || surely_inside(filters_[i], j)) continue;
-        outside[j - first] = halfspaces_[i](points_[PointId(j)]) > 0;
+        outside[j - first] = is_outside(halfspaces_[i], j);
       }
     }
     return static_cast<std::size_t>(std::count(outside.begin(), outside.end(), true));
