@@ -19,7 +19,7 @@
 namespace convexact {
 
 /// Arithmetic provides
-///   Scalar                              + - * / < > and, by leading(), the nearest double
+///   Scalar                              + - * / < > <= and, by leading(), the nearest double
 ///   Triple<Scalar> point(HalfspaceId)   the dual point, off by at most 2 unit() per coordinate
 ///   double unit()                       the relative error of one operation, at most 2^-24
 ///
@@ -74,7 +74,7 @@ class FloatLoop {
   // Keys are estimates where fresh and lower ends where stale. Where these hardly differ, as
   // mostly, the key stays as it is and State says so.
   enum State : unsigned char { kFresh = 0, kStale = 1, kWide = 2 };
-  const Scalar infinity_{std::numeric_limits<double>::infinity()};
+  const Scalar infinity_ = Scalar(std::numeric_limits<double>::infinity());
   const Scalar narrow_;  // estimate over lower end, at most
   KeyedQueue<Scalar> queue_;
   std::vector<unsigned char> state_;
@@ -96,7 +96,7 @@ FloatLoop<Arithmetic>::FloatLoop(const FastDual& dual, const Arithmetic& arithme
       arithmetic_(arithmetic),
       options_(options),
       mesh_(dual.size(), dual.triangles(), dual.twins()),
-      narrow_(1 + std::min(0x1p-24, 0x1p29 * arithmetic.unit())),
+      narrow_(Scalar(1 + std::min(0x1p-24, 0x1p29 * arithmetic.unit()))),
       queue_(dual.size()),
       state_(dual.size(), kFresh),
       lower_(dual.size()),
