@@ -35,6 +35,24 @@ struct Arithmetic : Rounded<Number> {
   using Scalar = Number;
 };
 
+// What simplify_float() turns to where doubles cannot tell.
+struct LongerPoints {
+  using Scalar = DoubleDouble;
+  const FastDual& dual;
+
+  Triple<DoubleDouble> point(HalfspaceId i) const { return dual.long_point(i); }
+  static double unit() { return Roundoff<DoubleDouble>::kUnit; }
+};
+
+// MPFR in the place of doubles.
+struct DoublesOfMpfr : Rounded<MpfrScalar<53>> {
+  using Scalar = MpfrScalar<53>;
+  using Longer = LongerPoints;
+  LongerPoints long_points;
+
+  const LongerPoints& longer() const { return long_points; }
+};
+
 template <long kBits>
 double unit_of_bits() {
   return std::ldexp(1.0, -static_cast<int>(kBits));
@@ -84,10 +102,10 @@ Arithmetic<MpfrScalar<kBits>> from_planes(const FastDual& dual) {
   return arithmetic;
 }
 
-template <class Scalar>
-FastResult run(const FastDual& dual, const Arithmetic<Scalar>& arithmetic,
+template <class Numbers>
+FastResult run(const FastDual& dual, const Numbers& arithmetic,
                const SimplifyOptions& options = {}) {
-  return FloatLoop<Arithmetic<Scalar>>(dual, arithmetic, options).run();
+  return FloatLoop<Numbers>(dual, arithmetic, options).run();
 }
 
 // A hull and its dual; none if the points span no volume.
@@ -121,13 +139,15 @@ std::size_t check_same_up_to_ties(const FastResult& sure, const FastResult& quic
 TEST_CASE("float loop: MPFR with the 53 bits of doubles does what doubles do, bit for bit") {
   std::vector<PointSet> sets = {
       PointSet(shapes::in_ball(300, 3)), PointSet(shapes::on_sphere(200, 4)),
-      PointSet(shapes::rounded_box({1, 1, 2}, 0.25, 3)), PointSet(shapes::needle(40, 1e12, 1))};
+      PointSet(shapes::rounded_box({1, 1, 2}, 0.25, 3)), PointSet(shapes::nearly_coplanar(16, 1)),
+      PointSet(shapes::needle(40, 1e12, 1))};
   for (const std::string& path : shipped_meshes()) sets.push_back(read_mesh(path).points);
   for (const PointSet& set : sets) {
     const Subject subject(set);
     REQUIRE(subject.hull() != nullptr);
     const FastDual dual = subject.dual();
-    const auto arithmetic = from_doubles<MpfrScalar<53>>(dual, Roundoff<double>::kUnit);
+    const DoublesOfMpfr arithmetic{from_doubles<MpfrScalar<53>>(dual, Roundoff<double>::kUnit),
+                                   {dual}};
     const SimplifyOptions options{.faces = dual.size() > 400 ? dual.size() - 300 : 4};
     const FastResult doubles = simplify_float(dual, options), mpfr = run(dual, arithmetic, options);
     CHECK(doubles.stop == mpfr.stop);

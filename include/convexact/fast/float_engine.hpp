@@ -10,9 +10,9 @@ namespace convexact {
 /// What holds without any check of the result: the survivors are a subset of the input's
 /// halfspaces, so they contain the solid; and they are bounded, because a removal is made only if
 /// every new vertex is proven to exist (docs/design/filtered.md). What may differ from
-/// simplify_filtered(): the choice between costs that are equal up to rounding; and where the solid
-/// is so thin that doubles cannot tell whether a vertex exists, the run may end early with
-/// AllUnbounded.
+/// simplify_filtered(): the choice between costs that are equal up to rounding; and where not even
+/// DoubleDouble, which is asked where doubles are in doubt, can tell whether a vertex exists, the
+/// run may end early with AllUnbounded.
 /// @param options  `verify` is not looked at: there is no claim to verify but the two above.
 ///                 `max_growth` is compared in doubles.
 /// @throws Error   As simplify_filtered(), but never Internal.

@@ -4,24 +4,44 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "convexact/error.hpp"
-#include "convexact/fast/cap_estimate.hpp"
 #include "convexact/fast/filtered_engine.hpp"
 #include "convexact/fast/half_edge_mesh.hpp"
 #include "convexact/fast/lazy_queue.hpp"
-#include "convexact/fast/ring_geometry.hpp"
+#include "convexact/fast/ring_cap.hpp"
 #include "convexact/fast/solid_volume.hpp"
-#include "convexact/fast/triangulate_ring.hpp"
 #include "convexact/number/rounding.hpp"
 
 namespace convexact {
+
+template <class Arithmetic>
+concept HasLonger = requires {
+  typename Arithmetic::Longer;
+};
+
+// RingCap<Arithmetic::Longer>, or nothing.
+template <class Arithmetic>
+struct LongerCapOf {
+  using Type = std::monostate;
+};
+template <HasLonger Arithmetic>
+struct LongerCapOf<Arithmetic> {
+  using Type = RingCap<typename Arithmetic::Longer>;
+};
+template <class Arithmetic>
+using LongerCap = typename LongerCapOf<Arithmetic>::Type;
 
 /// Arithmetic provides
 ///   Scalar                              + - * / < > <= and, by leading(), the nearest double
 ///   Triple<Scalar> point(HalfspaceId)   the dual point, off by at most 2 unit() per coordinate
 ///   double unit()                       the relative error of one operation, at most 2^-24
+/// and, if there is a longer arithmetic for the caps that this one cannot tell from unbounded ones,
+///   Longer                              such a type, without a Longer of its own
+///   const Longer& longer()
 ///
 /// Signs of H are taken as they come out, and costs as CapEstimator computes them. Three guards,
 /// all relative to the size of what is computed (PlaneFilter), keep the result sound:
@@ -29,7 +49,9 @@ namespace convexact {
 /// - Laziness: a changed cap is looked at again when its *lower end* comes to the top, not its
 ///   estimate, unless both are nearly the same; an ill-conditioned cap has a low one. (Without this
 ///   guard an estimate that is too high would never be looked at again.)
-/// - Doubt: a cap some D of which may be zero counts as unbounded until its ring changes.
+/// - Doubt: a cap some D of which may be zero is looked at in the longer arithmetic; one that this
+///   does not know either counts as unbounded until its ring changes. (Facets that would be one,
+///   had their vertices not been rounded, have dual points a few roundings apart.)
 ///
 /// It ends: each pass removes a halfspace, evaluates a stale cap or stops, and RingTriangulator
 /// ends whatever the signs. The surface stays a sphere around the center: the new triangles of a
@@ -46,23 +68,11 @@ class FloatLoop {
   FastResult run();
 
  private:
-  // Signs of H as they come out.
-  struct Beyond {
-    const RingGeometry<Scalar>& ring;
-    Triple<Scalar> normal{};
-    std::uint32_t low = 0;
-
-    void set_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-      low = a;
-      normal = cross(ring.point[b] - ring.point[a], ring.point[c] - ring.point[a]);
-    }
-    bool is_beyond(std::uint32_t m) const {
-      return is_positive(dot(normal, ring.point[m] - ring.point[low]));
-    }
-  };
-
   void prepare(HalfspaceId i);
+  void load(HalfspaceId i);
   const Scalar& evaluate(HalfspaceId i);
+  template <class Number>
+  void keep(HalfspaceId i, const CapEstimate<Number>& cap);
   Scalar six_times_volume();
   std::optional<HalfspaceId> choose();
   void remove(HalfspaceId i);
@@ -72,8 +82,8 @@ class FloatLoop {
   const SimplifyOptions& options_;
   HalfEdgeMesh mesh_;
   // Keys are estimates where fresh and lower ends where stale. Where these hardly differ, as
-  // mostly, the key stays as it is and State says so.
-  enum State : unsigned char { kFresh = 0, kStale = 1, kWide = 2 };
+  // mostly, the key stays as it is and State says so; and it says whether it took the longer way.
+  enum State : unsigned char { kFresh = 0, kStale = 1, kWide = 2, kLonger = 4 };
   const Scalar infinity_ = Scalar(std::numeric_limits<double>::infinity());
   const Scalar narrow_;  // estimate over lower end, at most
   KeyedQueue<Scalar> queue_;
@@ -82,10 +92,9 @@ class FloatLoop {
   std::vector<Scalar> estimate_;  // likewise; infinite if there is no such cap, or may be none
   std::optional<HalfspaceId> prepared_;
   OneRing ring_;
-  RingGeometry<Scalar> geometry_;
-  RingTriangulator triangulator_;
+  RingCap<Arithmetic> cap_;
+  std::optional<LongerCap<Arithmetic>> longer_cap_;
   std::vector<RingTriangle> triangles_;
-  CapEstimator<Scalar> estimator_;
   std::uint64_t evaluations_ = 0;
 };
 
@@ -100,7 +109,9 @@ FloatLoop<Arithmetic>::FloatLoop(const FastDual& dual, const Arithmetic& arithme
       queue_(dual.size()),
       state_(dual.size(), kFresh),
       lower_(dual.size()),
-      estimate_(dual.size()) {
+      estimate_(dual.size()),
+      cap_(arithmetic) {
+  if constexpr (HasLonger<Arithmetic>) longer_cap_.emplace(arithmetic.longer());
   if (options.faces < 4) throw Error(ErrorCode::InvalidArgument, "a solid has at least 4 faces");
   if (options.max_growth && *options.max_growth < 0) {
     throw Error(ErrorCode::InvalidArgument, "a growth limit is not negative");
@@ -143,30 +154,56 @@ FastResult FloatLoop<Arithmetic>::run() {
   return result;
 }
 
+// The ring of i, triangulated in the arithmetic that knows its cap.
 template <class Arithmetic>
 void FloatLoop<Arithmetic>::prepare(HalfspaceId i) {
   if (prepared_ == i) return;
+  load(i);
+  if constexpr (HasLonger<Arithmetic>) {
+    if (state_[i.index()] & kLonger) longer_cap_->load(i, ring_, options_.seed, triangles_);
+  }
+}
+
+template <class Arithmetic>
+void FloatLoop<Arithmetic>::load(HalfspaceId i) {
   mesh_.one_ring(i, ring_);
-  geometry_.load(i, ring_.vertices, [&](HalfspaceId v) { return arithmetic_.point(v); });
-  Beyond beyond{geometry_};
-  triangulator_.run(static_cast<std::uint32_t>(ring_.vertices.size()), beyond, options_.seed,
-                    triangles_);
+  cap_.load(i, ring_, options_.seed, triangles_);
   prepared_ = i;
 }
 
 // The key of i, fresh.
 template <class Arithmetic>
 const typename FloatLoop<Arithmetic>::Scalar& FloatLoop<Arithmetic>::evaluate(HalfspaceId i) {
-  prepare(i);
+  load(i);
   ++evaluations_;
-  const CapEstimate<Scalar> cap = estimator_.run(geometry_, triangles_, arithmetic_.unit());
-  using Kind = typename CapRange<Scalar>::Kind;
+  const CapEstimate<Scalar> cap = cap_.estimate(triangles_);
+  keep(i, cap);
+  if constexpr (HasLonger<Arithmetic>) {
+    if (cap.kind == CapRange<Scalar>::Kind::Doubtful) {
+      longer_cap_->load(i, ring_, options_.seed, triangles_);
+      keep(i, longer_cap_->estimate(triangles_));
+      state_[i.index()] |= kLonger;
+    }
+  }
+  return estimate_[i.index()];
+}
+
+template <class Arithmetic>
+template <class Number>
+void FloatLoop<Arithmetic>::keep(HalfspaceId i, const CapEstimate<Number>& cap) {
+  using Kind = typename CapRange<Number>::Kind;
+  const auto shortened = [](const Number& x) {
+    if constexpr (std::is_same_v<Number, Scalar>) {
+      return x;
+    } else {
+      return Scalar(leading(x));
+    }
+  };
   Scalar& lower = lower_[i.index()];
   Scalar& estimate = estimate_[i.index()];
-  lower = cap.kind == Kind::Unbounded ? infinity_ : cap.lower;
-  estimate = cap.kind == Kind::Bounded ? cap.value : infinity_;
+  lower = cap.kind == Kind::Unbounded ? infinity_ : shortened(cap.lower);
+  estimate = cap.kind == Kind::Bounded ? shortened(cap.value) : infinity_;
   state_[i.index()] = estimate <= narrow_ * lower ? kFresh : kWide;
-  return estimate;
 }
 
 // The cheapest estimate, once no stale lower end is below it.
@@ -191,7 +228,7 @@ typename FloatLoop<Arithmetic>::Scalar FloatLoop<Arithmetic>::six_times_volume()
   bool certain = true;
   for (std::size_t i = 0; i < dual_.size(); ++i) {
     prepare(HalfspaceId(i));
-    RangeSource<Scalar> source(geometry_, arithmetic_.unit());
+    RangeSource<Scalar> source(cap_.geometry(), arithmetic_.unit());
     add_cone(static_cast<std::uint32_t>(ring_.vertices.size()), source, sum);
     certain = certain && source.is_certain();
   }
