@@ -20,8 +20,9 @@ constexpr const char* kFooter =
     "  convexact diff meshes/*.obj --engines filtered,float --json\n"
     "\n"
     "Where two runs part, both costs are computed from scratch: the halfspaces that are left are\n"
-    "intersected with and without each plane. Exit code 0: the engines agree, or the float engine\n"
-    "chose between costs that are equal up to rounding. Exit code 1: anything else.";
+    "intersected with and without each plane. A run of the float engine is followed to its end.\n"
+    "Exit code 0: the engines agree, or the float engine chose between costs that are equal up to\n"
+    "rounding. Exit code 1: anything else.";
 
 struct Options {
   GlobalOptions global;
@@ -114,7 +115,7 @@ int run(const Options& options) {
 void add_diff_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<Options>();
   CLI::App& command = *program.add_subcommand(
-      "diff", "run engines against each other and explain the first step where they part");
+      "diff", "run engines against each other and explain the steps where they differ");
   command.footer(kFooter);
   add_input_argument(command, options->inputs);
   command.add_option("-k,--faces", options->faces, "how many halfspaces to keep, at least 4")

@@ -29,28 +29,54 @@ Json choice_json(const Choice& choice, const std::vector<Halfspace>& halfspaces)
           {"cost", quantity_json(choice.cost)}};
 }
 
-Json divergence_json(const Comparison& comparison, const std::vector<Halfspace>& halfspaces) {
-  const Divergence& found = *comparison.divergence;
-  const auto shortened = [](const std::optional<Rational>& x) {
-    return x ? measured_json({Enclosure(*x, kVolumeBits), std::nullopt}, kDigits) : Json(nullptr);
-  };
+Json shortened(const std::optional<Rational>& x) {
+  return x ? measured_json({Enclosure(*x, kVolumeBits), std::nullopt}, kDigits) : Json(nullptr);
+}
+
+const char* at_fault(const Comparison& comparison, const Divergence& found) {
+  return words::name_of(found.reference_at_fault ? comparison.reference : comparison.other);
+}
+
+Json divergence_json(const Comparison& comparison, const Divergence& found,
+                     const std::vector<Halfspace>& halfspaces) {
   return {{"step", found.step},
           {"left", found.left},
           {"class", words::name_of(found.kind)},
-          {"at_fault",
-           words::name_of(found.reference_at_fault ? comparison.reference : comparison.other)},
+          {"at_fault", at_fault(comparison, found)},
           {"reference", choice_json(found.reference, halfspaces)},
           {"other", choice_json(found.other, halfspaces)},
           {"regret", shortened(found.regret)},
           {"rounding", shortened(found.rounding)}};
 }
 
+// Without planes and costs, of which there may be thousands of thousands of digits.
+Json brief_json(const Comparison& comparison, const Divergence& found) {
+  const auto id = [](const Choice& choice) {
+    return choice.removed ? Json(choice.removed->index()) : Json(nullptr);
+  };
+  return {{"step", found.step},
+          {"class", words::name_of(found.kind)},
+          {"at_fault", at_fault(comparison, found)},
+          {"reference", id(found.reference)},
+          {"other", id(found.other)},
+          {"regret", shortened(found.regret)}};
+}
+
 Json comparison_json(const Comparison& comparison, const std::vector<Halfspace>& halfspaces) {
+  const std::vector<Divergence>& all = comparison.divergences;
   Json json = {{"reference", words::name_of(comparison.reference)},
                {"other", words::name_of(comparison.other)},
-               {"same", !comparison.divergence},
-               {"explained", comparison.explained}};
-  if (comparison.divergence) json["divergence"] = divergence_json(comparison, halfspaces);
+               {"same", all.empty()},
+               {"explained", comparison.explained},
+               {"compared", {"removals"}},
+               {"judged", comparison.judged}};
+  if (comparison.with_records) json["compared"] = {"removals", "costs", "ties"};
+  if (!all.empty()) {
+    json["divergence"] = divergence_json(comparison, all.front(), halfspaces);
+    json["worst"] = divergence_json(comparison, worst_of(all), halfspaces);
+  }
+  json["divergences"] = Json::array();
+  for (const Divergence& found : all) json["divergences"].push_back(brief_json(comparison, found));
   json["volume_ratio"] = comparison.volume_ratio
                              ? measured_json({*comparison.volume_ratio, std::nullopt}, kDigits)
                              : Json(nullptr);

@@ -44,27 +44,46 @@ struct Row {
   const Comparison* comparison;
 };
 
-std::string row_text(const Row& row, std::size_t name_width) {
-  const Comparison& comparison = *row.comparison;
-  const auto& found = comparison.divergence;
-  const std::string where =
-      found ? fmt::format("{} at step {}", words::name_of(found->kind), found->step) : "same";
-  return fmt::format("{:<{}}  {:>10}  {:>8} {:<8}  {:<34}  {:>9}  {:>9}  {:>12}  {}\n", row.name,
-                     name_width, with_separators(row.report->halfspaces.size()),
-                     words::name_of(comparison.reference), words::name_of(comparison.other), where,
-                     found ? share_text(found->regret) : "",
-                     found ? share_text(found->rounding) : "", ratio_text(comparison.volume_ratio),
-                     comparison.explained ? "ok" : "DIFFERENT");
+// What parted them worst, where first, and how often they differ.
+std::string difference_text(const Comparison& comparison) {
+  const std::vector<Divergence>& all = comparison.divergences;
+  if (all.empty()) return "same";
+  const Divergence& worst = worst_of(all);
+  const std::string text = fmt::format("{} at step {}", words::name_of(worst.kind), worst.step);
+  return all.size() == 1 ? text : fmt::format("{}, {} in all", text, with_separators(all.size()));
 }
 
-std::string witness_text(const Row& row) {
-  const Divergence& found = *row.comparison->divergence;
-  return fmt::format("\n  {}: {} and {} part at step {}, {} halfspaces left: {}\n", row.name,
+std::string row_text(const Row& row, std::size_t name_width) {
+  const Comparison& comparison = *row.comparison;
+  const Divergence* worst =
+      comparison.divergences.empty() ? nullptr : &worst_of(comparison.divergences);
+  return fmt::format(
+      "{:<{}}  {:>10}  {:>8} {:<8}  {:<21}  {:>6}  {:<42}  {:>9}  {:>9}  {:>12}  {}\n", row.name,
+      name_width, with_separators(row.report->halfspaces.size()),
+      words::name_of(comparison.reference), words::name_of(comparison.other),
+      comparison.with_records ? "removals, costs, ties" : "removals",
+      with_separators(comparison.judged), difference_text(comparison),
+      worst ? share_text(worst->regret) : "", worst ? share_text(worst->rounding) : "",
+      ratio_text(comparison.volume_ratio), comparison.explained ? "ok" : "DIFFERENT");
+}
+
+std::string divergence_text(const Row& row, const Divergence& found, const char* what) {
+  return fmt::format("\n  {}: {} and {} {} at step {}, {} halfspaces left: {}\n", row.name,
                      words::name_of(row.comparison->reference),
-                     words::name_of(row.comparison->other), found.step, with_separators(found.left),
-                     words::name_of(found.kind)) +
+                     words::name_of(row.comparison->other), what, found.step,
+                     with_separators(found.left), words::name_of(found.kind)) +
          choice_line(row.comparison->reference, found.reference, row.report->halfspaces) +
          choice_line(row.comparison->other, found.other, row.report->halfspaces);
+}
+
+// Where they part and, if it is another step, where they differ worst.
+std::string witness_text(const Row& row) {
+  const std::vector<Divergence>& all = row.comparison->divergences;
+  if (all.empty()) return "";
+  const Divergence &first = all.front(), &worst = worst_of(all);
+  std::string text = divergence_text(row, first, "part");
+  if (&worst != &first) text += divergence_text(row, worst, "differ most");
+  return text;
 }
 
 }  // namespace
@@ -78,13 +97,12 @@ std::string diff_table(const std::vector<NamedDiff>& objects) {
       rows.push_back({object.name, object.report, &comparison});
     }
   }
-  std::string text = fmt::format("{:<{}}  {:>10}  {:<17}  {:<34}  {:>9}  {:>9}  {:>12}\n", "object",
-                                 width, "halfspaces", " reference other", "removals", "regret",
-                                 "rounding", "final volume");
+  std::string text =
+      fmt::format("{:<{}}  {:>10}  {:<17}  {:<21}  {:>6}  {:<42}  {:>9}  {:>9}  {:>12}\n", "object",
+                  width, "halfspaces", " reference other", "compared", "steps", "difference",
+                  "regret", "rounding", "final volume");
   for (const Row& row : rows) text += row_text(row, width);
-  for (const Row& row : rows) {
-    if (row.comparison->divergence) text += witness_text(row);
-  }
+  for (const Row& row : rows) text += witness_text(row);
   return text;
 }
 

@@ -7,6 +7,7 @@
 #include "convexact/lp/interior_point.hpp"
 #include "convexact/measure/volume.hpp"
 #include "convexact/number/balanced_sum.hpp"
+#include "convexact/oracle/greedy_check.hpp"
 
 namespace convexact {
 namespace {
@@ -82,6 +83,56 @@ std::optional<Enclosure> volume_ratio(std::span<const Halfspace> halfspaces,
   return enclose_volume(*second, kVolumeBits) / enclose_volume(*first, kVolumeBits);
 }
 
+// Divergences as seen from the run, in a comparison that has the run first.
+void swap_sides(std::vector<Divergence>& divergences) {
+  for (Divergence& divergence : divergences) {
+    std::swap(divergence.reference, divergence.other);
+    divergence.reference_at_fault = !divergence.reference_at_fault;
+  }
+}
+
+// Where the run is not greedy after step `first`, the one where it parts from another.
+std::vector<Divergence> later_divergences(const DualHull& solid, const RationalPoint& center,
+                                          const EngineRun& run, std::size_t first,
+                                          const DiffRequest& request) {
+  std::vector<Divergence> found = check_greedy(solid, center, run, request.stop);
+  std::erase_if(found, [&](const Divergence& divergence) { return divergence.step <= first; });
+  return found;
+}
+
+Comparison compare(const DualHull& solid, const RationalPoint& center, const EngineRun& reference,
+                   const EngineRun& other, const DiffRequest& request, StageLog& log) {
+  Comparison result{reference.engine, other.engine, {}, true, other.removed.size(), false, {}};
+  result.with_records = have_records(reference, other);
+  const std::optional<Divergence> first = log.run("costs by definition", [&] {
+    return find_divergence(solid.halfspaces, center, reference, other);
+  });
+  std::vector<Divergence>& found = result.divergences;
+  if (first) {
+    found.push_back(*first);
+    result.judged = first->step + 1;
+  }
+  const bool is_reference = reference.engine == Engine::Float;
+  if (first && (is_reference || other.engine == Engine::Float)) {
+    const EngineRun& followed = is_reference ? reference : other;
+    log.run("every step of float", [&] {
+      std::vector<Divergence> later =
+          later_divergences(solid, center, followed, first->step, request);
+      if (is_reference) swap_sides(later);
+      found.insert(found.end(), later.begin(), later.end());
+    });
+    if (found.back().kind != DivergenceKind::WrongBoundedness) {
+      result.judged = followed.removed.size();
+    }
+  }
+  result.explained = std::all_of(found.begin(), found.end(), [&](const Divergence& divergence) {
+    return is_explained(divergence, reference.engine, other.engine);
+  });
+  result.volume_ratio = log.run(
+      "final volumes", [&] { return volume_ratio(solid.halfspaces, center, reference, other); });
+  return result;
+}
+
 }  // namespace
 
 bool DiffReport::holds() const {
@@ -99,19 +150,11 @@ DiffOutcome diff_engines(const Shape& shape, const DiffRequest& request, StageLo
 
   DiffReport report;
   report.runs = run_engines(solid.dual, center, request, log);
-  report.halfspaces = std::move(solid.dual.halfspaces);
   for (std::size_t k = 1; k < report.runs.size(); ++k) {
-    const EngineRun &reference = report.runs[0], &other = report.runs[k];
-    Comparison comparison{reference.engine, other.engine, {}, true, {}};
-    comparison.divergence = log.run("costs by definition", [&] {
-      return find_divergence(report.halfspaces, center, reference, other);
-    });
-    comparison.explained = !comparison.divergence ||
-                           is_explained(*comparison.divergence, reference.engine, other.engine);
-    comparison.volume_ratio = log.run(
-        "final volumes", [&] { return volume_ratio(report.halfspaces, center, reference, other); });
-    report.comparisons.push_back(std::move(comparison));
+    report.comparisons.push_back(
+        compare(solid.dual, center, report.runs[0], report.runs[k], request, log));
   }
+  report.halfspaces = std::move(solid.dual.halfspaces);
   return report;
 }
 

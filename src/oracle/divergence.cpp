@@ -7,7 +7,7 @@ namespace convexact {
 namespace {
 
 bool same_record(const EngineRun& a, const EngineRun& b, std::size_t step) {
-  if (a.costs.empty() || b.costs.empty()) return true;  // one of them kept none
+  if (!have_records(a, b)) return true;
   return a.costs[step] == b.costs[step] && a.ties[step] == b.ties[step];
 }
 
@@ -70,33 +70,28 @@ void judge_costs(Divergence& found, const RemovalCost& reference, const RemovalC
   found.rounding = rounding / lower;
 }
 
+// What a removal costs; ending costs nothing that could be stated.
+RemovalCost cost_of(const Choice& choice, std::span<const Halfspace> halfspaces,
+                    const RemovalOracle& oracle) {
+  return choice.removed ? oracle.without(halfspaces[choice.removed->index()]) : RemovalCost{};
+}
+
+Divergence choices_at(std::size_t step, std::size_t halfspaces,
+                      std::optional<HalfspaceId> reference, std::optional<HalfspaceId> other) {
+  return {
+      step, halfspaces - step, DivergenceKind::WrongRecord, {reference, {}}, {other, {}}, false, {},
+      {}};
+}
+
 }  // namespace
 
-std::optional<Divergence> find_divergence(std::span<const Halfspace> halfspaces,
-                                          const RationalPoint& center, const EngineRun& reference,
-                                          const EngineRun& other) {
-  const std::size_t step = common_steps(reference, other);
-  Divergence found{step,
-                   halfspaces.size() - step,
-                   DivergenceKind::WrongRecord,
-                   {removal_at(reference, step), {}},
-                   {removal_at(other, step), {}},
-                   false,
-                   {},
-                   {}};
-  if (!found.reference.removed && !found.other.removed) {
-    if (reference.stop == other.stop) return std::nullopt;
-    return found;
-  }
-  const RemovalOracle oracle(left_after(halfspaces, reference, step), center);
-  if (found.reference.removed == found.other.removed) {
-    judge_record(found, reference, other, halfspaces, oracle);
-    return found;
-  }
-  const auto cost_of = [&](const Choice& choice) {
-    return choice.removed ? oracle.without(halfspaces[choice.removed->index()]) : RemovalCost{};
-  };
-  const RemovalCost first = cost_of(found.reference), second = cost_of(found.other);
+Divergence judge_choices(std::span<const Halfspace> halfspaces, const RationalPoint& center,
+                         const EngineRun& run, std::size_t step,
+                         std::optional<HalfspaceId> reference, std::optional<HalfspaceId> other) {
+  Divergence found = choices_at(step, halfspaces.size(), reference, other);
+  const RemovalOracle oracle(left_after(halfspaces, run, step), center);
+  const RemovalCost first = cost_of(found.reference, halfspaces, oracle);
+  const RemovalCost second = cost_of(found.other, halfspaces, oracle);
   found.reference.cost = first.cost;
   found.other.cost = second.cost;
   if (first.cost && second.cost) {
@@ -108,6 +103,33 @@ std::optional<Divergence> find_divergence(std::span<const Halfspace> halfspaces,
     found.reference_at_fault = !first.cost && (second.cost || found.reference.removed);
   }
   return found;
+}
+
+std::optional<Divergence> find_divergence(std::span<const Halfspace> halfspaces,
+                                          const RationalPoint& center, const EngineRun& reference,
+                                          const EngineRun& other) {
+  const std::size_t step = common_steps(reference, other);
+  const auto first = removal_at(reference, step), second = removal_at(other, step);
+  if (first != second) return judge_choices(halfspaces, center, reference, step, first, second);
+  if (!first && reference.stop == other.stop) return std::nullopt;
+  Divergence found = choices_at(step, halfspaces.size(), first, second);
+  if (first) {
+    const RemovalOracle oracle(left_after(halfspaces, reference, step), center);
+    judge_record(found, reference, other, halfspaces, oracle);
+  }
+  return found;
+}
+
+bool have_records(const EngineRun& a, const EngineRun& b) {
+  return a.costs.size() == a.removed.size() && b.costs.size() == b.removed.size();
+}
+
+const Divergence& worst_of(std::span<const Divergence> divergences) {
+  const auto is_better = [](const Divergence& a, const Divergence& b) {
+    if (a.kind != b.kind) return a.kind < b.kind;
+    return a.regret && (!b.regret || *a.regret < *b.regret);
+  };
+  return *std::max_element(divergences.begin(), divergences.end(), is_better);
 }
 
 bool is_explained(const Divergence& divergence, Engine reference, Engine other) {

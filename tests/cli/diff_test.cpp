@@ -41,8 +41,12 @@ TEST_CASE("diff --json: engines that agree are exit 0, as the schema says") {
   CHECK(object["halfspaces"] == 8);
   CHECK(object["engines"][0] == json{{"engine", "exact"}, {"steps", 2}, {"stop", "all-unbounded"}});
   REQUIRE(object["comparisons"].size() == 2);
+  CHECK(object["comparisons"][0]["compared"] == json{"removals", "costs", "ties"});
+  CHECK(object["comparisons"][1]["compared"] == json{"removals"});
   for (const json& comparison : object["comparisons"]) {
     CHECK(comparison["same"] == true);
+    CHECK(comparison["judged"] == 2);
+    CHECK(comparison["divergences"].empty());
     CHECK(comparison["volume_ratio"]["decimal"] == "1");
   }
 }
@@ -63,6 +67,15 @@ TEST_CASE("diff --json: a tie that the float engine breaks otherwise is explaine
   CHECK(found["regret"]["decimal"] == "0");
   CHECK(found["reference"]["cost"]["exact"] == found["other"]["cost"]["exact"]);
   CHECK(found["reference"]["removed"] < found["other"]["removed"]);
+  // Every one of the 36 steps was judged, and nothing worse than rounding found.
+  CHECK(comparisons[1]["judged"] == 36);
+  REQUIRE(comparisons[1]["divergences"].size() > 1);
+  CHECK(comparisons[1]["divergences"][0]["step"] == found["step"]);
+  for (const json& each : comparisons[1]["divergences"]) {
+    CHECK((each["class"] == "tie" || each["class"] == "gap-below-rounding"));
+    CHECK(each["at_fault"] == "float");
+  }
+  CHECK(comparisons[1]["worst"]["regret"]["value"] >= 0);
   document["objects"][0]["comparisons"][1]["divergence"]["class"] = "bad luck";
   CHECK(complaint(document) != "");
 }

@@ -180,7 +180,10 @@ TEST_CASE("diff: engines agree on random points; a request must make sense") {
   CHECK(report->holds());
   REQUIRE(report->runs.size() == 3);
   REQUIRE(report->comparisons.size() == 2);
-  CHECK_FALSE(report->comparisons[0].divergence);
+  CHECK(report->comparisons[0].divergences.empty());
+  CHECK(report->comparisons[0].with_records);
+  CHECK(report->comparisons[0].judged == report->runs[0].removed.size());
+  CHECK_FALSE(report->comparisons[1].with_records);
   CHECK(report->comparisons[0].volume_ratio->contains(Rational(1)));
 
   DiffRequest request;

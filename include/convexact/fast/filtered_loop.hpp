@@ -26,13 +26,25 @@ class FilteredLoop {
   /// @param steps  If not null, the full record of every step is appended.
   FastResult run(std::vector<Step>* steps = nullptr);
 
+  /// The loop step by step, for who may remove something else than the cheapest. First:
+  void evaluate_all();
+  /// The cheapest, first in canonical order; none if every removal is unbounded.
+  std::optional<HalfspaceId> choose();
+  /// After choose(): all that cost as little, in canonical order.
+  const std::vector<HalfspaceId>& tie() const { return contenders_; }
+  /// Of a halfspace that is still there.
+  bool is_bounded(HalfspaceId i);
+  /// Of one that is_bounded().
+  const Rational& exact_cost(HalfspaceId i) { return ties_.exact_cost(i); }
+  /// Precondition: is_bounded(i).
+  void remove(HalfspaceId i);
+
  private:
   void evaluate(HalfspaceId i);
   void refine(HalfspaceId i);
   void raise(HalfspaceId i, double lower, double upper);
   void give_up(HalfspaceId i);
 
-  std::optional<HalfspaceId> choose();
   bool are_ends_close(HalfspaceId i) const;
   bool settle_top();
   bool refresh_contenders();
@@ -43,7 +55,6 @@ class FilteredLoop {
   FastStep describe(HalfspaceId i) const;
   Step record(HalfspaceId i);
   void verify(HalfspaceId i);
-  void remove(HalfspaceId i);
   void list_new_triangles();
 
   const FastDual& dual_;
@@ -82,8 +93,7 @@ template <class Audit>
 FastResult FilteredLoop<Audit>::run(std::vector<Step>* steps) {
   FastResult result;
   GrowthWatch growth(dual_, options_.max_growth);
-  for (std::size_t i = 0; i < dual_.size(); ++i) queue_.append(HalfspaceId(i), 0);
-  for (std::size_t i = 0; left_ > options_.faces && i < dual_.size(); ++i) evaluate(HalfspaceId(i));
+  if (left_ > options_.faces) evaluate_all();
   while (left_ > options_.faces) {
     if (options_.stop != nullptr && *options_.stop) throw Error(ErrorCode::Stopped, "interrupted");
     const std::optional<HalfspaceId> choice = choose();
@@ -111,6 +121,18 @@ FastResult FilteredLoop<Audit>::run(std::vector<Step>* steps) {
   counts_.signs = cap_.sign_counts();
   result.counts = counts_;
   return result;
+}
+
+template <class Audit>
+void FilteredLoop<Audit>::evaluate_all() {
+  for (std::size_t i = 0; i < dual_.size(); ++i) queue_.append(HalfspaceId(i), 0);
+  for (std::size_t i = 0; i < dual_.size(); ++i) evaluate(HalfspaceId(i));
+}
+
+template <class Audit>
+bool FilteredLoop<Audit>::is_bounded(HalfspaceId i) {
+  if (queue_.contains(i) && stale_[i.index()]) evaluate(i);
+  return queue_.contains(i);
 }
 
 // Ends of a fresh entry. An old lower end is one still, and the higher of the two is better.
@@ -264,6 +286,7 @@ void FilteredLoop<Audit>::verify(HalfspaceId i) {
 
 template <class Audit>
 void FilteredLoop<Audit>::remove(HalfspaceId i) {
+  cap_.prepare(i);
   mesh_.remove(i, cap_.ring(), cap_.triangles());
   --left_;
   give_up(i);

@@ -8,7 +8,8 @@
 
 namespace convexact {
 
-/// One object's report without its name and stages. Costs are exact, whatever their length.
+/// One object's report without its name and stages. Where two runs part and where they differ
+/// worst, costs are exact, whatever their length.
 [[nodiscard]] nlohmann::ordered_json diff_json(const DiffReport& report);
 
 struct NamedDiff {
@@ -16,7 +17,8 @@ struct NamedDiff {
   const DiffReport* report;
 };
 
-/// A table with a row per object and comparison, then each divergence with its planes and costs.
+/// A table with a row per object and comparison, then where each pair parts and differs worst, with
+/// planes and costs.
 [[nodiscard]] std::string diff_table(const std::vector<NamedDiff>& objects);
 
 }  // namespace convexact

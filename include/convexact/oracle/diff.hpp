@@ -24,11 +24,19 @@ struct DiffRequest {
 };
 
 /// One engine against the reference.
+///
+/// Two engines that promise the same answer are compared up to the first step where they differ. If
+/// one of them is the float engine, its run is followed from there to the end (check_greedy()):
+/// every step is judged in the state that the float engine had reached.
 struct Comparison {
   Engine reference, other;
-  std::optional<Divergence> divergence;  ///< None: the same, step by step.
-  /// No divergence, or one of the float engine that is a tie or below rounding.
-  bool explained = true;
+  /// Ascending by step; empty if the runs are the same, step by step. The first is where the runs
+  /// part. In the later ones the choice of the engine that is not `float` is what the filtered
+  /// engine would remove there, as its own run is elsewhere by then.
+  std::vector<Divergence> divergences;
+  bool explained = true;      ///< Whether each of them is (is_explained()).
+  std::size_t judged = 0;     ///< Steps that were compared or judged, from the first one on.
+  bool with_records = false;  ///< Costs and tie lists were compared, not only removals.
   /// Final volume of `other` over that of the reference; none if either is unbounded.
   std::optional<Enclosure> volume_ratio;
 };
@@ -44,9 +52,9 @@ struct DiffReport {
 
 using DiffOutcome = std::variant<DiffReport, NotSolid>;
 
-/// Runs the engines on one dual hull, from one center, and judges where they part. Nothing is
-/// verified on the way: the comparison is the verification. The filtered engine keeps its record
-/// only if the exact one runs too.
+/// Runs the engines on one dual hull, from one center, and judges where they differ. Nothing is
+/// verified on the way: the comparison is the verification. The filtered engine keeps its record,
+/// costs and tie lists, only if the exact one runs too: no other engine has one to compare it with.
 /// @throws Error InvalidArgument for a request that makes no sense; Stopped; Internal.
 [[nodiscard]] DiffOutcome diff_engines(const Shape& shape, const DiffRequest& request,
                                        StageLog& log);

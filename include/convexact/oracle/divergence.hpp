@@ -38,16 +38,32 @@ struct Divergence {
   std::optional<Rational> rounding;
 };
 
-/// The first step where two runs differ; none if they made the same removals, ended for the same
-/// reason and, where both kept them, recorded the same costs and ties.
+/// Two different choices on what the first `step` removals of `run` leave, judged by the
+/// definition. At least one of them is a removal.
 /// @param halfspaces  Of the solid, in canonical order, none redundant; ids are positions.
 /// @param center      Strictly inside.
-/// @throws Error      InvalidArgument if the runs agree on a prefix that leaves an unbounded solid.
+/// @throws Error      InvalidArgument if what they leave is unbounded.
 /// @par Cost          Three intersections of what is left, from scratch: expected O(n log n).
+[[nodiscard]] Divergence judge_choices(std::span<const Halfspace> halfspaces,
+                                       const RationalPoint& center, const EngineRun& run,
+                                       std::size_t step, std::optional<HalfspaceId> reference,
+                                       std::optional<HalfspaceId> other);
+
+/// The first step where two runs differ; none if they made the same removals, ended for the same
+/// reason and, where both kept them, recorded the same costs and ties.
+/// @throws Error      InvalidArgument if the runs agree on a prefix that leaves an unbounded solid.
+/// Otherwise as judge_choices().
 [[nodiscard]] std::optional<Divergence> find_divergence(std::span<const Halfspace> halfspaces,
                                                         const RationalPoint& center,
                                                         const EngineRun& reference,
                                                         const EngineRun& other);
+
+/// Whether both runs kept costs and tie lists, so that these were compared too.
+[[nodiscard]] bool have_records(const EngineRun& a, const EngineRun& b);
+
+/// Of a non-empty list the worst: by kind, in the order of DivergenceKind, then by regret; the
+/// first of equals. No regret is larger than any.
+[[nodiscard]] const Divergence& worst_of(std::span<const Divergence> divergences);
 
 /// Whether the engine at fault may differ like this: only the float engine may, and only where
 /// costs are equal or too close for doubles.

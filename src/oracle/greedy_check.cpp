@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/oracle/greedy_check.hpp"
+
+#include <algorithm>
+
+#include "convexact/error.hpp"
+#include "convexact/fast/filtered_loop.hpp"
+
+namespace convexact {
+namespace {
+
+Divergence tied(std::size_t step, std::size_t left, HalfspaceId first, HalfspaceId chosen,
+                const Rational& cost) {
+  return {step, left, DivergenceKind::Tie, {first, cost}, {chosen, cost}, false, Rational(0), {}};
+}
+
+}  // namespace
+
+std::vector<Divergence> check_greedy(const DualHull& solid, const RationalPoint& center,
+                                     const EngineRun& run, const std::atomic<bool>* stop) {
+  std::vector<Divergence> found;
+  const FastDual dual = FastDual::of(solid, center);
+  NoAudit audit;
+  const SimplifyOptions options;
+  FilteredLoop<NoAudit> loop(dual, options, audit);
+  loop.evaluate_all();
+  for (std::size_t step = 0; step < run.removed.size(); ++step) {
+    if (stop != nullptr && *stop) throw Error(ErrorCode::Stopped, "interrupted");
+    const HalfspaceId chosen = run.removed[step];
+    const std::optional<HalfspaceId> cheapest = loop.choose();
+    if (cheapest != chosen) {
+      const std::vector<HalfspaceId>& tie = loop.tie();
+      const bool is_tied = cheapest && std::find(tie.begin(), tie.end(), chosen) != tie.end();
+      found.push_back(is_tied
+                          ? tied(step, solid.halfspaces.size() - step, *cheapest, chosen,
+                                 loop.exact_cost(chosen))
+                          : judge_choices(solid.halfspaces, center, run, step, cheapest, chosen));
+      if (!loop.is_bounded(chosen)) return found;
+    }
+    loop.remove(chosen);
+  }
+  if (run.stop != StopReason::AllUnbounded) return found;
+  if (const std::optional<HalfspaceId> missed = loop.choose()) {
+    found.push_back(judge_choices(solid.halfspaces, center, run, run.removed.size(), missed, {}));
+  }
+  return found;
+}
+
+}  // namespace convexact
