@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// growth_limits.hpp - limits of growth that a run hits exactly, or misses by next to nothing.
+#pragma once
+#include <vector>
+
+#include "convexact/measure/volume.hpp"
+#include "convexact/simplify/trace.hpp"
+
+/// A limit and, by its definition, how many steps of the run stay within it: the longest prefix
+/// with V <= (1 + g) V0.
+struct GrowthCase {
+  convexact::Rational limit;
+  std::size_t steps;
+};
+
+/// Growth by the first `count` steps exactly, by less than 2^-80 of that more, and, for a count
+/// above 0, less.
+inline std::vector<GrowthCase> limits_after(const convexact::Trace& trace,
+                                            const convexact::Rational& volume, std::size_t count) {
+  using namespace convexact;
+  Rational grown = 0;
+  for (std::size_t s = 0; s < count; ++s) grown += trace.steps[s].cost;
+  const Rational exactly = grown / volume, next_to_nothing = scale_by_power_of_two(exactly, -81);
+  std::vector<GrowthCase> cases{{exactly, count}};
+  if (count == 0) return cases;
+  cases.push_back({exactly - next_to_nothing, count - 1});
+  // Not more than half of the next step, should that be tiny.
+  Rational more = next_to_nothing;
+  if (count < trace.steps.size()) {
+    more = std::min(more, Rational(trace.steps[count].cost / volume / 2));
+  }
+  cases.push_back({exactly + more, count});
+  return cases;
+}
