@@ -40,22 +40,31 @@ long exponent_of(const Polytope& polytope) {
   return largest;
 }
 
-// The vertices less vertex 0 as multiples of 2^-shift, both rounded down: each off by less than 1.
-std::vector<IntegerVector3> rounded_arms(const Polytope& polytope, long shift) {
+// The vertices less vertex 0 as multiples of 2^-shift, both rounded down: each off by less than 1,
+// and exact where all vertices are such multiples.
+struct RoundedArms {
   std::vector<IntegerVector3> arms;
+  bool are_exact = true;
+};
+RoundedArms rounded_arms(const Polytope& polytope, long shift) {
+  RoundedArms result;
+  std::vector<IntegerVector3>& arms = result.arms;
   arms.reserve(polytope.vertices.size());
+  Integer rest;
   const auto up = static_cast<unsigned>(std::max(shift, 0L)),
              down = static_cast<unsigned>(std::max(-shift, 0L));
   for (const RationalPoint& p : polytope.vertices) {
     IntegerVector3& arm = arms.emplace_back();
     for (int k = 0; k < 3; ++k) {
       const Integer above = numerator(p[k]) << up, below = denominator(p[k]) << down;
-      mpz_fdiv_q(arm[k].backend().data(), above.backend().data(), below.backend().data());
+      mpz_fdiv_qr(arm[k].backend().data(), rest.backend().data(), above.backend().data(),
+                  below.backend().data());
+      result.are_exact = result.are_exact && rest.is_zero();
     }
   }
   const IntegerVector3 apex = arms[0];
   for (IntegerVector3& arm : arms) arm -= apex;
-  return arms;
+  return result;
 }
 
 // By tetrahedra from vertex 0 in integers of about `bits` bits. That is cheap, but what the
@@ -65,7 +74,7 @@ std::vector<IntegerVector3> rounded_arms(const Polytope& polytope, long shift) {
 // its six products is off by less than (L + 1)^3 - L^3 <= 3 (L + 1)^2.
 Enclosure enclose_by_rounding(const Polytope& polytope, long bits) {
   const long shift = bits - exponent_of(polytope);
-  const std::vector<IntegerVector3> arms = rounded_arms(polytope, shift);
+  const auto [arms, are_exact] = rounded_arms(polytope, shift);
   Integer sum = 0, largest = 0, tetrahedra = 0;
   for (const IntegerVector3& arm : arms) {
     for (const Integer& x : arm) largest = std::max(largest, Integer(abs(x)));
@@ -78,7 +87,7 @@ Enclosure enclose_by_rounding(const Polytope& polytope, long bits) {
       ++tetrahedra;
     }
   }
-  const Integer error = 6 * 3 * tetrahedra * (largest + 1) * (largest + 1);
+  const Integer error = are_exact ? 0 : Integer(18 * tetrahedra * (largest + 1) * (largest + 1));
   const auto end = [&](const Integer& six_volumes) {
     return scale_by_power_of_two(Rational(six_volumes), -3 * shift) / 6;
   };
