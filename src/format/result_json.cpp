@@ -131,13 +131,23 @@ Json stages_json(const std::vector<Stage>& stages) {
   return list;
 }
 
+namespace {
+
+Json stop_json(const SimplifyResult& result) {
+  // What doubles cannot prove to be bounded need not be unbounded.
+  const bool is_doubt = result.engine == Engine::Float && result.stop == StopReason::AllUnbounded;
+  return is_doubt ? "none-certain" : words::name_of(result.stop);
+}
+
+}  // namespace
+
 Json result_json(const SimplifyResult& result) {
   Json json;
   json["input"] = input_json(result.input_points, result.hull_vertices, result.input_halfspaces,
                              result.redundant);
   json["output"] = {{"halfspaces", result.solid.exact.planes.size()},
                     {"reached", result.stop != StopReason::AllUnbounded},
-                    {"stop", words::name_of(result.stop)},
+                    {"stop", stop_json(result)},
                     {"planes", planes_json(result.solid.exact.planes)},
                     {"stored", stored_json(result.solid)}};
   // An upper bound, so that it never reads as less than 1.

@@ -37,7 +37,9 @@ std::string output_line(const SimplifyResult& result) {
     case StopReason::AllUnbounded:
       break;
   }
-  return text + ": removing any one more would leave the solid unbounded";
+  return text + (result.engine == Engine::Float
+                     ? ": doubles are certain of no further removal; --engine filtered decides"
+                     : ": removing any one more would leave the solid unbounded");
 }
 
 // As many certain digits as the bounds give, up to `digits`.

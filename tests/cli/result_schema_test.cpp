@@ -62,6 +62,14 @@ TEST_CASE("--json: a cube cannot lose a side, and that is said") {
   CHECK(document["output"]["halfspaces"] == 6);
   CHECK(document["input"]["redundant"] == json{6});
   CHECK(document["volume"]["output"]["exact"] == "8");
+  CHECK(document["output"]["stop"] == "all-unbounded");
+  // The float engine knows only what it cannot prove.
+  const auto doubles = run_program("simplify " + cube + " --faces 5 --json --engine float");
+  REQUIRE(doubles.exit == 0);
+  CHECK(is_valid(json::parse(doubles.out)));
+  CHECK(json::parse(doubles.out)["output"]["stop"] == "none-certain");
+  const auto words = run_program("simplify " + cube + " --faces 5 --engine float");
+  CHECK((words.out + words.err).find("--engine filtered decides") != std::string::npos);
 }
 
 TEST_CASE("--json: failures and several objects are as the schema says") {
