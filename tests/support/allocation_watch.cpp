@@ -6,10 +6,11 @@
 #include <cstdlib>
 #include <new>
 
-std::size_t largest_allocation = 0;
+std::size_t largest_allocation = 0, allocation_count = 0;
 
 void* operator new(std::size_t size) {
   largest_allocation = std::max(largest_allocation, size);
+  ++allocation_count;
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
