@@ -7,6 +7,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/number/rounding.hpp"
+#include "words.hpp"
 
 namespace convexact {
 namespace {
@@ -53,6 +54,7 @@ class TraceReader {
   HalfspaceId id(const ordered_json& number) const;
   std::vector<HalfspaceId> ids(const ordered_json& list) const;
   Step step(const ordered_json& object) const;
+  StopReason stop_reason(const std::string& name) const;
   void require_array(const ordered_json& value) const {
     if (!value.is_array()) reject("an array");
   }
@@ -105,6 +107,14 @@ Step TraceReader::step(const ordered_json& object) const {
   return step;
 }
 
+StopReason TraceReader::stop_reason(const std::string& name) const {
+  for (const StopReason reason :
+       {StopReason::Reached, StopReason::GrowthLimit, StopReason::AllUnbounded}) {
+    if (name == words::name_of(reason)) return reason;
+  }
+  reject("reached, growth-limit or all-unbounded");
+}
+
 Trace TraceReader::read(const ordered_json& document) {
   Trace trace;
   const ordered_json& halfspaces = document.at("halfspaces");
@@ -121,6 +131,9 @@ Trace TraceReader::read(const ordered_json& document) {
     place_ = "step " + std::to_string(trace.steps.size() + 1);
     trace.steps.push_back(step(object));
   }
+  place_ = "stop";
+  trace.stop =
+      stop_reason(document.value<std::string>("stop", words::name_of(StopReason::Reached)));
   return trace;
 }
 
@@ -130,8 +143,10 @@ std::string write_trace_json(const Trace& trace) {
   ordered_json halfspaces = ordered_json::array(), steps = ordered_json::array();
   for (const Halfspace& halfspace : trace.halfspaces) halfspaces.push_back(to_json(halfspace));
   for (const Step& step : trace.steps) steps.push_back(to_json(step));
-  return ordered_json{{"halfspaces", std::move(halfspaces)}, {"steps", std::move(steps)}}.dump() +
-         "\n";
+  const ordered_json document = {{"halfspaces", std::move(halfspaces)},
+                                 {"steps", std::move(steps)},
+                                 {"stop", words::name_of(trace.stop)}};
+  return document.dump() + "\n";
 }
 
 Trace read_trace_json(std::string_view text) {

@@ -41,6 +41,21 @@ TEST_CASE("trace_json: a trace comes back") {
     CHECK(again.steps[s].triangles == trace.steps[s].triangles);
     CHECK(again.steps[s].left == trace.steps[s].left);
   }
+  for (const StopReason stop :
+       {StopReason::Reached, StopReason::GrowthLimit, StopReason::AllUnbounded}) {
+    CHECK(read_trace_json(write_trace_json({trace.halfspaces, trace.steps, stop})).stop == stop);
+  }
+}
+
+TEST_CASE("trace_json: a trace that does not say why it ended has reached its end") {
+  json document = json::parse(write_trace_json(example()));
+  document.erase("stop");
+  CHECK(complaint(document).empty());
+  CHECK(read_trace_json(document.dump()).stop == StopReason::Reached);
+  document["stop"] = "bored";
+  CHECK_THROWS_AS(read_trace_json(document.dump()), Error);
+  document["stop"] = 3;
+  CHECK_THROWS_AS(read_trace_json(document.dump()), Error);
 }
 
 TEST_CASE("trace_json: the first step of three equal corners, written out") {
@@ -62,6 +77,7 @@ TEST_CASE("trace_json: conforms to its schema, and a mutated document does not")
   const std::vector<std::function<void(json&)>> mutations = {
       [](json& d) { d.erase("steps"); },
       [](json& d) { d["extra"] = 1; },
+      [](json& d) { d["stop"] = "bored"; },
       [](json& d) { d["halfspaces"][0][0] = 1; },
       [](json& d) { d["halfspaces"][0][0] = "01"; },
       [](json& d) { d["halfspaces"][0].push_back("1"); },
