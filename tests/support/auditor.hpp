@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// auditor.hpp - decides again whatever the filtered engine decides without exact numbers: signs by
+// a determinant of rationals, caps by the exact engine's explicit polytopes.
+#pragma once
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <variant>
+#include <vector>
+
+#include "convexact/dual/polar.hpp"
+#include "convexact/fast/filtered_loop.hpp"
+#include "convexact/hull/hull.hpp"
+#include "convexact/simplify/cap.hpp"
+#include "exact_determinant.hpp"
+
+namespace audit {
+
+using namespace convexact;
+
+/// What an auditor has heard of, and decided again.
+struct Tally {
+  std::size_t signs = 0, unknown_signs = 0, signs_checked = 0;
+  std::size_t caps = 0, unenclosed_caps = 0, caps_checked = 0;
+};
+
+/// Decides again every `stride`-th sign and cap that it hears of.
+class Auditor : public Tally {
+ public:
+  Auditor(const FastDual& dual, std::size_t stride) : dual_(dual), stride_(stride) {}
+
+  void height(HalfspaceId a, HalfspaceId b, HalfspaceId c, HalfspaceId p, Verdict verdict) {
+    if (verdict == Verdict::Unknown) {
+      ++unknown_signs;
+      return;
+    }
+    if (++signs % stride_ != 0) return;
+    std::vector<std::vector<Rational>> rows;
+    for (const HalfspaceId i : {a, b, c, p}) {
+      const Halfspace& h = dual_.exact(i);
+      rows.push_back({Rational(h.normal()[0]), Rational(h.normal()[1]), Rational(h.normal()[2]),
+                      Rational(h.offset())});
+    }
+    CHECK(static_cast<int>(sign_of(exact_determinant(rows))) == static_cast<int>(verdict));
+    ++signs_checked;
+  }
+
+  template <class Scalar>
+  void cap(HalfspaceId i, const OneRing& ring, const std::vector<RingTriangle>& triangles,
+           const CapRange<Scalar>& range) {
+    using Kind = typename CapRange<Scalar>::Kind;
+    unenclosed_caps += range.kind == Kind::Doubtful;
+    if (range.kind == Kind::Doubtful || ++caps % stride_ != 0) return;
+    const auto point = [&](HalfspaceId v) { return polar(dual_.exact(v), dual_.center()); };
+    const std::size_t k = ring.vertices.size();
+    std::vector<DualPlane> base;
+    for (std::size_t m = 0; m < k; ++m) {
+      base.push_back(
+          plane_through(point(i), point(ring.vertices[m]), point(ring.vertices[(m + 1) % k])));
+    }
+    RingTriangulation roof;
+    for (const RingTriangle& t : triangles) {
+      const DualTriangle corners{ring.vertices[t.low], ring.vertices[t.middle],
+                                 ring.vertices[t.high]};
+      roof.triangles.push_back(corners);
+      roof.planes.push_back(plane_through(point(corners[0]), point(corners[1]), point(corners[2])));
+    }
+    REQUIRE(roof.is_bounded() == (range.kind == Kind::Bounded));
+    ++caps_checked;
+    if (range.kind != Kind::Bounded) return;
+    const Rational six_times = scale_by_power_of_two(
+        volume(make_cap(ring.vertices, base, roof)) * 6, -dual_.volume_exponent());
+    CHECK(exactly(range.lower) <= six_times);
+    const bool is_beyond_doubles = std::isinf(leading(range.upper));
+    CHECK((is_beyond_doubles || six_times <= exactly(range.upper)));
+  }
+
+ private:
+  static Rational exactly(double x) { return to_rational(x); }
+  static Rational exactly(const DoubleDouble& x) {
+    return to_rational(x.hi()) + to_rational(x.lo());
+  }
+
+  const FastDual& dual_;
+  std::size_t stride_;
+};
+
+struct Audited {
+  Tally tally;
+  FastCounts counts;
+};
+
+/// Runs the loop to `faces` halfspaces under an audit.
+inline Audited run(const FastDual& dual, std::size_t stride, const SimplifyOptions& options = {}) {
+  Auditor auditor(dual, stride);
+  const FastResult result = FilteredLoop<Auditor>(dual, options, auditor).run();
+  return {auditor, result.counts};
+}
+
+/// Of points that span a volume.
+inline Audited run(const std::vector<Point>& points, std::size_t stride, std::size_t faces = 4) {
+  const PointSet set(points);
+  const Hull hull = std::get<Hull>(convex_hull(set));
+  return run(FastDual::of(hull, set), stride, {.faces = faces});
+}
+
+}  // namespace audit
