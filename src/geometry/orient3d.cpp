@@ -75,6 +75,9 @@ static_assert(kBoundB / u - 3 == 128 * u);
 constexpr double kBoundC = 96 * u * u;
 constexpr double kRelativeC = 20 * u;
 static_assert(kBoundC >= (24 + 65 + 1) * u * u && kRelativeC >= 18 * u);
+double bound_c(double magnitude, double corrected) {
+  return kBoundC * magnitude + kRelativeC * std::abs(corrected);
+}
 
 // Differences and their roundoffs: p - d = rounded + rest, exactly.
 struct Difference {
@@ -145,7 +148,7 @@ StagedSign adapt(const Point& a, const Point& b, const Point& c, const Point& d,
     return {rounded.sign(), Orient3dStage::B};
   }
   const double corrected = estimate + linear_correction(x, y, z);
-  if (std::abs(corrected) > kBoundC * magnitude + kRelativeC * std::abs(corrected)) {
+  if (std::abs(corrected) > bound_c(magnitude, corrected)) {
     return {sign_of(corrected), Orient3dStage::C};
   }
   return {exact_sign(x, y, z), Orient3dStage::D};
@@ -164,6 +167,16 @@ StagedSign orient3d_staged(const Point& a, const Point& b, const Point& c, const
   const double magnitude = permanent(x, y, z);
   if (std::abs(value) > kBoundA * magnitude) return {sign_of(value), Orient3dStage::A};
   return adapt(a, b, c, d, magnitude);
+}
+
+Orient3dBounds orient3d_bounds(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const Difference x = subtract(a, d), y = subtract(b, d), z = subtract(c, d);
+  const double value = determinant(x.rounded, y.rounded, z.rounded);
+  const double magnitude = permanent(x.rounded, y.rounded, z.rounded);
+  const double corrected =
+      exact_determinant(x.rounded, y.rounded, z.rounded).estimate() + linear_correction(x, y, z);
+  return {value, kBoundA * magnitude, kBoundB * magnitude, corrected,
+          bound_c(magnitude, corrected)};
 }
 
 Sign orient3d(const Point& a, const Point& b, const Point& c, const Point& d) {

@@ -32,4 +32,15 @@ struct StagedSign {
 [[nodiscard]] StagedSign orient3d_staged(const Point& a, const Point& b, const Point& c,
                                          const Point& d);
 
+/// What the stages A to C compute before they decide, and how far it may be from the truth T, for
+/// tests of the bounds: |value_a - T| <= bound_a, |B - T| <= bound_b for the determinant B of the
+/// rounded differences, |value_c - T| <= bound_c.
+struct Orient3dBounds {
+  double value_a, bound_a, bound_b, value_c, bound_c;
+};
+
+/// Precondition: coordinates are in the range that orient3d() has without rationals.
+[[nodiscard]] Orient3dBounds orient3d_bounds(const Point& a, const Point& b, const Point& c,
+                                             const Point& d);
+
 }  // namespace convexact
