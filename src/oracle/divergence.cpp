@@ -63,11 +63,13 @@ void judge_costs(Divergence& found, const RemovalCost& reference, const RemovalC
   }
   found.reference_at_fault = b < a;
   const Rational lower = std::min(a, b), gap = std::max(a, b) - lower;
-  const Rational rounding = reference.rounding + other.rounding;
-  found.kind = gap <= rounding ? DivergenceKind::BelowRounding : DivergenceKind::WrongTopology;
+  std::optional<Rational> rounding;
+  if (reference.rounding && other.rounding) rounding = *reference.rounding + *other.rounding;
+  found.kind =
+      !rounding || gap <= *rounding ? DivergenceKind::BelowRounding : DivergenceKind::WrongTopology;
   if (lower == 0) return;
   found.regret = gap / lower;
-  found.rounding = rounding / lower;
+  if (rounding) found.rounding = *rounding / lower;
 }
 
 // What a removal costs; ending costs nothing that could be stated.
@@ -98,8 +100,12 @@ Divergence judge_choices(std::span<const Halfspace> halfspaces, const RationalPo
     judge_costs(found, first, second);
   } else {
     // Without a cost a run ended or removed what it must not. Both without one: whoever removed
-    // something is wrong; if both did, both are, and so the reference is no reference.
-    found.kind = DivergenceKind::WrongBoundedness;
+    // something is wrong; if both did, both are, and so the reference is no reference. To end is no
+    // more than rounding explains if the removal left would be unbounded for planes a little off.
+    const bool has_ended = !found.reference.removed || !found.other.removed;
+    const RemovalCost& left = first.cost ? first : second;
+    found.kind = has_ended && left.cost && !left.rounding ? DivergenceKind::BelowRounding
+                                                          : DivergenceKind::WrongBoundedness;
     found.reference_at_fault = !first.cost && (second.cost || found.reference.removed);
   }
   return found;

@@ -99,8 +99,10 @@ RemovalCost RemovalOracle::without(const Halfspace& removed) const {
   if (!after) return {std::nullopt, 0};
   const Rational cost = volume(*after) - volume_;
   const Rational reach = 2 * cone(solid_, facet, center_) + cost;
-  const Rational share = spread(*after, removed, solid_, facet, center_);
-  return {cost, 3 * to_rational(kPlaneRounding) * share * reach};
+  const Rational share =
+      to_rational(kPlaneRounding) * spread(*after, removed, solid_, facet, center_);
+  if (share >= 1) return {cost, std::nullopt};
+  return {cost, Rational(3 * share * reach)};
 }
 
 }  // namespace convexact

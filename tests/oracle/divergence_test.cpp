@@ -140,6 +140,27 @@ TEST_CASE("divergence: an unbounded removal, or an early end, is wrong boundedne
   CHECK(found->reference_at_fault);
 }
 
+TEST_CASE("divergence: to end is explained where rounded planes may not bound the cap") {
+  // Without the roof, the walls meet far above: for a slope of s at a height of about 2 / s.
+  for (const long bits : {-20L, -60L}) {
+    CAPTURE(bits);
+    const Rational slope = scale_by_power_of_two(Rational(1), bits);
+    std::vector<Halfspace> planes = cube_sides();
+    planes.erase(planes.begin());  // x <= 4, and below instead x + s z <= 4
+    planes.insert(planes.begin(), Halfspace(RationalVector3(1, 0, slope), -4));
+    const DualHull solid = dual_of(planes, kCutBoxCenter).dual;
+    const EngineRun exact = exact_run(solid);
+    REQUIRE(exact.removed.size() == 1);
+    const auto found = compare(solid, exact, plain_run(Engine::Float, {}, exact.stop));
+    REQUIRE(found);
+    const bool is_tiny = bits == -60;
+    CHECK(found->kind ==
+          (is_tiny ? DivergenceKind::BelowRounding : DivergenceKind::WrongBoundedness));
+    CHECK(is_explained(*found, Engine::Exact, Engine::Float) == is_tiny);
+    CHECK_FALSE(is_explained(*found, Engine::Exact, Engine::Filtered));
+  }
+}
+
 TEST_CASE("divergence: records are compared, and the definition says which one is wrong") {
   const DualHull solid = cut_box({Rational(1), Rational(1), Rational(3, 2)});
   const EngineRun exact = exact_run(solid);

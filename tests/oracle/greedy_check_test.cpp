@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "convexact/oracle/diff.hpp"
+#include "convexact/shapes/extreme.hpp"
 #include "convexact/shapes/solids.hpp"
 #include "cut_box.hpp"
 
@@ -105,6 +106,24 @@ TEST_CASE("worst divergence: by kind, then by regret, the first of equals") {
   Divergence later = tie;
   later.step = 5;
   CHECK(worst({tie, later}).step == 3);
+}
+
+TEST_CASE("diff: float runs on solids beyond doubles are explained") {
+  // Planes a few roundings apart; coordinates from 2^-300 to 2^300, so costs up to 10^24 volumes.
+  std::vector<std::vector<Point>> inputs;
+  for (const std::uint64_t seed : {25u, 38u, 45u}) {
+    inputs.push_back(shapes::nearly_coplanar(16, seed));
+  }
+  for (const std::uint64_t seed : {1u, 2u, 4u}) {
+    inputs.push_back(shapes::wide_exponents(16, 300, seed));
+  }
+  for (const std::vector<Point>& points : inputs) {
+    DiffRequest request;
+    request.engines = {Engine::Filtered, Engine::Float};
+    StageLog log;
+    const DiffOutcome outcome = diff_engines(PointSet(points), request, log);
+    CHECK(std::get<DiffReport>(outcome).holds());
+  }
 }
 
 TEST_CASE("diff: a float run is judged to its end on either side of a comparison") {

@@ -84,7 +84,7 @@ TEST_CASE("removal cost: planes off by one rounding move a cost by a 64th of wha
       if (!before.cost) continue;
       const Rational moved = abs(Rational(*after.cost - *before.cost));
       // To first order in 2^-52: the rest is far below a millionth of it.
-      CHECK(moved * 64 <= before.rounding * Rational(1000001, 1000000));
+      CHECK(moved * 64 <= *before.rounding * Rational(1000001, 1000000));
     }
   }
 }

@@ -39,7 +39,7 @@ using LongerCap = typename LongerCapOf<Arithmetic>::Type;
 ///   Scalar                              + - * / < > <= and, by leading(), the nearest double
 ///   Triple<Scalar> point(HalfspaceId)   the dual point, off by at most 2 unit() per coordinate
 ///   double unit()                       the relative error of one operation, at most 2^-24
-/// and, if there is a longer arithmetic for the caps that this one cannot tell from unbounded ones,
+/// and, if there is a longer arithmetic for the caps that this one does not find bounded,
 ///   Longer                              such a type, without a Longer of its own
 ///   const Longer& longer()
 ///
@@ -49,9 +49,11 @@ using LongerCap = typename LongerCapOf<Arithmetic>::Type;
 /// - Laziness: a changed cap is looked at again when its *lower end* comes to the top, not its
 ///   estimate, unless both are nearly the same; an ill-conditioned cap has a low one. (Without this
 ///   guard an estimate that is too high would never be looked at again.)
-/// - Doubt: a cap some D of which may be zero is looked at in the longer arithmetic; one that this
-///   does not know either counts as unbounded until its ring changes. (Facets that would be one,
-///   had their vertices not been rounded, have dual points a few roundings apart.)
+/// - Doubt: a cap some D of which may be zero, or of the wrong sign because T is wrong, is looked
+/// at
+///   in the longer arithmetic; one that this does not know either counts as unbounded until its
+///   ring changes. (Facets that would be one, had their vertices not been rounded, have dual points
+///   a few roundings apart.)
 ///
 /// It ends: each pass removes a halfspace, evaluates a stale cap or stops, and RingTriangulator
 /// ends whatever the signs. The surface stays a sphere around the center: the new triangles of a
@@ -179,7 +181,7 @@ const typename FloatLoop<Arithmetic>::Scalar& FloatLoop<Arithmetic>::evaluate(Ha
   const CapEstimate<Scalar> cap = cap_.estimate(triangles_);
   keep(i, cap);
   if constexpr (HasLonger<Arithmetic>) {
-    if (cap.kind == CapRange<Scalar>::Kind::Doubtful) {
+    if (cap.kind != CapRange<Scalar>::Kind::Bounded) {
       longer_cap_->load(i, ring_, options_.seed, triangles_);
       keep(i, longer_cap_->estimate(triangles_));
       state_[i.index()] |= kLonger;
@@ -201,7 +203,10 @@ void FloatLoop<Arithmetic>::keep(HalfspaceId i, const CapEstimate<Number>& cap) 
   };
   Scalar& lower = lower_[i.index()];
   Scalar& estimate = estimate_[i.index()];
-  lower = cap.kind == Kind::Unbounded ? infinity_ : shortened(cap.lower);
+  // Unbounded is for ever, unless T is wrong: with a short ring, another look is cheap.
+  const bool is_final =
+      cap.kind == Kind::Unbounded && ring_.vertices.size() > RingTriangulator::kShortRing;
+  lower = is_final ? infinity_ : shortened(cap.lower);
   estimate = cap.kind == Kind::Bounded ? shortened(cap.value) : infinity_;
   state_[i.index()] = estimate <= narrow_ * lower ? kFresh : kWide;
 }
@@ -242,8 +247,8 @@ void FloatLoop<Arithmetic>::remove(HalfspaceId i) {
   mesh_.remove(i, ring_, triangles_);
   queue_.erase(i);
   for (const HalfspaceId r : ring_.vertices) {
-    // What was unbounded stays so; what was in doubt, with a lower end of 0, is looked at next.
-    if (state_[r.index()] == kWide) queue_.update(r, lower_[r.index()]);
+    // What was in doubt, with a lower end of 0, is looked at next.
+    if (state_[r.index()] & kWide) queue_.update(r, lower_[r.index()]);
     state_[r.index()] |= kStale;
   }
   prepared_.reset();

@@ -12,7 +12,8 @@ namespace convexact {
 /// What parted two runs, judged by exact costs from the definition.
 enum class DivergenceKind {
   Tie,               ///< Equal costs; the canonical order should have decided.
-  BelowRounding,     ///< Costs so close that planes rounded to doubles cannot tell them apart.
+  BelowRounding,     ///< Costs so close that planes rounded to doubles cannot tell them apart; or
+                     ///< the end where such planes may not bound the cheapest cap.
   WrongTopology,     ///< Costs further apart: what it acted on cannot come from the right cap.
   WrongBoundedness,  ///< An unbounded removal, or the end although a bounded one existed.
   WrongRecord,       ///< The same removal, but another cost, tie list or reason to end.
@@ -34,7 +35,7 @@ struct Divergence {
   /// (higher cost - lower cost) / lower cost. None where it is infinite or a cost is missing.
   std::optional<Rational> regret;
   /// How large a regret rounding explains: RemovalCost::rounding of both, over the lower cost. None
-  /// as for the regret.
+  /// as for the regret, or if any is explained.
   std::optional<Rational> rounding;
 };
 

@@ -20,8 +20,8 @@ inline constexpr double kPlaneRounding = 64 * 0x1p-52;
 struct RemovalCost {
   /// Exact volume added, in cubed length units; none if what is left is unbounded.
   std::optional<Rational> cost;
-  /// By how much a cost can come out wrong when each plane is off by kPlaneRounding; 0 if
-  /// unbounded. In units of the cost.
+  /// By how much a cost can come out wrong when each plane is off by kPlaneRounding, in units of
+  /// the cost; 0 if it is unbounded; none if a plane so far off may not bound the cap at all.
   ///
   /// Take the center as origin, so that planes are P.x = 1. A relative error e per coordinate of P
   /// moves the plane, seen from the center at a point x of it, by the share e |P|.|x| at most
@@ -30,7 +30,9 @@ struct RemovalCost {
   /// so it is the integral of (R^3 - r^3) / 3 over these directions. When r and R are off by the
   /// share e k each, that changes by the integral of (R^3 + r^3) e k to first order:
   ///   3 e k (2 cone + cost),  cone = the pyramid from the center over the facet.
-  Rational rounding;
+  /// With e k >= 1, P.x = 1 +- e k may be 0 or less: seen from the center, the plane is turned
+  /// away.
+  std::optional<Rational> rounding;
 };
 
 /// A set of halfspaces with a bounded intersection, and what each removal from it costs. Everything
