@@ -8,6 +8,7 @@
 #include "check_bounded.hpp"
 #include "convexact/fast/float_engine.hpp"
 #include "convexact/shapes/families.hpp"
+#include "convexact/shapes/prisms.hpp"
 #include "convexact/shapes/random_points.hpp"
 
 using namespace convexact;
@@ -57,6 +58,17 @@ TEST_CASE("simplify_float: facets that are coplanar but for rounding do not stop
     CHECK(sure.stop == quick.stop);
     CHECK(sure.steps.size() == quick.steps.size());
   }
+}
+
+TEST_CASE("simplify_float: a long ring in doubt is not looked at after every removal") {
+  // Top and bottom of a prism stay unbounded, and doubles are never certain of it.
+  const PointSet set(shapes::prism(1000));
+  const Hull hull = std::get<Hull>(convex_hull(set));
+  const FastDual dual = FastDual::of(hull, set);
+  const FastResult result = simplify_float(dual);
+  CHECK(result.survivors.size() == 5);
+  // A side is looked at about three times.
+  CHECK(2 * result.counts.evaluations < 7 * dual.size());
 }
 
 TEST_CASE("simplify_float: a growth limit stops it where the filtered engine stops") {

@@ -49,11 +49,10 @@ using LongerCap = typename LongerCapOf<Arithmetic>::Type;
 /// - Laziness: a changed cap is looked at again when its *lower end* comes to the top, not its
 ///   estimate, unless both are nearly the same; an ill-conditioned cap has a low one. (Without this
 ///   guard an estimate that is too high would never be looked at again.)
-/// - Doubt: a cap some D of which may be zero, or of the wrong sign because T is wrong, is looked
-/// at
-///   in the longer arithmetic; one that this does not know either counts as unbounded until its
-///   ring changes. (Facets that would be one, had their vertices not been rounded, have dual points
-///   a few roundings apart.)
+/// - Doubt: a cap that is not found bounded, be it that some D is too close to zero or that T is
+///   wrong, is looked at in the longer arithmetic. If that does not find it bounded either, it is
+///   put off until its ring changes. (Facets that would be one, had their vertices not been
+///   rounded, have dual points a few roundings apart.)
 ///
 /// It ends: each pass removes a halfspace, evaluates a stale cap or stops, and RingTriangulator
 /// ends whatever the signs. The surface stays a sphere around the center: the new triangles of a
@@ -92,6 +91,9 @@ class FloatLoop {
   std::vector<unsigned char> state_;
   std::vector<Scalar> lower_;     // of six times the cost, as last enclosed
   std::vector<Scalar> estimate_;  // likewise; infinite if there is no such cap, or may be none
+  // Changes of its ring to wait for before another look at a cap that was not found bounded: with a
+  // quarter of the ring's length, all looks together cost no more than linear in it.
+  std::vector<std::uint32_t> patience_;
   std::optional<HalfspaceId> prepared_;
   OneRing ring_;
   RingCap<Arithmetic> cap_;
@@ -112,6 +114,7 @@ FloatLoop<Arithmetic>::FloatLoop(const FastDual& dual, const Arithmetic& arithme
       state_(dual.size(), kFresh),
       lower_(dual.size()),
       estimate_(dual.size()),
+      patience_(dual.size()),
       cap_(arithmetic) {
   if constexpr (HasLonger<Arithmetic>) longer_cap_.emplace(arithmetic.longer());
   if (options.faces < 4) throw Error(ErrorCode::InvalidArgument, "a solid has at least 4 faces");
@@ -203,12 +206,12 @@ void FloatLoop<Arithmetic>::keep(HalfspaceId i, const CapEstimate<Number>& cap) 
   };
   Scalar& lower = lower_[i.index()];
   Scalar& estimate = estimate_[i.index()];
-  // Unbounded is for ever, unless T is wrong: with a short ring, another look is cheap.
-  const bool is_final =
-      cap.kind == Kind::Unbounded && ring_.vertices.size() > RingTriangulator::kShortRing;
-  lower = is_final ? infinity_ : shortened(cap.lower);
-  estimate = cap.kind == Kind::Bounded ? shortened(cap.value) : infinity_;
+  const bool is_bounded = cap.kind == Kind::Bounded;
+  lower = is_bounded ? shortened(cap.lower) : Scalar(0.0);
+  estimate = is_bounded ? shortened(cap.value) : infinity_;
   state_[i.index()] = estimate <= narrow_ * lower ? kFresh : kWide;
+  const auto k = static_cast<std::uint32_t>(ring_.vertices.size());
+  patience_[i.index()] = is_bounded || k <= RingTriangulator::kShortRing ? 0 : k / 4;
 }
 
 // The cheapest estimate, once no stale lower end is below it.
@@ -247,9 +250,12 @@ void FloatLoop<Arithmetic>::remove(HalfspaceId i) {
   mesh_.remove(i, ring_, triangles_);
   queue_.erase(i);
   for (const HalfspaceId r : ring_.vertices) {
-    // What was in doubt, with a lower end of 0, is looked at next.
-    if (state_[r.index()] & kWide) queue_.update(r, lower_[r.index()]);
     state_[r.index()] |= kStale;
+    if (patience_[r.index()] > 0) {
+      --patience_[r.index()];
+    } else if (state_[r.index()] & kWide) {
+      queue_.update(r, lower_[r.index()]);
+    }
   }
   prepared_.reset();
 }
