@@ -2,7 +2,7 @@
 // The filtered engine against the exact one on inputs that shrink: whatever makes them differ is
 // printed as its smallest counterexample.
 #include <array>
-#include <optional>
+#include <string>
 
 #include "convexact/fast/filtered_engine.hpp"
 #include "convexact/lp/feasibility.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // perturb.hpp - from points to points that are harder: one ulp off, stretched, sheared, far away.
 #pragma once
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
