@@ -27,7 +27,7 @@ std::string write_reproducer(const Reproducer& reproducer, const std::string& fo
   try {
     for (int number = 1; number <= kMostFiles; ++number) {
       const std::string suffix = number == 1 ? "" : "-" + std::to_string(number);
-      const std::string path = folder + "/convexact-reproducer" + suffix + ".txt";
+      std::string path = folder + "/convexact-reproducer" + suffix + ".txt";
       if (std::filesystem::exists(path)) continue;
       AtomicOutput output;
       output.add(path, text_of(reproducer));

@@ -20,7 +20,7 @@ std::string counted(std::size_t count, const char* one, const char* many) {
 
 std::string input_line(std::size_t points, std::size_t vertices, std::size_t halfspaces,
                        std::size_t redundant) {
-  const std::string hull = counted(vertices, "vertex", "vertices") + " and " +
+  std::string hull = counted(vertices, "vertex", "vertices") + " and " +
                            counted(halfspaces, "halfspace", "halfspaces");
   if (points > 0) return counted(points, "point", "points") + "; their hull has " + hull;
   if (redundant == 0) return hull;
