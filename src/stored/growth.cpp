@@ -15,8 +15,6 @@
 namespace convexact {
 namespace {
 
-using stored::Coordinates;
-
 Rational squared_norm(const RationalVector3& v) { return v.dot(v); }
 
 // Coordinates about the center, scaled by 2^-exponent so that they are at most about 1.

@@ -14,7 +14,7 @@ RationalPoint interior_point(const PointSet& points, std::span<const PointId> wi
   const auto count = static_cast<double>(witnesses.size());
   for (const PointId id : witnesses) mean += points.doubles()[id.index()] / count;
   if (mean.allFinite()) {
-    const RationalPoint rounded = to_rational(mean);
+    RationalPoint rounded = to_rational(mean);
     if (is_strictly_inside(halfspaces, rounded)) return rounded;
   }
   RationalPoint exact;
