@@ -3,6 +3,8 @@
 // valijson), and that the engines agree on what is shipped.
 #include <doctest/doctest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "json_schema.hpp"
 #include "process.hpp"
 
@@ -16,10 +18,7 @@ std::string data(const std::string& name) {
   return std::string(std::getenv("CONVEXACT_TEST_DATA")) + "/" + name;
 }
 
-std::string complaint(const json& document) {
-  return schema_complaint(std::string(std::getenv("CONVEXACT_SCHEMAS")) + "/diff.schema.json",
-                          document);
-}
+std::string complaint(const json& document) { return schema_complaint("diff", document); }
 
 // [0, 4]^3 with two opposite corners of a side cut off at depths of which the costs are
 // depth^3 / 6: 9/2 and 4/3.

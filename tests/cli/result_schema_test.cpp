@@ -5,11 +5,8 @@
 
 #include <chrono>
 #include <nlohmann/json.hpp>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validator.hpp>
 
+#include "json_schema.hpp"
 #include "process.hpp"
 
 using nlohmann::json;
@@ -22,16 +19,7 @@ std::string data(const std::string& name) {
   return std::string(std::getenv("CONVEXACT_TEST_DATA")) + "/" + name;
 }
 
-bool is_valid(const json& document) {
-  const std::string path = std::string(std::getenv("CONVEXACT_SCHEMAS")) + "/result.schema.json";
-  const json schema_document = json::parse(support::bytes_of(path));
-  valijson::Schema schema;
-  valijson::SchemaParser parser;
-  parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_document), schema);
-  valijson::Validator validator;
-  valijson::adapters::NlohmannJsonAdapter target(document);
-  return validator.validate(schema, target, nullptr);
-}
+bool is_valid(const json& document) { return schema_complaint("result", document).empty(); }
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <functional>
+#include <nlohmann/json.hpp>
 
 #include "convexact/error.hpp"
 #include "convexact/shapes/boxes.hpp"
@@ -20,10 +21,7 @@ namespace {
 
 Trace example() { return simplify_points(shapes::cut_cube(3, 0.25)).trace; }
 
-std::string complaint(const json& document) {
-  return schema_complaint(std::string(std::getenv("CONVEXACT_SCHEMAS")) + "/trace.schema.json",
-                          document);
-}
+std::string complaint(const json& document) { return schema_complaint("trace", document); }
 
 }  // namespace
 
