@@ -5,7 +5,7 @@
 
 #include "command.hpp"
 #include "convexact/error.hpp"
-#include "convexact/format/halfspace_list.hpp"
+#include "convexact/format/halfspace_file.hpp"
 #include "convexact/format/trace_json.hpp"
 #include "convexact/io/atomic_output.hpp"
 #include "convexact/io/read_mesh.hpp"
@@ -143,7 +143,7 @@ void OutputOptions::require_sensible() const {
   bool stl = false, other_mesh = false;
   for (const std::string& path : results) {
     if (!mesh_format_of_path(path) && !halfspace_format_of_path(path)) {
-      reject("-o " + path + ": expected an extension .obj, .off, .ply, .stl, .json or .ine");
+      reject("-o " + path + ": expected an extension .obj, .off, .ply, .stl, .json, .ine or .txt");
     }
     stl = stl || is_stl(path);
     other_mesh = other_mesh || (mesh_format_of_path(path) && !is_stl(path));
@@ -174,7 +174,7 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
   command
       .add_option(
           "-o,--output", options.results,
-          "where the result goes, by extension: .obj .off .ply .stl or .json .ine; may be repeated")
+          "where the result goes, by extension: .obj .off .ply .stl or .json .ine .txt; may be repeated")
       ->expected(1)
       ->take_all();
   command.add_option("--picture", options.picture, "a page (.html) that shows input and result");

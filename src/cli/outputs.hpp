@@ -13,7 +13,7 @@
 namespace convexact::cli {
 
 struct OutputOptions {
-  std::vector<std::string> results;  ///< -o: .obj .off .ply .stl are meshes, .json .ine planes.
+  std::vector<std::string> results;  ///< -o: .obj .off .ply .stl are meshes, .json .ine .txt planes.
   std::string picture;               ///< An HTML page; empty for none.
   std::string trace;                 ///< Every step as JSON; empty for none.
   int precision = 0;                 ///< 64 or 32; 0 if not given.

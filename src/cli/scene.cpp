@@ -6,7 +6,7 @@
 
 #include "command.hpp"
 #include "convexact/error.hpp"
-#include "convexact/format/halfspace_list.hpp"
+#include "convexact/format/halfspace_file.hpp"
 #include "convexact/io/read_bytes.hpp"
 #include "convexact/io/read_mesh.hpp"
 

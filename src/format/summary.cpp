@@ -21,7 +21,7 @@ std::string counted(std::size_t count, const char* one, const char* many) {
 std::string input_line(std::size_t points, std::size_t vertices, std::size_t halfspaces,
                        std::size_t redundant) {
   std::string hull = counted(vertices, "vertex", "vertices") + " and " +
-                           counted(halfspaces, "halfspace", "halfspaces");
+                     counted(halfspaces, "halfspace", "halfspaces");
   if (points > 0) return counted(points, "point", "points") + "; their hull has " + hull;
   if (redundant == 0) return hull;
   return hull + "; " + counted(redundant, "redundant one", "redundant ones") + " left out";

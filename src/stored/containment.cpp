@@ -2,30 +2,13 @@
 #include "convexact/stored/containment.hpp"
 
 #include "convexact/geometry/plane_side.hpp"
-#include "convexact/number/rounding.hpp"
-#include "coordinates.hpp"
+#include "double_halfspace.hpp"
 
 namespace convexact {
 namespace {
 
 using stored::Coordinates;
-
-// A halfspace scaled by a power of two so that its largest normal component is in [1/2, 1].
-struct DoubleHalfspace {
-  double n[3];
-  double d;
-
-  explicit DoubleHalfspace(const Halfspace& h) {
-    std::size_t bits = 0;
-    for (int k = 0; k < 3; ++k) bits = std::max(bits, bit_length(h.normal()[k]));
-    const auto scaled = [&](const Integer& value) {
-      return to_double(scale_by_power_of_two(Rational(value), -static_cast<long>(bits)),
-                       Rounding::Nearest);
-    };
-    for (int k = 0; k < 3; ++k) n[k] = scaled(h.normal()[k]);
-    d = scaled(h.offset());
-  }
-};
+using stored::DoubleHalfspace;
 
 // Blocks stay in the first-level cache while all halfspaces pass over them.
 constexpr std::size_t kBlock = 128;
@@ -50,12 +33,8 @@ class OutsideCounter {
   }
 
  private:
-  // Negative for certain, or not: the filter of coordinates.hpp.
   bool surely_inside(const DoubleHalfspace& h, std::size_t j) const {
-    const double px = h.n[0] * doubles_.x[j], py = h.n[1] * doubles_.y[j],
-                 pz = h.n[2] * doubles_.z[j];
-    const double size = std::abs(px) + std::abs(py) + std::abs(pz) + std::abs(h.d);
-    return px + py + pz + h.d + (stored::kRelative * size + absolute_) < 0;
+    return h.at(doubles_, j, absolute_).surely_negative();
   }
 
   // Whether the error bound at the largest coordinates of a block settles all of its points. Counts

@@ -104,9 +104,12 @@ TEST_CASE("write_ine: the bytes") {
 TEST_CASE("halfspace formats: by path and by content") {
   CHECK(halfspace_format_of_path("a.JSON") == HalfspaceFormat::Json);
   CHECK(halfspace_format_of_path("a.ine") == HalfspaceFormat::Ine);
+  CHECK(halfspace_format_of_path("a.Txt") == HalfspaceFormat::Rows);
   CHECK_FALSE(halfspace_format_of_path("ine").has_value());
   CHECK(halfspace_format_of_content(" \n {") == HalfspaceFormat::Json);
   CHECK(halfspace_format_of_content("* x\nH-representation\n") == HalfspaceFormat::Ine);
+  CHECK(halfspace_format_of_content("# x\n1 0 -1/2 1e3 # y\n") == HalfspaceFormat::Rows);
+  CHECK_FALSE(halfspace_format_of_content("1 0 0\n").has_value());
   CHECK_FALSE(halfspace_format_of_content("v 0 0 0\n").has_value());
   CHECK_FALSE(halfspace_format_of_content("").has_value());
 }

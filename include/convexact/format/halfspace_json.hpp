@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // halfspace_json.hpp - lists of halfspaces as JSON.
 #pragma once
-#include "convexact/format/halfspace_list.hpp"
+#include "convexact/format/halfspace_file.hpp"
 
 namespace convexact {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // ine.hpp - lists of halfspaces as .ine, the H-representation of cdd and lrs.
 #pragma once
-#include "convexact/format/halfspace_list.hpp"
+#include "convexact/format/halfspace_file.hpp"
 
 namespace convexact {
 

@@ -1,24 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/format/halfspace_list.hpp"
+#include "convexact/format/halfspace_file.hpp"
 
 #include "../io/text_cursor.hpp"
 #include "convexact/format/halfspace_json.hpp"
+#include "convexact/format/halfspace_rows.hpp"
 #include "convexact/format/ine.hpp"
 #include "convexact/io/read_bytes.hpp"
 
 namespace convexact {
-
-void HalfspaceList::add(const RationalVector3& normal, const Rational& offset) {
-  ++row_count_;
-  if (normal != RationalVector3::Zero()) {
-    halfspaces.emplace_back(normal, offset);
-    rows.push_back(row_count_);
-  } else if (offset <= 0) {
-    trivial_rows.push_back(row_count_);
-  } else if (!impossible_row) {
-    impossible_row = row_count_;
-  }
-}
 
 std::optional<HalfspaceFormat> halfspace_format_of_path(const std::string& path) {
   const auto ends_with = [&path](std::string_view extension) {
@@ -32,23 +21,48 @@ std::optional<HalfspaceFormat> halfspace_format_of_path(const std::string& path)
   };
   if (ends_with(".json")) return HalfspaceFormat::Json;
   if (ends_with(".ine")) return HalfspaceFormat::Ine;
+  if (ends_with(".txt")) return HalfspaceFormat::Rows;
   return {};
 }
 
+namespace {
+
+bool starts_with_a_row(std::string_view bytes) {
+  TextCursor cursor(bytes, {.comment = '#'});
+  if (!cursor.next_line()) return false;
+  try {
+    for (int k = 0; k < 4; ++k) (void)parse_number(cursor.token(), Decimal::Nearest);
+    return cursor.token().empty();
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+}  // namespace
+
 std::optional<HalfspaceFormat> halfspace_format_of_content(std::string_view bytes) {
-  TextCursor cursor(bytes.substr(0, 4096), {.comment = '*'});
+  const std::string_view start = bytes.substr(0, 4096);
+  TextCursor cursor(start, {.comment = '*'});
   for (bool first = true; cursor.next_line(); first = false) {
     const std::string_view token = cursor.token();
     if (first && (token.front() == '{' || token.front() == '[')) return HalfspaceFormat::Json;
     if (token == "H-representation" || token == "begin") return HalfspaceFormat::Ine;
   }
+  if (starts_with_a_row(start)) return HalfspaceFormat::Rows;
   return {};
 }
 
 HalfspaceList read_halfspaces_bytes(std::string_view bytes, HalfspaceFormat format,
                                     Decimal decimal) {
-  return format == HalfspaceFormat::Json ? read_halfspaces_json(bytes, decimal)
-                                         : read_ine(bytes, decimal);
+  switch (format) {
+    case HalfspaceFormat::Json:
+      return read_halfspaces_json(bytes, decimal);
+    case HalfspaceFormat::Ine:
+      return read_ine(bytes, decimal);
+    case HalfspaceFormat::Rows:
+      break;
+  }
+  return read_halfspace_rows(bytes, decimal);
 }
 
 HalfspaceList read_halfspaces(const std::string& path, HalfspaceFormat format, Decimal decimal) {
@@ -60,14 +74,29 @@ HalfspaceList read_halfspaces(const std::string& path, HalfspaceFormat format, D
   }
 }
 
+namespace {
+
+template <class Plane>
+std::string write_any(std::span<const Plane> halfspaces, HalfspaceFormat format) {
+  switch (format) {
+    case HalfspaceFormat::Json:
+      return write_halfspaces_json(halfspaces);
+    case HalfspaceFormat::Ine:
+      return write_ine(halfspaces);
+    case HalfspaceFormat::Rows:
+      break;
+  }
+  return write_halfspace_rows(halfspaces);
+}
+
+}  // namespace
+
 std::string write_halfspaces(std::span<const Halfspace> halfspaces, HalfspaceFormat format) {
-  return format == HalfspaceFormat::Json ? write_halfspaces_json(halfspaces)
-                                         : write_ine(halfspaces);
+  return write_any(halfspaces, format);
 }
 
 std::string write_halfspaces(std::span<const BinaryHalfspace> halfspaces, HalfspaceFormat format) {
-  return format == HalfspaceFormat::Json ? write_halfspaces_json(halfspaces)
-                                         : write_ine(halfspaces);
+  return write_any(halfspaces, format);
 }
 
 }  // namespace convexact

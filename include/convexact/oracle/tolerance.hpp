@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// tolerance.hpp - how large a violation somebody is willing to accept.
+#pragma once
+#include <string_view>
+
+#include "convexact/number/rational.hpp"
+
+namespace convexact {
+
+/// A distance, absolute in length units or relative to the diameter of the input. 0 by default:
+/// nothing passes.
+struct Tolerance {
+  Rational value = 0;
+  bool relative = false;
+
+  /// Whether a distance with this square is within the tolerance; exact.
+  bool allows(const Rational& squared_distance, const Rational& squared_diameter) const;
+};
+
+/// "1e-9" is absolute, "1e-9d" relative to the diameter; decimals mean what they spell.
+/// @throws Error InvalidArgument for anything else, and for negative numbers.
+[[nodiscard]] Tolerance parse_tolerance(std::string_view text);
+
+}  // namespace convexact
