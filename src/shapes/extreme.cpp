@@ -2,7 +2,6 @@
 #include "convexact/shapes/extreme.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "convexact/error.hpp"
 #include "convexact/number/random.hpp"
@@ -77,9 +76,12 @@ std::vector<Point> wide_exponents(std::uint32_t n, std::uint32_t exponent, std::
   return points;
 }
 
-std::vector<Point> nearly_flat(std::uint32_t n, std::uint64_t seed) {
+std::vector<Point> nearly_flat(std::uint32_t n, std::uint64_t seed, std::uint64_t ulps) {
+  if (ulps < 1 || ulps >= std::uint64_t(1) << 52) {
+    throw Error(ErrorCode::InvalidArgument, "points lie 1 to 2^52 - 1 ulps above the plane");
+  }
   std::vector<Point> points = in_box(n, seed);
-  const double above = 1 + std::numeric_limits<double>::epsilon();
+  const double above = 1 + std::ldexp(static_cast<double>(ulps), -52);
   for (std::size_t i = 0; i < points.size(); ++i) points[i][2] = i % 2 == 0 ? 1 : above;
   return points;
 }

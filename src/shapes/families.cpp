@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "convexact/shapes/families.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -9,6 +11,7 @@
 #include "convexact/shapes/boxes.hpp"
 #include "convexact/shapes/extreme.hpp"
 #include "convexact/shapes/flat.hpp"
+#include "convexact/shapes/integer.hpp"
 #include "convexact/shapes/prisms.hpp"
 #include "convexact/shapes/random_points.hpp"
 #include "convexact/shapes/solids.hpp"
@@ -133,6 +136,11 @@ void add_random(std::vector<Family>& list) {
        3,
        {count(30), range(3, 0x1p52)},
        [](Values v, Seed s) { return lattice(whole(v[0]), static_cast<std::uint64_t>(v[1]), s); }});
+  list.push_back({"repeated-sphere",
+                  "points of a sphere, each several times",
+                  3,
+                  {count(20), {"copies", "of each point", 1, 1000, 3, true}},
+                  [](Values v, Seed s) { return repeated_sphere(whole(v[0]), whole(v[1]), s); }});
   list.push_back({"fibonacci-sphere",
                   "a spiral on a sphere: nearly equal costs",
                   3,
@@ -150,6 +158,20 @@ void add_random(std::vector<Family>& list) {
                   [](Values v, Seed s) {
                     return cube_symmetric(whole(v[0]), static_cast<std::uint64_t>(v[1]), s);
                   }});
+}
+
+void add_integer(std::vector<Family>& list) {
+  list.push_back({"cospherical",
+                  "integer points on a sphere, exactly: many of them coplanar",
+                  3,
+                  {{"points", "how many at most", 4, 1e6, 24, true},
+                   {"squared-radius", "x^2 + y^2 + z^2; some have no points", 1, 1e6, 41, true}},
+                  [](Values v, Seed s) { return cospherical(whole(v[0]), whole(v[1]), s); }});
+  list.push_back({"moment-curve",
+                  "(t, t^2, t^3): a cyclic polytope, n vertices and 2n - 4 triangles",
+                  3,
+                  {{"points", "how many", 4, 1e5, 12, true}},
+                  [](Values v, Seed) { return moment_curve(whole(v[0])); }});
 }
 
 void add_extreme(std::vector<Family>& list) {
@@ -189,10 +211,12 @@ void add_extreme(std::vector<Family>& list) {
                   {count(50), {"exponent", "largest power", 0, 1000, 300, true}},
                   [](Values v, Seed s) { return wide_exponents(whole(v[0]), whole(v[1]), s); }});
   list.push_back({"nearly-flat",
-                  "a plane, half of the points one ulp above it",
+                  "a plane, every second point a few ulps above it",
                   3,
-                  {count(30)},
-                  [](Values v, Seed s) { return nearly_flat(whole(v[0]), s); }});
+                  {count(30), {"ulps", "how many, of 2^-52", 1, 0x1p52 - 1, 1, true}},
+                  [](Values v, Seed s) {
+                    return nearly_flat(whole(v[0]), s, static_cast<std::uint64_t>(v[1]));
+                  }});
   list.push_back({"nearly-coplanar",
                   "a lid of points within one rounding of a plane",
                   3,
@@ -218,6 +242,7 @@ std::vector<Family> make_families() {
   add_prisms(list);
   add_boxes(list);
   add_random(list);
+  add_integer(list);
   add_extreme(list);
   add_flat(list);
   return list;
@@ -258,7 +283,9 @@ std::vector<Point> generate(const Family& family, std::span<const double> values
     const Parameter& p = family.parameters[i];
     const bool inside = values[i] >= p.least && values[i] <= p.most;  // false for NaN
     if (!inside || (p.whole && values[i] != std::floor(values[i]))) {
-      reject(name + ": " + std::string(p.name) + " is out of range or not an integer");
+      reject(fmt::format("{}: {} is {}{} to {}, not {}", name, p.name,
+                         p.whole ? "an integer from " : "a number from ", p.least, p.most,
+                         values[i]));
     }
   }
   return family.make(values, seed);

@@ -53,6 +53,14 @@ std::vector<Point> on_sphere(std::uint32_t n, std::uint64_t seed) {
   return points;
 }
 
+std::vector<Point> repeated_sphere(std::uint32_t n, std::uint32_t copies, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Point> points;
+  for (const Point& p : on_sphere(n, random())) points.insert(points.end(), copies, p);
+  shuffle(std::span(points), random);
+  return points;
+}
+
 std::vector<Point> lattice(std::uint32_t n, std::uint64_t range, std::uint64_t seed) {
   if (range > std::uint64_t(1) << 52) {
     throw Error(ErrorCode::InvalidArgument, "a lattice reaches at most 2^52");

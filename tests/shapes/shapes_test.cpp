@@ -14,6 +14,7 @@
 #include "convexact/shapes/circle.hpp"
 #include "convexact/shapes/extreme.hpp"
 #include "convexact/shapes/flat.hpp"
+#include "convexact/shapes/integer.hpp"
 #include "convexact/shapes/prisms.hpp"
 #include "convexact/shapes/random_points.hpp"
 #include "convexact/shapes/solids.hpp"
@@ -244,6 +245,46 @@ TEST_CASE("nearly plane points: off the plane, by no more than one rounding") {
     off += error != 0 ? 1 : 0;
   }
   CHECK(off > 20);
+}
+
+TEST_CASE("nearly flat: as many ulps above the plane as asked for") {
+  for (const std::uint64_t ulps : {1u, 3u, 1000u}) {
+    const double above = std::bit_cast<double>(std::bit_cast<std::uint64_t>(1.0) + ulps);
+    const std::vector<Point> points = nearly_flat(20, 1, ulps);
+    for (std::size_t i = 0; i < points.size(); ++i) CHECK(points[i][2] == (i % 2 ? above : 1));
+  }
+  CHECK_THROWS_AS((void)nearly_flat(20, 1, 0), Error);
+}
+
+TEST_CASE("cospherical: integers of exactly that squared length, all extreme") {
+  for (const std::uint32_t square : {9u, 41u, 89u}) {
+    CAPTURE(square);
+    const std::vector<Point> points = cospherical(18, square, 3);
+    CHECK(points.size() == 18);
+    for (const Point& p : points) {
+      CHECK(p == p.array().round().matrix());
+      CHECK(p.squaredNorm() == square);
+    }
+    CHECK(counts(points).vertices == 18);  // so no repeats either
+  }
+  // 41 = 16 + 16 + 9 (24 points), 36 + 4 + 1 (48), 25 + 16 + 0 (24).
+  CHECK(cospherical(1000, 41, 1).size() == 96);
+  CHECK(cospherical(1000, 1, 1).size() == 6);
+  CHECK_THROWS_AS((void)cospherical(20, 7, 1), Error);  // no three squares sum to 7
+}
+
+TEST_CASE("moment curve: the cyclic polytope's counts by Gale's evenness") {
+  for (const std::uint32_t n : {4u, 5u, 12u, 19u}) {
+    CAPTURE(n);
+    CHECK(counts(moment_curve(n)) == Counts{n, 2 * n - 4});
+  }
+  CHECK_THROWS_AS((void)moment_curve(3), Error);
+}
+
+TEST_CASE("repeated sphere: every point as often as asked for") {
+  const std::vector<Point> points = repeated_sphere(7, 3, 1);
+  CHECK(points.size() == 21);
+  for (const Point& p : points) CHECK(std::count(points.begin(), points.end(), p) == 3);
 }
 
 TEST_CASE("flat shapes: the affine dimension is exact") {

@@ -26,8 +26,10 @@ namespace convexact::shapes {
 /// n points of in_box(), each coordinate times its own power of two from 2^-exponent to 2^exponent.
 [[nodiscard]] std::vector<Point> wide_exponents(std::uint32_t n, std::uint32_t exponent,
                                                 std::uint64_t seed);
-/// n points of the plane z = 1, half of them one ulp above it.
-[[nodiscard]] std::vector<Point> nearly_flat(std::uint32_t n, std::uint64_t seed);
+/// n points of the plane z = 1, every second of them `ulps` >= 1 units in the last place (2^-52)
+/// above it. Precondition: ulps < 2^52.
+[[nodiscard]] std::vector<Point> nearly_flat(std::uint32_t n, std::uint64_t seed,
+                                             std::uint64_t ulps = 1);
 /// n points (x, y, (x + y) / 3) with x and y uniform in [0, 1), off that plane by the rounding of
 /// z, and the apex (1, 0, -1): a lid of many facets that hardly differ.
 [[nodiscard]] std::vector<Point> nearly_coplanar(std::uint32_t n, std::uint64_t seed);

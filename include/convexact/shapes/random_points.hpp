@@ -16,6 +16,9 @@ namespace convexact::shapes {
 [[nodiscard]] std::vector<Point> in_ball(std::uint32_t n, std::uint64_t seed);
 /// n points uniform on the unit sphere, up to rounding.
 [[nodiscard]] std::vector<Point> on_sphere(std::uint32_t n, std::uint64_t seed);
+/// n points of on_sphere(), each `copies` >= 1 times, in random order: exact duplicates.
+[[nodiscard]] std::vector<Point> repeated_sphere(std::uint32_t n, std::uint32_t copies,
+                                                 std::uint64_t seed);
 /// n points uniform in {-range, ..., range}^3: repeats, coplanar and collinear points.
 /// Precondition: range <= 2^52.
 [[nodiscard]] std::vector<Point> lattice(std::uint32_t n, std::uint64_t range, std::uint64_t seed);

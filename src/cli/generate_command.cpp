@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+// convexact generate: the families of shapes as files, and files that no reader may accept.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "command.hpp"
+#include "convexact/hull/hull.hpp"
+#include "convexact/io/atomic_output.hpp"
+#include "convexact/io/write_mesh.hpp"
+#include "convexact/shapes/families.hpp"
+#include "convexact/shapes/malformed.hpp"
+
+namespace convexact::cli {
+namespace {
+
+using shapes::Family;
+using shapes::MalformedFile;
+using shapes::Parameter;
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  convexact generate --list\n"
+    "  convexact generate needle --points 100 --aspect 1e300 --seed 7 -o needle.obj\n"
+    "  convexact generate cospherical --squared-radius 89 --facets -o sphere.ply\n"
+    "  convexact generate malformed-off-count-too-large -o broken.off\n"
+    "\n"
+    "One family, one seed, the same values: the same bytes on every machine. Coordinates are\n"
+    "written so that the same doubles are read. convexact generate FAMILY --help shows the\n"
+    "parameters of a family.";
+
+struct Options {
+  GlobalOptions global;
+  std::string output;
+  bool list = false;
+  bool facets = false;
+  std::function<int()> work;  ///< Of the family that was named.
+};
+
+nlohmann::ordered_json parameter_json(const Parameter& p) {
+  return {{"name", p.name}, {"meaning", p.meaning}, {"least", p.least},
+          {"most", p.most}, {"default", p.usual},   {"integer", p.whole}};
+}
+
+void print_list_json() {
+  nlohmann::ordered_json families = nlohmann::ordered_json::array();
+  for (const Family& f : shapes::families()) {
+    nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
+    for (const Parameter& p : f.parameters) parameters.push_back(parameter_json(p));
+    families.push_back({{"name", f.name},
+                        {"description", f.description},
+                        {"dimension", f.dimension},
+                        {"parameters", parameters}});
+  }
+  nlohmann::ordered_json malformed = nlohmann::ordered_json::array();
+  for (const MalformedFile& file : shapes::malformed_files()) {
+    malformed.push_back({{"name", file.name},
+                         {"description", file.description},
+                         {"extension", file.extension()},
+                         {"error", file.not_finite ? "not-finite" : "malformed"}});
+  }
+  print(nlohmann::ordered_json{{"families", families}, {"malformed", malformed}});
+}
+
+void print_list() {
+  std::string text = "Families of points (dimension, and --parameter with its default):\n";
+  for (const Family& f : shapes::families()) {
+    text += fmt::format("  {:<22}{}D  {}\n", f.name, f.dimension, f.description);
+    for (const Parameter& p : f.parameters) {
+      text +=
+          fmt::format("      --{} {}: {}, {} to {}\n", p.name, p.usual, p.meaning, p.least, p.most);
+    }
+  }
+  text += "\nFiles that no reader may accept (no parameters):\n";
+  for (const MalformedFile& file : shapes::malformed_files()) {
+    text += fmt::format("  {:<34}{}\n", file.name, file.description);
+  }
+  print(text);
+}
+
+// STL knows triangles only. Which ones makes no difference to a hull: the points three by three,
+// the last one again where they run out.
+void add_triangles_over_points(Mesh& mesh) {
+  const auto size = static_cast<std::uint32_t>(mesh.points.size());
+  for (std::uint32_t k = 0; k < size; k += 3) {
+    mesh.polygons.push_back({k, std::min(k + 1, size - 1), std::min(k + 2, size - 1)});
+  }
+}
+
+void add_hull_facets(Mesh& mesh, const std::string& family) {
+  const HullOutcome outcome = convex_hull(mesh.points);
+  const auto* hull = std::get_if<Hull>(&outcome);
+  if (hull == nullptr) {
+    throw Error(ErrorCode::NoInterior, family + " with these values spans no volume: no facets");
+  }
+  for (std::size_t f = 0; f < hull->facets.size(); ++f) {
+    auto& polygon = mesh.polygons.emplace_back();
+    for (const PointId corner : hull->facets[f]) polygon.push_back(corner.value);
+  }
+}
+
+void write(const Options& options, const std::string& bytes) {
+  if (options.output.empty()) return print(bytes);
+  AtomicOutput file;
+  file.add(options.output, bytes);
+  file.commit();
+}
+
+MeshFormat format_of(const Options& options) {
+  if (options.output.empty()) return MeshFormat::Obj;
+  const std::optional<MeshFormat> format = mesh_format_of_path(options.output);
+  if (!format) {
+    throw Error(ErrorCode::InvalidArgument,
+                "-o: expected a file with the extension .obj, .off, .ply or .stl, found '" +
+                    options.output + "'");
+  }
+  return *format;
+}
+
+nlohmann::ordered_json document_of(const Family& family, const std::vector<double>& values,
+                                   std::uint64_t seed, const Mesh& mesh) {
+  nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    nlohmann::ordered_json& value = parameters[std::string(family.parameters[i].name)];
+    value = values[i];
+    if (family.parameters[i].whole) value = static_cast<std::int64_t>(values[i]);
+  }
+  nlohmann::ordered_json points = nlohmann::ordered_json::array();
+  for (const Point& p : mesh.points.doubles()) points.push_back({p.x(), p.y(), p.z()});
+  nlohmann::ordered_json document = {
+      {"family", family.name}, {"parameters", parameters}, {"seed", seed}, {"points", points}};
+  if (!mesh.polygons.empty()) document["facets"] = mesh.polygons;
+  return document;
+}
+
+int run_family(const Options& options, const Family& family, const std::vector<double>& values) {
+  const MeshFormat format = format_of(options);
+  Mesh mesh;
+  mesh.points = PointSet(shapes::generate(family, values, options.global.seed));
+  if (options.facets) add_hull_facets(mesh, std::string(family.name));
+  if (options.global.json) print(document_of(family, values, options.global.seed, mesh));
+  if (options.global.json && options.output.empty()) return 0;
+  if (format == MeshFormat::Stl && mesh.polygons.empty()) add_triangles_over_points(mesh);
+  write(options, write_mesh(mesh, format));
+  return 0;
+}
+
+int run_malformed(const Options& options, const MalformedFile& file) {
+  const std::string extension = std::filesystem::path(options.output).extension().string();
+  if (!options.output.empty() && extension != "." + std::string(file.extension())) {
+    throw Error(ErrorCode::InvalidArgument, file.name + ": -o takes a file with the extension ." +
+                                                std::string(file.extension()) + ", found '" +
+                                                options.output + "'");
+  }
+  if (options.facets || options.global.json) {
+    throw Error(ErrorCode::InvalidArgument, file.name + ": takes neither --facets nor --json");
+  }
+  write(options, file.bytes);
+  return 0;
+}
+
+int run(const Options& options, const std::vector<std::string>& unknown) {
+  if (!unknown.empty()) {
+    const bool is_option = unknown.front().starts_with("-");
+    throw Error(ErrorCode::InvalidArgument,
+                fmt::format("there is no {} called '{}'; convexact generate --list names them",
+                            is_option ? "parameter or option" : "family", unknown.front()));
+  }
+  if (options.work) return options.work();
+  if (!options.list) throw Error(ErrorCode::InvalidArgument, "expected a family or --list");
+  if (options.global.json) {
+    print_list_json();
+  } else {
+    print_list();
+  }
+  return 0;
+}
+
+void add_family(CLI::App& command, const Family& family, Options& options) {
+  auto values = std::make_shared<std::vector<double>>(shapes::usual_values(family));
+  CLI::App& entry =
+      *command.add_subcommand(std::string(family.name), std::string(family.description))
+           ->fallthrough()
+           ->group("Families of points");
+  for (std::size_t i = 0; i < family.parameters.size(); ++i) {
+    const Parameter& p = family.parameters[i];
+    entry
+        .add_option("--" + std::string(p.name), (*values)[i],
+                    fmt::format("{}, {} to {}", p.meaning, p.least, p.most))
+        ->type_name(p.whole ? "INTEGER" : "NUMBER")
+        ->capture_default_str();
+  }
+  entry.callback([&family, values, &options] {
+    options.work = [&family, values, &options] { return run_family(options, family, *values); };
+  });
+}
+
+void add_malformed(CLI::App& command, const MalformedFile& file, Options& options) {
+  CLI::App& entry = *command.add_subcommand(file.name, file.description)
+                         ->fallthrough()
+                         ->group("Files that no reader may accept");
+  entry.callback([&file, &options] {
+    options.work = [&file, &options] { return run_malformed(options, file); };
+  });
+}
+
+}  // namespace
+
+void add_generate_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command =
+      *program.add_subcommand("generate", "write hard inputs: families of points by name");
+  command.footer(kFooter);
+  command.require_subcommand(0, 1);
+  command.allow_extras();  // so that an unknown family gets a sentence of its own
+  command.add_flag("--list", options->list, "name every family with its parameters");
+  command.add_option("-o,--output", options->output,
+                     "the file, by its extension .obj .off .ply .stl; without it OBJ on standard "
+                     "output");
+  command.add_flag("--facets", options->facets,
+                   "write the facets of the exact hull too, for programs that want a closed mesh");
+  add_global_options(command, options->global);
+  for (const Family& family : shapes::families()) add_family(command, family, *options);
+  for (const MalformedFile& file : shapes::malformed_files()) {
+    add_malformed(command, file, *options);
+  }
+  command.callback([&command, options, &exit_code] {
+    exit_code = run_guarded(options->global, [&] { return run(*options, command.remaining()); });
+  });
+}
+
+}  // namespace convexact::cli
