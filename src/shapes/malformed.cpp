@@ -238,6 +238,24 @@ void add_ine(Files& list) {
   list.push_back({"ine-noise", "random bytes", noise(), false});
 }
 
+void add_rows(Files& list) {
+  const auto rows = [](const std::string& first) {
+    return first + "\n-1 0 0 0\n0 -1 0 0\n0 0 -1 0\n";
+  };
+  list.push_back(
+      {"txt-truncated", "the last row ends after two numbers", rows("1 1 1 -1") + "0 1", false});
+  list.push_back(
+      {"txt-three-numbers", "a row without its offset", rows("1 1 1 -1") + "1 1 1\n", false});
+  list.push_back({"txt-five-numbers", "a row with a number too many",
+                  rows("1 1 1 -1") + "1 1 1 -1 0\n", false});
+  list.push_back({"txt-not-a-number", "a word for a number", rows("1 1 one -1"), false});
+  list.push_back({"txt-division-by-zero", "the fraction 1/0", rows("1 1 1/0 -1"), false});
+  list.push_back({"txt-nan", "a number is NaN", rows("1 1 nan -1"), true});
+  list.push_back({"txt-infinity", "a number is -inf", rows("1 1 1 -inf"), true});
+  list.push_back({"txt-overflow", "a number is 1e400", rows("1.5 1e400 1 -1"), true});
+  list.push_back({"txt-noise", "random bytes", noise(), false});
+}
+
 Files make_files() {
   Files list;
   add_obj(list);
@@ -246,6 +264,7 @@ Files make_files() {
   add_stl(list);
   add_json(list);
   add_ine(list);
+  add_rows(list);
   for (MalformedFile& file : list) file.name.insert(0, "malformed-");
   return list;
 }

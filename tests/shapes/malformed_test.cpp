@@ -8,7 +8,7 @@
 #include <set>
 
 #include "convexact/error.hpp"
-#include "convexact/format/halfspace_list.hpp"
+#include "convexact/format/halfspace_file.hpp"
 #include "convexact/io/read_mesh.hpp"
 using namespace convexact;
 using shapes::malformed_files;
@@ -50,8 +50,8 @@ TEST_CASE("malformed files: names are unique and say the format") {
     CHECK(!file.description.empty());
     ++count[file.extension()];
   }
-  CHECK(count.size() == 6);
-  for (const auto& [extension, files] : count) CHECK(files >= 10);
+  CHECK(count.size() == 7);
+  for (const auto& [extension, files] : count) CHECK(files >= 9);
 }
 
 // With the announced mistake mended, the file must be read: else it was refused for another reason.
@@ -97,9 +97,14 @@ TEST_CASE("malformed files: there is no other mistake") {
                           {"ine-count-hostile", "4294967295", "4"},
                           {"ine-not-an-integer", "1.5", "1"},
                           {"ine-division-by-zero", "1/0", "1"},
-                          {"ine-vertices", "V-", "H-"}};
+                          {"ine-vertices", "V-", "H-"},
+                          {"txt-truncated", "\n0 1", ""},
+                          {"txt-three-numbers", "1 1 1\n", "1 1 1 -1\n"},
+                          {"txt-five-numbers", "1 -1 0\n", "1 -1\n"},
+                          {"txt-not-a-number", "one", "1"},
+                          {"txt-overflow", "1e400", "1"}};
   for (const Mended& c : cases) {
-    CAPTURE(c.name);
+    CAPTURE(std::string(c.name));
     const auto files = malformed_files();
     const auto file = std::find_if(files.begin(), files.end(), [&](const MalformedFile& f) {
       return f.name == "malformed-" + std::string(c.name);

@@ -13,7 +13,7 @@ struct MalformedFile {
   std::string bytes;        ///< The whole file.
   bool not_finite;          ///< Spelled right, but NaN, infinite or beyond the largest double.
 
-  /// The file's extension: obj, off, ply, stl, json or ine. The last two list halfspaces.
+  /// The file's extension: obj, off, ply, stl, json, ine or txt. The last three list halfspaces.
   [[nodiscard]] std::string_view extension() const;
 };
 
