@@ -41,6 +41,7 @@ void add_diff_command(CLI::App& program, int& exit_code);
 void add_generate_command(CLI::App& program, int& exit_code);
 void add_hull_command(CLI::App& program, int& exit_code);
 void add_simplify_command(CLI::App& program, int& exit_code);
+void add_verify_command(CLI::App& program, int& exit_code);
 
 /// For a reproducer: the words of the command line, and each input as soon as it is read.
 void remember_command_line(int argc, char** argv);

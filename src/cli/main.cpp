@@ -40,6 +40,7 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  convexact hull tests/data/spot.obj\n"
     "  convexact simplify tests/data/bunny.obj --faces 18 -o bunny18.obj\n"
+    "  convexact verify tests/data/bunny.obj bunny18.obj\n"
     "  convexact simplify --help\n"
     "\n"
     "Exit codes:\n"
@@ -60,6 +61,7 @@ int main(int argc, char** argv) {
   int exit_code = 0;
   convexact::cli::add_hull_command(program, exit_code);
   convexact::cli::add_simplify_command(program, exit_code);
+  convexact::cli::add_verify_command(program, exit_code);
   convexact::cli::add_diff_command(program, exit_code);
   convexact::cli::add_generate_command(program, exit_code);
   try {

@@ -7,6 +7,7 @@
 #include "convexact/error.hpp"
 #include "convexact/number/digits.hpp"
 #include "convexact/number/rounding.hpp"
+#include "json_parts.hpp"
 #include "words.hpp"
 
 namespace convexact {
@@ -15,15 +16,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kDigits = 17;  // as many as a double needs
-
-Json plane_json(const Halfspace& h) {
-  return {to_string(h.normal()[0]), to_string(h.normal()[1]), to_string(h.normal()[2]),
-          to_string(h.offset())};
-}
-
-Json vector_json(const RationalVector3& v) {
-  return {to_string(v[0]), to_string(v[1]), to_string(v[2])};
-}
 
 Json multipliers_json(const std::vector<Multiplier>& multipliers) {
   Json list = Json::array();

@@ -6,6 +6,7 @@
 
 #include "acceptance.hpp"
 #include "convexact/error.hpp"
+#include "convexact/geometry/subset.hpp"
 #include "convexact/hull/hull.hpp"
 #include "convexact/stored/containment.hpp"
 #include "interior_point.hpp"
@@ -46,17 +47,6 @@ std::optional<Rung> try_rung(double factor, std::vector<Point> vertices,
   std::vector<Halfspace> halfspaces = facet_halfspaces(hull, points);
   if (count_outside(halfspaces, witnesses) > 0) return {};
   return Rung{factor, std::move(points), std::move(hull), std::move(halfspaces)};
-}
-
-PointSet subset(const PointSet& points, std::span<const PointId> ids) {
-  if (!points.is_binary()) {
-    std::vector<RationalPoint> chosen;
-    for (const PointId id : ids) chosen.push_back(points[id]);
-    return PointSet(std::move(chosen));
-  }
-  std::vector<Point> chosen;
-  for (const PointId id : ids) chosen.push_back(points.doubles()[id.index()]);
-  return PointSet(std::move(chosen));
 }
 
 Rung climb(const Polytope& exact, const PointSet& witnesses, const RationalPoint& center,

@@ -26,10 +26,10 @@ enum class ClaimCode {
   MaxFacetVertices,   ///< No facet has more corners.
 };
 inline constexpr std::array kAllClaims = {
-    ClaimCode::CandidateReadable, ClaimCode::CandidateFinite,  ClaimCode::CandidateSolid,
-    ClaimCode::CandidateBounded,  ClaimCode::MeshClosed,       ClaimCode::MeshOriented,
-    ClaimCode::MeshPlanar,        ClaimCode::MeshConvex,       ClaimCode::ContainsInput,
-    ClaimCode::MaxFacets,         ClaimCode::MaxVertices,      ClaimCode::MaxFacetVertices};
+    ClaimCode::CandidateReadable, ClaimCode::CandidateFinite, ClaimCode::CandidateSolid,
+    ClaimCode::CandidateBounded,  ClaimCode::MeshClosed,      ClaimCode::MeshOriented,
+    ClaimCode::MeshPlanar,        ClaimCode::MeshConvex,      ClaimCode::ContainsInput,
+    ClaimCode::MaxFacets,         ClaimCode::MaxVertices,     ClaimCode::MaxFacetVertices};
 
 /// "contains-input" and the like: stable, in messages, in JSON and as the names of the pages.
 [[nodiscard]] const char* name_of(ClaimCode code);
@@ -47,16 +47,16 @@ enum class Status {
 /// What refutes a claim. Which fields are set depends on the claim, see docs/verdicts; ids count
 /// from 0, faces and rows in the order of the candidate's file.
 struct Witness {
-  std::optional<std::size_t> input_point;     ///< A point of the input.
-  std::vector<std::size_t> vertices;          ///< Points of the candidate.
-  std::vector<std::size_t> faces;             ///< Faces of the candidate's mesh.
-  std::vector<std::size_t> rows;              ///< Rows of the candidate's list of halfspaces.
-  std::optional<std::size_t> line;            ///< Of the candidate's file, from 1.
-  std::optional<Halfspace> plane;             ///< The plane that something is beyond.
-  std::optional<RationalPoint> point;         ///< The coordinates of what is beyond it.
-  std::optional<RationalVector3> direction;   ///< In which the candidate is unbounded.
-  std::optional<Rational> squared_distance;   ///< Of `point` to `plane`; positive.
-  std::optional<std::size_t> count;           ///< How much was found where a budget allows less.
+  std::optional<std::size_t> input_point;    ///< A point of the input.
+  std::vector<std::size_t> vertices;         ///< Points of the candidate.
+  std::vector<std::size_t> faces;            ///< Faces of the candidate's mesh.
+  std::vector<std::size_t> rows;             ///< Rows of the candidate's list of halfspaces.
+  std::optional<std::size_t> line;           ///< Of the candidate's file, from 1.
+  std::optional<Halfspace> plane;            ///< The plane that something is beyond.
+  std::optional<RationalPoint> point;        ///< The coordinates of what is beyond it.
+  std::optional<RationalVector3> direction;  ///< In which the candidate is unbounded.
+  std::optional<Rational> squared_distance;  ///< Of `point` to `plane`; positive.
+  std::optional<std::size_t> count;          ///< How much was found where a budget allows less.
 };
 
 struct Claim {

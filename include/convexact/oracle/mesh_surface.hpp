@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// mesh_surface.hpp - what is wrong with the faces of a mesh that should bound a convex solid.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "convexact/hull/hull.hpp"
+#include "convexact/io/mesh.hpp"
+#include "convexact/oracle/excess.hpp"
+
+namespace convexact {
+
+/// An edge between two points of a mesh and the faces that have it.
+struct MeshEdge {
+  std::uint32_t tail, head;
+  std::vector<std::size_t> faces;
+};
+
+/// A corner that is not in the plane of its face.
+struct BentFace {
+  std::size_t face;
+  std::uint32_t corner;       ///< The point of the mesh.
+  Halfspace plane;            ///< Through the face's first corner, normal to its area vector.
+  Rational squared_distance;  ///< Of the corner to the plane; positive.
+};
+
+/// A point of the mesh strictly beyond the plane of a face.
+struct PointBeyondFace {
+  std::size_t face;
+  PointId point;
+  Halfspace plane;
+  Rational squared_distance;
+};
+
+/// The faces of a mesh, with points at the same place taken as one.
+///
+/// A face's *area vector* is half the sum of the cross products around it; for a planar polygon it
+/// is normal to its plane, as long as its area, and points to where the corners look
+/// counter-clockwise.
+class MeshSurface {
+ public:
+  /// Keeps a reference. @par Cost  O(n log n).
+  explicit MeshSurface(const Mesh& mesh);
+
+  /// An edge that does not have exactly two faces.
+  [[nodiscard]] std::optional<MeshEdge> open_edge() const;
+  /// An edge along which two faces run in the same direction, so that one of them is turned over.
+  [[nodiscard]] std::optional<MeshEdge> twisted_edge() const;
+  /// A face whose area vector is zero.
+  [[nodiscard]] std::optional<std::size_t> face_without_area() const;
+  /// The corner that is farthest from the plane of its face.
+  [[nodiscard]] std::optional<BentFace> most_bent() const;
+  /// Six times the volume that the faces enclose, positive if they look outward. Meaningful if
+  /// there is neither an open nor a twisted edge.
+  [[nodiscard]] Rational enclosed() const;
+
+  /// Of the faces that are not in a facet plane of the hull of the mesh's points, the one that a
+  /// point is farthest beyond. @param planes  Those of the hull. @param extreme  Its vertices.
+  struct OffHull {
+    std::size_t faces = 0;  ///< How many faces are not in such a plane.
+    std::optional<PointBeyondFace> worst;
+  };
+  [[nodiscard]] OffHull faces_off(std::span<const Halfspace> planes,
+                                  std::span<const PointId> extreme) const;
+
+ private:
+  struct DirectedEdge {
+    std::uint32_t from, to;
+    std::size_t face;
+  };
+  using Edges = std::span<const DirectedEdge>;
+  template <class IsFault>
+  std::optional<MeshEdge> find_edge(const IsFault& is_fault) const;
+  const Mesh& mesh_;
+  std::vector<std::vector<std::uint32_t>> faces_;  // corners by the first point at their place
+  std::vector<RationalVector3> area_vectors_;
+  std::vector<DirectedEdge> edges_;  // sorted by their ends, whichever comes first
+};
+
+}  // namespace convexact

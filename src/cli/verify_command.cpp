@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// convexact verify: the oracle.
+#include <memory>
+
+#include "command.hpp"
+#include "convexact/error.hpp"
+#include "convexact/format/candidate_file.hpp"
+#include "convexact/format/result_json.hpp"
+#include "convexact/format/summary.hpp"
+#include "convexact/format/verdict_json.hpp"
+#include "convexact/format/verdict_table.hpp"
+#include "outputs.hpp"
+#include "scene.hpp"
+
+namespace convexact::cli {
+namespace {
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  convexact verify bunny.obj my_hull.obj\n"
+    "  convexact verify bunny.obj my_planes.json --max-facets 18 --json\n"
+    "  convexact verify bunny.obj my_hull.stl --claims contains-input --tolerance 1e-9d\n"
+    "\n"
+    "A mesh stands for the convex hull of its points, a list of halfspaces for their "
+    "intersection.\n"
+    "Every claim is decided exactly, on the numbers as they are stored; each violation comes with "
+    "a\n"
+    "witness. docs/verdicts has a page for each claim.\n"
+    "Exit code 0: every claim holds. 1: one is violated, or the CANDIDATE is malformed.\n"
+    "3: a file is not there, or INPUT is malformed. 4: INPUT has no volume.";
+
+struct Options {
+  GlobalOptions global;
+  std::string input, candidate, claims, tolerance;
+  Decimal decimal = Decimal::Nearest;
+  bool no_tightness = false;
+  VerifyRequest request;
+};
+
+std::vector<ClaimCode> parse_claims(const std::string& text) {
+  std::vector<ClaimCode> claims;
+  for (const std::string& word : CLI::detail::split(text, ',')) {
+    const auto code = claim_of_name(word);
+    if (!code) {
+      std::string names;
+      for (const ClaimCode known : kAllClaims) {
+        names += (names.empty() ? "" : ", ") + std::string(name_of(known));
+      }
+      throw Error(ErrorCode::InvalidArgument,
+                  "--claims: expected names out of " + names + "; found '" + word + "'");
+    }
+    claims.push_back(*code);
+  }
+  return claims;
+}
+
+VerifyRequest request_of(const Options& options) {
+  VerifyRequest request = options.request;
+  if (!options.claims.empty()) request.claims = parse_claims(options.claims);
+  if (!options.tolerance.empty()) request.tolerance = parse_tolerance(options.tolerance);
+  request.tightness = !options.no_tightness;
+  request.seed = options.global.seed;
+  return request;
+}
+
+int run(const Options& options) {
+  const VerifyRequest request = request_of(options);
+  if (options.input == "-" && options.candidate == "-") {
+    throw Error(ErrorCode::InvalidArgument, "only one of INPUT and CANDIDATE can be -");
+  }
+  StageLog log;
+  const SceneObject input = log.run("read input", StageKind::Io, [&] {
+    return std::move(read_scene({options.input}, {.decimal = options.decimal}).front());
+  });
+  const Candidate candidate = log.run("read candidate", StageKind::Io, [&] {
+    return read_candidate(options.candidate, options.decimal);
+  });
+  const VerifyOutcome outcome = verify(input.shape, candidate, request, log);
+  if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
+    return report_not_solid(options.global, input.name, *reason);
+  }
+  const auto& verdict = std::get<Verdict>(outcome);
+  if (options.global.json) {
+    nlohmann::ordered_json document = {{"input", input.name}, {"file", options.candidate}};
+    document.update(verdict_json(verdict));
+    document["stages"] = stages_json(log.stages());
+    print(document);
+  } else {
+    print(options.candidate + " as an enclosure of " + input.name + "\n" + verdict_table(verdict) +
+          "\n" + stage_table(log.stages()));
+  }
+  return verdict.holds() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_verify_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command = *program.add_subcommand(
+      "verify", "is somebody's output a convex solid that contains its input? exactly");
+  command.footer(kFooter);
+  command
+      .add_option("INPUT", options->input,
+                  "what is to be enclosed: a mesh (OBJ, OFF, PLY, STL) or halfspaces")
+      ->required();
+  command
+      .add_option("CANDIDATE", options->candidate,
+                  "what should enclose it: a mesh, or halfspaces (JSON, .ine, rows n1 n2 n3 d)")
+      ->required();
+  command.add_option("--claims", options->claims, "decide these claims only, separated by commas");
+  command.add_option("--tolerance", options->tolerance,
+                     "let violations up to this distance pass: 1e-6, or 1e-9d of the diameter");
+  VerifyRequest& request = options->request;
+  command.add_option("--max-facets", request.max_facets, "coplanar faces count as one");
+  command.add_option("--max-vertices", request.max_vertices, "corners of the solid");
+  command.add_option("--max-facet-vertices", request.max_facet_vertices,
+                     "corners of its largest facet");
+  command.add_flag("--no-tightness", options->no_tightness,
+                   "do not measure volume, area, mean width and distance");
+  add_choice<Decimal>(command, "--decimal", options->decimal,
+                      {{"nearest", Decimal::Nearest}, {"exact", Decimal::Exact}},
+                      "decimals in text mean the nearest double, or what they spell");
+  add_global_options(command, options->global);
+  command.callback([options, &exit_code] {
+    exit_code = run_guarded(options->global, [&] { return run(*options); });
+  });
+}
+
+}  // namespace convexact::cli

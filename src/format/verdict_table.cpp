@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/format/verdict_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "convexact/format/summary.hpp"
+#include "convexact/number/digits.hpp"
+
+namespace convexact {
+namespace {
+
+constexpr int kDigits = 6;
+constexpr long kBits = 128;
+constexpr std::size_t kLongestFraction = 60;  // longer ones are for --json
+
+std::string line(const char* label, const std::string& text) {
+  return fmt::format("  {:<19} {}\n", label, text);
+}
+
+std::string root_text(const Rational& squared) {
+  return to_decimal(sqrt(Enclosure(squared, kBits)), kDigits).value_or("?");
+}
+
+std::string claim_lines(const Claim& claim) {
+  std::string text = fmt::format("  {:<19} {:<15} {}\n", name_of(claim.code), name_of(claim.status),
+                                 claim.sentence);
+  if (claim.witness.squared_distance) {
+    const std::string exact = to_string(*claim.witness.squared_distance);
+    text += fmt::format("  {:<35} the square of the distance is {}\n", "",
+                        exact.size() <= kLongestFraction
+                            ? exact
+                            : fmt::format("a fraction of {} characters, see --json", exact.size()));
+  }
+  return text;
+}
+
+std::string not_asked_line(const Verdict& verdict) {
+  std::string names;
+  for (const Claim& claim : verdict.claims) {
+    if (claim.status == Status::NotAsked) {
+      names += (names.empty() ? "" : ", ") + std::string(name_of(claim.code));
+    }
+  }
+  return names.empty() ? "" : line("not asked", names);
+}
+
+std::string size_lines(const CandidateSize& size) {
+  std::string stored =
+      with_separators(size.stored_faces) + (size.stored_vertices > 0 ? " faces, " : " rows");
+  if (size.stored_vertices > 0) stored += with_separators(size.stored_vertices) + " vertices";
+  if (!size.facets) return line("size", stored + " as stored");
+  std::string text =
+      line("size", fmt::format("{} facets, {} vertices, the largest facet has {} corners ({} as "
+                               "stored)",
+                               with_separators(*size.facets), with_separators(*size.vertices),
+                               *size.most_facet_vertices, stored));
+  if (size.planes_of_the_input) {
+    text += line("", fmt::format("{} of its planes are facet planes of the input's hull",
+                                 with_separators(*size.planes_of_the_input)));
+  }
+  return text;
+}
+
+std::string tightness_lines(const Tightness& tightness, const Rational& squared_diameter) {
+  const auto ratio = [](const Enclosure& bounds) {
+    return to_decimal(bounds, kDigits).value_or("?");
+  };
+  return line("against the hull",
+              fmt::format("volume times {}, area times {}, mean width times {}",
+                          ratio(tightness.volume_ratio), ratio(tightness.area_ratio),
+                          ratio(tightness.mean_width_ratio))) +
+         line("", fmt::format("Hausdorff distance {} ({} of the diameter)",
+                              root_text(tightness.squared_hausdorff),
+                              root_text(tightness.squared_hausdorff / squared_diameter)));
+}
+
+std::string verdict_line(const Verdict& verdict) {
+  const auto violated =
+      std::count_if(verdict.claims.begin(), verdict.claims.end(),
+                    [](const Claim& claim) { return claim.status == Status::Violated; });
+  if (violated == 0) return line("verdict", "every claim holds");
+  return line("verdict",
+              fmt::format("{} violated",
+                          violated == 1 ? "1 claim is" : fmt::format("{} claims are", violated)));
+}
+
+}  // namespace
+
+std::string verdict_table(const Verdict& verdict) {
+  std::string text;
+  for (const Claim& claim : verdict.claims) {
+    if (claim.status != Status::NotAsked) text += claim_lines(claim);
+  }
+  text += not_asked_line(verdict);
+  text += size_lines(verdict.size);
+  if (verdict.tightness) text += tightness_lines(*verdict.tightness, verdict.squared_diameter);
+  return text + verdict_line(verdict);
+}
+
+}  // namespace convexact

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/oracle/excess.hpp"
+
+#include "../stored/double_halfspace.hpp"
+
+namespace convexact {
+namespace {
+
+using stored::Coordinates;
+using stored::DoubleHalfspace;
+using stored::NearValue;
+
+class ExcessSearch {
+ public:
+  explicit ExcessSearch(const PointSet& points)
+      : points_(points),
+        doubles_(points.doubles()),
+        absolute_(stored::absolute_error(std::max(1.0, doubles_.largest))) {}
+
+  /// Where n.x + d is largest, if it is positive anywhere.
+  std::optional<Excess> largest_beyond(const Halfspace& h, std::size_t plane) {
+    find_contenders(DoubleHalfspace(h));
+    std::optional<PointId> farthest;
+    Rational largest = 0;
+    for (const PointId id : contenders_) {
+      Rational value = h(points_[id]);
+      if (value <= largest) continue;
+      largest = std::move(value);
+      farthest = id;
+    }
+    if (!farthest) return {};
+    const Rational squared_length(h.normal().squaredNorm());
+    return Excess{*farthest, plane, largest * largest / squared_length};
+  }
+
+ private:
+  // The points that may have the largest value, unless that is negative for certain.
+  void find_contenders(const DoubleHalfspace& h) {
+    contenders_.clear();
+    double surely_reached = 0;
+    for (std::size_t j = 0; j < points_.size(); ++j) {
+      const NearValue near = h.at(doubles_, j, absolute_);
+      if (near.value - near.error > surely_reached) surely_reached = near.value - near.error;
+    }
+    for (std::size_t j = 0; j < points_.size(); ++j) {
+      const NearValue near = h.at(doubles_, j, absolute_);
+      if (!(near.value + near.error < surely_reached)) contenders_.emplace_back(j);  // also NaN
+    }
+  }
+
+  const PointSet& points_;
+  Coordinates doubles_;
+  double absolute_;
+  std::vector<PointId> contenders_;
+};
+
+}  // namespace
+
+std::optional<Excess> find_excess(std::span<const Halfspace> halfspaces, const PointSet& points) {
+  ExcessSearch search(points);
+  std::optional<Excess> worst;
+  for (std::size_t i = 0; i < halfspaces.size(); ++i) {
+    std::optional<Excess> here = search.largest_beyond(halfspaces[i], i);
+    if (here && (!worst || here->squared_distance > worst->squared_distance)) {
+      worst = std::move(here);
+    }
+  }
+  return worst;
+}
+
+}  // namespace convexact

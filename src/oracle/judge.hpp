@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// judge.hpp - the parts of verify(): each decides some claims about one candidate.
+#pragma once
+#include "convexact/oracle/mesh_surface.hpp"
+#include "convexact/oracle/verify.hpp"
+
+namespace convexact::oracle {
+
+/// The input, as far as the claims need it.
+struct Input {
+  PointSet points;               ///< All that the candidate must contain.
+  std::vector<PointId> extreme;  ///< Of `points`: those whose hull holds the rest.
+  Polytope hull;
+  Rational squared_diameter;
+};
+
+/// What a readable candidate stands for.
+struct CandidateSet {
+  /// The set is where all of these hold. Of a flat mesh: the planes that hold it, both sides.
+  std::vector<Halfspace> planes;
+  bool is_empty = false;             ///< No point at all: a mesh without points, or 0 <= -1.
+  std::optional<Hull> hull;          ///< Of a mesh that spans a volume.
+  std::optional<Polytope> polytope;  ///< If it is a bounded solid, and somebody needs it.
+};
+
+/// Which claims were asked, and the verdict so far.
+class Docket {
+ public:
+  Docket(const VerifyRequest& request, Verdict& verdict);
+
+  bool asks(ClaimCode code) const;
+  /// Each is ignored if nobody asked.
+  void holds(ClaimCode code, std::string sentence, Witness witness = {});
+  void violated(ClaimCode code, std::string sentence, Witness witness);
+  void not_applicable(ClaimCode code, std::string sentence);
+  /// Violated by so much, unless the tolerance allows it.
+  void violated_by(const Rational& squared_distance, ClaimCode code, const std::string& sentence,
+                   Witness witness);
+  /// "1.5e-9 (2e-12 of the diameter)" of the square of a distance.
+  std::string distance_text(const Rational& squared) const;
+
+  const VerifyRequest& request;
+  Verdict& verdict;
+
+ private:
+  void set(ClaimCode code, Status status, std::string sentence, Witness witness);
+};
+
+/// Readable, finite: from the error of the reader. Returns whether there is anything to judge.
+bool judge_reading(const Candidate& candidate, Docket& docket);
+/// Solid, bounded.
+CandidateSet judge_mesh_set(const Mesh& mesh, Docket& docket, StageLog& log);
+CandidateSet judge_halfspace_set(const HalfspaceList& list, Docket& docket, StageLog& log);
+/// Closed, oriented, planar, convex.
+void judge_faces(const Mesh& mesh, const CandidateSet& set, Docket& docket);
+/// Contains the input.
+void judge_containment(const Input& input, const Candidate& candidate, const CandidateSet& set,
+                       Docket& docket, StageLog& log);
+/// The three budgets.
+void judge_budgets(Docket& docket);
+
+/// "1 point", "18 halfspaces".
+std::string counted(std::size_t count, const char* one, const char* many);
+
+}  // namespace convexact::oracle

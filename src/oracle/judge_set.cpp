@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// What set a candidate is: readable, solid, bounded, and how large.
+#include "judge.hpp"
+
+namespace convexact::oracle {
+namespace {
+
+using enum ClaimCode;
+
+constexpr ClaimCode kAfterReading[] = {
+    CandidateSolid, CandidateBounded, MeshClosed, MeshOriented, MeshPlanar,
+    MeshConvex,     ContainsInput,    MaxFacets,  MaxVertices,  MaxFacetVertices};
+
+std::string read_sentence(const Candidate& candidate) {
+  if (const auto* mesh = std::get_if<Mesh>(&candidate)) {
+    return "a mesh of " + counted(mesh->points.size(), "point", "points") + " and " +
+           counted(mesh->polygons.size(), "face", "faces");
+  }
+  return "a list of " +
+         counted(std::get<HalfspaceList>(candidate).row_count(), "halfspace", "halfspaces");
+}
+
+Halfspace turned_over(const Halfspace& h) {
+  return {IntegerVector3(-h.normal()), Integer(-h.offset())};
+}
+
+CandidateSet flat_mesh(const FlatInput& flat, Docket& docket) {
+  CandidateSet set;
+  set.is_empty = flat.dimension < 0;
+  Witness witness;
+  for (const PointId id : flat.basis) witness.vertices.push_back(id.index());
+  for (const Halfspace& plane : flat.equations) {
+    set.planes.push_back(plane);
+    set.planes.push_back(turned_over(plane));
+  }
+  if (!flat.equations.empty()) witness.plane = flat.equations.front();
+  docket.violated(CandidateSolid, describe(flat), std::move(witness));
+  docket.not_applicable(CandidateBounded, "there is no solid");
+  return set;
+}
+
+std::vector<std::size_t> rows_of(const HalfspaceList& list,
+                                 const std::vector<Multiplier>& multipliers) {
+  std::vector<std::size_t> rows;
+  for (const Multiplier& m : multipliers) rows.push_back(list.rows[m.row] - 1);
+  return rows;
+}
+
+void judge_no_solid(const NotSolid& reason, const HalfspaceList& list, Docket& docket) {
+  Witness witness;
+  if (const auto* ray = std::get_if<RecessionRay>(&reason)) {
+    docket.holds(CandidateSolid, "it has a 3D interior");
+    witness.direction = ray->direction;
+    docket.violated(CandidateBounded, describe(reason), std::move(witness));
+    return;
+  }
+  if (const auto* empty = std::get_if<EmptyProof>(&reason)) {
+    witness.rows = rows_of(list, empty->farkas);
+  } else if (const auto* flat = std::get_if<FlatProof>(&reason)) {
+    witness.rows = rows_of(list, flat->multipliers);
+    witness.point = flat->point;
+  }
+  docket.violated(CandidateSolid, describe(reason), std::move(witness));
+  docket.not_applicable(CandidateBounded, "there is no solid");
+}
+
+void measure_size(const Polytope& solid, CandidateSize& size) {
+  size.facets = solid.planes.size();
+  size.vertices = solid.vertices.size();
+  size.most_facet_vertices = 0;
+  for (const auto& facet : solid.facets) {
+    size.most_facet_vertices = std::max(*size.most_facet_vertices, facet.size());
+  }
+}
+
+bool needs_polytope(const Docket& docket) {
+  return docket.request.tightness || docket.asks(MaxFacets) || docket.asks(MaxVertices) ||
+         docket.asks(MaxFacetVertices);
+}
+
+}  // namespace
+
+bool judge_reading(const Candidate& candidate, Docket& docket) {
+  const auto* error = std::get_if<Error>(&candidate);
+  if (error == nullptr) {
+    docket.holds(CandidateReadable, read_sentence(candidate));
+    docket.holds(CandidateFinite, "every number is finite");
+    return true;
+  }
+  Witness witness;
+  witness.line = error->line();
+  const bool is_number = error->code() == ErrorCode::NotFinite;
+  docket.violated(is_number ? CandidateFinite : CandidateReadable, error->what(), witness);
+  docket.not_applicable(is_number ? CandidateReadable : CandidateFinite,
+                        "reading ended at that place");
+  for (const ClaimCode code : kAfterReading) {
+    docket.not_applicable(code, "the candidate could not be read");
+  }
+  return false;
+}
+
+CandidateSet judge_mesh_set(const Mesh& mesh, Docket& docket, StageLog& log) {
+  CandidateSize& size = docket.verdict.size;
+  size.stored_faces = mesh.polygons.size();
+  size.stored_vertices = mesh.points.size();
+  StageLog within;
+  auto outcome = log.run("candidate's hull",
+                         [&] { return make_hull(mesh.points, docket.request.seed, true, within); });
+  if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
+    return flat_mesh(std::get<FlatInput>(*reason), docket);
+  }
+  CandidateSet set;
+  set.hull = std::get<Hull>(std::move(outcome));
+  set.planes = facet_halfspaces(*set.hull, mesh.points);
+  if (needs_polytope(docket)) set.polytope = to_polytope(*set.hull, mesh.points);
+  size.facets = set.hull->facets.size();
+  size.vertices = set.hull->vertices.size();
+  size.most_facet_vertices = 0;
+  for (std::size_t f = 0; f < set.hull->facets.size(); ++f) {
+    size.most_facet_vertices = std::max(*size.most_facet_vertices, set.hull->facets[f].size());
+  }
+  docket.holds(CandidateSolid, "its points span a volume");
+  docket.holds(CandidateBounded, "the hull of points is bounded");
+  return set;
+}
+
+CandidateSet judge_halfspace_set(const HalfspaceList& list, Docket& docket, StageLog& log) {
+  docket.verdict.size.stored_faces = list.row_count();
+  CandidateSet set;
+  set.planes = list.halfspaces;
+  if (list.impossible_row) {
+    set.is_empty = true;
+    Witness witness;
+    witness.rows = {*list.impossible_row - 1};
+    docket.violated(CandidateSolid, "it is empty: a row with a zero normal holds nowhere",
+                    std::move(witness));
+    docket.not_applicable(CandidateBounded, "there is no solid");
+    return set;
+  }
+  if (!needs_polytope(docket) && !docket.asks(CandidateSolid) && !docket.asks(CandidateBounded)) {
+    log.skip("candidate's vertices", "only asked about its planes");
+    return set;
+  }
+  StageLog within;
+  SolidOutcome outcome = log.run("candidate's vertices", [&] {
+    return make_solid(list.halfspaces, docket.request.seed, true, within);
+  });
+  if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
+    judge_no_solid(*reason, list, docket);
+    return set;
+  }
+  set.polytope = std::get<Solid>(std::move(outcome)).polytope;
+  measure_size(*set.polytope, docket.verdict.size);
+  docket.holds(CandidateSolid, "it has a 3D interior");
+  docket.holds(CandidateBounded, "no direction leads to infinity");
+  return set;
+}
+
+namespace {
+
+void judge_budget(ClaimCode code, std::optional<std::size_t> most, std::optional<std::size_t> found,
+                  const char* what, Docket& docket) {
+  if (!most) return;
+  if (!found) {
+    docket.not_applicable(code, "there is no bounded solid to count on");
+    return;
+  }
+  const std::string sentence = std::string(what) + ": " + std::to_string(*found) + ", at most " +
+                               std::to_string(*most) + " allowed";
+  Witness witness;
+  witness.count = *found;
+  if (*found <= *most) {
+    docket.holds(code, sentence);
+  } else {
+    docket.violated(code, sentence, std::move(witness));
+  }
+}
+
+}  // namespace
+
+void judge_budgets(Docket& docket) {
+  const CandidateSize& size = docket.verdict.size;
+  const VerifyRequest& request = docket.request;
+  judge_budget(MaxFacets, request.max_facets, size.facets, "facets", docket);
+  judge_budget(MaxVertices, request.max_vertices, size.vertices, "vertices", docket);
+  judge_budget(MaxFacetVertices, request.max_facet_vertices, size.most_facet_vertices,
+               "corners of the largest facet", docket);
+}
+
+}  // namespace convexact::oracle

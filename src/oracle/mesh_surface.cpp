@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/oracle/mesh_surface.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "convexact/geometry/subset.hpp"
+#include "convexact/number/balanced_sum.hpp"
+
+namespace convexact {
+namespace {
+
+bool precedes(const RationalPoint& a, const RationalPoint& b) {
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+}
+
+bool precedes(const Point& a, const Point& b) {
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+}
+
+// For each point the lowest id of those at the same place.
+template <class GetPoint>
+std::vector<std::uint32_t> weld(std::size_t count, const GetPoint& point) {
+  std::vector<std::uint32_t> order(count), first(count);
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return precedes(point(a), point(b)); });
+  for (std::size_t k = 0; k < count; ++k) {
+    const bool repeats = k > 0 && !precedes(point(order[k - 1]), point(order[k]));
+    first[order[k]] = repeats ? first[order[k - 1]] : order[k];
+  }
+  return first;
+}
+
+std::vector<std::uint32_t> weld(const PointSet& points) {
+  if (points.is_binary()) {
+    return weld(points.size(),
+                [&](std::uint32_t i) -> const Point& { return points.doubles()[i]; });
+  }
+  return weld(points.size(), [&](std::uint32_t i) { return points[PointId(i)]; });
+}
+
+RationalVector3 area_vector(const PointSet& points, std::span<const std::uint32_t> corners) {
+  const RationalPoint origin = points[PointId(corners[0])];
+  RationalVector3 sum = RationalVector3::Zero();
+  RationalVector3 before = points[PointId(corners[1])] - origin;
+  for (std::size_t k = 2; k < corners.size(); ++k) {
+    const RationalVector3 next = points[PointId(corners[k])] - origin;
+    sum += before.cross(next);
+    before = next;
+  }
+  return sum;
+}
+
+}  // namespace
+
+MeshSurface::MeshSurface(const Mesh& mesh) : mesh_(mesh), faces_(mesh.polygons) {
+  const std::vector<std::uint32_t> first = weld(mesh.points);
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    std::vector<std::uint32_t>& face = faces_[f];
+    for (std::uint32_t& corner : face) corner = first[corner];
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      edges_.push_back({face[k], face[(k + 1) % face.size()], f});
+    }
+    area_vectors_.push_back(area_vector(mesh.points, face));
+  }
+  const auto key = [](const DirectedEdge& e) {
+    return std::tuple(std::min(e.from, e.to), std::max(e.from, e.to), e.from, e.face);
+  };
+  std::sort(edges_.begin(), edges_.end(),
+            [&](const DirectedEdge& a, const DirectedEdge& b) { return key(a) < key(b); });
+}
+
+// The first edge, with all that run along it in either direction, that is a fault.
+template <class IsFault>
+std::optional<MeshEdge> MeshSurface::find_edge(const IsFault& is_fault) const {
+  const auto along = [](const DirectedEdge& a, const DirectedEdge& b) {
+    return std::minmax(a.from, a.to) == std::minmax(b.from, b.to);
+  };
+  for (std::size_t first = 0, last = 0; first < edges_.size(); first = last) {
+    while (last < edges_.size() && along(edges_[first], edges_[last])) ++last;
+    const Edges edges = Edges(edges_).subspan(first, last - first);
+    if (!is_fault(edges)) continue;
+    MeshEdge found{edges[0].from, edges[0].to, {}};
+    for (const DirectedEdge& e : edges) found.faces.push_back(e.face);
+    return found;
+  }
+  return {};
+}
+
+std::optional<MeshEdge> MeshSurface::open_edge() const {
+  return find_edge([](Edges edges) { return edges.size() != 2 || edges[0].from == edges[0].to; });
+}
+
+std::optional<MeshEdge> MeshSurface::twisted_edge() const {
+  return find_edge([](Edges edges) {
+    const auto forward = std::count_if(
+        edges.begin(), edges.end(), [&](const DirectedEdge& e) { return e.from == edges[0].from; });
+    return forward > 1 || static_cast<std::ptrdiff_t>(edges.size()) - forward > 1;
+  });
+}
+
+std::optional<std::size_t> MeshSurface::face_without_area() const {
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    if (area_vectors_[f].isZero(0)) return f;
+  }
+  return {};
+}
+
+std::optional<BentFace> MeshSurface::most_bent() const {
+  std::optional<BentFace> worst;
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    if (faces_[f].size() == 3) continue;
+    const RationalVector3& n = area_vectors_[f];
+    if (n.isZero(0)) continue;
+    const RationalPoint origin = mesh_.points[PointId(faces_[f][0])];
+    for (const std::uint32_t corner : faces_[f]) {
+      const Rational off = n.dot(RationalVector3(mesh_.points[PointId(corner)] - origin));
+      if (off == 0) continue;
+      const Rational squared = off * off / n.squaredNorm();
+      if (worst && squared <= worst->squared_distance) continue;
+      worst = BentFace{f, corner, Halfspace(n, Rational(-n.dot(origin))), squared};
+    }
+  }
+  return worst;
+}
+
+Rational MeshSurface::enclosed() const {
+  std::vector<Rational> terms;
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    terms.push_back(area_vectors_[f].dot(mesh_.points[PointId(faces_[f][0])]));
+  }
+  return balanced_sum(std::move(terms));
+}
+
+MeshSurface::OffHull MeshSurface::faces_off(std::span<const Halfspace> planes,
+                                            std::span<const PointId> extreme) const {
+  std::vector<Halfspace> sorted(planes.begin(), planes.end());
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<Halfspace> off;
+  std::vector<std::size_t> face_of;
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const RationalVector3& n = area_vectors_[f];
+    if (n.isZero(0)) continue;
+    const Rational offset = -n.dot(mesh_.points[PointId(faces_[f][0])]);
+    Halfspace plane(n, offset);
+    if (std::binary_search(sorted.begin(), sorted.end(), plane)) continue;
+    off.push_back(std::move(plane));
+    face_of.push_back(f);
+  }
+  OffHull result{off.size(), {}};
+  const PointSet corners = subset(mesh_.points, extreme);
+  if (const auto excess = find_excess(off, corners)) {
+    result.worst = PointBeyondFace{face_of[excess->plane], extreme[excess->point.index()],
+                                   off[excess->plane], excess->squared_distance};
+  }
+  return result;
+}
+
+}  // namespace convexact

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/oracle/tolerance.hpp"
+
+#include "convexact/error.hpp"
+#include "convexact/number/decimal.hpp"
+
+namespace convexact {
+
+bool Tolerance::allows(const Rational& squared_distance, const Rational& squared_diameter) const {
+  const Rational squared = value * value;
+  return squared_distance <= (relative ? Rational(squared * squared_diameter) : squared);
+}
+
+Tolerance parse_tolerance(std::string_view text) {
+  Tolerance tolerance;
+  tolerance.relative = text.ends_with('d');
+  const std::string_view number = text.substr(0, text.size() - (tolerance.relative ? 1 : 0));
+  try {
+    tolerance.value = parse_rational(number);
+  } catch (const Error&) {
+    throw Error(ErrorCode::InvalidArgument,
+                "expected a distance such as 1e-6, or 1e-9d for a part of the diameter, found " +
+                    in_quotes(text));
+  }
+  if (tolerance.value < 0) {
+    throw Error(ErrorCode::InvalidArgument, "a tolerance cannot be negative");
+  }
+  return tolerance;
+}
+
+}  // namespace convexact

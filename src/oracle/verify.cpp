@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/oracle/verify.hpp"
+
+#include <algorithm>
+
+#include "convexact/error.hpp"
+#include "convexact/measure/bounding_box.hpp"
+#include "judge.hpp"
+
+namespace convexact {
+namespace {
+
+using namespace oracle;
+
+std::variant<Input, NotSolid> input_of_points(const PointSet& points, std::uint64_t seed,
+                                              StageLog& log) {
+  StageLog within;
+  auto outcome = log.run("input's hull", [&] { return make_hull(points, seed, true, within); });
+  if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
+  const auto& hull = std::get<Hull>(outcome);
+  return Input{points, hull.vertices, to_polytope(hull, points),
+               bounding_box(points).squared_diameter()};
+}
+
+std::variant<Input, NotSolid> input_of(const Shape& shape, std::uint64_t seed, StageLog& log) {
+  if (const auto* points = std::get_if<PointSet>(&shape)) {
+    return input_of_points(*points, seed, log);
+  }
+  StageLog within;
+  SolidOutcome outcome =
+      log.run("input's vertices", [&] { return make_solid(shape, seed, true, within); });
+  if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
+  auto& solid = std::get<Solid>(outcome);
+  const Rational squared = bounding_box(solid.points).squared_diameter();
+  return Input{std::move(solid.points), std::move(solid.extreme), std::move(solid.polytope),
+               squared};
+}
+
+std::size_t count_common(std::vector<Halfspace> a, std::vector<Halfspace> b) {
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  std::vector<Halfspace> common;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
+  return common.size();
+}
+
+void judge(const Input& input, const Candidate& candidate, Docket& docket, StageLog& log) {
+  if (!judge_reading(candidate, docket)) return;
+  CandidateSet set;
+  if (const auto* mesh = std::get_if<Mesh>(&candidate)) {
+    set = judge_mesh_set(*mesh, docket, log);
+    log.run("faces", [&] { judge_faces(*mesh, set, docket); });
+  } else {
+    set = judge_halfspace_set(std::get<HalfspaceList>(candidate), docket, log);
+    for (const ClaimCode code : {ClaimCode::MeshClosed, ClaimCode::MeshOriented,
+                                 ClaimCode::MeshPlanar, ClaimCode::MeshConvex}) {
+      docket.not_applicable(code, "halfspaces have no faces of their own");
+    }
+  }
+  judge_containment(input, candidate, set, docket, log);
+  judge_budgets(docket);
+  Verdict& verdict = docket.verdict;
+  if (!docket.request.tightness) {
+    log.skip("tightness", "not asked for");
+  } else if (!set.polytope) {
+    log.skip("tightness", "the candidate is no bounded solid");
+  } else {
+    const bool contained = verdict.outside && verdict.outside->points == 0;
+    verdict.size.planes_of_the_input = count_common(set.polytope->planes, input.hull.planes);
+    verdict.tightness = log.run(
+        "tightness", [&] { return measure_tightness(*set.polytope, input.hull, contained); });
+  }
+}
+
+}  // namespace
+
+const Claim& Verdict::operator[](ClaimCode code) const {
+  return claims[static_cast<std::size_t>(code)];
+}
+
+bool Verdict::holds() const {
+  return std::none_of(claims.begin(), claims.end(),
+                      [](const Claim& claim) { return claim.status == Status::Violated; });
+}
+
+VerifyOutcome verify(const Shape& shape, const Candidate& candidate, const VerifyRequest& request,
+                     StageLog& log) {
+  if (request.tolerance.value < 0) {
+    throw Error(ErrorCode::InvalidArgument, "a tolerance cannot be negative");
+  }
+  auto made = input_of(shape, request.seed, log);
+  if (const auto* reason = std::get_if<NotSolid>(&made)) return *reason;
+  const auto& input = std::get<Input>(made);
+  Verdict verdict;
+  verdict.squared_diameter = input.squared_diameter;
+  Docket docket(request, verdict);
+  judge(input, candidate, docket, log);
+  return verdict;
+}
+
+}  // namespace convexact
