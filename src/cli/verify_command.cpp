@@ -11,6 +11,7 @@
 #include "convexact/format/verdict_table.hpp"
 #include "outputs.hpp"
 #include "scene.hpp"
+#include "verify_trace.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -20,6 +21,7 @@ constexpr const char* kFooter =
     "  convexact verify bunny.obj my_hull.obj\n"
     "  convexact verify bunny.obj my_planes.json --max-facets 18 --json\n"
     "  convexact verify bunny.obj my_hull.stl --claims contains-input --tolerance 1e-9d\n"
+    "  convexact verify bunny.obj --trace steps.json --max-regret 1%\n"
     "\n"
     "A mesh stands for the convex hull of its points, a list of halfspaces for their "
     "intersection.\n"
@@ -35,6 +37,7 @@ struct Options {
   Decimal decimal = Decimal::Nearest;
   bool no_tightness = false;
   VerifyRequest request;
+  TraceOptions trace;
 };
 
 std::vector<ClaimCode> parse_claims(const std::string& text) {
@@ -63,7 +66,7 @@ VerifyRequest request_of(const Options& options) {
   return request;
 }
 
-int run(const Options& options) {
+int run_verify_candidate(const Options& options) {
   const VerifyRequest request = request_of(options);
   if (options.input == "-" && options.candidate == "-") {
     throw Error(ErrorCode::InvalidArgument, "only one of INPUT and CANDIDATE can be -");
@@ -92,6 +95,15 @@ int run(const Options& options) {
   return verdict.holds() ? 0 : 1;
 }
 
+int run(const Options& options) {
+  if (options.candidate.empty() == options.trace.trace.empty()) {
+    throw Error(ErrorCode::InvalidArgument, "name a CANDIDATE or a --trace, and not both");
+  }
+  return options.trace.trace.empty()
+             ? run_verify_candidate(options)
+             : run_verify_trace(options.global, options.input, options.decimal, options.trace);
+}
+
 }  // namespace
 
 void add_verify_command(CLI::App& program, int& exit_code) {
@@ -103,10 +115,8 @@ void add_verify_command(CLI::App& program, int& exit_code) {
       .add_option("INPUT", options->input,
                   "what is to be enclosed: a mesh (OBJ, OFF, PLY, STL) or halfspaces")
       ->required();
-  command
-      .add_option("CANDIDATE", options->candidate,
-                  "what should enclose it: a mesh, or halfspaces (JSON, .ine, rows n1 n2 n3 d)")
-      ->required();
+  command.add_option("CANDIDATE", options->candidate,
+                     "what should enclose it: a mesh, or halfspaces (JSON, .ine, rows n1 n2 n3 d)");
   command.add_option("--claims", options->claims, "decide these claims only, separated by commas");
   command.add_option("--tolerance", options->tolerance,
                      "let violations up to this distance pass: 1e-6, or 1e-9d of the diameter");
@@ -120,6 +130,7 @@ void add_verify_command(CLI::App& program, int& exit_code) {
   add_choice<Decimal>(command, "--decimal", options->decimal,
                       {{"nearest", Decimal::Nearest}, {"exact", Decimal::Exact}},
                       "decimals in text mean the nearest double, or what they spell");
+  add_trace_options(command, options->trace);
   add_global_options(command, options->global);
   command.callback([options, &exit_code] {
     exit_code = run_guarded(options->global, [&] { return run(*options); });

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// words.hpp - what engines, their ends and what parts them are called, in JSON and in tables.
+// words.hpp - what engines, their ends, what parts them and verdicts are called, in JSON and in
+// tables.
 #pragma once
 #include "convexact/oracle/divergence.hpp"
+#include "convexact/oracle/judge_trace.hpp"
 
 namespace convexact::words {
 
@@ -43,6 +45,22 @@ inline const char* name_of(DivergenceKind kind) {
       break;
   }
   return "wrong-record";
+}
+
+inline const char* name_of(TraceRating rating) {
+  switch (rating) {
+    case TraceRating::Greedy:
+      return "greedy";
+    case TraceRating::UpToRegret:
+      return "up-to-regret";
+    case TraceRating::NotGreedy:
+      return "not-greedy";
+    case TraceRating::Unbounded:
+      return "unbounded";
+    case TraceRating::Meaningless:
+      break;
+  }
+  return "meaningless";
 }
 
 }  // namespace convexact::words

@@ -4,9 +4,7 @@
 #include <algorithm>
 
 #include "convexact/error.hpp"
-#include "convexact/lp/interior_point.hpp"
 #include "convexact/measure/volume.hpp"
-#include "convexact/number/balanced_sum.hpp"
 #include "convexact/oracle/greedy_check.hpp"
 
 namespace convexact {
@@ -21,21 +19,6 @@ void require_sensible(const DiffRequest& request) {
   if (request.faces < 4) {
     throw Error(ErrorCode::InvalidArgument, "no bounded solid has fewer than 4 faces");
   }
-}
-
-// The mean of the solid's vertices on a short grid: as deep inside as the fast engines go when
-// they are on their own.
-RationalPoint find_center(const Solid& solid) {
-  if (solid.interior) return *solid.interior;
-  RationalPoint mean;
-  for (int k = 0; k < 3; ++k) {
-    std::vector<Rational> coordinates;
-    for (const RationalPoint& vertex : solid.dual.vertices) coordinates.push_back(vertex[k]);
-    mean[k] = balanced_sum(std::move(coordinates)) / Rational(solid.dual.vertices.size());
-  }
-  const auto center = short_dyadic_interior_point(solid.dual.halfspaces, mean);
-  if (!center) throw Error(ErrorCode::Internal, "the mean of the vertices is not inside");
-  return *center;
 }
 
 const char* stage_name(Engine engine) {
@@ -146,7 +129,7 @@ DiffOutcome diff_engines(const Shape& shape, const DiffRequest& request, StageLo
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   auto& solid = std::get<Solid>(outcome);
   log.skip("Chebyshev center", "any interior point serves, and all engines get the same");
-  const RationalPoint center = log.run("center", [&] { return find_center(solid); });
+  const RationalPoint center = log.run("center", [&] { return interior_point_of(solid); });
 
   DiffReport report;
   report.runs = run_engines(solid.dual, center, request, log);

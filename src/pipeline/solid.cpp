@@ -4,6 +4,8 @@
 #include <numeric>
 
 #include "convexact/error.hpp"
+#include "convexact/lp/interior_point.hpp"
+#include "convexact/number/balanced_sum.hpp"
 
 namespace convexact {
 namespace {
@@ -96,6 +98,21 @@ SolidOutcome make_solid(const Shape& shape, std::uint64_t seed, bool check, Stag
     return solid_of_points(*points, seed, check, log);
   }
   return solid_of_halfspaces(std::get<std::vector<Halfspace>>(shape), seed, log);
+}
+
+// The mean of the solid's vertices on a short grid: as deep inside as the fast engines go when
+// they are on their own.
+RationalPoint interior_point_of(const Solid& solid) {
+  if (solid.interior) return *solid.interior;
+  RationalPoint mean;
+  for (int k = 0; k < 3; ++k) {
+    std::vector<Rational> coordinates;
+    for (const RationalPoint& vertex : solid.dual.vertices) coordinates.push_back(vertex[k]);
+    mean[k] = balanced_sum(std::move(coordinates)) / Rational(solid.dual.vertices.size());
+  }
+  const auto center = short_dyadic_interior_point(solid.dual.halfspaces, mean);
+  if (!center) throw Error(ErrorCode::Internal, "the mean of the vertices is not inside");
+  return *center;
 }
 
 }  // namespace convexact

@@ -41,4 +41,8 @@ using SolidOutcome = std::variant<Solid, NotSolid>;
 [[nodiscard]] SolidOutcome make_solid(const Shape& shape, std::uint64_t seed, bool check,
                                       StageLog& log);
 
+/// A point strictly inside for programs that need no deeper one: the one that is known, or the mean
+/// of the solid's vertices on a short grid.
+[[nodiscard]] RationalPoint interior_point_of(const Solid& solid);
+
 }  // namespace convexact

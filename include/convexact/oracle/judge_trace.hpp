@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// judge_trace.hpp - whether somebody's removals were the cheapest, step by step and exactly.
+#pragma once
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "convexact/dual/dual_hull.hpp"
+#include "convexact/oracle/claim.hpp"
+#include "convexact/oracle/removal_order.hpp"
+
+namespace convexact {
+
+/// How much dearer than the cheapest: (cost - minimum) / minimum, for costs >= 0. None, infinite,
+/// for cost > 0 against a minimum of 0; 0 if both are 0. (No halfspace of a solid without redundant
+/// ones is free, so in a trace only an unbounded removal has infinite regret.)
+[[nodiscard]] std::optional<Rational> relative_regret(const Rational& cost,
+                                                      const Rational& minimum);
+
+/// One removal, in the state that the removals before it left. Costs in cubed length units.
+struct JudgedStep {
+  std::size_t row;  ///< Of the order.
+  HalfspaceId removed;
+  std::optional<Rational> cost;     ///< Exact; none if the removal is unbounded.
+  std::optional<Rational> minimum;  ///< Of all removals; none if every one is unbounded.
+  std::vector<HalfspaceId> tie;     ///< All of that cost, in canonical order.
+  std::optional<Rational> regret;   ///< relative_regret(); none, infinite, if cost is none.
+
+  bool is_greedy() const { return regret && *regret == 0; }
+  /// Greedy, but not the first of the tie, which is what our engines remove.
+  bool is_other_tie() const { return is_greedy() && removed != tie.front(); }
+};
+
+/// In a word. Steps are counted from 0.
+enum class TraceRating {
+  Greedy,       ///< Every removal is one of the cheapest.
+  UpToRegret,   ///< No regret is above the limit, but some are above 0.
+  NotGreedy,    ///< From step `at` on: the first regret above the limit.
+  Unbounded,    ///< At step `at`: what is left is unbounded.
+  Meaningless,  ///< At step `at`, or from the start: the order cannot be followed.
+};
+
+/// Where a claim fails first.
+struct TraceWitness {
+  std::optional<std::size_t> step;  ///< Counted from 0; none if it is about the file.
+  std::optional<std::size_t> row;   ///< Of the order.
+  std::string found, expected;      ///< Exact numbers, ids in canonical order.
+};
+
+/// A claim with its code, which names a page of docs/verdicts/.
+struct TraceClaim {
+  const char* code;
+  Status status = Status::Holds;
+  std::optional<TraceWitness> witness = {};  ///< If violated.
+};
+
+struct TraceVerdict {
+  TraceRating rating = TraceRating::Greedy;
+  std::optional<std::size_t> at;      ///< The step that decides a rating below UpToRegret.
+  std::vector<Halfspace> halfspaces;  ///< Of the input, in canonical order; ids are positions.
+  std::size_t removals = 0;           ///< In the order; those behind an end are not judged.
+  std::vector<JudgedStep> steps;      ///< Up to the end, or to the first that is unbounded.
+  std::optional<std::size_t> worst;   ///< The step of the largest regret above 0, the first one.
+  std::size_t other_ties = 0;         ///< Steps that are is_other_tie().
+  Rational max_regret;                ///< The limit.
+  std::vector<TraceClaim> claims;     ///< One per code, in a fixed order.
+
+  /// Whether no claim is violated.
+  bool holds() const;
+};
+
+struct JudgeOptions {
+  Rational max_regret = 0;                         ///< >= 0.
+  const std::atomic<bool>* stop = nullptr;         ///< When it becomes true: Error Stopped.
+  std::function<void(std::size_t)> progress = {};  ///< Called with the number of judged steps.
+};
+
+/// Follows an order to its end, to its first unbounded removal, or to the first row that names no
+/// facet of the solid or one that is gone.
+///
+/// Costs, minima and ties are the filtered engine's, certified by enclosures and exact where it
+/// matters, in the state that *the order* has reached. They are not simply believed: what all
+/// removals cost together is computed again from the volumes of the solid before and after,
+/// intersected from scratch, and compared modulo two random primes; and at the step that decides
+/// (the worst, the unbounded one, else the last) both costs are computed from their definition.
+/// @param center  Strictly inside the solid.
+/// @throws Error  InvalidArgument for a negative limit; Stopped; Internal if these do not agree.
+/// @par Cost      A run of the filtered engine and one or two caps as rationals per step; five
+///                intersections from scratch, expected O(n log n) each.
+[[nodiscard]] TraceVerdict judge_trace(const DualHull& solid, const RationalPoint& center,
+                                       const RemovalOrder& order, const JudgeOptions& options = {});
+
+/// The verdict on a file from which no order could be read: everything else is not asked.
+/// @param line  Where it stops making sense, if known.
+[[nodiscard]] TraceVerdict unreadable_trace(const DualHull& solid, const std::string& what,
+                                            std::optional<std::size_t> line);
+
+}  // namespace convexact

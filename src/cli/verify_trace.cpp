@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "verify_trace.hpp"
+
+#include "convexact/format/removal_order_file.hpp"
+#include "convexact/format/result_json.hpp"
+#include "convexact/format/summary.hpp"
+#include "convexact/format/trace_verdict.hpp"
+#include "convexact/io/read_bytes.hpp"
+#include "convexact/oracle/judge_trace.hpp"
+#include "convexact/pipeline/solid.hpp"
+
+namespace convexact::cli {
+namespace {
+
+// "5%", "0.05" or "1/20".
+Rational parse_regret(std::string text) {
+  const std::string spelled = text;
+  const bool percent = !text.empty() && text.back() == '%';
+  if (percent) text.pop_back();
+  try {
+    const Rational regret = parse_rational(text);
+    if (regret >= 0) return percent ? Rational(regret / 100) : regret;
+  } catch (const Error&) {  // told below
+  }
+  throw Error(ErrorCode::InvalidArgument,
+              "--max-regret: expected a share such as 5% or 0.05, found '" + spelled + "'");
+}
+
+// The files of an order, read but not yet understood.
+struct OrderFiles {
+  std::string trace;
+  std::optional<std::string> facets;
+};
+
+OrderFiles read_files(const TraceOptions& options) {
+  OrderFiles files{read_bytes(options.trace), {}};
+  remember_input(display_name(options.trace), files.trace);
+  if (!options.facets.empty()) {
+    files.facets = read_bytes(options.facets);
+    remember_input(display_name(options.facets), *files.facets);
+  }
+  return files;
+}
+
+RemovalOrder parse_files(const OrderFiles& files, const TraceOptions& options,
+                         const DualHull& solid, Decimal decimal) {
+  std::optional<ListedFacets> facets;
+  if (files.facets) {
+    try {
+      facets = read_facet_list(*files.facets, options.facets, decimal);
+    } catch (const Error& error) {
+      throw error.in_file(display_name(options.facets));
+    }
+  }
+  return read_removal_order(files.trace, facets, solid.halfspaces, decimal);
+}
+
+TraceVerdict judge(const Solid& solid, const OrderFiles& files, const TraceOptions& options,
+                   const JudgeOptions& judge_options, Decimal decimal, StageLog& log) {
+  RemovalOrder order;
+  try {
+    order = log.run("parse the trace", StageKind::Io,
+                    [&] { return parse_files(files, options, solid.dual, decimal); });
+  } catch (const Error& error) {
+    // What is wrong with its content is a verdict, not a failure.
+    if (error.code() == ErrorCode::InvalidArgument) throw;
+    return unreadable_trace(solid.dual, error.what(), error.line());
+  }
+  const RationalPoint center = log.run("center", [&] { return interior_point_of(solid); });
+  return log.run("judge every step",
+                 [&] { return judge_trace(solid.dual, center, order, judge_options); });
+}
+
+}  // namespace
+
+void add_trace_options(CLI::App& command, TraceOptions& options) {
+  command.add_option("--trace", options.trace,
+                     "judge a removal order: a trace, rows nx ny nz d, or rows of facet ids");
+  command.add_option(
+      "--facets", options.facets,
+      "with --trace: what its ids refer to, counted from 0: rows nx ny nz d, JSON or "
+      ".ine; without: the input's facets in canonical order");
+  command
+      .add_option("--max-regret", options.max_regret,
+                  "with --trace: how much dearer than the cheapest a removal may be, e.g. 1%")
+      ->capture_default_str();
+}
+
+int run_verify_trace(const GlobalOptions& global, const std::string& input, Decimal decimal,
+                     const TraceOptions& options) {
+  JudgeOptions judge_options;
+  judge_options.max_regret = parse_regret(options.max_regret);
+  judge_options.stop = &interrupted();
+  if ((input == "-") + (options.trace == "-") + (options.facets == "-") > 1) {
+    throw Error(ErrorCode::InvalidArgument, "standard input, -, can be read only once");
+  }
+  StageLog log;
+  const OrderFiles files =
+      log.run("read the trace", StageKind::Io, [&] { return read_files(options); });
+  const std::vector<SceneObject> scene = log.run("read", StageKind::Io, [&] {
+    return read_scene({input}, {.decimal = decimal, .parts = false});
+  });
+  const SolidOutcome outcome = make_solid(scene[0].shape, global.seed, true, log);
+  if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
+    return report_not_solid(global, scene[0].name, *reason);
+  }
+  Progress progress;
+  const std::size_t halfspaces = std::get<Solid>(outcome).dual.halfspaces.size();
+  judge_options.progress = [&](std::size_t judged) {
+    progress("judging removals", judged, halfspaces - 4);
+  };
+  const TraceVerdict verdict =
+      judge(std::get<Solid>(outcome), files, options, judge_options, decimal, log);
+  progress.clear();
+  if (global.json) {
+    nlohmann::ordered_json document = trace_verdict_json(verdict);
+    document["stages"] = stages_json(log.stages());
+    print(document);
+  } else {
+    print(scene[0].name + " against " + display_name(options.trace) + "\n" +
+          trace_verdict_text(verdict) + "\n" + stage_table(log.stages()));
+  }
+  return verdict.holds() ? 0 : 1;
+}
+
+}  // namespace convexact::cli

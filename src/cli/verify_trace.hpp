@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// verify_trace.hpp - verify INPUT --trace FILE: somebody's removal order, judged.
+#pragma once
+#include <string>
+
+#include "command.hpp"
+#include "scene.hpp"
+
+namespace convexact::cli {
+
+struct TraceOptions {
+  std::string trace;   ///< The file; empty if this is not asked for.
+  std::string facets;  ///< What ids in it refer to; empty for canonical order.
+  std::string max_regret = "0";
+};
+
+/// Adds --trace, --facets and --max-regret.
+void add_trace_options(CLI::App& command, TraceOptions& options);
+
+/// Judges the order, prints the verdict and returns the exit code: 0 if nothing is violated, else 1
+/// (4 for an input without interior).
+/// @param input  A file of points or halfspaces.
+/// @throws Error Unreadable if a file is not there; InvalidArgument; as read_scene() for the input.
+int run_verify_trace(const GlobalOptions& global, const std::string& input, Decimal decimal,
+                     const TraceOptions& options);
+
+}  // namespace convexact::cli

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "confirm_costs.hpp"
+
+#include "../simplify/modular_volume.hpp"
+#include "convexact/error.hpp"
+#include "convexact/measure/volume.hpp"
+#include "convexact/oracle/removal_cost.hpp"
+
+namespace convexact {
+namespace {
+
+void require(bool confirmed) {
+  if (!confirmed) {
+    throw Error(ErrorCode::Internal, "the cost of a removal is not what its definition says");
+  }
+}
+
+Rational volume_of(std::span<const Halfspace> halfspaces, const RationalPoint& center) {
+  const std::optional<Polytope> solid = intersect(halfspaces, center);
+  require(solid.has_value());
+  return volume(*solid);
+}
+
+}  // namespace
+
+std::vector<Halfspace> left_before(std::span<const Halfspace> halfspaces,
+                                   std::span<const JudgedStep> steps, std::size_t step) {
+  std::vector<bool> gone(halfspaces.size(), false);
+  for (const JudgedStep& earlier : steps.first(step)) gone[earlier.removed.index()] = true;
+  std::vector<Halfspace> left;
+  for (std::size_t i = 0; i < halfspaces.size(); ++i) {
+    if (!gone[i]) left.push_back(halfspaces[i]);
+  }
+  return left;
+}
+
+void confirm_step(std::span<const Halfspace> halfspaces, const RationalPoint& center,
+                  std::span<const JudgedStep> steps, std::size_t step) {
+  const JudgedStep& judged = steps[step];
+  const RemovalOracle oracle(left_before(halfspaces, steps, step), center);
+  require(oracle.without(halfspaces[judged.removed.index()]).cost == judged.cost);
+  if (judged.tie.empty()) return;
+  require(oracle.without(halfspaces[judged.tie.front().index()]).cost == judged.minimum);
+}
+
+void confirm_sum(std::span<const Halfspace> halfspaces, const RationalPoint& center,
+                 std::span<const JudgedStep> steps) {
+  std::size_t bounded = 0;
+  while (bounded < steps.size() && steps[bounded].cost) ++bounded;
+  if (bounded == 0) return;
+  const Rational before = volume_of(halfspaces, center);
+  const Rational after = volume_of(left_before(halfspaces, steps, bounded), center);
+  Random random(1);
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    const ModularVolume modulo({}, random);
+    std::uint64_t sum = modulo.residue(before);
+    for (const JudgedStep& step : steps.first(bounded)) {
+      sum = modulo.sum(sum, modulo.residue(*step.cost));
+    }
+    require(sum == modulo.residue(after));
+  }
+}
+
+}  // namespace convexact
