@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// convexact verify --trace: verdicts, exit codes, and what --json prints
+// (docs/schema/trace_verdict.schema.json, validated by valijson).
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "json_schema.hpp"
+#include "process.hpp"
+
+using nlohmann::json;
+using support::run_program;
+using support::ScratchFolder;
+
+namespace {
+
+std::string data(const std::string& name) {
+  return std::string(std::getenv("CONVEXACT_TEST_DATA")) + "/" + name;
+}
+
+// [0, 4]^3 with two opposite corners of a side cut off at depths 3 and 2, of which the costs are
+// depth^3 / 6: 9/2 and 4/3. Facet ids are positions here.
+const char* const kCutCube =
+    "1 0 0 -4\n-1 0 0 0\n0 1 0 -4\n0 -1 0 0\n0 0 1 -4\n0 0 -1 0\n"
+    "-1 -1 -1 3\n1 1 -1 -6\n";
+
+struct Judged {
+  int exit;
+  json document;
+};
+
+// Judges the order with the input as its own facet list.
+Judged judge(const std::string& order, const std::string& options = "--facets") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("cut.txt", kCutCube);
+  const std::string list = options == "--facets" ? "--facets " + input : options;
+  const auto ran = run_program("verify " + input + " --trace " + scratch.write("order", order) +
+                               " " + list + " --json");
+  const json document = json::parse(ran.out);
+  CHECK(schema_complaint("trace_verdict", document) == "");
+  return {ran.exit, document};
+}
+
+std::vector<std::string> violated(const json& document) {
+  std::vector<std::string> codes;
+  for (const json& claim : document["claims"]) {
+    if (claim["status"] == "violated") codes.push_back(claim["code"]);
+  }
+  return codes;
+}
+
+using Codes = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("verify --trace: ids in a list of one's own, the cheapest first") {
+  const Judged good = judge("7\n6\n");
+  CHECK(good.exit == 0);
+  CHECK(good.document["rating"] == "greedy");
+  CHECK(good.document["steps"][0]["cost"]["exact"] == "4/3");
+  CHECK(good.document["steps"][1]["minimum"]["exact"] == "9/2");
+  CHECK(good.document["steps"][1]["regret"]["exact"] == "0");
+}
+
+TEST_CASE("verify --trace: too dear, and how much dearer may be allowed") {
+  const Judged bad = judge("6\n7\n");
+  CHECK(bad.exit == 1);
+  CHECK(bad.document["verdict"] == "not greedy from step 0");
+  CHECK(bad.document["worst"]["regret"]["exact"] == "19/8");  // 27/8 - 1
+  CHECK(violated(bad.document) == Codes{"trace-greedy"});
+  const ScratchFolder scratch;
+  const std::string arguments = "verify " + scratch.write("cut.txt", kCutCube) + " --facets " +
+                                scratch.file("cut.txt") + " --trace " +
+                                scratch.write("order", "6\n7\n");
+  CHECK(run_program(arguments + " --max-regret 19/8").exit == 0);
+  CHECK(run_program(arguments + " --max-regret 237.5%").exit == 0);
+  CHECK(run_program(arguments + " --max-regret 2.374").exit == 1);
+  CHECK(run_program(arguments + " --max-regret=-1").exit == 2);
+  CHECK(run_program(arguments + " --max-regret much").exit == 2);
+  const auto table = run_program(arguments);
+  CHECK(table.out.find("not greedy from step 0") != std::string::npos);
+  CHECK(table.out.find("2.38") != std::string::npos);  // the regret
+}
+
+TEST_CASE("verify --trace: what is wrong with the trace is a verdict, never a failure") {
+  CHECK(violated(judge("").document) == Codes{"trace-readable"});
+  CHECK(violated(judge("7\nnext\n").document) == Codes{"trace-readable"});
+  CHECK(violated(judge("7\n8\n").document) == Codes{"trace-id-out-of-range"});
+  CHECK(violated(judge("7\n7\n").document) == Codes{"trace-removed-twice"});
+  CHECK(violated(judge("4\n").document) == Codes{"trace-bounded"});
+  CHECK(violated(judge("1 1 -1 -6.000000001\n", "").document) == Codes{"trace-plane-unknown"});
+  CHECK(judge("\xff\xfe\0{", "").exit == 1);
+  const Judged binary = judge(std::string(1000, '\0'));
+  CHECK(binary.exit == 1);
+  CHECK(binary.document["rating"] == "meaningless");
+}
+
+TEST_CASE("verify --trace: planes, exact or as doubles that are exact") {
+  CHECK(judge("1 1 -1 -6\n-2 -2 -2 6\n", "").exit == 0);
+  CHECK(judge("0.5 0.5 -0.5 -3.0\n", "").exit == 0);
+}
+
+TEST_CASE("verify --trace: our traces of the shipped cow hold; one with a wrong claim does not") {
+  const ScratchFolder scratch;
+  const std::string trace = scratch.file("steps.json");
+  REQUIRE(run_program("simplify " + data("spot.obj") + " --faces 500 --trace " + trace).exit == 0);
+  const std::string arguments = "verify " + data("spot.obj") + " --json --trace ";
+  const auto good = run_program(arguments + trace);
+  CHECK(good.exit == 0);
+  json document = json::parse(good.out);
+  CHECK(schema_complaint("trace_verdict", document) == "");
+  CHECK(document["rating"] == "greedy");
+  CHECK(document["notes"].empty());
+  document["rating"] = "fine";
+  CHECK(schema_complaint("trace_verdict", document) != "");
+
+  json steps = json::parse(support::bytes_of(trace));
+  steps["steps"][20]["cost"]["exact"] = "1/3";
+  const auto bad = run_program(arguments + scratch.write("bad.json", steps.dump()));
+  CHECK(bad.exit == 1);
+  CHECK(violated(json::parse(bad.out)) == Codes{"trace-cost"});
+}
+
+TEST_CASE("verify --trace: files that are not there, inputs without interior, wrong usage") {
+  const ScratchFolder scratch;
+  const std::string cut = scratch.write("cut.txt", kCutCube);
+  const std::string order = scratch.write("order", "7\n");
+  CHECK(run_program("verify " + cut + " --trace " + scratch.file("none")).exit == 3);
+  CHECK(run_program("verify " + cut + " --trace " + order + " --facets " + scratch.file("none"))
+            .exit == 3);
+  CHECK(run_program("verify " + scratch.file("none.obj") + " --trace " + order).exit == 3);
+  CHECK(run_program("verify " + scratch.write("bad.obj", "v 0 0\n") + " --trace " + order).exit ==
+        3);
+  const auto flat = run_program("verify --json " + scratch.write("flat.obj", "v 0 0 0\nv 1 0 0\n") +
+                                " --trace " + order);
+  CHECK(flat.exit == 4);
+  CHECK(schema_complaint("trace_verdict", json::parse(flat.out)) == "");
+  CHECK(run_program("verify " + cut + " --trace " + scratch.write("planes", "1 1 -1 -6\n") +
+                    " --facets " + cut)
+            .exit == 2);
+  // A facet list that cannot be read is the other program's content too.
+  CHECK(run_program("verify " + cut + " --trace " + order + " --facets " +
+                    scratch.write("list.json", "[[1]]"))
+            .exit == 1);
+}
