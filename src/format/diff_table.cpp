@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "convexact/format/diff_json.hpp"
-#include "convexact/format/summary.hpp"
 #include "convexact/number/digits.hpp"
 #include "words.hpp"
 

@@ -92,12 +92,6 @@ std::string stored_lines(const StoredSolid& solid) {
 
 }  // namespace
 
-std::string with_separators(std::size_t count) {
-  std::string digits = std::to_string(count);
-  for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
-  return digits;
-}
-
 std::string summary(const SimplifyResult& result) {
   std::string text = line("input", input_line(result.input_points, result.hull_vertices,
                                               result.input_halfspaces, result.redundant.size()));

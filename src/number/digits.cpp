@@ -92,4 +92,10 @@ std::optional<std::string> to_decimal(const Enclosure& x, int digits) {
   return (negative ? "-" : "") + format(rounded);
 }
 
+std::string with_separators(std::size_t count) {
+  std::string digits = std::to_string(count);
+  for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
+  return digits;
+}
+
 }  // namespace convexact

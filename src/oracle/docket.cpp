@@ -78,9 +78,7 @@ std::string Docket::distance_text(const Rational& squared) const {
 }
 
 std::string counted(std::size_t count, const char* one, const char* many) {
-  std::string digits = std::to_string(count);
-  for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
-  return digits + " " + (count == 1 ? one : many);
+  return with_separators(count) + " " + (count == 1 ? one : many);
 }
 
 }  // namespace convexact::oracle

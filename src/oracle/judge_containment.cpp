@@ -5,6 +5,7 @@
 #include "convexact/error.hpp"
 #include "convexact/geometry/orient3d.hpp"
 #include "convexact/geometry/subset.hpp"
+#include "convexact/number/digits.hpp"
 #include "convexact/oracle/excess.hpp"
 #include "convexact/oracle/support_program.hpp"
 #include "convexact/stored/containment.hpp"
@@ -128,12 +129,13 @@ void judge_containment(const Input& input, const Candidate& candidate, const Can
                  counted(outside.tested, "point", "points") + " tested, none outside");
     return;
   }
-  docket.violated_by(worst->squared_distance, ContainsInput,
-                     fmt::format("{} of {} outside; point {} is worst, beyond {} by {}",
-                                 outside.points, counted(outside.tested, "point", "points"),
-                                 worst->point.index(), name_of_plane(candidate, set, worst->plane),
-                                 docket.distance_text(worst->squared_distance)),
-                     witness_of(*worst, input, candidate, set));
+  docket.violated_by(
+      worst->squared_distance, ContainsInput,
+      fmt::format("{} outside, of {} tested; point {} is worst, beyond {} by {}",
+                  counted(outside.points, "point", "points"), with_separators(outside.tested),
+                  worst->point.index(), name_of_plane(candidate, set, worst->plane),
+                  docket.distance_text(worst->squared_distance)),
+      witness_of(*worst, input, candidate, set));
 }
 
 }  // namespace convexact::oracle

@@ -142,14 +142,14 @@ CandidateSet judge_halfspace_set(const HalfspaceList& list, Docket& docket, Stag
     return set;
   }
   StageLog within;
-  SolidOutcome outcome = log.run("candidate's vertices", [&] {
-    return make_solid(list.halfspaces, docket.request.seed, true, within);
+  auto outcome = log.run("candidate's vertices", [&] {
+    return make_polytope(list.halfspaces, docket.request.seed, within);
   });
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
     judge_no_solid(*reason, list, docket);
     return set;
   }
-  set.polytope = std::get<Solid>(std::move(outcome)).polytope;
+  set.polytope = std::get<Polytope>(std::move(outcome));
   measure_size(*set.polytope, docket.verdict.size);
   docket.holds(CandidateSolid, "it has a 3D interior");
   docket.holds(CandidateBounded, "no direction leads to infinity");

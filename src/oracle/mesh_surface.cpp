@@ -95,6 +95,7 @@ std::optional<MeshEdge> MeshSurface::open_edge() const {
 
 std::optional<MeshEdge> MeshSurface::twisted_edge() const {
   return find_edge([](Edges edges) {
+    if (edges[0].from == edges[0].to) return false;  // of no direction
     const auto forward = std::count_if(
         edges.begin(), edges.end(), [&](const DirectedEdge& e) { return e.from == edges[0].from; });
     return forward > 1 || static_cast<std::ptrdiff_t>(edges.size()) - forward > 1;

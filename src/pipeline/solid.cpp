@@ -51,9 +51,9 @@ std::variant<RationalPoint, NotSolid> interior_of(std::span<const Halfspace> hal
   return inside.point;
 }
 
-SolidOutcome solid_of_halfspaces(std::span<const Halfspace> halfspaces, std::uint64_t seed,
-                                 StageLog& log) {
-  log.skip("hull", "the input is halfspaces");
+// All but the points.
+SolidOutcome bounded_solid(std::span<const Halfspace> halfspaces, std::uint64_t seed,
+                           StageLog& log) {
   const auto interior = log.run("empty, flat, bounded",
                                 [&] { return interior_of(halfspaces, LpOptions{.seed = seed}); });
   if (const auto* reason = std::get_if<NotSolid>(&interior)) return *reason;
@@ -65,10 +65,20 @@ SolidOutcome solid_of_halfspaces(std::span<const Halfspace> halfspaces, std::uin
   solid.redundant = std::move(dual.redundant);
   solid.polytope =
       log.run("polytope", [&] { return to_polytope(solid.dual.halfspaces, solid.dual.triangles); });
+  return solid;
+}
+
+SolidOutcome solid_of_halfspaces(std::span<const Halfspace> halfspaces, std::uint64_t seed,
+                                 StageLog& log) {
+  log.skip("hull", "the input is halfspaces");
+  SolidOutcome outcome = bounded_solid(halfspaces, seed, log);
+  auto* made = std::get_if<Solid>(&outcome);
+  if (made == nullptr) return outcome;
+  Solid& solid = *made;
   solid.points = PointSet(solid.polytope.vertices);
   solid.extreme.reserve(solid.points.size());
   for (std::size_t i = 0; i < solid.points.size(); ++i) solid.extreme.emplace_back(i);
-  return solid;
+  return outcome;
 }
 
 }  // namespace
@@ -91,6 +101,13 @@ std::variant<Hull, NotSolid> make_hull(const PointSet& points, std::uint64_t see
   log.skip("empty, flat, bounded", "the hull of points that span a volume is none of these");
   log.skip("hull of dual points", "the input is points: the dual is read off its hull");
   return std::move(hull);
+}
+
+std::variant<Polytope, NotSolid> make_polytope(std::span<const Halfspace> halfspaces,
+                                               std::uint64_t seed, StageLog& log) {
+  SolidOutcome outcome = bounded_solid(halfspaces, seed, log);
+  if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
+  return std::get<Solid>(std::move(outcome)).polytope;
 }
 
 SolidOutcome make_solid(const Shape& shape, std::uint64_t seed, bool check, StageLog& log) {

@@ -8,9 +8,6 @@
 
 namespace convexact {
 
-/// 1234567 as "1,234,567".
-[[nodiscard]] std::string with_separators(std::size_t count);
-
 /// A few lines: what was found, how tight it is, what was verified, how far it was pushed.
 [[nodiscard]] std::string summary(const SimplifyResult& result);
 /// Counts, box, and each measure with `digits` certain digits.

@@ -20,4 +20,7 @@ namespace convexact {
 /// The middle of x rounded likewise, if that is within one unit of all of x; else nothing.
 [[nodiscard]] std::optional<std::string> to_decimal(const Enclosure& x, int digits);
 
+/// 1234567 as "1,234,567".
+[[nodiscard]] std::string with_separators(std::size_t count);
+
 }  // namespace convexact

@@ -15,11 +15,11 @@ namespace convexact {
 
 struct VerifyRequest {
   /// The claims to decide; the budgets are asked by their numbers. Empty: all.
-  std::vector<ClaimCode> claims;
+  std::vector<ClaimCode> claims = {};
   /// Violations of planarity, convexity and containment up to this distance pass; they are
   /// reported all the same.
-  Tolerance tolerance;
-  std::optional<std::size_t> max_facets, max_vertices, max_facet_vertices;
+  Tolerance tolerance = {};
+  std::optional<std::size_t> max_facets = {}, max_vertices = {}, max_facet_vertices = {};
   bool tightness = true;   ///< Whether to measure volume, area, mean width and distance.
   std::uint64_t seed = 1;  ///< Of every random order. The verdict does not depend on it.
 };

@@ -35,6 +35,11 @@ using SolidOutcome = std::variant<Solid, NotSolid>;
 [[nodiscard]] std::variant<Hull, NotSolid> make_hull(const PointSet& points, std::uint64_t seed,
                                                      bool check, StageLog& log);
 
+/// The intersection of halfspaces, whose vertices may be beyond the largest double, or why it is no
+/// bounded solid. @throws Error Internal if a certificate fails.
+[[nodiscard]] std::variant<Polytope, NotSolid> make_polytope(std::span<const Halfspace> halfspaces,
+                                                             std::uint64_t seed, StageLog& log);
+
 /// Runs the stages that the shape needs and notes in `log` those that it does not.
 /// @param check  Whether the certificates of the stages are checked, each a stage of its own.
 /// @throws Error Internal if a certificate fails.

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+// Thousands of candidates, each a good one with something broken: bits of the file, vertices off by
+// an ulp, faces lost, turned or doubled, planes tilted. Whatever comes out, the verdict must be the
+// one that the definitions give (tests/support/definitional_verdict.hpp), and nothing may crash.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "convexact/format/candidate_file.hpp"
+#include "convexact/format/halfspace_file.hpp"
+#include "convexact/io/write_mesh.hpp"
+#include "convexact/oracle/verify.hpp"
+#include "convexact/shapes/boxes.hpp"
+#include "convexact/shapes/prisms.hpp"
+#include "convexact/shapes/random_points.hpp"
+#include "convexact/shapes/solids.hpp"
+#include "definitional_verdict.hpp"
+#include "hard_inputs.hpp"
+#include "perturb.hpp"
+
+using namespace convexact;
+using definition::Beyond;
+using definition::MeshByDefinition;
+
+namespace {
+
+using Points = std::vector<Point>;
+
+std::vector<Points> bases() {
+  return {shapes::tetrahedron(),     shapes::cube(),
+          shapes::octahedron(),      shapes::in_ball(9, 7),
+          shapes::cut_cube(2, 0.25), shapes::in_ball(6, 3),
+          shapes::lattice(10, 2, 5)};
+}
+
+// The hull of the points as a mesh file would hold it.
+Mesh mesh_of(const Points& points) {
+  Mesh mesh;
+  mesh.points = PointSet(points);
+  const HullOutcome outcome = convex_hull(mesh.points);
+  const Hull& hull = std::get<Hull>(outcome);
+  for (std::size_t f = 0; f < hull.facets.size(); ++f) {
+    std::vector<std::uint32_t> polygon;
+    for (const PointId p : hull.facets[f]) polygon.push_back(static_cast<std::uint32_t>(p.index()));
+    mesh.polygons.push_back(std::move(polygon));
+  }
+  mesh.parts.push_back({"", 0, mesh.polygons.size()});
+  return mesh;
+}
+
+std::uint32_t below(Random& random, std::size_t n) {
+  return static_cast<std::uint32_t>(uniform_below(random, n));
+}
+
+double nudged(double x, Random& random) {
+  const double towards = below(random, 2) == 0 ? -1e308 : 1e308;
+  return std::nextafter(x, towards);
+}
+
+// Breaks the mesh in one of the ways in which programs get it wrong.
+void corrupt(Mesh& mesh, Random& random) {
+  Points points(mesh.points.doubles().begin(), mesh.points.doubles().end());
+  auto& polygons = mesh.polygons;
+  const std::uint32_t face = below(random, polygons.size());
+  const std::uint32_t v = below(random, points.size());
+  switch (below(random, 10)) {
+    case 0:
+      for (int k = 0; k < 3; ++k) points[v][k] = nudged(points[v][k], random);
+      break;
+    case 1:
+      points[v] *= 0.5;
+      break;
+    case 2:
+      points[v] *= 1 + 0x1p-52;
+      break;
+    case 3:
+      polygons.erase(polygons.begin() + face);
+      break;
+    case 4:
+      std::reverse(polygons[face].begin(), polygons[face].end());
+      break;
+    case 5:
+      for (auto& polygon : polygons) std::reverse(polygon.begin(), polygon.end());
+      break;
+    case 6:
+      polygons.push_back(polygons[face]);
+      break;
+    case 7:
+      polygons[face][below(random, polygons[face].size())] = v;
+      break;
+    case 8:
+      if (polygons[face].size() > 3) polygons[face].pop_back();
+      break;
+    default:
+      points[v] = points[below(random, points.size())];
+      break;
+  }
+  mesh.points = PointSet(std::move(points));
+  mesh.parts = {{"", 0, mesh.polygons.size()}};
+}
+
+void flip_bits(std::string& bytes, Random& random) {
+  if (bytes.empty()) return;
+  for (std::uint32_t k = below(random, 3); k > 0; --k) {
+    bytes[below(random, bytes.size())] ^= static_cast<char>(1 << below(random, 8));
+  }
+  if (below(random, 20) == 0) bytes.resize(below(random, bytes.size()));
+}
+
+Status expect(bool holds) { return holds ? Status::Holds : Status::Violated; }
+
+void check_mesh(const Mesh& mesh, const Verdict& verdict, const std::vector<RationalPoint>& input) {
+  const MeshByDefinition truth(mesh);
+  CHECK(verdict[ClaimCode::CandidateSolid].status == expect(truth.is_solid()));
+  if (!mesh.polygons.empty()) {
+    CHECK(verdict[ClaimCode::MeshClosed].status == expect(truth.is_closed()));
+    CHECK(verdict[ClaimCode::MeshPlanar].status == expect(truth.is_planar()));
+    CHECK(verdict[ClaimCode::MeshOriented].status == (truth.is_twisted() ? Status::Violated
+                                                      : !truth.is_closed()
+                                                          ? Status::NotApplicable
+                                                          : expect(truth.enclosed() > 0)));
+  }
+  if (!truth.is_solid()) {
+    CHECK(verdict[ClaimCode::ContainsInput].status == Status::Violated);
+    return;
+  }
+  if (!mesh.polygons.empty() && truth.is_planar()) {
+    const bool whole = truth.is_closed() && !truth.is_twisted();
+    CHECK(verdict[ClaimCode::MeshConvex].status ==
+          (!truth.no_point_beyond_a_face() ? Status::Violated
+           : !whole                        ? Status::NotApplicable
+                                           : expect(truth.enclosed() == truth.hull_volume())));
+  }
+  const Beyond outside = definition::beyond(truth.planes(), input);
+  const Claim& contains = verdict[ClaimCode::ContainsInput];
+  CHECK(contains.status == expect(outside.points == 0));
+  CHECK(verdict.outside.value().points == outside.points);
+  if (outside.points > 0) CHECK(contains.witness.squared_distance.value() == outside.worst);
+}
+
+void check_halfspaces(const HalfspaceList& list, const Verdict& verdict,
+                      const std::vector<RationalPoint>& input) {
+  const Claim& contains = verdict[ClaimCode::ContainsInput];
+  if (list.impossible_row) {
+    CHECK(verdict[ClaimCode::CandidateSolid].status == Status::Violated);
+    CHECK(contains.status == Status::Violated);
+    return;
+  }
+  const definition::HalfspaceArrangement arrangement(list.halfspaces);
+  const auto volume = arrangement.volume(arrangement.all());
+  const bool is_bounded_solid = volume && *volume > 0;
+  CHECK((verdict[ClaimCode::CandidateSolid].status == Status::Holds &&
+         verdict[ClaimCode::CandidateBounded].status == Status::Holds) == is_bounded_solid);
+  if (volume && *volume == 0) {
+    CHECK(verdict[ClaimCode::CandidateSolid].status == Status::Violated);
+  }
+  const Beyond outside = definition::beyond(list.halfspaces, input);
+  CHECK(contains.status == expect(outside.points == 0));
+  CHECK(verdict.outside.value().points == outside.points);
+  if (outside.points > 0) CHECK(contains.witness.squared_distance.value() == outside.worst);
+}
+
+// A real witness is beyond the plane that it names, by the distance that it names.
+void check_witness(const Verdict& verdict, const PointSet& input) {
+  const Witness& w = verdict[ClaimCode::ContainsInput].witness;
+  if (!w.squared_distance) return;
+  const RationalPoint p = input[PointId(w.input_point.value())];
+  CHECK(p == w.point.value());
+  const Rational value = w.plane.value()(p);
+  CHECK(value > 0);
+  CHECK(value * value == *w.squared_distance * Rational(w.plane->normal().squaredNorm()));
+}
+
+void check(const std::string& bytes, const std::string& path, const Points& input) {
+  const Candidate candidate = read_candidate_bytes(bytes, path);
+  const PointSet points(input);
+  const std::vector<RationalPoint> exact = definition::rationals(points);
+  StageLog log;
+  const VerifyOutcome outcome = verify(points, candidate, {}, log);
+  const auto& verdict = std::get<Verdict>(outcome);
+  check_witness(verdict, points);
+  if (std::holds_alternative<Error>(candidate)) {
+    CHECK_FALSE(verdict.holds());
+  } else if (const auto* mesh = std::get_if<Mesh>(&candidate)) {
+    check_mesh(*mesh, verdict, exact);
+  } else if (std::get<HalfspaceList>(candidate).halfspaces.size() <= 64) {
+    check_halfspaces(std::get<HalfspaceList>(candidate), verdict, exact);
+  }
+}
+
+constexpr std::uint32_t kCandidates = 6000;
+
+}  // namespace
+
+TEST_CASE("verify: corrupted meshes are judged as the definitions say") {
+  constexpr MeshFormat kFormats[] = {MeshFormat::Obj, MeshFormat::Off, MeshFormat::Ply,
+                                     MeshFormat::Stl};
+  constexpr const char* kNames[] = {"c.obj", "c.off", "c.ply", "c.stl"};
+  const std::vector<Points> all = bases();
+  for (std::uint32_t i = 0; i < kCandidates; i += hard::stride()) {
+    CAPTURE(i);
+    Random random(i);
+    const Points& input = all[i % all.size()];
+    Mesh mesh = mesh_of(input);
+    const std::uint32_t way = below(random, 4);
+    if (way != 0) corrupt(mesh, random);
+    const std::size_t format = below(random, 4);
+    const Precision precision =
+        kFormats[format] == MeshFormat::Stl ? Precision::Binary32 : Precision::Binary64;
+    std::string bytes;
+    try {
+      const bool binary = kFormats[format] == MeshFormat::Stl || below(random, 2) == 0;
+      bytes = write_mesh(mesh, kFormats[format],
+                         {.precision = precision,
+                          .encoding = binary && kFormats[format] != MeshFormat::Obj &&
+                                              kFormats[format] != MeshFormat::Off
+                                          ? Encoding::Binary
+                                          : Encoding::Text});
+    } catch (const Error&) {
+      continue;  // the writer cannot hold it in this format
+    }
+    if (way == 0) flip_bits(bytes, random);
+    check(bytes, kNames[format], input);
+  }
+}
+
+TEST_CASE("verify: corrupted planes are judged as the definitions say") {
+  constexpr HalfspaceFormat kFormats[] = {HalfspaceFormat::Json, HalfspaceFormat::Ine,
+                                          HalfspaceFormat::Rows};
+  constexpr const char* kNames[] = {"c.json", "c.ine", "c.txt"};
+  const std::vector<Points> all = bases();
+  for (std::uint32_t i = 0; i < kCandidates; i += hard::stride()) {
+    CAPTURE(i);
+    Random random(i);
+    const Points& input = all[i % all.size()];
+    const PointSet points(input);
+    std::vector<BinaryHalfspace> planes;
+    for (const Halfspace& h : supporting_planes(definition::rationals(points))) {
+      BinaryHalfspace plane;
+      for (int k = 0; k < 3; ++k) plane[k] = static_cast<double>(h.normal()[k]);
+      plane[3] = static_cast<double>(h.offset());
+      planes.push_back(plane);
+    }
+    BinaryHalfspace& chosen = planes[below(random, planes.size())];
+    const std::uint32_t way = below(random, 7);
+    if (way == 0) chosen[below(random, 4)] = nudged(chosen[below(random, 4)], random);
+    if (way == 1) chosen[below(random, 3)] *= 1 + 0x1p-52;
+    if (way == 2) chosen = {0, 0, 0, below(random, 2) == 0 ? -1.0 : 1.0};
+    if (way == 3) chosen = {-chosen[0], -chosen[1], -chosen[2], -chosen[3]};
+    if (way == 4) planes.pop_back();
+    if (way == 5) chosen[3] = nudged(chosen[3], random);
+    const std::size_t format = below(random, 3);
+    std::string bytes =
+        write_halfspaces(std::span<const BinaryHalfspace>(planes), kFormats[format]);
+    if (way == 6) flip_bits(bytes, random);
+    check(bytes, kNames[format], input);
+  }
+}
