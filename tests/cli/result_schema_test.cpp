@@ -10,14 +10,11 @@
 #include "process.hpp"
 
 using nlohmann::json;
+using support::data;
 using support::run_program;
 using support::ScratchFolder;
 
 namespace {
-
-std::string data(const std::string& name) {
-  return std::string(std::getenv("CONVEXACT_TEST_DATA")) + "/" + name;
-}
 
 bool is_valid(const json& document) { return schema_complaint("result", document).empty(); }
 

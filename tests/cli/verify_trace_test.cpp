@@ -9,14 +9,11 @@
 #include "process.hpp"
 
 using nlohmann::json;
+using support::data;
 using support::run_program;
 using support::ScratchFolder;
 
 namespace {
-
-std::string data(const std::string& name) {
-  return std::string(std::getenv("CONVEXACT_TEST_DATA")) + "/" + name;
-}
 
 // [0, 4]^3 with two opposite corners of a side cut off at depths 3 and 2, of which the costs are
 // depth^3 / 6: 9/2 and 4/3. Facet ids are positions here.

@@ -40,6 +40,11 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
+/// The path of a shipped mesh.
+inline std::string data(const std::string& name) {
+  return std::string(std::getenv("CONVEXACT_TEST_DATA")) + "/" + name;
+}
+
 inline std::string bytes_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream bytes;

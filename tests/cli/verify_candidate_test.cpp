@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// convexact verify INPUT CANDIDATE: exit codes, what people read, and what --json prints
+// (docs/schema/verdict.schema.json, validated by valijson).
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "json_schema.hpp"
+#include "process.hpp"
+
+using nlohmann::json;
+using support::data;
+using support::run_program;
+using support::ScratchFolder;
+
+namespace {
+
+const std::string kTetrahedron = "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\n";
+const std::string kFaces = "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+struct Judged {
+  int exit;
+  json document;
+
+  std::string status(const std::string& code) const {
+    for (const json& claim : document["claims"]) {
+      if (claim["code"] == code) return claim["status"];
+    }
+    return "?";
+  }
+  json witness(const std::string& code) const {
+    for (const json& claim : document["claims"]) {
+      if (claim["code"] == code) return claim["witness"];
+    }
+    return {};
+  }
+};
+
+Judged judge(const std::string& bytes, const std::string& name, const std::string& options = "") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("in.obj", kTetrahedron);
+  const auto ran =
+      run_program("verify " + input + " " + scratch.write(name, bytes) + " --json " + options);
+  const json document = json::parse(ran.out);
+  CHECK(schema_complaint("verdict", document) == "");
+  return {ran.exit, document};
+}
+
+}  // namespace
+
+TEST_CASE("verify: the input's own hull, in every format") {
+  CHECK(judge(kTetrahedron + kFaces, "c.obj").exit == 0);
+  CHECK(
+      judge("OFF\n4 4 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n", "c.off")
+          .exit == 0);
+  CHECK(judge("[[-1,0,0,0],[0,-1,0,0],[0,0,-1,0],[1,1,1,-4]]", "c.json").exit == 0);
+  CHECK(judge("begin\n4 4 integer\n0 1 0 0\n0 0 1 0\n0 0 0 1\n4 -1 -1 -1\nend\n", "c.ine").exit ==
+        0);
+  CHECK(judge("-1 0 0 0\n0 -1 0 0\n0 0 -1 0\n1 1 1 -4\n", "c.txt").exit == 0);
+  CHECK(judge("-1 0 0 0\n0 -1 0 0\n0 0 -1 0\n1 1 1 -4\n", "by-content").exit == 0);
+}
+
+TEST_CASE("verify: a violation is exit code 1, with the distance as a fraction") {
+  const Judged judged = judge("-1 0 0 0\n0 -1 0 0\n0 0 -1 0\n1 1 1 -3\n", "c.txt");
+  CHECK(judged.exit == 1);
+  CHECK(judged.document["verdict"] == "violated");
+  CHECK(judged.document["outside"]["points"] == 3);
+  // x + y + z <= 3 from (4, 0, 0): 1 / sqrt(3); the diameter is sqrt(48).
+  const json witness = judged.witness("contains-input");
+  CHECK(witness["input_point"] == 1);
+  CHECK(witness["rows"] == json::array({3}));
+  CHECK(witness["plane"] == json::array({"1", "1", "1", "-3"}));
+  CHECK(witness["distance"]["squared"] == "1/3");
+  CHECK(std::stod(witness["distance"]["decimal"].get<std::string>()) ==
+        doctest::Approx(std::sqrt(1.0 / 3)));
+  CHECK(std::stod(witness["distance"]["relative"].get<std::string>()) == doctest::Approx(1.0 / 12));
+  CHECK(judge("-1 0 0 0\n0 -1 0 0\n0 0 -1 0\n1 1 1 -3\n", "c.txt", "--tolerance 0.0834d").exit ==
+        0);
+}
+
+TEST_CASE("verify: whatever is wrong with the candidate is exit code 1, with a code") {
+  struct Case {
+    const char* name;
+    std::string bytes;
+    const char* code;
+  };
+  for (const Case& c :
+       {Case{"c.obj", "", "candidate-solid"}, Case{"c.obj", "v 1 2\n", "candidate-readable"},
+        Case{"c.obj", kTetrahedron + "f 1 2 9\n", "candidate-readable"},
+        Case{"c.obj", kTetrahedron + "v inf 0 0\n", "candidate-finite"},
+        Case{"c.obj", kTetrahedron + "f 1 3 2\n", "mesh-closed"},
+        Case{"c.off", "OFF\n9 9 9\n0 0 0\n", "candidate-readable"},
+        Case{"c.ply", "ply\nformat binary_little_endian 1.0\n", "candidate-readable"},
+        Case{"c.stl", std::string(83, 'x'), "candidate-readable"},
+        Case{"c.json", "{\"halfspaces\": 3}", "candidate-readable"},
+        Case{"c.json", "[[0,0,0,1]]", "candidate-solid"}, Case{"c.json", "[]", "candidate-bounded"},
+        Case{"c.ine", "begin\n1 4 integer\n", "candidate-readable"},
+        Case{"c.txt", "1 0 0 1e999\n", "candidate-finite"}, Case{"c.txt", "", "candidate-readable"},
+        Case{"c", std::string("\x00\xff\x7f", 3), "candidate-readable"}}) {
+    CAPTURE(c.name);
+    CAPTURE(c.bytes);
+    const Judged judged = judge(c.bytes, c.name);
+    CHECK(judged.exit == 1);
+    CHECK(judged.status(c.code) == "violated");
+  }
+}
+
+TEST_CASE("verify: exit codes of what is not the candidate's fault") {
+  const ScratchFolder scratch;
+  const std::string good = scratch.write("good.obj", kTetrahedron + kFaces);
+  const std::string flat = scratch.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n");
+  const std::string broken = scratch.write("broken.obj", "v 0 0\n");
+  CHECK(run_program("verify " + good + " " + scratch.file("none.obj")).exit == 3);
+  CHECK(run_program("verify " + scratch.file("none.obj") + " " + good).exit == 3);
+  CHECK(run_program("verify " + broken + " " + good).exit == 3);
+  CHECK(run_program("verify " + flat + " " + good).exit == 4);
+  CHECK(run_program("verify " + good).exit == 2);
+  CHECK(run_program("verify - -").exit == 2);
+  CHECK(run_program("verify " + good + " " + good + " --tolerance much").exit == 2);
+  CHECK(run_program("verify " + good + " " + good + " --claims beauty").exit == 2);
+  CHECK(run_program("verify - " + good + " < " + good).exit == 0);
+  CHECK(run_program("verify " + good + " - < " + good).exit == 0);
+}
+
+TEST_CASE("verify: people read the verdict, the witness and what was not asked") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("in.obj", kTetrahedron);
+  const std::string planes = scratch.write("c.txt", "-1 0 0 0\n0 -1 0 0\n0 0 -1 0\n1 1 1 -3\n");
+  const auto ran = run_program("verify " + input + " " + planes + " --max-facets 3");
+  CHECK(ran.exit == 1);
+  for (const char* part : {"3 points outside, of 4 tested; point 1 is worst, beyond row 3 by 0.577",
+                           "the square of the distance is 1/3", "facets: 4, at most 3 allowed",
+                           "not asked", "2 claims are violated"}) {
+    CAPTURE(part);
+    CHECK(ran.out.find(part) != std::string::npos);
+  }
+}
+
+TEST_CASE("verify: what simplify writes passes, in every format and precision") {
+  const ScratchFolder scratch;
+  for (const char* name : {"a.obj", "a.off", "a.ply", "a.json", "a.ine", "a.txt", "b.stl"}) {
+    CAPTURE(name);
+    const std::string file = scratch.file(name);
+    const std::string precision = name[0] == 'b' ? " --precision 32" : " --precision 64";
+    REQUIRE(
+        run_program("simplify " + data("spot.obj") + " --faces 30 -o " + file + precision).exit ==
+        0);
+    CHECK(run_program("verify " + data("spot.obj") + " " + file).exit == 0);
+  }
+}

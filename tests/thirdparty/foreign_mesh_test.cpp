@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// The oracle's verdict on meshes that another program wrote: CGAL computes the hull of each shipped
+// mesh in doubles and writes it as OFF, with 17 digits, with 6 and with 3. What is outside, and by
+// how much, is then found once more by CGAL's exact kernel, which reads the same file back: every
+// point against every facet of the exact hull. Without CGAL the test is skipped.
+#include <cstdio>
+
+#ifndef CONVEXACT_HAVE_CGAL
+int main() {
+  std::puts("skipped: CGAL is not installed (libcgal-dev)");
+  return 77;
+}
+#else
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/convex_hull_3.h>
+#include <doctest/doctest.h>
+
+#include <sstream>
+
+#include "convexact/format/candidate_file.hpp"
+#include "convexact/io/read_mesh.hpp"
+#include "convexact/oracle/verify.hpp"
+#include "shipped_meshes.hpp"
+using namespace convexact;
+
+namespace {
+
+using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+using Doubles = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+std::string hull_as_off(const PointSet& points, int digits) {
+  std::vector<Doubles::Point_3> input;
+  for (const Point& p : points.doubles()) input.emplace_back(p[0], p[1], p[2]);
+  CGAL::Surface_mesh<Doubles::Point_3> hull;
+  CGAL::convex_hull_3(input.begin(), input.end(), hull);
+  std::ostringstream file;
+  file.precision(digits);
+  file << hull;
+  return file.str();
+}
+
+struct Truth {
+  std::size_t outside = 0;
+  Rational worst = 0;
+};
+
+Truth by_cgal(const std::string& off, const PointSet& points) {
+  std::istringstream file(off);
+  CGAL::Surface_mesh<Doubles::Point_3> read;
+  file >> read;
+  std::vector<Exact::Point_3> corners;
+  for (const auto v : read.vertices()) {
+    const auto& p = read.point(v);
+    corners.emplace_back(p.x(), p.y(), p.z());
+  }
+  CGAL::Surface_mesh<Exact::Point_3> hull;
+  CGAL::convex_hull_3(corners.begin(), corners.end(), hull);
+  std::vector<std::array<Exact::Point_3, 3> > triangles;
+  for (const auto face : hull.faces()) {
+    std::vector<Exact::Point_3> c;
+    for (const auto v : CGAL::vertices_around_face(hull.halfedge(face), hull)) {
+      c.push_back(hull.point(v));
+    }
+    triangles.push_back({c[0], c[1], c[2]});
+  }
+  Truth truth;
+  for (const Point& point : points.doubles()) {
+    const Exact::Point_3 p(point[0], point[1], point[2]);
+    bool is_outside = false;
+    for (const auto& [a, b, c] : triangles) {
+      if (CGAL::orientation(a, b, c, p) != CGAL::POSITIVE) continue;
+      is_outside = true;
+      std::ostringstream distance;
+      distance << CGAL::exact(CGAL::squared_distance(Exact::Plane_3(a, b, c), p));
+      truth.worst = std::max(truth.worst, parse_rational(distance.str()));
+    }
+    truth.outside += is_outside ? 1 : 0;
+  }
+  return truth;
+}
+
+}  // namespace
+
+TEST_CASE("verify: hulls by CGAL, as CGAL itself judges them exactly") {
+  std::size_t faulty = 0;
+  for (const std::string& path : shipped_meshes()) {
+    const PointSet points = read_mesh(path).points;
+    for (const int digits : {17, 6, 3}) {
+      CAPTURE(path);
+      CAPTURE(digits);
+      const std::string off = hull_as_off(points, digits);
+      VerifyRequest request;
+      request.tightness = false;
+      StageLog log;
+      const auto outcome = verify(points, read_candidate_bytes(off, "hull.off"), request, log);
+      const auto& verdict = std::get<Verdict>(outcome);
+      const Truth truth = by_cgal(off, points);
+      REQUIRE(verdict.outside.has_value());
+      CHECK(verdict.outside->points == truth.outside);
+      const Claim& contains = verdict[ClaimCode::ContainsInput];
+      CHECK((contains.status == Status::Holds) == (truth.outside == 0));
+      CHECK(contains.witness.squared_distance.value_or(0) == truth.worst);
+      if (digits == 17) CHECK(verdict.holds());
+      faulty += truth.outside > 0 ? 1 : 0;
+    }
+  }
+  CHECK(faulty > 0);  // else nothing was put to the test
+}
+#endif
