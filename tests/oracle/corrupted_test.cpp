@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Thousands of candidates, each a good one with something broken: bits of the file, vertices off by
 // an ulp, faces lost, turned or doubled, planes tilted. Whatever comes out, the verdict must be the
-// one that the definitions give (tests/support/definitional_verdict.hpp), and nothing may crash.
+// one that the definitions give (tests/support/verdict_check.hpp), and nothing may crash.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -15,13 +15,11 @@
 #include "convexact/shapes/prisms.hpp"
 #include "convexact/shapes/random_points.hpp"
 #include "convexact/shapes/solids.hpp"
-#include "definitional_verdict.hpp"
 #include "hard_inputs.hpp"
 #include "perturb.hpp"
+#include "verdict_check.hpp"
 
 using namespace convexact;
-using definition::Beyond;
-using definition::MeshByDefinition;
 
 namespace {
 
@@ -108,85 +106,13 @@ void flip_bits(std::string& bytes, Random& random) {
   if (below(random, 20) == 0) bytes.resize(below(random, bytes.size()));
 }
 
-Status expect(bool holds) { return holds ? Status::Holds : Status::Violated; }
-
-void check_mesh(const Mesh& mesh, const Verdict& verdict, const std::vector<RationalPoint>& input) {
-  const MeshByDefinition truth(mesh);
-  CHECK(verdict[ClaimCode::CandidateSolid].status == expect(truth.is_solid()));
-  if (!mesh.polygons.empty()) {
-    CHECK(verdict[ClaimCode::MeshClosed].status == expect(truth.is_closed()));
-    CHECK(verdict[ClaimCode::MeshPlanar].status == expect(truth.is_planar()));
-    CHECK(verdict[ClaimCode::MeshOriented].status == (truth.is_twisted() ? Status::Violated
-                                                      : !truth.is_closed()
-                                                          ? Status::NotApplicable
-                                                          : expect(truth.enclosed() > 0)));
-  }
-  if (!truth.is_solid()) {
-    CHECK(verdict[ClaimCode::ContainsInput].status == Status::Violated);
-    return;
-  }
-  if (!mesh.polygons.empty() && truth.is_planar()) {
-    const bool whole = truth.is_closed() && !truth.is_twisted();
-    CHECK(verdict[ClaimCode::MeshConvex].status ==
-          (!truth.no_point_beyond_a_face() ? Status::Violated
-           : !whole                        ? Status::NotApplicable
-                                           : expect(truth.enclosed() == truth.hull_volume())));
-  }
-  const Beyond outside = definition::beyond(truth.planes(), input);
-  const Claim& contains = verdict[ClaimCode::ContainsInput];
-  CHECK(contains.status == expect(outside.points == 0));
-  CHECK(verdict.outside.value().points == outside.points);
-  if (outside.points > 0) CHECK(contains.witness.squared_distance.value() == outside.worst);
-}
-
-void check_halfspaces(const HalfspaceList& list, const Verdict& verdict,
-                      const std::vector<RationalPoint>& input) {
-  const Claim& contains = verdict[ClaimCode::ContainsInput];
-  if (list.impossible_row) {
-    CHECK(verdict[ClaimCode::CandidateSolid].status == Status::Violated);
-    CHECK(contains.status == Status::Violated);
-    return;
-  }
-  const definition::HalfspaceArrangement arrangement(list.halfspaces);
-  const auto volume = arrangement.volume(arrangement.all());
-  const bool is_bounded_solid = volume && *volume > 0;
-  CHECK((verdict[ClaimCode::CandidateSolid].status == Status::Holds &&
-         verdict[ClaimCode::CandidateBounded].status == Status::Holds) == is_bounded_solid);
-  if (volume && *volume == 0) {
-    CHECK(verdict[ClaimCode::CandidateSolid].status == Status::Violated);
-  }
-  const Beyond outside = definition::beyond(list.halfspaces, input);
-  CHECK(contains.status == expect(outside.points == 0));
-  CHECK(verdict.outside.value().points == outside.points);
-  if (outside.points > 0) CHECK(contains.witness.squared_distance.value() == outside.worst);
-}
-
-// A real witness is beyond the plane that it names, by the distance that it names.
-void check_witness(const Verdict& verdict, const PointSet& input) {
-  const Witness& w = verdict[ClaimCode::ContainsInput].witness;
-  if (!w.squared_distance) return;
-  const RationalPoint p = input[PointId(w.input_point.value())];
-  CHECK(p == w.point.value());
-  const Rational value = w.plane.value()(p);
-  CHECK(value > 0);
-  CHECK(value * value == *w.squared_distance * Rational(w.plane->normal().squaredNorm()));
-}
-
 void check(const std::string& bytes, const std::string& path, const Points& input) {
   const Candidate candidate = read_candidate_bytes(bytes, path);
   const PointSet points(input);
-  const std::vector<RationalPoint> exact = definition::rationals(points);
   StageLog log;
   const VerifyOutcome outcome = verify(points, candidate, {}, log);
   const auto& verdict = std::get<Verdict>(outcome);
-  check_witness(verdict, points);
-  if (std::holds_alternative<Error>(candidate)) {
-    CHECK_FALSE(verdict.holds());
-  } else if (const auto* mesh = std::get_if<Mesh>(&candidate)) {
-    check_mesh(*mesh, verdict, exact);
-  } else if (std::get<HalfspaceList>(candidate).halfspaces.size() <= 64) {
-    check_halfspaces(std::get<HalfspaceList>(candidate), verdict, exact);
-  }
+  CHECK(definition::disagreement(verdict, candidate, points) == "");
 }
 
 constexpr std::uint32_t kCandidates = 6000;

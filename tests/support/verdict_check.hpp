@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// verdict_check.hpp - whether a verdict of the oracle is the one that the definitions give.
+#pragma once
+#include <string>
+
+#include "convexact/oracle/verify.hpp"
+#include "definitional_verdict.hpp"
+
+namespace definition {
+
+/// Collects the claims that are judged otherwise than the definitions say.
+class Disagreements {
+ public:
+  explicit Disagreements(const Verdict& verdict) : verdict_(verdict) {}
+
+  void expect(ClaimCode code, Status status) {
+    require(verdict_[code].status == status, name_of(code));
+  }
+  void expect(ClaimCode code, bool holds) {
+    expect(code, holds ? Status::Holds : Status::Violated);
+  }
+  void require(bool agrees, const std::string& what) {
+    if (!agrees) found_ += what + " ";
+  }
+  const std::string& found() const { return found_; }
+  const Verdict& verdict() const { return verdict_; }
+
+ private:
+  const Verdict& verdict_;
+  std::string found_;
+};
+
+// All input points against the planes, and a witness that is beyond the plane that it names by the
+// distance that it names.
+inline void check_containment(std::span<const Halfspace> planes, const PointSet& input,
+                              Disagreements& so_far) {
+  const Verdict& verdict = so_far.verdict();
+  const Beyond outside = beyond(planes, rationals(input));
+  so_far.expect(ClaimCode::ContainsInput, outside.points == 0);
+  so_far.require(verdict.outside && verdict.outside->points == outside.points, "points-outside");
+  const Witness& w = verdict[ClaimCode::ContainsInput].witness;
+  so_far.require(w.squared_distance.value_or(0) == outside.worst, "worst-distance");
+  if (outside.points == 0 || !w.input_point || !w.plane) return;
+  const Rational value = (*w.plane)(input[PointId(*w.input_point)]);
+  so_far.require(
+      value > 0 && value * value == outside.worst * Rational(w.plane->normal().squaredNorm()),
+      "witness");
+}
+
+inline void check_faces(const MeshByDefinition& truth, Disagreements& so_far) {
+  const bool is_closed = truth.is_closed(), is_twisted = truth.is_twisted();
+  so_far.expect(ClaimCode::MeshClosed, is_closed);
+  so_far.expect(ClaimCode::MeshPlanar, truth.is_planar());
+  if (is_twisted || is_closed) {
+    so_far.expect(ClaimCode::MeshOriented, !is_twisted && truth.enclosed() > 0);
+  } else {
+    so_far.expect(ClaimCode::MeshOriented, Status::NotApplicable);
+  }
+  if (!truth.is_solid() || !truth.is_planar()) return;
+  if (!truth.no_point_beyond_a_face()) {
+    so_far.expect(ClaimCode::MeshConvex, Status::Violated);
+  } else if (!is_closed || is_twisted) {
+    so_far.expect(ClaimCode::MeshConvex, Status::NotApplicable);
+  } else if (truth.planes().size() <= 64) {
+    so_far.expect(ClaimCode::MeshConvex, truth.enclosed() == truth.hull_volume());
+  }
+}
+
+inline void check_mesh(const Mesh& mesh, const PointSet& input, Disagreements& so_far) {
+  const MeshByDefinition truth(mesh);
+  so_far.expect(ClaimCode::CandidateSolid, truth.is_solid());
+  if (!mesh.polygons.empty()) check_faces(truth, so_far);
+  if (truth.is_solid()) {
+    check_containment(truth.planes(), input, so_far);
+  } else {
+    so_far.expect(ClaimCode::ContainsInput, Status::Violated);
+  }
+}
+
+inline void check_halfspaces(const HalfspaceList& list, const PointSet& input,
+                             Disagreements& so_far) {
+  if (list.impossible_row) {
+    so_far.expect(ClaimCode::CandidateSolid, Status::Violated);
+    so_far.expect(ClaimCode::ContainsInput, Status::Violated);
+    return;
+  }
+  check_containment(list.halfspaces, input, so_far);
+  if (list.halfspaces.size() > 64) return;
+  const HalfspaceArrangement arrangement(list.halfspaces);
+  const auto volume = arrangement.volume(arrangement.all());
+  const Verdict& verdict = so_far.verdict();
+  so_far.require(
+      (verdict[ClaimCode::CandidateSolid].status == Status::Holds &&
+       verdict[ClaimCode::CandidateBounded].status == Status::Holds) == (volume && *volume > 0),
+      "bounded-solid");
+  if (volume && *volume == 0) so_far.expect(ClaimCode::CandidateSolid, Status::Violated);
+}
+
+/// The names of what differs; empty if the verdict on a small candidate is right.
+[[nodiscard]] inline std::string disagreement(const Verdict& verdict, const Candidate& candidate,
+                                              const PointSet& input) {
+  Disagreements so_far(verdict);
+  if (const auto* mesh = std::get_if<Mesh>(&candidate)) {
+    check_mesh(*mesh, input, so_far);
+  } else if (const auto* list = std::get_if<HalfspaceList>(&candidate)) {
+    check_halfspaces(*list, input, so_far);
+  } else {
+    const bool is_number = std::get<Error>(candidate).code() == ErrorCode::NotFinite;
+    so_far.expect(is_number ? ClaimCode::CandidateFinite : ClaimCode::CandidateReadable, false);
+  }
+  return so_far.found();
+}
+
+}  // namespace definition
