@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "convexact/measure/distance.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "convexact/error.hpp"
@@ -126,11 +127,24 @@ RationalPoint NearestPoint::nearest_on_visible(const std::vector<std::uint32_t>&
   throw Error(ErrorCode::InvalidArgument, "the facets of a polytope are not convex");
 }
 
+namespace {
+
+bool precedes(const RationalPoint& a, const RationalPoint& b) {
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+}
+
+}  // namespace
+
 HausdorffDistance hausdorff_distance(const Polytope& outer, const Polytope& inner) {
   const NearestPoint nearest_point(inner);
+  std::vector<RationalPoint> shared = inner.vertices;
+  std::sort(shared.begin(), shared.end(), precedes);
   std::optional<HausdorffDistance> best;
   for (std::uint32_t v = 0; v < outer.vertices.size(); ++v) {
-    RationalPoint nearest = nearest_point(outer.vertices[v]);
+    const RationalPoint& vertex = outer.vertices[v];
+    // A vertex of both needs no look at the facets: hulls often share most of them.
+    const bool is_shared = std::binary_search(shared.begin(), shared.end(), vertex, precedes);
+    RationalPoint nearest = is_shared ? vertex : nearest_point(vertex);
     const RationalVector3 gap = outer.vertices[v] - nearest;
     Rational squared = gap.squaredNorm();
     if (!best || squared > best->squared) {
