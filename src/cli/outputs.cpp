@@ -6,6 +6,7 @@
 #include "command.hpp"
 #include "convexact/error.hpp"
 #include "convexact/format/halfspace_file.hpp"
+#include "convexact/format/proof.hpp"
 #include "convexact/format/trace_json.hpp"
 #include "convexact/io/atomic_output.hpp"
 #include "convexact/io/read_mesh.hpp"
@@ -123,6 +124,7 @@ std::vector<std::string> OutputOptions::all_paths() const {
   std::vector<std::string> paths = results;
   if (!picture.empty()) paths.push_back(picture);
   if (!trace.empty()) paths.push_back(trace);
+  if (!proof.empty()) paths.push_back(proof);
   return paths;
 }
 
@@ -136,6 +138,8 @@ StoreRequest OutputOptions::store_request() const {
       request.planes = precision_of(precision);
     }
   }
+  // A proof of planes in a format, wherever else these go.
+  if (!proof.empty() && precision != 0) request.planes = precision_of(precision);
   return request;
 }
 
@@ -156,6 +160,7 @@ void OutputOptions::require_sensible() const {
 void OutputOptions::require_room_for(std::size_t objects) const {
   if (objects < 2) return;
   if (!trace.empty()) reject("--trace: a trace tells of one object, and there are several");
+  if (!proof.empty()) reject("--proof: a proof tells of one object, and there are several");
   for (const std::string& path : results) {
     if (mesh_format_of_path(path) != MeshFormat::Obj) {
       reject("-o " + path + ": only .obj holds several objects");
@@ -172,9 +177,9 @@ void add_input_argument(CLI::App& command, std::vector<std::string>& inputs) {
 
 void add_output_options(CLI::App& command, OutputOptions& options) {
   command
-      .add_option(
-          "-o,--output", options.results,
-          "where the result goes, by extension: .obj .off .ply .stl or .json .ine .txt; may be repeated")
+      .add_option("-o,--output", options.results,
+                  "where the result goes, by extension: .obj .off .ply .stl or .json .ine .txt; "
+                  "may be repeated")
       ->expected(1)
       ->take_all();
   command.add_option("--picture", options.picture, "a page (.html) that shows input and result");
@@ -203,6 +208,10 @@ void write_outputs(const std::vector<OutputObject>& objects, const OutputOptions
   }
   if (!options.picture.empty()) files.add(options.picture, picture_bytes(objects));
   if (!options.trace.empty()) files.add(options.trace, write_trace_json(*objects[0].trace));
+  if (!options.proof.empty()) {
+    const OutputObject& object = objects[0];
+    files.add(options.proof, write_proof(*object.record, object.solid.points, object.solid.planes));
+  }
   files.commit();
 }
 

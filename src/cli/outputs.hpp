@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "convexact/pipeline/run_record.hpp"
 #include "convexact/pipeline/stored_solid.hpp"
 #include "convexact/simplify/trace.hpp"
 #include "scene.hpp"
@@ -16,6 +17,7 @@ struct OutputOptions {
   std::vector<std::string> results;  ///< -o: .obj .off .ply .stl are meshes, .json .ine .txt planes.
   std::string picture;               ///< An HTML page; empty for none.
   std::string trace;                 ///< Every step as JSON; empty for none.
+  std::string proof;                 ///< For convexact-check; empty for none.
   int precision = 0;                 ///< 64 or 32; 0 if not given.
 
   std::vector<std::string> all_paths() const;
@@ -36,7 +38,8 @@ void add_scene_options(CLI::App& command, SceneOptions& options);
 struct OutputObject {
   const SceneObject& source;
   const StoredSolid& solid;
-  const Trace* trace = nullptr;  ///< Set wherever a trace may be asked for.
+  const Trace* trace = nullptr;       ///< Set wherever a trace may be asked for.
+  const RunRecord* record = nullptr;  ///< Set wherever a proof may be asked for.
 };
 
 /// Writes every output, after reading each mesh and plane file back from its bytes and testing

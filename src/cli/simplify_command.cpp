@@ -71,6 +71,7 @@ SimplifyRequest request_of(const Options& options) {
   if (!options.max_growth.empty()) request.max_growth = parse_growth(options.max_growth);
   request.engine = options.engine;
   request.trace = !options.output.trace.empty();
+  request.record = !options.output.proof.empty();
   request.verify = options.verify;
   request.center = parse_center(options.center);
   request.seed = options.global.seed;
@@ -121,7 +122,8 @@ void write(const std::vector<SimplifiedObject>& objects, const OutputOptions& op
   std::vector<OutputObject> outputs;
   for (const SimplifiedObject& object : objects) {
     outputs.push_back({object.source, object.result.solid,
-                       object.result.trace ? &*object.result.trace : nullptr});
+                       object.result.trace ? &*object.result.trace : nullptr,
+                       object.result.record ? &*object.result.record : nullptr});
   }
   write_outputs(outputs, options);
 }
@@ -172,6 +174,8 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
   add_output_options(command, options->output);
   command.add_option("--trace", options->output.trace,
                      "every step as JSON, for a program that replays it");
+  command.add_option("--proof", options->output.proof,
+                     "what convexact-check needs to prove the run again, without trusting us");
   add_scene_options(command, options->scene);
   add_choice<Engine>(
       command, "--engine", options->engine,

@@ -14,6 +14,7 @@
 #include "convexact/lp/interior_point.hpp"
 #include "convexact/measure/hull_volume.hpp"
 #include "convexact/measure/volume.hpp"
+#include "convexact/simplify/replay.hpp"
 #include "convexact/stored/containment.hpp"
 
 namespace convexact {
@@ -42,6 +43,7 @@ SimplifyOptions options_of(const SimplifyRequest& request, std::size_t at_start)
   options.max_growth = request.max_growth;
   options.seed = request.seed;
   options.verify = request.verify;
+  options.keep_evaluations = request.record;
   options.stop = request.stop;
   if (request.progress) {
     options.progress = [&request, at_start](std::size_t left) { request.progress(left, at_start); };
@@ -54,7 +56,9 @@ struct Run {
   std::size_t halfspaces, steps;
   StopReason stop;
   Polytope polytope;
+  std::vector<HalfspaceId> removed;
   std::optional<Trace> trace;
+  std::vector<Evaluation> evaluations;
 };
 
 // What the result is measured against.
@@ -125,7 +129,9 @@ Run run_lean(const FastDual& dual, const SimplifyRequest& request, StageLog& log
   });
   Polytope polytope =
       log.run("polytope", [&] { return polytope_of(result, dual, request.engine); });
-  return {dual.size(), result.steps.size(), result.stop, std::move(polytope), std::nullopt};
+  Run run{dual.size(), result.steps.size(), result.stop, std::move(polytope), {}, {}, {}};
+  for (const FastStep& step : result.steps) run.removed.push_back(step.removed);
+  return run;
 }
 
 Run run_with_record(const Solid& solid, const RationalPoint& center, const SimplifyRequest& request,
@@ -138,8 +144,39 @@ Run run_with_record(const Solid& solid, const RationalPoint& center, const Simpl
   Trace& trace = result.trace;
   Polytope polytope =
       log.run("polytope", [&] { return to_polytope(trace.halfspaces, result.triangles); });
-  return {trace.halfspaces.size(), trace.steps.size(), trace.stop, std::move(polytope),
-          std::move(trace)};
+  return {
+      trace.halfspaces.size(), trace.steps.size(),           trace.stop, std::move(polytope), {},
+      std::move(trace),        std::move(result.evaluations)};
+}
+
+// What the proof of a run needs. The float engine keeps no record: its removals are made again.
+RunRecord record_of(const Shape& shape, const Solid& solid, const RationalPoint& center, Run& run,
+                    std::uint64_t seed, StageLog& log) {
+  RunRecord record;
+  if (const auto* halfspaces = std::get_if<std::vector<Halfspace>>(&shape)) {
+    record.input_halfspaces = *halfspaces;
+  }
+  record.solid = solid.dual;
+  record.inside = solid.certificate.inside;
+  record.extreme = solid.extreme;
+  if (solid.interior) {
+    record.interior = *solid.interior;
+  } else {
+    RationalPoint sum = RationalPoint::Zero();
+    for (const PointId corner : solid.certificate.simplex) sum += solid.points[corner];
+    record.interior = sum / Rational(4);
+  }
+  record.is_greedy = run.trace.has_value();
+  if (run.trace) {
+    record.steps = run.trace->steps;
+    record.evaluations = std::move(run.evaluations);
+  } else {
+    Simplification again =
+        log.run("replay", [&] { return replay(solid.dual, center, run.removed, seed); });
+    record.steps = std::move(again.trace.steps);
+    record.evaluations = std::move(again.evaluations);
+  }
+  return record;
 }
 
 Measured measure_volume(const Polytope& polytope, bool exact) {
@@ -180,6 +217,7 @@ SimplifyResult finish(Reference reference, Run run, const SimplifyRequest& reque
                         run.steps,
                         run.stop,
                         std::move(run.trace),
+                        {},
                         std::move(stored),
                         std::move(reference.volume),
                         std::move(output_volume),
@@ -217,19 +255,26 @@ SimplifyOutcome simplify_solid(const Shape& shape, const SimplifyRequest& reques
                    : run_lean(FastDual::of(solid.dual, center), request, log);
   Measured input_volume =
       log.run("volume", [&] { return measure_volume(solid.polytope, request.exact_volumes); });
+  std::optional<RunRecord> run_record;
+  if (request.record) run_record = record_of(shape, solid, center, run, request.seed, log);
   Reference reference{std::move(solid.points), std::move(solid.extreme), solid.input_points,
                       std::move(solid.redundant), std::move(input_volume)};
-  return finish(std::move(reference), std::move(run), request, log);
+  SimplifyResult result = finish(std::move(reference), std::move(run), request, log);
+  result.record = std::move(run_record);
+  return result;
 }
 
 }  // namespace
 
 SimplifyOutcome simplify(const Shape& shape, const SimplifyRequest& request, StageLog& log) {
   require_sensible(request);
-  const bool record =
-      request.engine == Engine::Exact || request.trace || request.verify == VerifyLevel::Full;
+  const bool record = request.engine == Engine::Exact || request.trace ||
+                      request.verify == VerifyLevel::Full ||
+                      (request.record && request.engine != Engine::Float);
   const auto* points = std::get_if<PointSet>(&shape);
-  if (points != nullptr && !record && !request.center) return simplify_lean(*points, request, log);
+  if (points != nullptr && !record && !request.record && !request.center) {
+    return simplify_lean(*points, request, log);
+  }
   return simplify_solid(shape, request, record, log);
 }
 

@@ -18,13 +18,14 @@ SolidOutcome solid_of_points(const PointSet& points, std::uint64_t seed, bool ch
                              StageLog& log) {
   auto outcome = make_hull(points, seed, check, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
-  const auto& hull = std::get<Hull>(outcome);
+  auto& hull = std::get<Hull>(outcome);
   Solid solid;
   solid.dual = log.run("dual", [&] { return dual_of(hull, points); });
   solid.polytope = log.run("polytope", [&] { return to_polytope(hull, points); });
   solid.points = points;
   solid.extreme = hull.vertices;
   solid.input_points = points.size();
+  solid.certificate = std::move(hull.certificate);
   return solid;
 }
 

@@ -92,6 +92,16 @@ Cap make_cap(std::span<const HalfspaceId> ring, std::span<const DualPlane> base,
   return cap;
 }
 
+Cap make_cap(std::span<const DualPoint> points, HalfspaceId i, std::span<const HalfspaceId> ring,
+             const RingTriangulation& roof) {
+  std::vector<DualPlane> base;
+  for (std::size_t t = 0; t < ring.size(); ++t) {
+    const HalfspaceId a = ring[t], b = ring[(t + 1) % ring.size()];
+    base.push_back(plane_through(points[i.index()], points[a.index()], points[b.index()]));
+  }
+  return make_cap(ring, base, roof);
+}
+
 Rational volume(const Cap& cap) {
   std::vector<Arm> arms;
   for (const DualPlane& vertex : cap.vertices) {

@@ -26,7 +26,7 @@ struct Removal {
 // The greedy loop. It is eager: `removals_` and `queue_` are right for every halfspace at any time.
 class ExactEngine {
  public:
-  ExactEngine(const DualHull& solid, const RationalPoint& center, std::uint64_t seed);
+  ExactEngine(const DualHull& solid, const RationalPoint& center, const SimplifyOptions& options);
 
   void evaluate_all(const std::atomic<bool>* stop);
   std::size_t left() const { return left_; }
@@ -34,6 +34,7 @@ class ExactEngine {
   Step cheapest() const;
   void remove(HalfspaceId i);
   std::vector<DualTriangle> triangles() const { return dual_.triangles(); }
+  std::vector<Evaluation>& evaluations() { return evaluations_; }
 
  private:
   Removal removal_of(HalfspaceId i);
@@ -43,14 +44,18 @@ class ExactEngine {
   std::vector<DualPoint> points_;
   AdjacencyMatrix dual_;
   Random random_;
+  bool keep_evaluations_;
+  std::vector<Evaluation> evaluations_;
   std::vector<Removal> removals_;
   std::set<std::pair<Rational, HalfspaceId>> queue_;  // bounded removals; ties in canonical order
   std::size_t left_;
 };
 
-ExactEngine::ExactEngine(const DualHull& solid, const RationalPoint& center, std::uint64_t seed)
+ExactEngine::ExactEngine(const DualHull& solid, const RationalPoint& center,
+                         const SimplifyOptions& options)
     : dual_(solid.halfspaces.size()),
-      random_(seed),
+      random_(options.seed),
+      keep_evaluations_(options.keep_evaluations),
       removals_(solid.halfspaces.size()),
       left_(solid.halfspaces.size()) {
   for (const Halfspace& halfspace : solid.halfspaces) points_.push_back(polar(halfspace, center));
@@ -79,13 +84,9 @@ Removal ExactEngine::removal_of(HalfspaceId i) {
   // (3) A new dual face without a vertex: the solid would reach to infinity.
   if (!removal.roof.is_bounded()) return removal;
   // (4) The cap lies between the old vertices on plane i and the new ones.
-  std::vector<DualPlane> base;
-  for (std::size_t t = 0; t < ring.size(); ++t) {
-    const HalfspaceId a = ring[t], b = ring[(t + 1) % ring.size()];
-    base.push_back(plane_through(points_[i.index()], points_[a.index()], points_[b.index()]));
-  }
+  const Cap cap = make_cap(points_, i, ring, removal.roof);
   // (5) Its volume is the price.
-  removal.cost = volume(make_cap(ring, base, removal.roof));
+  removal.cost = volume(cap);
   return removal;
 }
 
@@ -93,6 +94,9 @@ void ExactEngine::evaluate(HalfspaceId i) {
   forget(i);
   Removal& removal = removals_[i.index()] = removal_of(i);
   if (removal.cost) queue_.emplace(*removal.cost, i);
+  if (keep_evaluations_) {
+    evaluations_.push_back({removals_.size() - left_, i, removal.ring, removal.roof.triangles});
+  }
 }
 
 void ExactEngine::forget(HalfspaceId i) {
@@ -131,7 +135,7 @@ Simplification simplify_exact(const DualHull& solid, const RationalPoint& center
   if (options.faces < 4) {
     throw Error(ErrorCode::InvalidArgument, "a solid needs at least 4 faces");
   }
-  ExactEngine engine(solid, center, options.seed);
+  ExactEngine engine(solid, center, options);
   StepVerification verification(solid, options.verify, options.seed);
   std::optional<GrowthLimit> growth;
   if (options.max_growth) {
@@ -156,7 +160,7 @@ Simplification simplify_exact(const DualHull& solid, const RationalPoint& center
     if (options.progress) options.progress(engine.left());
   }
   verification.finish();
-  return {std::move(trace), engine.triangles()};
+  return {std::move(trace), engine.triangles(), std::move(engine.evaluations())};
 }
 
 }  // namespace convexact

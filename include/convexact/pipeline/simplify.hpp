@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "convexact/pipeline/measured.hpp"
+#include "convexact/pipeline/run_record.hpp"
 #include "convexact/pipeline/solid.hpp"
 #include "convexact/pipeline/stored_solid.hpp"
 #include "convexact/simplify/exact_engine.hpp"
@@ -25,7 +26,8 @@ struct SimplifyRequest {
   std::optional<std::size_t> faces;    ///< Halfspaces to keep, >= 4.
   std::optional<Rational> max_growth;  ///< Volume may grow to (1 + max_growth) times; >= 0.
   Engine engine = Engine::Filtered;
-  bool trace = false;  ///< Keep the full record of every step. Not for the float engine.
+  bool trace = false;   ///< Keep the full record of every step. Not for the float engine.
+  bool record = false;  ///< Keep what a proof of the run needs. For every engine.
   /// How much of each step is proven again. The float engine proves no steps, only the result; Full
   /// makes the filtered engine keep the record that it needs.
   VerifyLevel verify = VerifyLevel::Local;
@@ -45,9 +47,10 @@ struct SimplifyResult {
   std::size_t input_halfspaces = 0;           ///< Of the hull, redundant ones not counted.
   std::size_t steps = 0;                      ///< Halfspaces removed.
   StopReason stop = StopReason::Reached;
-  std::optional<Trace> trace;  ///< If it was asked for, and by the exact engine.
-  StoredSolid solid;           ///< What encloses the input.
-  Measured input_volume;       ///< Of the input's hull, in cubed length units.
+  std::optional<Trace> trace;       ///< If it was asked for, and by the exact engine.
+  std::optional<RunRecord> record;  ///< If it was asked for.
+  StoredSolid solid;                ///< What encloses the input.
+  Measured input_volume;            ///< Of the input's hull, in cubed length units.
   Measured output_volume;
   std::size_t tested_points = 0;  ///< Points tested directly against every survivor.
   Engine engine = Engine::Filtered;

@@ -24,6 +24,7 @@ struct Solid {
   std::vector<PointId> extreme;               ///< Of `points`: those whose hull holds the rest.
   std::size_t input_points = 0;               ///< 0 where the input is halfspaces.
   std::vector<RedundantHalfspace> redundant;  ///< Of halfspace input.
+  HullCertificate certificate;                ///< Of point input.
   /// Strictly inside; known beforehand only where the way to the dual needed it.
   std::optional<RationalPoint> interior;
 };

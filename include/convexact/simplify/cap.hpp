@@ -28,6 +28,10 @@ struct Cap {
 [[nodiscard]] Cap make_cap(std::span<const HalfspaceId> ring, std::span<const DualPlane> base,
                            const RingTriangulation& roof);
 
+/// The same from the dual points of all halfspaces, by id.
+[[nodiscard]] Cap make_cap(std::span<const DualPoint> points, HalfspaceId i,
+                           std::span<const HalfspaceId> ring, const RingTriangulation& roof);
+
 /// Exact volume by tetrahedra from base vertex 0; every one counts positive or zero.
 /// @par Cost  O(k) determinants, and a balanced sum of that many rationals.
 [[nodiscard]] Rational volume(const Cap& cap);

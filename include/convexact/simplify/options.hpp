@@ -25,6 +25,8 @@ struct SimplifyOptions {
   /// Of the random choices; the removals and their costs do not depend on it.
   std::uint64_t seed = 1;
   VerifyLevel verify = VerifyLevel::Local;
+  /// Keep the evaluations of every removal; docs/proof-format.md has their use.
+  bool keep_evaluations = false;
   /// Called after every step with the number of halfspaces left.
   std::function<void(std::size_t left)> progress = {};
   /// When it becomes true, the run ends with Error(Stopped). May be set by a signal handler.

@@ -6,6 +6,7 @@
 #include "convexact/geometry/halfspace.hpp"
 #include "convexact/geometry/ids.hpp"
 #include "convexact/number/rational.hpp"
+#include "convexact/simplify/evaluation.hpp"
 
 namespace convexact {
 
@@ -42,6 +43,8 @@ struct Simplification {
   Trace trace;
   /// The dual hull of the halfspaces that are left, for to_polytope().
   std::vector<DualTriangle> triangles;
+  /// Every evaluation in the order in which it was made; empty unless it was asked for.
+  std::vector<Evaluation> evaluations = {};
 };
 
 }  // namespace convexact

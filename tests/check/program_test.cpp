@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// convexact-check as a program: its exit codes, its size and what it links.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "convexact/shapes/boxes.hpp"
+#include "process.hpp"
+#include "proofs.hpp"
+
+using namespace convexact;
+using support::bytes_of;
+using support::ScratchFolder;
+
+namespace {
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  REQUIRE(value != nullptr);
+  return value;
+}
+
+int run_checker(const std::string& arguments, const ScratchFolder& scratch) {
+  const std::string command = "'" + environment("CONVEXACT_CHECK") + "' " + arguments + " >" +
+                              scratch.file("out") + " 2>" + scratch.file("err");
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+}  // namespace
+
+TEST_CASE("convexact-check: exit codes, and where it says what") {
+  const ScratchFolder scratch;
+  const std::string proof =
+      proof_of(PointSet(shapes::cut_cube(4, 0.25)), Engine::Filtered, 6, Precision::Binary32);
+  CHECK(run_checker(scratch.write("right", proof), scratch) == 0);
+  CHECK(bytes_of(scratch.file("out")).starts_with("proven: 10 planes bound exactly the hull of"));
+  CHECK(bytes_of(scratch.file("err")).empty());
+
+  std::string wrong = proof;
+  wrong.replace(wrong.find("\nsurvive 0"), 10, "\nsurvive 1");
+  CHECK(run_checker(scratch.write("wrong", wrong), scratch) == 1);
+  const auto lines = std::count(wrong.begin(), wrong.begin() + wrong.find("\nsurvive"), '\n');
+  CHECK(bytes_of(scratch.file("err")) ==
+        "convexact-check: line " + std::to_string(lines + 2) + ": not proven: others survive\n");
+  CHECK(bytes_of(scratch.file("out")).empty());
+
+  CHECK(run_checker(scratch.write("malformed", "solid cube\n"), scratch) == 3);
+  CHECK(run_checker(scratch.write("empty", ""), scratch) == 3);
+  CHECK(run_checker(scratch.file("absent"), scratch) == 3);
+  CHECK(run_checker("", scratch) == 2);
+  CHECK(run_checker("one two", scratch) == 2);
+}
+
+TEST_CASE("convexact-check: proofs that the program wrote") {
+  const ScratchFolder scratch;
+  std::string cube;
+  for (const Point& p : shapes::cut_cube(4, 0.25)) {
+    cube += "v " + std::to_string(p[0]) + " " + std::to_string(p[1]) + " " +
+            std::to_string(p[2] + 0.1) + "\n";
+  }
+  const std::string input = scratch.write("cube.obj", cube), proof = scratch.file("proof");
+  for (const std::string engine : {"exact", "filtered", "float"}) {
+    for (const std::string more : {"", " --decimal exact", " --precision 32"}) {
+      CAPTURE(engine << more);
+      const support::Ran ran = support::run_program("simplify " + input + " --faces 6 --engine " +
+                                                    engine + more + " --proof " + proof);
+      REQUIRE_MESSAGE(ran.exit == 0, ran.err);
+      CHECK(ran.out.find("written     " + proof) != std::string::npos);
+      CHECK(run_checker(proof, scratch) == 0);
+    }
+  }
+}
+
+TEST_CASE("convexact-check: at most 400 lines that include nothing of ours") {
+  const std::string source = bytes_of(environment("CONVEXACT_CHECK_SOURCE"));
+  REQUIRE_FALSE(source.empty());
+  CHECK(std::count(source.begin(), source.end(), '\n') <= 400);
+  CHECK(source.find("#include \"") == std::string::npos);
+  CHECK(source.find("#include <gmpxx.h>") != std::string::npos);
+}
+
+TEST_CASE("convexact-check: links GMP and the standard library only") {
+  const ScratchFolder scratch;
+  const std::string command =
+      "ldd '" + environment("CONVEXACT_CHECK") + "' >" + scratch.file("libraries");
+  REQUIRE(std::system(command.c_str()) == 0);
+  std::istringstream lines(bytes_of(scratch.file("libraries")));
+  bool has_gmp = false;
+  for (std::string line; std::getline(lines, line);) {
+    CAPTURE(line);
+    const char* const allowed[] = {"libgmp.", "libgmpxx.", "libstdc++.", "libc++", "libm.", "libc.",
+                                   "libgcc_s.", "ld-linux", "linux-vdso", "linux-gate",
+                                   // of a sanitizer
+                                   "libasan.", "libubsan.", "libtsan.", "libpthread.", "libdl.",
+                                   "librt."};
+    CHECK(std::any_of(std::begin(allowed), std::end(allowed),
+                      [&](const char* name) { return line.find(name) != std::string::npos; }));
+    has_gmp = has_gmp || line.find("libgmp.") != std::string::npos;
+  }
+  CHECK(has_gmp);
+}

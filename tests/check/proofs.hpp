@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// proofs.hpp - proofs of runs, as the program writes them.
+#pragma once
+#include <doctest/doctest.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "convexact/format/proof.hpp"
+#include "convexact/pipeline/simplify.hpp"
+
+/// The proof of a run on a solid shape, with planes in a format if one is given.
+inline std::string proof_of(const convexact::Shape& shape, convexact::Engine engine,
+                            std::size_t faces, std::optional<convexact::Precision> precision = {}) {
+  convexact::SimplifyRequest request;
+  request.engine = engine;
+  request.faces = faces;
+  request.record = true;
+  request.store.planes = precision;
+  convexact::StageLog log;
+  const convexact::SimplifyOutcome outcome = convexact::simplify(shape, request, log);
+  REQUIRE(std::holds_alternative<convexact::SimplifyResult>(outcome));
+  const auto& result = std::get<convexact::SimplifyResult>(outcome);
+  REQUIRE(result.record);
+  return convexact::write_proof(*result.record, result.solid.points, result.solid.planes);
+}
