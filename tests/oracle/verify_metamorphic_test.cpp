@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// What must not change a verdict: scaling by a power of two, the order of points, repeats, interior
+// points, seeds. On thousands of hard inputs, each enclosed by its own hull, whole and with one
+// vertex taken away.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "convexact/oracle/verify.hpp"
+#include "hard_inputs.hpp"
+#include "perturb.hpp"
+
+using namespace convexact;
+
+namespace {
+
+using Points = std::vector<Point>;
+
+Verdict judge(const Points& input, const Mesh& candidate, std::uint64_t seed = 1) {
+  VerifyRequest request;
+  request.seed = seed;
+  StageLog log;
+  return std::get<Verdict>(verify(PointSet(input), candidate, request, log));
+}
+
+Mesh cloud(Points points) {
+  Mesh mesh;
+  mesh.points = PointSet(std::move(points));
+  return mesh;
+}
+
+struct SolidInput {
+  Points points;
+  Hull hull;
+};
+
+template <class Visit>
+void for_each_solid(const Visit& visit) {
+  for (const hard::Inputs& kind : hard::inputs()) {
+    CAPTURE(kind.name);
+    hard::for_each(kind.name, [&](std::uint32_t i, const Points& points) {
+      CAPTURE(i);
+      const HullOutcome outcome = convex_hull(PointSet(points));
+      if (const auto* hull = std::get_if<Hull>(&outcome)) visit(SolidInput{points, *hull});
+    });
+  }
+}
+
+// The hull as a mesh, its polygons the facets.
+Mesh hull_mesh(const SolidInput& solid) {
+  Mesh mesh = cloud(solid.points);
+  for (std::size_t f = 0; f < solid.hull.facets.size(); ++f) {
+    auto& polygon = mesh.polygons.emplace_back();
+    for (const PointId p : solid.hull.facets[f]) {
+      polygon.push_back(static_cast<std::uint32_t>(p.index()));
+    }
+  }
+  return mesh;
+}
+
+// The extreme points but one: it is outside, whatever else is.
+Points without_one(const SolidInput& solid, std::size_t gone) {
+  Points rest;
+  for (const PointId p : solid.hull.vertices) {
+    if (p != solid.hull.vertices[gone]) rest.push_back(solid.points[p.index()]);
+  }
+  return rest;
+}
+
+bool same_statuses(const Verdict& a, const Verdict& b) {
+  for (const ClaimCode code : kAllClaims) {
+    if (a[code].status != b[code].status) return false;
+  }
+  return true;
+}
+
+// Whether 2^exponent times every coordinate is a normal double.
+bool scales_exactly(const Points& points, int exponent) {
+  for (const Point& p : points) {
+    for (int k = 0; k < 3; ++k) {
+      const double scaled = std::ldexp(p[k], exponent);
+      if (p[k] != 0 && (!std::isnormal(scaled) || !std::isnormal(p[k]))) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("verify: every hard input is enclosed by its own hull, exactly") {
+  for_each_solid([](const SolidInput& solid) {
+    const Verdict verdict = judge(solid.points, hull_mesh(solid));
+    CHECK(verdict.holds());
+    CHECK(verdict.size.planes_of_the_input == solid.hull.facets.size());
+    CHECK(verdict.tightness->squared_hausdorff == 0);
+    CHECK(verdict.tightness->volume_ratio.contains(1));
+  });
+}
+
+TEST_CASE(
+    "verify: an extreme point that is left out is outside; what is irrelevant changes nothing") {
+  for_each_solid([](const SolidInput& solid) {
+    const Points rest = without_one(solid, solid.hull.vertices.size() / 2);
+    const Verdict verdict = judge(solid.points, cloud(rest));
+    CHECK(verdict[ClaimCode::ContainsInput].status == Status::Violated);
+    CHECK(verdict.outside->points >= 1);
+
+    const Verdict repeated = judge(solid.points, cloud(perturb::with_repeats(rest, 5, 3)), 7);
+    CHECK(same_statuses(verdict, repeated));
+    CHECK(verdict[ClaimCode::ContainsInput].witness.squared_distance ==
+          repeated[ClaimCode::ContainsInput].witness.squared_distance);
+
+    for (const int exponent : {300, -300}) {
+      if (!scales_exactly(solid.points, exponent)) continue;
+      const auto scale = [&](const Points& points) {
+        return perturb::stretched(points, {exponent, exponent, exponent});
+      };
+      const Verdict scaled = judge(scale(solid.points), cloud(scale(rest)));
+      CHECK(same_statuses(verdict, scaled));
+      CHECK(verdict.outside->relative_squared_distance ==
+            scaled.outside->relative_squared_distance);
+    }
+  });
+}
