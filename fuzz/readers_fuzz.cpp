@@ -75,7 +75,7 @@ void check_halfspaces(std::string_view bytes, HalfspaceFormat format) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   for (const MeshFormat format :
-       {MeshFormat::Obj, MeshFormat::Off, MeshFormat::Ply, MeshFormat::Stl}) {
+       {MeshFormat::Obj, MeshFormat::Off, MeshFormat::Ply, MeshFormat::Stl, MeshFormat::Xyz}) {
     check_mesh(bytes, format);
   }
   for (const HalfspaceFormat format : kHalfspaceFormats) {

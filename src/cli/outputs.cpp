@@ -147,7 +147,8 @@ void OutputOptions::require_sensible() const {
   bool stl = false, other_mesh = false;
   for (const std::string& path : results) {
     if (!mesh_format_of_path(path) && !halfspace_format_of_path(path)) {
-      reject("-o " + path + ": expected an extension .obj, .off, .ply, .stl, .json, .ine or .txt");
+      reject("-o " + path +
+             ": expected an extension .obj, .off, .ply, .stl, .xyz, .json, .ine or .txt");
     }
     stl = stl || is_stl(path);
     other_mesh = other_mesh || (mesh_format_of_path(path) && !is_stl(path));
@@ -177,9 +178,10 @@ void add_input_argument(CLI::App& command, std::vector<std::string>& inputs) {
 
 void add_output_options(CLI::App& command, OutputOptions& options) {
   command
-      .add_option("-o,--output", options.results,
-                  "where the result goes, by extension: .obj .off .ply .stl or .json .ine .txt; "
-                  "may be repeated")
+      .add_option(
+          "-o,--output", options.results,
+          "where the result goes, by extension: .obj .off .ply .stl .xyz or .json .ine .txt; "
+          "may be repeated")
       ->expected(1)
       ->take_all();
   command.add_option("--picture", options.picture, "a page (.html) that shows input and result");

@@ -17,6 +17,17 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
+// Whether the first line with a word holds three numbers.
+bool starts_with_a_point(TextCursor cursor) {
+  if (!cursor.next_line()) return false;
+  try {
+    for (int k = 0; k < 3; ++k) (void)cursor.to_number(cursor.token());
+    return cursor.token().empty();
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 std::optional<MeshFormat> mesh_format_of_path(const std::string& path) {
@@ -26,6 +37,7 @@ std::optional<MeshFormat> mesh_format_of_path(const std::string& path) {
   if (extension == ".off") return MeshFormat::Off;
   if (extension == ".ply") return MeshFormat::Ply;
   if (extension == ".stl") return MeshFormat::Stl;
+  if (extension == ".xyz") return MeshFormat::Xyz;
   return {};
 }
 
@@ -33,6 +45,7 @@ MeshFormat mesh_format_of_content(std::string_view bytes) {
   if (is_binary_stl(bytes)) return MeshFormat::Stl;
   // '#' begins a comment in OFF and OBJ; a PLY or STL file does not start with one.
   TextCursor cursor(bytes, {.comment = '#'});
+  if (starts_with_a_point(cursor)) return MeshFormat::Xyz;
   const std::string first = cursor.next_line() ? lower_case(cursor.token()) : "";
   if (first == "ply") return MeshFormat::Ply;
   if (first == "solid") return MeshFormat::Stl;

@@ -12,6 +12,7 @@ Mesh read_obj(std::string_view bytes, Decimal decimal);
 Mesh read_off(std::string_view bytes, Decimal decimal);
 Mesh read_ply(std::string_view bytes, Decimal decimal);
 Mesh read_stl(std::string_view bytes, Decimal decimal);
+Mesh read_xyz(std::string_view bytes, Decimal decimal);
 
 /// Whether the size of a file is the one that a binary STL of its triangle count has.
 bool is_binary_stl(std::string_view bytes);

@@ -15,6 +15,8 @@ Mesh read_mesh_bytes(std::string_view bytes, const ReadOptions& options) {
       return read_ply(bytes, options.decimal);
     case MeshFormat::Stl:
       return read_stl(bytes, options.decimal);
+    case MeshFormat::Xyz:
+      return read_xyz(bytes, options.decimal);
     case MeshFormat::Obj:
       break;
   }

@@ -79,6 +79,12 @@ std::string write_off(const Mesh& mesh) {
   return out.finish();
 }
 
+std::string write_xyz(const Mesh& mesh) {
+  OutputBuffer out;
+  for (const Point& p : mesh.points.doubles()) append_point(out, p);
+  return out.finish();
+}
+
 // Lengths of lists take one byte, as every reader expects, unless some polygon is too long for it.
 bool has_long_polygon(const Mesh& mesh) {
   return std::any_of(mesh.polygons.begin(), mesh.polygons.end(),
@@ -187,8 +193,9 @@ std::string write_mesh(const Mesh& mesh, MeshFormat format, const MeshWriteOptio
   if (is_stl) return is_binary ? write_stl_binary(mesh) : write_stl_text(mesh);
   if (format == MeshFormat::Ply) return write_ply(mesh, options);
   if (is_binary) {
-    throw Error(ErrorCode::InvalidArgument, "OBJ and OFF files are text, not binary");
+    throw Error(ErrorCode::InvalidArgument, "OBJ, OFF and XYZ files are text, not binary");
   }
+  if (format == MeshFormat::Xyz) return write_xyz(mesh);
   return format == MeshFormat::Obj ? write_obj(mesh) : write_off(mesh);
 }
 

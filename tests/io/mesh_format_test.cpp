@@ -11,6 +11,7 @@ TEST_CASE("mesh_format_of_path: by extension, in any case") {
   CHECK(mesh_format_of_path("dir.x/A.OFF") == MeshFormat::Off);
   CHECK(mesh_format_of_path(".Ply") == MeshFormat::Ply);
   CHECK(mesh_format_of_path("a.b.stl") == MeshFormat::Stl);
+  CHECK(mesh_format_of_path("a.Xyz") == MeshFormat::Xyz);
   for (const char* other : {"", "-", "obj", "a.objx", "a.json", "a.ine", "stl.txt"}) {
     CHECK(!mesh_format_of_path(other).has_value());
   }
@@ -21,7 +22,8 @@ TEST_CASE("mesh_format_of_content: by the first word, else OBJ") {
   CHECK(mesh_format_of_content("# from somewhere\nCOFF\n") == MeshFormat::Off);
   CHECK(mesh_format_of_content("4OFF 0 0 0") == MeshFormat::Off);
   CHECK(mesh_format_of_content("\n solid x") == MeshFormat::Stl);
-  for (const char* obj : {"", "v 0 0 0", "# ply", "s off", "plywood"}) {
+  CHECK(mesh_format_of_content("# scan\n1 -2.5 3e4\n") == MeshFormat::Xyz);
+  for (const char* obj : {"1 2", "1 2 3 x", "", "v 0 0 0", "# ply", "s off", "plywood"}) {
     CHECK(mesh_format_of_content(obj) == MeshFormat::Obj);
   }
 }

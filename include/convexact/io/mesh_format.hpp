@@ -7,9 +7,15 @@
 
 namespace convexact {
 
-enum class MeshFormat { Obj, Off, Ply, Stl };
+enum class MeshFormat {
+  Obj,
+  Off,
+  Ply,
+  Stl,
+  Xyz,  ///< Points only.
+};
 
-/// By the extension .obj, .off, .ply or .stl in any case; nothing for any other path.
+/// By the extension .obj, .off, .ply, .stl or .xyz in any case; nothing for any other path.
 [[nodiscard]] std::optional<MeshFormat> mesh_format_of_path(const std::string& path);
 
 /// By the first bytes, and for a binary STL by its size; what nothing else claims is OBJ.

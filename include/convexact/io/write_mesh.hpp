@@ -22,7 +22,7 @@ struct MeshWriteOptions {
 
 /// The bytes of a file that read_mesh_bytes reads as the same points, polygons and, for OBJ and STL
 /// as text, parts. STL keeps triangles and the points that they use: a polygon becomes a fan from
-/// its first corner, and equal points become one.
+/// its first corner, and equal points become one. XYZ keeps the points alone.
 /// @param mesh   Binary points; polygons of at least 3 valid indices; parts that follow each other
 ///               and hold every polygon (or none at all).
 /// @throws Error Unrepresentable if a coordinate is no number of the precision (STL in binary: of
