@@ -66,7 +66,8 @@ void Docket::violated_by(const Rational& squared_distance, ClaimCode code,
                          const std::string& sentence, Witness witness) {
   witness.squared_distance = squared_distance;
   if (request.tolerance.allows(squared_distance, verdict.squared_diameter)) {
-    holds(code, "within the tolerance: " + sentence, std::move(witness));
+    holds(code, "within the tolerance of " + describe(request.tolerance) + ": " + sentence,
+          std::move(witness));
   } else {
     violated(code, sentence, std::move(witness));
   }

@@ -3,12 +3,17 @@
 
 #include "convexact/error.hpp"
 #include "convexact/number/decimal.hpp"
+#include "convexact/number/digits.hpp"
 
 namespace convexact {
 
 bool Tolerance::allows(const Rational& squared_distance, const Rational& squared_diameter) const {
   const Rational squared = value * value;
   return squared_distance <= (relative ? Rational(squared * squared_diameter) : squared);
+}
+
+std::string describe(const Tolerance& tolerance) {
+  return to_decimal(tolerance.value, 3) + (tolerance.relative ? " of the diameter" : "");
 }
 
 Tolerance parse_tolerance(std::string_view text) {

@@ -102,6 +102,7 @@ TEST_CASE("verify: a tolerance lets the violation pass and still tells it") {
   };
   CHECK(with("0.25").status == Status::Holds);
   CHECK(with("0.25").witness.squared_distance == Rational(1, 16));
+  CHECK(with("0.25").sentence.starts_with("within the tolerance of 0.25: 4 points outside"));
   CHECK(with("0.2499999999999999999999999").status == Status::Violated);
   // The diameter is sqrt(12) = 3.4641..., and 0.25 / sqrt(12) = 0.072168...
   CHECK(with("0.07217d").status == Status::Holds);
@@ -247,6 +248,28 @@ TEST_CASE("verify: decimals by one rule for both files") {
   const Candidate spelled = read_candidate_bytes(bytes + kQuads, "c.obj", Decimal::Exact);
   const VerifyOutcome mixed = verify(input(Decimal::Nearest), spelled, {}, log);
   CHECK(is_only_violation(std::get<Verdict>(mixed), ContainsInput));
+}
+
+TEST_CASE("verify: the input may be halfspaces, with vertices that are no doubles") {
+  // x, y, z >= 0 and 3x + 3y + 3z <= 1: a tetrahedron with corners at 1/3.
+  const HalfspaceList input = std::get<HalfspaceList>(
+      read_candidate_bytes("-1 0 0 0\n0 -1 0 0\n0 0 -1 0\n3 3 3 -1\n", "i.txt"));
+  const auto judge_it = [&](const std::string& bytes, const char* name, Decimal decimal) {
+    StageLog log;
+    const Candidate candidate = read_candidate_bytes(bytes, name, decimal);
+    return std::get<Verdict>(verify(input.halfspaces, candidate, {}, log));
+  };
+  const std::string rows = "-1 0 0 0\n0 -1 0 0\n0 0 -1 0\n";
+  CHECK(judge_it(rows + "3 3 3 -1\n", "c.txt", Decimal::Nearest).holds());
+  // The double nearest to 1/3 is smaller by 2^-54 / 3, so the corner (1/3, 0, 0) is outside.
+  const Verdict rounded = judge_it(rows + "1 1 1 -0.3333333333333333\n", "c.txt", Decimal::Nearest);
+  CHECK(is_only_violation(rounded, ContainsInput));
+  CHECK(rounded.outside->points == 3);
+  const Rational gap = Rational(1, 3) - to_rational(0.3333333333333333);
+  CHECK(rounded[ContainsInput].witness.squared_distance == gap * gap / 3);
+  const Verdict mesh =
+      judge_it("v 0 0 0\nv 0.34 0 0\nv 0 0.34 0\nv 0 0 0.34\n", "c.obj", Decimal::Exact);
+  CHECK(mesh.holds());
 }
 
 TEST_CASE("verify: an input without volume is no verdict") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // tolerance.hpp - how large a violation somebody is willing to accept.
 #pragma once
+#include <string>
 #include <string_view>
 
 #include "convexact/number/rational.hpp"
@@ -16,6 +17,9 @@ struct Tolerance {
   /// Whether a distance with this square is within the tolerance; exact.
   bool allows(const Rational& squared_distance, const Rational& squared_diameter) const;
 };
+
+/// "1.00e-9", or "1.00e-9 of the diameter": to three digits.
+[[nodiscard]] std::string describe(const Tolerance& tolerance);
 
 /// "1e-9" is absolute, "1e-9d" relative to the diameter; decimals mean what they spell.
 /// @throws Error InvalidArgument for anything else, and for negative numbers.
