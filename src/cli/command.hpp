@@ -40,6 +40,7 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, Value& value
 void add_diff_command(CLI::App& program, int& exit_code);
 void add_generate_command(CLI::App& program, int& exit_code);
 void add_hull_command(CLI::App& program, int& exit_code);
+void add_shrink_command(CLI::App& program, int& exit_code);
 void add_simplify_command(CLI::App& program, int& exit_code);
 void add_verify_command(CLI::App& program, int& exit_code);
 

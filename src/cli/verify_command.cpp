@@ -2,6 +2,7 @@
 // convexact verify: the oracle.
 #include <memory>
 
+#include "claim_list.hpp"
 #include "command.hpp"
 #include "convexact/error.hpp"
 #include "convexact/format/candidate_file.hpp"
@@ -40,26 +41,9 @@ struct Options {
   TraceOptions trace;
 };
 
-std::vector<ClaimCode> parse_claims(const std::string& text) {
-  std::vector<ClaimCode> claims;
-  for (const std::string& word : CLI::detail::split(text, ',')) {
-    const auto code = claim_of_name(word);
-    if (!code) {
-      std::string names;
-      for (const ClaimCode known : kAllClaims) {
-        names += (names.empty() ? "" : ", ") + std::string(name_of(known));
-      }
-      throw Error(ErrorCode::InvalidArgument,
-                  "--claims: expected names out of " + names + "; found '" + word + "'");
-    }
-    claims.push_back(*code);
-  }
-  return claims;
-}
-
 VerifyRequest request_of(const Options& options) {
   VerifyRequest request = options.request;
-  if (!options.claims.empty()) request.claims = parse_claims(options.claims);
+  request.claims = parse_claims(options.claims);
   if (!options.tolerance.empty()) request.tolerance = parse_tolerance(options.tolerance);
   request.tightness = !options.no_tightness;
   request.seed = options.global.seed;

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "program_case.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "command.hpp"
+#include "convexact/error.hpp"
+#include "convexact/format/candidate_file.hpp"
+#include "convexact/io/atomic_output.hpp"
+#include "convexact/io/write_mesh.hpp"
+
+namespace convexact::cli {
+namespace {
+
+bool mentions(const std::vector<std::string>& words, const std::string& placeholder) {
+  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+    return word.find(placeholder) != std::string::npos;
+  });
+}
+
+// The first claim that the output violates, if there is one.
+std::optional<std::string> violation_of(const ProgramCase& program, const Mesh& input,
+                                        const std::string& output) {
+  if (!std::filesystem::exists(output)) return "no output";
+  StageLog log;
+  const VerifyOutcome outcome = verify(input.points, read_candidate(output), program.verify, log);
+  const auto* verdict = std::get_if<Verdict>(&outcome);
+  if (verdict == nullptr) return std::nullopt;  // flat: nothing can be said of an enclosure
+  for (const Claim& claim : verdict->claims) {
+    if (claim.status == Status::Violated) return std::string("violates ") + name_of(claim.code);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void ProgramCase::require_sensible() const {
+  const auto reject = [](const std::string& what) {
+    throw Error(ErrorCode::InvalidArgument, what);
+  };
+  if (words.empty()) reject("name the program after --, with {input} where its input goes");
+  if (!mentions(words, "{input}")) reject("the program needs {input} among its arguments");
+  if (mentions(words, "{faces}") && faces == 0) reject("{faces} needs --faces");
+  if (fails_if == FailsIf::Verdict && !mentions(words, "{output}")) {
+    reject("a verdict needs {output} among the program's arguments");
+  }
+}
+
+ScratchFolder::ScratchFolder() {
+  path_ = (std::filesystem::temp_directory_path() / "convexact-XXXXXX").string();
+  if (mkdtemp(path_.data()) == nullptr) {
+    throw Error(ErrorCode::Unwritable, "no folder for temporary files can be made");
+  }
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::optional<std::string> failure_of(const ProgramCase& program, const Mesh& input,
+                                      const ScratchFolder& folder) {
+  const std::string output = folder.file("output" + program.output_extension);
+  std::filesystem::remove_all(output);
+  const std::string path = folder.file("input" + program.input_extension);
+  AtomicOutput file;
+  file.add(path, write_mesh(input, program.format));
+  file.commit();
+  const ProgramRun run = run_program(
+      fill_in(program.words,
+              {{"input", path}, {"output", output}, {"faces", std::to_string(program.faces)}}),
+      program.limits, &interrupted());
+  if (run.end == ProgramEnd::NotStarted) {
+    throw Error(ErrorCode::InvalidArgument,
+                "the program '" + program.words[0] + "' cannot be started");
+  }
+  if (!run.succeeded()) {
+    if (program.fails_if == FailsIf::Verdict) return std::nullopt;
+    return describe(run);
+  }
+  if (program.fails_if == FailsIf::Exit || !mentions(program.words, "{output}")) {
+    return std::nullopt;
+  }
+  return violation_of(program, input, output);
+}
+
+}  // namespace convexact::cli

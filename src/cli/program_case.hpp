@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// program_case.hpp - somebody's program on one input after another: whether and how it fails.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "convexact/io/mesh.hpp"
+#include "convexact/io/mesh_format.hpp"
+#include "convexact/oracle/program.hpp"
+#include "convexact/oracle/verify.hpp"
+
+namespace convexact::cli {
+
+/// What counts as a failure.
+enum class FailsIf {
+  Either,   ///< Exit first; the verdict if the program succeeded.
+  Exit,     ///< An exit code other than 0, a crash, no end in time.
+  Verdict,  ///< The program succeeded and its output is missing or violates a claim.
+};
+
+struct ProgramCase {
+  std::vector<std::string> words;                 ///< With {input}, {output} and {faces}.
+  std::size_t faces = 0;                          ///< 0 if not given.
+  MeshFormat format;                              ///< That inputs are written in.
+  std::string input_extension, output_extension;  ///< ".obj" and the like.
+  FailsIf fails_if = FailsIf::Either;
+  ProgramLimits limits;
+  VerifyRequest verify;  ///< Of the output.
+
+  /// @throws Error InvalidArgument if a placeholder is missing or has no value.
+  void require_sensible() const;
+};
+
+/// A folder of its own, gone afterwards.
+class ScratchFolder {
+ public:
+  /// @throws Error Unwritable.
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  std::string file(const std::string& name) const { return path_ + "/" + name; }
+
+ private:
+  std::string path_;
+};
+
+/// Runs the program on `input` and says how it fails, in words that are the same for the same kind
+/// of failure: "exit code 3", "killed by signal 11", "no output", "violates contains-input";
+/// nothing if it does not.
+/// @throws Error InvalidArgument if the program cannot be started; Stopped.
+[[nodiscard]] std::optional<std::string> failure_of(const ProgramCase& program, const Mesh& input,
+                                                    const ScratchFolder& folder);
+
+}  // namespace convexact::cli

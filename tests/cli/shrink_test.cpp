@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// convexact shrink: programs that fail in a known way, so the minimal input is known in closed
+// form. The programs are shell scripts around awk, run as anybody's program would be.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "process.hpp"
+
+using support::bytes_of;
+using support::run_program;
+using support::ScratchFolder;
+
+namespace {
+
+// Twelve points, faces among them.
+const char* const kShape =
+    "v 0.5 0.25 0\nv 3 1 2.5\nv -1 7 0.1\nv 2 2 2\nv 9 -4 1\nv 0.75 1 1\n"
+    "v 1 1 8\nv 4.5 3 3\nv -6 0 0\nv 0 -5 0.3\nv 1e3 2 1\nv 5 6 7\n"
+    "f 1 2 3\nf 3 2 4\nf 5 6 7\n";
+
+struct Case {
+  ScratchFolder scratch;
+  std::string input = scratch.write("shape.obj", kShape);
+  std::string output = scratch.file("minimal.obj");
+
+  // Shrinks for a script whose $1 is {input} and $2 {output}.
+  support::Ran shrink(const std::string& script, const std::string& options = "") const {
+    const std::string program = scratch.write("program", script);
+    return run_program("shrink " + input + " -o " + output + " " + options + " -- /bin/sh " +
+                       program + " {input} {output}");
+  }
+};
+
+}  // namespace
+
+TEST_CASE("shrink command: an exit code") {
+  // Exits with 3 iff some x is above 2. The last such point has x = 5, whose half, 2, is not.
+  const Case test;
+  const auto ran = test.shrink("awk '$1 == \"v\" && $2 > 2 {f = 3} END {exit f}' \"$1\"");
+  REQUIRE_MESSAGE(ran.exit == 0, ran.err);
+  CHECK(bytes_of(test.output) == "v 5 0 0\n");
+  CHECK(ran.out.find("failure     exit code 3\n  points      1 of 12\n  bits        3 of ") !=
+        std::string::npos);
+}
+
+TEST_CASE("shrink command: a crash that needs two points, and fails otherwise with fewer") {
+  // With fewer than two points it fails in another way, which is not the one to keep.
+  const Case test;
+  const auto ran = test.shrink(
+      "n=$(grep -c '^v' \"$1\"); [ \"$n\" -lt 2 ] && exit 9\n"
+      "grep -q '^v.* 7$' \"$1\" && kill -SEGV $$\nexit 0\n",
+      "--json");
+  REQUIRE_MESSAGE(ran.exit == 0, ran.err);
+  const auto document = nlohmann::json::parse(ran.out);
+  CHECK(document["failure"] == "killed by signal 11");
+  CHECK(document["points"]["before"] == 12);
+  CHECK(document["points"]["after"] == 2);
+  CHECK(document["bits"]["after"] == 3);
+  CHECK(bytes_of(test.output) == "v 0 0 0\nv 0 0 7\n");
+}
+
+TEST_CASE("shrink command: no end in time") {
+  const Case test;
+  const auto ran = test.shrink("grep -q '^v -6' \"$1\" && sleep 30\nexit 0\n", "--time 0.5");
+  REQUIRE_MESSAGE(ran.exit == 0, ran.err);
+  CHECK(ran.out.find("no end within 0.5 s") != std::string::npos);
+  CHECK(bytes_of(test.output) == "v -6 0 0\n");
+}
+
+TEST_CASE("shrink command: a verdict, and faces that keep all their corners") {
+  // Its output is its input without the last point. An input with a volume has four points, and a
+  // triangle misses the fourth.
+  const Case test;
+  const auto ran = test.shrink("grep '^v' \"$1\" | sed '$d' > \"$2\"",
+                               "--fails-if verdict --claims contains-input");
+  REQUIRE_MESSAGE(ran.exit == 0, ran.err);
+  CHECK(ran.out.find("violates contains-input") != std::string::npos);
+  const std::string minimal = bytes_of(test.output);
+  CHECK(std::count(minimal.begin(), minimal.end(), 'v') == 4);
+  CHECK(minimal.find_first_not_of("vf 0123456789-\n") == minimal.npos);
+}
+
+TEST_CASE("shrink command: output that is missing, while another failure is not looked at") {
+  const Case test;
+  const auto ran = test.shrink("exit 0", "--fails-if verdict");
+  REQUIRE_MESSAGE(ran.exit == 0, ran.err);
+  CHECK(ran.out.find("no output") != std::string::npos);
+  CHECK(bytes_of(test.output).empty());
+  CHECK(test.shrink("exit 1", "--fails-if verdict").exit == 2);
+  CHECK(test.shrink("exit 0", "--fails-if exit").exit == 2);
+}
+
+TEST_CASE("shrink command: the same again, whenever it is asked") {
+  const Case one, two;
+  const char* const script = "awk '$1 == \"v\" {s += $2 * $3} END {exit s > 17.3 ? 1 : 0}' \"$1\"";
+  REQUIRE(one.shrink(script).exit == 0);
+  REQUIRE(two.shrink(script).exit == 0);
+  CHECK(bytes_of(one.output) == bytes_of(two.output));
+}
+
+TEST_CASE("shrink command: what cannot be done") {
+  const Case test;
+  const std::string start = "shrink " + test.input;
+  const std::string to = " -o " + test.output;
+  CHECK(run_program(start + to + " -- true {input}").exit == 2);      // does not fail
+  CHECK(run_program(start + to + " -- false").exit == 2);             // no {input}
+  CHECK(run_program(start + to).exit == 2);                           // no program
+  CHECK(run_program(start + " -- false {input}").exit == 2);          // no result
+  CHECK(run_program(start + to + " -- /no/such {input}").exit == 2);  // not started
+  CHECK(run_program(start + to + " -- false {input} {faces}").exit == 2);
+  CHECK(run_program(start + " -o a.stl -- false {input}").exit == 2);
+  CHECK(run_program(start + to + " --fails-if verdict -- false {input}").exit == 2);
+  CHECK(run_program("shrink " + test.scratch.file("absent") + to + " -- false {input}").exit == 3);
+  CHECK(bytes_of(test.output).empty());
+}
