@@ -147,7 +147,7 @@ TEST_CASE("generate: wrong usage is exit 2 with one sentence, and writes nothing
       {"needle --points many", "points"},
       {"needle --thickness 3", "--thickness"},
       {"cospherical --squared-radius 7", "squared radius 7"},
-      {"cube -o a.xyz", ".xyz"},
+      {"cube -o a.abc", ".abc"},
       {"malformed-off-nan -o a.obj", ".off"},
       {"malformed-off-nan --facets", "--facets"},
       {"cube octahedron", "octahedron"},

@@ -104,7 +104,7 @@ TEST_CASE("simplify: wrong usage") {
   }
   for (const char* arguments :
        {"", "--max-growth -1", "--max-growth five", "--faces 4 --center 1,2",
-        "--faces 4 --center 9,9,9", "--faces 4 -o b.xyz", "--faces 4 -o b.stl --precision 64",
+        "--faces 4 --center 9,9,9", "--faces 4 -o b.abc", "--faces 4 -o b.stl --precision 64",
         "--faces 4 --parts"}) {
     CAPTURE(arguments);
     CHECK(run_program("simplify " + good + " " + arguments).exit == 2);
