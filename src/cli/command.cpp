@@ -11,6 +11,7 @@
 #include <iostream>
 #include <new>
 
+#include "convexact/format/error_json.hpp"
 #include "convexact/format/result_json.hpp"
 #include "reproducer.hpp"
 
@@ -25,30 +26,6 @@ static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler")
 extern "C" void on_interrupt(int signal) {
   interrupt_flag = true;
   std::signal(signal, SIG_DFL);
-}
-
-const char* name_of(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::InvalidArgument:
-      return "invalid-argument";
-    case ErrorCode::Unreadable:
-      return "unreadable";
-    case ErrorCode::Malformed:
-      return "malformed";
-    case ErrorCode::NotFinite:
-      return "not-finite";
-    case ErrorCode::NoInterior:
-      return "no-interior";
-    case ErrorCode::Unwritable:
-      return "unwritable";
-    case ErrorCode::Unrepresentable:
-      return "unrepresentable";
-    case ErrorCode::Stopped:
-      return "stopped";
-    case ErrorCode::Internal:
-      break;
-  }
-  return "internal";
 }
 
 Reproducer& reproducer() {
@@ -70,10 +47,8 @@ int report(const GlobalOptions& options, const Error& error,
            const nlohmann::ordered_json& proof = {}) {
   const int code = exit_code(error.code());
   if (options.json) {
-    nlohmann::ordered_json body = {
-        {"code", name_of(error.code())}, {"message", error.what()}, {"exit", code}};
+    nlohmann::ordered_json body = error_json(error);
     if (!proof.is_null()) body["proof"] = proof;
-    if (error.line()) body["line"] = *error.line();
     std::cout << nlohmann::ordered_json{{"error", body}}.dump(2) << std::endl;
   } else {
     std::cerr << "convexact: " << error.what() << std::endl;

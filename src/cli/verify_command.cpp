@@ -12,6 +12,7 @@
 #include "convexact/format/verdict_table.hpp"
 #include "outputs.hpp"
 #include "scene.hpp"
+#include "verify_stdio.hpp"
 #include "verify_trace.hpp"
 
 namespace convexact::cli {
@@ -23,6 +24,7 @@ constexpr const char* kFooter =
     "  convexact verify bunny.obj my_planes.json --max-facets 18 --json\n"
     "  convexact verify bunny.obj my_hull.stl --claims contains-input --tolerance 1e-9d\n"
     "  convexact verify bunny.obj --trace steps.json --max-regret 1%\n"
+    "  convexact verify --stdio <requests.jsonl\n"
     "\n"
     "A mesh stands for the convex hull of its points, a list of halfspaces for their "
     "intersection.\n"
@@ -39,6 +41,7 @@ struct Options {
   bool no_tightness = false;
   VerifyRequest request;
   TraceOptions trace;
+  bool stdio = false;
 };
 
 VerifyRequest request_of(const Options& options) {
@@ -80,12 +83,18 @@ int run_verify_candidate(const Options& options) {
 }
 
 int run(const Options& options) {
-  if (options.candidate.empty() == options.trace.trace.empty()) {
-    throw Error(ErrorCode::InvalidArgument, "name a CANDIDATE or a --trace, and not both");
+  const bool has_input = !options.input.empty(), has_candidate = !options.candidate.empty(),
+             has_trace = !options.trace.trace.empty();
+  if (options.stdio && (has_input || has_candidate || has_trace)) {
+    throw Error(ErrorCode::InvalidArgument, "--stdio takes everything from standard input");
   }
-  return options.trace.trace.empty()
-             ? run_verify_candidate(options)
-             : run_verify_trace(options.global, options.input, options.decimal, options.trace);
+  if (options.stdio) return run_verify_stdio();
+  if (!has_input || has_candidate == has_trace) {
+    throw Error(ErrorCode::InvalidArgument,
+                "name an INPUT, and a CANDIDATE or a --trace, but not both; or --stdio");
+  }
+  return has_trace ? run_verify_trace(options.global, options.input, options.decimal, options.trace)
+                   : run_verify_candidate(options);
 }
 
 }  // namespace
@@ -95,10 +104,8 @@ void add_verify_command(CLI::App& program, int& exit_code) {
   CLI::App& command = *program.add_subcommand(
       "verify", "is somebody's output a convex solid that contains its input? exactly");
   command.footer(kFooter);
-  command
-      .add_option("INPUT", options->input,
-                  "what is to be enclosed: a mesh (OBJ, OFF, PLY, STL) or halfspaces")
-      ->required();
+  command.add_option("INPUT", options->input,
+                     "what is to be enclosed: a mesh (OBJ, OFF, PLY, STL) or halfspaces");
   command.add_option("CANDIDATE", options->candidate,
                      "what should enclose it: a mesh, or halfspaces (JSON, .ine, rows n1 n2 n3 d)");
   command.add_option("--claims", options->claims, "decide these claims only, separated by commas");
@@ -115,6 +122,9 @@ void add_verify_command(CLI::App& program, int& exit_code) {
                       {{"nearest", Decimal::Nearest}, {"exact", Decimal::Exact}},
                       "decimals in text mean the nearest double, or what they spell");
   add_trace_options(command, options->trace);
+  command.add_flag("--stdio", options->stdio,
+                   "answer requests on standard input, one JSON object per line, with one verdict "
+                   "per line; takes no other option but --max-memory");
   add_global_options(command, options->global);
   command.callback([options, &exit_code] {
     exit_code = run_guarded(options->global, [&] { return run(*options); });

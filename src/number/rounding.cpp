@@ -7,27 +7,38 @@
 namespace convexact {
 namespace {
 
+// A fraction p / r > 0 times a power of two, as another such fraction, not reduced.
+struct Fraction {
+  Integer p, r;
+
+  Fraction(const Rational& q, long exponent) : p(numerator(q)), r(denominator(q)) {
+    (exponent > 0 ? p : r) <<= static_cast<unsigned long>(std::abs(exponent));
+  }
+};
+
 // floor(log2(q)) for q > 0: the bit lengths tell it up to one, a comparison decides.
 long floor_log2(const Rational& q) {
-  const Integer p = numerator(q), r = denominator(q);
-  const long guess = static_cast<long>(bit_length(p)) - static_cast<long>(bit_length(r));
-  return scale_by_power_of_two(q, -guess) < 1 ? guess - 1 : guess;
+  const long guess =
+      static_cast<long>(bit_length(numerator(q))) - static_cast<long>(bit_length(denominator(q)));
+  const Fraction scaled(q, -guess);
+  return scaled.p < scaled.r ? guess - 1 : guess;
 }
 
 // Rounds |x| to a multiple of the unit in the last place of Float; `away` means towards infinity.
+// Integers only: a Rational would be reduced after every operation, which takes longest.
 template <class Float>
 Float round_magnitude(const Rational& magnitude, Rounding rounding, bool away) {
   using Limits = std::numeric_limits<Float>;
   constexpr long kLeastUnit = Limits::min_exponent - Limits::digits;  // 2^-1074 for binary64
   const long exponent = floor_log2(magnitude);
   const long unit = std::max(exponent - Limits::digits + 1, kLeastUnit);
-  const Rational scaled = scale_by_power_of_two(magnitude, -unit);
-  Integer whole = numerator(scaled) / denominator(scaled);
-  const Rational rest = scaled - Rational(whole);
-  const Rational half(1, 2);
+  const Fraction scaled(magnitude, -unit);
+  Integer whole, rest;
+  divide_qr(scaled.p, scaled.r, whole, rest);
+  const Integer twice = rest * 2;
   const bool odd = whole % 2 != 0;
-  const bool bump =
-      rounding == Rounding::Nearest ? rest > half || (rest == half && odd) : away && rest != 0;
+  const bool bump = rounding == Rounding::Nearest ? twice > scaled.r || (twice == scaled.r && odd)
+                                                  : away && rest != 0;
   if (bump) ++whole;
   // `whole` has at most digits + 1 bits (then a power of two), so both conversions are exact.
   const int size = static_cast<int>(bit_length(whole));

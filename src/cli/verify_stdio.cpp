@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "verify_stdio.hpp"
+
+#include <csignal>
+#include <iostream>
+#include <string>
+
+#include "command.hpp"
+#include "convexact/format/stdio_request.hpp"
+
+namespace convexact::cli {
+namespace {
+
+bool is_blank(const std::string& line) {
+  return line.find_first_not_of(" \t\r") == std::string::npos;
+}
+
+}  // namespace
+
+int run_verify_stdio() {
+  // Most of the time it waits for a line, and nothing half-written could stay.
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+  std::ios::sync_with_stdio(false);
+  for (std::string line; std::getline(std::cin, line);) {
+    if (!is_blank(line)) print(answer_request(line) + "\n");
+  }
+  return 0;
+}
+
+}  // namespace convexact::cli

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// verify_stdio.hpp - verify --stdio: a verdict per line, for test suites in any language.
+#pragma once
+
+namespace convexact::cli {
+
+/// Answers each line of standard input with a line on standard output, at once, until the end of
+/// the input; blank lines have no answer. Verdicts and errors are in the answers, so the exit code
+/// is 0.
+/// @throws Error Stopped if nobody reads the answers any more.
+int run_verify_stdio();
+
+}  // namespace convexact::cli

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/format/stdio_request.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "convexact/error.hpp"
+#include "convexact/format/error_json.hpp"
+#include "convexact/format/result_json.hpp"
+#include "convexact/format/verdict_json.hpp"
+#include "convexact/number/decimal.hpp"
+#include "convexact/number/hex_float.hpp"
+#include "convexact/oracle/verify.hpp"
+
+namespace convexact {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+[[noreturn]] void reject(const std::string& expected) {
+  throw Error(ErrorCode::Malformed, "expected " + expected);
+}
+
+void require_known_keys(const json& object, std::initializer_list<const char*> known,
+                        const char* what) {
+  if (!object.is_object()) reject(std::string(what) + " as an object");
+  for (const auto& [key, value] : object.items()) {
+    if (std::find(known.begin(), known.end(), key) == known.end()) {
+      reject(std::string("only known keys in ") + what + ", found '" + key + "'");
+    }
+  }
+}
+
+Rational number(const json& value, Decimal decimal) {
+  if (value.is_number_unsigned()) return Rational(Integer(value.get<std::uint64_t>()));
+  if (value.is_number_integer()) return Rational(Integer(value.get<std::int64_t>()));
+  if (value.is_number_float()) return to_rational(value.get<double>());
+  if (!value.is_string()) reject("a number, or a string that holds one");
+  const std::string& text = value.get_ref<const std::string&>();
+  return is_hex_float(text) ? parse_hex_float(text) : parse_number(text, decimal);
+}
+
+const json& row_of(const json& rows, std::size_t row, std::size_t length, const char* what) {
+  const json& numbers = rows[row];
+  if (!numbers.is_array() || numbers.size() != length) {
+    reject(std::string(what) + " " + std::to_string(row) + " as an array of " +
+           std::to_string(length));
+  }
+  return numbers;
+}
+
+// Coordinates are doubles: an integer without one goes to the nearest, as a decimal does.
+double coordinate(const json& value) { return value.get<double>(); }
+
+bool is_plain(const json& rows) {
+  return std::all_of(rows.begin(), rows.end(), [](const json& row) {
+    return std::all_of(row.begin(), row.end(), [](const json& x) { return x.is_number(); });
+  });
+}
+
+PointSet points(const json& rows, Decimal decimal, const char* what) {
+  if (!rows.is_array()) reject(std::string("an array with a row for each ") + what);
+  if (is_plain(rows)) {
+    std::vector<Point> doubles;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      const json& x = row_of(rows, r, 3, what);
+      doubles.emplace_back(coordinate(x[0]), coordinate(x[1]), coordinate(x[2]));
+    }
+    return PointSet(std::move(doubles));
+  }
+  std::vector<RationalPoint> rationals;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const json& x = row_of(rows, r, 3, what);
+    rationals.emplace_back(number(x[0], decimal), number(x[1], decimal), number(x[2], decimal));
+  }
+  return PointSet(std::move(rationals));
+}
+
+HalfspaceList halfspaces(const json& rows, Decimal decimal) {
+  if (!rows.is_array()) reject("an array with a row for each plane");
+  HalfspaceList list;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const json& x = row_of(rows, r, 4, "plane");
+    list.add({number(x[0], decimal), number(x[1], decimal), number(x[2], decimal)},
+             number(x[3], decimal));
+  }
+  return list;
+}
+
+std::vector<std::vector<std::uint32_t>> faces(const json& rows, std::size_t points) {
+  if (!rows.is_array()) reject("an array with a row for each face");
+  std::vector<std::vector<std::uint32_t>> polygons;
+  for (const json& row : rows) {
+    if (!row.is_array() || row.size() < 3) reject("a face as an array of three corners or more");
+    std::vector<std::uint32_t>& polygon = polygons.emplace_back();
+    for (const json& corner : row) {
+      if (!corner.is_number_unsigned() || corner.get<std::uint64_t>() >= points) {
+        reject("the index of one of " + std::to_string(points) + " vertices, found " +
+               corner.dump());
+      }
+      polygon.push_back(corner.get<std::uint32_t>());
+    }
+  }
+  return polygons;
+}
+
+// What is wrong with the numbers of a candidate is for the oracle to tell.
+Candidate candidate(const json& object, Decimal decimal) {
+  require_known_keys(object, {"planes", "vertices", "faces"}, "the candidate");
+  if (object.contains("planes") == object.contains("vertices")) {
+    reject("a candidate with 'planes' or with 'vertices'");
+  }
+  if (object.contains("planes") && object.contains("faces")) reject("faces with 'vertices' only");
+  try {
+    if (object.contains("planes")) return halfspaces(object["planes"], decimal);
+    Mesh mesh;
+    mesh.points = points(object["vertices"], decimal, "vertex");
+    if (object.contains("faces")) mesh.polygons = faces(object["faces"], mesh.points.size());
+    return mesh;
+  } catch (const Error& error) {
+    return error;
+  }
+}
+
+std::optional<std::size_t> budget(const json& request, const char* key) {
+  if (!request.contains(key)) return std::nullopt;
+  if (!request[key].is_number_unsigned()) reject(std::string(key) + " as a count");
+  return request[key].get<std::size_t>();
+}
+
+std::vector<ClaimCode> claims(const json& names) {
+  if (!names.is_array()) reject("claims as an array of names");
+  std::vector<ClaimCode> codes;
+  for (const json& name : names) {
+    const auto code = name.is_string() ? claim_of_name(name.get<std::string>()) : std::nullopt;
+    if (!code) reject("the name of a claim, found " + name.dump());
+    codes.push_back(*code);
+  }
+  return codes;
+}
+
+VerifyRequest questions(const json& request) {
+  VerifyRequest asked;
+  asked.tightness = false;
+  if (request.contains("claims")) asked.claims = claims(request["claims"]);
+  if (request.contains("tightness")) {
+    if (!request["tightness"].is_boolean()) reject("tightness as true or false");
+    asked.tightness = request["tightness"].get<bool>();
+  }
+  if (request.contains("tolerance")) {
+    const json& tolerance = request["tolerance"];
+    if (!tolerance.is_string()) reject("the tolerance as a string, such as \"1e-9d\"");
+    asked.tolerance = parse_tolerance(tolerance.get_ref<const std::string&>());
+  }
+  asked.max_facets = budget(request, "max_facets");
+  asked.max_vertices = budget(request, "max_vertices");
+  asked.max_facet_vertices = budget(request, "max_facet_vertices");
+  return asked;
+}
+
+Decimal decimal_of(const json& request) {
+  const json name = request.value("decimal", json("nearest"));
+  if (name == "exact") return Decimal::Exact;
+  if (name != "nearest") reject("decimal as nearest or exact");
+  return Decimal::Nearest;
+}
+
+ordered_json answer(const json& request) {
+  require_known_keys(request,
+                     {"id", "points", "candidate", "claims", "tolerance", "tightness", "decimal",
+                      "max_facets", "max_vertices", "max_facet_vertices"},
+                     "the request");
+  if (!request.contains("points") || !request.contains("candidate")) {
+    reject("a request with 'points' and 'candidate'");
+  }
+  const Decimal decimal = decimal_of(request);
+  const VerifyRequest asked = questions(request);
+  const PointSet input = points(request["points"], decimal, "point");
+  StageLog log;
+  const VerifyOutcome outcome = verify(input, candidate(request["candidate"], decimal), asked, log);
+  if (const auto* verdict = std::get_if<Verdict>(&outcome)) return verdict_json(*verdict);
+  const auto& reason = std::get<NotSolid>(outcome);
+  ordered_json error = error_json(Error(ErrorCode::NoInterior, describe(reason)));
+  error["proof"] = proof_json(reason);
+  return {{"error", error}};
+}
+
+// Invalid UTF-8 in a message or an id is replaced, so that a line is always JSON.
+std::string one_line(const json& id, ordered_json body) {
+  ordered_json line;
+  if (!id.is_discarded()) line["id"] = id;
+  line.update(body);
+  return line.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+}  // namespace
+
+std::string answer_request(std::string_view line) {
+  json id = json(json::value_t::discarded);
+  try {
+    const json request = json::parse(line);
+    if (request.is_object() && request.contains("id")) id = request["id"];
+    return one_line(id, answer(request));
+  } catch (const json::exception& error) {
+    const Error malformed(ErrorCode::Malformed, std::string("not a request: ") + error.what());
+    return one_line(id, {{"error", error_json(malformed)}});
+  } catch (const Error& error) {
+    return one_line(id, {{"error", error_json(error)}});
+  }
+}
+
+}  // namespace convexact
