@@ -178,8 +178,11 @@ ordered_json answer(const json& request) {
   const VerifyRequest asked = questions(request);
   const PointSet input = points(request["points"], decimal, "point");
   StageLog log;
-  const VerifyOutcome outcome = verify(input, candidate(request["candidate"], decimal), asked, log);
-  if (const auto* verdict = std::get_if<Verdict>(&outcome)) return verdict_json(*verdict);
+  VerifyOutcome outcome = verify(input, candidate(request["candidate"], decimal), asked, log);
+  if (auto* verdict = std::get_if<Verdict>(&outcome)) {
+    std::erase_if(verdict->claims, [](const Claim& c) { return c.status == Status::NotAsked; });
+    return verdict_json(*verdict);
+  }
   const auto& reason = std::get<NotSolid>(outcome);
   ordered_json error = error_json(Error(ErrorCode::NoInterior, describe(reason)));
   error["proof"] = proof_json(reason);

@@ -16,10 +16,14 @@ struct Fraction {
   }
 };
 
+bool is_power_of_two(mpz_srcptr r) { return mpz_scan1(r, 0) + 1 == mpz_sizeinbase(r, 2); }
+
 // floor(log2(q)) for q > 0: the bit lengths tell it up to one, a comparison decides.
 long floor_log2(const Rational& q) {
-  const long guess =
-      static_cast<long>(bit_length(numerator(q))) - static_cast<long>(bit_length(denominator(q)));
+  const mpq_srcptr fraction = q.backend().data();
+  const long guess = static_cast<long>(mpz_sizeinbase(mpq_numref(fraction), 2)) -
+                     static_cast<long>(mpz_sizeinbase(mpq_denref(fraction), 2));
+  if (is_power_of_two(mpq_denref(fraction))) return guess;
   const Fraction scaled(q, -guess);
   return scaled.p < scaled.r ? guess - 1 : guess;
 }
@@ -58,9 +62,20 @@ Float round_to(const Rational& x, Rounding rounding) {
   return negative ? -magnitude : magnitude;
 }
 
+// Whether x is p / 2^k with |p| < 2^53 and far from the ends of the range: then it is a double.
+bool is_surely_double(const Rational& x) {
+  const mpq_srcptr q = x.backend().data();
+  return mpz_sizeinbase(mpq_numref(q), 2) <= 53 && mpz_sizeinbase(mpq_denref(q), 2) <= 900 &&
+         is_power_of_two(mpq_denref(q));
+}
+
 }  // namespace
 
-double to_double(const Rational& x, Rounding rounding) { return round_to<double>(x, rounding); }
+double to_double(const Rational& x, Rounding rounding) {
+  // Most numbers come from doubles. GMP truncates, so what is a double comes out exactly.
+  if (is_surely_double(x)) return mpq_get_d(x.backend().data());
+  return round_to<double>(x, rounding);
+}
 float to_float(const Rational& x, Rounding rounding) { return round_to<float>(x, rounding); }
 
 }  // namespace convexact

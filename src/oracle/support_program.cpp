@@ -2,7 +2,7 @@
 #include "convexact/oracle/support_program.hpp"
 
 #include <algorithm>
-#include <map>
+#include <utility>
 
 #include "convexact/error.hpp"
 #include "convexact/lp/seidel.hpp"
@@ -10,11 +10,6 @@
 
 namespace convexact {
 namespace {
-
-Sign sign_of_determinant(const IntegerVector3& a, const IntegerVector3& b,
-                         const IntegerVector3& c) {
-  return sign_of(Integer(a.dot(b.cross(c))));
-}
 
 // In the direction of n, of a length that doubles hold.
 Vector3<double> to_direction(const IntegerVector3& n) {
@@ -54,28 +49,34 @@ SupportProgram::SupportProgram(const Polytope& polytope)
     for (int k = 0; k < 3; ++k) near[k] = to_double(v[k], Rounding::Nearest);
     near_.push_back(near);
   }
-  // The facet to the left of each directed edge, at its tail, and the one that follows there
-  // counter-clockwise: the facet to the left of the facet's own edge into that corner, turned.
+  // Counter-clockwise around a vertex, a facet is followed by the one that leaves the vertex along
+  // the edge by which the facet itself enters it.
   struct Corner {
-    std::uint32_t previous, next;
+    std::uint32_t vertex, next, previous, facet;
   };
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> left_of;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> previous_in;
+  std::vector<Corner> corners;
   for (std::uint32_t f = 0; f < polytope.facets.size(); ++f) {
-    const auto& corners = polytope.facets[f];
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      left_of[{corners[k], corners[(k + 1) % corners.size()]}] = f;
-      previous_in[{f, corners[(k + 1) % corners.size()]}] = corners[k];
+    const auto& around = polytope.facets[f];
+    for (std::size_t k = 0, n = around.size(); k < n; ++k) {
+      corners.push_back({around[k], around[(k + 1) % n], around[(k + n - 1) % n], f});
     }
   }
-  for (std::uint32_t f = 0; f < polytope.facets.size(); ++f) {
-    for (const std::uint32_t v : polytope.facets[f]) {
-      if (!around_[v].empty()) continue;
-      for (std::uint32_t g = f; around_[v].empty() || g != f;
-           g = left_of.at({v, previous_in.at({g, v})})) {
-        around_[v].push_back(g);
-      }
-    }
+  const auto place = [](const Corner& c) { return std::pair(c.vertex, c.next); };
+  std::sort(corners.begin(), corners.end(),
+            [&](const Corner& a, const Corner& b) { return place(a) < place(b); });
+  for (const Corner& start : corners) {
+    const std::uint32_t v = start.vertex;
+    if (!around_[v].empty()) continue;
+    const Corner* at = &start;
+    do {
+      around_[v].push_back(at->facet);
+      const std::pair wanted(v, at->previous);
+      const auto found =
+          std::lower_bound(corners.begin(), corners.end(), wanted,
+                           [&](const Corner& c, const auto& key) { return place(c) < key; });
+      CONVEXACT_ASSERT(found != corners.end() && place(*found) == wanted);
+      at = &*found;
+    } while (at != &start);
   }
 }
 
@@ -106,17 +107,22 @@ std::vector<std::size_t> SupportProgram::promising_vertices(const IntegerVector3
 }
 
 // The normals of the facets at a vertex, counter-clockwise, span the cone of the functionals that
-// are largest there; it falls into the cones of a fan of triples.
+// are largest there; it falls into the cones of a fan of triples (0, k, k + 1). Of the three signs
+// that place n in one of them, det(k + 1, 0, n) is the first sign of the next one, turned around.
 bool SupportProgram::is_optimal(std::size_t vertex, const IntegerVector3& n) const {
   const auto normal = [&](std::size_t k) -> const IntegerVector3& {
     return polytope_.planes[around_[vertex][k]].normal();
   };
+  IntegerVector3 turned = normal(1).cross(n);
+  Sign from_first = sign_of(Integer(normal(0).dot(turned)));  // of det(0, k, n)
   for (std::size_t k = 1; k + 1 < around_[vertex].size(); ++k) {
-    if (sign_of_determinant(normal(0), normal(k), n) != Sign::Negative &&
-        sign_of_determinant(normal(k), normal(k + 1), n) != Sign::Negative &&
-        sign_of_determinant(normal(k + 1), normal(0), n) != Sign::Negative) {
+    turned = normal(k + 1).cross(n);
+    const Sign from_next = sign_of(Integer(normal(0).dot(turned)));
+    if (from_first != Sign::Negative && from_next != Sign::Positive &&
+        sign_of(Integer(normal(k).dot(turned))) != Sign::Negative) {
       return true;
     }
+    from_first = from_next;
   }
   return false;
 }

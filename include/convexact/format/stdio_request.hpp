@@ -7,7 +7,8 @@
 namespace convexact {
 
 /// Answers a request (docs/schema/stdio_request.schema.json) with one line of JSON, without a line
-/// end: the request's `id` and either what verdict_json() writes or `error`. Whatever is wrong with
+/// end: the request's `id` and either what verdict_json() writes, without the
+/// claims that were not asked, or `error`. Whatever is wrong with
 /// the request is such an error, and whatever is wrong with the candidate is a verdict; nothing is
 /// thrown but std::bad_alloc.
 ///
