@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// convexact verify --stdio as a process: a line for a line, blank lines, long lines, its end.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "process.hpp"
+
+using nlohmann::json;
+using support::run_program;
+using support::ScratchFolder;
+
+namespace {
+
+const char* const kTetrahedron =
+    R"("points": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], "candidate": {"planes": [[-1,0,0,0],[0,-1,0,0],[0,0,-1,0],[1,1,1,-1]]})";
+
+std::vector<json> answers(const std::string& requests, int exit = 0) {
+  const ScratchFolder scratch;
+  const auto ran = run_program("verify --stdio <" + scratch.write("requests", requests));
+  CHECK(ran.exit == exit);
+  std::vector<json> list;
+  std::istringstream lines(ran.out);
+  for (std::string line; std::getline(lines, line);) list.push_back(json::parse(line));
+  return list;
+}
+
+}  // namespace
+
+TEST_CASE("verify --stdio: a line for each request in its order; errors do not end it") {
+  const std::string good = std::string(R"({"id": "a", )") + kTetrahedron + "}";
+  const std::vector<json> list =
+      answers(good + "\n\n  \t\r\nnonsense\n{\"id\": 2}\n" + good + "\r\n" + good);
+  REQUIRE(list.size() == 5);
+  CHECK(list[0]["verdict"] == "holds");
+  CHECK(list[0]["id"] == "a");
+  CHECK(list[1]["error"]["code"] == "malformed");
+  CHECK(list[2]["id"] == 2);
+  CHECK(list[3]["verdict"] == "holds");
+  CHECK(list[4]["verdict"] == "holds");  // the last line has no end
+}
+
+TEST_CASE("verify --stdio: nothing in, nothing out; a line of megabytes is one request") {
+  CHECK(answers("").empty());
+  std::string points = "[0,0,0],[1,0,0],[0,1,0],[0,0,1]";
+  for (int k = 0; k < 200000; ++k) points += ",[0.25,0.25,0.25]";
+  const std::vector<json> list =
+      answers(R"({"points": [)" + points +
+              R"(], "candidate": {"planes": [[-1,0,0,0],[0,-1,0,0],[0,0,-1,0],[1,1,1,-1]]}})"
+              "\n");
+  REQUIRE(list.size() == 1);
+  CHECK(list[0]["outside"]["tested"] == 200004);
+}
+
+TEST_CASE("verify --stdio: a closed pipe is exit 6, other arguments are wrong usage") {
+  const ScratchFolder scratch;
+  const std::string requests = scratch.write("requests", std::string("{") + kTetrahedron + "}\n");
+  // The reader is gone before the first answer: standard output is a pipe that nobody reads.
+  const std::string script = scratch.write(
+      "script", std::string("'") + std::getenv("CONVEXACT_PROGRAM") + "' verify --stdio <" +
+                    requests + "; echo $? >" + scratch.file("exit") + "\n");
+  (void)std::system(("(sleep 1; sh " + script + ") 2>" + scratch.file("err") + " | true").c_str());
+  CHECK(support::bytes_of(scratch.file("exit")) == "6\n");
+  CHECK(run_program("verify --stdio cube.obj </dev/null").exit == 2);
+  CHECK(run_program("verify").exit == 2);
+}

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// Requests and answers of verify --stdio, on a cube, where every distance has a closed form; both
+// against docs/schema/stdio_request.schema.json by valijson.
+#include "convexact/format/stdio_request.hpp"
+
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "json_schema.hpp"
+
+using namespace convexact;
+using nlohmann::json;
+
+namespace {
+
+// [0, 1]^3 and what encloses it.
+json cube_points() {
+  json points = json::array();
+  for (int k = 0; k < 8; ++k) points.push_back({k & 1, k >> 1 & 1, k >> 2 & 1});
+  return points;
+}
+
+json cube_planes(const json& top = -1) {
+  return {{1, 0, 0, -1}, {-1, 0, 0, 0},  {0, 1, 0, -1},
+          {0, -1, 0, 0}, {0, 0, 1, top}, {0, 0, -1, 0}};
+}
+
+json request(const json& candidate) {
+  return {{"id", 7}, {"points", cube_points()}, {"candidate", candidate}};
+}
+
+json ask(const json& request) {
+  CHECK(schema_complaint("stdio_request", request) == "");
+  const std::string line = answer_request(request.dump());
+  CHECK(line.find('\n') == std::string::npos);
+  const json answer = json::parse(line);
+  CHECK(schema_complaint("stdio_request", answer) == "");
+  return answer;
+}
+
+json claim(const json& answer, const std::string& code) {
+  for (const json& each : answer["claims"]) {
+    if (each["code"] == code) return each;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("stdio: a cube in itself holds, as planes and as vertices with faces") {
+  json answer = ask(request({{"planes", cube_planes()}}));
+  CHECK(answer["id"] == 7);
+  CHECK(answer["verdict"] == "holds");
+  CHECK(answer["outside"]["tested"] == 8);
+  const json faces = {{1, 3, 7, 5}, {0, 4, 6, 2}, {2, 6, 7, 3},
+                      {0, 1, 5, 4}, {4, 5, 7, 6}, {0, 2, 3, 1}};
+  answer = ask(request({{"vertices", cube_points()}, {"faces", faces}}));
+  CHECK(answer["verdict"] == "holds");
+  CHECK(claim(answer, "mesh-planar")["status"] == "holds");
+  CHECK_FALSE(answer.contains("tightness"));
+}
+
+TEST_CASE("stdio: a plane that cuts is violated, with point, row and exact distance") {
+  // z <= 1 - 2^-60, spelled in three ways.
+  for (const json& top :
+       {json("-0x0.fffffffffffffff"), json("-1152921504606846975/1152921504606846976"),
+        json("-0x1.ffffffffffffffep-1")}) {
+    json asked = request({{"planes", cube_planes(top)}});
+    asked["claims"] = {"contains-input"};
+    const json answer = ask(asked);
+    CHECK(answer["verdict"] == "violated");
+    REQUIRE(answer["claims"].size() == 1);
+    CHECK(answer["outside"]["points"] == 4);
+    const json& witness = answer["claims"][0]["witness"];
+    CHECK(witness["rows"] == json{4});
+    CHECK(witness["input_point"] == 4);
+    CHECK(witness["distance"]["squared"] == "1/1329227995784915872903807060280344576");  // 2^-120
+  }
+}
+
+TEST_CASE("stdio: budgets, tolerance and tightness are as on the command line") {
+  json asked = request({{"planes", cube_planes("-0.75")}});
+  asked["max_facets"] = 5;
+  asked["tolerance"] = "0.25";
+  asked["tightness"] = true;
+  json answer = ask(asked);
+  CHECK(claim(answer, "contains-input")["status"] == "holds");
+  CHECK(claim(answer, "max-facets")["status"] == "violated");
+  CHECK(claim(answer, "max-facets")["witness"]["count"] == 6);
+  CHECK(answer["tightness"]["volume_ratio"]["decimal"] == "0.75");
+  asked["tolerance"] = "0.24";
+  CHECK(claim(ask(asked), "contains-input")["status"] == "violated");
+}
+
+TEST_CASE("stdio: whatever is wrong with the candidate is a verdict") {
+  const auto violated = [](const json& candidate) {
+    const json answer = ask(request(candidate));
+    CHECK(answer["verdict"] == "violated");
+    json codes = json::array();
+    for (const json& each : answer["claims"]) {
+      if (each["status"] == "violated") codes.push_back(each["code"]);
+    }
+    return codes;
+  };
+  CHECK(violated({{"vertices", cube_points()}, {"faces", {{0, 1, 8}}}}) ==
+        json{"candidate-readable"});
+  CHECK(violated({{"planes", {{1, 0, 0, "1e999"}}}}) == json{"candidate-finite"});
+  CHECK(violated({{"vertices", {{0, 0, 0}, {1, 0, 0}}}})[0] == "candidate-solid");
+  CHECK(violated({{"planes", {{0, 0, 1, -1}}}}) == json{"candidate-bounded"});
+  const json answer = json::parse(answer_request(
+      R"({"points": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], "candidate": {"planes": [[1, "x", 0, 0]]}})"));
+  CHECK(answer["claims"][0]["status"] == "violated");
+}
+
+TEST_CASE(
+    "stdio: whatever is wrong with a request is an error with its id, and nothing is thrown") {
+  const auto error = [](const std::string& line) {
+    const json answer = json::parse(answer_request(line));
+    CHECK(schema_complaint("stdio_request", answer) == "");
+    return answer;
+  };
+  CHECK(error("what")["error"]["code"] == "malformed");
+  CHECK_FALSE(error("what").contains("id"));
+  CHECK(error("[]")["error"]["code"] == "malformed");
+  CHECK(error(R"({"id": [1]})")["id"] == json{1});
+  CHECK(error("\xff{\"id\": \"\xff\"}")["error"]["code"] == "malformed");
+  CHECK(error(std::string("{\"id\": 1, \0}", 12))["error"]["code"] == "malformed");
+  CHECK(error(std::string(100000, '['))["error"]["code"] == "malformed");
+  const json base = request({{"planes", cube_planes()}});
+  const std::vector<std::pair<std::string, json>> wrong = {
+      {"points", 3},
+      {"points", {1, 2, 3}},
+      {"points", {{1, 2}}},
+      {"points", {{1, 2, "x"}}},
+      {"points", {{1, 2, nullptr}}},
+      {"candidate", json::array()},
+      {"candidate", json::object()},
+      {"candidate", {{"planes", json::array()}, {"vertices", json::array()}}},
+      {"candidate", {{"planes", json::array()}, {"faces", json::array()}}},
+      {"claims", "contains-input"},
+      {"claims", {"contains"}},
+      {"claims", {3}},
+      {"tolerance", 1},
+      {"tolerance", "-1"},
+      {"tolerance", "wide"},
+      {"tightness", 1},
+      {"decimal", "rough"},
+      {"max_facets", -1},
+      {"max_facets", 1.5},
+      {"maximum", 3}};
+  for (const auto& [key, value] : wrong) {
+    json asked = base;
+    asked[key] = value;
+    CAPTURE(asked.dump());
+    const json answer = error(asked.dump());
+    CHECK(answer["id"] == 7);
+    CHECK(answer.contains("error"));
+  }
+  json flat = base;
+  flat["points"] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  CHECK(error(flat.dump())["error"]["code"] == "no-interior");
+  CHECK(error(flat.dump())["error"].contains("proof"));
+  json infinite = base;
+  infinite["points"][0][0] = "1e999";
+  CHECK(error(infinite.dump())["error"]["code"] == "not-finite");
+}
