@@ -380,7 +380,7 @@ struct Proof : Words {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
+  if (argc != 2 || argv[1][0] == '-') {
     std::cerr << "usage: convexact-check PROOF (exit 0 proven, 1 not proven, 3 malformed)\n";
     return 2;
   }

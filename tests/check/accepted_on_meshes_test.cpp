@@ -1,20 +1,37 @@
 // SPDX-License-Identifier: MIT
-// Every engine's proof of every shipped mesh at 18 planes.
+// Every engine's proof of every shipped mesh at 18 planes, and of every family of solids.
 #include "checker.hpp"
 #include "convexact/io/read_mesh.hpp"
+#include "convexact/shapes/families.hpp"
 #include "proofs.hpp"
 #include "shipped_meshes.hpp"
 
 using namespace convexact;
 
+namespace {
+
+void check_engines(const PointSet& points, std::size_t faces,
+                   std::optional<Precision> precision = {}) {
+  for (const Engine engine : {Engine::Exact, Engine::Filtered, Engine::Float}) {
+    CAPTURE(static_cast<int>(engine));
+    const CheckerVerdict verdict = check_proof(proof_of(points, engine, faces, precision));
+    CHECK_MESSAGE(verdict.exit_code == 0, verdict.said);
+  }
+}
+
+}  // namespace
+
 TEST_CASE("proof: shipped meshes, by every engine") {
   for (const std::string& path : shipped_meshes()) {
     CAPTURE(path);
-    const PointSet points = read_mesh(path).points;
-    for (const Engine engine : {Engine::Exact, Engine::Filtered, Engine::Float}) {
-      CAPTURE(static_cast<int>(engine));
-      const CheckerVerdict verdict = check_proof(proof_of(points, engine, 18, Precision::Binary32));
-      CHECK_MESSAGE(verdict.exit_code == 0, verdict.said);
-    }
+    check_engines(read_mesh(path).points, 18, Precision::Binary32);
+  }
+}
+
+TEST_CASE("proof: every family of solids, by every engine") {
+  for (const shapes::Family& family : shapes::families()) {
+    if (family.dimension < 3) continue;
+    CAPTURE(family.name);
+    check_engines(PointSet(shapes::generate(family, shapes::usual_values(family))), 6);
   }
 }

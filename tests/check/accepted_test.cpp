@@ -51,10 +51,10 @@ TEST_CASE("proof: solids full of ties, by every engine, in every format") {
       {"cut cube", shapes::cut_cube(5, 0.25)},
       {"lattice", shapes::grid(4)},
   };
-  for (const auto& [name, points] : solids) {
-    CAPTURE(name);
-    check_engines(PointSet(points), 4);
-    check_engines(PointSet(points), 7);
+  for (const auto& solid : solids) {
+    CAPTURE(solid.first);
+    check_engines(PointSet(solid.second), 4);
+    check_engines(PointSet(solid.second), 7);
   }
 }
 
