@@ -60,9 +60,36 @@ IntegerVector3 scaled_to_integer(const Point& p, int exponent) {
           scaled_to_integer(p[2], exponent)};
 }
 
-IntegerVector3 normal_through(const IntegerVector3& a, const IntegerVector3& b,
-                              const IntegerVector3& c) {
-  const IntegerVector3 u = b - a, v = c - a;
+__extension__ using Wide = __int128;
+__extension__ using UnsignedWide = unsigned __int128;
+
+Integer to_integer(Wide x) {
+  const auto magnitude = x < 0 ? -static_cast<UnsignedWide>(x) : static_cast<UnsignedWide>(x);
+  const std::uint64_t words[] = {static_cast<std::uint64_t>(magnitude),
+                                 static_cast<std::uint64_t>(magnitude >> 64)};
+  Integer value;
+  mpz_import(value.backend().data(), 2, -1, sizeof words[0], 0, 0, words);
+  return x < 0 ? Integer(-value) : value;
+}
+
+// (b - a) x (c - a) for points whose coordinates times 2^-exponent are integers below 2^61:
+// differences are below 2^62, products below 2^124, and their differences below 2^125.
+IntegerVector3 short_normal_through(const Point& a, const Point& b, const Point& c, int exponent) {
+  const auto scaled = [&](double x) { return static_cast<Wide>(std::ldexp(x, -exponent)); };
+  Wide u[3], v[3];
+  for (int k = 0; k < 3; ++k) {
+    const Wide origin = scaled(a[k]);
+    u[k] = scaled(b[k]) - origin;
+    v[k] = scaled(c[k]) - origin;
+  }
+  return {to_integer(u[1] * v[2] - u[2] * v[1]), to_integer(u[2] * v[0] - u[0] * v[2]),
+          to_integer(u[0] * v[1] - u[1] * v[0])};
+}
+
+IntegerVector3 normal_through(const Point& a, const Point& b, const Point& c, int exponent) {
+  const IntegerVector3 first = scaled_to_integer(a, exponent);
+  const IntegerVector3 u = scaled_to_integer(b, exponent) - first;
+  const IntegerVector3 v = scaled_to_integer(c, exponent) - first;
   return u.cross(v);
 }
 
@@ -83,13 +110,20 @@ Halfspace Halfspace::through(const RationalPoint& a, const RationalPoint& b,
 
 Halfspace Halfspace::through(const Point& a, const Point& b, const Point& c) {
   // With P = p * 2^-e integer: N.P + D = 0 means (N 2^-e).p + D = 0, so one shift undoes the scale.
-  int exponent = kNoExponent;
+  int exponent = kNoExponent, highest = -kNoExponent;
   for (const Point* p : {&a, &b, &c}) {
-    for (int k = 0; k < 3; ++k) exponent = std::min(exponent, exponent_of((*p)[k]));
+    for (int k = 0; k < 3; ++k) {
+      const int own = exponent_of((*p)[k]);
+      exponent = std::min(exponent, own);
+      if (own != kNoExponent) highest = std::max(highest, own);
+    }
   }
+  // A mantissa is below 2^53, so up to 2^8 times that is below 2^61.
+  constexpr int kShortSpread = 8;
+  IntegerVector3 normal = highest - exponent <= kShortSpread
+                              ? short_normal_through(a, b, c, exponent)
+                              : normal_through(a, b, c, exponent);
   const IntegerVector3 first = scaled_to_integer(a, exponent);
-  IntegerVector3 normal =
-      normal_through(first, scaled_to_integer(b, exponent), scaled_to_integer(c, exponent));
   Integer offset = -dot(normal, first);
   if (exponent >= 0) {
     offset <<= static_cast<unsigned>(exponent);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # run.sh BUILD_DIR - installs the library to a scratch folder, then builds and runs a program of ten
-# lines against it, once by pkg-config and once by CMake.
+# lines against it, once by pkg-config and once by CMake, and one in C against the C interface.
 set -euo pipefail
 build_dir=$1
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -24,3 +24,12 @@ cmake -S "$here" -B "$scratch/cmake" -DCMAKE_PREFIX_PATH="$prefix" >"$scratch/lo
 cmake --build "$scratch/cmake" >"$scratch/log"
 [ "$("$scratch/cmake/consumer")" = "$expected" ]
 echo "CMake: builds and runs"
+
+config=$(find "$scratch/root" -name convexact_c.pc)
+read -ra flags <<<"$(PKG_CONFIG_PATH=$(dirname "$config") pkg-config --cflags --libs convexact_c)"
+read -ra cc <<<"${CC:-cc}"
+"${cc[@]}" "$here/../capi/example.c" -o "$scratch/from_c" "${flags[@]}"
+library=$(dirname "$(find "$scratch/root" -name libconvexact_c.so)")
+LD_LIBRARY_PATH=$library "$scratch/from_c" >"$scratch/log"
+grep -q 'exactly 1/16' "$scratch/log"
+echo "C by pkg-config: builds and runs"

@@ -6,6 +6,8 @@
 
 #include "convexact/error.hpp"
 #include "convexact/format/trace_json.hpp"
+#include "convexact/number/random.hpp"
+#include "convexact/oracle/judge_trace.hpp"
 #include "convexact/shapes/boxes.hpp"
 #include "simplify_points.hpp"
 
@@ -152,4 +154,33 @@ TEST_CASE("facet list: every row counts, in each of the formats") {
   CHECK(read_facet_list("[[0,0,0,0],[1,0,0,-4]]", "list.json") == rows);
   CHECK(read_facet_list("begin\n2 4 integer\n0 0 0 0\n4 -1 0 0\nend\n", "list.ine") == rows);
   CHECK_THROWS_AS((void)read_facet_list("what is this", "list"), Error);
+}
+
+TEST_CASE("removal order: a corrupted trace is read or refused, and judged without a failure") {
+  const Simplification run = simplify_points(shapes::cut_cube(5, 0.25));
+  const DualHull solid = dual_of_doubles(shapes::cut_cube(5, 0.25));
+  const RationalPoint center = center_of(solid);
+  const std::string good = write_trace_json(run.trace);
+  Random random(2604);
+  std::size_t read_again = 0, violated = 0;
+  for (int repeat = 0; repeat < 3000; ++repeat) {
+    std::string bytes = good;
+    for (std::uint64_t k = uniform_below(random, 3) + 1; k > 0; --k) {
+      const std::size_t at = uniform_below(random, bytes.size());
+      // A digit for a digit as often as any byte for any other.
+      const bool digit = bytes[at] >= '0' && bytes[at] <= '9' && random() % 2 == 0;
+      bytes[at] = static_cast<char>(digit ? '0' + uniform_below(random, 10) : random() % 256);
+    }
+    CAPTURE(bytes);
+    try {
+      const RemovalOrder order = read_removal_order(bytes, {}, solid.halfspaces);
+      const TraceVerdict verdict = judge_trace(solid, center, order);
+      ++read_again;
+      if (!verdict.holds()) ++violated;
+    } catch (const Error& error) {
+      REQUIRE((error.code() == ErrorCode::Malformed || error.code() == ErrorCode::NotFinite));
+    }
+  }
+  CHECK(read_again > 300);
+  CHECK(violated > 100);
 }

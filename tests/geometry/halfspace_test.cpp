@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "convexact/error.hpp"
+#include "convexact/number/random.hpp"
 #include "property.hpp"
 
 using namespace convexact;
@@ -47,6 +48,30 @@ TEST_CASE("Halfspace: through three doubles, and through the same rationals") {
                    RC_ASSERT(fast == slow);
                    for (const Point& x : p) RC_ASSERT(fast(to_rational(x)) == 0);
                  });
+}
+
+TEST_CASE("Halfspace: full mantissas, with exponents around where 128 bits no longer suffice") {
+  Random random(2604);
+  for (const int spread : {0, 7, 8, 9, 10, 60}) {
+    for (int repeat = 0; repeat < 200; ++repeat) {
+      std::array<Point, 3> p;
+      for (int k = 0; k < 9; ++k) {
+        // Odd 53-bit integers of either sign, times powers of two that are `spread` apart at most.
+        const double mantissa = static_cast<double>(random() >> 12 | 1 | std::uint64_t{1} << 52);
+        const auto shift = static_cast<int>(uniform_below(random, spread + 1));
+        p[k / 3][k % 3] = std::ldexp(random() % 2 == 0 ? mantissa : -mantissa, shift - 40);
+      }
+      const Halfspace fast = Halfspace::through(p[0], p[1], p[2]);
+      REQUIRE(fast == Halfspace::through(to_rational(p[0]), to_rational(p[1]), to_rational(p[2])));
+    }
+  }
+  // The largest differences: opposite signs, all bits set.
+  const double most = std::ldexp(9007199254740991.0, 8);
+  const Point a(-most, -most, -most), b(most, most, -most), c(-most, most, most), d(1, 1, 1);
+  for (const auto& [x, y, z] : {std::array{a, b, c}, std::array{b, c, a}, std::array{a, b, d}}) {
+    CHECK(Halfspace::through(x, y, z) ==
+          Halfspace::through(to_rational(x), to_rational(y), to_rational(z)));
+  }
 }
 
 TEST_CASE("Halfspace: extreme doubles") {
