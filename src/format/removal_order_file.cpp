@@ -115,6 +115,8 @@ json parse(std::string_view text) {
     const std::string_view before = text.substr(0, std::min(error.byte, text.size()));
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     throw Error(ErrorCode::Malformed, "expected JSON", static_cast<std::size_t>(line));
+  } catch (const json::out_of_range&) {
+    throw Error(ErrorCode::NotFinite, "a number rounds beyond the largest double");
   }
 }
 
