@@ -120,7 +120,6 @@ const Side& left_of(const Surface& surface, std::size_t a, std::size_t b) {
 
 struct Proof : Words {
   using Words::Words;
-
   void check() {
     expect(take_if("convexact-proof") && take_if("1"), "convexact-proof 1");
     greedy_ = take_if("greedy");
@@ -166,14 +165,16 @@ struct Proof : Words {
       for (int k = 0; k < 3; ++k) direction[k] = plane[k] / common;
       require(planes_.size() == 1 || previous < direction, "the order is not canonical");
     }
-    // (2) Triangles of planes that meet in an input point. Their normals span cones.
+    // (2) Planes that meet in an input point, by threes. Their normals span cones: it is a vertex.
     std::vector<bool> known(points_.size(), false);
     std::vector<Triangle> triangles;
+    std::vector<std::set<Row>> corners(planes_.size());
     while (take_if("triangle")) {
       const Triangle t = triangle();
       const std::size_t p = id(points_.size());
       require_vertex(points_[p], t);
       add(fan_, t, points_[p]);
+      for (const std::size_t i : t) corners[i].insert(points_[p]);
       triangles.push_back(t);
       known[p] = true;
     }
@@ -182,6 +183,7 @@ struct Proof : Words {
     require(planes_.size() >= 4 && triangles.size() == 2 * planes_.size() - 4,
             "the surface is no sphere of all planes");
     require_one_cover(triangles[0], triangles);
+    for (const auto& of_plane : corners) require(of_plane.size() >= 3, "a plane bounds no facet");
     // (4) No vertex is beyond the plane across an edge. So the function that is linear on each
     // cone, -d at each normal, is convex: it is P's support function, and the vertices lie in P.
     for (const auto& [edge, left] : fan_)

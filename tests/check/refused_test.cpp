@@ -285,6 +285,38 @@ TEST_CASE("mutated proof: a run that claims more than it proves") {
   check_refused(proof.text());
 }
 
+TEST_CASE("wrong proof: a plane that only touches a vertex is no facet") {
+  // The cube [0, 1]^3 and x + y + z <= 3. Every sign is right, but costs would depend on more than
+  // rings. Without that plane the same text proves the cube.
+  const std::string points = [] {
+    std::string lines;
+    for (int v = 0; v < 8; ++v) {
+      lines += "point " + std::to_string(v & 1) + " " + std::to_string(v >> 1 & 1) + " " +
+               std::to_string(v >> 2) + "\n";
+    }
+    return lines;
+  }();
+  const std::string sides =
+      "plane -1 0 0 0\nplane 0 -1 0 0\nplane 0 0 -1 0\n"
+      "plane 0 0 1 -1\nplane 0 1 0 -1\nplane 1 0 0 -1\n";
+  const std::string other_vertices =
+      "triangle 0 2 1 0\ntriangle 5 1 2 1\ntriangle 4 2 0 2\ntriangle 5 2 4 3\n"
+      "triangle 3 0 1 4\ntriangle 5 3 1 5\ntriangle 4 0 3 6\n";
+  const auto proof = [&](const std::string& planes, const std::string& last,
+                         const std::string& survivors) {
+    ProofText text("convexact-proof 1 greedy\n" + points + "interior 1/2 1/2 1/2\n" + planes +
+                   other_vertices + last + "survive " + survivors + "\nend 0\n");
+    return check_proof(text.text(true));
+  };
+  const CheckerVerdict cube = proof(sides, "triangle 5 4 3 7\n", "0 1 2 3 4 5");
+  CHECK_MESSAGE(cube.exit_code == 0, cube.said);
+  const CheckerVerdict touching =
+      proof(sides + "plane 1 1 1 -3\n", "triangle 5 4 6 7\ntriangle 4 3 6 7\ntriangle 3 5 6 7\n",
+            "0 1 2 3 4 5 6");
+  CHECK(touching.exit_code == 1);
+  CHECK(touching.said.find("a plane bounds no facet") != std::string::npos);
+}
+
 TEST_CASE("mutated proof: cut off anywhere") {
   for (const std::string& proof : small_proofs()) {
     const std::size_t stride = 1 + proof.size() / 500;
