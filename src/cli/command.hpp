@@ -37,6 +37,7 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, Value& value
 }
 
 /// Each adds its subcommand to the program; the subcommand's exit code goes to `exit_code`.
+void add_conform_command(CLI::App& program, int& exit_code);
 void add_diff_command(CLI::App& program, int& exit_code);
 void add_generate_command(CLI::App& program, int& exit_code);
 void add_hull_command(CLI::App& program, int& exit_code);

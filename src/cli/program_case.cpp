@@ -47,18 +47,6 @@ void ProgramCase::require_sensible() const {
   }
 }
 
-ScratchFolder::ScratchFolder() {
-  path_ = (std::filesystem::temp_directory_path() / "convexact-XXXXXX").string();
-  if (mkdtemp(path_.data()) == nullptr) {
-    throw Error(ErrorCode::Unwritable, "no folder for temporary files can be made");
-  }
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
 std::optional<std::string> failure_of(const ProgramCase& program, const Mesh& input,
                                       const ScratchFolder& folder) {
   const std::string output = folder.file("output" + program.output_extension);

@@ -9,6 +9,7 @@
 #include "convexact/io/mesh_format.hpp"
 #include "convexact/oracle/program.hpp"
 #include "convexact/oracle/verify.hpp"
+#include "scratch_folder.hpp"
 
 namespace convexact::cli {
 
@@ -30,20 +31,6 @@ struct ProgramCase {
 
   /// @throws Error InvalidArgument if a placeholder is missing or has no value.
   void require_sensible() const;
-};
-
-/// A folder of its own, gone afterwards.
-class ScratchFolder {
- public:
-  /// @throws Error Unwritable.
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  std::string file(const std::string& name) const { return path_ + "/" + name; }
-
- private:
-  std::string path_;
 };
 
 /// Runs the program on `input` and says how it fails, in words that are the same for the same kind

@@ -117,14 +117,21 @@ class Process {
   // Its status, once it has ended. @param options  WNOHANG to ask without waiting.
   std::optional<int> wait(int options) {
     int status = 0;
-    if (!status_ && waitpid(id_, &status, options) == id_) status_ = status;
+    rusage usage{};
+    if (!status_ && wait4(id_, &status, options, &usage) == id_) {
+      status_ = status;
+      peak_memory_ = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+    }
     return status_;
   }
+  // Known once it has ended.
+  std::uint64_t peak_memory() const { return peak_memory_; }
 
  private:
   Pipe output_, failure_;
   pid_t id_ = -1;
   std::optional<int> status_;
+  std::uint64_t peak_memory_ = 0;
 };
 
 }  // namespace
@@ -168,6 +175,7 @@ ProgramRun run_program(const std::vector<std::string>& words, const ProgramLimit
   while (process.listen(run.printed, 0)) {
   }
   run.seconds = seconds();
+  run.peak_memory = process.peak_memory();
   run.end = WIFEXITED(*status) ? ProgramEnd::Exited : ProgramEnd::Crashed;
   if (WIFEXITED(*status)) run.exit_code = WEXITSTATUS(*status);
   if (WIFSIGNALED(*status)) run.signal = WTERMSIG(*status);

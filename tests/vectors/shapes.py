@@ -238,7 +238,7 @@ def over_polygons():
                     ["parallel-edges", "ties" if k != 5 else "coplanar"], 1, k // 2 + 2, facets=k + 2, why="two polygons and a rectangle per side")
         yield Shape(f"antiprism-circle-{k}", f"Antiprism over a regular {k}-gon in nearest doubles",
                     [(c, s, -1) for c, s in polygon] + [(*circle_point(2 * i + 1, 2 * k), 1) for i in range(k)],
-                    ["ties", "coplanar"], 2, k, facets=2 * k + 2, why="two polygons and two triangles per side")
+                    ["ties", "coplanar"], 2, k + 1, facets=2 * k + 2, why="two polygons and two triangles per side")
     yield Shape("pyramid-circle-24", "Pyramid over a regular 24-gon in nearest doubles: costs tie in mirror images, almost",
                 [(*circle_point(i, 24), 0) for i in range(24)] + [(0, 0, 2)], ["valence", "ties"], 2, 8, facets=25, why="a base and a triangle per side")
     yield Shape("cone-32", "Pyramid over a 32-gon with points on its edges",

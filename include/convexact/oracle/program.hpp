@@ -25,7 +25,8 @@ struct ProgramRun {
   ProgramEnd end = ProgramEnd::NotStarted;
   int exit_code = 0;
   int signal = 0;
-  double seconds = 0;   ///< Wall time.
+  double seconds = 0;             ///< Wall time.
+  std::uint64_t peak_memory = 0;  ///< Largest resident set of one of its processes, in bytes.
   std::string printed;  ///< The end of what it wrote to standard output and error, up to 4 KiB.
 
   bool succeeded() const { return end == ProgramEnd::Exited && exit_code == 0; }

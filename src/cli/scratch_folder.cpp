@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "scratch_folder.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "convexact/error.hpp"
+
+namespace convexact::cli {
+
+ScratchFolder::ScratchFolder() {
+  path_ = (std::filesystem::temp_directory_path() / "convexact-XXXXXX").string();
+  if (mkdtemp(path_.data()) == nullptr) {
+    throw Error(ErrorCode::Unwritable, "no folder for temporary files can be made");
+  }
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::string ScratchFolder::write(const std::string& name, const std::string& bytes) const {
+  std::ofstream stream(file(name), std::ios::binary);
+  stream << bytes << std::flush;
+  if (!stream) throw Error(ErrorCode::Unwritable, "cannot write " + file(name));
+  return file(name);
+}
+
+}  // namespace convexact::cli

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// scratch_folder.hpp - a folder for the files that somebody's program is given and writes.
+#pragma once
+#include <string>
+
+namespace convexact::cli {
+
+/// A folder of its own, gone afterwards.
+class ScratchFolder {
+ public:
+  /// @throws Error Unwritable.
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  std::string file(const std::string& name) const { return path_ + "/" + name; }
+  /// The path of a new file with these bytes. @throws Error Unwritable.
+  std::string write(const std::string& name, const std::string& bytes) const;
+
+ private:
+  std::string path_;
+};
+
+}  // namespace convexact::cli
