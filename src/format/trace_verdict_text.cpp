@@ -94,7 +94,9 @@ std::string verdict_line(const TraceVerdict& verdict) {
     case TraceRating::Greedy:
       return "greedy";
     case TraceRating::UpToRegret:
-      return "greedy up to regret " + to_decimal(*verdict.steps[*verdict.worst].regret, kFewDigits);
+      return fmt::format("greedy up to regret {} (step {})",
+                         to_decimal(*verdict.steps[*verdict.worst].regret, kFewDigits),
+                         *verdict.worst);
     case TraceRating::NotGreedy:
       return fmt::format("not greedy from step {}", *verdict.at);
     case TraceRating::Unbounded:

@@ -9,8 +9,8 @@
 
 namespace convexact {
 
-/// "greedy", "greedy up to regret 0.0123", "not greedy from step 7", "unbounded at step 7", "cannot
-/// be followed from step 7" or "unreadable". Steps are counted from 0.
+/// "greedy", "greedy up to regret 0.0123 (step 5)", "not greedy from step 7", "unbounded at step
+/// 7", "cannot be followed from step 7" or "unreadable". Steps are counted from 0.
 [[nodiscard]] std::string verdict_line(const TraceVerdict& verdict);
 
 /// All steps with exact costs, whatever their length; without the stages.
