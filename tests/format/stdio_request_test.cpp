@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "convexact/number/random.hpp"
 #include "json_schema.hpp"
 
 using namespace convexact;
@@ -164,4 +165,37 @@ TEST_CASE(
   json infinite = base;
   infinite["points"][0][0] = "1e999";
   CHECK(error(infinite.dump())["error"]["code"] == "not-finite");
+}
+
+TEST_CASE("stdio: a corrupted request has an answer that is one line of JSON, as the schema says") {
+  const json faces = {{1, 3, 7, 5}, {0, 4, 6, 2}, {2, 6, 7, 3},
+                      {0, 1, 5, 4}, {4, 5, 7, 6}, {0, 2, 3, 1}};
+  json exact = request({{"planes", cube_planes("-0x1p0")}});
+  exact["tolerance"] = "1e-9d";
+  exact["max_facets"] = 6;
+  exact["tightness"] = true;
+  const std::string good[] = {request({{"vertices", cube_points()}, {"faces", faces}}).dump(),
+                              exact.dump()};
+  Random random(2604);
+  std::size_t verdicts = 0, violated = 0;
+  for (int repeat = 0; repeat < 2000; ++repeat) {
+    std::string bytes = good[repeat % 2];
+    for (std::uint64_t k = uniform_below(random, 3) + 1; k > 0; --k) {
+      // Mostly a digit for a digit: most other changes leave no JSON.
+      const auto is_digit = [&](std::size_t i) { return bytes[i] >= '0' && bytes[i] <= '9'; };
+      std::size_t at = uniform_below(random, bytes.size());
+      const bool wants_digit = random() % 8 != 0;
+      while (wants_digit && !is_digit(at)) at = (at + 1) % bytes.size();
+      bytes[at] = static_cast<char>(wants_digit ? '0' + uniform_below(random, 10) : random() % 256);
+    }
+    CAPTURE(bytes);
+    const std::string line = answer_request(bytes);
+    REQUIRE(line.find('\n') == std::string::npos);
+    const json answer = json::parse(line);
+    REQUIRE(schema_complaint("stdio_request", answer) == "");
+    verdicts += answer.contains("verdict");
+    violated += answer.value("verdict", "") == "violated";
+  }
+  CHECK(verdicts > 500);
+  CHECK(violated > 200);
 }
