@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// Judging a run: how many planes a rounded mesh has, which ends count as which failure, and that a
+// solid of which nothing can go is no failure. Expected counts are closed forms.
+#include "convexact/oracle/conformance.hpp"
+
+#include <doctest/doctest.h>
+
+#include <csignal>
+
+#include "convexact/hull/hull.hpp"
+#include "convexact/oracle/planar_patches.hpp"
+#include "convexact/shapes/boxes.hpp"
+#include "convexact/shapes/prisms.hpp"
+#include "convexact/shapes/solids.hpp"
+using namespace convexact;
+
+namespace {
+
+Polytope polytope_of(const std::vector<Point>& points) {
+  const PointSet set(points);
+  return to_polytope(std::get<Hull>(convex_hull(set)), set);
+}
+
+Mesh points_as_mesh(const std::vector<Point>& points) {
+  Mesh mesh;
+  mesh.points = PointSet(points);
+  return mesh;
+}
+
+TestVector simplify_vector(const std::vector<Point>& points, std::size_t faces) {
+  TestVector vector;
+  vector.input = PointSet(points);
+  vector.question = SimplifyQuestion{faces, faces, true, std::nullopt, {}, {}};
+  return vector;
+}
+
+ProgramRun ended(ProgramEnd end, int exit_code, int signal) {
+  ProgramRun run;
+  run.end = end;
+  run.exit_code = exit_code;
+  run.signal = signal;
+  return run;
+}
+
+Outcome judged(const TestVector& vector, const ProgramRun& run,
+               const std::optional<Candidate>& output = {}) {
+  ProgramLimits limits;
+  limits.memory = 1000;
+  return judge_run(vector, run, limits, output, {}).outcome;
+}
+
+const ProgramRun kDone = ended(ProgramEnd::Exited, 0, 0);
+
+HalfspaceList rows(std::initializer_list<std::array<int, 4>> list) {
+  HalfspaceList halfspaces;
+  for (const auto& [a, b, c, d] : list) {
+    halfspaces.add({Rational(a), Rational(b), Rational(c)}, Rational(d));
+  }
+  return halfspaces;
+}
+
+}  // namespace
+
+TEST_CASE("planar patches: without tolerance the facets, with a little the planes meant") {
+  std::vector<Point> cube = shapes::box({1, 1, 1});
+  CHECK(count_planar_patches(polytope_of(cube), 0) == 6);
+  for (Point& p : cube) {
+    if (p == Point(1, 1, 1)) p.z() = std::nextafter(1.0, 2.0);
+  }
+  const Polytope bent = polytope_of(cube);
+  CHECK(bent.facets.size() == 7);  // the lid breaks; the other two sides at that edge stay plane
+  CHECK(count_planar_patches(bent, 0) == 7);
+  CHECK(count_planar_patches(bent, to_rational(0x1p-100)) == 6);
+  CHECK(count_planar_patches(polytope_of(shapes::rounded_dodecahedron()), to_rational(1e-20)) ==
+        12);
+  CHECK(count_planar_patches(polytope_of(shapes::icosahedron()), to_rational(1e-12)) == 20);
+  CHECK(count_planar_patches(polytope_of(shapes::prism(30)), to_rational(1e-12)) == 32);
+}
+
+TEST_CASE("judge_run: ways to end") {
+  const TestVector solid = simplify_vector(shapes::cube(), 6);
+  TestVector flat;
+  flat.question = RefuseQuestion{ErrorCode::NoInterior, 2};
+  CHECK(judged(solid, ended(ProgramEnd::NotStarted, 0, 0)) == Outcome::NotStarted);
+  CHECK(judged(solid, ended(ProgramEnd::TimedOut, 0, 0)) == Outcome::TimedOut);
+  CHECK(judged(solid, ended(ProgramEnd::Crashed, 0, SIGSEGV)) == Outcome::Crashed);
+  CHECK(judged(solid, ended(ProgramEnd::Crashed, 0, SIGKILL)) == Outcome::OutOfMemory);
+  CHECK(judged(solid, ended(ProgramEnd::Exited, 3, 0)) == Outcome::WrongExit);
+  CHECK(judged(solid, kDone) == Outcome::MissingOutput);
+  CHECK(judged(flat, ended(ProgramEnd::Exited, 3, 0)) == Outcome::Passed);
+  CHECK(judged(flat, ended(ProgramEnd::Crashed, 0, SIGABRT)) == Outcome::Crashed);
+  CHECK(judged(flat, kDone) == Outcome::AcceptedUnusable);
+  ProgramRun greedy = ended(ProgramEnd::Exited, 1, 0);
+  greedy.peak_memory = 800;
+  CHECK(judged(solid, greedy) == Outcome::OutOfMemory);
+  greedy.peak_memory = 100;
+  CHECK(judged(solid, greedy) == Outcome::WrongExit);
+  greedy.printed = "what():  std::bad_alloc";
+  CHECK(judged(solid, greedy) == Outcome::OutOfMemory);
+}
+
+TEST_CASE("judge_run: too many facets, unless none of them can go") {
+  const TestVector octahedron = simplify_vector(shapes::octahedron(), 4);
+  CHECK(judged(octahedron, kDone, points_as_mesh(shapes::octahedron())) == Outcome::TooManyFacets);
+  // Every second of its pairs of opposite facets gone: a parallelepiped.
+  CHECK(judged(octahedron, kDone,
+               rows({{1, 1, 1, -1},
+                     {-1, -1, -1, -1},
+                     {1, 1, -1, -1},
+                     {-1, -1, 1, -1},
+                     {1, -1, 1, -1},
+                     {-1, 1, -1, -1}})) == Outcome::Passed);
+  // A facet of this one can go, and then it is a tetrahedron.
+  CHECK(
+      judged(
+          octahedron, kDone,
+          rows(
+              {{1, 1, 1, -1}, {1, -1, -1, -1}, {-1, 1, -1, -1}, {-1, -1, 1, -1}, {1, 1, 0, -1}})) ==
+      Outcome::TooManyFacets);
+  CHECK(judged(octahedron, kDone,
+               rows({{1, 1, 1, -1}, {1, -1, -1, -1}, {-1, 1, -1, -1}, {-1, -1, 1, -1}})) ==
+        Outcome::Passed);
+  CHECK(judged(octahedron, kDone, rows({{1, 1, 1, -1}})) == Outcome::NoSolid);
+  CHECK(judged(octahedron, kDone,
+               rows({{4, 4, 4, -3}, {1, -1, -1, -1}, {-1, 1, -1, -1}, {-1, -1, 1, -1}})) ==
+        Outcome::NotEnclosing);
+}
