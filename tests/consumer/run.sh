@@ -33,3 +33,8 @@ library=$(dirname "$(find "$scratch/root" -name libconvexact_c.so)")
 LD_LIBRARY_PATH=$library "$scratch/from_c" >"$scratch/log"
 grep -q 'exactly 1/16' "$scratch/log"
 echo "C by pkg-config: builds and runs"
+
+program=$(find "$scratch/root" -path '*/bin/convexact')
+(cd "$scratch" && "$program" conform --level 1 --flag malformed -- false {input} {faces} {output}) >"$scratch/log"
+grep -q 'the program conforms' "$scratch/log"
+echo "installed program: finds its conformance vectors"

@@ -103,8 +103,7 @@ def hull_planes(points):
     where = {}
     for index, p in enumerate(integers):
         where.setdefault(p, index)
-    return {plane: sorted(where[p] for p in facets[plane])
-            for plane in sorted(facets, key=canonical_key)}
+    return {plane: sorted(where[p] for p in facets[plane]) for plane in sorted(facets, key=canonical_key)}
 
 
 class Surface:
@@ -114,8 +113,7 @@ class Surface:
         self.planes, self.points = list(planes), list(points)
         self.tight, self.violated = [], []
         for p in self.points:
-            values = [plane[0] * p[0] + plane[1] * p[1] + plane[2] * p[2] + plane[3] * p[3]
-                      for plane in self.planes]
+            values = [plane[0] * p[0] + plane[1] * p[1] + plane[2] * p[2] + plane[3] * p[3] for plane in self.planes]
             self.tight.append(sum(1 << j for j, value in enumerate(values) if value == 0))
             self.violated.append(sum(1 << j for j, value in enumerate(values) if value > 0))
 
@@ -139,8 +137,7 @@ class Surface:
         order, last = [corners[0]], None
         while True:
             here = order[-1]
-            near = [v for v in corners
-                    if v != here and v != last and self.tight[v] & self.tight[here] & others]
+            near = [v for v in corners if v != here and v != last and self.tight[v] & self.tight[here] & others]
             near = [v for v in near if v == corners[0] or v not in order]
             following = [v for v in near if v != corners[0]] or near
             if not following or following[0] == corners[0]:
@@ -251,8 +248,7 @@ def greedy(planes, wanted):
     after = arrangement.volume_of(alive)
     assert after == before + sum(costs), "the caps do not add up to the final volume"
     left = bin(alive).count("1")
-    return {"facets": left, "volume": after, "costs": costs, "ties": ties,
-            "reached": left <= wanted, "start": before}
+    return {"facets": left, "volume": after, "costs": costs, "ties": ties, "reached": left <= wanted, "start": before}
 
 
 def hull_measures(points):
@@ -269,8 +265,7 @@ def hull_measures(points):
         normals = [plane[:3] for j, plane in enumerate(planes) if surface.tight[v] >> j & 1]
         if any(determinant(*three) for three in combinations(normals, 3)):
             vertices.append(v)
-    return {"facets": len(planes), "vertices": len(vertices),
-            "volume": surface.volume(vertices, surface.all_alive())}
+    return {"facets": len(planes), "vertices": len(vertices), "volume": surface.volume(vertices, surface.all_alive())}
 
 
 def worst_outside(planes, points):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes the conformance vectors: the JSON files of this folder, from shapes.py and cases.py.
+"""Makes the conformance vectors: the JSON files of this folder, from *_shapes.py and *_cases.py.
 
     make_vectors.py            writes them
     make_vectors.py --check    compares instead, and exits 1 if a file differs
@@ -17,55 +17,26 @@ import shutil
 import subprocess
 import sys
 from fractions import Fraction as F
-from itertools import permutations, product
 
-import cases
+import box_shapes
+import delicate_shapes
+import integer_shapes
+import polygon_shapes
+import refuse_cases
+import regular_shapes
+import scaled_shapes
 import shapes
-from exact_geometry import as_integers, dimension, greedy, hull_measures, hull_planes, primitive_plane
+import thin_shapes
+import verify_cases
+from exact_geometry import Arrangement, dimension, greedy, hull_measures, hull_planes, primitive_plane
+from vector_text import coordinates, exact_text, normal_form, rows_text
 
 HERE = pathlib.Path(__file__).parent
 LRS = shutil.which("lrs")
 
 
-# Numbers as text, exactly.
-
-def power_of_two(n):
-    """n as odd * 2^e."""
-    e = (n & -n).bit_length() - 1
-    return n >> e, e
-
-
-def exact_text(x):
-    """p/q, with long powers of two apart: 5/3*2^-3222."""
-    x = F(x)
-    if x == 0:
-        return "0"
-    p, up = power_of_two(abs(x.numerator))
-    q, down = power_of_two(x.denominator)
-    if abs(up - down) <= 64:
-        return str(x)
-    sign = "-" if x < 0 else ""
-    return f"{sign}{p}{'' if q == 1 else f'/{q}'}*2^{up - down}"
-
-
-def coordinate(x):
-    """A double: an integer or a short decimal as a JSON number, anything else as a hexadecimal float."""
-    if x.denominator == 1 and abs(x) <= 2**53:
-        return int(x)
-    if x.denominator <= 2**10 and abs(x.numerator) < 2**20:
-        return float(x)
-    return float(x).hex()
-
-
-def coordinates(points):
-    return [[coordinate(x) for x in p] for p in points]
-
-
-def rows_text(rows):
-    return [[exact_text(x) for x in row] for row in rows]
-
-
 # One vector.
+
 
 class Collection:
     def __init__(self):
@@ -77,39 +48,23 @@ class Collection:
         assert form not in self.forms, f"{identifier} is a mere variant of {self.forms.get(form)}"
         self.forms[form] = identifier
         assert all(v["id"] != identifier for v in self.vectors), f"{identifier} comes twice"
-        self.vectors.append({"id": identifier, "title": title, "level": level, "required": level < 3, "flags": flags,
-                             "input": given, "question": question, "expected": expected, "source": source})
-
-
-def normal_form(points, others=()):
-    """Equal for point sets that differ by order, translation, scaling and the symmetries of the axes:
-    the least of the 48 images, moved to the origin's corner and without common divisor. `others` (the
-    points of a candidate) are moved along."""
-    integers, _ = as_integers([*points, *others])
-    best = None
-    for order in permutations(range(3)):
-        for sign in product((1, -1), repeat=3):
-            image = [tuple(s * p[k] for s, k in zip(sign, order)) for p in integers]
-            low = [min((p[k] for p in image), default=0) for k in range(3)]
-            image = [tuple(p[k] - low[k] for k in range(3)) for p in image]
-            form = (sorted(image[:len(points)]), sorted(image[len(points):]))
-            if best is None or form < best:
-                best = form
-    divisor = 0
-    for p in best[0] + best[1]:
-        for x in p:
-            divisor = gcd_of(divisor, x)
-    divisor = divisor or 1
-    return tuple(tuple(tuple(x // divisor for x in p) for p in part) for part in best)
-
-
-def gcd_of(a, b):
-    while b:
-        a, b = b, a % b
-    return abs(a)
+        self.vectors.append(
+            {
+                "id": identifier,
+                "title": title,
+                "level": level,
+                "required": level < 3,
+                "flags": flags,
+                "input": given,
+                "question": question,
+                "expected": expected,
+                "source": source,
+            }
+        )
 
 
 # Sources.
+
 
 def lrs_volume(points):
     """The volume of the hull by lrslib; nothing if it is not installed."""
@@ -145,9 +100,17 @@ def add_shapes(collection, family):
         given = {"points": coordinates(shape.points)}
         form = normal_form(shape.points)
         found, kind, why = measured(shape)
-        collection.add(f"{shape.name}-hull", f"{shape.title}: counts and volume of the hull", shape.level, shape.flags, given,
-                       {"ask": "hull"}, {"facets": found["facets"], "vertices": found["vertices"], "volume": exact_text(found["volume"])},
-                       {"kind": kind, "why": why}, form)
+        collection.add(
+            f"{shape.name}-hull",
+            f"{shape.title}: counts and volume of the hull",
+            shape.level,
+            shape.flags,
+            given,
+            {"ask": "hull"},
+            {"facets": found["facets"], "vertices": found["vertices"], "volume": exact_text(found["volume"])},
+            {"kind": kind, "why": why},
+            form,
+        )
         if not shape.faces:
             continue
         run = greedy(hull_planes(shape.points), shape.faces)
@@ -155,26 +118,50 @@ def add_shapes(collection, family):
         if shape.costs is not None:
             assert run["costs"] == shape.costs, shape.name
             kind, why = "closed-form", f"{shape.cost_why}; ties by definition, which gives the same costs"
-        collection.add(f"{shape.name}-simplify", f"{shape.title}: to {shape.faces} facets", shape.level, shape.flags, given,
-                       {"ask": "simplify", "faces": shape.faces}, run_json(run), {"kind": kind, "why": why}, form)
+        collection.add(
+            f"{shape.name}-simplify",
+            f"{shape.title}: to {shape.faces} facets",
+            shape.level,
+            shape.flags,
+            given,
+            {"ask": "simplify", "faces": shape.faces},
+            run_json(run),
+            {"kind": kind, "why": why},
+            form,
+        )
 
 
 def run_json(run):
-    return {"facets": run["facets"], "reached": run["reached"], "volume": exact_text(run["volume"]),
-            "costs": [exact_text(cost) for cost in run["costs"]], "ties": [rows_text(tie) if len(tie) > 1 else [] for tie in run["ties"]]}
+    return {
+        "facets": run["facets"],
+        "reached": run["reached"],
+        "volume": exact_text(run["volume"]),
+        "costs": [exact_text(cost) for cost in run["costs"]],
+        "ties": [rows_text(tie) if len(tie) > 1 else [] for tie in run["ties"]],
+    }
 
 
 def add_halfspaces(collection):
-    for name, title, rows, faces, flags, level in cases.solid_halfspaces():
+    for name, title, rows, faces, flags, level in refuse_cases.solid_halfspaces():
         planes = needed_planes(rows)
-        collection.add(f"halfspaces-{name}", f"{title}: to {faces} facets", level, flags, {"halfspaces": rows_text(rows)}, {"ask": "simplify", "faces": faces},
-                       run_json(greedy(planes, faces)), {"kind": "definition", "why": "the halfspaces intersected from scratch without each candidate, in fractions"},
-                       tuple(sorted(map(tuple, planes))))
+        collection.add(
+            f"halfspaces-{name}",
+            f"{title}: to {faces} facets",
+            level,
+            flags,
+            {"halfspaces": rows_text(rows)},
+            {"ask": "simplify", "faces": faces},
+            run_json(greedy(planes, faces)),
+            {
+                "kind": "definition",
+                "why": "the halfspaces intersected from scratch without each candidate, in fractions",
+            },
+            tuple(sorted(map(tuple, planes))),
+        )
 
 
 def needed_planes(rows):
     """The distinct planes that hold a facet: at least three vertices not on one line."""
-    from exact_geometry import Arrangement
     planes = sorted({primitive_plane(row) for row in rows})
     arrangement = Arrangement(planes)
     inside, _ = arrangement.levels(arrangement.all_alive())
@@ -196,42 +183,107 @@ def candidate_json(candidate):
 
 
 def add_verify(collection):
-    for family in (cases.verify_cases, cases.broken_candidates, cases.dented):
+    for family in (verify_cases.verify_cases, verify_cases.broken_candidates, verify_cases.dented):
         for name, title, points, candidate, request, expected, flags, level, why in family():
             if "outside" in expected:
                 expected["outside"]["squared_distance"] = exact_text(expected["outside"]["squared_distance"])
-            form = (normal_form(points, candidate.get("points", ())), json.dumps(candidate_json(candidate)), json.dumps(request))
-            collection.add(f"verify-{name}", title, level, flags, {"points": coordinates(points)}, {"ask": "verify", "candidate": candidate_json(candidate), **request},
-                           expected, {"kind": "definition", "why": why}, form)
+            form = (
+                normal_form(points, candidate.get("points", ())),
+                json.dumps(candidate_json(candidate)),
+                json.dumps(request),
+            )
+            collection.add(
+                f"verify-{name}",
+                title,
+                level,
+                flags,
+                {"points": coordinates(points)},
+                {"ask": "verify", "candidate": candidate_json(candidate), **request},
+                expected,
+                {"kind": "definition", "why": why},
+                form,
+            )
 
 
 def add_refusals(collection):
-    for name, title, content, form, error in cases.malformed_inputs():
-        given = {"text": content, "format": form} if isinstance(content, str) else {"base64": base64.b64encode(content).decode(), "format": form}
-        collection.add(f"malformed-{name}", title, 1, ["malformed"], given, {"ask": "refuse"}, {"error": error, "exit": 3},
-                       {"kind": "definition", "why": "the format's own rules"}, (content, form))
-    for name, title, points, flags, level in cases.flat_inputs():
+    for name, title, content, form, error in refuse_cases.malformed_inputs():
+        given = (
+            {"text": content, "format": form}
+            if isinstance(content, str)
+            else {"base64": base64.b64encode(content).decode(), "format": form}
+        )
+        collection.add(
+            f"malformed-{name}",
+            title,
+            1,
+            ["malformed"],
+            given,
+            {"ask": "refuse"},
+            {"error": error, "exit": 3},
+            {"kind": "definition", "why": "the format's own rules"},
+            (content, form),
+        )
+    for name, title, points, flags, level in refuse_cases.flat_inputs():
         points = shapes.exact(points)
-        collection.add(f"flat-{name}", title, level, ["flat", *flags], {"points": coordinates(points)}, {"ask": "refuse"},
-                       {"error": "no-interior", "exit": 4, "dimension": dimension(points)},
-                       {"kind": "definition", "why": "the rank of the differences of the points, in fractions"}, normal_form(points))
-    for name, title, rows, reason, flags, level, why in cases.bad_halfspaces():
-        collection.add(f"halfspaces-{name}", title, level, flags, {"halfspaces": rows_text(rows)}, {"ask": "refuse"},
-                       {"error": "no-interior", "exit": 4, "reason": reason}, {"kind": "closed-form", "why": why}, tuple(map(tuple, rows)))
+        collection.add(
+            f"flat-{name}",
+            title,
+            level,
+            ["flat", *flags],
+            {"points": coordinates(points)},
+            {"ask": "refuse"},
+            {"error": "no-interior", "exit": 4, "dimension": dimension(points)},
+            {"kind": "definition", "why": "the rank of the differences of the points, in fractions"},
+            normal_form(points),
+        )
+    for name, title, rows, reason, flags, level, why in refuse_cases.bad_halfspaces():
+        collection.add(
+            f"halfspaces-{name}",
+            title,
+            level,
+            flags,
+            {"halfspaces": rows_text(rows)},
+            {"ask": "refuse"},
+            {"error": "no-interior", "exit": 4, "reason": reason},
+            {"kind": "closed-form", "why": why},
+            tuple(map(tuple, rows)),
+        )
 
 
 def add_scans(collection):
     why = "any 18 halfspaces of the hull that bound a solid; what is written is judged exactly"
-    for name, file, scale, faces, flags in (("bunny-millimetres", "bunny.obj", 1000, 18, ["near-coplanar"]), ("spot-micrometres", "spot.obj", 1000000, 12, ["ties"]),
-                                            ("teapot-inches", "teapot.obj", 12, 20, ["valence"])):
-        collection.add(f"scan-{name}", f"{file} times {scale}: to {faces} facets", 1, flags, {"file": file, "scale": scale}, {"ask": "simplify", "faces": faces},
-                       {"facets": faces, "reached": True}, {"kind": "definition", "why": why}, (file,))
+    for name, file, scale, faces, flags in (
+        ("bunny-millimetres", "bunny.obj", 1000, 18, ["near-coplanar"]),
+        ("spot-micrometres", "spot.obj", 1000000, 12, ["ties"]),
+        ("teapot-inches", "teapot.obj", 12, 20, ["valence"]),
+    ):
+        collection.add(
+            f"scan-{name}",
+            f"{file} times {scale}: to {faces} facets",
+            1,
+            flags,
+            {"file": file, "scale": scale},
+            {"ask": "simplify", "faces": faces},
+            {"facets": faces, "reached": True},
+            {"kind": "definition", "why": why},
+            (file,),
+        )
 
 
 FILES = {
-    "regular": [shapes.regular_solids], "everyday": [shapes.everyday], "over-polygons": [shapes.over_polygons], "boxes": [shapes.boxes],
-    "zonotopes": [shapes.zonotopes], "lattices": [shapes.lattices], "spheres": [shapes.spheres], "thin": [shapes.thin], "far": [shapes.far],
-    "scales": [shapes.scaled], "mixed": [shapes.mixed], "repeated": [shapes.repeated], "nearly": [shapes.nearly],
+    "regular": [regular_shapes.regular_solids],
+    "everyday": [regular_shapes.everyday],
+    "over-polygons": [polygon_shapes.over_polygons],
+    "boxes": [box_shapes.boxes],
+    "zonotopes": [regular_shapes.zonotopes],
+    "lattices": [integer_shapes.lattices],
+    "spheres": [integer_shapes.spheres],
+    "thin": [thin_shapes.thin],
+    "far": [thin_shapes.far],
+    "scales": [scaled_shapes.scaled],
+    "mixed": [scaled_shapes.mixed],
+    "repeated": [delicate_shapes.repeated],
+    "nearly": [delicate_shapes.nearly],
 }
 
 
@@ -240,13 +292,18 @@ def collect():
     collection, files = Collection(), {}
 
     def cut(name):
-        files[name] = collection.vectors[sum(map(len, files.values())):]
+        files[name] = collection.vectors[sum(map(len, files.values())) :]
 
     for name, families in FILES.items():
         for family in families:
             add_shapes(collection, family)
         cut(name)
-    for name, add in (("halfspaces", add_halfspaces), ("verify", add_verify), ("refuse", add_refusals), ("scans", add_scans)):
+    for name, add in (
+        ("halfspaces", add_halfspaces),
+        ("verify", add_verify),
+        ("refuse", add_refusals),
+        ("scans", add_scans),
+    ):
         add(collection)
         cut(name)
     return files
@@ -257,7 +314,9 @@ def file_text(vectors):
     entries = []
     for vector in vectors:
         head = {key: vector[key] for key in ("id", "title", "level", "required", "flags")}
-        lines = [json.dumps(head)[:-1]] + [f'"{key}": {json.dumps(vector[key])}' for key in ("input", "question", "expected", "source")]
+        lines = [json.dumps(head)[:-1]] + [
+            f'"{key}": {json.dumps(vector[key])}' for key in ("input", "question", "expected", "source")
+        ]
         entries.append(",\n  ".join(lines) + "}")
     return '{"vectors": [\n' + ",\n".join(entries) + "\n]}\n"
 
