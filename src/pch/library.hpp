@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// library.hpp - what nearly every source includes, compiled once (-Db_pch=false does without).
+#pragma once
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "convexact/number/rational.hpp"
