@@ -203,7 +203,7 @@ void add_conform_command(CLI::App& program, int& exit_code) {
   command.add_option("--tolerance", options->tolerance,
                      "let the output miss points by this much: 1e-6, or 1e-9d of the diameter");
   command.add_option("--input-format", options->input_format, "what the program reads")
-      ->check(CLI::IsMember({"obj", "off", "ply", "stl", "json", "ine", "txt"}))
+      ->check(CLI::IsMember({"obj", "off", "ply", "stl", "xyz", "json", "ine", "txt"}))
       ->capture_default_str();
   command
       .add_option("--output-format", options->output_format,

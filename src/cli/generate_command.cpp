@@ -112,7 +112,7 @@ MeshFormat format_of(const Options& options) {
   const std::optional<MeshFormat> format = mesh_format_of_path(options.output);
   if (!format) {
     throw Error(ErrorCode::InvalidArgument,
-                "-o: expected a file with the extension .obj, .off, .ply or .stl, found '" +
+                "-o: expected a file with the extension .obj, .off, .ply, .stl or .xyz, found '" +
                     options.output + "'");
   }
   return *format;
@@ -215,9 +215,10 @@ void add_generate_command(CLI::App& program, int& exit_code) {
   command.require_subcommand(0, 1);
   command.allow_extras();  // so that an unknown family gets a sentence of its own
   command.add_flag("--list", options->list, "name every family with its parameters");
-  command.add_option("-o,--output", options->output,
-                     "the file, by its extension .obj .off .ply .stl; without it OBJ on standard "
-                     "output");
+  command.add_option(
+      "-o,--output", options->output,
+      "the file, by its extension .obj .off .ply .stl .xyz; without it OBJ on standard "
+      "output");
   command.add_flag("--facets", options->facets,
                    "write the facets of the exact hull too, for programs that want a closed mesh");
   add_global_options(command, options->global);

@@ -256,12 +256,23 @@ void add_rows(Files& list) {
   list.push_back({"txt-noise", "random bytes", noise(), false});
 }
 
+void add_xyz(Files& list) {
+  const auto points = [](const std::string& last) { return tetrahedron_points("", last); };
+  list.push_back({"xyz-truncated", "ends after two coordinates", points("1") + "1 2", false});
+  list.push_back({"xyz-not-a-number", "a word for a number", points("one"), false});
+  list.push_back({"xyz-nan", "a coordinate is NaN", points("nan"), true});
+  list.push_back({"xyz-infinity", "a coordinate is inf", points("inf"), true});
+  list.push_back({"xyz-overflow", "a coordinate is 1e400", points("1e400"), true});
+  list.push_back({"xyz-noise", "random bytes", noise(), false});
+}
+
 Files make_files() {
   Files list;
   add_obj(list);
   add_off(list);
   add_ply(list);
   add_stl(list);
+  add_xyz(list);
   add_json(list);
   add_ine(list);
   add_rows(list);
