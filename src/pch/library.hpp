@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // library.hpp - what nearly every source includes, compiled once (-Db_pch=false does without).
-#pragma once
 #include <algorithm>
 #include <array>
 #include <atomic>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // cli.hpp - what nearly every subcommand includes, compiled once (-Db_pch=false does without).
-#pragma once
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
