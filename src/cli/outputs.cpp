@@ -172,7 +172,8 @@ void OutputOptions::require_room_for(std::size_t objects) const {
 void add_input_argument(CLI::App& command, std::vector<std::string>& inputs) {
   command
       .add_option("INPUT", inputs,
-                  "meshes (OBJ, OFF, PLY, STL) or halfspaces (JSON, .ine); - is standard input")
+                  "meshes or points (OBJ, OFF, PLY, STL, XYZ) or halfspaces (JSON, .ine, rows); - "
+                  "is standard input")
       ->required();
 }
 

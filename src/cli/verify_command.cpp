@@ -104,8 +104,9 @@ void add_verify_command(CLI::App& program, int& exit_code) {
   CLI::App& command = *program.add_subcommand(
       "verify", "is somebody's output a convex solid that contains its input? exactly");
   command.footer(kFooter);
-  command.add_option("INPUT", options->input,
-                     "what is to be enclosed: a mesh (OBJ, OFF, PLY, STL) or halfspaces");
+  command.add_option(
+      "INPUT", options->input,
+      "what is to be enclosed: a mesh or points (OBJ, OFF, PLY, STL, XYZ), or halfspaces");
   command.add_option("CANDIDATE", options->candidate,
                      "what should enclose it: a mesh, or halfspaces (JSON, .ine, rows n1 n2 n3 d)");
   command.add_option("--claims", options->claims, "decide these claims only, separated by commas");
