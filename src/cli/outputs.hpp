@@ -14,11 +14,12 @@
 namespace convexact::cli {
 
 struct OutputOptions {
-  std::vector<std::string> results;  ///< -o: .obj .off .ply .stl are meshes, .json .ine .txt planes.
-  std::string picture;               ///< An HTML page; empty for none.
-  std::string trace;                 ///< Every step as JSON; empty for none.
-  std::string proof;                 ///< For convexact-check; empty for none.
-  int precision = 0;                 ///< 64 or 32; 0 if not given.
+  std::vector<std::string>
+      results;          ///< -o: .obj .off .ply .stl are meshes, .json .ine .txt planes.
+  std::string picture;  ///< An HTML page; empty for none.
+  std::string trace;    ///< Every step as JSON; empty for none.
+  std::string proof;    ///< For convexact-check; empty for none.
+  int precision = 0;    ///< 64 or 32; 0 if not given.
 
   std::vector<std::string> all_paths() const;
   /// The formats that the result must be stored in; nothing where no output needs them.
