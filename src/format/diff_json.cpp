@@ -5,6 +5,7 @@
 
 #include "convexact/format/result_json.hpp"
 #include "convexact/number/digits.hpp"
+#include "json_parts.hpp"
 #include "words.hpp"
 
 namespace convexact {
@@ -12,20 +13,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kDigits = 17;  // as many as a double needs
-
-Json quantity_json(const std::optional<Rational>& x) {
-  if (!x) return nullptr;
-  return measured_json({Enclosure(*x, kVolumeBits), *x}, kDigits);
-}
-
 Json choice_json(const Choice& choice, const std::vector<Halfspace>& halfspaces) {
   if (!choice.removed) return {{"removed", nullptr}};
   const Halfspace& plane = halfspaces[choice.removed->index()];
   return {{"removed", choice.removed->index()},
-          {"plane",
-           {to_string(plane.normal()[0]), to_string(plane.normal()[1]),
-            to_string(plane.normal()[2]), to_string(plane.offset())}},
+          {"plane", plane_json(plane)},
           {"cost", quantity_json(choice.cost)}};
 }
 

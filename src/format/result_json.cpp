@@ -15,8 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kDigits = 17;  // as many as a double needs
-
 Json multipliers_json(const std::vector<Multiplier>& multipliers) {
   Json list = Json::array();
   for (const Multiplier& m : multipliers) {

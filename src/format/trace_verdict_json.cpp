@@ -2,22 +2,14 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "convexact/format/result_json.hpp"
 #include "convexact/format/trace_verdict.hpp"
-#include "convexact/number/digits.hpp"
+#include "json_parts.hpp"
 #include "words.hpp"
 
 namespace convexact {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr int kDigits = 17;  // as many as a double needs
-
-Json quantity_json(const std::optional<Rational>& x) {
-  if (!x) return nullptr;
-  return measured_json({Enclosure(*x, kVolumeBits), *x}, kDigits);
-}
 
 Json optional_json(const std::optional<std::size_t>& x) { return x ? Json(*x) : Json(nullptr); }
 

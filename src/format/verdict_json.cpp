@@ -12,7 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kDigits = 17;  // as many as a double needs
 constexpr long kBits = 128;
 
 std::string root_text(const Rational& squared) {
