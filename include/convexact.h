@@ -40,8 +40,8 @@ typedef enum convexact_status {
   CONVEXACT_INTERNAL = 70 /* A verification of convexact failed: a bug, please report it. */
 } convexact_status;
 
-/* One sentence about a status; static. */
-CONVEXACT_API const char* convexact_status_text(convexact_status status);
+/* One sentence about a status, or about a number that is none; static. */
+CONVEXACT_API const char* convexact_status_text(int status);
 
 /* The version of the library, such as "0.1.0"; static. */
 CONVEXACT_API const char* convexact_version(void);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "convexact.h"
 
-const char* convexact_status_text(convexact_status status) {
+const char* convexact_status_text(int status) {
   switch (status) {
     case CONVEXACT_OK:
       return "done";
