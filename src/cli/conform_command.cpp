@@ -44,15 +44,18 @@ struct Options {
   std::vector<std::string> program;
 };
 
-// Beside the installed program, in the source of one that runs where it was built, or where it was
-// to be installed.
+// Beside the installed program, where it was to be installed, or in the source of one that runs
+// where it was built: some folder above.
 std::string find_vectors(const std::string& given) {
   if (!given.empty()) return given;
   std::error_code failed;
   const fs::path folder = fs::read_symlink("/proc/self/exe", failed).parent_path();
-  for (const fs::path& place :
-       {folder / "../share/convexact/vectors", folder / "../../../tests/vectors",
-        fs::path(CONVEXACT_DATADIR) / "vectors"}) {
+  std::vector<fs::path> places = {folder / "../share/convexact/vectors"};
+  for (fs::path above = folder; above != above.parent_path(); above = above.parent_path()) {
+    places.push_back(above / "tests/vectors");
+  }
+  places.push_back(fs::path(CONVEXACT_DATADIR) / "vectors");
+  for (const fs::path& place : places) {
     if (fs::is_directory(place, failed)) return place.lexically_normal();
   }
   throw Error(ErrorCode::Unreadable, "the conformance vectors are not to be found: use --vectors");
