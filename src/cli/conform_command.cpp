@@ -44,6 +44,15 @@ struct Options {
   std::vector<std::string> program;
 };
 
+// A build folder mirrors the source's folders, but not their data.
+bool holds_json(const fs::path& folder) {
+  std::error_code failed;
+  for (const fs::path& file : fs::directory_iterator(folder, failed)) {
+    if (file.extension() == ".json") return true;
+  }
+  return false;
+}
+
 // Beside the installed program, where it was to be installed, or in the source of one that runs
 // where it was built: some folder above.
 std::string find_vectors(const std::string& given) {
@@ -56,7 +65,7 @@ std::string find_vectors(const std::string& given) {
   }
   places.push_back(fs::path(CONVEXACT_DATADIR) / "vectors");
   for (const fs::path& place : places) {
-    if (fs::is_directory(place, failed)) return place.lexically_normal();
+    if (holds_json(place)) return place.lexically_normal();
   }
   throw Error(ErrorCode::Unreadable, "the conformance vectors are not to be found: use --vectors");
 }
