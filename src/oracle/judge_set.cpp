@@ -39,14 +39,23 @@ CandidateSet flat_mesh(const FlatInput& flat, Docket& docket) {
   return set;
 }
 
-std::vector<std::size_t> rows_of(const HalfspaceList& list,
-                                 const std::vector<Multiplier>& multipliers) {
+// The halfspaces of a proof by their rows in the candidate's file, counted from 0.
+NotSolid by_rows(NotSolid reason, const HalfspaceList& list) {
+  const auto rename = [&](std::vector<Multiplier>& multipliers) {
+    for (Multiplier& m : multipliers) m.row = list.rows[m.row] - 1;
+  };
+  if (auto* empty = std::get_if<EmptyProof>(&reason)) rename(empty->farkas);
+  if (auto* flat = std::get_if<FlatProof>(&reason)) rename(flat->multipliers);
+  return reason;
+}
+
+std::vector<std::size_t> rows_of(const std::vector<Multiplier>& multipliers) {
   std::vector<std::size_t> rows;
-  for (const Multiplier& m : multipliers) rows.push_back(list.rows[m.row] - 1);
+  for (const Multiplier& m : multipliers) rows.push_back(m.row);
   return rows;
 }
 
-void judge_no_solid(const NotSolid& reason, const HalfspaceList& list, Docket& docket) {
+void judge_no_solid(const NotSolid& reason, Docket& docket) {
   Witness witness;
   if (const auto* ray = std::get_if<RecessionRay>(&reason)) {
     docket.holds(CandidateSolid, "it has a 3D interior");
@@ -55,9 +64,9 @@ void judge_no_solid(const NotSolid& reason, const HalfspaceList& list, Docket& d
     return;
   }
   if (const auto* empty = std::get_if<EmptyProof>(&reason)) {
-    witness.rows = rows_of(list, empty->farkas);
+    witness.rows = rows_of(empty->farkas);
   } else if (const auto* flat = std::get_if<FlatProof>(&reason)) {
-    witness.rows = rows_of(list, flat->multipliers);
+    witness.rows = rows_of(flat->multipliers);
     witness.point = flat->point;
   }
   docket.violated(CandidateSolid, describe(reason), std::move(witness));
@@ -146,7 +155,7 @@ CandidateSet judge_halfspace_set(const HalfspaceList& list, Docket& docket, Stag
     return make_polytope(list.halfspaces, docket.request.seed, within);
   });
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
-    judge_no_solid(*reason, list, docket);
+    judge_no_solid(by_rows(*reason, list), docket);
     return set;
   }
   set.polytope = std::get<Polytope>(std::move(outcome));

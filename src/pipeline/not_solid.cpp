@@ -38,14 +38,14 @@ std::string list(const Halfspace& plane) {
 
 struct Description {
   std::string operator()(const FlatInput& flat) const {
-    if (flat.dimension < 0) return "the input has no points";
+    if (flat.dimension < 0) return "there are no points";
     std::string equations;
     for (const Halfspace& plane : flat.equations) {
       equations += (equations.empty() ? "" : " and ") + list(plane);
     }
     static constexpr const char* kWhere[] = {"are all the same point", "lie on one line",
                                              "lie in one plane"};
-    return fmt::format("the input spans no volume: its points {}; every one satisfies {}",
+    return fmt::format("the points span no volume: they {}; every one satisfies {}",
                        kWhere[flat.dimension], equations);
   }
   std::string operator()(const EmptyProof& proof) const {

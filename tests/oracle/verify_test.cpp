@@ -180,7 +180,12 @@ TEST_CASE("verify: candidates that are no solid contain nothing") {
   CHECK(plate[ContainsInput].witness.squared_distance == 4);    // z = -1 from z = 1
   const Verdict empty = judge("1 0 0 1\n-1 0 0 1\n", "c.txt");  // x <= -1 and x >= 1
   CHECK(empty[CandidateSolid].status == Status::Violated);
-  CHECK(empty[CandidateSolid].witness.rows.size() == 2);
+  CHECK(empty[CandidateSolid].witness.rows == std::vector<std::size_t>{0, 1});
+  // Rows are those of the file, also behind one that bounds nothing.
+  const Verdict behind = judge("0 0 0 -1\n1 0 0 1\n-1 0 0 1\n", "c.txt");
+  CHECK(behind[CandidateSolid].witness.rows == std::vector<std::size_t>{1, 2});
+  CHECK(behind[CandidateSolid].sentence.find("halfspace 2") != std::string::npos);
+  CHECK(behind[CandidateSolid].sentence.find("halfspace 0") == std::string::npos);
   CHECK(empty[CandidateBounded].status == Status::NotApplicable);
   CHECK(empty.outside->points == 8);
   const Verdict never = judge("1 0 0 -5\n0 0 0 1\n", "c.txt");  // 1 <= 0

@@ -36,8 +36,8 @@ struct PointBeyondFace {
 
 /// The faces of a mesh, with points at the same place taken as one.
 ///
-/// A face's *area vector* is half the sum of the cross products around it; for a planar polygon it
-/// is normal to its plane, as long as its area, and points to where the corners look
+/// A face's *area vector* is the sum of the cross products around it; for a planar polygon it is
+/// normal to its plane, as long as twice its area, and points to where the corners look
 /// counter-clockwise.
 class MeshSurface {
  public:
