@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The float loop in other arithmetics: C floats and MPFR of 24 to 256 bits. Doubles of MPFR are
-// doubles; enough bits give the filtered engine's removals; few bits still give bounded solids.
+// The float loop in other arithmetics: C floats and MPFR of 24 to 1024 bits. Floats and doubles of
+// MPFR are C's; enough bits give the filtered engine's removals; few bits still give bounded
+// solids.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -9,12 +10,15 @@
 #include "check_bounded.hpp"
 #include "convexact/fast/float_engine.hpp"
 #include "convexact/fast/float_loop.hpp"
+#include "convexact/fast/rounded_dual.hpp"
 #include "convexact/io/read_mesh.hpp"
+#include "convexact/measure/volume.hpp"
+#include "convexact/number/mpfr_scalar.hpp"
 #include "convexact/shapes/boxes.hpp"
 #include "convexact/shapes/extreme.hpp"
 #include "convexact/shapes/families.hpp"
 #include "convexact/shapes/random_points.hpp"
-#include "mpfr_scalar.hpp"
+#include "convexact/simplify/replay.hpp"
 #include "shipped_meshes.hpp"
 
 using namespace convexact;
@@ -28,11 +32,6 @@ struct Rounded {
 
   const Triple<Scalar>& point(HalfspaceId i) const { return points[i.index()]; }
   double unit() const { return roundoff; }
-};
-
-template <class Number>
-struct Arithmetic : Rounded<Number> {
-  using Scalar = Number;
 };
 
 // What simplify_float() turns to where doubles cannot tell.
@@ -53,59 +52,8 @@ struct DoublesOfMpfr : Rounded<MpfrScalar<53>> {
   const LongerPoints& longer() const { return long_points; }
 };
 
-template <long kBits>
-double unit_of_bits() {
-  return std::ldexp(1.0, -static_cast<int>(kBits));
-}
-
-// The dual points as doubles hold them, in numbers of the same length or shorter.
-template <class Scalar>
-Arithmetic<Scalar> from_doubles(const FastDual& dual, double unit) {
-  Arithmetic<Scalar> arithmetic;
-  arithmetic.roundoff = unit;
-  for (std::size_t i = 0; i < dual.size(); ++i) {
-    const Triple<double>& p = dual.near(HalfspaceId(i));
-    arithmetic.points.push_back({Scalar(p.x), Scalar(p.y), Scalar(p.z)});
-  }
-  return arithmetic;
-}
-
-// The dual points to kBits, by the definition: n / w, each axis scaled to at most one by a power
-// of two.
-template <long kBits>
-Arithmetic<MpfrScalar<kBits>> from_planes(const FastDual& dual) {
-  using Scalar = MpfrScalar<kBits>;
-  std::vector<RationalVector3> exact;
-  RationalVector3 largest = RationalVector3::Zero();
-  for (std::size_t i = 0; i < dual.size(); ++i) {
-    const Halfspace& plane = dual.exact(HalfspaceId(i));
-    const Rational w = -plane(dual.center());
-    RationalVector3 p;
-    for (int k = 0; k < 3; ++k) {
-      p[k] = Rational(plane.normal()[k]) / w;
-      largest[k] = std::max(largest[k], abs(p[k]));
-    }
-    exact.push_back(p);
-  }
-  std::array<long, 3> down;
-  for (int k = 0; k < 3; ++k) {
-    down[k] = static_cast<long>(bit_length(denominator(largest[k]))) -
-              static_cast<long>(bit_length(numerator(largest[k]))) - 1;
-  }
-  Arithmetic<Scalar> arithmetic;
-  arithmetic.roundoff = unit_of_bits<kBits>();
-  for (const RationalVector3& p : exact) {
-    arithmetic.points.push_back({Scalar(scale_by_power_of_two(p[0], down[0])),
-                                 Scalar(scale_by_power_of_two(p[1], down[1])),
-                                 Scalar(scale_by_power_of_two(p[2], down[2]))});
-  }
-  return arithmetic;
-}
-
-template <class Numbers>
-FastResult run(const FastDual& dual, const Numbers& arithmetic,
-               const SimplifyOptions& options = {}) {
-  return FloatLoop<Numbers>(dual, arithmetic, options).run();
+FastResult run(const FastDual& dual, Numbers numbers, const SimplifyOptions& options = {}) {
+  return RoundedDual::of(dual, numbers)->run(options);
 }
 
 // A hull and its dual; none if the points span no volume.
@@ -117,6 +65,10 @@ struct Subject {
   const Hull* hull() const { return std::get_if<Hull>(&outcome); }
   FastDual dual() const { return FastDual::of(*hull(), points); }
 };
+
+bool is_near(const Rational& x, const Rational& exact, const Rational& relative) {
+  return abs(x - exact) <= relative * abs(exact);
+}
 
 // Removals up to the first exact tie that the two break differently; how many were compared.
 std::size_t check_same_up_to_ties(const FastResult& sure, const FastResult& quick) {
@@ -146,10 +98,15 @@ TEST_CASE("float loop: MPFR with the 53 bits of doubles does what doubles do, bi
     const Subject subject(set);
     REQUIRE(subject.hull() != nullptr);
     const FastDual dual = subject.dual();
-    const DoublesOfMpfr arithmetic{from_doubles<MpfrScalar<53>>(dual, Roundoff<double>::kUnit),
-                                   {dual}};
+    DoublesOfMpfr arithmetic{{{}, Roundoff<double>::kUnit}, {dual}};
+    for (std::size_t i = 0; i < dual.size(); ++i) {
+      const Triple<double>& p = dual.near(HalfspaceId(i));
+      using Scalar = DoublesOfMpfr::Scalar;
+      arithmetic.points.push_back({Scalar(p.x), Scalar(p.y), Scalar(p.z)});
+    }
     const SimplifyOptions options{.faces = dual.size() > 400 ? dual.size() - 300 : 4};
-    const FastResult doubles = simplify_float(dual, options), mpfr = run(dual, arithmetic, options);
+    const FastResult doubles = simplify_float(dual, options);
+    const FastResult mpfr = FloatLoop<DoublesOfMpfr>(dual, arithmetic, options).run();
     CHECK(doubles.stop == mpfr.stop);
     CHECK(doubles.counts.evaluations == mpfr.counts.evaluations);
     REQUIRE(doubles.steps.size() == mpfr.steps.size());
@@ -168,7 +125,7 @@ TEST_CASE("float loop: 256 bits remove what the filtered engine removes, but for
     REQUIRE(subject.hull() != nullptr);
     const FastDual dual = subject.dual();
     const SimplifyOptions options{.faces = dual.size() > most ? dual.size() - most : 4};
-    const FastResult quick = run(dual, from_planes<256>(dual), options);
+    const FastResult quick = run(dual, Numbers::Mpfr256, options);
     if (dual.size() < 200) check_bounded(dual, quick);
     compared += check_same_up_to_ties(simplify_filtered(dual, options), quick);
   };
@@ -195,22 +152,20 @@ TEST_CASE("float loop: 113 bits agree with the filtered engine on random points"
     CAPTURE(seed);
     const Subject subject(PointSet(shapes::in_ball(150, seed)));
     const FastDual dual = subject.dual();
-    const FastResult sure = simplify_filtered(dual), quick = run(dual, from_planes<113>(dual));
+    const FastResult sure = simplify_filtered(dual), quick = run(dual, Numbers::Mpfr113);
     CHECK(check_same_up_to_ties(sure, quick) == sure.steps.size());
   }
 }
 
-TEST_CASE("float loop: 24 bits and C floats end with bounded solids on every family of shapes") {
+TEST_CASE("float loop: C floats end with bounded solids on every family of shapes") {
   std::size_t removed = 0, possible = 0;
   for (const shapes::Family& family : shapes::families()) {
     CAPTURE(family.name);
     const Subject subject(PointSet(shapes::generate(family, shapes::usual_values(family), 1)));
     if (subject.hull() == nullptr || subject.hull()->facets.size() > 600) continue;
     const FastDual dual = subject.dual();
-    const FastResult floats = run(dual, from_doubles<float>(dual, 0x1p-24));
+    const FastResult floats = run(dual, Numbers::CFloat);
     check_bounded(dual, floats);
-    const FastResult mpfr = run(dual, from_doubles<MpfrScalar<24>>(dual, 0x1p-24));
-    check_bounded(dual, mpfr);
     possible += simplify_filtered(dual).steps.size();
     removed += floats.steps.size();
   }
@@ -225,8 +180,88 @@ TEST_CASE("float loop: a growth limit holds in any arithmetic") {
     CAPTURE(percent);
     const SimplifyOptions options{.max_growth = Rational(percent, 100)};
     const std::size_t sure = simplify_filtered(dual, options).steps.size();
-    CHECK(run(dual, from_planes<256>(dual), options).steps.size() == sure);
-    CHECK(run(dual, from_planes<53>(dual), options).steps.size() == sure);
-    CHECK(run(dual, from_doubles<float>(dual, 0x1p-24), options).steps.size() <= sure + 1);
+    CHECK(run(dual, Numbers::Mpfr256, options).steps.size() == sure);
+    CHECK(run(dual, Numbers::MpfrBinary64, options).steps.size() == sure);
+    CHECK(run(dual, Numbers::CFloat, options).steps.size() <= sure + 1);
+  }
+}
+
+TEST_CASE("rounded dual: the formats binary32 and binary64 of MPFR are C's, bit for bit") {
+  std::vector<PointSet> sets;
+  for (const shapes::Family& family : shapes::families()) {
+    sets.emplace_back(shapes::generate(family, shapes::usual_values(family), 1));
+  }
+  // Stiff ones, far apart in the exponents of their numbers.
+  for (const double aspect : {1e6, 1e12, 1e20}) {
+    sets.emplace_back(shapes::needle(40, aspect, 1));
+    sets.emplace_back(shapes::slab(40, aspect, 1));
+  }
+  for (const std::string& path : shipped_meshes()) sets.push_back(read_mesh(path).points);
+  std::size_t steps = 0;
+  for (const PointSet& set : sets) {
+    const Subject subject(set);
+    if (subject.hull() == nullptr) continue;
+    const FastDual dual = subject.dual();
+    const SimplifyOptions options{.faces = dual.size() > 300 ? dual.size() - 200 : 4};
+    const std::pair<Numbers, Numbers> pairs[] = {{Numbers::CFloat, Numbers::MpfrBinary32},
+                                                 {Numbers::CDouble, Numbers::MpfrBinary64}};
+    for (const auto& [c, mpfr] : pairs) {
+      const auto by_c = RoundedDual::of(dual, c), by_mpfr = RoundedDual::of(dual, mpfr);
+      const FastResult a = by_c->run(options), b = by_mpfr->run(options);
+      CHECK(a.stop == b.stop);
+      CHECK(a.counts.evaluations == b.counts.evaluations);
+      CHECK(by_c->costs() == by_mpfr->costs());
+      CHECK(by_c->volume() == by_mpfr->volume());
+      REQUIRE(a.steps.size() == b.steps.size());
+      for (std::size_t s = 0; s < a.steps.size(); ++s) {
+        REQUIRE(a.steps[s].removed == b.steps[s].removed);
+      }
+      for (std::size_t i = 0; i < dual.size(); ++i) {
+        REQUIRE(by_c->point(HalfspaceId(i)) == by_mpfr->point(HalfspaceId(i)));
+      }
+      steps += a.steps.size();
+    }
+  }
+  CHECK(steps > 2000);
+}
+
+// The expected values are rationals: replay() computes the cost of each removal that was made.
+TEST_CASE(
+    "rounded dual: costs, volume and points come near the exact ones, the nearer the longer") {
+  const PointSet points(shapes::in_ball(60, 5));
+  const auto hull = std::get<Hull>(convex_hull(points));
+  const DualHull solid = dual_of(hull, points);
+  const RationalPoint center(Rational(1, 16), Rational(0), Rational(-1, 32));
+  const FastDual dual = FastDual::of(solid, center);
+  for (const Numbers numbers : {Numbers::CFloat, Numbers::CDouble, Numbers::Engine, Numbers::Mpfr64,
+                                Numbers::Mpfr113, Numbers::Mpfr256, Numbers::Mpfr1024}) {
+    CAPTURE(bits_of(numbers));
+    const auto rounded = RoundedDual::of(dual, numbers);
+    const FastResult result = rounded->run({.faces = 20});
+    std::vector<HalfspaceId> removed;
+    for (const FastStep& step : result.steps) removed.push_back(step.removed);
+    REQUIRE(removed.size() == solid.halfspaces.size() - 20);
+    const Simplification exact = replay(solid, center, removed);
+    // Far wider than the error of these tame caps, far narrower than the next shorter numbers'.
+    const Rational wide = scale_by_power_of_two(Rational(1), 12 - bits_of(numbers));
+    const std::vector<Rational> costs = rounded->costs();
+    REQUIRE(costs.size() == removed.size());
+    bool all_exact = true;
+    for (std::size_t s = 0; s < costs.size(); ++s) {
+      const Rational& cost = exact.trace.steps[s].cost;
+      CHECK(is_near(costs[s], cost, wide));
+      all_exact = all_exact && costs[s] == cost;
+    }
+    CHECK_FALSE(all_exact);
+    const Rational left = volume(to_polytope(solid.halfspaces, exact.triangles));
+    CAPTURE(to_double(rounded->volume().value(), Rounding::Nearest));
+    CAPTURE(to_double(left, Rounding::Nearest));
+    CHECK(is_near(rounded->volume().value(), left, wide));
+    for (std::size_t i = 0; i < dual.size(); ++i) {
+      const RationalVector3 p = rounded->point(HalfspaceId(i)),
+                            q = rounded->exact_point(HalfspaceId(i));
+      const Rational unit = scale_by_power_of_two(Rational(1), 1 - bits_of(numbers));
+      for (int k = 0; k < 3; ++k) CHECK(is_near(p[k], q[k], unit));
+    }
   }
 }

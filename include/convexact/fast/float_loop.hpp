@@ -68,6 +68,9 @@ class FloatLoop {
   FloatLoop(const FastDual& dual, const Arithmetic& arithmetic, const SimplifyOptions& options);
   FastResult run();
 
+  /// Six times the cost of a removal that run() made, as it was found.
+  const Scalar& six_times_cost(HalfspaceId removed) const { return estimate_[removed.index()]; }
+
  private:
   void prepare(HalfspaceId i);
   void load(HalfspaceId i);
