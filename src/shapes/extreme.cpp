@@ -5,6 +5,8 @@
 
 #include "convexact/error.hpp"
 #include "convexact/number/random.hpp"
+#include "convexact/shapes/boxes.hpp"
+#include "convexact/shapes/integer.hpp"
 #include "convexact/shapes/random_points.hpp"
 
 namespace convexact::shapes {
@@ -94,6 +96,46 @@ std::vector<Point> nearly_coplanar(std::uint32_t n, std::uint64_t seed) {
     points.emplace_back(x, y, (x + y) / 3);
   }
   points.emplace_back(1, 0, -1);
+  return points;
+}
+
+std::vector<Point> tilted_lid(std::uint32_t n, double tilt, std::uint64_t seed) {
+  if (!(tilt > 0 && tilt <= 1)) {
+    throw Error(ErrorCode::InvalidArgument, "a tilt is above 0 and at most 1");
+  }
+  std::vector<Point> points = in_box(n, seed);
+  for (Point& p : points) p[2] = 1 + tilt * (1 - (p[0] * p[0] + p[1] * p[1]) / 2);
+  const std::vector<Point> corners = box({1, 1, 1});
+  points.insert(points.end(), corners.begin(), corners.end());
+  return points;
+}
+
+std::vector<Point> nearly_cospherical(std::uint32_t n, std::uint32_t squared_radius,
+                                      std::uint32_t ulps, std::uint64_t seed) {
+  if (ulps > (1u << 20)) throw Error(ErrorCode::InvalidArgument, "at most 2^20 ulps");
+  Random random(seed);
+  std::vector<Point> points = cospherical(n, squared_radius, random());
+  for (Point& p : points) {
+    for (int k = 0; k < 3; ++k) {
+      const auto draw = static_cast<double>(uniform_below(random, 2 * std::uint64_t(ulps) + 1));
+      if (p[k] == 0) continue;
+      p[k] += (draw - ulps) * std::ldexp(1.0, std::ilogb(p[k]) - 52);
+    }
+  }
+  return points;
+}
+
+std::vector<Point> mixed_scales(std::uint32_t n, std::uint32_t exponent, std::uint64_t seed) {
+  if (exponent > 500) throw Error(ErrorCode::InvalidArgument, "an exponent is at most 500");
+  Random random(seed);
+  std::vector<Point> points;
+  for (int ball = 0; ball < 3; ++ball) {
+    for (Point p : in_ball(n, random())) {
+      p[0] += 4;
+      for (int k = 0; k < 3; ++k) p[k] = std::ldexp(p[k], -ball * static_cast<int>(exponent));
+      points.push_back(p);
+    }
+  }
   return points;
 }
 

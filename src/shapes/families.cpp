@@ -12,6 +12,7 @@
 #include "convexact/shapes/extreme.hpp"
 #include "convexact/shapes/flat.hpp"
 #include "convexact/shapes/integer.hpp"
+#include "convexact/shapes/mixture.hpp"
 #include "convexact/shapes/prisms.hpp"
 #include "convexact/shapes/random_points.hpp"
 #include "convexact/shapes/solids.hpp"
@@ -167,6 +168,15 @@ void add_integer(std::vector<Family>& list) {
                   {{"points", "how many at most", 4, 1e6, 24, true},
                    {"squared-radius", "x^2 + y^2 + z^2; some have no points", 1, 1e6, 41, true}},
                   [](Values v, Seed s) { return cospherical(whole(v[0]), whole(v[1]), s); }});
+  list.push_back({"nearly-cospherical",
+                  "integer points on a sphere, moved by a few ulps",
+                  3,
+                  {{"points", "how many at most", 4, 1e6, 24, true},
+                   {"squared-radius", "x^2 + y^2 + z^2; some have no points", 1, 1e6, 41, true},
+                   {"ulps", "how far a coordinate is moved at most", 0, 0x1p20, 1, true}},
+                  [](Values v, Seed s) {
+                    return nearly_cospherical(whole(v[0]), whole(v[1]), whole(v[2]), s);
+                  }});
   list.push_back({"moment-curve",
                   "(t, t^2, t^3): a cyclic polytope, n vertices and 2n - 4 triangles",
                   3,
@@ -222,6 +232,24 @@ void add_extreme(std::vector<Family>& list) {
                   3,
                   {count(30)},
                   [](Values v, Seed s) { return nearly_coplanar(whole(v[0]), s); }});
+  list.push_back({"tilted-lid",
+                  "a box under planes that are hardly tilted",
+                  3,
+                  {count(30), {"tilt", "of the planes", 0x1p-52, 1, 0x1p-20, false}},
+                  [](Values v, Seed s) { return tilted_lid(whole(v[0]), v[1], s); }});
+  list.push_back({"mixed-scales",
+                  "balls of radius 1, 2^-e and 2^-2e in one hull",
+                  3,
+                  {count(20), {"exponent", "e", 0, 500, 100, true}},
+                  [](Values v, Seed s) { return mixed_scales(whole(v[0]), whole(v[1]), s); }});
+}
+
+void add_mixture(std::vector<Family>& list) {
+  list.push_back({"mixture",
+                  "random families, squeezed, moved and put together",
+                  3,
+                  {{"parts", "how many", 1, 64, 3, true}},
+                  [](Values v, Seed s) { return mixture(whole(v[0]), s); }});
 }
 
 void add_flat(std::vector<Family>& list) {
@@ -244,6 +272,7 @@ std::vector<Family> make_families() {
   add_random(list);
   add_integer(list);
   add_extreme(list);
+  add_mixture(list);
   add_flat(list);
   return list;
 }

@@ -9,7 +9,7 @@ import re
 import sys
 
 ROOMS = ["number", "geometry", "shapes", "io", "lp", "hull", "dual", "measure", "simplify", "fast",
-         "stored", "pipeline", "oracle", "report", "format", "cli"]
+         "stored", "pipeline", "oracle", "report", "format", "stress", "cli"]
 INCLUDE = re.compile(r'#include "convexact/(\w+)/')
 # The engines are written twice on purpose: neither may see the other's work. The trace, the one
 # record both write, is shared.

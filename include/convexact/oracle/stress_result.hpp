@@ -16,7 +16,7 @@ namespace convexact {
 enum class StressEnd {
   Reached,       ///< With as many halfspaces as were wanted.
   AllUnbounded,  ///< Above that: every further removal is unbounded (float: or may be, it says so).
-  NotSolid,      ///< The input encloses no volume, and the engine's way there says why.
+  NoVolume,      ///< The input encloses no volume, and the engine's way there says why.
   Failed,        ///< With an error. The only documented one is Unrepresentable, see StressStored.
   Crashed,       ///< A signal ended it.
   TimedOut,
@@ -33,6 +33,7 @@ struct StressStored {
   };
   Form form = Form::Planes;
   Precision precision = Precision::Binary64;
+  bool whole = false;  ///< The input's hull itself, nothing removed.
   Outcome outcome = Outcome::Refused;
   std::size_t violations = 0;  ///< Input points outside of it.
   double push = 0;             ///< Relative to the diameter, see Growth; 0 if refused.
@@ -44,8 +45,9 @@ struct StressStored {
 struct StressClaim {
   double cost = 0;           ///< Relative error of each reported cost, at most.
   double regret = 0;         ///< Each removal costs at most (1 + regret) times the cheapest.
-  std::size_t doubtful = 0;  ///< Steps for which nothing is proven.
-  bool vouched = false;      ///< Whether it vouches for the run.
+  std::size_t doubtful = 0;  ///< Steps for which these two are not proven.
+  bool end_proven = true;    ///< Whether exact numbers would have ended the run there, too.
+  bool vouched = false;      ///< Whether it vouches for the run: no doubt of either kind.
 };
 
 /// One engine on one input. Relative errors are rounded up to doubles; none where not judged.
@@ -57,7 +59,7 @@ struct StressRun {
   Engine engine = Engine::Exact;
 
   StressEnd end = StressEnd::Failed;
-  std::string why;           ///< Of an end with an error, and of NotSolid.
+  std::string why;           ///< Of an end with an error, and of NoVolume.
   std::size_t input = 0;     ///< Points, or rows of halfspaces.
   std::size_t at_start = 0;  ///< Halfspaces of the solid.
   std::size_t steps = 0;     ///< Halfspaces removed.
@@ -75,7 +77,8 @@ struct StressRun {
   std::optional<double> regret;  ///< Largest (cost - minimum) / minimum of a step; may be infinite.
   std::optional<StressClaim> claim;  ///< Of the float engine.
 
-  /// Planes and mesh in binary64 and binary32, in that order; empty if there is no result.
+  /// Planes and mesh in binary64 and binary32, in that order; empty if there is no result. The
+  /// filtered engine's run has the input's hull in the same four forms after that.
   std::vector<StressStored> stored;
   /// What is wrong, a sentence each. Empty: passed.
   std::vector<std::string> faults;

@@ -34,4 +34,17 @@ namespace convexact::shapes {
 /// z, and the apex (1, 0, -1): a lid of many facets that hardly differ.
 [[nodiscard]] std::vector<Point> nearly_coplanar(std::uint32_t n, std::uint64_t seed);
 
+/// The box [-1, 1]^2 x [-1, 1] under a lid: n points (x, y, 1 + tilt (1 - (x^2 + y^2) / 2)) with x
+/// and y uniform in [-1, 1). Planes of the lid are tilted by about 0 < `tilt` <= 1 against each
+/// other; at 2^-52, one ulp of 1, by the rounding of z. n + 8 points.
+[[nodiscard]] std::vector<Point> tilted_lid(std::uint32_t n, double tilt, std::uint64_t seed);
+/// cospherical(), each coordinate other than 0 moved up or down by at most `ulps` units in its last
+/// place, 0 <= ulps <= 2^20: facets with many corners break up.
+[[nodiscard]] std::vector<Point> nearly_cospherical(std::uint32_t n, std::uint32_t squared_radius,
+                                                    std::uint32_t ulps, std::uint64_t seed);
+/// Three balls with their centers on one ray from the origin, n points in each, of radii 1, 2^-e
+/// and 2^-2e, 0 <= e <= 500, each 4 radii from the origin: detail at three scales in one hull.
+[[nodiscard]] std::vector<Point> mixed_scales(std::uint32_t n, std::uint32_t exponent,
+                                              std::uint64_t seed);
+
 }  // namespace convexact::shapes

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// judge.hpp - whether engines told the truth about one input; nothing that they say is taken from
+// them.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "convexact/stress/answer.hpp"
+#include "convexact/stress/input.hpp"
+
+namespace convexact {
+
+struct JudgeLimits {
+  /// Solids with at most so many halfspaces left are judged by the definition alone: each is taken
+  /// away and the rest intersected from scratch.
+  std::size_t definition = 12;
+  /// Steps of which costs, minima and ties are computed again; later ones are only compared.
+  std::size_t steps = 4000;
+};
+
+/// One run for each answer, with what is wrong with it. docs/stress.md has the list of checks.
+[[nodiscard]] std::vector<StressRun> judge_answers(const StressInput& input, const Shape& shape,
+                                                   std::span<const EngineAnswer> answers,
+                                                   const JudgeLimits& limits = {});
+
+/// The same without a judge: each run has the fault that it was not judged, and `why`.
+[[nodiscard]] std::vector<StressRun> unjudged(const StressInput& input,
+                                              std::span<const EngineAnswer> answers,
+                                              const std::string& why);
+
+}  // namespace convexact

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/stress/judge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "convexact/measure/volume.hpp"
+#include "convexact/number/rounding.hpp"
+#include "convexact/oracle/removal_cost.hpp"
+#include "judge_float.hpp"
+#include "judge_order.hpp"
+#include "judge_stored.hpp"
+
+namespace convexact {
+namespace {
+
+bool has_result(const EngineAnswer& answer) {
+  return answer.end == StressEnd::Reached || answer.end == StressEnd::AllUnbounded;
+}
+
+std::size_t size_of(const Shape& shape) {
+  if (const auto* points = std::get_if<PointSet>(&shape)) return points->size();
+  return std::get<std::vector<Halfspace>>(shape).size();
+}
+
+void append(std::vector<std::string>& faults, const std::vector<std::string>& more) {
+  faults.insert(faults.end(), more.begin(), more.end());
+}
+
+// Whether every list is as long as that of the removals.
+bool is_complete(const EngineAnswer& answer) {
+  const std::size_t steps = answer.removed.size();
+  const bool has_record = answer.engine != Engine::Float, is_lean = answer.engine != Engine::Exact;
+  return (!has_record || (answer.costs.size() == steps && answer.ties.size() == steps)) &&
+         (!is_lean || (answer.lean_removed.size() == steps && answer.lean_costs.size() == steps &&
+                       answer.lean_tied.size() == steps));
+}
+
+StressRun begin_run(const StressInput& input, const EngineAnswer& answer) {
+  StressRun run;
+  run.family = input.family;
+  run.parameter = input.parameter;
+  run.value = input.value;
+  run.seed = input.seed;
+  run.engine = answer.engine;
+  run.end = answer.end;
+  run.why = answer.why;
+  run.at_start = answer.halfspaces.size();
+  run.steps = answer.removed.size();
+  run.seconds = answer.seconds;
+  run.memory = answer.memory;
+  run.claim = answer.claim;
+  return run;
+}
+
+// The engines' answers about a solid.
+class Judge {
+ public:
+  Judge(const JudgedSolid& solid, const Shape& shape, std::span<const EngineAnswer> answers,
+        const JudgeLimits& limits)
+      : solid_(solid), shape_(shape), answers_(answers), limits_(limits) {}
+
+  void judge(const EngineAnswer& answer, StressRun& run);
+
+ private:
+  void judge_promised_order(const EngineAnswer& answer, StressRun& run);
+  void judge_lean_run(const EngineAnswer& answer, StressRun& run) const;
+  void compare_with_others(const EngineAnswer& answer, StressRun& run) const;
+  const EngineAnswer* reference(std::size_t steps) const;
+  void measure_volume_error(const EngineAnswer& answer, StressRun& run) const;
+
+  const JudgedSolid& solid_;
+  const Shape& shape_;
+  std::span<const EngineAnswer> answers_;
+  const JudgeLimits& limits_;
+};
+
+void Judge::judge(const EngineAnswer& answer, StressRun& run) {
+  if (answer.halfspaces != solid_.dual.halfspaces) {
+    run.faults.push_back("the facets of the hull are wrong");
+    return;
+  }
+  if (!is_complete(answer)) {
+    run.faults.push_back("with a record it makes another number of steps than without");
+    return;
+  }
+  append(run.faults, faults_of_volume(solid_, answer));
+  if (answer.engine == Engine::Float) {
+    judge_float(answer, follow(solid_, answer, limits_), run);
+  } else {
+    judge_promised_order(answer, run);
+    judge_lean_run(answer, run);
+  }
+  compare_with_others(answer, run);
+  measure_volume_error(answer, run);
+  for (const StoredBytes& stored : answer.stored) {
+    run.stored.push_back(judge_stored(shape_, stored));
+    const StressStored& found = run.stored.back();
+    if (found.outcome == StressStored::Outcome::Wrong) run.faults.push_back(found.why);
+  }
+}
+
+void Judge::judge_promised_order(const EngineAnswer& answer, StressRun& run) {
+  const TraceVerdict verdict = follow(solid_, answer, limits_);
+  append(run.faults, faults_of_order(answer, verdict));
+  append(run.faults, faults_by_definition(solid_, answer, limits_));
+  double regret = 0;
+  for (std::size_t s = 0; s < verdict.steps.size(); ++s) {
+    const JudgedStep& step = verdict.steps[s];
+    if (!run.first_difference && !step.is_greedy()) run.first_difference = s;
+    if (step.regret) regret = std::max(regret, to_double(*step.regret, Rounding::Up));
+  }
+  run.regret = regret;
+  run.other_ties = verdict.other_ties;
+}
+
+// The run without a record makes the same removals; its ranges hold the costs.
+void Judge::judge_lean_run(const EngineAnswer& answer, StressRun& run) const {
+  if (answer.engine == Engine::Exact) {
+    run.cost_error = 0;
+    return;
+  }
+  if (answer.lean_removed != answer.removed) {
+    run.faults.push_back("with a record it removes others than without");
+    return;
+  }
+  double largest = 0;
+  for (std::size_t s = 0; s < answer.removed.size(); ++s) {
+    const Range& range = answer.lean_costs[s];
+    const Rational& cost = answer.costs[s];
+    largest = std::max(largest, error_of_cost(range, cost));
+    const bool is_open = range.high < 0;  // at infinity
+    if (range.low > cost || (!is_open && range.high < cost) ||
+        answer.lean_tied[s] != answer.ties[s].size()) {
+      run.faults.push_back(
+          fmt::format("the range of the cost of step {} or its ties are wrong", s));
+      break;
+    }
+  }
+  run.cost_error = largest;
+}
+
+// Exact and filtered promise the same, step by step, as far as both went.
+void Judge::compare_with_others(const EngineAnswer& answer, StressRun& run) const {
+  for (const EngineAnswer& other : answers_) {
+    if (!has_result(other) || other.engine == answer.engine) continue;
+    const std::size_t common = std::min(answer.removed.size(), other.removed.size());
+    if (other.engine == Engine::Exact) run.compared = common;
+    if (other.engine == Engine::Float || answer.engine == Engine::Float) continue;
+    for (std::size_t s = 0; s < common; ++s) {
+      if (answer.removed[s] == other.removed[s] && answer.costs[s] == other.costs[s] &&
+          answer.ties[s] == other.ties[s]) {
+        continue;
+      }
+      run.faults.push_back(fmt::format("exact and filtered differ at step {}", s));
+      return;
+    }
+    const EngineAnswer& shorter = answer.removed.size() == common ? answer : other;
+    if (shorter.end == StressEnd::AllUnbounded &&
+        (answer.removed.size() != other.removed.size() || answer.end != other.end)) {
+      run.faults.push_back("one of exact and filtered ends before the other");
+    }
+  }
+}
+
+// Whose removals count as right: the exact engine's, or where it was stopped before, the filtered
+// engine's, which is judged too.
+const EngineAnswer* Judge::reference(std::size_t steps) const {
+  for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
+    for (const EngineAnswer& answer : answers_) {
+      if (answer.engine == engine && has_result(answer) && answer.removed.size() >= steps) {
+        return &answer;
+      }
+    }
+  }
+  return nullptr;
+}
+
+void Judge::measure_volume_error(const EngineAnswer& answer, StressRun& run) const {
+  const EngineAnswer* right = reference(answer.removed.size());
+  if (right == nullptr) return;
+  const auto ids_after = [&](const EngineAnswer& a) {
+    std::vector<HalfspaceId> ids(a.removed.begin(),
+                                 a.removed.begin() + static_cast<std::ptrdiff_t>(run.steps));
+    std::sort(ids.begin(), ids.end());
+    return ids;
+  };
+  const std::vector<HalfspaceId> gone = ids_after(*right);
+  run.volume_error = 0;
+  if (gone == ids_after(answer)) return;
+  std::vector<Halfspace> left;
+  for (std::size_t i = 0; i < answer.halfspaces.size(); ++i) {
+    if (!std::binary_search(gone.begin(), gone.end(), HalfspaceId(i))) {
+      left.push_back(answer.halfspaces[i]);
+    }
+  }
+  const auto ours = intersect(answer.left, solid_.center), best = intersect(left, solid_.center);
+  if (!ours || !best) {
+    run.volume_error.reset();
+    return;
+  }
+  run.volume_error = to_double(Rational(volume(*ours) / volume(*best) - 1), Rounding::Nearest);
+}
+
+}  // namespace
+
+std::vector<StressRun> judge_answers(const StressInput& input, const Shape& shape,
+                                     std::span<const EngineAnswer> answers,
+                                     const JudgeLimits& limits) {
+  StageLog log;
+  const SolidOutcome outcome = make_solid(shape, input.seed + 1, true, log);
+  const Solid* solid = std::get_if<Solid>(&outcome);
+  std::vector<StressRun> runs;
+  for (const EngineAnswer& answer : answers) {
+    StressRun& run = runs.emplace_back(begin_run(input, answer));
+    run.input = size_of(shape);
+    if (!has_result(answer) && answer.end != StressEnd::NoVolume) {
+      run.faults.push_back(answer.why);
+    } else if ((answer.end == StressEnd::NoVolume) != (solid == nullptr)) {
+      run.faults.push_back(solid == nullptr ? "finds a solid where there is none"
+                                            : "finds no solid where there is one");
+    } else if (solid != nullptr) {
+      const JudgedSolid judged{solid->dual, interior_point_of(*solid)};
+      Judge(judged, shape, answers, limits).judge(answer, run);
+    }
+  }
+  return runs;
+}
+
+std::vector<StressRun> unjudged(const StressInput& input, std::span<const EngineAnswer> answers,
+                                const std::string& why) {
+  std::vector<StressRun> runs;
+  for (const EngineAnswer& answer : answers) {
+    StressRun& run = runs.emplace_back(begin_run(input, answer));
+    run.faults.push_back(has_result(answer) ? why : answer.why);
+  }
+  return runs;
+}
+
+}  // namespace convexact
