@@ -76,15 +76,21 @@ bool is_stuck(const std::vector<Halfspace>& planes) {
   return true;
 }
 
+// The solid that an output stands for; it is known to be one. Its vertices may be beyond doubles.
+Polytope polytope_of(const Candidate& output) {
+  constexpr std::uint64_t kSeed = 1;
+  StageLog log;
+  if (const auto* mesh = std::get_if<Mesh>(&output)) {
+    return to_polytope(std::get<Hull>(make_hull(mesh->points, kSeed, false, log)), mesh->points);
+  }
+  const auto& list = std::get<HalfspaceList>(output);
+  return std::get<Polytope>(make_polytope(list.halfspaces, kSeed, log));
+}
+
 bool has_too_many_facets(const Verdict& verdict, std::size_t wanted, const Candidate& output) {
   if (verdict.size.facets.value_or(0) <= wanted) return false;
-  const auto* mesh = std::get_if<Mesh>(&output);
-  const Shape shape =
-      mesh != nullptr ? Shape(mesh->points) : Shape(std::get<HalfspaceList>(output).halfspaces);
-  StageLog log;
-  const SolidOutcome outcome = make_solid(shape, 1, false, log);
-  const Polytope& polytope = std::get<Solid>(outcome).polytope;
-  if (mesh != nullptr &&
+  const Polytope polytope = polytope_of(output);
+  if (std::holds_alternative<Mesh>(output) &&
       count_planar_patches(polytope, squared_rounding(verdict, polytope)) <= wanted) {
     return false;
   }

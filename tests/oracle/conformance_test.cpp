@@ -99,6 +99,20 @@ TEST_CASE("judge_run: ways to end") {
   CHECK(judged(solid, greedy) == Outcome::OutOfMemory);
 }
 
+TEST_CASE("judge_run: an output with a vertex beyond the largest double is judged like any other") {
+  // A tetrahedron with the apex (0, 0, 10^400), and a fifth plane that cuts off one of its corners.
+  const Rational slope = parse_rational("1e-400"), half(1, 2), quarter(1, 4);
+  HalfspaceList planes;
+  planes.add({0, 0, -1}, -1);
+  planes.add({half, 0, slope}, -1);
+  planes.add({Rational(-quarter), half, slope}, -1);
+  planes.add({Rational(-quarter), Rational(-half), slope}, -1);
+  const TestVector octahedron = simplify_vector(shapes::octahedron(), 4);
+  CHECK(judged(octahedron, kDone, planes) == Outcome::Passed);
+  planes.add({1, 0, 0}, Rational(-5, 4));
+  CHECK(judged(octahedron, kDone, planes) == Outcome::TooManyFacets);
+}
+
 TEST_CASE("judge_run: too many facets, unless none of them can go") {
   const TestVector octahedron = simplify_vector(shapes::octahedron(), 4);
   CHECK(judged(octahedron, kDone, points_as_mesh(shapes::octahedron())) == Outcome::TooManyFacets);
