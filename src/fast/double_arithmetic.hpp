@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // double_arithmetic.hpp - what the float engine computes with.
 #pragma once
+#include "convexact/fast/dual_signs.hpp"
 #include "convexact/fast/fast_dual.hpp"
 #include "convexact/fast/plane_filter.hpp"
 
@@ -9,9 +10,11 @@ namespace convexact {
 struct DoubleDoubles {
   using Scalar = DoubleDouble;
   const FastDual& dual;
+  DualSigns exact{dual};
 
   Triple<DoubleDouble> point(HalfspaceId i) const { return dual.long_point(i); }
   static constexpr double unit() { return Roundoff<DoubleDouble>::kUnit; }
+  const DualSigns& signs() const { return exact; }
 };
 
 struct Doubles {
@@ -22,6 +25,7 @@ struct Doubles {
 
   const Triple<double>& point(HalfspaceId i) const { return dual.near(i); }
   static constexpr double unit() { return Roundoff<double>::kUnit; }
+  const DualSigns& signs() const { return long_ones.exact; }
   const DoubleDoubles& longer() const { return long_ones; }
 };
 

@@ -125,8 +125,17 @@ namespace {
 
 Json stop_json(const SimplifyResult& result) {
   // What doubles cannot prove to be bounded need not be unbounded.
-  const bool is_doubt = result.engine == Engine::Float && result.stop == StopReason::AllUnbounded;
+  const bool is_doubt = result.stop == StopReason::AllUnbounded && result.float_bound &&
+                        !result.float_bound->is_end_proven;
   return is_doubt ? "none-certain" : words::name_of(result.stop);
+}
+
+Json float_bound_json(const FloatBound& bound) {
+  return {{"vouched", bound.is_vouched()},
+          {"cost", bound.cost},
+          {"regret", bound.regret},
+          {"doubtful", bound.doubtful},
+          {"end_proven", bound.is_end_proven}};
 }
 
 }  // namespace
@@ -146,6 +155,7 @@ Json result_json(const SimplifyResult& result) {
                     {"output", measured_json(result.output_volume, kDigits)},
                     {"ratio", ratio.high_double()}};
   json["engine"] = words::name_of(result.engine);
+  if (result.float_bound) json["float_bound"] = float_bound_json(*result.float_bound);
   json["verified"] = {
       {"level", name_of(result.verified)}, {"steps", result.steps}, {"violations", 0}};
   return json;

@@ -37,7 +37,7 @@ std::string output_line(const SimplifyResult& result) {
     case StopReason::AllUnbounded:
       break;
   }
-  return text + (result.engine == Engine::Float
+  return text + (result.float_bound && !result.float_bound->is_end_proven
                      ? ": doubles are certain of no further removal; --engine filtered decides"
                      : ": removing any one more would leave the solid unbounded");
 }
@@ -73,6 +73,26 @@ std::string push_text(const Growth& growth) {
                      std::max(0.0, growth.volume_ratio - 1));
 }
 
+std::string float_lines(const SimplifyResult& result) {
+  const FloatBound& bound = *result.float_bound;
+  if (bound.is_vouched()) {
+    const std::string greedy =
+        bound.regret == 0
+            ? "every step was the cheapest"
+            : fmt::format("every step cost at most 1 + {:.1g} times the cheapest", bound.regret);
+    return line("doubles", fmt::format("{}, and what they took it for within {:.1g}: proven",
+                                       greedy, bound.cost));
+  }
+  std::string doubts;
+  if (bound.doubtful > 0) {
+    doubts = fmt::format("{} of {} not proven to be nearly the cheapest",
+                         with_separators(bound.doubtful), counted(result.steps, "step", "steps"));
+  }
+  if (!bound.is_end_proven)
+    doubts += std::string(doubts.empty() ? "" : ", ") + "the end is not proven";
+  return line("doubtful", doubts + "; --engine filtered decides");
+}
+
 const char* name_of(Precision precision) {
   return precision == Precision::Binary64 ? "binary64" : "binary32";
 }
@@ -97,6 +117,7 @@ std::string summary(const SimplifyResult& result) {
                                               result.input_halfspaces, result.redundant.size()));
   text += line("output", output_line(result));
   text += line("volume", volume_line(result));
+  if (result.float_bound) text += float_lines(result);
   text += line("verified", verified_line(result));
   return text + stored_lines(result.solid);
 }

@@ -35,7 +35,7 @@ std::vector<std::size_t> worst_steps(const std::vector<JudgedStep>& steps) {
 }
 
 std::string shortened(const std::string& text) {
-  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
+  return text.size() <= kLongest ? text : text.substr(0, kLongest).append("...");
 }
 
 std::string claim_text(const TraceClaim& claim) {

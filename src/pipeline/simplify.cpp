@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 #include "convexact/error.hpp"
@@ -59,6 +60,8 @@ struct Run {
   std::vector<HalfspaceId> removed;
   std::optional<Trace> trace;
   std::vector<Evaluation> evaluations;
+  std::optional<FloatBound> bound;
+  long volume_exponent = 0;  // of costs in `bound`
 };
 
 // What the result is measured against.
@@ -129,7 +132,8 @@ Run run_lean(const FastDual& dual, const SimplifyRequest& request, StageLog& log
   });
   Polytope polytope =
       log.run("polytope", [&] { return polytope_of(result, dual, request.engine); });
-  Run run{dual.size(), result.steps.size(), result.stop, std::move(polytope), {}, {}, {}};
+  Run run{dual.size(), result.steps.size(), result.stop,           std::move(polytope), {}, {},
+          {},          result.bound,        dual.volume_exponent()};
   for (const FastStep& step : result.steps) run.removed.push_back(step.removed);
   return run;
 }
@@ -144,9 +148,14 @@ Run run_with_record(const Solid& solid, const RationalPoint& center, const Simpl
   Trace& trace = result.trace;
   Polytope polytope =
       log.run("polytope", [&] { return to_polytope(trace.halfspaces, result.triangles); });
-  return {
-      trace.halfspaces.size(), trace.steps.size(),           trace.stop, std::move(polytope), {},
-      std::move(trace),        std::move(result.evaluations)};
+  return {trace.halfspaces.size(),
+          trace.steps.size(),
+          trace.stop,
+          std::move(polytope),
+          {},
+          std::move(trace),
+          std::move(result.evaluations),
+          {}};
 }
 
 // What the proof of a run needs. The float engine keeps no record: its removals are made again.
@@ -201,10 +210,26 @@ std::size_t verify_containment(const PointSet& points, const Polytope& result, V
   return points.size();
 }
 
+// A growth limit is compared in doubles while the float engine runs; here are exact volumes.
+bool is_growth_proven(const Run& run, const Enclosure& before, const Enclosure& after,
+                      const Rational& max_growth) {
+  const Rational most = 1 + max_growth;
+  const bool is_kept = run.steps == 0 || after.high() <= most * before.low();
+  if (!is_kept || run.stop != StopReason::GrowthLimit) return is_kept;
+  if (std::isinf(run.bound->least_next)) return true;
+  const Rational next =
+      scale_by_power_of_two(to_rational(run.bound->least_next), run.volume_exponent);
+  return after.low() + next > most * before.high();
+}
+
 SimplifyResult finish(Reference reference, Run run, const SimplifyRequest& request, StageLog& log) {
   Measured output_volume =
       log.run("volume", [&] { return measure_volume(run.polytope, request.exact_volumes); });
   if (!request.exact_volumes) log.skip("exact volume", "nobody asked for the fraction");
+  if (run.bound && request.max_growth) {
+    run.bound->is_end_proven &=
+        is_growth_proven(run, reference.volume.bounds, output_volume.bounds, *request.max_growth);
+  }
   log.skip("area and mean width", "simplify does not report them; hull does");
   const std::size_t tested =
       verify_containment(reference.points, run.polytope, request.verify, log);
@@ -223,7 +248,8 @@ SimplifyResult finish(Reference reference, Run run, const SimplifyRequest& reque
                         std::move(output_volume),
                         tested,
                         request.engine,
-                        request.verify};
+                        request.verify,
+                        run.bound};
 }
 
 // Points, and nobody wants to see the steps: exact planes are formed of what is left only.

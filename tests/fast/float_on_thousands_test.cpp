@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "check_bounded.hpp"
+#include "check_float_bound.hpp"
 #include "convexact/error.hpp"
 #include "convexact/fast/cap_evaluator.hpp"
 #include "convexact/fast/float_engine.hpp"
@@ -19,7 +20,7 @@ using namespace convexact;
 namespace {
 
 struct Seen {
-  std::size_t runs = 0, early = 0, refused_planes = 0, refused_mesh = 0;
+  std::size_t runs = 0, vouched = 0, early = 0, refused_planes = 0, refused_mesh = 0;
 };
 
 using Homogeneous = std::vector<stored_checker::Homogeneous>;
@@ -119,6 +120,8 @@ void check(std::uint32_t i, const std::vector<Point>& points, Seen& seen) {
   const FastResult result = simplify_float(dual, {.seed = i});
   CHECK(result.survivors.size() + result.steps.size() == dual.size());
   check_bounded(dual, result);
+  check_float_bound(dual, result);
+  seen.vouched += result.bound->is_vouched();
   if (result.survivors.size() > 4) {
     CHECK(result.stop == StopReason::AllUnbounded);
     check_reason_to_end(dual, result);
@@ -148,8 +151,9 @@ Seen check(std::string_view kind) {
   });
   CHECK(seen.runs * 4 >= hard::named(kind).count / hard::stride() * 3);
   MESSAGE(std::string(kind) << ": " << seen.runs << " runs, " << seen.early
-                            << " with more than 4 left; refused: " << seen.refused_planes
-                            << " planes, " << seen.refused_mesh << " meshes");
+                            << " with more than 4 left, " << seen.vouched
+                            << " vouched for; refused: " << seen.refused_planes << " planes, "
+                            << seen.refused_mesh << " meshes");
   return seen;
 }
 

@@ -152,6 +152,25 @@ TEST_CASE("simplify: what a scene does not need is skipped, with a reason") {
   CHECK(skipped(planes, "hull of dual points").empty());
 }
 
+TEST_CASE("simplify: the float engine's end at a growth limit is judged by exact volumes") {
+  // A cube with a corner cut off at 1/2 lacks 1/48 of its volume, and grows by 1/47 to get it back.
+  const PointSet cut(shapes::cut_cube(1, 0.5));
+  SimplifyRequest request = request_for(4, Engine::Float);
+  for (const Rational& growth : {Rational(1, 47) - Rational(1, 1000), Rational(1, 40)}) {
+    CAPTURE(to_string(growth));
+    request.max_growth = growth;
+    const SimplifyResult result = run(cut, request);
+    REQUIRE(result.float_bound.has_value());
+    CHECK(result.float_bound->is_vouched());
+    CHECK(result.steps == (growth > Rational(1, 47) ? 1 : 0));
+  }
+  // Exactly met: doubles cannot tell, so nothing is vouched for, whatever they did.
+  request.max_growth = Rational(1, 47);
+  CHECK_FALSE(run(cut, request).float_bound->is_end_proven);
+  request.engine = Engine::Filtered;
+  CHECK_FALSE(run(cut, request).float_bound.has_value());
+}
+
 TEST_CASE("measure_hull: a box, by closed form, with as many digits as asked for") {
   const PointSet box(shapes::box({1, 2, 3}));
   StageLog log;

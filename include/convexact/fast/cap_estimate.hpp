@@ -10,9 +10,10 @@ namespace convexact {
 template <class Scalar>
 struct CapEstimate {
   typename CapRange<Scalar>::Kind kind;
-  Scalar lower;  ///< Proven, if T is right.
+  Scalar lower;  ///< Proven, if T is right; also where it is not found bounded.
   Scalar value;  ///< As computed. *Not* the middle of a range: where H is near zero, its bound is
                  ///< often 10^6 times its error, and a range may reach up to any size.
+  Scalar upper;  ///< Proven, if T is right.
 };
 
 /// Determinants of a RingGeometry as they come out, for CapVolume.
@@ -63,15 +64,17 @@ class CapEstimator {
                           double unit) {
     using Kind = typename CapRange<Scalar>::Kind;
     const CapRange<Scalar> quick = lawrence_.run(ring, triangles, unit);
-    if (quick.kind != Kind::Doubtful) return {quick.kind, quick.lower, lawrence_.value()};
+    if (quick.kind != Kind::Doubtful) {
+      return {quick.kind, quick.lower, lawrence_.value(), quick.upper};
+    }
     RangeSource<Scalar> ends(ring, unit);
     const auto k = static_cast<std::uint32_t>(ring.arm.size());
     const CapRange<Scalar> range = ends.widened(ranges_.six_times(k, triangles, ends));
     if (range.kind != Kind::Bounded || lawrence_.is_stable()) {
-      return {range.kind, range.lower, lawrence_.value()};
+      return {range.kind, range.lower, lawrence_.value(), range.upper};
     }
     PlainSource<Scalar> source(ring);
-    return {Kind::Bounded, range.lower, plain_.six_times(k, triangles, source)};
+    return {Kind::Bounded, range.lower, plain_.six_times(k, triangles, source), range.upper};
   }
 
  private:

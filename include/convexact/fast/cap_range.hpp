@@ -29,7 +29,7 @@ struct CapRange {
   enum class Kind : unsigned char {
     Bounded,    ///< 0 <= lower <= six times its volume <= upper.
     Unbounded,  ///< Proven: some triangle of T has D < 0.
-    Doubtful,   ///< Some D is too small for this arithmetic to tell.
+    Doubtful,   ///< Some D is too small for this arithmetic to tell; `lower` is true all the same.
   };
   Kind kind;
   Scalar lower, upper;
@@ -86,13 +86,13 @@ class RangeSource {
   CapRange<Scalar> widened(const Number& six_times) const {
     using Kind = typename CapRange<Scalar>::Kind;
     if (negative_) return {Kind::Unbounded, Scalar(0.0), Scalar(0.0)};
-    if (doubtful_) return CapRange<Scalar>::doubtful();
     const double n = 16 + 2 * static_cast<double>(ring_.arm.size());
     const Scalar slop = Scalar(2 * n * unit_);
     const Scalar tiny = Scalar(ExponentRange<Scalar>::kVolumeUnderflow);
     const Scalar lower = six_times.lower * (Scalar(1.0) - slop) - tiny;
-    return {Kind::Bounded, is_positive(lower) ? lower : Scalar(0.0),
-            six_times.upper * (Scalar(1.0) + slop) + tiny};
+    return {doubtful_ ? Kind::Doubtful : Kind::Bounded, is_positive(lower) ? lower : Scalar(0.0),
+            doubtful_ ? CapRange<Scalar>::doubtful().upper
+                      : six_times.upper * (Scalar(1.0) + slop) + tiny};
   }
   /// Whether every D asked for so far is proven positive.
   bool is_certain() const { return !doubtful_; }
@@ -108,9 +108,14 @@ class RangeSource {
     sides.include(f);
     sides.include(g);
     const Scalar error = Scalar(filter_for<Scalar>(sides.size, unit_).determinant);
-    const Number range{value - error, value + error};
+    Number range{value - error, value + error};
     negative_ |= range.upper < Scalar(0.0);
-    doubtful_ |= !(range.lower > Scalar(ExponentRange<Scalar>::kSmallestDeterminant));
+    const Scalar smallest = Scalar(ExponentRange<Scalar>::kSmallestDeterminant);
+    if (range.lower > smallest) return range;
+    // The upper end of the sum is void now. Its lower end has no use for this one, and is true for
+    // any larger D.
+    doubtful_ = true;
+    if (range.upper < smallest) range.upper = smallest;
     return range;
   }
 

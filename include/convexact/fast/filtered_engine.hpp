@@ -2,10 +2,12 @@
 // filtered_engine.hpp - the greedy simplification at float speed, with the exact engine's answer.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "convexact/fast/dual_signs.hpp"
 #include "convexact/fast/fast_dual.hpp"
+#include "convexact/fast/float_bound.hpp"
 #include "convexact/simplify/options.hpp"
 #include "convexact/simplify/trace.hpp"
 
@@ -38,6 +40,7 @@ struct FastResult {
   std::vector<DualTriangle> triangles;  ///< Their dual hull.
   StopReason stop = StopReason::Reached;
   FastCounts counts;
+  std::optional<FloatBound> bound;  ///< Of the float engine.
 };
 
 /// Removes one halfspace after another, each time the one whose removal adds the least volume; of

@@ -5,7 +5,7 @@
 
 namespace convexact {
 
-/// The removals that doubles find cheapest. No exact number is used.
+/// The removals that doubles find cheapest. No exact number decides anything.
 ///
 /// What holds without any check of the result: the survivors are a subset of the input's
 /// halfspaces, so they contain the solid; and they are bounded, because a removal is made only if
@@ -13,6 +13,10 @@ namespace convexact {
 /// simplify_filtered(): the choice between costs that are equal up to rounding; and where not even
 /// DoubleDouble, which is asked where doubles are in doubt, can tell whether a vertex exists, the
 /// run may end early with AllUnbounded.
+///
+/// How far it can have gone wrong is proven during the run and stands in FastResult::bound: costs
+/// are enclosed, T is right if every sign that doubles are not sure of agrees with the exact one,
+/// and what was never enclosed counts as free of cost.
 /// @param options  `verify` is not looked at: there is no claim to verify but the two above.
 ///                 `max_growth` is compared in doubles.
 /// @throws Error   As simplify_filtered(), but never Internal.

@@ -35,6 +35,13 @@ struct LongerCapOf<Arithmetic> {
 template <class Arithmetic>
 using LongerCap = typename LongerCapOf<Arithmetic>::Type;
 
+/// Whether the ends of a cap are too far apart to be worth much as a bound.
+template <class Scalar>
+bool is_loose(const CapEstimate<Scalar>& cap) {
+  constexpr double kLoose = 1 + FloatBound::kMost / 4;
+  return !(cap.upper <= Scalar(kLoose) * cap.lower);
+}
+
 /// Arithmetic provides
 ///   Scalar                              + - * / < > <= and, by leading(), the nearest double
 ///   Triple<Scalar> point(HalfspaceId)   the dual point, off by at most 2 unit() per coordinate
@@ -42,6 +49,8 @@ using LongerCap = typename LongerCapOf<Arithmetic>::Type;
 /// and, if there is a longer arithmetic for the caps that this one does not find bounded,
 ///   Longer                              such a type, without a Longer of its own
 ///   const Longer& longer()
+/// and, if the run is to know its own error (FastResult::bound),
+///   const DualSigns& signs()            asked only whether T is right, never for a decision
 ///
 /// Signs of H are taken as they come out, and costs as CapEstimator computes them. Three guards,
 /// all relative to the size of what is computed (PlaneFilter), keep the result sound:
@@ -50,9 +59,9 @@ using LongerCap = typename LongerCapOf<Arithmetic>::Type;
 ///   estimate, unless both are nearly the same; an ill-conditioned cap has a low one. (Without this
 ///   guard an estimate that is too high would never be looked at again.)
 /// - Doubt: a cap that is not found bounded, be it that some D is too close to zero or that T is
-///   wrong, is looked at in the longer arithmetic. If that does not find it bounded either, it is
-///   put off until its ring changes. (Facets that would be one, had their vertices not been
-///   rounded, have dual points a few roundings apart.)
+///   wrong, or its ends far apart, is looked at in the longer arithmetic. If that does not find it
+///   bounded either, it is put off until its ring changes. (Facets that would be one, had their
+///   vertices not been rounded, have dual points a few roundings apart.)
 ///
 /// It ends: each pass removes a halfspace, evaluates a stale cap or stops, and RingTriangulator
 /// ends whatever the signs. The surface stays a sphere around the center: the new triangles of a
@@ -77,6 +86,9 @@ class FloatLoop {
   const Scalar& evaluate(HalfspaceId i);
   template <class Number>
   void keep(HalfspaceId i, const CapEstimate<Number>& cap);
+  template <class Number>
+  void watch(HalfspaceId i, const CapEstimate<Number>& cap, bool is_right);
+  bool is_unbounded_by_signs() const;
   Scalar six_times_volume();
   std::optional<HalfspaceId> choose();
   void remove(HalfspaceId i);
@@ -101,6 +113,7 @@ class FloatLoop {
   OneRing ring_;
   RingCap<Arithmetic> cap_;
   std::optional<LongerCap<Arithmetic>> longer_cap_;
+  std::optional<FloatWatch> watch_;
   std::vector<RingTriangle> triangles_;
   std::uint64_t evaluations_ = 0;
 };
@@ -120,6 +133,7 @@ FloatLoop<Arithmetic>::FloatLoop(const FastDual& dual, const Arithmetic& arithme
       patience_(dual.size()),
       cap_(arithmetic) {
   if constexpr (HasLonger<Arithmetic>) longer_cap_.emplace(arithmetic.longer());
+  if constexpr (HasSigns<Arithmetic>) watch_.emplace(dual.size());
   if (options.faces < 4) throw Error(ErrorCode::InvalidArgument, "a solid has at least 4 faces");
   if (options.max_growth && *options.max_growth < 0) {
     throw Error(ErrorCode::InvalidArgument, "a growth limit is not negative");
@@ -152,6 +166,7 @@ FastResult FloatLoop<Arithmetic>::run() {
     }
     allowance = allowance - cost;
     result.steps.push_back({*choice, 1, leading(cost) / 6, leading(cost) / 6});
+    if (watch_) watch_->remove(*choice, leading(cost));
     remove(*choice);
     --left;
     if (options_.progress) options_.progress(left);
@@ -159,6 +174,7 @@ FastResult FloatLoop<Arithmetic>::run() {
   result.triangles = mesh_.triangles();
   result.survivors = mesh_.vertices();
   result.counts.evaluations = evaluations_;
+  if (watch_) result.bound = watch_->finish(result.stop == StopReason::AllUnbounded);
   return result;
 }
 
@@ -187,13 +203,44 @@ const typename FloatLoop<Arithmetic>::Scalar& FloatLoop<Arithmetic>::evaluate(Ha
   const CapEstimate<Scalar> cap = cap_.estimate(triangles_);
   keep(i, cap);
   if constexpr (HasLonger<Arithmetic>) {
-    if (cap.kind != CapRange<Scalar>::Kind::Bounded) {
+    if (cap.kind != CapRange<Scalar>::Kind::Bounded || is_loose(cap)) {
       longer_cap_->load(i, ring_, options_.seed, triangles_);
-      keep(i, longer_cap_->estimate(triangles_));
+      const auto long_cap = longer_cap_->estimate(triangles_);
+      keep(i, long_cap);
       state_[i.index()] |= kLonger;
+      watch(i, long_cap, longer_cap_->is_right());
+      return estimate_[i.index()];
     }
   }
+  watch(i, cap, cap_.is_right());
   return estimate_[i.index()];
+}
+
+// Tells what is proven of i, whose ring and triangles are there.
+template <class Arithmetic>
+template <class Number>
+void FloatLoop<Arithmetic>::watch(HalfspaceId i, const CapEstimate<Number>& cap, bool is_right) {
+  if constexpr (HasSigns<Arithmetic>) {
+    using Kind = typename CapRange<Number>::Kind;
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (!is_right) {
+      watch_->note(i, 0, kInfinity);
+    } else if (cap.kind == Kind::Unbounded ||
+               (cap.kind == Kind::Doubtful && is_unbounded_by_signs())) {
+      watch_->note(i, kInfinity, kInfinity);
+    } else {
+      watch_->note(i, next_below(leading(cap.lower)), next_above(leading(cap.upper)));
+    }
+  }
+}
+
+// Whether some vertex of the cap is none: D <= 0 in exact numbers.
+template <class Arithmetic>
+bool FloatLoop<Arithmetic>::is_unbounded_by_signs() const {
+  const auto& v = ring_.vertices;
+  return std::any_of(triangles_.begin(), triangles_.end(), [&](const RingTriangle& t) {
+    return arithmetic_.signs().determinant(v[t.low], v[t.middle], v[t.high]) != Sign::Positive;
+  });
 }
 
 template <class Arithmetic>

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "convexact/fast/float_bound.hpp"
 #include "convexact/pipeline/measured.hpp"
 #include "convexact/pipeline/run_record.hpp"
 #include "convexact/pipeline/solid.hpp"
@@ -55,6 +56,7 @@ struct SimplifyResult {
   std::size_t tested_points = 0;  ///< Points tested directly against every survivor.
   Engine engine = Engine::Filtered;
   VerifyLevel verified = VerifyLevel::Local;
+  std::optional<FloatBound> float_bound;  ///< Of the float engine: what it proves of its errors.
 };
 
 using SimplifyOutcome = std::variant<SimplifyResult, NotSolid>;
