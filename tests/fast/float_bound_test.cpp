@@ -65,9 +65,10 @@ TEST_CASE("FloatWatch: a step is doubtful if its cost or another's is open") {
 }
 
 TEST_CASE("FloatBound: holds on every family of shapes, and vouches for all but the vaguest") {
-  // Facets that are coplanar but for the rounding of their vertices: their dual points are a few
-  // roundings apart.
-  const std::set<std::string_view> vague{"rounded-box", "rounded-dodecahedron", "nearly-coplanar"};
+  // Facets that are coplanar but for the rounding of their vertices, or tiny beside others: their
+  // dual points are a few roundings apart.
+  const std::set<std::string_view> vague{"rounded-box", "rounded-dodecahedron", "nearly-coplanar",
+                                         "mixed-scales", "mixture"};
   for (const shapes::Family& family : shapes::families()) {
     CAPTURE(family.name);
     if (family.dimension < 3) continue;

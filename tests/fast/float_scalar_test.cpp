@@ -38,9 +38,11 @@ struct Rounded {
 struct LongerPoints {
   using Scalar = DoubleDouble;
   const FastDual& dual;
+  DualSigns exact{dual};
 
   Triple<DoubleDouble> point(HalfspaceId i) const { return dual.long_point(i); }
   static double unit() { return Roundoff<DoubleDouble>::kUnit; }
+  const DualSigns& signs() const { return exact; }
 };
 
 // MPFR in the place of doubles.
@@ -50,6 +52,7 @@ struct DoublesOfMpfr : Rounded<MpfrScalar<53>> {
   LongerPoints long_points;
 
   const LongerPoints& longer() const { return long_points; }
+  const DualSigns& signs() const { return long_points.exact; }
 };
 
 FastResult run(const FastDual& dual, Numbers numbers, const SimplifyOptions& options = {}) {

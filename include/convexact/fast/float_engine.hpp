@@ -5,7 +5,7 @@
 
 namespace convexact {
 
-/// The removals that doubles find cheapest. No exact number decides anything.
+/// The removals that doubles find cheapest. Exact numbers decide none of them.
 ///
 /// What holds without any check of the result: the survivors are a subset of the input's
 /// halfspaces, so they contain the solid; and they are bounded, because a removal is made only if

@@ -50,7 +50,7 @@ bool is_loose(const CapEstimate<Scalar>& cap) {
 ///   Longer                              such a type, without a Longer of its own
 ///   const Longer& longer()
 /// and, if the run is to know its own error (FastResult::bound),
-///   const DualSigns& signs()            asked only whether T is right, never for a decision
+///   const DualSigns& signs()            asked where this arithmetic is not sure of a sign of T
 ///
 /// Signs of H are taken as they come out, and costs as CapEstimator computes them. Three guards,
 /// all relative to the size of what is computed (PlaneFilter), keep the result sound:
@@ -203,7 +203,7 @@ const typename FloatLoop<Arithmetic>::Scalar& FloatLoop<Arithmetic>::evaluate(Ha
   const CapEstimate<Scalar> cap = cap_.estimate(triangles_);
   keep(i, cap);
   if constexpr (HasLonger<Arithmetic>) {
-    if (cap.kind != CapRange<Scalar>::Kind::Bounded || is_loose(cap)) {
+    if (cap.kind != CapRange<Scalar>::Kind::Bounded || !cap_.is_right() || is_loose(cap)) {
       longer_cap_->load(i, ring_, options_.seed, triangles_);
       const auto long_cap = longer_cap_->estimate(triangles_);
       keep(i, long_cap);
