@@ -2,18 +2,19 @@
 #include "command.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
-#include <chrono>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <iostream>
 #include <new>
 
 #include "convexact/format/error_json.hpp"
 #include "convexact/format/result_json.hpp"
+#include "memory.hpp"
 #include "reproducer.hpp"
+#include "scratch_folder.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -56,12 +57,18 @@ int report(const GlobalOptions& options, const Error& error,
   return code;
 }
 
-void limit_memory(std::uint64_t bytes) {
-  if (bytes == 0) return;
-  const rlimit limit{bytes, bytes};
-  if (setrlimit(RLIMIT_AS, &limit) != 0) {
-    throw Error(ErrorCode::InvalidArgument, "--max-memory: the system refuses this limit");
-  }
+Error out_of_memory(const GlobalOptions& options) {
+  if (options.max_memory == 0) return {ErrorCode::Stopped, "out of memory"};
+  return {ErrorCode::Stopped,
+          fmt::format("out of memory: --max-memory allows {} bytes", options.max_memory)};
+}
+
+void limit_memory(const GlobalOptions& options) {
+  if (options.max_memory == 0) return;
+  cli::limit_memory(options.max_memory, [&options] {
+    remove_scratch_folders();
+    report(options, out_of_memory(options));
+  });
 }
 
 }  // namespace
@@ -87,17 +94,22 @@ void remember_input(const std::string& name, const std::string& bytes) {
 int run_guarded(const GlobalOptions& options, const std::function<int()>& work) {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
-  std::signal(SIGPIPE,
-              SIG_IGN);  // a closed pipe is an error of print(), not the end of the process
+  // A closed pipe and a file that grows too large are errors of writing, not the end of the
+  // process.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
-    limit_memory(options.max_memory);
+    limit_memory(options);
     return work();
   } catch (const Error& error) {
+    lift_memory_limit();
     const bool is_bug = error.code() == ErrorCode::Internal;
     return report(options, is_bug ? with_reproducer(error) : error);
   } catch (const std::bad_alloc&) {
-    return report(options, Error(ErrorCode::Stopped, "out of memory"));
+    lift_memory_limit();
+    return report(options, out_of_memory(options));
   } catch (const std::exception& error) {
+    lift_memory_limit();
     return report(options, with_reproducer(Error(ErrorCode::Internal, error.what())));
   }
 }
@@ -109,32 +121,17 @@ int report_not_solid(const GlobalOptions& options, const std::string& name,
 }
 
 void print(const std::string& text) {
-  std::cout << text << std::flush;
-  if (!std::cout) throw Error(ErrorCode::Stopped, "standard output is closed");
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) {
+    return;
+  }
+  if (errno == EPIPE) throw Error(ErrorCode::Stopped, "nobody reads standard output any more");
+  throw Error(ErrorCode::Unwritable,
+              std::string("standard output cannot be written: ") + std::strerror(errno));
 }
 
 void print(const nlohmann::ordered_json& document) { print(document.dump(2) + "\n"); }
 
 const std::atomic<bool>& interrupted() noexcept { return interrupt_flag; }
-
-double Progress::now() {
-  const auto time = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double>(time).count();
-}
-
-void Progress::clear() {
-  if (printed_ > 0) std::fputs("\r\033[K", stderr);
-  printed_ = 0;
-}
-
-void Progress::operator()(const char* what, std::size_t done, std::size_t total) {
-  const double time = now();
-  if (time - started_ < 1 || time - printed_ < 0.1 || isatty(STDERR_FILENO) == 0) return;
-  printed_ = time;
-  fmt::print(
-      stderr, "\r\033[K{}: {} of {} ({:.0f}%)", what, done, total,
-      100.0 * static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(total, 1)));
-  std::fflush(stderr);
-}
 
 }  // namespace convexact::cli

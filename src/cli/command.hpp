@@ -17,7 +17,7 @@ namespace convexact::cli {
 struct GlobalOptions {
   bool json = false;             ///< One JSON object on standard output, also on failure.
   std::uint64_t seed = 1;        ///< Of every random order; no answer depends on it.
-  std::uint64_t max_memory = 0;  ///< Bytes of address space; 0 for no limit.
+  std::uint64_t max_memory = 0;  ///< Bytes of heap; 0 for no limit.
 };
 
 /// Adds --json, --seed and --max-memory to a subcommand.
@@ -57,27 +57,12 @@ int run_guarded(const GlobalOptions& options, const std::function<int()>& work);
 /// Tells that an input encloses no volume, with the proof, and returns the exit code.
 int report_not_solid(const GlobalOptions& options, const std::string& name, const NotSolid& reason);
 
-/// Prints to standard output. @throws Error Stopped if nobody reads it any more.
+/// Prints to standard output.
+/// @throws Error Stopped if nobody reads it any more; Unwritable if it cannot be written.
 void print(const std::string& text);
 void print(const nlohmann::ordered_json& document);
 
 /// Becomes true when an interrupt (Ctrl-C, SIGTERM) arrives; long loops ask and end with Stopped.
 const std::atomic<bool>& interrupted() noexcept;
-
-/// Progress on one line of standard error, when that is a terminal and the work takes over a
-/// second.
-class Progress {
- public:
-  ~Progress() { clear(); }
-  /// @param done of total; called often, prints at most ten times a second.
-  void operator()(const char* what, std::size_t done, std::size_t total);
-  /// Takes the line away again.
-  void clear();
-
- private:
-  double started_ = now();
-  double printed_ = 0;
-  static double now();
-};
 
 }  // namespace convexact::cli

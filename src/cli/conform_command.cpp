@@ -14,6 +14,7 @@
 #include "convexact/hull/hull.hpp"
 #include "convexact/io/atomic_output.hpp"
 #include "convexact/io/write_mesh.hpp"
+#include "progress.hpp"
 #include "scratch_folder.hpp"
 
 namespace convexact::cli {

@@ -9,6 +9,7 @@
 #include "convexact/format/result_json.hpp"
 #include "convexact/format/summary.hpp"
 #include "outputs.hpp"
+#include "progress.hpp"
 #include "scene.hpp"
 
 namespace convexact::cli {
@@ -77,8 +78,8 @@ void print_table(const std::vector<DiffedObject>& objects, const StageLog& log) 
 }
 
 int run(const Options& options) {
-  StageLog log;
   Progress progress;
+  StageLog log(progress.watch());
   DiffRequest request;
   request.faces = options.faces;
   request.engines = parse_engines(options.engines);
@@ -91,9 +92,10 @@ int run(const Options& options) {
       log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
   std::vector<DiffedObject> objects;
   for (const SceneObject& source : scene) {
-    StageLog own;
+    StageLog own(progress.watch());
     DiffOutcome outcome = diff_engines(source.shape, request, own);
     if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
+      progress.clear();
       return report_not_solid(options.global, source.name, *reason);
     }
     log.add(own);

@@ -8,6 +8,7 @@
 #include "convexact/format/result_json.hpp"
 #include "convexact/format/summary.hpp"
 #include "outputs.hpp"
+#include "progress.hpp"
 #include "scene.hpp"
 
 namespace convexact::cli {
@@ -49,7 +50,9 @@ nlohmann::ordered_json document_of(const std::vector<MeasuredObject>& objects, i
 
 int run(const Options& options) {
   options.output.require_sensible();
-  StageLog log;
+  require_other_files(options.output.all_paths(), options.inputs);
+  Progress progress;
+  StageLog log(progress.watch());
   std::vector<SceneObject> scene =
       log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
   options.output.require_room_for(scene.size());
@@ -58,9 +61,10 @@ int run(const Options& options) {
   request.store = options.output.store_request();
   std::vector<MeasuredObject> objects;
   for (SceneObject& source : scene) {
-    StageLog own;
+    StageLog own(progress.watch());
     HullReport outcome = measure_hull(source.shape, request, own);
     if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
+      progress.clear();
       return report_not_solid(options.global, source.name, *reason);
     }
     log.add(own);
@@ -71,6 +75,7 @@ int run(const Options& options) {
     outputs.push_back({object.source, object.result.solid});
   }
   log.run("write", StageKind::Io, [&] { write_outputs(outputs, options.output); });
+  progress.clear();
   if (options.global.json) {
     print(document_of(objects, request.digits));
     return 0;

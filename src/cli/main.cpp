@@ -1,36 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The program: one subcommand per file.
-#include <gmp.h>
-#include <unistd.h>
-
-#include <cstdlib>
-#include <cstring>
-
 #include "command.hpp"
+#include "memory.hpp"
 
 namespace {
-
-// GMP cannot pass an exception through, so running out of memory in it ends the process here. No
-// output file is open at that point: files are written after the last computation.
-[[noreturn]] void out_of_memory() {
-  constexpr char kMessage[] = "convexact: out of memory\n";
-  [[maybe_unused]] const auto written = write(STDERR_FILENO, kMessage, std::strlen(kMessage));
-  std::_Exit(convexact::exit_code(convexact::ErrorCode::Stopped));
-}
-
-void* allocate(std::size_t size) {
-  void* block = std::malloc(size);
-  if (block == nullptr) out_of_memory();
-  return block;
-}
-
-void* reallocate(void* old, std::size_t, std::size_t size) {
-  void* block = std::realloc(old, size);
-  if (block == nullptr) out_of_memory();
-  return block;
-}
-
-void release(void* block, std::size_t) { std::free(block); }
 
 constexpr const char* kDescription =
     "convexact encloses a 3D shape in few halfspaces, and proves in exact arithmetic that it "
@@ -52,7 +25,7 @@ constexpr const char* kFooter =
 }  // namespace
 
 int main(int argc, char** argv) {
-  mp_set_memory_functions(allocate, reallocate, release);
+  convexact::cli::install_memory_functions();
   convexact::cli::remember_command_line(argc, argv);
   CLI::App program(kDescription, "convexact");
   program.footer(kFooter);

@@ -2,6 +2,7 @@
 #include "outputs.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "command.hpp"
 #include "convexact/error.hpp"
@@ -169,6 +170,18 @@ void OutputOptions::require_room_for(std::size_t objects) const {
   }
 }
 
+void require_other_files(const std::vector<std::string>& outputs,
+                         const std::vector<std::string>& inputs) {
+  for (const std::string& output : outputs) {
+    for (const std::string& input : inputs) {
+      std::error_code missing;  // a file that does not exist is none of the inputs
+      if (std::filesystem::equivalent(output, input, missing)) {
+        reject("-o " + output + ": is the input, which would be lost; name another file");
+      }
+    }
+  }
+}
+
 void add_input_argument(CLI::App& command, std::vector<std::string>& inputs) {
   command
       .add_option("INPUT", inputs,
@@ -200,22 +213,28 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
 }
 
 void write_outputs(const std::vector<OutputObject>& objects, const OutputOptions& options) {
-  AtomicOutput files;
+  // All bytes first: whatever fails before the first file is there leaves none behind.
+  std::vector<std::pair<std::string, std::string>> files;
   for (const std::string& path : options.results) {
     const auto mesh_format = mesh_format_of_path(path);
-    const std::string bytes =
-        mesh_format ? mesh_bytes(objects, *mesh_format, objects[0].solid.mesh->precision)
-                    : plane_bytes(objects[0].solid, *halfspace_format_of_path(path));
+    std::string bytes = mesh_format
+                            ? mesh_bytes(objects, *mesh_format, objects[0].solid.mesh->precision)
+                            : plane_bytes(objects[0].solid, *halfspace_format_of_path(path));
     prove_bytes(bytes, path, objects);
-    files.add(path, bytes);
+    files.emplace_back(path, std::move(bytes));
   }
-  if (!options.picture.empty()) files.add(options.picture, picture_bytes(objects));
-  if (!options.trace.empty()) files.add(options.trace, write_trace_json(*objects[0].trace));
+  if (!options.picture.empty()) files.emplace_back(options.picture, picture_bytes(objects));
+  if (!options.trace.empty()) {
+    files.emplace_back(options.trace, write_trace_json(*objects[0].trace));
+  }
   if (!options.proof.empty()) {
     const OutputObject& object = objects[0];
-    files.add(options.proof, write_proof(*object.record, object.solid.points, object.solid.planes));
+    files.emplace_back(options.proof,
+                       write_proof(*object.record, object.solid.points, object.solid.planes));
   }
-  files.commit();
+  AtomicOutput output;
+  for (const auto& [path, bytes] : files) output.add(path, bytes);
+  output.commit();
 }
 
 }  // namespace convexact::cli

@@ -31,6 +31,11 @@ struct OutputOptions {
   void require_room_for(std::size_t objects) const;
 };
 
+/// @throws Error InvalidArgument if an output is one of the inputs, by whatever name: it would be
+/// lost.
+void require_other_files(const std::vector<std::string>& outputs,
+                         const std::vector<std::string>& inputs);
+
 void add_input_argument(CLI::App& command, std::vector<std::string>& inputs);
 void add_output_options(CLI::App& command, OutputOptions& options);
 void add_scene_options(CLI::App& command, SceneOptions& options);

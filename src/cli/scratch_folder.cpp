@@ -4,21 +4,37 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 #include "convexact/error.hpp"
 
 namespace convexact::cli {
+namespace {
+
+std::vector<std::string>& all_paths() {
+  static std::vector<std::string> paths;
+  return paths;
+}
+
+}  // namespace
 
 ScratchFolder::ScratchFolder() {
   path_ = (std::filesystem::temp_directory_path() / "convexact-XXXXXX").string();
   if (mkdtemp(path_.data()) == nullptr) {
     throw Error(ErrorCode::Unwritable, "no folder for temporary files can be made");
   }
+  all_paths().push_back(path_);
 }
 
 ScratchFolder::~ScratchFolder() {
   std::error_code ignored;
   std::filesystem::remove_all(path_, ignored);
+  std::erase(all_paths(), path_);
+}
+
+void remove_scratch_folders() noexcept {
+  std::error_code ignored;
+  for (const std::string& path : all_paths()) std::filesystem::remove_all(path, ignored);
 }
 
 std::string ScratchFolder::write(const std::string& name, const std::string& bytes) const {

@@ -22,4 +22,7 @@ class ScratchFolder {
   std::string path_;
 };
 
+/// Removes all that there are, for an end of the process without destructors.
+void remove_scratch_folders() noexcept;
+
 }  // namespace convexact::cli

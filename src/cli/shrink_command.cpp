@@ -12,7 +12,9 @@
 #include "convexact/io/read_mesh.hpp"
 #include "convexact/io/write_mesh.hpp"
 #include "convexact/oracle/shrink.hpp"
+#include "outputs.hpp"
 #include "program_case.hpp"
+#include "progress.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -96,6 +98,7 @@ int run(const Options& options) {
   program.verify.claims = parse_claims(options.claims);
   program.verify.tightness = false;
   program.verify.seed = options.global.seed;
+  require_other_files({options.output}, {options.input});
   const Mesh mesh = read_mesh(options.input);
   const ScratchFolder folder;
   const std::optional<std::string> failure = failure_of(program, mesh, folder);

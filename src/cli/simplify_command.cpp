@@ -9,6 +9,7 @@
 #include "convexact/format/result_json.hpp"
 #include "convexact/format/summary.hpp"
 #include "outputs.hpp"
+#include "progress.hpp"
 #include "scene.hpp"
 
 namespace convexact::cli {
@@ -129,28 +130,30 @@ void write(const std::vector<SimplifiedObject>& objects, const OutputOptions& op
 }
 
 int run(const Options& options) {
-  StageLog log;
+  Progress progress;
+  StageLog log(progress.watch());
   SimplifyRequest request = request_of(options);
   options.output.require_sensible();
+  require_other_files(options.output.all_paths(), options.inputs);
   std::vector<SceneObject> scene =
       log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
   options.output.require_room_for(scene.size());
-  Progress progress;
   request.progress = [&](std::size_t left, std::size_t at_start) {
     progress("removing halfspaces", at_start - left, at_start - request.faces.value_or(4));
   };
   std::vector<SimplifiedObject> objects;
   for (SceneObject& source : scene) {
-    StageLog own;
+    StageLog own(progress.watch());
     SimplifyOutcome outcome = simplify(source.shape, request, own);
     if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
+      progress.clear();
       return report_not_solid(options.global, source.name, *reason);
     }
     log.add(own);
     objects.push_back({std::move(source), std::get<SimplifyResult>(std::move(outcome)), own});
   }
-  progress.clear();
   log.run("write", StageKind::Io, [&] { write(objects, options.output); });
+  progress.clear();
   if (options.global.json) {
     print(document_of(objects, log));
   } else {

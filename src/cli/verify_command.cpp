@@ -11,6 +11,7 @@
 #include "convexact/format/verdict_json.hpp"
 #include "convexact/format/verdict_table.hpp"
 #include "outputs.hpp"
+#include "progress.hpp"
 #include "scene.hpp"
 #include "verify_stdio.hpp"
 #include "verify_trace.hpp"
@@ -58,7 +59,8 @@ int run_verify_candidate(const Options& options) {
   if (options.input == "-" && options.candidate == "-") {
     throw Error(ErrorCode::InvalidArgument, "only one of INPUT and CANDIDATE can be -");
   }
-  StageLog log;
+  Progress progress;
+  StageLog log(progress.watch());
   const SceneObject input = log.run("read input", StageKind::Io, [&] {
     return std::move(read_scene({options.input}, {.decimal = options.decimal}).front());
   });
@@ -67,9 +69,11 @@ int run_verify_candidate(const Options& options) {
   });
   const VerifyOutcome outcome = verify(input.shape, candidate, request, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
+    progress.clear();
     return report_not_solid(options.global, input.name, *reason);
   }
   const auto& verdict = std::get<Verdict>(outcome);
+  progress.clear();
   if (options.global.json) {
     nlohmann::ordered_json document = {{"input", input.name}, {"file", options.candidate}};
     document.update(verdict_json(verdict));

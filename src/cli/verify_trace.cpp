@@ -8,6 +8,7 @@
 #include "convexact/io/read_bytes.hpp"
 #include "convexact/oracle/judge_trace.hpp"
 #include "convexact/pipeline/solid.hpp"
+#include "progress.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -94,7 +95,8 @@ int run_verify_trace(const GlobalOptions& global, const std::string& input, Deci
   if ((input == "-") + (options.trace == "-") + (options.facets == "-") > 1) {
     throw Error(ErrorCode::InvalidArgument, "standard input, -, can be read only once");
   }
-  StageLog log;
+  Progress progress;
+  StageLog log(progress.watch());
   const OrderFiles files =
       log.run("read the trace", StageKind::Io, [&] { return read_files(options); });
   const std::vector<SceneObject> scene = log.run("read", StageKind::Io, [&] {
@@ -102,9 +104,9 @@ int run_verify_trace(const GlobalOptions& global, const std::string& input, Deci
   });
   const SolidOutcome outcome = make_solid(scene[0].shape, global.seed, true, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
+    progress.clear();
     return report_not_solid(global, scene[0].name, *reason);
   }
-  Progress progress;
   const std::size_t halfspaces = std::get<Solid>(outcome).dual.halfspaces.size();
   judge_options.progress = [&](std::size_t judged) {
     progress("judging removals", judged, halfspaces - 4);

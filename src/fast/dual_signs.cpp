@@ -10,28 +10,29 @@ namespace {
 // H and D of four or three points in one stage of floating arithmetic. With all w = 1,
 // H = ((b - a) x (c - a)).(p - a) and D = ((b - a) x (c - a)).a.
 template <class Scalar>
-Verdict height_in(const Triple<Scalar>& a, const Triple<Scalar>& b, const Triple<Scalar>& c,
-                  const Triple<Scalar>& p) {
+FilterSign height_in(const Triple<Scalar>& a, const Triple<Scalar>& b, const Triple<Scalar>& c,
+                     const Triple<Scalar>& p) {
   const Triple<Scalar> f = b - a, g = c - a, h = p - a;
   Extent extent;
   extent.include(f);
   extent.include(g);
   extent.include(h);
-  return verdict(leading(dot(cross(f, g), h)),
-                 PlaneFilter::within(extent.size, Roundoff<Scalar>::kUnit).height);
+  return filter_sign(leading(dot(cross(f, g), h)),
+                     PlaneFilter::within(extent.size, Roundoff<Scalar>::kUnit).height);
 }
 
 template <class Scalar>
-Verdict determinant_in(const Triple<Scalar>& a, const Triple<Scalar>& b, const Triple<Scalar>& c) {
+FilterSign determinant_in(const Triple<Scalar>& a, const Triple<Scalar>& b,
+                          const Triple<Scalar>& c) {
   const Triple<Scalar> f = b - a, g = c - a;
   Extent extent;
   extent.include(f);
   extent.include(g);
-  return verdict(leading(dot(cross(f, g), a)),
-                 PlaneFilter::within(extent.size, Roundoff<Scalar>::kUnit).determinant);
+  return filter_sign(leading(dot(cross(f, g), a)),
+                     PlaneFilter::within(extent.size, Roundoff<Scalar>::kUnit).determinant);
 }
 
-Sign to_sign(Verdict v) { return Sign(static_cast<signed char>(v)); }
+Sign to_sign(FilterSign v) { return Sign(static_cast<signed char>(v)); }
 
 // `list` is ascending.
 bool contains(std::span<const std::uint32_t> list, std::uint32_t x) {
@@ -77,8 +78,8 @@ Integer dot(const IntegerVector3& a, const IntegerVector3& b) {
 }  // namespace
 
 Sign DualSigns::height(HalfspaceId a, HalfspaceId b, HalfspaceId c, HalfspaceId p) const {
-  const Verdict sure = height_in(dual_->near(a), dual_->near(b), dual_->near(c), dual_->near(p));
-  if (sure == Verdict::Unknown) return height_beyond_doubles(a, b, c, p);
+  const FilterSign sure = height_in(dual_->near(a), dual_->near(b), dual_->near(c), dual_->near(p));
+  if (sure == FilterSign::Unknown) return height_beyond_doubles(a, b, c, p);
   ++counts_.filtered;
   return to_sign(sure);
 }
@@ -89,9 +90,9 @@ Sign DualSigns::height_beyond_doubles(HalfspaceId a, HalfspaceId b, HalfspaceId 
     ++counts_.incident;
     return Sign::Zero;
   }
-  const Verdict sure = height_in(dual_->long_point(a), dual_->long_point(b), dual_->long_point(c),
-                                 dual_->long_point(p));
-  if (sure != Verdict::Unknown) {
+  const FilterSign sure = height_in(dual_->long_point(a), dual_->long_point(b),
+                                    dual_->long_point(c), dual_->long_point(p));
+  if (sure != FilterSign::Unknown) {
     ++counts_.extended;
     return to_sign(sure);
   }
@@ -100,8 +101,8 @@ Sign DualSigns::height_beyond_doubles(HalfspaceId a, HalfspaceId b, HalfspaceId 
 }
 
 Sign DualSigns::determinant(HalfspaceId a, HalfspaceId b, HalfspaceId c) const {
-  const Verdict sure = determinant_in(dual_->near(a), dual_->near(b), dual_->near(c));
-  if (sure == Verdict::Unknown) return determinant_beyond_doubles(a, b, c);
+  const FilterSign sure = determinant_in(dual_->near(a), dual_->near(b), dual_->near(c));
+  if (sure == FilterSign::Unknown) return determinant_beyond_doubles(a, b, c);
   ++counts_.filtered;
   return to_sign(sure);
 }
@@ -111,9 +112,9 @@ Sign DualSigns::determinant_beyond_doubles(HalfspaceId a, HalfspaceId b, Halfspa
     ++counts_.incident;
     return Sign::Zero;
   }
-  const Verdict sure =
+  const FilterSign sure =
       determinant_in(dual_->long_point(a), dual_->long_point(b), dual_->long_point(c));
-  if (sure != Verdict::Unknown) {
+  if (sure != FilterSign::Unknown) {
     ++counts_.extended;
     return to_sign(sure);
   }

@@ -46,6 +46,12 @@ FastDual::~FastDual() = default;
 
 const Halfspace& FastDual::exact(HalfspaceId i) const { return (*planes_)[i.index()]; }
 
+std::size_t FastDual::formed() const {
+  const auto& formed = planes_->formed;
+  return formed.size() -
+         static_cast<std::size_t>(std::count(formed.begin(), formed.end(), nullptr));
+}
+
 bool FastDual::precedes(HalfspaceId i, HalfspaceId j) const {
   return planes_->solid != nullptr ? i < j : exact(i) < exact(j);
 }

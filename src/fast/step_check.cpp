@@ -72,8 +72,8 @@ void StepCheck::measure(const ClaimedStep& step) {
 
 // `height` is H in doubles; where it is within its error, exact numbers decide.
 bool StepCheck::is_beyond(const DualTriangle& t, HalfspaceId p, double height) const {
-  const Verdict sure = verdict(height, filter_.height);
-  if (sure != Verdict::Unknown) return sure == Verdict::Positive;
+  const FilterSign sure = filter_sign(height, filter_.height);
+  if (sure != FilterSign::Unknown) return sure == FilterSign::Positive;
   return signs_.height_beyond_doubles(t[0], t[1], t[2], p) == Sign::Positive;
 }
 
@@ -83,7 +83,7 @@ void StepCheck::check_triangles(const ClaimedStep& step) const {
   for (const DualTriangle& t : step.triangles) {
     const Triple<double>& a = dual_.near(t[0]);
     const Triple<double> normal = cross(dual_.near(t[1]) - a, dual_.near(t[2]) - a);
-    require(verdict(dot(normal, a), filter_.determinant) == Verdict::Positive ||
+    require(filter_sign(dot(normal, a), filter_.determinant) == FilterSign::Positive ||
                 signs_.determinant_beyond_doubles(t[0], t[1], t[2]) == Sign::Positive,
             "every new triangle has a vertex");
     // On or beyond the removed plane: seen from the other side, not strictly inside it.

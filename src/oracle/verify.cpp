@@ -14,7 +14,7 @@ using namespace oracle;
 
 std::variant<Input, NotSolid> input_of_points(const PointSet& points, std::uint64_t seed,
                                               StageLog& log) {
-  StageLog within;
+  StageLog within(StageWatch{.begins = {}, .stop = log.watch().stop});
   auto outcome = log.run("input's hull", [&] { return make_hull(points, seed, true, within); });
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   const auto& hull = std::get<Hull>(outcome);
@@ -26,7 +26,7 @@ std::variant<Input, NotSolid> input_of(const Shape& shape, std::uint64_t seed, S
   if (const auto* points = std::get_if<PointSet>(&shape)) {
     return input_of_points(*points, seed, log);
   }
-  StageLog within;
+  StageLog within(StageWatch{.begins = {}, .stop = log.watch().stop});
   SolidOutcome outcome =
       log.run("input's vertices", [&] { return make_solid(shape, seed, true, within); });
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;

@@ -86,8 +86,9 @@ SolidOutcome solid_of_halfspaces(std::span<const Halfspace> halfspaces, std::uin
 
 std::variant<Hull, NotSolid> make_hull(const PointSet& points, std::uint64_t seed, bool check,
                                        StageLog& log) {
-  HullOutcome outcome =
-      log.run("hull", [&] { return convex_hull(points, HullOptions{.seed = seed}); });
+  HullOutcome outcome = log.run("hull", [&] {
+    return convex_hull(points, HullOptions{.seed = seed, .stop = log.watch().stop});
+  });
   if (const auto* flat = std::get_if<FlatInput>(&outcome)) {
     require(check_flat(*flat, points), "every point lies on these planes");
     return NotSolid(*flat);

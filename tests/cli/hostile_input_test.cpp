@@ -126,9 +126,9 @@ TEST_CASE("simplify: what binary32 cannot hold is refused with exit 5") {
   }
 }
 
-TEST_CASE("simplify: standard input, and a closed standard output") {
+TEST_CASE("simplify: standard input, and a full standard output") {
   const ScratchFolder scratch;
   const std::string good = scratch.write("a.obj", kTetrahedron);
   CHECK(run_program("simplify - --faces 4 <" + good).exit == 0);
-  CHECK(run_program("simplify " + good + " --faces 4 --json >/dev/full #").exit == 6);
+  CHECK(run_program("simplify " + good + " --faces 4 --json >/dev/full #").exit == 5);
 }

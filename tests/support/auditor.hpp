@@ -29,8 +29,8 @@ class Auditor : public Tally {
  public:
   Auditor(const FastDual& dual, std::size_t stride) : dual_(dual), stride_(stride) {}
 
-  void height(HalfspaceId a, HalfspaceId b, HalfspaceId c, HalfspaceId p, Verdict verdict) {
-    if (verdict == Verdict::Unknown) {
+  void height(HalfspaceId a, HalfspaceId b, HalfspaceId c, HalfspaceId p, FilterSign sign) {
+    if (sign == FilterSign::Unknown) {
       ++unknown_signs;
       return;
     }
@@ -41,7 +41,7 @@ class Auditor : public Tally {
       rows.push_back({Rational(h.normal()[0]), Rational(h.normal()[1]), Rational(h.normal()[2]),
                       Rational(h.offset())});
     }
-    CHECK(static_cast<int>(sign_of(exact_determinant(rows))) == static_cast<int>(verdict));
+    CHECK(static_cast<int>(sign_of(exact_determinant(rows))) == static_cast<int>(sign));
     ++signs_checked;
   }
 

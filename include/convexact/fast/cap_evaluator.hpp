@@ -18,7 +18,7 @@ namespace convexact {
 /// Hears of everything that was decided without exact numbers, so that a test can decide it again.
 /// The engine runs with this one, which compiles to nothing.
 struct NoAudit {
-  void height(HalfspaceId, HalfspaceId, HalfspaceId, HalfspaceId, Verdict) {}
+  void height(HalfspaceId, HalfspaceId, HalfspaceId, HalfspaceId, FilterSign) {}
   template <class Scalar>
   void cap(HalfspaceId, const OneRing&, const std::vector<RingTriangle>&, const CapRange<Scalar>&) {
   }
@@ -80,13 +80,13 @@ class CapEvaluator<Audit>::Beyond {
   }
   bool is_beyond(std::uint32_t m) {
     const auto& point = cap_.geometry_.point;
-    const Verdict sure = verdict(dot(normal_, point[m] - point[corners_[0]]), bound_);
+    const FilterSign sure = filter_sign(dot(normal_, point[m] - point[corners_[0]]), bound_);
     const auto id = [&](std::uint32_t position) { return cap_.ring_.vertices[position]; };
     const HalfspaceId a = id(corners_[0]), b = id(corners_[1]), c = id(corners_[2]), p = id(m);
     cap_.audit_.height(a, b, c, p, sure);
-    if (sure != Verdict::Unknown) {
+    if (sure != FilterSign::Unknown) {
       cap_.signs_.count_filtered();
-      return sure == Verdict::Positive;
+      return sure == FilterSign::Positive;
     }
     return cap_.signs_.height_beyond_doubles(a, b, c, p) == Sign::Positive;
   }

@@ -18,9 +18,11 @@ struct SignCounts {
 };
 
 /// A sign that `value`, off by at most `bound`, proves; NaN proves nothing.
-enum class Verdict : signed char { Negative = -1, Unknown = 0, Positive = 1 };
-[[nodiscard]] inline Verdict verdict(double value, double bound) {
-  return value > bound ? Verdict::Positive : value < -bound ? Verdict::Negative : Verdict::Unknown;
+enum class FilterSign : signed char { Negative = -1, Unknown = 0, Positive = 1 };
+[[nodiscard]] inline FilterSign filter_sign(double value, double bound) {
+  return value > bound    ? FilterSign::Positive
+         : value < -bound ? FilterSign::Negative
+                          : FilterSign::Unknown;
 }
 
 /// The two predicates of the dual hull on halfspaces of a FastDual. Always exact.

@@ -62,6 +62,8 @@ class FastDual {
 
   /// The halfspace itself; formed at the first call. Not to be called from two threads.
   const Halfspace& exact(HalfspaceId i) const;
+  /// How many halfspaces have been formed so far.
+  std::size_t formed() const;
   /// Whether i stands before j in canonical order.
   bool precedes(HalfspaceId i, HalfspaceId j) const;
   /// Strictly inside: the point that the dual refers to.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // hull.hpp - the exact convex hull of a point set: its extreme points and its facets.
 #pragma once
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <variant>
@@ -71,6 +72,7 @@ struct HullOptions {
   /// Points are inserted furthest first until e n log2(n) steps are spent, the rest in random
   /// order. At least 0; 0 is random order from the start.
   double furthest_first_effort = 8;
+  const std::atomic<bool>* stop = nullptr;  ///< When it becomes true: Error Stopped.
 };
 
 /// Exact hull by randomised incremental insertion with a conflict graph.

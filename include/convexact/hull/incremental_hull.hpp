@@ -64,6 +64,7 @@ class IncrementalHull {
     // it quadratic. A budget of O(n log n) moves and triangles keeps it honest; what is then left
     // goes in random order, whose expected bound holds after any start.
     const double n = static_cast<double>(near_.size());
+    stop_ = options.stop;
     insert_furthest_first(options.furthest_first_effort * n * std::log2(n));
     insert_randomly(options.seed);
     compact();
@@ -203,6 +204,7 @@ class IncrementalHull {
 
   // One insertion, as in [deBerg2008, sec. 11.2]; `seed` is visible from apex.
   void insert(PointId apex, std::uint32_t seed) {
+    if (stop_ != nullptr && *stop_) throw Error(ErrorCode::Stopped, "interrupted");
     ++round_;
     // (1) Visible means strictly beyond. The visible triangles are a disk: spread from the seed.
     collect_visible(apex, seed);
@@ -342,6 +344,7 @@ class IncrementalHull {
   TriangleFan<Points> fan_;
   std::uint32_t round_ = 0;
   double work_ = 0;
+  const std::atomic<bool>* stop_ = nullptr;
   // Of the current insertion; members to keep their memory.
   std::vector<std::uint32_t> visible_, outer_, added_;
   std::vector<std::uint8_t> outer_edge_;

@@ -2,11 +2,15 @@
 // stage.hpp - the stages of a run: what each took, or why the scene did not need it.
 #pragma once
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <functional>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "convexact/error.hpp"
 
 namespace convexact {
 
@@ -19,12 +23,25 @@ struct Stage {
   std::string skipped;  ///< Why the stage was not needed; empty if it ran.
 };
 
+/// Who looks on while stages run, and may end them.
+struct StageWatch {
+  std::function<void(const std::string& name)> begins;  ///< Called as a stage begins.
+  const std::atomic<bool>* stop = nullptr;  ///< When it becomes true, the next stage does not
+                                            ///< begin; long ones look at it, too.
+};
+
 /// Runs stages one after another and keeps the record.
 class StageLog {
  public:
+  StageLog() = default;
+  explicit StageLog(StageWatch watch) : watch_(std::move(watch)) {}
+
   /// Runs `work` and returns what it returns. Work under a name that ran before is added to it.
+  /// @throws Error Stopped if the watch says so.
   template <class Work>
   decltype(auto) run(const std::string& name, StageKind kind, Work&& work) {
+    if (watch_.stop != nullptr && *watch_.stop) throw Error(ErrorCode::Stopped, "interrupted");
+    if (watch_.begins) watch_.begins(name);
     const Clock clock(*this, name, kind);
     return std::forward<Work>(work)();
   }
@@ -46,6 +63,7 @@ class StageLog {
     }
   }
   const std::vector<Stage>& stages() const { return stages_; }
+  const StageWatch& watch() const { return watch_; }
 
  private:
   // Adds the time between its making and its end to a stage, also when the work throws.
@@ -79,6 +97,7 @@ class StageLog {
                        [&](const Stage& stage) { return stage.name == name; });
   }
 
+  StageWatch watch_;
   std::vector<Stage> stages_;
 };
 

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "memory.hpp"
+
+#include <gmp.h>
+#include <malloc.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <utility>
+
+#include "convexact/error.hpp"
+
+namespace convexact::cli {
+namespace {
+
+// 0: no limit, and nothing is counted.
+std::atomic<std::uint64_t> most_bytes = 0;
+// Signed: what was taken before the count began is given back later.
+std::atomic<std::int64_t> bytes_in_use = 0;
+std::function<void()>& last_words() {
+  static std::function<void()> words;
+  return words;
+}
+
+enum class Asker { Cpp, Gmp };
+
+bool is_within(Asker asker, std::size_t size) {
+  const std::uint64_t most = most_bytes.load(std::memory_order_relaxed);
+  if (most == 0) return true;
+  const auto limit = static_cast<std::int64_t>(asker == Asker::Cpp ? most - most / 8 : most);
+  const std::int64_t used = bytes_in_use.load(std::memory_order_relaxed);
+  return used <= limit && size <= static_cast<std::uint64_t>(limit - used);
+}
+
+void count(void* block, int sign) {
+  if (most_bytes.load(std::memory_order_relaxed) == 0 || block == nullptr) return;
+  bytes_in_use.fetch_add(sign * static_cast<std::int64_t>(malloc_usable_size(block)),
+                         std::memory_order_relaxed);
+}
+
+[[noreturn]] void end_process() {
+  lift_memory_limit();
+  if (last_words()) {
+    last_words()();
+  } else {
+    constexpr char kMessage[] = "convexact: out of memory\n";
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, kMessage, std::strlen(kMessage));
+  }
+  std::_Exit(exit_code(ErrorCode::Stopped));
+}
+
+void* allocate(std::size_t size) {
+  void* block = is_within(Asker::Gmp, size) ? std::malloc(size) : nullptr;
+  if (block == nullptr) end_process();
+  count(block, 1);
+  return block;
+}
+
+void* reallocate(void* old, std::size_t, std::size_t size) {
+  if (!is_within(Asker::Gmp, size)) end_process();
+  count(old, -1);
+  void* block = std::realloc(old, size);
+  if (block == nullptr) end_process();
+  count(block, 1);
+  return block;
+}
+
+void release(void* block, std::size_t) {
+  count(block, -1);
+  std::free(block);
+}
+
+}  // namespace
+
+void install_memory_functions() { mp_set_memory_functions(allocate, reallocate, release); }
+
+void limit_memory(std::uint64_t bytes, std::function<void()> words) {
+  last_words() = std::move(words);
+  bytes_in_use = 0;
+  most_bytes = bytes;
+}
+
+void lift_memory_limit() noexcept { most_bytes = 0; }
+
+namespace {
+
+void* allocate_for_cpp(std::size_t size, std::size_t alignment) {
+  if (!is_within(Asker::Cpp, size)) throw std::bad_alloc();
+  const std::size_t asked = size == 0 ? 1 : size;
+  void* block = alignment == 0 ? std::malloc(asked)
+                               : std::aligned_alloc(
+                                     alignment, (asked + alignment - 1) / alignment * alignment);
+  if (block == nullptr) throw std::bad_alloc();
+  count(block, 1);
+  return block;
+}
+
+void release_for_cpp(void* block) noexcept {
+  count(block, -1);
+  std::free(block);
+}
+
+}  // namespace
+}  // namespace convexact::cli
+
+// The other forms of new and delete end in these.
+void* operator new(std::size_t size) { return convexact::cli::allocate_for_cpp(size, 0); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return convexact::cli::allocate_for_cpp(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* block) noexcept { convexact::cli::release_for_cpp(block); }
+void operator delete(void* block, std::size_t) noexcept { convexact::cli::release_for_cpp(block); }
+void operator delete(void* block, std::align_val_t) noexcept {
+  convexact::cli::release_for_cpp(block);
+}
+void operator delete(void* block, std::size_t, std::align_val_t) noexcept {
+  convexact::cli::release_for_cpp(block);
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// progress.hpp - what the program is doing, on one line of a terminal.
+#pragma once
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "convexact/pipeline/stage.hpp"
+
+namespace convexact::cli {
+
+/// One line of standard error, painted anew five times a second by a thread of its own, once the
+/// work takes over a second; nothing where that is no terminal. The line goes with the object.
+class Progress {
+ public:
+  Progress();
+  ~Progress() { clear(); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// `done` of `total` in what began with the first such call under that name.
+  void operator()(const char* what, std::size_t done, std::size_t total);
+  /// Takes the line away, for good.
+  void clear();
+  /// Stages show as they begin; an interrupt ends them. Must not outlive this.
+  [[nodiscard]] StageWatch watch();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void begin(const std::string& what);
+  void paint();
+  std::string line() const;
+
+  bool is_shown_;
+  std::mutex mutex_;  // of the four below
+  std::condition_variable changed_;
+  bool is_over_ = false;
+  std::string what_;
+  Clock::time_point began_ = Clock::now();
+  std::atomic<std::size_t> done_ = 0, total_ = 0;  // set far more often than they are read
+  const char* counted_ = nullptr;
+  std::thread painter_;
+};
+
+/// How long `left` of something takes if `done` of it took `seconds`: "about 12 s left", in minutes
+/// from two minutes on; empty as long as nobody can tell.
+[[nodiscard]] std::string time_left(double seconds, std::size_t done, std::size_t left);
+
+}  // namespace convexact::cli

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// What may happen to a program: no memory, no room, nobody who reads, an impatient user. The
+// documented exit code, one sentence, and nothing half-written. Codes are those of docs/usage.md.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "process.hpp"
+
+using support::run_program;
+using support::ScratchFolder;
+
+namespace {
+
+const std::string kTetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+
+std::string program() { return std::string("'") + std::getenv("CONVEXACT_PROGRAM") + "'"; }
+
+// The exit code of a shell's command line, and what it said.
+support::Ran run_shell(const std::string& command) {
+  const ScratchFolder scratch;
+  const int status = std::system(
+      ("(" + command + ") >" + scratch.file("out") + " 2>" + scratch.file("err")).c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+          support::bytes_of(scratch.file("out")), support::bytes_of(scratch.file("err"))};
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("--max-memory: whatever the limit, the run is complete or leaves nothing") {
+  const std::string bunny = support::data("bunny.obj");
+  bool is_enough = false;
+  for (const char* limit : {"1B", "1KB", "30KB", "300KB", "1MB", "3MB", "6MB", "9MB", "1GB"}) {
+    CAPTURE(limit);
+    const ScratchFolder scratch;
+    const auto ran = run_program("simplify " + bunny + " --faces 18 -o " + scratch.file("b.obj") +
+                                 " --picture " + scratch.file("b.html") + " --max-memory " + limit);
+    CAPTURE(ran.err);
+    is_enough = ran.exit == 0;
+    CHECK((is_enough || ran.exit == 6));
+    CHECK(scratch.count() == (is_enough ? 2u : 0u));
+    CHECK(std::count(ran.err.begin(), ran.err.end(), '\n') == (is_enough ? 0 : 1));
+    CHECK(has(ran.err, is_enough ? "" : "--max-memory"));
+  }
+  CHECK(is_enough);
+}
+
+TEST_CASE("--max-memory: numbers of GMP count, and end the run as cleanly") {
+  // Hundreds of thousands of digits: nearly all memory is taken inside of GMP.
+  const ScratchFolder scratch;
+  const std::string offset = std::string(200000, '7') + "/" + std::string(200000, '3');
+  const std::string input =
+      scratch.write("a.json", "[[1,0,0,\"-" + offset +
+                                  "\"],[-1,0,0,-1],[0,1,0,-1],[0,-1,0,-1],[0,0,1,-1],[0,0,-1,-1]]");
+  for (const char* limit : {"200KB", "400KB", "800KB", "1500KB"}) {
+    CAPTURE(limit);
+    const auto ran = run_program("simplify --json --decimal exact " + input + " --faces 6 -o " +
+                                 scratch.file("b.json") + " --max-memory " + limit);
+    CHECK(ran.exit == 6);
+    CHECK(nlohmann::json::parse(ran.out)["error"]["code"] == "stopped");
+    CHECK(scratch.count() == 1);
+  }
+}
+
+TEST_CASE("--max-memory: temporary files go, too") {
+  const ScratchFolder scratch;
+  const auto ran = run_shell("TMPDIR=" + scratch.file("") + " " + program() + " shrink " +
+                             support::data("spot.obj") + " -o " + scratch.file("s.obj") +
+                             " --max-memory 1MB -- false {input}");
+  CAPTURE(ran.err);
+  CHECK(ran.exit == 6);
+  CHECK(scratch.count() == 0);
+}
+
+TEST_CASE("a full disk: exit 5, and no part of a file") {
+  const ScratchFolder scratch;
+  // Files may grow to one block of 512 or 1024 bytes; the mesh is larger.
+  const auto ran =
+      run_shell("ulimit -f 1; exec " + program() + " simplify " + support::data("spot.obj") +
+                " --faces 100 -o " + scratch.file("b.obj"));
+  CHECK(ran.exit == 5);
+  CHECK(scratch.count() == 0);
+  CHECK(run_program("simplify " + support::data("spot.obj") + " --faces 18 >/dev/full #").exit ==
+        5);
+}
+
+TEST_CASE("a closed pipe: exit 6") {
+  const ScratchFolder scratch;
+  const std::string code = scratch.file("code");
+  run_shell("(" + program() + " hull " + support::data("spot.obj") + " --json; echo $? >" + code +
+            ") | true");
+  CHECK(support::bytes_of(code) == "6\n");
+}
+
+TEST_CASE("an interrupt: exit 6, and nothing written") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.file("a.xyz");
+  REQUIRE(run_program("generate fibonacci-sphere --points 20000 -o " + input).exit == 0);
+  for (const char* signal : {"INT", "TERM"}) {
+    CAPTURE(signal);
+    const auto ran =
+        run_shell("timeout --preserve-status -s " + std::string(signal) + " 1.5 " + program() +
+                  " simplify " + input + " --engine exact --faces 18 -o " + scratch.file("b.obj"));
+    CHECK(ran.exit == 6);
+    CHECK(has(ran.err, "interrupted"));
+    CHECK(scratch.count() == 1);
+  }
+}
+
+TEST_CASE("an output that is the input: refused, by whatever name, and the input stays") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("a.obj", kTetrahedron);
+  std::filesystem::create_symlink(input, scratch.file("b.obj"));
+  for (const std::string& output : {input, scratch.file("./a.obj"), scratch.file("b.obj")}) {
+    CAPTURE(output);
+    for (const char* command : {"simplify --faces 4 ", "hull "}) {
+      const auto ran = run_program(command + input + " -o " + output);
+      CHECK(ran.exit == 2);
+      CHECK(has(ran.err, "is the input"));
+    }
+  }
+  CHECK(support::bytes_of(input) == kTetrahedron);
+  CHECK(run_program("simplify --faces 4 " + input + " -o " + scratch.file("c.obj")).exit == 0);
+}
+
+TEST_CASE("progress: on a terminal only, with an estimate") {
+  if (std::system("script --version >/dev/null 2>&1") != 0) {
+    MESSAGE("skipped: no `script` (Debian's bsdutils) to make a terminal");
+    return;
+  }
+  const ScratchFolder scratch;
+  const std::string input = scratch.file("a.xyz"), typescript = scratch.file("typescript");
+  REQUIRE(run_program("generate fibonacci-sphere --points 3000 -o " + input).exit == 0);
+  const std::string command =
+      "timeout -s INT 8 " + program() + " simplify " + input + " --engine exact --faces 4";
+  run_shell("script -qec \"" + command + "\" " + typescript);
+  const std::string shown = support::bytes_of(typescript);
+  CHECK(has(shown, "\r\033[K"));
+  CHECK(has(shown, "removing halfspaces: "));
+  CHECK(has(shown, " left"));
+  const auto quiet = run_shell("timeout -s INT 2 " + program() + " simplify " + input +
+                               " --engine exact --faces 4");
+  CHECK_FALSE(has(quiet.err, "removing"));
+}
