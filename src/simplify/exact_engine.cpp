@@ -63,7 +63,7 @@ ExactEngine::ExactEngine(const DualHull& solid, const RationalPoint& center,
 }
 
 void stop_if_asked(const std::atomic<bool>* stop) {
-  if (stop != nullptr && *stop) throw Error(ErrorCode::Stopped, "stopped on request");
+  if (stop != nullptr && *stop) throw Error(ErrorCode::Stopped, "interrupted");
 }
 
 void ExactEngine::evaluate_all(const std::atomic<bool>* stop) {
