@@ -98,6 +98,38 @@ TEST_CASE("plane determinants: random planes are decided by doubles, dependent o
   CHECK(dependent_certain <= 300);
 }
 
+// D near zero is what its bound must hold for: where doubles are certain, they are right, and a
+// bound a sixteenth as wide would not be enough.
+TEST_CASE("plane determinants: the bound of D holds for normals that are nearly dependent") {
+  Random random(2);
+  const Integer one = 1;
+  double highest = 0;
+  for (int i = 0; i < 4000; ++i) {
+    std::array<IntegerVector3, 3> n;
+    for (int k = 0; k < 3; ++k) {
+      n[0][k] = random_integer(random, 62);
+      n[1][k] = random_integer(random, 62);
+      n[2][k] = n[0][k] * 3 - n[1][k] * 5;
+    }
+    n[2][0] += (one << (i % 40)) * (i % 2 == 0 ? 1 : -1);
+    const Halfspace a(n[0], one), b(n[1], one), c(n[2], one);
+    const Sign truth = sign_of(by_definition(std::array{a, b, c}));
+    const PlaneRow x = plane_row(a), y = plane_row(b), z = plane_row(c);
+    if (const auto sign = certain_normal_sign(x, y, z)) CHECK(*sign == truth);
+    CHECK(normal_sign(a, b, c) == truth);
+    // The same sum of doubles as its sign is taken from, and its magnitude.
+    double value = 0, magnitude = 0;
+    for (const auto& [p, q, r] : {std::array{1, 2, 0}, {2, 0, 1}, {0, 1, 2}}) {
+      value += (x[p] * y[q] - x[q] * y[p]) * z[r];
+      magnitude += (std::abs(x[p] * y[q]) + std::abs(x[q] * y[p])) * std::abs(z[r]);
+    }
+    if (sign_of(value) == truth) continue;
+    highest = std::max(highest, std::abs(value) / magnitude);
+  }
+  MESSAGE("wrong signs up to " << highest * 0x1p53 << " u of the magnitude");
+  CHECK(highest > 0.75 * 0x1p-53);  // a sixteenth of the bound, 12 u
+}
+
 TEST_CASE("plane determinants: entries of very different size") {
   const Integer huge = Integer(1) << 5000;
   const Halfspace a(IntegerVector3(1, huge, 0), 1), b(IntegerVector3(0, 1, huge), 1);

@@ -69,6 +69,20 @@ TEST_CASE("NearPlane: the bound holds for the worst points found, and is not vac
   CHECK(ratio > 0.1);
 }
 
+// In closed form: a, b, c are one point in doubles, and their true edges are 16u (1, 1, 0) and
+// 16u (0, 1, 1), whose product with 2 (1, -1, 1) is 1536 u^2, of 8192 in the bound.
+TEST_CASE("NearPlane: the bound pays for points that only differ by their errors") {
+  const NearPoint q{-1, 1, -1}, p{1, -1, 1};
+  const NearPlane plane = NearPlane::through(q, q, q);
+  CHECK(plane.height(p) == 0);
+  const Rational e = to_rational(kNearError);
+  const Rational truth =
+      true_height({-1 - e, 1 - e, -1 - e, -1 + e, 1 + e, -1 - e, -1 - e, 1 + e, -1 + e, 1, -1, 1});
+  CHECK(truth >= to_rational(1536 * 0x1p-106));
+  CHECK(truth <= to_rational(plane.bound));
+  CHECK(16 * truth > to_rational(plane.bound));
+}
+
 TEST_CASE("kCenterBound: it holds for the worst points found, and is not vacuous") {
   const double ratio = hill_climb::highest(9, 20, 400, 2, center_ratio);
   MESSAGE("side of the center: " << ratio << " of the bound is reached");

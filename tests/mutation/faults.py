@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Injects one fault after another into a copy of the sources and says which test catches it.
+
+  faults.py                     all faults of fault_list.py, in build/faults
+  faults.py --only orient3d     those whose kind, file or text holds this
+  faults.py --check             only that every fault still finds its place, once, in the tree
+
+A static_assert that a fault breaks catches it; it is taken out then, and the tests are asked too.
+Exit 1 if some fault is caught by no test (or does not apply)."""
+import argparse
+import json
+import pathlib
+import sys
+
+from fault_list import FAULTS
+from scratch import ROOT, Scratch
+
+LIMIT = 180  # seconds for one test program
+
+
+def caught_by(scratch, fault):
+    """Who caught a fault: (the compiler or '', the test or '', its case)."""
+    _, name, old, new, tests = fault
+    tests = tests.split()
+    try:
+        scratch.write(name, (scratch.tree / name).read_text().replace(old, new))
+        built, said = scratch.build(tests[:1])
+        compiler = ''
+        if not built:
+            compiler = 'static_assert' if 'static assertion failed' in said else 'error'
+            built, said = scratch.build_without_static_asserts(tests[:1])
+            if not built:
+                return 'error', '', said.strip().split('\n')[-1]
+        for test in tests:
+            if not scratch.build_without_static_asserts([test])[0]:
+                return 'error', '', ''
+            outcome = scratch.run(test, LIMIT)
+            if outcome.how != 'passed':
+                return compiler, test, outcome.cases[0] if outcome.cases else outcome.how
+        return compiler, '', ''
+    finally:
+        scratch.restore()
+
+
+def misplaced(faults):
+    return [fault for fault in faults if (ROOT / fault[1]).read_text().count(fault[2]) != 1]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument('--scratch', default=ROOT / 'build' / 'faults', type=pathlib.Path)
+    parser.add_argument('--only', default='')
+    parser.add_argument('--check', action='store_true')
+    parser.add_argument('--json', type=pathlib.Path, help='also write the table here')
+    arguments = parser.parse_args()
+    faults = [f for f in FAULTS if any(arguments.only in part for part in f)]
+    wrong = misplaced(faults)
+    for _, name, old, *_ in wrong:
+        print(f'not found exactly once in {name}: {old}', file=sys.stderr)
+    if wrong or arguments.check:
+        return 1 if wrong else 0
+    scratch = Scratch(arguments.scratch)
+    rows = []
+    for number, fault in enumerate(faults, 1):
+        kind, name, _, new, _ = fault
+        compiler, test, case = caught_by(scratch, fault)
+        rows.append({'kind': kind, 'file': name, 'from': fault[2], 'to': new, 'compiler': compiler,
+                     'test': test, 'case': case})
+        who = ', '.join(filter(None, [compiler, test and f'{test}: {case}'])) or 'NOBODY'
+        print(f'{number}/{len(faults)} {kind} | {pathlib.Path(name).name} | '
+              f'{" ".join(new.split())[:70] or "- " + " ".join(fault[2].split())[:66]} | {who}', flush=True)
+        if arguments.json:
+            arguments.json.write_text(json.dumps(rows, indent=1))
+    missed = sum(not row['test'] for row in rows)
+    print(f'{len(rows)} faults: {len(rows) - missed} caught by a test, '
+          f'{sum(bool(row["compiler"]) for row in rows)} by the compiler, '
+          f'{sum(not row["test"] and not row["compiler"] for row in rows)} by nobody')
+    return 1 if missed else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
