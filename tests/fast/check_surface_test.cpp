@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include "convexact/error.hpp"
+#include "convexact/fast/filtered_engine.hpp"
 #include "convexact/hull/hull.hpp"
 #include "convexact/shapes/prisms.hpp"
 #include "convexact/shapes/random_points.hpp"
@@ -114,4 +116,38 @@ TEST_CASE("is_dual_hull: a surface that winds around the center twice is convex 
   const DualHull solid = pentagonal_prism();
   const FastDual dual = FastDual::of(solid, RationalPoint(0, 0, 0));
   CHECK_FALSE(is_dual_hull(dual, bipyramid(solid, 2)));
+}
+
+// The loop takes its surface as it is given; only the verification of a step looks at it. One step,
+// as nothing is promised of what follows a wrong one.
+TEST_CASE("simplify_filtered: a surface with a dent is found by the verification of the step") {
+  const PointSet set(shapes::on_sphere(14, 6));
+  const DualHull solid = dual_of(std::get<Hull>(convex_hull(set)), set);
+  const FastDual dual = FastDual::of(solid, RationalPoint::Zero());
+  const auto refusal_of = [&](const DualHull& surface, VerifyLevel level) -> std::string {
+    try {
+      const std::size_t faces = solid.halfspaces.size() - 1;
+      (void)simplify_filtered(surface, RationalPoint::Zero(), {.faces = faces, .verify = level});
+      return "";
+    } catch (const Error& error) {
+      return error.what();
+    }
+  };
+  CHECK(refusal_of(solid, VerifyLevel::Local).empty());
+  std::size_t refused = 0;
+  for (std::uint32_t h = 0; h < 3 * solid.triangles.size(); ++h) {
+    const std::uint32_t g = dual.twins()[h];
+    const DualTriangle &s = solid.triangles[h / 3], &t = solid.triangles[g / 3];
+    const HalfspaceId a = s[h % 3], b = s[(h + 1) % 3], c = s[(h + 2) % 3], d = t[(g + 2) % 3];
+    if (h > g || DualSigns(dual).height(a, b, c, d) == Sign::Zero) continue;
+    DualHull dented = solid;
+    dented.triangles[h / 3] = {a, d, c};
+    dented.triangles[g / 3] = {d, b, c};
+    // Else another ring was removed, or the turned edge was there already.
+    const std::string refusal = refusal_of(dented, VerifyLevel::Local);
+    if (refusal.find("verification of a step failed") != 0) continue;
+    CHECK(refusal_of(dented, VerifyLevel::None).empty());
+    ++refused;
+  }
+  CHECK(refused > 0);
 }

@@ -212,3 +212,20 @@ TEST_CASE("simplify_exact: a lid of valence 1,000 is evaluated at every step") {
   CHECK(run.trace.steps.size() == 3);
   for (const Step& step : run.trace.steps) CHECK(step.cost < Rational(1, 1000000));
 }
+
+// A witness that does not touch its plane changes nothing about the run: only verification asks it.
+TEST_CASE("simplify_exact: each step is verified as it is made, and the survivors at the end") {
+  const DualHull solid = dual_of_doubles(shapes::in_ball(16, 1));
+  const RationalPoint center = center_of(solid);
+  const HalfspaceId in_ring = simplify_exact(solid, center).trace.steps.at(0).ring.at(0);
+  DualHull wrong = solid;
+  const Halfspace& plane = solid.halfspaces[in_ring.index()];
+  for (std::uint32_t v = 0; v < solid.vertices.size(); ++v) {
+    if (plane(solid.vertices[v]) != 0) wrong.witness[in_ring.index()] = v;
+  }
+  CHECK_THROWS_WITH_AS((void)simplify_exact(wrong, center),
+                       doctest::Contains("the support witnesses of the survivors stand"), Error);
+  CHECK_THROWS_WITH_AS((void)simplify_exact(wrong, center, {.faces = solid.halfspaces.size()}),
+                       doctest::Contains("touches its support witness at the end"), Error);
+  CHECK_NOTHROW((void)simplify_exact(wrong, center, {.verify = VerifyLevel::None}));
+}

@@ -200,3 +200,22 @@ TEST_CASE("store_planes: lattice solids") {
     }
   });
 }
+
+// The witnesses are a promise of the caller, that the hull of these points is that of all. Where it
+// is broken, the offset is that of the others, and only the last pass over all points can tell.
+TEST_CASE("store_planes: a point that the witnesses leave out is held too, or nothing is stored") {
+  const Case whole = *hull_case(PointSet(shapes::on_sphere(20, 3)));
+  std::size_t refused = 0;
+  for (std::size_t i = 0; i < whole.witnesses.size(); ++i) {
+    Case less = whole;
+    less.witnesses.erase(less.witnesses.begin() + static_cast<std::ptrdiff_t>(i));
+    try {
+      const StoredPlanes stored = store(less, Precision::Binary32);
+      CHECK(stored_checker::count_outside(planes_of(stored), to_homogeneous(less.input)) == 0);
+    } catch (const Error& error) {
+      CHECK(error.code() == ErrorCode::Internal);
+      ++refused;
+    }
+  }
+  CHECK(refused > 0);
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// The oracle decides twice, in ways that share no predicate. Here the two are given different
+// things, so that the second way must object.
+#include <doctest/doctest.h>
+
+#include "../../src/oracle/confirm_costs.hpp"
+#include "../../src/oracle/judge.hpp"
+#include "convexact/error.hpp"
+#include "convexact/shapes/boxes.hpp"
+#include "cut_box.hpp"
+#include "expect_error.hpp"
+#include "polytope_by_definition.hpp"
+#include "simplify_points.hpp"
+
+using namespace convexact;
+
+namespace {
+
+// The steps of the exact engine from a cube with three corners cut off, as a judge lists them.
+std::vector<JudgedStep> true_steps(const DualHull& solid) {
+  std::vector<JudgedStep> steps;
+  for (const Step& step : simplify_exact(solid, kCutBoxCenter).trace.steps) {
+    steps.push_back({steps.size(), step.removed, step.cost, step.cost, step.tie, Rational(0)});
+  }
+  return steps;
+}
+
+}  // namespace
+
+TEST_CASE("confirm_costs: what a step says of its cost is computed again, by the definition") {
+  const DualHull solid = cut_box({Rational(1), Rational(1, 3), Rational(3, 2)});
+  const std::vector<JudgedStep> steps = true_steps(solid);
+  REQUIRE(steps.size() == 3);
+  for (std::size_t s = 0; s < steps.size(); ++s) {
+    CAPTURE(s);
+    CHECK_NOTHROW(confirm_step(solid.halfspaces, kCutBoxCenter, steps, s));
+    const auto check_refused = [&](const std::vector<JudgedStep>& wrong) {
+      CHECK_THROWS_AS(confirm_step(solid.halfspaces, kCutBoxCenter, wrong, s), Error);
+    };
+    const Rational tiny = scale_by_power_of_two(Rational(1), -300);
+    std::vector<JudgedStep> wrong = steps;
+    *wrong[s].cost += tiny;
+    check_refused(wrong);
+    wrong = steps;
+    wrong[s].cost.reset();
+    check_refused(wrong);
+    wrong = steps;
+    *wrong[s].minimum -= tiny;
+    check_refused(wrong);
+  }
+  CHECK_NOTHROW(confirm_sum(solid.halfspaces, kCutBoxCenter, steps));
+  for (std::size_t s = 0; s < steps.size(); ++s) {
+    std::vector<JudgedStep> wrong = steps;
+    *wrong[s].cost += scale_by_power_of_two(Rational(1), -300);
+    CHECK_THROWS_AS(confirm_sum(solid.halfspaces, kCutBoxCenter, wrong), Error);
+  }
+}
+
+// The points reach to 2, and a hull that is said to be theirs to 1 only.
+TEST_CASE("judge_containment: the second way is asked, and must come to the same result") {
+  const auto cube = [](double half) { return PointSet(shapes::box({half, half, half})); };
+  const auto hull_of = [](const PointSet& points) {
+    return to_polytope(std::get<Hull>(convex_hull(points)), points);
+  };
+  const auto judge = [&](double points, double hull, double candidate) {
+    const PointSet input = cube(points);
+    const HullOutcome outcome = convex_hull(input);
+    const oracle::Input what{input, std::get<Hull>(outcome).vertices, hull_of(cube(hull)), 12};
+    HalfspaceList list;
+    list.halfspaces = hull_of(cube(candidate)).planes;
+    for (std::size_t i = 0; i < list.halfspaces.size(); ++i) list.rows.push_back(i + 1);
+    oracle::CandidateSet set;
+    set.planes = list.halfspaces;
+    const VerifyRequest request;
+    Verdict verdict;
+    verdict.squared_diameter = 12;
+    oracle::Docket docket(request, verdict);
+    StageLog log;
+    oracle::judge_containment(what, Candidate(list), set, docket, log);
+    return verdict.outside->points;
+  };
+  CHECK(judge(1, 1, 1) == 0);
+  CHECK(judge(2, 2, 1) == 8);
+  CHECK_THROWS_AS((void)judge(2, 1, 1), Error);
+  CHECK_THROWS_AS((void)judge(1, 2, 1), Error);
+}
