@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """A mutation run: changes one token of a source at a time, and says which test notices.
 
-  mutate.py checker --sample 200 --seed 1    200 mutants of convexact-check, in build/mutation
+  mutate.py checker --sample 200 --seed 1    200 mutants of convexact-check, in build/faults
   mutate.py predicates                       all mutants of the exact predicates
   mutate.py --self-test                      whether the tool tells a killed mutant from a surviving one
 
@@ -11,10 +11,11 @@ A mutant that no test notices is asked a second question: does `predicate_answer
 Results go to FOLDER/GROUP.json, one entry per mutant; a second run goes on where the first one stopped."""
 import argparse
 import json
-import os
 import pathlib
 import random
+import subprocess
 import sys
+import tempfile
 import time
 
 import mutants
@@ -26,7 +27,7 @@ _GEO, _NUMBER, _FAST, _HULL = ('src/geometry/', 'include/convexact/number/', 'in
 _SIGNS = ['fast_plane_filter', 'fast', 'fast_audit', 'fast_agreement_sample', 'fast_audit_sample']
 # Sources of a group, and the tests that are asked about each, cheapest first.
 GROUPS = {
-    'checker': {'src/check/convexact_check.cpp': ['check', 'check program']},
+    'checker': {'src/check/convexact_check.cpp': ['check']},
     'predicates': {
         _GEO + 'orient3d.cpp': ['geometry', 'hull'],
         _GEO + 'plane_side.cpp': ['geometry', 'containment'],
@@ -44,11 +45,14 @@ GROUPS = {
 ANSWERS = 'predicate_answers'  # a program that prints 'answers HASH' and 'stages HASH'
 
 
-def answers_of(scratch):
+def answers_of(scratch, name=None):
     """What the second question compares, by its first word; None if the program did not end well."""
-    if not scratch.build([ANSWERS])[0]:
-        return None
-    outcome = scratch.run(ANSWERS, 2 * LIMIT)
+    program = None
+    if name:
+        program, _ = scratch.rebuild(ANSWERS, name, True)
+        if not program:
+            return None
+    outcome = scratch.run(ANSWERS, 2 * LIMIT, program)
     return dict(line.split() for line in outcome.output.splitlines()) if outcome.how == 'passed' else None
 
 
@@ -59,17 +63,20 @@ def judge(scratch, name, mutant, tests, original):
     try:
         scratch.write(name, mutants.apply((ROOT / name).read_text(), mutant))
         for test in tests:
-            built, said = scratch.build([test])
-            if not built:
-                entry['fate'] = 'static_assert' if 'static assertion failed' in said else 'no program'
-                return entry
-            outcome = scratch.run(test, LIMIT)
-            if outcome.how != 'passed':
-                entry['fate'] = 'timeout' if outcome.how == 'timeout' else 'killed'
-                entry['by'] = f'{test}: {outcome.cases[0] if outcome.cases else outcome.how}'
-                return entry
+            for with_library in (False, True):
+                if not scratch.has_units(test, name, not with_library):
+                    continue
+                program, said = scratch.rebuild(test, name, with_library)
+                if not program:
+                    entry['fate'] = 'static_assert' if 'static assertion failed' in said else 'no program'
+                    return entry
+                outcome = scratch.run(test, LIMIT, program)
+                if outcome.how != 'passed':
+                    entry['fate'] = 'timeout' if outcome.how == 'timeout' else 'killed'
+                    entry['by'] = f'{test}: {outcome.cases[0] if outcome.cases else outcome.how}'
+                    return entry
         if original:
-            now = answers_of(scratch)
+            now = answers_of(scratch, name)
             if now is None or now['answers'] != original['answers']:
                 entry['fate'] = 'survived, other answers'
             elif now['stages'] != original['stages']:
@@ -90,14 +97,14 @@ def run(group, arguments):
     results = json.loads(record.read_text()) if record.exists() else []
     done = {(r['file'], r['line'], r['column'], r['new']) for r in results}
     scratch = Scratch(arguments.scratch)
-    scratch.tests[ANSWERS] = {'cmd': [str(scratch.build_folder / 'tests' / 'mutation' / ANSWERS)],
-                              'env': {'CONVEXACT_STRIDE': '2'}}
-    os.environ['CCACHE_READONLY'] = '1'  # mutants are compiled once
+    answers = scratch.build_folder / 'tests' / 'reliability' / ANSWERS
+    scratch.programs[ANSWERS] = (answers, {'CONVEXACT_STRIDE': '2'})
+    tests = {test for name in sources for test in sources[name]}
+    scratch.build([*tests, *([ANSWERS] if group == 'predicates' else [])])
     original = answers_of(scratch) if group == 'predicates' else None
-    for name in sources:
-        for test in sources[name]:
-            if not scratch.build([test])[0] or scratch.run(test, LIMIT).how != 'passed':
-                sys.exit(f'the test {test} does not pass on the original sources')
+    for test in tests:
+        if scratch.run(test, LIMIT).how != 'passed':
+            sys.exit(f'the test {test} does not pass on the original sources')
     for number, (name, mutant) in enumerate(chosen, 1):
         if (name, mutant[0], mutant[1], mutant[3]) in done:
             continue
@@ -113,27 +120,34 @@ def run(group, arguments):
 
 
 def self_test():
-    """On a function of ten lines: all of its mutants are found and all but the planted one are noticed."""
-    def holds(text):
-        scope = {}
-        exec(text, scope)  # written so that it is C++ to the eye of the tool and Python to run
-        f = scope['f']
-        return f(1, 2) == 3 and f(5, 5) == 10 and f(7, 0) == 7 and f(-3, 1) == -2
+    """The mutants of a function of one line, and which of them its test notices."""
+    text = 'int highest(int a, int b) { return a < b ? b : a; }\n'
+    test = 'int main() { return highest(1, 2) == 2 && highest(2, 1) == 2 && highest(3, 3) == 3 ? 0 : 1; }\n'
 
-    text = 'def f(a, b):\n  if (a < b):\n    return a + b\n  return b + a\n'
-    assert holds(text)
+    def passes(source, folder):
+        path = pathlib.Path(folder) / 'mutant.cpp'
+        path.write_text(source + test)
+        subprocess.run(['c++', '-o', path.with_suffix(''), path], check=True)
+        return subprocess.run([path.with_suffix('')]).returncode == 0
+
     found = mutants.mutants_of(text)
-    alive = [m for m in found if m[3] != '!' and not holds(mutants.apply(text, m).replace('!(', 'not ('))]
-    survivors = [m for m in found if m not in alive]
-    # a < b chooses between equal sums: its three mutants change no answer. The others do.
-    assert [m[2] for m in survivors] == ['<', '<'], survivors
-    assert [m[2] for m in alive] == ['+', '+'], alive
+    assert [mutant[2:] for mutant in found] == [('<', '<='), ('<', '>=')], found
+    with tempfile.TemporaryDirectory() as folder:
+        assert passes(text, folder)
+        # Of equal numbers either is the highest, so the first one is no mistake.
+        assert [passes(mutants.apply(text, mutant), folder) for mutant in found] == [True, False]
+    line = '  if (x[1] == 0 && !seen) return low + 2 * high;'
+    assert {mutant[2:] for mutant in mutants.mutants_of(line)} == {
+        ('1', '(1 + 1)'), ('1', '(1 - 1)'), ('==', '!='), ('0', '1'), ('&&', '||'), ('!', ''), ('+', '-'),
+        ('2', '(2 + 1)'), ('2', '(2 - 1)'), ('*', '+'), ('x[1] == 0 && !seen', '!(x[1] == 0 && !seen)'),
+        ('low + 2 * high', '!(low + 2 * high)'), (line.strip(), ';')}
+    assert not mutants.mutants_of('  // a < b + 1\n  static_assert(2 + 2 ==\n                4);\n#if 1\n')
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument('group', nargs='?', choices=GROUPS)
-    parser.add_argument('--scratch', default=ROOT / 'build' / 'mutation', type=pathlib.Path)
+    parser.add_argument('--scratch', default=ROOT / 'build' / 'faults', type=pathlib.Path)
     parser.add_argument('--sample', type=int, default=0)
     parser.add_argument('--seed', type=int, default=1)
     parser.add_argument('--self-test', action='store_true')

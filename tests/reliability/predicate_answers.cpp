@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "convexact/fast/dual_signs.hpp"
-#include "convexact/fast/filtered_loop.hpp"
+#include "convexact/fast/filtered_engine.hpp"
 #include "convexact/geometry/orient3d.hpp"
 #include "convexact/geometry/plane_determinants.hpp"
 #include "convexact/geometry/plane_side.hpp"

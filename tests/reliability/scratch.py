@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: MIT
+"""A copy of the sources with a build of its own, to break things in: the tree itself is never touched.
+
+What is broken is compiled again alone and linked in front of everything else, as a whole build for every
+fault would take hours. A broken header stands for the few sources of UNITS that show what it does."""
+import json
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import signal
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+# Assertions on, as in the ordinary test build.
+OPTIONS = ['-Dassertions=true', '-Dbuildtype=plain', '-Db_ndebug=false', '-Doptimization=2',
+           '-Dcpp_args=-g1 -fpch-preprocess']
+_AUDIT = ['tests/fast/audit_test.cpp', 'tests/fast/audit_on_thousands_test.cpp']
+_LOOP = ['src/fast/filtered_engine.cpp', 'src/oracle/judge_trace.cpp']
+_HULL = ['tests/hull/near_geometry_test.cpp', 'src/hull/hull.cpp', 'src/hull/check_hull.cpp']
+UNITS = {
+    'src/check/convexact_check.cpp': ['tests/check/checker.cpp'],
+    'include/convexact/number/expansion.hpp': ['tests/number/expansion_test.cpp', 'src/geometry/orient3d.cpp'],
+    'include/convexact/number/double_double.hpp': ['tests/number/double_double_test.cpp', 'src/fast/fast_dual.cpp',
+                                                   *_AUDIT, *_LOOP],
+    'include/convexact/fast/plane_filter.hpp': ['tests/fast/plane_filter_test.cpp', *_AUDIT, 'src/fast/dual_signs.cpp',
+                                                *_LOOP],
+    'include/convexact/fast/dual_signs.hpp': [*_AUDIT, 'src/fast/dual_signs.cpp', *_LOOP],
+    'include/convexact/fast/fast_dual.hpp': ['src/fast/fast_dual.cpp', *_AUDIT],
+    'include/convexact/fast/lawrence_sum.hpp': [*_AUDIT, *_LOOP],
+    'include/convexact/fast/cap_range.hpp': [*_AUDIT, *_LOOP],
+    'include/convexact/fast/filtered_loop.hpp': _LOOP,
+    'include/convexact/fast/tie_breaker.hpp': _LOOP,
+    'include/convexact/fast/lazy_queue.hpp': _LOOP,
+    'include/convexact/fast/float_loop.hpp': ['src/fast/float_engine.cpp'],
+    'include/convexact/hull/near_geometry.hpp': _HULL,
+    'include/convexact/hull/exact_points.hpp': _HULL,
+    'include/convexact/hull/incremental_hull.hpp': ['src/hull/hull.cpp'],
+    'include/convexact/hull/merge_facets.hpp': ['src/hull/hull.cpp'],
+}
+
+
+class Outcome:
+    """How a test program ended: 'passed', 'failed', 'crashed' or 'timeout', and the cases that failed."""
+
+    def __init__(self, how, cases=(), output=''):
+        self.how, self.cases, self.output = how, list(cases), output
+
+
+class Scratch:
+    def __init__(self, folder):
+        self.tree = pathlib.Path(folder).resolve() / 'tree'
+        self.build_folder = self.tree / 'build'
+        self.lean = self.tree.parent / 'lean'
+        self.lean.mkdir(parents=True, exist_ok=True)
+        self.changed, self.compiled = {}, {}
+        self._copy()
+        if not (self.build_folder / 'build.ninja').exists():
+            subprocess.run(['meson', 'setup', self.build_folder, self.tree, *OPTIONS], check=True,
+                           stdout=subprocess.DEVNULL)
+        self.programs = {}  # by name of a test: its path and the environment it wants
+        for test in json.loads(self._said('meson', 'introspect', '--tests', str(self.build_folder))):
+            self.programs[test['name']] = (pathlib.Path(test['cmd'][0]), test['env'])
+
+    def _said(self, *command, folder=ROOT):
+        return subprocess.run(command, cwd=folder, check=True, capture_output=True, text=True).stdout
+
+    def _copy(self):
+        """Brings the copy up to date; files that are the same keep their time of change."""
+        for name in self._said('git', 'ls-files', '-co', '--exclude-standard').split('\n'):
+            source, target = ROOT / name, self.tree / name
+            if not source.is_file() or (target.exists() and target.read_bytes() == source.read_bytes()):
+                continue
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(source, target)
+            shutil.copymode(source, target)
+
+    def build(self, tests):
+        """Builds these tests as they are."""
+        targets = {str(self.programs[test][0].relative_to(self.build_folder)) for test in tests}
+        subprocess.run(['ninja', '-C', self.build_folder, *sorted(targets)], check=True,
+                       stdout=subprocess.DEVNULL)
+        commands = json.loads((self.build_folder / 'compile_commands.json').read_text())
+        self.commands = {entry['output']: (entry['command'], (self.build_folder / entry['file']).resolve())
+                         for entry in commands}
+        self.links = {}
+        for test in tests:
+            target = str(self.programs[test][0].relative_to(self.build_folder))
+            self.links[test] = shlex.split(
+                self._said('ninja', '-t', 'commands', target, folder=self.build_folder).strip().split('\n')[-1])
+
+    def write(self, name, text):
+        """Changes a file until restore()."""
+        path = self.tree / name
+        if name not in self.changed:
+            self.changed[name] = (path.read_text(), path.stat().st_mtime_ns)
+        path.write_text(text)
+        self.compiled = {}
+
+    def restore(self):
+        for name, (text, time) in self.changed.items():
+            (self.tree / name).write_text(text)
+            os.utime(self.tree / name, ns=(time, time))  # nothing to build again
+        self.changed, self.compiled = {}, {}
+
+    def _objects(self, test, name, of_test):
+        """The objects, of the test or of the library, that are compiled again when `name` has changed."""
+        linked = set(self.links[test])
+        for unit in UNITS.get(name, [name]):
+            for output, (_, source) in self.commands.items():
+                in_library = output.startswith('src/libconvexact.a.p/')
+                if source == self.tree / unit and (in_library and not of_test or output in linked and of_test):
+                    yield output
+
+    def has_units(self, test, name, of_test):
+        return any(True for _ in self._objects(test, name, of_test))
+
+    def rebuild(self, test, name, with_library):
+        """Links a test anew after a change of file `name`: its program, or None and what the compiler said."""
+        replaced = list(self._objects(test, name, True))
+        if with_library:
+            replaced += self._objects(test, name, False)
+        for output in replaced:
+            if output not in self.compiled:
+                words = shlex.split(self.commands[output][0])
+                words = words[1:] if words[0] == 'ccache' else words
+                words[words.index('-o') + 1] = str(self.lean / output.replace('/', '_'))
+                words[words.index('-MF') + 1] = str(self.lean / 'dependencies')
+                ran = subprocess.run(words, cwd=self.build_folder, capture_output=True, text=True)
+                if ran.returncode != 0:
+                    return None, ran.stderr
+                self.compiled[output] = words[words.index('-o') + 1]
+        program = self.lean / 'program'
+        words = self.links[test]
+        start = words.index('-o')
+        rest = [word for word in words[start + 2:] if word not in replaced]
+        link = [*words[:start], '-o', str(program), *(self.compiled[r] for r in replaced), *rest]
+        ran = subprocess.run(link, cwd=self.build_folder, capture_output=True, text=True)
+        return (program, '') if ran.returncode == 0 else (None, ran.stderr)
+
+    def rebuild_without_static_asserts(self, test, name, with_library):
+        """Rebuilds again and again, with each static_assert that fails taken out of the copy."""
+        for _ in range(20):
+            program, said = self.rebuild(test, name, with_library)
+            failed = re.findall(r'^(?:\.\./)*(\S+?):(\d+):\d+: error: static assertion failed', said, re.M)
+            if program or not failed:
+                break
+            for header, line in set(failed):
+                lines = (self.tree / header).read_text().split('\n')
+                first = last = int(line) - 1
+                while not lines[first].lstrip().startswith('static_assert'):
+                    first -= 1
+                while not lines[last].rstrip().endswith(');'):
+                    last += 1
+                lines[first:last + 1] = ['static_assert(true);'] + [''] * (last - first)
+                self.write(header, '\n'.join(lines))
+        return program, said
+
+    def run(self, test, limit, program=None):
+        """Runs a test, or another program in its place, for at most `limit` seconds."""
+        path, environment = self.programs[test]
+        process = subprocess.Popen([program or path], text=True, errors='replace', start_new_session=True,
+                                   env={**os.environ, **environment}, cwd=self.build_folder,
+                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        try:
+            output, _ = process.communicate(timeout=limit)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)  # the session that was started above
+            process.communicate()
+            return Outcome('timeout')
+        if process.returncode == 0:
+            return Outcome('passed', output=output)
+        # Of the blocks that doctest prints, those with an error: others only have messages.
+        cases = [re.search(r'^TEST CASE:\s+(.*\S)', block, re.M)
+                 for block in re.split(r'^=+$', output, flags=re.M) if 'ERROR:' in block]
+        how = 'crashed' if process.returncode < 0 else 'failed'
+        return Outcome(how, dict.fromkeys(case.group(1) for case in cases if case), output)
