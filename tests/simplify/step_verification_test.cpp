@@ -6,7 +6,9 @@
 #include <doctest/doctest.h>
 
 #include <functional>
+#include <map>
 
+#include "../../src/simplify/modular_volume.hpp"
 #include "convexact/dual/adjacency_matrix.hpp"
 #include "convexact/error.hpp"
 #include "convexact/shapes/boxes.hpp"
@@ -111,6 +113,99 @@ TEST_CASE("StepVerification: a disk that is not the hull") {
   CHECK(convex >= 1);
 }
 
+namespace {
+
+// Every triangulation of the polygon that the ring positions first, ..., last make.
+std::vector<std::vector<DualTriangle>> triangulations(const std::vector<HalfspaceId>& ring,
+                                                      std::size_t first, std::size_t last) {
+  if (last - first < 2) return {{}};
+  std::vector<std::vector<DualTriangle>> all;
+  for (std::size_t apex = first + 1; apex < last; ++apex) {
+    for (const auto& low : triangulations(ring, first, apex)) {
+      for (const auto& high : triangulations(ring, apex, last)) {
+        all.push_back(low);
+        all.back().insert(all.back().end(), high.begin(), high.end());
+        all.back().push_back({ring[first], ring[apex], ring[last]});
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+namespace {
+
+// Planes that touch a sphere in random points: no four of them meet.
+DualHull simple_solid() {
+  std::vector<Halfspace> planes;
+  for (const Point& p : shapes::on_sphere(18, 6)) planes.emplace_back(to_rational(p), Rational(-1));
+  return dual_of(planes, RationalPoint::Zero()).dual;
+}
+
+// How often each check was the first to refuse a triangulation of a ring; "" accepted it.
+using Refusals = std::map<std::string, std::size_t>;
+
+Refusals refusals(const DualHull& solid, std::span<const Step> before, Step step) {
+  Refusals found;
+  for (const auto& triangles : triangulations(step.ring, 0, step.ring.size() - 1)) {
+    StepVerification verification(solid, VerifyLevel::Local);
+    for (const Step& earlier : before) verification.check(earlier);
+    step.triangles = triangles;
+    try {
+      verification.check(step);
+      ++found[""];
+    } catch (const Error& error) {
+      const std::string message = error.what();
+      ++found[message.substr(message.find("failed: ") + 8)];
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("StepVerification: of all triangulations of a ring the right one is accepted") {
+  const DualHull solid = simple_solid();
+  const auto steps = simplify_exact(solid, center_of(solid)).trace.steps;
+  Refusals all;
+  for (std::size_t at = 0; at < steps.size(); ++at) {
+    if (steps[at].ring.size() > 7) continue;
+    Refusals found = refusals(solid, std::span(steps).first(at), steps[at]);
+    CHECK(found[""] == 1);
+    for (const auto& [check, count] : found) all[check] += count;
+  }
+  CHECK(all["every new triangle is bounded (D > 0)"] > 0);
+  CHECK(all["every inner edge is convex"] > 0);
+}
+
+// On a convex surface these two hold by themselves: seen from a vertex, its ring turns one way.
+TEST_CASE(
+    "StepVerification: on a surface with a dent, checks refuse that convexity makes needless") {
+  const DualHull solid = simple_solid();
+  Refusals all;
+  AdjacencyMatrix dual(solid.halfspaces.size());
+  for (const DualTriangle& t : solid.triangles) dual.add(t);
+  for (const auto& [a, b, c] : solid.triangles) {
+    const HalfspaceId d = *dual.at(b, a);
+    if (dual.at(c, d)) continue;
+    AdjacencyMatrix turned = dual;
+    turned.remove({a, b, c});
+    turned.remove({b, a, d});
+    turned.add({a, d, c});
+    turned.add({d, b, c});
+    DualHull dented = solid;
+    dented.triangles = turned.triangles();
+    for (const HalfspaceId i : {a, b, c, d}) {
+      Step step{i, 0, {}, turned.one_ring(i), {}, 0};
+      if (step.ring.size() < 3 || step.ring.size() > 7) continue;
+      for (const auto& [check, count] : refusals(dented, {}, step)) all[check] += count;
+    }
+  }
+  CHECK(all["the removed dual point lies on or beyond every new triangle"] > 0);
+  CHECK(all["every ring edge is convex"] > 0);
+}
+
 TEST_CASE("StepVerification: a removal that opens a gap (D <= 0)") {
   // The top of a prism: its sides never meet. Its fan is a disk below the top.
   const DualHull prism = dual_of_doubles(shapes::prism(5));
@@ -136,6 +231,29 @@ TEST_CASE("StepVerification: a wrong cost shows in the volume, at level full") {
   CHECK(verdict(VerifyLevel::Full, 5, wrong).find("the volume grew by the cost") !=
         std::string::npos);
   CHECK(verdict(VerifyLevel::Local, 5, wrong).empty());  // local proves the step, not its price
+}
+
+// Both residues are blind to a multiple of both primes; the rationals at the end are not.
+TEST_CASE(
+    "StepVerification: a cost that two primes cannot tell from the true one is found at the end") {
+  constexpr std::uint64_t seed = 5;
+  Random random(seed);
+  Integer both = 1;
+  for (int prime = 0; prime < 2; ++prime) {
+    both *= Integer(ModularVolume({}, random).residue(Rational(-1))) + 1;
+  }
+  for (const bool is_wrong : {false, true}) {
+    StepVerification verification(round_solid(), VerifyLevel::Full, seed);
+    for (Step step : true_steps()) {
+      if (is_wrong && step.left == true_steps()[0].left) step.cost += both;
+      verification.check(step);
+    }
+    if (is_wrong) {
+      CHECK_THROWS_WITH_AS(verification.finish(), doctest::Contains("the final volume is"), Error);
+    } else {
+      CHECK_NOTHROW(verification.finish());
+    }
+  }
 }
 
 TEST_CASE("StepVerification: a witness that does not touch its plane") {
