@@ -10,11 +10,9 @@ front of the library. Branches that only exceptions take are left out, and templ
 many types they are used with."""
 import argparse
 import collections
-import concurrent.futures
 import json
 import pathlib
 import re
-import shlex
 import subprocess
 import sys
 
@@ -43,25 +41,17 @@ class Coverage(Scratch):
         self.counted = self.tree.parent / 'coverage'
         self.counted.mkdir(exist_ok=True)
         linked = {word for words in self.links.values() for word in words}
-        jobs = []
-        for output, (command, source) in self.commands.items():
-            name = str(source.relative_to(self.tree))
-            if re.search(UNITS, name) and (output in linked or output.startswith('src/libconvexact.a.p/')):
-                jobs.append((output, command, source))
-        with concurrent.futures.ThreadPoolExecutor(2) as pool:
-            list(pool.map(lambda job: self.compile_one(*job), jobs))
+        for output, (_, source) in self.commands.items():
+            if re.search(UNITS, str(source.relative_to(self.tree))) and (
+                    output in linked or output.startswith('src/libconvexact.a.p/')):
+                self.compile_one(output, source)
 
-    def compile_one(self, output, command, source):
+    def compile_one(self, output, source):
         target = self.counted / output.replace('/', '_')
         if not target.exists() or target.stat().st_mtime < source.stat().st_mtime:
-            words = shlex.split(command)
-            drop = {'ccache', '-fpch-preprocess', '-DCONVEXACT_ASSERTIONS', '-MD', '-Winvalid-pch', '-g1'}
-            words = [word for word in words if word not in drop]
-            for option in ('-MF', '-MQ', '-include'):
-                if option in words:
-                    del words[words.index(option):words.index(option) + 2]
-            words[words.index('-o') + 1] = str(target)
-            subprocess.run([*words, '-O0', '--coverage'], cwd=self.build_folder, check=True)
+            said = self._compile(output, target, ['--coverage', '-UCONVEXACT_ASSERTIONS'])
+            if said:
+                sys.exit(said)
         self.compiled[output] = str(target)
 
     def run_counted(self, test):
@@ -104,7 +94,8 @@ def main():
     parser.add_argument('--missing', action='store_true')
     arguments = parser.parse_args()
     coverage = Coverage(arguments.scratch)
-    coverage.build(TESTS)
+    for test in TESTS:
+        coverage.build(test)
     coverage.compile_for_gcov()
     for old in coverage.counted.glob('*.gcda'):
         old.unlink()

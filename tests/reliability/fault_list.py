@@ -5,8 +5,8 @@ CONSTANT, TIE, SIGN = 'constant / 16', 'tie rule dropped', 'sign flipped'
 PUSH, SKIP, STALE = 'push too small', 'verification skipped', 'stale value trusted'
 
 _FAST, _GEO = 'include/convexact/fast/', 'src/geometry/'
-_AUDIT = 'fast_plane_filter fast_audit fast_audit_sample'
-_AGREE = 'fast fast_agreement_property fast_agreement_sample'
+_AUDIT = 'fast_plane_filter fast_audit'
+_AGREE = 'fast'
 _STORED = 'stored_planes stored_mesh containment growth'
 
 FAULTS = [
@@ -123,7 +123,7 @@ FAULTS = [
     (SKIP, 'src/stored/stored_mesh.cpp', 'if (count_outside(halfspaces, witnesses) > 0) return {};', '', _STORED),
     (SKIP, 'src/stored/stored_planes.cpp', 'while (const auto ray = escape_ray(rounded.normals))', 'while (const auto ray = std::optional<RationalVector3>())', _STORED),
     (SKIP, 'src/pipeline/simplify.cpp', 'if (outside != 0)', 'if (false)', 'pipeline'),
-    (SKIP, 'src/pipeline/simplify.cpp', 'engine == Engine::Float && !is_dual_hull(dual, result.triangles)', 'false', 'fast pipeline fast_float_sample'),
+    (SKIP, 'src/pipeline/simplify.cpp', 'engine == Engine::Float && !is_dual_hull(dual, result.triangles)', 'false', 'fast pipeline'),
     (SKIP, 'src/hull/check_hull.cpp', ' && one_ray_meets_one_facet()', '', 'hull'),
     (SKIP, 'src/hull/check_hull.cpp', ' && the_rest_is_inside()', '', 'hull'),
     (SKIP, 'src/lp/certificates.cpp', 'if (!is_feasible(lp, claim.x) || !are_positive(lp, claim.tight)) return false;', '', 'lp'),
@@ -141,8 +141,8 @@ FAULTS = [
     (STALE, _FAST + 'filtered_loop.hpp', '  upper_[i.index()] = upper;\n', '  if (upper < upper_[i.index()] || upper_[i.index()] == 0) upper_[i.index()] = upper;\n', _AGREE),
     (STALE, _FAST + 'filtered_loop.hpp', '  cap_.invalidate();\n', '', _AGREE),
     (STALE, _FAST + 'filtered_loop.hpp', 'if (queue_.contains(i) && stale_[i.index()]) evaluate(i);', '', 'oracle'),
-    (STALE, _FAST + 'float_loop.hpp', '    state_[r.index()] |= kStale;\n', '', 'fast fast_float_sample'),
-    (STALE, _FAST + 'float_loop.hpp', 'queue_.update(r, lower_[r.index()]);', '', 'fast fast_float_sample'),
+    (STALE, _FAST + 'float_loop.hpp', '    state_[r.index()] |= kStale;\n', '', 'fast'),
+    (STALE, _FAST + 'float_loop.hpp', 'queue_.update(r, lower_[r.index()]);', '', 'fast'),
     (STALE, _FAST + 'lazy_queue.hpp', 'if (hole < heap_.size()) settle(hole, last);', 'if (hole < heap_.size()) put(hole, last);', _AGREE),
     (STALE, 'src/simplify/exact_engine.cpp', '  for (const HalfspaceId j : ring) evaluate(j);\n', '', 'simplify'),
     (STALE, 'src/simplify/exact_engine.cpp', '  if (removal.cost) queue_.erase({*removal.cost, i});\n', '', 'simplify'),

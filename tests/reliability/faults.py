@@ -23,6 +23,8 @@ def caught_by(scratch, fault):
     """Who caught a fault: (what of the compiler or '', the test or '', its case)."""
     _, name, old, new, tests = fault
     compiler = ''
+    for test in tests.split():
+        scratch.build(test)
     try:
         scratch.write(name, (ROOT / name).read_text().replace(old, new))
         for test in tests.split():
@@ -62,7 +64,6 @@ def main():
     if wrong or arguments.check:
         return 1 if wrong else 0
     scratch = Scratch(arguments.scratch)
-    scratch.build(sorted({test for fault in faults for test in fault[4].split()}))
     rows = []
     for number, fault in enumerate(faults, 1):
         kind, name, _, new, _ = fault

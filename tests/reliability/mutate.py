@@ -87,7 +87,7 @@ def judge(scratch, name, mutant, tests, original):
 
 
 def run(group, arguments):
-    sources = GROUPS[group]
+    sources = {name: tests for name, tests in GROUPS[group].items() if arguments.only in name}
     chosen = [(name, mutant) for name in sources for mutant in mutants.mutants_of((ROOT / name).read_text())]
     total = len(chosen)
     if arguments.sample and arguments.sample < total:
@@ -100,7 +100,8 @@ def run(group, arguments):
     answers = scratch.build_folder / 'tests' / 'reliability' / ANSWERS
     scratch.programs[ANSWERS] = (answers, {'CONVEXACT_STRIDE': '2'})
     tests = {test for name in sources for test in sources[name]}
-    scratch.build([*tests, *([ANSWERS] if group == 'predicates' else [])])
+    for test in [*tests, *([ANSWERS] if group == 'predicates' else [])]:
+        scratch.build(test)
     original = answers_of(scratch) if group == 'predicates' else None
     for test in tests:
         if scratch.run(test, LIMIT).how != 'passed':
@@ -150,6 +151,7 @@ def main():
     parser.add_argument('--scratch', default=ROOT / 'build' / 'faults', type=pathlib.Path)
     parser.add_argument('--sample', type=int, default=0)
     parser.add_argument('--seed', type=int, default=1)
+    parser.add_argument('--only', default='', help='sources whose path holds this')
     parser.add_argument('--self-test', action='store_true')
     arguments = parser.parse_args()
     if arguments.self_test:

@@ -3,6 +3,7 @@
 
 What is broken is compiled again alone and linked in front of everything else, as a whole build for every
 fault would take hours. A broken header stands for the few sources of UNITS that show what it does."""
+import atexit
 import json
 import os
 import pathlib
@@ -11,6 +12,7 @@ import shlex
 import shutil
 import signal
 import subprocess
+import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Assertions on, as in the ordinary test build.
@@ -52,9 +54,10 @@ class Scratch:
     def __init__(self, folder):
         self.tree = pathlib.Path(folder).resolve() / 'tree'
         self.build_folder = self.tree / 'build'
-        self.lean = self.tree.parent / 'lean'
-        self.lean.mkdir(parents=True, exist_ok=True)
-        self.changed, self.compiled = {}, {}
+        self.tree.mkdir(parents=True, exist_ok=True)
+        self.lean = pathlib.Path(tempfile.mkdtemp(prefix='lean', dir=self.tree.parent))
+        atexit.register(shutil.rmtree, self.lean)
+        self.changed, self.compiled, self.links = {}, {}, {}
         self._copy()
         if not (self.build_folder / 'build.ninja').exists():
             subprocess.run(['meson', 'setup', self.build_folder, self.tree, *OPTIONS], check=True,
@@ -62,6 +65,9 @@ class Scratch:
         self.programs = {}  # by name of a test: its path and the environment it wants
         for test in json.loads(self._said('meson', 'introspect', '--tests', str(self.build_folder))):
             self.programs[test['name']] = (pathlib.Path(test['cmd'][0]), test['env'])
+        commands = json.loads((self.build_folder / 'compile_commands.json').read_text())
+        self.commands = {entry['output']: (entry['command'], (self.build_folder / entry['file']).resolve())
+                         for entry in commands}
 
     def _said(self, *command, folder=ROOT):
         return subprocess.run(command, cwd=folder, check=True, capture_output=True, text=True).stdout
@@ -76,19 +82,38 @@ class Scratch:
             shutil.copyfile(source, target)
             shutil.copymode(source, target)
 
-    def build(self, tests):
-        """Builds these tests as they are."""
-        targets = {str(self.programs[test][0].relative_to(self.build_folder)) for test in tests}
-        subprocess.run(['ninja', '-C', self.build_folder, *sorted(targets)], check=True,
-                       stdout=subprocess.DEVNULL)
-        commands = json.loads((self.build_folder / 'compile_commands.json').read_text())
-        self.commands = {entry['output']: (entry['command'], (self.build_folder / entry['file']).resolve())
-                         for entry in commands}
-        self.links = {}
-        for test in tests:
-            target = str(self.programs[test][0].relative_to(self.build_folder))
-            self.links[test] = shlex.split(
-                self._said('ninja', '-t', 'commands', target, folder=self.build_folder).strip().split('\n')[-1])
+    def build(self, test):
+        """Builds a test as it is, if that has not been done."""
+        if test in self.links:
+            return
+        target = str(self.programs[test][0].relative_to(self.build_folder))
+        subprocess.run(['ninja', '-C', self.build_folder, target], check=True, stdout=subprocess.DEVNULL)
+        self.links[test] = shlex.split(
+            self._said('ninja', '-t', 'commands', target, folder=self.build_folder).strip().split('\n')[-1])
+
+    def _compile(self, output, target, more=()):
+        """Compiles what makes `output` into `target`, without optimisation: what the compiler said if it failed.
+        For the library the header that all sources include is compiled first, in the same way."""
+        command, _ = self.commands[output]
+        drop = {'ccache', '-fpch-preprocess', '-Winvalid-pch', '-MD', '-g1', '-Isrc/libconvexact.a.p'}
+        words = [word for word in shlex.split(command) if word not in drop]
+        for option in ('-MF', '-MQ'):
+            del words[words.index(option):words.index(option) + 2]
+        words += ['-O0', '-w', *more]
+        words[words.index('-o') + 1] = str(target)
+        if '-include' in words:
+            precompiled = self.lean / 'pch' / 'library.hpp.gch'
+            if not precompiled.exists():
+                precompiled.parent.mkdir()
+                shutil.copyfile(self.tree / 'src' / 'pch' / 'library.hpp', precompiled.with_suffix(''))
+                header = list(words)
+                del header[header.index('-include'):header.index('-include') + 2]
+                header[header.index('-c'):header.index('-c') + 2] = ['-x', 'c++-header', str(precompiled.with_suffix(''))]
+                header[header.index('-o') + 1] = str(precompiled)
+                subprocess.run(header, cwd=self.build_folder, check=True)
+            words.insert(1, f'-I{precompiled.parent}')
+        ran = subprocess.run(words, cwd=self.build_folder, capture_output=True, text=True)
+        return None if ran.returncode == 0 else ran.stderr
 
     def write(self, name, text):
         """Changes a file until restore()."""
@@ -106,6 +131,7 @@ class Scratch:
 
     def _objects(self, test, name, of_test):
         """The objects, of the test or of the library, that are compiled again when `name` has changed."""
+        self.build(test)
         linked = set(self.links[test])
         for unit in UNITS.get(name, [name]):
             for output, (_, source) in self.commands.items():
@@ -123,14 +149,10 @@ class Scratch:
             replaced += self._objects(test, name, False)
         for output in replaced:
             if output not in self.compiled:
-                words = shlex.split(self.commands[output][0])
-                words = words[1:] if words[0] == 'ccache' else words
-                words[words.index('-o') + 1] = str(self.lean / output.replace('/', '_'))
-                words[words.index('-MF') + 1] = str(self.lean / 'dependencies')
-                ran = subprocess.run(words, cwd=self.build_folder, capture_output=True, text=True)
-                if ran.returncode != 0:
-                    return None, ran.stderr
-                self.compiled[output] = words[words.index('-o') + 1]
+                said = self._compile(output, self.lean / output.replace('/', '_'))
+                if said is not None:
+                    return None, said
+                self.compiled[output] = str(self.lean / output.replace('/', '_'))
         program = self.lean / 'program'
         words = self.links[test]
         start = words.index('-o')
@@ -159,6 +181,7 @@ class Scratch:
 
     def run(self, test, limit, program=None):
         """Runs a test, or another program in its place, for at most `limit` seconds."""
+        self.build(test)
         path, environment = self.programs[test]
         process = subprocess.Popen([program or path], text=True, errors='replace', start_new_session=True,
                                    env={**os.environ, **environment}, cwd=self.build_folder,
