@@ -99,7 +99,7 @@ class Scratch:
         words = [word for word in shlex.split(command) if word not in drop]
         for option in ('-MF', '-MQ'):
             del words[words.index(option):words.index(option) + 2]
-        words += ['-O0', '-w', *more]
+        words += ['-O0', '-w', '-fdiagnostics-color=never', *more]
         words[words.index('-o') + 1] = str(target)
         if '-include' in words:
             precompiled = self.lean / 'pch' / 'library.hpp.gch'
