@@ -1,25 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Property: on small grids (repeats, coplanar and flat points) the hull has exactly the vertices
-// and facets of the hull by definition, and check_hull() accepts its certificate; points that span
-// no volume are said to, with their dimension and a proof. Neither seed nor insertion order
-// matters.
+// Property of hull: on small grids (repeats, coplanar and flat points) the hull has exactly the
+// vertices and facets of the hull by definition, and check_hull() accepts its certificate; points
+// that span no volume are said to, with their dimension and a proof. Neither seed nor insertion
+// order matters, nor does an image of the grid in last bits or in thirds.
 #include <limits>
 
-#include "affine_dimension.hpp"
 #include "convexact/hull/hull.hpp"
 #include "fuzz_check.hpp"
-#include "fuzz_input.hpp"
-#include "polytope_by_definition.hpp"
+#include "fuzz_target.hpp"
+#include "grid_hull.hpp"
 
 using namespace convexact;
 
 namespace {
 
 // The same grid for each kind of arithmetic: numbers that need no rounding, doubles whose products
-// cancel down to the last bits, and rationals that are no doubles.
-PointSet grid_of_some_kind(FuzzInput& in) {
-  const std::size_t kind = in.below(3);
-  const std::vector<Point> grid = in.grid_points(16, 3);
+// cancel down to the last bits, and rationals that are no doubles. All maps keep orientations.
+PointSet image_of(const std::vector<Point>& grid, std::size_t kind) {
   if (kind == 0) return PointSet(grid);
   if (kind == 1) {
     std::vector<Point> close;
@@ -33,37 +30,49 @@ PointSet grid_of_some_kind(FuzzInput& in) {
   return PointSet(thirds);
 }
 
-void check_flat_input(const FlatInput& flat, const PointSet& points, int dimension) {
-  FUZZ_CHECK(flat.dimension == dimension);
-  FUZZ_CHECK(check_flat(flat, points));
+std::vector<std::uint32_t> indices(std::span<const PointId> ids) {
+  std::vector<std::uint32_t> list;
+  for (const PointId id : ids) list.push_back(id.value);
+  return list;
 }
 
-void check_solid(const Hull& hull, const PointSet& points, int dimension) {
-  FUZZ_CHECK(dimension == 3);
-  FUZZ_CHECK(check_hull(hull, points));
-  const Polytope found = to_polytope(hull, points);
-  const Polytope expected = polytope_by_definition(points);
-  FUZZ_CHECK(found.vertices == expected.vertices);
-  FUZZ_CHECK(found.planes == expected.planes);
-  FUZZ_CHECK(found.facets == expected.facets);
+// The polytope's planes pass through their facets' corners and have all others inside.
+void check_planes(const Polytope& polytope) {
+  for (std::size_t f = 0; f < polytope.planes.size(); ++f) {
+    const std::vector<std::uint32_t>& facet = polytope.facets[f];
+    for (std::uint32_t v = 0; v < polytope.vertices.size(); ++v) {
+      const bool is_corner = std::find(facet.begin(), facet.end(), v) != facet.end();
+      const Rational value = polytope.planes[f](polytope.vertices[v]);
+      FUZZ_CHECK(is_corner ? value == 0 : value < 0);
+    }
+  }
+  FUZZ_CHECK(std::is_sorted(polytope.planes.begin(), polytope.planes.end()));
 }
 
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  FuzzInput in(data, size);
+void hold(FuzzInput& in) {
   HullOptions options;
   options.seed = in.byte();
   options.furthest_first_effort = static_cast<double>(in.below(3)) / 2;
-  const PointSet points = grid_of_some_kind(in);
-  std::vector<RationalPoint> exact;
-  for (std::size_t i = 0; i < points.size(); ++i) exact.push_back(points[PointId(i)]);
-  const int dimension = affine_dimension(exact);
+  const std::size_t kind = in.below(3);
+  const std::vector<Point> grid = in.grid_points(in.rarely() ? 20 : 10, 3);
+  const PointSet points = image_of(grid, kind);
+  const grid_hull::Expected expected(grid);
   const HullOutcome outcome = convex_hull(points, options);
   if (const auto* flat = std::get_if<FlatInput>(&outcome)) {
-    check_flat_input(*flat, points, dimension);
-  } else {
-    check_solid(std::get<Hull>(outcome), points, dimension);
+    FUZZ_CHECK(flat->dimension == expected.dimension);
+    FUZZ_CHECK(check_flat(*flat, points));
+    return;
   }
-  return 0;
+  FUZZ_CHECK(expected.dimension == 3);
+  const Hull& hull = std::get<Hull>(outcome);
+  FUZZ_CHECK(check_hull(hull, points));
+  FUZZ_CHECK(indices(hull.vertices) == expected.vertices);
+  std::set<std::vector<std::uint32_t>> facets;
+  for (std::size_t f = 0; f < hull.facets.size(); ++f) facets.insert(indices(hull.facets[f]));
+  FUZZ_CHECK(facets.size() == hull.facets.size() && facets == expected.facets);
+  check_planes(to_polytope(hull, points));
 }
+
+const FuzzTarget target("hull", hold);
+
+}  // namespace

@@ -29,6 +29,9 @@ class FuzzInput {
     return (count <= 256 ? low : low + 256 * std::size_t(byte())) % count;
   }
 
+  /// One byte in 64: for shapes so large that checking them by definition takes long.
+  bool rarely() { return below(64) == 63; }
+
   /// Any finite double, subnormal and huge ones too.
   double finite_double() {
     std::uint64_t bits = 0;

@@ -207,18 +207,23 @@ TestVector to_vector(const json& entry, const std::string& data) {
 
 }  // namespace
 
-std::vector<TestVector> read_test_vectors_file(const std::string& path, const std::string& data) {
-  const std::string bytes = read_bytes(path);
+std::vector<TestVector> read_test_vectors_bytes(std::string_view bytes, const std::string& data) {
   std::vector<TestVector> vectors;
   try {
     const json document = json::parse(bytes);
     for (const json& entry : document.at("vectors")) vectors.push_back(to_vector(entry, data));
   } catch (const json::exception& error) {
-    throw Error(ErrorCode::Malformed, error.what()).in_file(path);
+    throw Error(ErrorCode::Malformed, error.what());
+  }
+  return vectors;
+}
+
+std::vector<TestVector> read_test_vectors_file(const std::string& path, const std::string& data) {
+  try {
+    return read_test_vectors_bytes(read_bytes(path), data);
   } catch (const Error& error) {
     throw error.in_file(path);
   }
-  return vectors;
 }
 
 std::vector<TestVector> read_test_vectors(const std::string& folder) {

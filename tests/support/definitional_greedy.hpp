@@ -4,31 +4,10 @@
 #pragma once
 #include <doctest/doctest.h>
 
+#include "cheapest_removals.hpp"
 #include "convexact/simplify/trace.hpp"
-#include "halfspace_arrangement.hpp"
 
 namespace definition {
-
-/// The removals of least cost; none if every one is unbounded.
-struct Cheapest {
-  std::optional<Rational> cost;
-  std::vector<HalfspaceId> tie;  // ascending
-};
-
-inline Cheapest cheapest_removals(const HalfspaceArrangement& arrangement, Subset left) {
-  const Rational before = arrangement.volume(left).value();
-  Cheapest best;
-  for (std::size_t i = 0; i < arrangement.size(); ++i) {
-    const Subset bit = Subset{1} << i;
-    if ((left & bit) == 0) continue;
-    const std::optional<Rational> after = arrangement.volume(left & ~bit);
-    if (!after) continue;
-    const Rational cost = *after - before;
-    if (!best.cost || cost < *best.cost) best = {cost, {}};
-    if (cost == *best.cost) best.tie.emplace_back(i);
-  }
-  return best;
-}
 
 /// Every step is the cheapest one, with exactly the ties that there are; a run that says so has
 /// really nothing bounded left to remove.

@@ -2,14 +2,20 @@
 // test_vector_json.hpp - reads conformance vectors (docs/schema/vector.schema.json).
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "convexact/oracle/test_vector.hpp"
 
 namespace convexact {
 
-/// The vectors of one file. @param data  The folder of the meshes that vectors name.
-/// @throws Error Malformed for anything that the schema does not allow; Unreadable.
+/// The vectors in a text. @param data  The folder of the meshes that vectors name.
+/// @throws Error Malformed for anything that the schema does not allow; NotFinite; Unreadable for a
+///         mesh that is not there.
+[[nodiscard]] std::vector<TestVector> read_test_vectors_bytes(std::string_view bytes,
+                                                              const std::string& data);
+
+/// The vectors of one file. @throws Error as read_test_vectors_bytes, with the path in front.
 [[nodiscard]] std::vector<TestVector> read_test_vectors_file(const std::string& path,
                                                              const std::string& data);
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What libFuzzer and AFL++ call; the environment's FUZZ_TARGET says which target they fuzz.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+#include "fuzz_target.hpp"
+
+namespace {
+
+const FuzzTarget* chosen = nullptr;
+
+}  // namespace
+
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  const char* const name = std::getenv("FUZZ_TARGET");
+  if (name != nullptr) chosen = FuzzTarget::find(name);
+  if (chosen != nullptr) return 0;
+  std::fprintf(stderr, "set FUZZ_TARGET to one of:\n");
+  for (const FuzzTarget* target : FuzzTarget::all()) std::fprintf(stderr, "%s\n", target->name);
+  std::exit(2);
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  FuzzInput in(data, size);
+  chosen->hold(in);
+  return 0;
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Property of obj, off, ply, stl, xyz: the reader takes any bytes and either reads them or refuses
+// them with an Error of exit code 3. What was read can be written and is then read as the same;
+// decimals taken as spelled round to the doubles that they are read as otherwise.
+#include "convexact/io/read_mesh.hpp"
+#include "convexact/io/write_mesh.hpp"
+#include "fuzz_target.hpp"
+#include "same_mesh.hpp"
+#include "unless_refused.hpp"
+
+using namespace convexact;
+
+namespace {
+
+void check_round_trip(const Mesh& mesh, MeshFormat format, const MeshWriteOptions& options) {
+  const Mesh back = read_mesh_bytes(write_mesh(mesh, format, options), {.format = format});
+  FUZZ_CHECK(same_points(back.points, mesh.points));
+  FUZZ_CHECK(back.polygons == mesh.polygons);
+  if (options.encoding == Encoding::Text) FUZZ_CHECK(same_parts(back, mesh));
+}
+
+template <MeshFormat format>
+void hold(FuzzInput& in) {
+  const std::string_view bytes = in.rest();
+  (void)mesh_format_of_content(bytes);
+  const auto mesh = unless_refused([&] { return read_mesh_bytes(bytes, {.format = format}); });
+  if (!mesh) return;
+  for (const auto& polygon : mesh->polygons) {
+    FUZZ_CHECK(polygon.size() >= 3);
+    for (const std::uint32_t corner : polygon) FUZZ_CHECK(corner < mesh->points.size());
+  }
+  check_round_trip(*mesh, format, {});
+  if (format == MeshFormat::Ply) check_round_trip(*mesh, format, {.encoding = Encoding::Binary});
+  const auto exact = unless_refused(
+      [&] { return read_mesh_bytes(bytes, {.decimal = Decimal::Exact, .format = format}); });
+  // STL may keep points apart that are equal only as doubles.
+  if (!exact || format == MeshFormat::Stl) return;
+  FUZZ_CHECK(exact->polygons == mesh->polygons);
+  FUZZ_CHECK(std::equal(exact->points.doubles().begin(), exact->points.doubles().end(),
+                        mesh->points.doubles().begin(), mesh->points.doubles().end()));
+}
+
+const FuzzTarget obj("obj", hold<MeshFormat::Obj>);
+const FuzzTarget off("off", hold<MeshFormat::Off>);
+const FuzzTarget ply("ply", hold<MeshFormat::Ply>);
+const FuzzTarget stl("stl", hold<MeshFormat::Stl>);
+const FuzzTarget xyz("xyz", hold<MeshFormat::Xyz>);
+
+}  // namespace

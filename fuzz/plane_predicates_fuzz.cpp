@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// Property of plane_signs: the determinants of plane coefficients and their signs are those of
+// Laplace's expansion in rationals; where doubles are certain they are right, and the doubles are
+// as near to the coefficients as promised. Property of dual_signs: the same of a solid's dual
+// points, at every stage; the rounded dual points are as near to the true ones as promised.
+#include "convexact/fast/dual_signs.hpp"
+#include "convexact/geometry/plane_determinants.hpp"
+#include "exact_determinant.hpp"
+#include "fuzz_check.hpp"
+#include "fuzz_target.hpp"
+#include "hard_numbers.hpp"
+
+using namespace convexact;
+
+namespace {
+
+std::vector<Rational> normal_row(const Halfspace& h) {
+  return {Rational(h.normal()[0]), Rational(h.normal()[1]), Rational(h.normal()[2])};
+}
+
+std::vector<Rational> whole_row(const Halfspace& h) {
+  std::vector<Rational> row = normal_row(h);
+  row.emplace_back(h.offset());
+  return row;
+}
+
+Rational true_normal_determinant(const Halfspace& a, const Halfspace& b, const Halfspace& c) {
+  return exact_determinant({normal_row(a), normal_row(b), normal_row(c)});
+}
+
+Rational true_determinant(const Halfspace& a, const Halfspace& b, const Halfspace& c,
+                          const Halfspace& p) {
+  return exact_determinant({whole_row(a), whole_row(b), whole_row(c), whole_row(p)});
+}
+
+// Small, or two that differ in the last of many bits, or of very different sizes.
+Halfspace halfspace(FuzzInput& in, std::size_t kind) {
+  Integer row[4];
+  for (Integer& x : row) {
+    x = static_cast<int>(in.below(7)) - 3;
+    if (kind == 1) x = (x << 60) + (static_cast<int>(in.below(3)) - 1);
+    if (kind == 2) x <<= static_cast<unsigned>(in.below(1200));
+  }
+  if (row[0] == 0 && row[1] == 0 && row[2] == 0) row[0] = 1;
+  return {IntegerVector3(row[0], row[1], row[2]), row[3]};
+}
+
+// The exponent of the power of two that a positive number nearly is.
+long nearest_power_of_two(const Rational& x) {
+  const long exponent =
+      static_cast<long>(bit_length(numerator(x))) - static_cast<long>(bit_length(denominator(x)));
+  const Rational rest = scale_by_power_of_two(x, -exponent);  // in (1/2, 2)
+  return exponent + (rest > Rational(3, 2) ? 1 : rest < Rational(3, 4) ? -1 : 0);
+}
+
+// Each entry is off by less than 2^-52 of itself, up to one power of two for all four.
+void check_row(const Halfspace& h) {
+  const PlaneRow row = plane_row(h);
+  const std::vector<Rational> exact = whole_row(h);
+  std::size_t largest = 0;
+  for (std::size_t k = 1; k < 4; ++k) {
+    if (std::abs(row[k]) > std::abs(row[largest])) largest = k;
+  }
+  FUZZ_CHECK(std::abs(row[largest]) >= 0.5 && std::abs(row[largest]) < 1);
+  const long exponent = nearest_power_of_two(exact[largest] / to_rational(row[largest]));
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Rational scaled = scale_by_power_of_two(exact[k], -exponent);
+    const Rational off = abs(Rational(scaled - to_rational(row[k])));
+    const bool is_underflow = abs(scaled) < Rational(1) / (Integer(1) << 1000);
+    FUZZ_CHECK(is_underflow || off * (Integer(1) << 52) <= abs(scaled));
+  }
+}
+
+void hold_plane_signs(FuzzInput& in) {
+  const std::size_t kind = in.below(3);
+  const Halfspace a = halfspace(in, kind), b = halfspace(in, kind), c = halfspace(in, kind),
+                  p = halfspace(in, kind);
+  const Rational normals = true_normal_determinant(a, b, c), whole = true_determinant(a, b, c, p);
+  FUZZ_CHECK(Rational(normal_determinant(a, b, c)) == normals);
+  FUZZ_CHECK(Rational(plane_determinant(a, b, c, p)) == whole);
+  FUZZ_CHECK(normal_sign(a, b, c) == sign_of(normals));
+  FUZZ_CHECK(plane_sign(a, b, c, p) == sign_of(whole));
+  const PlaneRow ra = plane_row(a), rb = plane_row(b), rc = plane_row(c), rp = plane_row(p);
+  FUZZ_CHECK(certain_normal_sign(ra, rb, rc).value_or(sign_of(normals)) == sign_of(normals));
+  FUZZ_CHECK(certain_plane_sign(ra, rb, rc, rp).value_or(sign_of(whole)) == sign_of(whole));
+  for (const Halfspace* h : {&a, &b, &c, &p}) check_row(*h);
+}
+
+// Each axis is scaled by one power of two for all dual points.
+void check_coordinates(const FastDual& dual) {
+  for (int axis = 0; axis < 3; ++axis) {
+    std::optional<long> exponent;
+    for (std::size_t i = 0; i < dual.size(); ++i) {
+      const HalfspaceId id(i);
+      const auto pick = [&](const Triple<double>& t) {
+        return axis == 0 ? t.x : axis == 1 ? t.y : t.z;
+      };
+      const double near = pick(dual.near(id)), rest = pick(dual.rest(id));
+      const Halfspace& h = dual.exact(id);
+      const Rational q = Rational(h.normal()[axis]) / -h(dual.center());
+      if (std::abs(near) < 0x1p-900) continue;  // may have underflowed
+      FUZZ_CHECK(q != 0);
+      if (!exponent) exponent = nearest_power_of_two(to_rational(near) / q);
+      const Rational truth = scale_by_power_of_two(q, *exponent);
+      const Rational size = abs(to_rational(near));
+      FUZZ_CHECK(abs(Rational(to_rational(near) - truth)) <=
+                 size * to_rational(FastDual::kNearError));
+      FUZZ_CHECK(abs(Rational(to_rational(near) + to_rational(rest) - truth)) <=
+                 size * to_rational(FastDual::kLongError));
+    }
+  }
+}
+
+void check_signs(const FastDual& dual, FuzzInput& in) {
+  const DualSigns signs(dual);
+  for (int round = 0; round < 4; ++round) {
+    HalfspaceId ids[4];
+    for (HalfspaceId& id : ids) id = HalfspaceId(in.below(dual.size()));
+    const auto& [a, b, c, p] = ids;
+    const Sign height =
+        sign_of(true_determinant(dual.exact(a), dual.exact(b), dual.exact(c), dual.exact(p)));
+    const Sign normals =
+        sign_of(true_normal_determinant(dual.exact(a), dual.exact(b), dual.exact(c)));
+    FUZZ_CHECK(signs.height(a, b, c, p) == height);
+    FUZZ_CHECK(signs.height_beyond_doubles(a, b, c, p) == height);
+    FUZZ_CHECK(signs.determinant(a, b, c) == normals);
+    FUZZ_CHECK(signs.determinant_beyond_doubles(a, b, c) == normals);
+  }
+}
+
+void hold_dual_signs(FuzzInput& in) {
+  std::vector<Point> points;
+  HardNumbers numbers(in);
+  for (std::size_t count = 4 + in.below(5); points.size() < count;) {
+    points.push_back(numbers.point());
+  }
+  const PointSet set(points);
+  const HullOutcome outcome = convex_hull(set);
+  const Hull* hull = std::get_if<Hull>(&outcome);
+  if (hull == nullptr) return;
+  const FastDual dual = FastDual::of(*hull, set);
+  check_coordinates(dual);
+  check_signs(dual, in);
+}
+
+const FuzzTarget planes("plane_signs", hold_plane_signs);
+const FuzzTarget duals("dual_signs", hold_dual_signs);
+
+}  // namespace

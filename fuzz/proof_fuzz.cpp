@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Property of proof: convexact-check accepts the proof of every run; changed in a few words or
+// lines, a proof is refused, or what it claims is true by the definition all the same.
+// Property of proof_text: whatever bytes stand in a proof, the checker ends with a documented exit
+// code, and what it accepts is true by the definition.
+#include "../tests/check/checker.hpp"
+#include "../tests/check/proof_text.hpp"
+#include "convexact/format/proof.hpp"
+#include "convexact/pipeline/simplify.hpp"
+#include "definitional_proof.hpp"
+#include "fuzz_check.hpp"
+#include "fuzz_target.hpp"
+
+using namespace convexact;
+
+namespace {
+
+// Halfspaces that bound a box, cut somewhere.
+std::vector<Halfspace> cut_box(FuzzInput& in) {
+  std::vector<Halfspace> list;
+  for (int k = 0; k < 6; ++k) {
+    IntegerVector3 normal = IntegerVector3::Zero();
+    normal[k / 2] = k % 2 == 0 ? 1 : -1;
+    list.emplace_back(normal, Integer(-2 - static_cast<int>(in.below(2))));
+  }
+  for (std::size_t count = in.below(4); count > 0; --count) {
+    IntegerVector3 normal;
+    for (Integer& n : normal) n = static_cast<int>(in.below(5)) - 2;
+    if (normal == IntegerVector3::Zero()) normal[0] = 1;
+    list.emplace_back(normal, Integer(-1 - static_cast<int>(in.below(8))));
+  }
+  return list;
+}
+
+Shape shape_of(FuzzInput& in) {
+  if (in.below(4) == 0) return cut_box(in);
+  return PointSet(in.grid_points(in.rarely() ? 12 : 8, 2));
+}
+
+// The proof of some run; empty if there is none, because the shape is no solid.
+std::string some_proof(FuzzInput& in) {
+  SimplifyRequest request;
+  request.engine = std::array{Engine::Exact, Engine::Filtered, Engine::Float}[in.below(3)];
+  request.faces = 4 + in.below(4);
+  request.record = true;
+  const std::size_t precision = in.below(3);
+  if (precision == 1) request.store.planes = Precision::Binary64;
+  if (precision == 2) request.store.planes = Precision::Binary32;
+  StageLog log;
+  const SimplifyOutcome outcome = simplify(shape_of(in), request, log);
+  const auto* result = std::get_if<SimplifyResult>(&outcome);
+  if (result == nullptr) return "";
+  return write_proof(result->record.value(), result->solid.points, result->solid.planes);
+}
+
+constexpr const char* kWords[] = {"0",    "1",     "2",     "-1",       "1/2",         "0/0",
+                                  "-",    "0x1p0", "0x1p9", "nan",      "unbounded",   "cost",
+                                  "ring", "tie",   "end",   "evaluate", "99999999999", "triangles"};
+
+void change(ProofText& proof, FuzzInput& in) {
+  auto& lines = proof.lines;
+  const std::size_t l = in.below(lines.size()), other = in.below(lines.size());
+  const auto at_line = lines.begin() + static_cast<std::ptrdiff_t>(l);
+  std::vector<std::string>& words = lines[l];
+  if (words.empty()) return;
+  const std::size_t w = in.below(words.size());
+  const auto at_word = words.begin() + static_cast<std::ptrdiff_t>(w);
+  switch (in.below(8)) {
+    case 0:
+      words[w] = kWords[in.below(std::size(kWords))];
+      break;
+    case 1:
+      if (!lines[other].empty()) words[w] = lines[other][in.below(lines[other].size())];
+      break;
+    case 2:
+      words.erase(at_word);
+      break;
+    case 3:
+      words.insert(at_word, words[w]);
+      break;
+    case 4:
+      std::swap(lines[l], lines[other]);
+      break;
+    case 5:
+      lines.insert(at_line, lines[other]);
+      break;
+    case 6:
+      if (lines.size() > 1) lines.erase(at_line);
+      break;
+    default:  // one digit
+      words[w][in.below(words[w].size())] = static_cast<char>('0' + in.below(10));
+  }
+}
+
+void check_claims(const std::string& proof, const std::string& original) {
+  const CheckerVerdict verdict = check_proof(proof);
+  FUZZ_CHECK(verdict.exit_code == 0 || verdict.exit_code == 1 || verdict.exit_code == 3);
+  FUZZ_CHECK(!verdict.said.empty());
+  if (verdict.exit_code != 0) return;
+  const definition::ProofClaims claims(proof);
+  if (!original.empty() && claims == definition::ProofClaims(original)) return;
+  if (claims.points.size() > 16 || claims.planes.size() > 24) return;  // the definition is slow
+  FUZZ_CHECK(claims.are_true());
+}
+
+void hold_proof(FuzzInput& in) {
+  const std::string proof = some_proof(in);
+  if (proof.empty()) return;
+  FUZZ_CHECK(check_proof(proof).exit_code == 0);
+  if (in.rarely()) check_claims(proof, "");
+  for (std::size_t rounds = in.below(8); rounds > 0 && !in.empty(); --rounds) {
+    ProofText changed(proof);
+    const bool is_renumbered = in.below(4) > 0;
+    for (std::size_t count = 1 + in.below(3); count > 0; --count) change(changed, in);
+    check_claims(changed.text(is_renumbered), proof);
+  }
+}
+
+void hold_proof_text(FuzzInput& in) { check_claims(std::string(in.rest()), ""); }
+
+const FuzzTarget proof("proof", hold_proof);
+const FuzzTarget proof_text("proof_text", hold_proof_text);
+
+}  // namespace

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// definitional_proof.hpp - what a proof claims, and whether it is true by the definition. Witnesses
+// (the interior point, who shows a point inside, rays) are no claims; whether they convince is the
+// checker's business.
+#pragma once
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "affine_dimension.hpp"
+#include "cheapest_removals.hpp"
+#include "convexact/number/hex_float.hpp"
+#include "stored_cases.hpp"
+#include "supporting_planes.hpp"
+
+namespace definition {
+
+/// The claims of a proof of docs/proof-format.md that has been accepted, so is well-formed.
+struct ProofClaims {
+  explicit ProofClaims(const std::string& text);
+
+  struct Removal {
+    std::size_t id;
+    Rational cost;
+    std::vector<HalfspaceId> tie;
+    friend bool operator==(const Removal&, const Removal&) = default;
+  };
+
+  bool is_greedy = false;
+  std::vector<Halfspace> rows, planes;
+  std::vector<RationalPoint> points;
+  std::vector<Removal> removals;
+  std::vector<std::size_t> survivors;
+  std::vector<std::array<Rational, 4>> stored;
+
+  friend bool operator==(const ProofClaims&, const ProofClaims&) = default;
+  /// Whether all of it is true. For a dozen points and two dozen planes.
+  bool are_true() const;
+
+ private:
+  bool hull_is_true() const;
+  bool removals_are_true() const;
+  bool stored_is_true() const;
+};
+
+// The words of a proof, each taken once.
+class ProofWords {
+ public:
+  explicit ProofWords(const std::string& text) : in_(text) { take(); }
+  const std::string& next() const { return next_; }
+  std::string take() {
+    std::string taken = std::move(next_);
+    if (!(in_ >> next_)) next_.clear();
+    return taken;
+  }
+  bool at_number() const { return !next_.empty() && next_[0] <= '9'; }
+  std::size_t id() { return std::stoul(take()); }
+  std::vector<std::size_t> ids() {
+    std::vector<std::size_t> list;
+    while (at_number()) list.push_back(id());
+    return list;
+  }
+  Rational number() {
+    const std::string word = take();
+    return is_hex_float(word) ? parse_hex_float(word) : parse_rational(word);
+  }
+  RationalPoint point() {
+    RationalPoint p;
+    for (Rational& x : p) x = number();
+    return p;
+  }
+  Halfspace halfspace() {
+    const RationalVector3 normal = point();
+    return {normal, number()};
+  }
+
+ private:
+  std::istringstream in_;
+  std::string next_;
+};
+
+inline ProofClaims::ProofClaims(const std::string& text) {
+  ProofWords words(text);
+  std::vector<Rational> costs;
+  while (!words.next().empty()) {
+    const std::string word = words.take();
+    if (word == "greedy") is_greedy = true;
+    if (word == "row") rows.push_back(words.halfspace());
+    if (word == "point") points.push_back(words.point());
+    if (word == "plane") planes.push_back(words.halfspace());
+    costs.resize(planes.size());
+    if (word == "evaluate") {
+      const std::size_t id = words.id();
+      if (words.take() == "cost") costs[id] = words.number();
+    }
+    if (word == "remove") {
+      const std::size_t id = words.id();
+      Removal& removal = removals.emplace_back(Removal{id, costs[id], {}});
+      if (words.next() == "tie") words.take();
+      for (const std::size_t i : words.ids()) removal.tie.emplace_back(i);
+    }
+    if (word == "survive") survivors = words.ids();
+    if (word == "halfspace") {
+      auto& plane = stored.emplace_back();
+      for (Rational& x : plane) x = words.number();
+    }
+  }
+}
+
+inline bool ProofClaims::are_true() const {
+  return hull_is_true() && removals_are_true() && stored_is_true();
+}
+
+inline bool ProofClaims::hull_is_true() const {
+  if (affine_dimension(points) < 3 || supporting_planes(points) != planes) return false;
+  for (const Halfspace& row : rows) {
+    for (const RationalPoint& p : points) {
+      if (row(p) > 0) return false;
+    }
+  }
+  const std::set<Halfspace> given(rows.begin(), rows.end());
+  return rows.empty() || std::all_of(planes.begin(), planes.end(),
+                                     [&](const Halfspace& plane) { return given.contains(plane); });
+}
+
+inline bool ProofClaims::removals_are_true() const {
+  const HalfspaceArrangement arrangement(planes);
+  Subset left = arrangement.all();
+  for (const Removal& removal : removals) {
+    const Subset bit = Subset{1} << removal.id;
+    if ((left & bit) == 0) return false;
+    const auto before = arrangement.volume(left), after = arrangement.volume(left & ~bit);
+    if (!after || *after - *before != removal.cost) return false;
+    if (is_greedy) {
+      const Cheapest best = cheapest_removals(arrangement, left);
+      if (best.tie != removal.tie || removal.tie.front().index() != removal.id) return false;
+    }
+    left &= ~bit;
+  }
+  Subset surviving = 0;
+  for (const std::size_t i : survivors) surviving |= Subset{1} << i;
+  return surviving == left;
+}
+
+inline bool ProofClaims::stored_is_true() const {
+  if (stored.empty()) return true;
+  std::vector<stored_checker::Plane> exact;
+  for (const std::array<Rational, 4>& plane : stored) {
+    const auto [integers, common] =
+        stored_checker::clear({stored_cases::to_mpq(plane[0]), stored_cases::to_mpq(plane[1]),
+                               stored_cases::to_mpq(plane[2]), stored_cases::to_mpq(plane[3])});
+    exact.push_back({integers[0], integers[1], integers[2], integers[3]});
+  }
+  return stored.size() == survivors.size() && stored_checker::is_bounded(exact) &&
+         stored_checker::count_outside(exact, stored_cases::to_homogeneous(PointSet(points))) == 0;
+}
+
+}  // namespace definition
