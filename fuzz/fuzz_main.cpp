@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "fuzz_target.hpp"
+#include "limb_pool.hpp"
 
 namespace {
 
@@ -15,7 +16,10 @@ const FuzzTarget* chosen = nullptr;
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
   const char* const name = std::getenv("FUZZ_TARGET");
   if (name != nullptr) chosen = FuzzTarget::find(name);
-  if (chosen != nullptr) return 0;
+  if (chosen != nullptr) {
+    pool_limbs();
+    return 0;
+  }
   std::fprintf(stderr, "set FUZZ_TARGET to one of:\n");
   for (const FuzzTarget* target : FuzzTarget::all()) std::fprintf(stderr, "%s\n", target->name);
   std::exit(2);

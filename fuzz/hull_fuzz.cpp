@@ -54,7 +54,7 @@ void hold(FuzzInput& in) {
   options.seed = in.byte();
   options.furthest_first_effort = static_cast<double>(in.below(3)) / 2;
   const std::size_t kind = in.below(3);
-  const std::vector<Point> grid = in.grid_points(in.rarely() ? 20 : 10, 3);
+  const std::vector<Point> grid = in.grid_points(in.rarely() ? 20 : 8, 3);
   const PointSet points = image_of(grid, kind);
   const grid_hull::Expected expected(grid);
   const HullOutcome outcome = convex_hull(points, options);

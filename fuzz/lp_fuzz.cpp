@@ -22,7 +22,7 @@ Rational small(FuzzInput& in) { return static_cast<int>(in.below(7)) - 3; }
 LinearProgram program(FuzzInput& in) {
   const auto coordinates = static_cast<Eigen::Index>(1 + in.below(4));
   // Elimination squares the number of rows for each coordinate.
-  const std::size_t most = coordinates == 4 ? 5 : coordinates == 3 ? 6 : 8;
+  const std::size_t most = coordinates == 4 ? 4 : coordinates == 3 ? 5 : 7;
   const auto rows = static_cast<Eigen::Index>(in.below(most + 1));
   const Rational unit = in.below(4) == 0 ? Rational(1, 3) : Rational(1);
   LinearProgram lp{RationalMatrix(rows, coordinates), RationalVector(rows),
@@ -64,7 +64,7 @@ std::vector<Halfspace> halfspaces_of(FuzzInput& in) {
     return x;
   };
   std::vector<Halfspace> list;
-  for (std::size_t count = in.below(in.rarely() ? 13 : 9); count > 0; --count) {
+  for (std::size_t count = in.below(in.rarely() ? 13 : 8); count > 0; --count) {
     IntegerVector3 normal;
     for (Integer& n : normal) n = integer(2);
     if (normal == IntegerVector3::Zero()) normal[0] = 1;

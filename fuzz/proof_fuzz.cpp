@@ -34,7 +34,7 @@ std::vector<Halfspace> cut_box(FuzzInput& in) {
 
 Shape shape_of(FuzzInput& in) {
   if (in.below(4) == 0) return cut_box(in);
-  return PointSet(in.grid_points(in.rarely() ? 12 : 8, 2));
+  return PointSet(in.grid_points(in.rarely() ? 12 : 6, 2));
 }
 
 // The proof of some run; empty if there is none, because the shape is no solid.
@@ -108,7 +108,7 @@ void hold_proof(FuzzInput& in) {
   if (proof.empty()) return;
   FUZZ_CHECK(check_proof(proof).exit_code == 0);
   if (in.rarely()) check_claims(proof, "");
-  for (std::size_t rounds = in.below(8); rounds > 0 && !in.empty(); --rounds) {
+  for (std::size_t rounds = in.below(5); rounds > 0 && !in.empty(); --rounds) {
     ProofText changed(proof);
     const bool is_renumbered = in.below(4) > 0;
     for (std::size_t count = 1 + in.below(3); count > 0; --count) change(changed, in);

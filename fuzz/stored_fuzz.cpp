@@ -14,7 +14,7 @@ using namespace convexact;
 namespace {
 
 PointSet points_of(FuzzInput& in) {
-  const std::size_t most = in.rarely() ? 16 : 9;
+  const std::size_t most = in.rarely() ? 16 : 6;
   if (in.below(3) == 0) {
     std::vector<RationalPoint> thirds;
     for (const Point& p : in.grid_points(most, 3)) thirds.push_back(to_rational(p) / Rational(3));

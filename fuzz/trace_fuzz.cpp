@@ -56,7 +56,7 @@ class OrderMaker {
   }
 
   void make() {
-    for (std::size_t steps = in_.below(7); steps > 0; --steps) {
+    for (std::size_t steps = in_.below(6); steps > 0; --steps) {
       if (!step()) return;
     }
     if (in_.below(2) == 0) return;
@@ -169,7 +169,7 @@ void check_steps(const TraceVerdict& verdict, const Expected& expected) {
 }
 
 void hold(FuzzInput& in) {
-  const PointSet points(in.grid_points(in.rarely() ? 9 : 7, 2));
+  const PointSet points(in.grid_points(in.rarely() ? 9 : 6, 2));
   const HullOutcome outcome = convex_hull(points);
   const Hull* hull = std::get_if<Hull>(&outcome);
   if (hull == nullptr) return;

@@ -14,8 +14,8 @@ using namespace convexact;
 namespace {
 
 // The definitions take time to the fourth power of this.
-constexpr std::size_t kMostPoints = 9, kMostPointsRarely = 14;
-constexpr std::size_t kMostRows = 8, kMostRowsRarely = 12;
+constexpr std::size_t kMostPoints = 7, kMostPointsRarely = 14;
+constexpr std::size_t kMostRows = 7, kMostRowsRarely = 12;
 
 void check_verdict(const PointSet& input, const Candidate& candidate, bool tightness) {
   VerifyRequest request;
@@ -59,7 +59,7 @@ HalfspaceList halfspaces_of(FuzzInput& in) {
 void hold_verify(FuzzInput& in) {
   const bool tightness = in.below(16) == 15;
   const bool is_cube = in.below(2) == 0;
-  const PointSet input(is_cube ? shapes::cube() : in.grid_points(8, 2));
+  const PointSet input(is_cube ? shapes::cube() : in.grid_points(6, 2));
   if (in.below(2) == 0) {
     check_verdict(input, mesh_of(in), tightness);
   } else {
