@@ -7,7 +7,6 @@
 #include <gmpxx.h>
 
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <deque>
 #include <fstream>
@@ -75,20 +74,22 @@ struct Words {
     while (at_number()) list.push_back(id(limit));
     return list;
   }
-  // "p", "p/q", or a double in hexadecimal such as -0x1.8p-3.
+  // "p", "p/q", or a double in hexadecimal such as -0x1.8p-3: exactly what is spelt, never rounded.
   Rational rational() {
-    const std::string text = take();
-    if (text.find('x') != text.npos) {
-      char* end = nullptr;
-      const double value = std::strtod(text.c_str(), &end);
-      expect(end == text.c_str() + text.size() && std::isfinite(value), "a hexadecimal double");
-      return value;
-    }
+    std::string text = take();
+    const std::size_t x = text.find("0x"), p = std::min(text.find('p'), text.size());
+    const bool is_hex = x < 2 && p + 1 < text.size() && std::isxdigit(text[x + 2]);
+    char* end = text.data() + text.size();
+    long shift = is_hex ? std::strtol(&text[p] + 1, &end, 10) : 0;
+    expect(*end == 0 && std::abs(shift) < 2000, "an exponent of two");
+    const std::size_t point = std::min(text.find('.'), p);
+    if (is_hex) shift -= long(4 * (text.erase(p).erase(point, 1).size() - point));
     Rational value;
-    const bool is_spelt = text.find_first_not_of("-0123456789/") == text.npos;
-    expect(is_spelt && value.set_str(text, 10) == 0 && value.get_den() != 0, "a number");
+    expect(text.find_first_not_of(is_hex ? "-0123456789abcdefx" : "-0123456789/") == text.npos &&
+               value.set_str(text, is_hex ? 0 : 10) == 0 && value.get_den() != 0,
+           "a number");
     value.canonicalize();
-    return value;
+    return shift < 0 ? Rational(value >> -shift) : Rational(value << shift);
   }
   Row point() { return scaled({rational(), rational(), rational(), 1}); }
   Numbers numbers() { return {rational(), rational(), rational(), rational()}; }

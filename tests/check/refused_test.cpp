@@ -176,6 +176,33 @@ TEST_CASE("mutated proof: a number moved by the least that its format can say") 
   }
 }
 
+TEST_CASE("mutated proof: a number in hexadecimal is what it spells, not the nearest double") {
+  for (const std::string& text : small_proofs()) {
+    const ProofText original(text);
+    std::size_t changed = 0;
+    for (const std::size_t t : original.all("triangle")) {
+      const std::size_t l = original.all("point")[0] + std::stoul(original.lines[t][4]);
+      for (std::size_t w = 1; w <= 3; ++w) {
+        const std::string& word = original.lines[l][w];
+        const std::size_t power = word.find('p');
+        if (power == word.npos) continue;
+        ProofText proof = original;
+        const std::string fraction = word.find('.') == word.npos ? "." : "";
+        proof.lines[l][w] = word.substr(0, power) + fraction + "000" + word.substr(power);
+        CHECK(check_proof(proof.text()).exit_code == 0);
+        // A vertex elsewhere by less than a double can say.
+        proof.lines[l][w] =
+            word.substr(0, power) + fraction + std::string(20, '0') + "1" + word.substr(power);
+        check_refused(proof.text());
+        proof.lines[l][w] = "0x1p-1999";
+        check_refused(proof.text());
+        ++changed;
+      }
+    }
+    CHECK((changed > 0 || text.find("0x") == text.npos));
+  }
+}
+
 TEST_CASE("mutated proof: a line left out or doubled") {
   for (const std::string& text : small_proofs()) {
     const ProofText original(text);
