@@ -53,7 +53,8 @@ long parse_exponent(std::string_view exponent, std::string_view text) {
   const auto [end, status] =
       std::from_chars(exponent.data(), exponent.data() + exponent.size(), value);
   if (end != exponent.data() + exponent.size() || exponent.empty()) reject(text);
-  if (status != std::errc() || std::abs(value) > kMaxDecimalExponent) {
+  // Compared from both sides: the least long has no absolute value.
+  if (status != std::errc() || value < -kMaxDecimalExponent || value > kMaxDecimalExponent) {
     throw Error(ErrorCode::Malformed, "the exponent of '" + std::string(text) + "' is beyond +-" +
                                           std::to_string(kMaxDecimalExponent));
   }

@@ -51,6 +51,15 @@ TEST_CASE("parse_rational: anything else is malformed") {
   }
 }
 
+TEST_CASE("parse_rational: exponents beyond +-100000 are refused, the least of longs too") {
+  CHECK(parse_rational("1e100000") * parse_rational("1e-100000") == 1);
+  for (const char* const exponent : {"100001", "-100001", "9223372036854775807",
+                                     "-9223372036854775808", "-9223372036854775809"}) {
+    CAPTURE(exponent);
+    CHECK_THROWS_AS((void)parse_rational(std::string("1e") + exponent), Error);
+  }
+}
+
 TEST_CASE("gcd and bit_length: zero and sign") {
   CHECK(gcd(0, 0) == 0);
   CHECK(gcd(-12, 18) == 6);
