@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "convexact/format/candidate_file.hpp"
@@ -17,6 +18,24 @@ namespace {
 using nlohmann::json;
 
 [[noreturn]] void fail(const std::string& message) { throw Error(ErrorCode::Malformed, message); }
+
+// An integer of JSON within bounds. Asked for one, the JSON library converts any number: -1 becomes
+// a huge count, and 1e99 is undefined behaviour.
+std::int64_t to_integer(const json& number, std::int64_t least, std::int64_t most) {
+  const bool is_beyond =
+      number.is_number_unsigned() &&
+      (most < 0 || number.get<std::uint64_t>() > static_cast<std::uint64_t>(most));
+  if (!number.is_number_integer() || is_beyond || number.get<std::int64_t>() < least) {
+    fail("expected an integer from " + std::to_string(least) + " to " + std::to_string(most) +
+         ", found " + in_quotes(number.dump()));
+  }
+  return number.get<std::int64_t>();
+}
+
+std::size_t to_count(const json& number) {
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+  return static_cast<std::size_t>(to_integer(number, 0, kMost));
+}
 
 // "-0x1.8p-3", as Python and C print doubles.
 double to_double(const std::string& text) {
@@ -41,7 +60,7 @@ Rational to_exact(const std::string& text) {
   int exponent = 0;
   const char* end = text.data() + text.size();
   const auto result = std::from_chars(text.data() + star + 3, end, exponent);
-  if (result.ec != std::errc() || result.ptr != end || std::abs(exponent) > 100000) {
+  if (result.ec != std::errc() || result.ptr != end || exponent < -100000 || exponent > 100000) {
     fail("expected a power of two, found " + in_quotes(text));
   }
   return scale_by_power_of_two(parse_rational(text.substr(0, star)), exponent);
@@ -107,12 +126,25 @@ decltype(TestVector::input) to_input(const json& input, const std::string& data)
   return to_file(input);
 }
 
+std::vector<std::vector<std::uint32_t>> to_polygons(const json& faces, std::size_t points) {
+  std::vector<std::vector<std::uint32_t>> polygons;
+  for (const json& face : faces) {
+    if (!face.is_array() || face.size() < 3) fail("expected a face of three corners or more");
+    std::vector<std::uint32_t>& polygon = polygons.emplace_back();
+    for (const json& corner : face) {
+      const auto last = static_cast<std::int64_t>(points) - 1;
+      polygon.push_back(static_cast<std::uint32_t>(to_integer(corner, 0, last)));
+    }
+  }
+  return polygons;
+}
+
 Candidate to_candidate(const json& candidate) {
   if (candidate.contains("halfspaces")) return to_halfspaces(candidate["halfspaces"]);
   if (candidate.contains("points")) {
     Mesh mesh;
     mesh.points = PointSet(to_points(candidate["points"]));
-    mesh.polygons = candidate.at("faces").get<std::vector<std::vector<std::uint32_t>>>();
+    mesh.polygons = to_polygons(candidate.at("faces"), mesh.points.size());
     return mesh;
   }
   const RawFile file = to_file(candidate);
@@ -130,7 +162,7 @@ VerifyQuestion to_verify_question(const json& question, const json& expected) {
   VerifyQuestion result{to_candidate(question.at("candidate")), {}, {}, {}, {}, {}};
   const auto budget = [&](const char* name) -> std::optional<std::size_t> {
     if (!question.contains(name)) return std::nullopt;
-    return question[name].get<std::size_t>();
+    return to_count(question[name]);
   };
   result.max_facets = budget("max_facets");
   result.max_vertices = budget("max_vertices");
@@ -142,7 +174,7 @@ VerifyQuestion to_verify_question(const json& question, const json& expected) {
   }
   if (expected.contains("outside")) {
     const json& outside = expected["outside"];
-    result.outside = {outside.at("points").get<std::size_t>(),
+    result.outside = {to_count(outside.at("points")),
                       to_exact(outside.at("squared_distance").get<std::string>())};
   }
   return result;
@@ -150,8 +182,8 @@ VerifyQuestion to_verify_question(const json& question, const json& expected) {
 
 SimplifyQuestion to_simplify_question(const json& question, const json& expected) {
   SimplifyQuestion result;
-  result.faces = question.at("faces").get<std::size_t>();
-  result.facets = expected.at("facets").get<std::size_t>();
+  result.faces = to_count(question.at("faces"));
+  result.facets = to_count(expected.at("facets"));
   result.reached = expected.at("reached").get<bool>();
   if (!expected.contains("volume")) return result;
   result.volume = to_exact(expected["volume"].get<std::string>());
@@ -174,7 +206,9 @@ RefuseQuestion to_refuse_question(const json& expected) {
   } else if (error != "no-interior") {
     fail("expected malformed, not-finite or no-interior, found " + in_quotes(error));
   }
-  if (expected.contains("dimension")) result.dimension = expected["dimension"].get<int>();
+  if (expected.contains("dimension")) {
+    result.dimension = static_cast<int>(to_integer(expected["dimension"], -1, 2));
+  }
   return result;
 }
 
@@ -184,8 +218,7 @@ decltype(TestVector::question) to_question(const json& question, const json& exp
   if (ask == "verify") return to_verify_question(question, expected);
   if (ask == "refuse") return to_refuse_question(expected);
   if (ask != "hull") fail("expected hull, simplify, verify or refuse, found " + in_quotes(ask));
-  return HullQuestion{expected.at("facets").get<std::size_t>(),
-                      expected.at("vertices").get<std::size_t>(),
+  return HullQuestion{to_count(expected.at("facets")), to_count(expected.at("vertices")),
                       to_exact(expected.at("volume").get<std::string>())};
 }
 
@@ -193,7 +226,7 @@ TestVector to_vector(const json& entry, const std::string& data) {
   TestVector vector;
   vector.id = entry.at("id").get<std::string>();
   vector.title = entry.at("title").get<std::string>();
-  vector.level = entry.at("level").get<int>();
+  vector.level = static_cast<int>(to_integer(entry.at("level"), 1, 3));
   vector.required = entry.at("required").get<bool>();
   vector.flags = entry.at("flags").get<std::vector<std::string>>();
   try {
