@@ -81,7 +81,7 @@ struct Words {
     const bool is_hex = x < 2 && p + 1 < text.size() && std::isxdigit(text[x + 2]);
     char* end = text.data() + text.size();
     long shift = is_hex ? std::strtol(&text[p] + 1, &end, 10) : 0;
-    expect(*end == 0 && std::abs(shift) < 2000, "an exponent of two");
+    expect(*end == 0 && shift > -2000 && shift < 2000, "an exponent of two");
     const std::size_t point = std::min(text.find('.'), p);
     if (is_hex) shift -= long(4 * (text.erase(p).erase(point, 1).size() - point));
     Rational value;
