@@ -177,9 +177,9 @@ TEST_CASE("mutated proof: a number moved by the least that its format can say") 
 }
 
 TEST_CASE("mutated proof: a number in hexadecimal is what it spells, not the nearest double") {
+  std::size_t changed = 0;
   for (const std::string& text : small_proofs()) {
     const ProofText original(text);
-    std::size_t changed = 0;
     for (const std::size_t t : original.all("triangle")) {
       const std::size_t l = original.all("point")[0] + std::stoul(original.lines[t][4]);
       for (std::size_t w = 1; w <= 3; ++w) {
@@ -199,8 +199,8 @@ TEST_CASE("mutated proof: a number in hexadecimal is what it spells, not the nea
         ++changed;
       }
     }
-    CHECK((changed > 0 || text.find("0x") == text.npos));
   }
+  CHECK(changed > 30);
 }
 
 TEST_CASE("mutated proof: a line left out or doubled") {
