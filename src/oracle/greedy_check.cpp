@@ -14,11 +14,10 @@ Divergence tied(std::size_t step, std::size_t left, HalfspaceId first, Halfspace
   return {step, left, DivergenceKind::Tie, {first, cost}, {chosen, cost}, false, Rational(0), {}};
 }
 
-}  // namespace
-
-std::vector<Divergence> check_greedy(const DualHull& solid, const RationalPoint& center,
-                                     const EngineRun& run, const std::atomic<bool>* stop) {
-  std::vector<Divergence> found;
+// Judges one step after another; `tell` gets each divergence and says whether to go on.
+template <class Tell>
+void follow(const DualHull& solid, const RationalPoint& center, const EngineRun& run,
+            const std::atomic<bool>* stop, Tell&& tell) {
   const FastDual dual = FastDual::of(solid, center);
   NoAudit audit;
   const SimplifyOptions options;
@@ -31,19 +30,40 @@ std::vector<Divergence> check_greedy(const DualHull& solid, const RationalPoint&
     if (cheapest != chosen) {
       const std::vector<HalfspaceId>& tie = loop.tie();
       const bool is_tied = cheapest && std::find(tie.begin(), tie.end(), chosen) != tie.end();
-      found.push_back(is_tied
-                          ? tied(step, solid.halfspaces.size() - step, *cheapest, chosen,
-                                 loop.exact_cost(chosen))
-                          : judge_choices(solid.halfspaces, center, run, step, cheapest, chosen));
-      if (!loop.is_bounded(chosen)) return found;
+      const bool go_on =
+          tell(is_tied ? tied(step, solid.halfspaces.size() - step, *cheapest, chosen,
+                              loop.exact_cost(chosen))
+                       : judge_choices(solid.halfspaces, center, run, step, cheapest, chosen));
+      if (!go_on || !loop.is_bounded(chosen)) return;
     }
     loop.remove(chosen);
   }
-  if (run.stop != StopReason::AllUnbounded) return found;
+  if (run.stop != StopReason::AllUnbounded) return;
   if (const std::optional<HalfspaceId> missed = loop.choose()) {
-    found.push_back(judge_choices(solid.halfspaces, center, run, run.removed.size(), missed, {}));
+    tell(judge_choices(solid.halfspaces, center, run, run.removed.size(), missed, {}));
   }
+}
+
+}  // namespace
+
+std::vector<Divergence> check_greedy(const DualHull& solid, const RationalPoint& center,
+                                     const EngineRun& run, const std::atomic<bool>* stop) {
+  std::vector<Divergence> found;
+  follow(solid, center, run, stop, [&](Divergence divergence) {
+    found.push_back(std::move(divergence));
+    return true;
+  });
   return found;
+}
+
+std::optional<Divergence> first_wrong_step(const DualHull& solid, const RationalPoint& center,
+                                           const EngineRun& run, const std::atomic<bool>* stop) {
+  std::optional<Divergence> wrong;
+  follow(solid, center, run, stop, [&](Divergence divergence) {
+    if (divergence.kind != DivergenceKind::Tie) wrong = std::move(divergence);
+    return !wrong;
+  });
+  return wrong;
 }
 
 }  // namespace convexact

@@ -2,6 +2,7 @@
 // greedy_check.hpp - whether every removal of a run was the cheapest where it was made.
 #pragma once
 #include <atomic>
+#include <optional>
 #include <vector>
 
 #include "convexact/dual/dual_hull.hpp"
@@ -25,5 +26,12 @@ namespace convexact {
                                                    const RationalPoint& center,
                                                    const EngineRun& run,
                                                    const std::atomic<bool>* stop = nullptr);
+
+/// The first of these divergences that is no tie; none if every removal was one of the cheapest.
+/// @par Cost      As check_greedy() up to that step, with at most one judge_choices().
+[[nodiscard]] std::optional<Divergence> first_wrong_step(const DualHull& solid,
+                                                         const RationalPoint& center,
+                                                         const EngineRun& run,
+                                                         const std::atomic<bool>* stop = nullptr);
 
 }  // namespace convexact
