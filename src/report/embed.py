@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: MIT
+"""Turns files into C++: embed.py OUTPUT NAME=FILE... defines a std::string_view for each."""
+import sys
+
+
+def definition(name, path):
+    with open(path, 'rb') as stream:
+        numbers = [str(byte - 256 if byte > 127 else byte) for byte in stream.read()]
+    lines = [','.join(numbers[i:i + 24]) for i in range(0, len(numbers), 24)]
+    return (f'namespace {{\nconstexpr signed char k{name}Bytes[] = {{\n' + ',\n'.join(lines) + '};\n}\n'
+            f'const std::string_view {name}(reinterpret_cast<const char*>(k{name}Bytes), '
+            f'sizeof(k{name}Bytes));\n')
+
+
+with open(sys.argv[1], 'w', encoding='ascii') as output:
+    output.write('// Made by embed.py.\n#include "page_parts.hpp"\n\nnamespace convexact {\n')
+    for argument in sys.argv[2:]:
+        output.write(definition(*argument.split('=', 1)))
+    output.write('}  // namespace convexact\n')
