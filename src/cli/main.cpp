@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
   convexact::cli::add_simplify_command(program, exit_code);
   convexact::cli::add_verify_command(program, exit_code);
   convexact::cli::add_diff_command(program, exit_code);
+  convexact::cli::add_report_command(program, exit_code);
   convexact::cli::add_conform_command(program, exit_code);
   convexact::cli::add_generate_command(program, exit_code);
   convexact::cli::add_shrink_command(program, exit_code);

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// convexact report: error against run time, as data and as a page of plots.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "build_info.hpp"
+#include "command.hpp"
+#include "convexact/format/report_json.hpp"
+#include "convexact/io/atomic_output.hpp"
+#include "convexact/report/report_page.hpp"
+#include "outputs.hpp"
+#include "scene.hpp"
+
+namespace convexact::cli {
+namespace {
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  convexact report bunny.obj fandisk.obj -o out\n"
+    "  convexact report bunny.obj --sections precision,tightness --repetitions 9\n"
+    "  convexact report --sections stability --family needle --family slab\n"
+    "\n"
+    "Writes report.html, which opens without a network, and the same numbers as report.json\n"
+    "(docs/schema/report.schema.json) and report.csv. docs/report.md says how to read them.";
+
+struct Options {
+  GlobalOptions global;
+  std::vector<std::string> inputs;
+  SceneOptions scene;
+  std::string folder = "report";
+  std::string sections = "precision,tightness,stages,scaling,stability";
+  ReportRequest request;
+};
+
+ReportSections parse_sections(const std::string& text) {
+  ReportSections sections{false, false, false, false, false};
+  const std::map<std::string, bool*> named = {{"precision", &sections.precision},
+                                              {"tightness", &sections.tightness},
+                                              {"stages", &sections.stages},
+                                              {"scaling", &sections.scaling},
+                                              {"stability", &sections.stability}};
+  for (const std::string& word : CLI::detail::split(text, ',')) {
+    const auto found = named.find(word);
+    if (found == named.end()) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "--sections: expected names out of precision,tightness,stages,scaling,"
+                  "stability, found '" +
+                      word + "'");
+    }
+    *found->second = true;
+  }
+  return sections;
+}
+
+// A figure's command names no folder of the machine that it ran on.
+std::string without_folder(const std::string& name) {
+  const std::size_t slash = name.find_last_of('/');
+  return slash == std::string::npos ? name : name.substr(slash + 1);
+}
+
+// One line of standard error, if that is a terminal.
+class StatusLine {
+ public:
+  ~StatusLine() { show(""); }
+  void show(const std::string& text) {
+    if (isatty(STDERR_FILENO) == 0) return;
+    fmt::print(stderr, "\r\033[K{}", text);
+    std::fflush(stderr);
+  }
+};
+
+void write_files(const std::string& folder, const nlohmann::ordered_json& document,
+                 const ReportData& report) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure) throw Error(ErrorCode::Unwritable, folder + ": " + failure.message());
+  AtomicOutput files;
+  files.add(folder + "/report.json", document.dump(1) + "\n");
+  files.add(folder + "/report.csv", report_csv(report));
+  files.add(folder + "/report.html", report_page(document.dump()));
+  files.commit();
+}
+
+std::string seconds_text(const std::optional<Spread>& seconds) {
+  return seconds ? fmt::format("{:.3g} s", seconds->median) : "over budget";
+}
+
+void print_summary(const ReportData& report, const std::string& folder) {
+  std::string text;
+  for (const InputReport& input : report.inputs) {
+    text += fmt::format("{}: {} halfspaces\n", input.name, input.halfspaces);
+    if (!input.precision) continue;
+    text += fmt::format("  {:<10}  {:>12}  {:>12}  {:>14}  {:>11}\n", "way", "time", "cost error",
+                        "volume error", "wrong step");
+    for (const WayResult& way : input.precision->ways) {
+      text += fmt::format(
+          "  {:<10}  {:>12}  {:>12.3g}  {:>14.3g}  {:>11}\n", way.way, seconds_text(way.seconds),
+          way.cost_worst.value, way.volume ? way.volume->value : 0.0,
+          way.first_wrong ? std::to_string(way.first_wrong->step + 1) : std::string("none"));
+    }
+  }
+  print(text + fmt::format("written: {0}/report.html, {0}/report.json, {0}/report.csv\n", folder));
+}
+
+int run(const Options& options) {
+  ReportRequest request = options.request;
+  request.sections = parse_sections(options.sections);
+  require_other_files({options.folder + "/report.html", options.folder + "/report.json",
+                       options.folder + "/report.csv"},
+                      options.inputs);
+  request.effort.seed = options.global.seed;
+  request.effort.stop = &interrupted();
+  StatusLine status;
+  request.effort.progress = [&](const std::string& what) { status.show(what); };
+  std::vector<SceneObject> scene = read_scene(options.inputs, options.scene);
+  ReportData report;
+  for (const SceneObject& object : scene) {
+    auto measured = measure_input({without_folder(object.name), &object.shape}, request);
+    if (const auto* reason = std::get_if<NotSolid>(&measured)) {
+      return report_not_solid(options.global, object.name, *reason);
+    }
+    report.inputs.push_back(std::get<InputReport>(std::move(measured)));
+  }
+  measure_families(report, request);
+  status.show("");
+  const ReportOrigin origin{CONVEXACT_VERSION, kCommit, kCompiler, kFlags, this_machine()};
+  const nlohmann::ordered_json document = report_json(report, request, origin);
+  write_files(options.folder, document, report);
+  if (options.global.json) {
+    print(document);
+  } else {
+    print_summary(report, options.folder);
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command = *program.add_subcommand(
+      "report", "measure error against run time and draw it: report.html, .json, .csv");
+  command.footer(kFooter);
+  command.add_option("INPUT", options->inputs,
+                     "meshes or halfspaces; none: only what does not depend on an input");
+  command.add_option("-o,--output", options->folder, "the folder for the files; made if missing")
+      ->capture_default_str();
+  command.add_option("--sections", options->sections, "what to measure")->capture_default_str();
+  ReportRequest& request = options->request;
+  command.add_option("-k,--faces", request.faces, "halfspaces at which runs end, at least 4")
+      ->check(CLI::Range(std::size_t{4}, std::size_t{1} << 32))
+      ->capture_default_str();
+  command.add_option("--repetitions", request.effort.repetitions, "of every timed run, at least 1")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000}))
+      ->capture_default_str();
+  command
+      .add_option("--budget", request.effort.budget,
+                  "seconds for the repetitions of one run; a first run that takes longer is left "
+                  "out, and the page says so")
+      ->check(CLI::Range(0.001, 1e6))
+      ->capture_default_str();
+  command
+      .add_option("--family", request.families,
+                  "of shapes, for the stability; default: every one that can be swept")
+      ->check(CLI::IsMember(breakdown_families()));
+  add_scene_options(command, options->scene);
+  add_global_options(command, options->global);
+  command.callback([options, &exit_code] {
+    exit_code = run_guarded(options->global, [&] { return run(*options); });
+  });
+}
+
+}  // namespace convexact::cli

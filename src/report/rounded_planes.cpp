@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "rounded_planes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "convexact/measure/bounding_box.hpp"
+#include "convexact/number/rounding.hpp"
+
+namespace convexact {
+namespace {
+
+using Doubles3 = std::array<double, 3>;
+
+Doubles3 nearest(const RationalVector3& x) {
+  return {to_double(x[0], Rounding::Nearest), to_double(x[1], Rounding::Nearest),
+          to_double(x[2], Rounding::Nearest)};
+}
+
+double dot(const Doubles3& a, const Doubles3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// The vertices as seen from the center, each axis scaled to at most one by a power of two.
+class ScaledVertices {
+ public:
+  ScaledVertices(const std::vector<RationalPoint>& vertices, const RationalPoint& center) {
+    for (const RationalPoint& v : vertices) exact_.push_back(v - center);
+    for (int k = 0; k < 3; ++k) {
+      Rational largest = 0;
+      for (const RationalVector3& v : exact_) largest = std::max<Rational>(largest, abs(v[k]));
+      down_[k] = static_cast<long>(bit_length(denominator(largest))) -
+                 static_cast<long>(bit_length(numerator(largest))) - 1;
+      for (RationalVector3& v : exact_) v[k] = scale_by_power_of_two(v[k], down_[k]);
+    }
+    for (const RationalVector3& v : exact_) near_.push_back(nearest(v));
+  }
+
+  // max P.v over the vertices.
+  //
+  // In doubles P.v is off by less than 2^-50 (|P1| + |P2| + |P3|): each product by 2^-53 from each
+  // factor and 2^-53 from rounding, the two sums by another 2 * 2^-53, as |v_k| <= 1. Underflow
+  // loses less than 2^-1000 as long as no |P_k| is beyond 2^60; then every vertex is looked at.
+  Rational support(const RationalVector3& point) const {
+    RationalVector3 scaled;
+    for (int k = 0; k < 3; ++k) scaled[k] = scale_by_power_of_two(point[k], -down_[k]);
+    const Doubles3 p = nearest(scaled);
+    const double size = std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]);
+    const double error =
+        size < 0x1p60 ? 0x1p-50 * size + 0x1p-1000 : std::numeric_limits<double>::infinity();
+    double best = -std::numeric_limits<double>::infinity();
+    for (const Doubles3& v : near_) best = std::max(best, dot(p, v));
+    Rational largest = scaled.dot(exact_.front());
+    for (std::size_t i = 0; i < near_.size(); ++i) {
+      if (dot(p, near_[i]) < best - 2 * error) continue;
+      largest = std::max<Rational>(largest, scaled.dot(exact_[i]));
+    }
+    return largest;
+  }
+
+ private:
+  std::vector<RationalVector3> exact_;
+  std::vector<Doubles3> near_;
+  std::array<long, 3> down_{};
+};
+
+}  // namespace
+
+ErrorSize worst_coordinate(const RoundedDual& rounded, std::size_t halfspaces) {
+  ErrorSize worst;
+  for (std::size_t i = 0; i < halfspaces; ++i) {
+    const RationalVector3 p = rounded.point(HalfspaceId(i)),
+                          exact = rounded.exact_point(HalfspaceId(i));
+    for (int k = 0; k < 3; ++k) worst = std::max(worst, relative_error(p[k], exact[k]));
+  }
+  return worst;
+}
+
+ErrorSize worst_outside(const RoundedDual& rounded, const DualHull& solid,
+                        const RationalPoint& center) {
+  const ScaledVertices vertices(solid.vertices, center);
+  const Rational squared_diameter = bounding_box(solid.vertices).squared_diameter();
+  ErrorSize worst;
+  for (std::size_t i = 0; i < solid.halfspaces.size(); ++i) {
+    const RationalVector3 p = rounded.point(HalfspaceId(i));
+    const Rational beyond = vertices.support(p) - 1;
+    if (beyond <= 0) continue;
+    const Rational squared = beyond * beyond / (p.squaredNorm() * squared_diameter);
+    worst = std::max(worst, root_size(squared));
+  }
+  return worst;
+}
+
+}  // namespace convexact

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// rounded_planes.hpp - how wrong planes are that were rounded to some numbers.
+#pragma once
+#include "convexact/dual/dual_hull.hpp"
+#include "convexact/fast/rounded_dual.hpp"
+#include "convexact/report/error_size.hpp"
+
+namespace convexact {
+
+/// The largest relative error of a coordinate of a dual point.
+[[nodiscard]] ErrorSize worst_coordinate(const RoundedDual& rounded, std::size_t halfspaces);
+
+/// How far a vertex of the solid lies outside one of the rounded planes, at most; relative to the
+/// diameter of the solid's box. Exactly the worst: doubles only leave out pairs of a plane and a
+/// vertex that are proven to be none.
+[[nodiscard]] ErrorSize worst_outside(const RoundedDual& rounded, const DualHull& solid,
+                                      const RationalPoint& center);
+
+}  // namespace convexact

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/report/work_precision.hpp"
+
+#include <algorithm>
+
+#include "convexact/measure/volume.hpp"
+#include "convexact/number/balanced_sum.hpp"
+#include "convexact/number/rounding.hpp"
+#include "convexact/oracle/greedy_check.hpp"
+#include "convexact/simplify/replay.hpp"
+#include "rounded_planes.hpp"
+
+namespace convexact {
+namespace {
+
+std::vector<HalfspaceId> removed_in(const Trace& trace) {
+  std::vector<HalfspaceId> removed;
+  for (const Step& step : trace.steps) removed.push_back(step.removed);
+  return removed;
+}
+
+// Whoever measures on one solid.
+class Workbench {
+ public:
+  Workbench(const Solid& solid, std::size_t faces, const Effort& effort)
+      : solid_(solid.dual),
+        faces_(faces),
+        effort_(effort),
+        center_(interior_point_of(solid)),
+        dual_(FastDual::of(solid.dual, center_)) {}
+
+  WorkPrecision run(const std::vector<std::string>& ways);
+
+ private:
+  SimplifyOptions options(Deadline& deadline) const;
+  std::optional<Spread> time_exact();
+  std::optional<Spread> time_filtered();
+  WayResult engine(const char* way, std::optional<Spread> seconds, const Simplification& run);
+  WayResult loop(const LoopWay& way);
+  void judge(WayResult& result, const Simplification& exact, const std::vector<Rational>& costs,
+             const std::optional<Rational>& volume);
+  void judge_order(WayResult& result, const std::vector<HalfspaceId>& removed);
+  double excess(const std::vector<HalfspaceId>& removed, const Rational& left) const;
+  bool agrees_with(Numbers c, const RoundedDual& mpfr, const FastResult& result);
+
+  const DualHull& solid_;
+  std::size_t faces_;
+  const Effort& effort_;
+  RationalPoint center_;
+  FastDual dual_;
+  Simplification filtered_, reference_;
+};
+
+SimplifyOptions Workbench::options(Deadline& deadline) const {
+  SimplifyOptions options;
+  options.faces = faces_;
+  options.seed = effort_.seed;
+  deadline.apply_to(options);
+  return options;
+}
+
+// The reference becomes the exact engine's run, if there is time for one.
+std::optional<Spread> Workbench::time_exact() {
+  return time_repeatedly(effort_, [&](Deadline& deadline) {
+    reference_ = simplify_exact(solid_, center_, options(deadline));
+  });
+}
+
+std::optional<Spread> Workbench::time_filtered() {
+  return time_repeatedly(
+      effort_, [&](Deadline& deadline) { (void)simplify_filtered(dual_, options(deadline)); });
+}
+
+// What an engine that decides exactly says of its own run is judged like everybody's.
+WayResult Workbench::engine(const char* way, std::optional<Spread> seconds,
+                            const Simplification& run) {
+  WayResult result;
+  result.way = way;
+  result.seconds = seconds;
+  if (!seconds) return result;
+  std::vector<Rational> costs;
+  for (const Step& step : run.trace.steps) costs.push_back(step.cost);
+  result.stop = run.trace.stop;
+  const Rational left = volume(to_polytope(solid_.halfspaces, run.triangles));
+  judge(result,
+        removed_in(run.trace) == removed_in(reference_.trace)
+            ? reference_
+            : replay(solid_, center_, removed_in(run.trace)),
+        costs, left);
+  return result;
+}
+
+WayResult Workbench::loop(const LoopWay& way) {
+  WayResult result;
+  result.way = way.name;
+  result.bits = bits_of(way.numbers);
+  const auto rounded = RoundedDual::of(dual_, way.numbers);
+  FastResult run;
+  result.seconds =
+      time_repeatedly(effort_, [&](Deadline& deadline) { run = rounded->run(options(deadline)); });
+  if (!result.seconds) return result;
+  result.stop = run.stop;
+  std::vector<HalfspaceId> removed;
+  for (const FastStep& step : run.steps) removed.push_back(step.removed);
+  result.planes = worst_coordinate(*rounded, dual_.size());
+  result.outside = worst_outside(*rounded, solid_, center_);
+  judge(result,
+        removed == removed_in(reference_.trace) ? reference_ : replay(solid_, center_, removed),
+        rounded->costs(), rounded->volume());
+  if (way.numbers == Numbers::MpfrBinary32) {
+    result.agrees_with_c = agrees_with(Numbers::CFloat, *rounded, run);
+  } else if (way.numbers == Numbers::MpfrBinary64) {
+    result.agrees_with_c = agrees_with(Numbers::CDouble, *rounded, run);
+  }
+  return result;
+}
+
+bool Workbench::agrees_with(Numbers c, const RoundedDual& mpfr, const FastResult& result) {
+  Deadline deadline(effort_);
+  const auto native = RoundedDual::of(dual_, c);
+  const FastResult other = native->run(options(deadline));
+  const auto same_removal = [](const FastStep& a, const FastStep& b) {
+    return a.removed == b.removed;
+  };
+  return other.stop == result.stop && native->costs() == mpfr.costs() &&
+         native->volume() == mpfr.volume() &&
+         std::equal(other.steps.begin(), other.steps.end(), result.steps.begin(),
+                    result.steps.end(), same_removal);
+}
+
+// `exact` is the run's removals with their exact costs.
+void Workbench::judge(WayResult& result, const Simplification& exact,
+                      const std::vector<Rational>& costs, const std::optional<Rational>& computed) {
+  std::vector<ErrorSize> errors;
+  for (std::size_t s = 0; s < costs.size(); ++s) {
+    errors.push_back(relative_error(costs[s], exact.trace.steps[s].cost));
+  }
+  std::sort(errors.begin(), errors.end());
+  if (!errors.empty()) {
+    result.cost_worst = errors.back();
+    result.cost_median = errors[errors.size() / 2];
+  }
+  result.left = solid_.halfspaces.size() - costs.size();
+  const Rational left = volume(to_polytope(solid_.halfspaces, exact.triangles));
+  if (computed) result.volume = relative_error(*computed, left);
+  const std::vector<HalfspaceId> removed = removed_in(exact.trace);
+  judge_order(result, removed);
+  result.excess = excess(removed, left);
+}
+
+void Workbench::judge_order(WayResult& result, const std::vector<HalfspaceId>& removed) {
+  const std::vector<Step>& steps = reference_.trace.steps;
+  std::size_t s = 0;
+  while (s < removed.size() && s < steps.size() && removed[s] == steps[s].removed) ++s;
+  if (s == removed.size() && s == steps.size()) return;
+  result.first_other = s;
+  if (s < removed.size() && s < steps.size()) {
+    const std::vector<HalfspaceId>& tie = steps[s].tie;
+    result.is_tied = std::find(tie.begin(), tie.end(), removed[s]) != tie.end();
+  }
+  const EngineRun run{Engine::Float, removed, {}, {}, result.stop};
+  const auto wrong = first_wrong_step(solid_, center_, run, effort_.stop);
+  if (!wrong) return;
+  result.first_wrong = WrongStep{wrong->step, std::nullopt};
+  if (wrong->regret) result.first_wrong->regret = to_double(*wrong->regret, Rounding::Nearest);
+}
+
+// `left` is the exact volume of what the removals leave.
+double Workbench::excess(const std::vector<HalfspaceId>& removed, const Rational& left) const {
+  const std::vector<Step>& steps = reference_.trace.steps;
+  const std::size_t count = std::min(removed.size(), steps.size());
+  std::vector<Rational> later{-volume(to_polytope(solid_.halfspaces, reference_.triangles))};
+  for (std::size_t s = count; s < steps.size(); ++s) later.push_back(steps[s].cost);
+  const Rational wanted = -balanced_sum(std::move(later));
+  return to_double(Rational(left / wanted - 1), Rounding::Nearest);
+}
+
+WorkPrecision Workbench::run(const std::vector<std::string>& ways) {
+  const auto is_wanted = [&](const std::string& way) {
+    return ways.empty() || std::find(ways.begin(), ways.end(), way) != ways.end();
+  };
+  const auto tell = [&](const std::string& way) {
+    if (effort_.progress) effort_.progress("error and time of " + way);
+  };
+  WorkPrecision result;
+  result.halfspaces = solid_.halfspaces.size();
+  tell("filtered");
+  SimplifyOptions with_record;
+  with_record.faces = faces_;
+  with_record.seed = effort_.seed;
+  with_record.stop = effort_.stop;
+  filtered_ = simplify_filtered(solid_, center_, with_record);
+  reference_ = filtered_;
+  tell("exact");
+  const std::optional<Spread> exact = is_wanted("exact") ? time_exact() : std::nullopt;
+  result.reference = exact ? "exact" : "filtered";
+  for (const LoopWay& way : loop_ways()) {
+    if (!is_wanted(way.name)) continue;
+    tell(way.name);
+    result.ways.push_back(loop(way));
+  }
+  if (is_wanted("filtered")) result.ways.push_back(engine("filtered", time_filtered(), filtered_));
+  if (is_wanted("exact")) result.ways.push_back(engine("exact", exact, reference_));
+  return result;
+}
+
+}  // namespace
+
+const std::vector<LoopWay>& loop_ways() {
+  static const std::vector<LoopWay> ways = {
+      {"mpfr-24", Numbers::MpfrBinary32}, {"mpfr-53", Numbers::MpfrBinary64},
+      {"float", Numbers::Engine},         {"mpfr-64", Numbers::Mpfr64},
+      {"mpfr-113", Numbers::Mpfr113},     {"mpfr-256", Numbers::Mpfr256},
+      {"mpfr-1024", Numbers::Mpfr1024}};
+  return ways;
+}
+
+WorkPrecision measure_work_precision(const Solid& solid, std::size_t faces,
+                                     const std::vector<std::string>& ways, const Effort& effort) {
+  return Workbench(solid, faces, effort).run(ways);
+}
+
+}  // namespace convexact

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: MIT
+"""Headless Chromium, driven over the pipe of its DevTools protocol with the standard library only."""
+import base64
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+
+FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+         "--disable-background-networking", "--disable-component-update", "--disable-sync",
+         "--remote-debugging-pipe"]
+
+
+def find():
+    """The path of Chromium, or None."""
+    return next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+
+
+class Page:
+    """A page of a fresh browser; `complaints` are errors of its scripts and of loading."""
+
+    def __init__(self, url, width=1280, height=900, media=()):
+        self.folder = tempfile.TemporaryDirectory()
+        to_browser, self.commands = os.pipe()
+        self.answers, from_browser = os.pipe()
+        # The browser reads commands from descriptor 3 and writes answers to 4.
+        self.browser = subprocess.Popen(
+            ["/bin/sh", "-c", f'exec "$@" 3<&{to_browser} 4>&{from_browser}', "chromium", find(), *FLAGS,
+             f"--user-data-dir={self.folder.name}", "about:blank"],
+            pass_fds=(to_browser, from_browser), stderr=subprocess.DEVNULL)
+        os.close(to_browser)
+        os.close(from_browser)
+        self.number, self.session, self.rest, self.events, self.complaints = 0, None, b"", [], []
+        target = self.call("Target.createTarget", url="about:blank")["targetId"]
+        self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        for domain in ("Page", "Runtime", "Log", "Network"):
+            self.call(f"{domain}.enable")
+        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
+                  mobile=False)
+        self.call("Emulation.setEmulatedMedia",
+                  features=[{"name": name, "value": value} for name, value in media])
+        self.call("Page.navigate", url=url)
+        while not any(event["method"] == "Page.loadEventFired" for event in self.events):
+            self.read()
+
+    def close(self):
+        os.close(self.commands)
+        self.browser.terminate()
+        self.browser.wait()
+        os.close(self.answers)
+        self.folder.cleanup()
+
+    def call(self, method, **parameters):
+        self.number += 1
+        message = {"id": self.number, "method": method, "params": parameters}
+        if self.session:
+            message["sessionId"] = self.session
+        os.write(self.commands, json.dumps(message).encode() + b"\0")
+        while True:
+            answer = self.read()
+            if answer.get("id") == self.number:
+                if "error" in answer:
+                    raise RuntimeError(f"{method}: {answer['error']['message']}")
+                return answer["result"]
+
+    def read(self):
+        while b"\0" not in self.rest:
+            piece = os.read(self.answers, 1 << 20)
+            if not piece:
+                raise RuntimeError("Chromium ended")
+            self.rest += piece
+        line, self.rest = self.rest.split(b"\0", 1)
+        message = json.loads(line)
+        if "method" in message:
+            self.events.append(message)
+            self.note(message["method"], message["params"])
+        return message
+
+    def note(self, method, parameters):
+        if method == "Runtime.exceptionThrown":
+            details = parameters["exceptionDetails"]
+            self.complaints.append(details.get("exception", {}).get("description", details["text"]))
+        elif method == "Runtime.consoleAPICalled" and parameters["type"] in ("error", "warning", "assert"):
+            self.complaints.append(" ".join(str(a.get("value")) for a in parameters["args"]))
+        elif method == "Log.entryAdded" and parameters["entry"]["level"] in ("error", "warning"):
+            self.complaints.append(parameters["entry"]["text"])
+        elif method == "Network.requestWillBeSent":
+            url = parameters["request"]["url"]
+            if not url.startswith(("file:", "data:", "about:", "blob:")):
+                self.complaints.append(f"asks the network for {url}")
+
+    def evaluate(self, script):
+        result = self.call("Runtime.evaluate", expression=script, returnByValue=True)
+        if "exceptionDetails" in result:
+            raise RuntimeError(result["exceptionDetails"]["exception"]["description"])
+        return result["result"].get("value")
+
+    def screenshot(self, path, whole=True):
+        picture = self.call("Page.captureScreenshot", captureBeyondViewport=whole)["data"]
+        with open(path, "wb") as stream:
+            stream.write(base64.b64decode(picture))
+
+    def pdf(self, path):
+        with open(path, "wb") as stream:
+            stream.write(base64.b64decode(self.call("Page.printToPDF", printBackground=True)["data"]))
