@@ -23,6 +23,8 @@ _LOOP = ['src/fast/filtered_engine.cpp', 'src/oracle/judge_trace.cpp']
 _HULL = ['tests/hull/near_geometry_test.cpp', 'src/hull/hull.cpp', 'src/hull/check_hull.cpp']
 UNITS = {
     'src/check/convexact_check.cpp': ['tests/check/checker.cpp'],
+    'src/stored/coordinates.hpp': ['src/stored/containment.cpp', 'src/stored/support.cpp', 'src/stored/growth.cpp',
+                                   'tests/stored/containment_test.cpp'],
     'include/convexact/number/expansion.hpp': ['tests/number/expansion_test.cpp', 'src/geometry/orient3d.cpp'],
     'include/convexact/number/double_double.hpp': ['tests/number/double_double_test.cpp', 'src/fast/fast_dual.cpp',
                                                    *_AUDIT, *_LOOP],
@@ -183,7 +185,7 @@ class Scratch:
         """Runs a test, or another program in its place, for at most `limit` seconds."""
         self.build(test)
         path, environment = self.programs[test]
-        process = subprocess.Popen([program or path], text=True, errors='replace', start_new_session=True,
+        process = subprocess.Popen([program or path, '--abort-after=1'], text=True, errors='replace', start_new_session=True,
                                    env={**os.environ, **environment}, cwd=self.build_folder,
                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         try:

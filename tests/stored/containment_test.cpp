@@ -7,8 +7,10 @@
 #include <cmath>
 #include <limits>
 
+#include "../../src/stored/double_halfspace.hpp"
 #include "convexact/shapes/extreme.hpp"
 #include "convexact/shapes/random_points.hpp"
+#include "hill_climb.hpp"
 #include "property.hpp"
 #include "stored_cases.hpp"
 
@@ -91,4 +93,38 @@ TEST_CASE("count_outside: agrees with the definition") {
       RC_ASSERT(count_outside(halfspaces, rational) == by_definition(halfspaces, rational));
     }
   });
+}
+
+// A halfspace whose coefficients doubles round, against rationals.
+TEST_CASE("DoubleHalfspace: the bound holds for the worst found, and is not vacuous") {
+  const auto ratio = [](const std::vector<double>& y) -> double {
+    const Integer scale = (Integer(1) << 90) + 12345;  // no coefficient is a double
+    const auto coefficient = [&](double c) { return Integer(Rational(to_rational(c) * scale)); };
+    const IntegerVector3 n(coefficient(y[0]), coefficient(y[1]), coefficient(y[2]));
+    if (n.isZero(0)) return 0;
+    const Halfspace h(n, coefficient(y[3]));
+    const stored::DoubleHalfspace near(h);
+    const Point x(y[4], y[5], y[6]);
+    const std::vector<Point> points{x};
+    const stored::NearValue value = near.at(stored::Coordinates(points), 0, 0);
+    if (value.error == 0) return 0;
+    // The scaling is the power of two that brings the largest coefficient into [1/2, 1].
+    std::size_t bits = 0;
+    for (int k = 0; k < 3; ++k) bits = std::max(bits, bit_length(h.normal()[k]));
+    const Rational truth = scale_by_power_of_two(h(to_rational(x)), -static_cast<long>(bits));
+    return Rational(abs(Rational(to_rational(value.value) - truth)) / to_rational(value.error))
+        .convert_to<double>();
+  };
+  const double highest = hill_climb::highest(7, 12, 400, 1, ratio);
+  MESSAGE("n.x + d: " << highest << " of the bound is reached");
+  CHECK(highest <= 1);
+  CHECK(highest > 0.1);
+}
+
+// Two coefficients underflow, times coordinates that make more of them than of the third.
+TEST_CASE("count_outside: what a coefficient loses to underflow is paid for") {
+  const std::vector<Halfspace> halfspaces{{IntegerVector3(Integer(1) << 1077, 1, 1), 0}};
+  const PointSet point(std::vector<Point>{{-0x1p-1000, 0x1p1000, 0x1p1000}});
+  CHECK(by_definition(halfspaces, point) == 1);
+  CHECK(count_outside(halfspaces, point) == 1);
 }
