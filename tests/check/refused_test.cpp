@@ -344,6 +344,48 @@ TEST_CASE("wrong proof: a plane that only touches a vertex is no facet") {
   CHECK(touching.said.find("a plane bounds no facet") != std::string::npos);
 }
 
+TEST_CASE("wrong proof: what lies exactly on a plane, or one unit beyond it") {
+  // The cube [0, 1]^3, nothing removed, stored as its own six planes. All numbers are small
+  // integers, so a comparison that is off by one decides some line otherwise.
+  const auto proof = [](const std::string& interior, const std::string& last_stored,
+                        const std::string& rows = "", const std::string& more = "") {
+    std::string lines = "convexact-proof 1 greedy\n" + rows;
+    for (int v = 0; v < 8; ++v) {
+      lines += "point " + std::to_string(v & 1) + " " + std::to_string(v >> 1 & 1) + " " +
+               std::to_string(v >> 2) + "\n";
+    }
+    lines += more + "interior " + interior +
+             "\nplane -1 0 0 0\nplane 0 -1 0 0\nplane 0 0 -1 0\n"
+             "plane 0 0 1 -1\nplane 0 1 0 -1\nplane 1 0 0 -1\n"
+             "triangle 0 2 1 0\ntriangle 5 1 2 1\ntriangle 4 2 0 2\ntriangle 5 2 4 3\n"
+             "triangle 3 0 1 4\ntriangle 5 3 1 5\ntriangle 4 0 3 6\ntriangle 5 4 3 7\n";
+    lines +=
+        "survive 0 1 2 3 4 5\nstored\nhalfspace -1 0 0 0 1\nhalfspace 0 -1 0 0 1\n"
+        "halfspace 0 0 -1 0 1\nhalfspace 0 0 1 -1 1\nhalfspace 0 1 0 -1 1\n" +
+        last_stored + "end 0\n";
+    return check_proof(ProofText(lines).text(true));
+  };
+  const std::string inside = "1/2 1/2 1/2", stored = "halfspace 1 0 0 -1 1\n";
+  const CheckerVerdict right = proof(inside, stored);
+  CHECK_MESSAGE(right.exit_code == 0, right.said);
+  const auto check_not_proven = [](const CheckerVerdict& verdict, const std::string& why) {
+    CHECK(verdict.exit_code == 1);
+    CHECK_MESSAGE(verdict.said.find(why) != std::string::npos, verdict.said);
+  };
+  for (const std::string on_plane : {"0 1/2 1/2", "1 1/2 1/2", "1/2 1/2 1", "2 1/2 1/2"}) {
+    check_not_proven(proof(on_plane, stored), "the interior point is not inside");
+  }
+  check_not_proven(proof(inside, "halfspace 1 0 0 0 1\n"), "a point of the input is outside");
+  check_not_proven(proof(inside, "halfspace 1 0 0 -1 0\n"), "a weight that is not positive");
+  check_not_proven(proof(inside, "halfspace 1 0 0 -1 2\n"), "the stored planes are not bounded");
+  check_not_proven(proof(inside, "halfspace 0 1 0 -1 1\n"), "the stored planes are not bounded");
+  check_not_proven(proof(inside, ""), "the stored planes are not bounded");
+  check_not_proven(proof(inside, stored, "", "point 1/2 1/2 1/2\n"),
+                   "some point is not proven inside");
+  check_not_proven(proof(inside, stored, "row 1 0 0 0\n"), "a point of the input is outside");
+  check_not_proven(proof(inside, stored, "row 1 0 0 -1\n"), "a plane is none of the input's");
+}
+
 TEST_CASE("mutated proof: cut off anywhere") {
   for (const std::string& proof : small_proofs()) {
     const std::size_t stride = 1 + proof.size() / 500;

@@ -79,3 +79,20 @@ TEST_CASE("orient3d: the bounds hold for points an ulp apart around a plane") {
     for (const double ratio : ratios(x)) CHECK(ratio <= 1);
   }
 }
+
+// Everything is homogeneous of degree three, and a power of two rounds nothing: so what holds for
+// the points above holds at every scale.
+TEST_CASE("orient3d: values and bounds grow with the cube of a power of two") {
+  Random random(5);
+  for (int t = 0; t < 100; ++t) {
+    std::vector<double> x = hill_climb::start(12, random);
+    const auto s = orient3d_bounds(point(x, 0), point(x, 1), point(x, 2), point(x, 3));
+    for (double& c : x) c *= 0x1p30;
+    const auto b = orient3d_bounds(point(x, 0), point(x, 1), point(x, 2), point(x, 3));
+    CHECK(b.value_a == s.value_a * 0x1p90);
+    CHECK(b.bound_a == s.bound_a * 0x1p90);
+    CHECK(b.bound_b == s.bound_b * 0x1p90);
+    CHECK(b.value_c == s.value_c * 0x1p90);
+    CHECK(b.bound_c == s.bound_c * 0x1p90);
+  }
+}

@@ -97,12 +97,13 @@ def run(group, arguments):
     results = json.loads(record.read_text()) if record.exists() else []
     done = {(r['file'], r['line'], r['column'], r['new']) for r in results}
     scratch = Scratch(arguments.scratch)
+    asks = group == 'predicates' and not arguments.no_answers
     answers = scratch.build_folder / 'tests' / 'reliability' / ANSWERS
     scratch.programs[ANSWERS] = (answers, {'CONVEXACT_STRIDE': '2'})
     tests = {test for name in sources for test in sources[name]}
-    for test in [*tests, *([ANSWERS] if group == 'predicates' else [])]:
+    for test in [*tests, *([ANSWERS] if asks else [])]:
         scratch.build(test)
-    original = answers_of(scratch) if group == 'predicates' else None
+    original = answers_of(scratch) if asks else None
     for test in tests:
         if scratch.run(test, LIMIT).how != 'passed':
             sys.exit(f'the test {test} does not pass on the original sources')
@@ -152,6 +153,7 @@ def main():
     parser.add_argument('--sample', type=int, default=0)
     parser.add_argument('--seed', type=int, default=1)
     parser.add_argument('--only', default='', help='sources whose path holds this')
+    parser.add_argument('--no-answers', action='store_true', help='without the second question')
     parser.add_argument('--self-test', action='store_true')
     arguments = parser.parse_args()
     if arguments.self_test:

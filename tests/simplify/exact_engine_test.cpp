@@ -213,6 +213,19 @@ TEST_CASE("simplify_exact: a lid of valence 1,000 is evaluated at every step") {
   for (const Step& step : run.trace.steps) CHECK(step.cost < Rational(1, 1000000));
 }
 
+// The eight corners that are cut off a cube are equal: each removal but the last is tied.
+TEST_CASE("simplify_exact: of a tie the first in canonical order is removed, and all are listed") {
+  const Trace trace = simplify_points(shapes::cut_cube(8, 0.25), {.faces = 6}).trace;
+  REQUIRE(trace.steps.size() == 8);
+  for (std::size_t s = 0; s < 8; ++s) {
+    const Step& step = trace.steps[s];
+    CHECK(step.tie.size() == 8 - s);
+    CHECK(step.removed == step.tie.front());
+    CHECK(std::is_sorted(step.tie.begin(), step.tie.end()));
+    if (s > 0) CHECK(trace.steps[s - 1].removed < step.removed);
+  }
+}
+
 // A witness that does not touch its plane changes nothing about the run: only verification asks it.
 TEST_CASE("simplify_exact: each step is verified as it is made, and the survivors at the end") {
   const DualHull solid = dual_of_doubles(shapes::in_ball(16, 1));

@@ -49,6 +49,25 @@ TEST_CASE("growth: a scaled cube, either way round") {
   CHECK(shrunk.volume_ratio < 1);
 }
 
+// The squared distance of the corners is 3 step^2, exactly, so the push is the root of 3 step^2 /
+// D: never below it, whatever the roundings on the way, and less than three units above.
+TEST_CASE("growth: the push is rounded up") {
+  const double step = 0x1p-20;
+  const Polytope inner = box(1, 1, 1), outer = box(1 + step, 1 + step, 1 + step);
+  for (int d = 1; d <= 400; ++d) {
+    const Rational squared = 3 * to_rational(step * step) / Rational(d);
+    const double push = growth(inner, outer, kOrigin, Rational(d)).push;
+    const double below = push * (1 - 3 * 0x1p-52);
+    CHECK(to_rational(push) * to_rational(push) >= squared);
+    CHECK(to_rational(below) * to_rational(below) < squared);
+  }
+  // (1 + 2^-20)^3 has 61 bits.
+  const Rational side = 1 + to_rational(step), ratio = side * side * side;
+  const double rounded = growth(inner, outer, kOrigin, Rational(1)).volume_ratio;
+  CHECK(to_rational(rounded) > ratio);
+  CHECK(to_rational(std::nextafter(rounded, 0.0)) < ratio);
+}
+
 TEST_CASE("growth: neither solid holds the other") {
   // Boxes of half edges (1, 1, 2) and (1, 2, 1): a corner is at distance 1 from the other box, and
   // the nearest corner of the other is at distance sqrt(2): the bound is between them.
