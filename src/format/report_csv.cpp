@@ -65,8 +65,11 @@ void add_ways(Rows& rows, const std::string& parameter, const WorkPrecision& pre
     rows.add("left", way.left, "1");
     rows.add("stop", std::string(words::name_of(way.stop)), "");
     rows.add("error of planes", way.planes.value, "relative");
-    rows.add("error of costs, worst", way.cost_worst.value, "relative");
-    rows.add("error of costs, median", way.cost_median.value, "relative");
+    const bool has_costs = way.left < precision.halfspaces;  // else no removal was made
+    rows.add("error of costs, worst",
+             has_costs ? std::optional(way.cost_worst.value) : std::nullopt, "relative");
+    rows.add("error of costs, median",
+             has_costs ? std::optional(way.cost_median.value) : std::nullopt, "relative");
     rows.add("error of volume", way.volume ? std::optional(way.volume->value) : std::nullopt,
              "relative");
     rows.add("outside", way.outside.value, "diameters");

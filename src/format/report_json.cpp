@@ -35,7 +35,7 @@ Json wrong_json(const std::optional<WrongStep>& wrong) {
   return {{"step", wrong->step}, {"regret", number_or_null(wrong->regret)}};
 }
 
-Json way_json(const WayResult& way) {
+Json way_json(const WayResult& way, std::size_t at_start) {
   Json json = {{"way", way.way},
                {"bits", way.bits ? Json(*way.bits) : Json(nullptr)},
                {"seconds", spread_json(way.seconds)}};
@@ -43,8 +43,10 @@ Json way_json(const WayResult& way) {
   json["left"] = way.left;
   json["stop"] = words::name_of(way.stop);
   json["planes"] = error_json(way.planes);
-  json["cost_worst"] = error_json(way.cost_worst);
-  json["cost_median"] = error_json(way.cost_median);
+  // Where no removal was made, no cost is right, either.
+  const bool has_costs = way.left < at_start;
+  json["cost_worst"] = has_costs ? error_json(way.cost_worst) : nullptr;
+  json["cost_median"] = has_costs ? error_json(way.cost_median) : nullptr;
   json["volume"] = error_json(way.volume);
   json["outside"] = error_json(way.outside);
   json["first_other"] = way.first_other ? Json(*way.first_other) : Json(nullptr);
@@ -57,7 +59,7 @@ Json way_json(const WayResult& way) {
 
 Json precision_json(const WorkPrecision& precision) {
   Json ways = Json::array();
-  for (const WayResult& way : precision.ways) ways.push_back(way_json(way));
+  for (const WayResult& way : precision.ways) ways.push_back(way_json(way, precision.halfspaces));
   return {{"halfspaces", precision.halfspaces}, {"reference", precision.reference}, {"ways", ways}};
 }
 

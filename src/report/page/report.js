@@ -20,7 +20,7 @@ function text(x) {
 }
 const seconds = x => x < 1e-3 ? `${text(x * 1e6)} µs` : x < 1 ? `${text(x * 1e3)} ms` : `${text(x)} s`;
 const spread = s => s ? `${seconds(s.median)} (${seconds(s.least)} to ${seconds(s.most)}, ${s.repetitions}×)` : "over budget";
-const errorText = e => !e ? "not computed" : e.bits === null ? "none" : `${text(e.value)} (${text(e.bits)} bits)`;
+const errorText = e => !e ? "none computed" : e.bits === null ? "none" : `${text(e.value)} (${text(e.bits)} bits)`;
 
 function element(name, attributes = {}, ...children) {
   const made = document.createElement(name);
@@ -358,12 +358,13 @@ function stabilityFigures(parent, family, base) {
   const note = missing.length ? ` No solid at ${missing.join(", ")}.` : "";
   figure(parent, {
     title: `Stability: ${family.family}, error`, short: `${family.family}: error`, made: family.commands, tables,
-    how: `The higher, the more bits of the worst cost are right; a filled mark removed a halfspace that was not the cheapest, or ended early.${note}`,
+    how: `The higher, the more bits of the worst cost are right; a filled mark removed a halfspace that was not the cheapest, or ended early; at the bottom, none was made or no bit is right.${note}`,
     configure: () => ({
       type: "scatter",
       data: {datasets: ways.map((name, k) => {
-        const set = marks(name, k, way => bits(way.cost_worst), (way, p) => ({pointer: way.cost_worst.bits === null ? null : `${p}/cost_worst/bits`}));
-        set.pointBackgroundColor = set.data.map(m => m.way.first_wrong || m.way.left > 4 ? set.borderColor : colour("paper"));
+        const set = marks(name, k, way => way.cost_worst ? bits(way.cost_worst) : 1,
+          (way, p) => ({pointer: way.cost_worst && way.cost_worst.bits !== null ? `${p}/cost_worst/bits` : null}));
+        set.pointBackgroundColor = set.data.map(m => m.way.first_wrong || m.way.left > data.request.faces ? set.borderColor : colour("paper"));
         return set;
       })},
       options: options({x: xAxis(), y: bitsAxis("correct bits")}, lines)
