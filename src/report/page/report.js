@@ -232,8 +232,9 @@ function orderSummary(input) {
   for (const way of input.precision.ways) {
     let words = "removes what exact removes, step by step";
     if (!way.seconds) words = "took longer than the budget";
-    else if (way.first_wrong) words = `first removes one that is not the cheapest at step ${way.first_wrong.step + 1}, for ${text(way.first_wrong.regret)} times the cost more than needed; its result is ${text(way.excess * 100)}% larger than that of exact`;
+    else if (way.first_wrong) words = `removes one that is not the cheapest for the first time in step ${way.first_wrong.step + 1}, with a regret of ${text(way.first_wrong.regret)}; its result is ${text(way.excess * 100)}% larger than that of exact`;
     else if (way.first_other !== null) words = `chooses among equal costs differently from step ${way.first_other + 1} on; each choice is one of the cheapest`;
+    if (way.seconds && way.left > data.request.faces) words += `; ends with ${way.left} halfspaces, as it finds every further removal unbounded or in doubt`;
     if (way.agrees_with_c !== undefined) words += `; ${way.agrees_with_c ? "agrees bit for bit" : "DOES NOT AGREE"} with the same loop in C's ${way.bits === 24 ? "float" : "double"}`;
     list.append(element("li", {}, element("b", {}, way.way), `: ${words}.`));
   }
