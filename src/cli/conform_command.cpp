@@ -16,6 +16,7 @@
 #include "convexact/io/write_mesh.hpp"
 #include "progress.hpp"
 #include "scratch_folder.hpp"
+#include "shipped_files.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -54,20 +55,9 @@ bool holds_json(const fs::path& folder) {
   return false;
 }
 
-// Beside the installed program, where it was to be installed, or in the source of one that runs
-// where it was built: some folder above.
 std::string find_vectors(const std::string& given) {
   if (!given.empty()) return given;
-  std::error_code failed;
-  const fs::path folder = fs::read_symlink("/proc/self/exe", failed).parent_path();
-  std::vector<fs::path> places = {folder / "../share/convexact/vectors"};
-  for (fs::path above = folder; above != above.parent_path(); above = above.parent_path()) {
-    places.push_back(above / "tests/vectors");
-  }
-  places.push_back(fs::path(CONVEXACT_DATADIR) / "vectors");
-  for (const fs::path& place : places) {
-    if (holds_json(place)) return place.lexically_normal();
-  }
+  if (const auto found = find_shipped("vectors", holds_json)) return *found;
   throw Error(ErrorCode::Unreadable, "the conformance vectors are not to be found: use --vectors");
 }
 

@@ -8,6 +8,7 @@
 #include "convexact/format/diff_json.hpp"
 #include "convexact/format/result_json.hpp"
 #include "convexact/format/summary.hpp"
+#include "engine_list.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
 #include "scene.hpp"
@@ -32,23 +33,6 @@ struct Options {
   std::size_t faces = 4;
   std::string engines = "exact,filtered,float";
 };
-
-std::vector<Engine> parse_engines(const std::string& text) {
-  std::vector<Engine> engines;
-  for (const std::string& word : CLI::detail::split(text, ',')) {
-    if (word == "exact") {
-      engines.push_back(Engine::Exact);
-    } else if (word == "filtered") {
-      engines.push_back(Engine::Filtered);
-    } else if (word == "float") {
-      engines.push_back(Engine::Float);
-    } else {
-      throw Error(ErrorCode::InvalidArgument,
-                  "--engines: expected names out of exact,filtered,float, found '" + word + "'");
-    }
-  }
-  return engines;
-}
 
 struct DiffedObject {
   std::string name;
@@ -82,7 +66,7 @@ int run(const Options& options) {
   StageLog log(progress.watch());
   DiffRequest request;
   request.faces = options.faces;
-  request.engines = parse_engines(options.engines);
+  request.engines = parse_engines(options.engines, "--engines");
   request.seed = options.global.seed;
   request.stop = &interrupted();
   request.progress = [&](Engine, std::size_t left, std::size_t at_start) {

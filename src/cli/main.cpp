@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
   convexact::cli::add_conform_command(program, exit_code);
   convexact::cli::add_generate_command(program, exit_code);
   convexact::cli::add_shrink_command(program, exit_code);
+  convexact::cli::add_stress_command(program, exit_code);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

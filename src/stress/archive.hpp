@@ -38,7 +38,10 @@ class ArchiveWriter {
     put(x.size());
     bytes += x;
   }
-  void put(const Integer& x) { put(x.str(0, std::ios::hex | std::ios::showbase)); }
+  void put(const Integer& x) {
+    put(x.sign() < 0);
+    put(Integer(abs(x)).str(0, std::ios::hex | std::ios::showbase));
+  }
   void put(const Rational& x) {
     put(Integer(numerator(x)));
     put(Integer(denominator(x)));
@@ -85,8 +88,9 @@ class ArchiveReader {
   }
   std::string get(Type<std::string>) { return take(get(Type<std::size_t>())); }
   Integer get(Type<Integer>) {
-    std::string text = get(Type<std::string>());
-    return Integer(text);
+    const bool is_negative = get(Type<bool>());
+    const Integer x(get(Type<std::string>()));
+    return is_negative ? Integer(-x) : x;
   }
   Rational get(Type<Rational>) {
     const Integer p = get(Type<Integer>()), q = get(Type<Integer>());

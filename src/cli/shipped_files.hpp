@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// shipped_files.hpp - where the files that come with the program are.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+namespace convexact::cli {
+
+/// The first place that `is_it` accepts for "vectors", "data/bunny.obj" and the like: beside the
+/// installed program, in the source of one that runs where it was built, or where it was to be
+/// installed.
+[[nodiscard]] std::optional<std::filesystem::path> find_shipped(
+    const std::filesystem::path& name,
+    const std::function<bool(const std::filesystem::path&)>& is_it);
+
+}  // namespace convexact::cli

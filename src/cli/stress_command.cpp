@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// convexact stress: sweeps of hard inputs, every engine on each, everything judged.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "command.hpp"
+#include "convexact/format/stress_report.hpp"
+#include "convexact/io/mesh_format.hpp"
+#include "convexact/io/read_mesh.hpp"
+#include "convexact/stress/stress.hpp"
+#include "engine_list.hpp"
+#include "shipped_files.hpp"
+
+namespace convexact::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  convexact stress                             every family, a few minutes\n"
+    "  convexact stress needle slab --cases         each input on a line of its own\n"
+    "  convexact stress needle --values 3e7,1e299 --size 200 --seed 5\n"
+    "  convexact stress mixture --seeds 1000        random shapes, put together at random\n"
+    "  convexact stress my_mesh.obj                 scaled and moved\n"
+    "  convexact stress --json > stress.json\n"
+    "\n"
+    "Columns: early: runs that end above the wanted number; order: runs that once removed one "
+    "that\n"
+    "was not among the cheapest; cost, regret, volume: largest relative errors; vouched: runs "
+    "that\n"
+    "the float engine vouches for; refuse: results that a format cannot hold; missed: input "
+    "points\n"
+    "outside of what was written; push: largest, of binary64. Exit code 0: all as promised. 1: "
+    "not.";
+
+struct Options {
+  GlobalOptions global;
+  std::vector<std::string> families;
+  SweepOptions sweep;
+  std::string engines = "exact,filtered,float";
+  StressLimits limits{120, std::uint64_t(4) << 30};
+  std::size_t processes = 2;
+  bool list = false, cases = false;
+};
+
+// The meshes that a sweep takes without being asked.
+constexpr const char* kMeshes[] = {"spot", "teapot", "bunny"};
+
+StressFamily family_of_mesh(const std::string& path) {
+  const Mesh mesh = read_mesh(path);
+  const auto points = mesh.points.doubles();
+  return mesh_family(fs::path(path).stem().string(), {points.begin(), points.end()});
+}
+
+StressFamily shipped_mesh(const std::string& name) {
+  const auto path = find_shipped(fs::path("data") / (name + ".obj"),
+                                 [](const fs::path& place) { return fs::exists(place); });
+  if (!path) throw Error(ErrorCode::Unreadable, "the shipped meshes are not to be found");
+  return family_of_mesh(*path);
+}
+
+StressFamily family_of(const std::string& word) {
+  if (mesh_format_of_path(word)) return family_of_mesh(word);
+  const bool is_mesh = std::find(std::begin(kMeshes), std::end(kMeshes), word) != std::end(kMeshes);
+  return is_mesh ? shipped_mesh(word) : stress_family(word);
+}
+
+std::vector<StressFamily> chosen_families(const Options& options) {
+  std::vector<StressFamily> families;
+  for (const std::string& word : options.families) families.push_back(family_of(word));
+  if (!families.empty()) return families;
+  families.assign(stress_families().begin(), stress_families().end());
+  for (const char* mesh : kMeshes) families.push_back(shipped_mesh(mesh));
+  return families;
+}
+
+void print_list(const Options& options) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  std::string text;
+  for (const StressFamily& family : chosen_families(options)) {
+    list.push_back({{"name", family.name},
+                    {"description", family.description},
+                    {"parameter", family.parameter},
+                    {"values", family.values},
+                    {"large_values", family.large_values}});
+    text += fmt::format("{:<20} {}\n", family.name, family.description);
+    if (family.parameter.empty()) continue;
+    text += fmt::format("{:<20}   {}: {:g}", "", family.parameter, fmt::join(family.values, ", "));
+    if (!family.large_values.empty()) {
+      text += fmt::format("; with --large: {:g}", fmt::join(family.large_values, ", "));
+    }
+    text += "\n";
+  }
+  if (options.global.json) return print(nlohmann::ordered_json{{"families", list}});
+  print(text);
+}
+
+std::vector<StressInput> all_inputs(const Options& options) {
+  std::vector<StressInput> inputs;
+  for (const StressFamily& family : chosen_families(options)) {
+    std::vector<StressInput> more = inputs_of(family, options.sweep);
+    std::move(more.begin(), more.end(), std::back_inserter(inputs));
+  }
+  return inputs;
+}
+
+int run(Options options) {
+  options.sweep.seed = options.global.seed;
+  if (options.list) {
+    print_list(options);
+    return 0;
+  }
+  Progress progress;
+  StressRequest request;
+  request.engines = parse_engines(options.engines, "--engines");
+  request.limits = options.limits;
+  request.processes = options.processes;
+  request.stop = &interrupted();
+  request.progress = [&](std::size_t done, std::size_t total) {
+    progress("judging inputs", done, total);
+  };
+  const StressReport report = stress(all_inputs(options), request);
+  progress.clear();
+  if (options.global.json) {
+    print(stress_json(report));
+  } else {
+    print(options.cases ? stress_case_table(report) : stress_table(report));
+  }
+  return report.passes() ? 0 : 1;
+}
+
+void add_sweep_options(CLI::App& command, Options& options) {
+  command.add_option("FAMILY", options.families,
+                     "families by name, or mesh files to be scaled and moved (default: all)");
+  command.add_flag("--list", options.list, "name every family, what is varied and its values");
+  command.add_option("--values", options.sweep.values, "instead of the family's own: 1e3,1e17")
+      ->delimiter(',');
+  command
+      .add_option("--size", options.sweep.points,
+                  "points of shapes that take a number of points, if that is not what is varied")
+      ->check(CLI::Range(1, 10000000))
+      ->capture_default_str();
+  command
+      .add_option("--seeds", options.sweep.seeds, "how many seeds for each value, from --seed on")
+      ->check(CLI::Range(1, 1000000000))
+      ->capture_default_str();
+  command.add_option("-k,--faces", options.sweep.faces, "how many halfspaces to keep, at least 4")
+      ->check(CLI::Range(std::size_t{4}, std::size_t{1} << 32))
+      ->capture_default_str();
+  command.add_flag("--large", options.sweep.large, "also the values that take minutes");
+  command.add_flag("--cases", options.cases, "a line for each input, not for each family");
+}
+
+void add_run_options(CLI::App& command, Options& options) {
+  command.add_option("--engines", options.engines, "which to run")->capture_default_str();
+  command
+      .add_option("--time-limit", options.limits.seconds,
+                  "seconds for each engine on each input, and for the judge")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      .add_option("--memory-limit", options.limits.memory,
+                  "address space for each of these, e.g. 2GB; 0 for none (default: 4GB)")
+      ->transform(CLI::AsSizeValue(false));
+  command.add_option("--processes", options.processes, "how many at the same time")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_stress_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command = *program.add_subcommand(
+      "stress", "run every engine on ever harder inputs, and judge what they say");
+  command.footer(kFooter);
+  add_sweep_options(command, *options);
+  add_run_options(command, *options);
+  add_global_options(command, options->global);
+  command.callback([options, &exit_code] {
+    exit_code = run_guarded(options->global, [&] { return run(*options); });
+  });
+}
+
+}  // namespace convexact::cli

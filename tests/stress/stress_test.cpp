@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+// The sweep and its judge. Honest engines pass on inputs of every kind; and a run that is wrong in
+// one thing, injected here, is a fault of that run, in whatever way it is wrong.
+#include "convexact/stress/stress.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "convexact/error.hpp"
+#include "convexact/format/stress_report.hpp"
+#include "json_schema.hpp"
+
+using namespace convexact;
+
+namespace {
+
+std::vector<StressInput> inputs_at(const std::string& family, std::vector<double> values,
+                                   std::uint32_t points = 10) {
+  SweepOptions options;
+  options.points = points;
+  options.values = std::move(values);
+  return inputs_of(stress_family(family), options);
+}
+
+// The cut cube: 10 halfspaces, unequal costs and ties, all judged by the definition too.
+std::vector<StressInput> one_input() { return inputs_at("cut-cube", {4}); }
+
+using Corruption = std::function<void(EngineAnswer&)>;
+
+// The sweep of one input in which `engine` lies.
+StressReport with_corrupted(Engine engine, const Corruption& corrupt) {
+  StressRequest request;
+  request.answer = [&](const Shape& shape, const Question& question) {
+    EngineAnswer answer = answer_of(shape, question);
+    if (question.engine == engine) corrupt(answer);
+    return answer;
+  };
+  return stress(one_input(), request);
+}
+
+const StressRun& run_of(const StressReport& report, Engine engine) {
+  return *std::find_if(report.runs.begin(), report.runs.end(),
+                       [&](const StressRun& run) { return run.engine == engine; });
+}
+
+void check_caught(Engine engine, const Corruption& corrupt) {
+  const StressReport report = with_corrupted(engine, corrupt);
+  REQUIRE(report.runs.size() == 3);
+  CHECK_FALSE(report.passes());
+  CHECK_FALSE(run_of(report, engine).passes());
+  CHECK(schema_complaint("stress", nlohmann::json::parse(stress_json(report).dump())) == "");
+  CHECK(stress_table(report).find("WRONG") != std::string::npos);
+}
+
+void check_caught_of_both(const Corruption& corrupt) {
+  check_caught(Engine::Exact, corrupt);
+  check_caught(Engine::Filtered, corrupt);
+}
+
+}  // namespace
+
+TEST_CASE("stress: honest engines pass on inputs of every kind") {
+  std::vector<StressInput> inputs = one_input();
+  for (const auto& more :
+       {inputs_at("needle", {1, 1e300}), inputs_at("slab", {1e17}), inputs_at("subnormal", {3}),
+        inputs_at("tilted-lid", {0x1p-52}), inputs_at("scaled-ball", {1000, -1000}),
+        inputs_at("prism", {12}), inputs_at("collinear", {5}), inputs_at("mixture", {2}),
+        inputs_at("mixed-halfspaces", {1, 2}), inputs_at("mixed-scales", {300}, 6)}) {
+    inputs.insert(inputs.end(), more.begin(), more.end());
+  }
+  const StressReport report = stress(inputs, {});
+  REQUIRE(report.runs.size() == 3 * inputs.size());
+  for (std::size_t i = 0; i < report.runs.size(); ++i) {
+    const StressRun& run = report.runs[i];
+    CAPTURE(run.family);
+    CAPTURE(run.value);
+    CHECK(run.family == inputs[i / 3].family);
+    CHECK_MESSAGE(run.passes(), (run.passes() ? "" : run.faults[0]));
+    const bool flat = run.family == "collinear";
+    CHECK((run.end == StressEnd::NoVolume) == flat);
+    CHECK(run.stored.size() == (flat ? 0 : run.engine == Engine::Filtered ? 8 : 4));
+    if (run.engine == Engine::Exact && !flat) CHECK(run.cost_error == 0);
+  }
+  CHECK(schema_complaint("stress", nlohmann::json::parse(stress_json(report).dump())) == "");
+  CHECK(stress_table(report).find("WRONG") == std::string::npos);
+}
+
+TEST_CASE("stress: a family does not take every value") {
+  CHECK_THROWS_AS((void)inputs_at("needle", {0.5}), Error);
+  CHECK_THROWS_AS((void)inputs_at("mixed-halfspaces", {-1}), Error);
+  CHECK_THROWS_AS((void)stress_family("sphere-of-cheese"), Error);
+}
+
+TEST_CASE("stress: a removal too dear is a fault, recorded honestly or not") {
+  check_caught_of_both([](EngineAnswer& a) { std::swap(a.removed[0], a.removed.back()); });
+  check_caught_of_both([](EngineAnswer& a) {
+    std::swap(a.removed[0], a.removed.back());
+    std::swap(a.costs[0], a.costs.back());
+    std::swap(a.ties[0], a.ties.back());
+    a.lean_removed = a.removed;
+  });
+}
+
+TEST_CASE("stress: a tie broken the wrong way, or listed wrongly, is a fault") {
+  check_caught_of_both([](EngineAnswer& a) {
+    REQUIRE(a.ties[0].size() > 1);  // the first two of four equal cuts change places
+    std::swap(a.removed[0], a.removed[1]);
+    if (!a.lean_removed.empty()) a.lean_removed = a.removed;
+  });
+  check_caught_of_both([](EngineAnswer& a) { a.ties[0].pop_back(); });
+}
+
+TEST_CASE("stress: a wrong cost, volume or enclosure is a fault") {
+  check_caught_of_both([](EngineAnswer& a) { a.costs[1] += Rational(1, 1000000007); });
+  for (const Engine engine : {Engine::Exact, Engine::Filtered, Engine::Float}) {
+    check_caught(engine, [](EngineAnswer& a) { a.output_volume.low = a.output_volume.high * 2; });
+    check_caught(engine, [](EngineAnswer& a) { a.input_volume.high = 0; });
+  }
+  check_caught(Engine::Filtered, [](EngineAnswer& a) { a.lean_costs[0].high = 0; });
+  check_caught(Engine::Filtered, [](EngineAnswer& a) { ++a.lean_tied[0]; });
+}
+
+TEST_CASE("stress: a run that stops too early, or removes something twice, is a fault") {
+  check_caught_of_both([](EngineAnswer& a) {
+    for (auto* ids : {&a.removed, &a.lean_removed}) {
+      if (!ids->empty()) ids->pop_back();
+    }
+    a.costs.pop_back();
+    a.ties.pop_back();
+    if (!a.lean_costs.empty()) a.lean_costs.pop_back();
+    if (!a.lean_tied.empty()) a.lean_tied.pop_back();
+    a.end = StressEnd::AllUnbounded;
+  });
+  for (const Engine engine : {Engine::Exact, Engine::Filtered, Engine::Float}) {
+    check_caught(engine, [](EngineAnswer& a) { a.removed[1] = a.removed[0]; });
+    check_caught(engine, [](EngineAnswer& a) { a.left.pop_back(); });
+    check_caught(engine, [](EngineAnswer& a) { a.halfspaces.pop_back(); });
+    check_caught(engine, [](EngineAnswer& a) { a.end = StressEnd::NoVolume; });
+  }
+}
+
+TEST_CASE("stress: what is stored and misses a point, is open or unreadable is a fault") {
+  for (const Engine engine : {Engine::Exact, Engine::Filtered, Engine::Float}) {
+    for (std::size_t form = 0; form < 4; ++form) {
+      CAPTURE(form);
+      // A quarter of the size: misses every corner of the cube [0, 1]^3 but one, or all.
+      check_caught(engine, [form](EngineAnswer& a) {
+        a.stored[form].bytes = form < 2
+                                   ? R"([[1,0,0,-0.25],[0,1,0,-0.25],[0,0,1,-0.25],[-1,-1,-1,0]])"
+                                   : "v 0 0 0\nv .25 0 0\nv 0 .25 0\nv 0 0 .25\n"
+                                     "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+      });
+      check_caught(engine, [form](EngineAnswer& a) {
+        a.stored[form].bytes = form < 2 ? "[[1,0,0,-1],[0,1,0,-1],[0,0,1,-1],[-1,0,0,0]]"
+                                        : a.stored[form].bytes.substr(0, 100);
+      });
+      check_caught(engine, [form](EngineAnswer& a) { a.stored[form].bytes = "nonsense"; });
+    }
+  }
+}
+
+TEST_CASE("stress: the float engine may be wrong, but not more than it says") {
+  const auto claim = [](double cost, double regret, std::size_t doubtful) {
+    return StressClaim{cost, regret, doubtful, true, doubtful == 0};
+  };
+  const auto dear = [](EngineAnswer& a) {  // the dearest first
+    std::swap(a.removed[0], a.removed.back());
+    std::swap(a.lean_removed[0], a.lean_removed.back());
+    std::swap(a.lean_costs[0], a.lean_costs.back());
+  };
+  check_caught(Engine::Float, [&](EngineAnswer& a) {
+    dear(a);
+    a.claim = claim(0.001, 0.001, 0);
+  });
+  check_caught(Engine::Float, [&](EngineAnswer& a) {  // an estimate that is off by half
+    a.lean_costs[0].low = a.lean_costs[0].high = a.lean_costs[0].low / 2;
+    a.claim = claim(0.001, 0.001, 0);
+  });
+  const StressReport doubted = with_corrupted(Engine::Float, [&](EngineAnswer& a) {
+    dear(a);
+    a.claim = claim(0.001, 0.001, a.removed.size());
+  });
+  CHECK(doubted.passes());
+  const StressRun& run = run_of(doubted, Engine::Float);
+  CHECK(run.first_difference == 0);
+  CHECK(*run.regret > 0.5);
+}
+
+TEST_CASE("stress: an end that the float engine vouches for is the end") {
+  const auto shorten = [](EngineAnswer& a) {
+    const std::size_t all = a.halfspaces.size();
+    a.removed.clear();
+    a.lean_removed.clear();
+    a.lean_costs.clear();
+    a.lean_tied.clear();
+    a.left = a.halfspaces;
+    a.output_volume = a.input_volume;
+    a.end = StressEnd::AllUnbounded;
+    REQUIRE(all > 4);
+  };
+  check_caught(Engine::Float, [&](EngineAnswer& a) {
+    shorten(a);
+    a.claim = StressClaim{0, 0, 0, true, true};
+  });
+  CHECK(with_corrupted(Engine::Float, [&](EngineAnswer& a) {
+          shorten(a);
+          a.claim = StressClaim{0, 0, 0, false, false};
+        }).passes());
+}
+
+TEST_CASE("stress: a crash, an exception, a hang and a lack of memory are lines of the table") {
+  for (const Engine engine : {Engine::Exact, Engine::Filtered, Engine::Float}) {
+    const StressReport crashed =
+        with_corrupted(engine, [](EngineAnswer&) { (void)std::raise(SIGKILL); });
+    CHECK_FALSE(crashed.passes());
+    CHECK(run_of(crashed, engine).end == StressEnd::Crashed);
+    const StressReport thrown =
+        with_corrupted(engine, [](EngineAnswer&) { throw std::logic_error("out of cheese"); });
+    CHECK_FALSE(thrown.passes());
+    CHECK(run_of(thrown, engine).end == StressEnd::Failed);
+    CHECK(run_of(thrown, engine).faults[0].find("out of cheese") != std::string::npos);
+    const StressReport empty =
+        with_corrupted(engine, [](EngineAnswer&) { throw std::bad_alloc(); });
+    CHECK_FALSE(empty.passes());
+    CHECK(run_of(empty, engine).end == StressEnd::OutOfMemory);
+  }
+  StressRequest request;
+  request.limits.seconds = 1;
+  request.engines = {Engine::Float};
+  request.answer = [](const Shape&, const Question&) -> EngineAnswer {
+    for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
+  };
+  const StressReport hung = stress(one_input(), request);
+  CHECK_FALSE(hung.passes());
+  CHECK(hung.runs[0].end == StressEnd::TimedOut);
+}
+
+TEST_CASE("stress: an interrupt ends it and its processes") {
+  const std::atomic<bool> stop = true;
+  StressRequest request;
+  request.stop = &stop;
+  CHECK_THROWS_AS((void)stress(one_input(), request), Error);
+}
