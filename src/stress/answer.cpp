@@ -54,6 +54,10 @@ Polytope run_pipeline(const Shape& shape, const SimplifyRequest& request, Engine
   answer.input_volume = range_of(result->input_volume);
   answer.output_volume = range_of(result->output_volume);
   answer.left = result->solid.exact.planes;
+  if (const auto& bound = result->float_bound) {
+    answer.claim = {bound->cost, bound->regret, bound->doubtful, bound->is_end_proven,
+                    bound->is_vouched()};
+  }
   if (result->trace) take_trace(*result->trace, answer);
   return std::move(result->solid.exact);
 }
