@@ -22,7 +22,7 @@ struct StressRequest {
   std::size_t processes = 1;  ///< At the same time, >= 1.
   /// The exact engine ends after so many removals where the solid has more halfspaces than
   /// `exact_whole`; the rest is compared with the filtered engine's.
-  std::size_t exact_whole = 4000, exact_steps = 20;
+  std::size_t exact_whole = 2500, exact_steps = 20;
   std::size_t most_stored = 4000;  ///< Solids of more halfspaces are not stored.
   JudgeLimits judge;
   /// What is put to the test; replaced where the judge itself is tested.
