@@ -85,7 +85,7 @@ void Judge::judge(const EngineAnswer& answer, StressRun& run) {
     run.faults.push_back("with a record it makes another number of steps than without");
     return;
   }
-  append(run.faults, faults_of_volume(solid_, answer));
+  append(run.faults, faults_of_volume(solid_, answer, limits_));
   if (answer.engine == Engine::Float) {
     judge_float(answer, follow(solid_, answer, limits_), run);
   } else {

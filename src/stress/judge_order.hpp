@@ -15,8 +15,7 @@ struct JudgedSolid {
   RationalPoint center;  ///< Strictly inside.
 };
 
-/// Follows the removals, at most `limits.steps` of them, with whatever the answer claims of them.
-/// Nothing if there are none or they cannot be followed at all.
+/// Follows the removals, as far as the limits say, with whatever the answer claims of them.
 [[nodiscard]] TraceVerdict follow(const JudgedSolid& solid, const EngineAnswer& answer,
                                   const JudgeLimits& limits);
 
@@ -33,7 +32,9 @@ struct JudgedSolid {
 
 /// Whether the volumes that the pipeline reports are those of what it started from and of what it
 /// ended with, both intersected from scratch, and differ by the sum of the costs.
+/// Of large solids only what they end with.
 [[nodiscard]] std::vector<std::string> faults_of_volume(const JudgedSolid& solid,
-                                                        const EngineAnswer& answer);
+                                                        const EngineAnswer& answer,
+                                                        const JudgeLimits& limits);
 
 }  // namespace convexact
