@@ -158,7 +158,7 @@ void add_run_options(CLI::App& command, Options& options) {
   command.add_option("--engines", options.engines, "which to run")->capture_default_str();
   command
       .add_option("--time-limit", options.limits.seconds,
-                  "seconds for each engine on each input, and for the judge")
+                  "seconds of processor time for each engine on each input, and for the judge")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cmath>
 #include <csignal>
 #include <new>
 #include <utility>
@@ -49,9 +50,23 @@ std::string read_from(int file, off_t start) {
   }
 }
 
-void limit(decltype(RLIMIT_AS) resource, rlim_t value) {
-  const rlimit both{value, value};
+void limit(decltype(RLIMIT_AS) resource, rlim_t soft, rlim_t hard) {
+  const rlimit both{soft, hard};
   (void)setrlimit(resource, &both);
+}
+
+// A busy machine may give a process a small share of its time; beyond this, it waits for something.
+constexpr double kWallPerProcessorTime = 20;
+
+void set_limits(const StressLimits& limits) {
+  const auto seconds = static_cast<rlim_t>(std::ceil(limits.seconds));
+  limit(RLIMIT_CPU, seconds, seconds + 1);
+  limit(RLIMIT_CORE, 0, 0);
+  if (limits.memory != 0) limit(RLIMIT_AS, limits.memory, limits.memory);
+}
+
+std::string too_long(const StressLimits& limits) {
+  return fmt::format("no end within {:g} s", limits.seconds);
 }
 
 // What the child does, to its exit code.
@@ -76,8 +91,7 @@ Child::Child(const std::function<std::string()>& work, const StressLimits& limit
   setpgid(0, 0);  // an interrupt of the terminal is for the parent, which then ends this process
   (void)prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
-  limit(RLIMIT_CORE, 0);
-  if (limits.memory != 0) limit(RLIMIT_AS, limits.memory);
+  set_limits(limits);
   (void)dup2(errors_, STDERR_FILENO);
   _exit(do_work(work, result_));  // nothing of the parent's is flushed or destroyed twice
 }
@@ -107,8 +121,8 @@ std::optional<ChildEnd> Child::poll() {
     return describe(status, static_cast<std::uint64_t>(usage.ru_maxrss) * 1024);
   }
   const std::chrono::duration<double> spent = Clock::now() - start_;
-  if (spent.count() <= limits_.seconds) return std::nullopt;
-  return ChildEnd{{}, StressEnd::TimedOut, fmt::format("no end within {:g} s", limits_.seconds), 0};
+  if (spent.count() <= kWallPerProcessorTime * limits_.seconds) return std::nullopt;
+  return ChildEnd{{}, StressEnd::TimedOut, too_long(limits_), 0};
 }
 
 ChildEnd Child::describe(int status, std::uint64_t memory) const {
@@ -117,6 +131,9 @@ ChildEnd Child::describe(int status, std::uint64_t memory) const {
   }
   const off_t size = lseek(errors_, 0, SEEK_END);
   const std::string said = read_from(errors_, size > 500 ? size - 500 : 0);
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) {
+    return {{}, StressEnd::TimedOut, too_long(limits_), memory};
+  }
   if (WIFSIGNALED(status)) {
     const bool no_memory = said.find("annot allocate memory") != std::string::npos;
     return {{},

@@ -249,11 +249,19 @@ TEST_CASE("stress: a crash, an exception, a hang and a lack of memory are lines 
     CHECK(empty.runs[0].end == StressEnd::OutOfMemory);
   }
   StressRequest request;
-  request.limits.seconds = 1;
+  request.limits.seconds = 0.05;
   request.engines = {Engine::Float};
   request.answer = [](const Shape&, const Question&) -> EngineAnswer {
     for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
   };
+  const StressReport waiting = stress(one_input(), request);
+  CHECK_FALSE(waiting.passes());
+  CHECK(waiting.runs[0].end == StressEnd::TimedOut);
+  request.answer = [](const Shape&, const Question&) -> EngineAnswer {
+    for (volatile unsigned i = 0;; ++i) {
+    }
+  };
+  request.limits.seconds = 1;
   const StressReport hung = stress(one_input(), request);
   CHECK_FALSE(hung.passes());
   CHECK(hung.runs[0].end == StressEnd::TimedOut);

@@ -64,7 +64,7 @@ struct StressRun {
   std::size_t at_start = 0;  ///< Halfspaces of the solid.
   std::size_t steps = 0;     ///< Halfspaces removed.
   std::size_t compared = 0;  ///< Steps that were compared with the exact engine's.
-  double seconds = 0;        ///< Wall time of the pipeline, from the input to the exact result.
+  double seconds = 0;        ///< Processor time of the pipeline, to the exact result.
   std::uint64_t memory = 0;  ///< Peak of the process, bytes.
 
   /// Volume after `steps` over that of the exact engine's run after as many steps, minus 1.

@@ -44,7 +44,7 @@ struct EngineAnswer {
   Range input_volume, output_volume;  ///< What it says about volumes.
   std::optional<StressClaim> claim;   ///< Of the float engine.
   std::vector<StoredBytes> stored;
-  double seconds = 0;        ///< Of the pipeline, exact result included, nothing stored.
+  double seconds = 0;        ///< Of processor time: the pipeline with the exact result, not stored.
   std::uint64_t memory = 0;  ///< Filled in by whoever started the process.
 };
 

@@ -12,7 +12,8 @@ namespace convexact {
 
 /// Of each process: one engine on one input, or the judge of their answers.
 struct StressLimits {
-  double seconds = 120;      ///< Of wall time, more than 0.
+  /// Of processor time, more than 0; whole ones. A process that only waits gets 20 times as long.
+  double seconds = 120;
   std::uint64_t memory = 0;  ///< Bytes of address space; 0 for no limit.
 };
 
