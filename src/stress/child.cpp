@@ -92,7 +92,7 @@ Child::Child(const std::function<std::string()>& work, const StressLimits& limit
   (void)prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
   set_limits(limits);
-  (void)dup2(errors_, STDERR_FILENO);
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) (void)dup2(errors_, stream);
   _exit(do_work(work, result_));  // nothing of the parent's is flushed or destroyed twice
 }
 

@@ -20,7 +20,7 @@ struct ChildEnd {
 };
 
 /// A fork of this process that does one piece of work and hands its result back in a file without
-/// a name. It dies with its parent, and with this object. Only from a process with one thread.
+/// a name. It dies with its parent, and with this object; what it prints goes nowhere.
 class Child {
  public:
   /// @throws Error Stopped if the system cannot make a process.

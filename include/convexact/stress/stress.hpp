@@ -34,7 +34,8 @@ struct StressRequest {
 };
 
 /// The runs in the order of the inputs and, of each, of the engines. Whatever happens to an engine
-/// or to the judge is a run with a fault. Not to be called where there is a second thread.
+/// or to the judge is a run with a fault. Forks: a process of its own has no other thread of the
+/// caller's, and must not need one.
 /// @throws Error InvalidArgument for a request that makes no sense; Stopped.
 [[nodiscard]] StressReport stress(std::span<const StressInput> inputs,
                                   const StressRequest& request);
