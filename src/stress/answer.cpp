@@ -32,9 +32,22 @@ HalfspaceId canonical_id(const std::vector<Halfspace>& halfspaces, const Halfspa
   return HalfspaceId(static_cast<std::size_t>(found - halfspaces.begin()));
 }
 
-std::size_t faces_for(const Question& question, std::size_t halfspaces) {
-  if (halfspaces <= question.whole || halfspaces <= question.most_steps) return question.faces;
-  return std::max(question.faces, halfspaces - question.most_steps);
+// Corners of a facet, or facets around a vertex.
+std::size_t largest_valence(const Polytope& polytope) {
+  std::vector<std::size_t> around(polytope.vertices.size(), 0);
+  std::size_t largest = 0;
+  for (const auto& facet : polytope.facets) {
+    largest = std::max<std::size_t>(largest, facet.size());
+    for (const std::uint32_t corner : facet) largest = std::max(largest, ++around[corner]);
+  }
+  return largest;
+}
+
+std::size_t faces_for(const Question& question, const Polytope& polytope) {
+  const std::size_t size = polytope.planes.size();
+  if (question.most_steps >= size) return question.faces;
+  if (size * largest_valence(polytope) <= question.most_work) return question.faces;
+  return std::max(question.faces, size - question.most_steps);
 }
 
 void take_trace(const Trace& trace, EngineAnswer& answer) {
@@ -69,9 +82,10 @@ Polytope run_pipeline(const Shape& shape, const SimplifyRequest& request, Engine
 }
 
 // The steps of the run that keeps no record: the same computation as the pipeline's.
-void take_lean_run(const FastDual& dual, const Question& question, EngineAnswer& answer) {
+void take_lean_run(const FastDual& dual, const Question& question, std::size_t faces,
+                   EngineAnswer& answer) {
   SimplifyOptions options;
-  options.faces = faces_for(question, dual.size());
+  options.faces = faces;
   options.seed = question.seed;
   const FastResult result = question.engine == Engine::Float ? simplify_float(dual, options)
                                                              : simplify_filtered(dual, options);
@@ -87,13 +101,14 @@ void take_lean_run(const FastDual& dual, const Question& question, EngineAnswer&
 }
 
 void take_lean_run(const Shape& shape, const Solid& solid, const Question& question,
-                   EngineAnswer& answer) {
+                   std::size_t faces, EngineAnswer& answer) {
   const auto* points = std::get_if<PointSet>(&shape);
   if (points == nullptr) {
-    return take_lean_run(FastDual::of(solid.dual, interior_point_of(solid)), question, answer);
+    return take_lean_run(FastDual::of(solid.dual, interior_point_of(solid)), question, faces,
+                         answer);
   }
   const HullOutcome outcome = convex_hull(*points, {.seed = question.seed});
-  take_lean_run(FastDual::of(std::get<Hull>(outcome), *points), question, answer);
+  take_lean_run(FastDual::of(std::get<Hull>(outcome), *points), question, faces, answer);
 }
 
 // One form and precision. Refusing is an answer.
@@ -138,12 +153,15 @@ void answer_for(const Shape& shape, const Question& question, EngineAnswer& answ
   const Solid& solid = std::get<Solid>(outcome);
   answer.halfspaces = solid.dual.halfspaces;
   SimplifyRequest request;
-  request.faces = faces_for(question, answer.halfspaces.size());
+  const std::size_t faces = faces_for(question, solid.polytope);
+  request.faces = faces;
   request.engine = question.engine;
   request.seed = question.seed;
   request.trace = question.engine == Engine::Exact;
   const Polytope result = run_pipeline(shape, request, answer);
-  if (question.engine != Engine::Exact) take_lean_run(shape, solid, question, answer);
+  if (question.engine != Engine::Exact) {
+    take_lean_run(shape, solid, question, faces, answer);
+  }
   if (question.engine == Engine::Filtered) {
     request.trace = true;
     const std::vector<Halfspace> left = answer.left;

@@ -91,7 +91,7 @@ Child Sweep::start(std::size_t i) const {
   const Engine engine = request_.engines[answers.size()];
   Question question{engine, input.faces, input.seed, SIZE_MAX, SIZE_MAX, request_.most_stored};
   if (engine == Engine::Exact) {
-    question.whole = request_.exact_whole;
+    question.most_work = request_.exact_work;
     question.most_steps = request_.exact_steps;
   }
   return Child([&, question] { return to_bytes(request_.answer(input.make(), question)); },
