@@ -110,7 +110,7 @@ TraceVerdict TraceJudge::run() {
                                        [&](const OrderedRemoval& r) { return follow(r); });
   if (is_complete) check_stop();
   if (verdict_.worst && !verdict_.at) verdict_.rating = TraceRating::UpToRegret;
-  confirm();
+  if (options_.confirm) confirm();
   verdict_.claims = std::move(claims_).list();
   return std::move(verdict_);
 }

@@ -81,7 +81,9 @@ TraceVerdict follow(const JudgedSolid& solid, const EngineAnswer& answer,
   if (count == all && answer.end == StressEnd::AllUnbounded) {
     order.stop = StopReason::AllUnbounded;
   }
-  return judge_trace(solid.dual, solid.center, order);
+  JudgeOptions options;
+  options.confirm = !is_large;
+  return judge_trace(solid.dual, solid.center, order, options);
 }
 
 std::vector<std::string> faults_of_order(const EngineAnswer& answer, const TraceVerdict& verdict) {

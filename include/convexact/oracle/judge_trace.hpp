@@ -72,7 +72,9 @@ struct TraceVerdict {
 };
 
 struct JudgeOptions {
-  Rational max_regret = 0;                         ///< >= 0.
+  Rational max_regret = 0;  ///< >= 0.
+  /// Whether costs are confirmed from their definition, by some ten intersections from scratch.
+  bool confirm = true;
   const std::atomic<bool>* stop = nullptr;         ///< When it becomes true: Error Stopped.
   std::function<void(std::size_t)> progress = {};  ///< Called with the number of judged steps.
 };
