@@ -46,7 +46,8 @@ std::size_t largest_valence(const Polytope& polytope) {
 std::size_t faces_for(const Question& question, const Polytope& polytope) {
   const std::size_t size = polytope.planes.size();
   if (question.most_steps >= size) return question.faces;
-  if (size * largest_valence(polytope) <= question.most_work) return question.faces;
+  constexpr std::size_t kShort = 140;  // what takes as long with rings of any ordinary length
+  if (size * (largest_valence(polytope) + kShort) <= question.most_work) return question.faces;
   return std::max(question.faces, size - question.most_steps);
 }
 
@@ -159,9 +160,7 @@ void answer_for(const Shape& shape, const Question& question, EngineAnswer& answ
   request.seed = question.seed;
   request.trace = question.engine == Engine::Exact;
   const Polytope result = run_pipeline(shape, request, answer);
-  if (question.engine != Engine::Exact) {
-    take_lean_run(shape, solid, question, faces, answer);
-  }
+  if (question.engine != Engine::Exact) take_lean_run(shape, solid, question, faces, answer);
   if (question.engine == Engine::Filtered) {
     request.trace = true;
     const std::vector<Halfspace> left = answer.left;

@@ -52,8 +52,8 @@ struct Question {
   Engine engine = Engine::Exact;
   std::size_t faces = 4;
   std::uint64_t seed = 1;
-  /// Of a solid whose number of halfspaces times the largest valence, of a facet or a vertex, is
-  /// above `most_work` only the first `most_steps` removals are made.
+  /// Of a solid of n halfspaces and largest valence v, of a facet or a vertex, for which n (v +
+  /// 140) is above `most_work` only the first `most_steps` removals are made.
   std::size_t most_work = SIZE_MAX, most_steps = SIZE_MAX;
   std::size_t most_stored = SIZE_MAX;  ///< Solids of more halfspaces are not stored.
 };

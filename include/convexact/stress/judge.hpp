@@ -15,8 +15,7 @@ struct JudgeLimits {
   /// away and the rest intersected from scratch.
   std::size_t definition = 12;
   /// Solids of more halfspaces are large. Of these costs, minima and ties are computed again for
-  /// the first `steps` removals, and the volumes before and after these; later steps are only
-  /// compared.
+  /// the first `steps` removals, and nothing of that size is intersected from scratch.
   std::size_t whole = 2500;
   std::size_t steps = 200;
 };
