@@ -27,14 +27,12 @@ constexpr const char* kFooter =
     "  convexact stress my_mesh.obj                 scaled and moved\n"
     "  convexact stress --json > stress.json\n"
     "\n"
-    "Columns: early: runs that end above the wanted number; order: runs that once removed one "
-    "that\n"
-    "was not among the cheapest; cost, regret, volume: largest relative errors; vouched: runs "
-    "that\n"
-    "the float engine vouches for; refuse: results that a format cannot hold; missed: input "
-    "points\n"
-    "outside of what was written; push: largest, of binary64. Exit code 0: all as promised. 1: "
-    "not.";
+    "Columns: early: runs that end above the wanted number; diff: runs that once removed one that\n"
+    "was not among the cheapest; cost, regret, volume: largest relative errors; vouched, own: "
+    "runs\n"
+    "that the float engine vouches for; refuse: results that a format cannot hold; miss: input\n"
+    "points outside of what was written; push: largest, of binary64; secs: longest, of processor\n"
+    "time. Exit code 0: all as promised. 1: not.";
 
 struct Options {
   GlobalOptions global;

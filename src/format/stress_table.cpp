@@ -48,19 +48,37 @@ std::string error_text(const std::optional<double>& x) {
   return std::isfinite(*x) ? fmt::format("{:.0e}", *x) : "inf";
 }
 
-std::string numbers_of(const Worst& w) {
+constexpr int kOfMany = 7, kOfOne = 3;  // width of "110/320", "1/1"
+
+std::string numbers_of(const Worst& w, int vouched_width) {
   const std::string vouched = w.claims == 0 ? "-" : fmt::format("{}/{}", w.vouched, w.claims);
-  return fmt::format("{:>6} {:>6} {:>6} {:>8} {:>6} {:>6} {:>8} {:>8.3g}  {}\n",
+  return fmt::format(" {:>5} {:>6} {:>6} {:>{}} {:>6} {:>4} {:>5} {:>5} {}\n",
                      error_text(w.cost_error), error_text(w.regret), error_text(w.volume_error),
-                     vouched, w.refused, w.missed, error_text(w.push), w.seconds,
-                     w.faulty == 0 ? "ok" : "WRONG");
+                     vouched, vouched_width, w.refused, w.missed, error_text(w.push),
+                     error_text(w.seconds), w.faulty == 0 ? "ok" : "NO");
 }
 
-constexpr const char* kNumbers = "  cost regret volume  vouched refuse missed     push  seconds";
+std::string header_of_numbers(int vouched_width) {
+  return fmt::format(" {:>5} {:>6} {:>6} {:>{}} {:>6} {:>4} {:>5} {:>5}\n", "cost", "regret",
+                     "volume", vouched_width == kOfOne ? "own" : "vouched", vouched_width, "refuse",
+                     "miss", "push", "secs");
+}
 
 std::string label_of(const StressRun& run) {
   if (run.parameter.empty()) return run.family;
-  return fmt::format("{} {}={:.6g}", run.family, run.parameter, run.value);
+  return fmt::format("{} {}={:.3g}", run.family, run.parameter, run.value);
+}
+
+// Short enough for a column.
+const char* short_end(StressEnd end) {
+  switch (end) {
+    case StressEnd::AllUnbounded:
+      return "stuck";
+    case StressEnd::OutOfMemory:
+      return "memory";
+    default:
+      return words::name_of(end);
+  }
 }
 
 std::string faults_of(const StressReport& report) {
@@ -84,8 +102,9 @@ std::string total_of(const StressReport& report) {
 }  // namespace
 
 std::string stress_table(const StressReport& report) {
-  std::string text = fmt::format("{:<20} {:<8} {:>4} {:>5} {:>5} {}\n", "family", "engine", "runs",
-                                 "early", "order", kNumbers);
+  std::string text =
+      fmt::format("{:<20} {:<8} {:>4} {:>5} {:>4}", "family", "engine", "runs", "early", "diff") +
+      header_of_numbers(kOfMany);
   std::vector<const StressRun*> rest;
   for (const StressRun& run : report.runs) rest.push_back(&run);
   while (!rest.empty()) {
@@ -95,22 +114,23 @@ std::string stress_table(const StressReport& report) {
     });
     Worst worst;
     std::for_each(rest.begin(), other, [&](const StressRun* run) { add(worst, *run); });
-    text +=
-        fmt::format("{:<20} {:<8} {:>4} {:>5} {:>5} {}", first.family, words::name_of(first.engine),
-                    worst.runs, worst.early, worst.other_order, numbers_of(worst));
+    text += fmt::format("{:<20} {:<8} {:>4} {:>5} {:>4}", first.family,
+                        words::name_of(first.engine), worst.runs, worst.early, worst.other_order) +
+            numbers_of(worst, kOfMany);
     rest.erase(rest.begin(), other);
   }
   return text + faults_of(report) + total_of(report);
 }
 
 std::string stress_case_table(const StressReport& report) {
-  std::string text =
-      fmt::format("{:<32} {:<8} {:<13} {:>6} {}\n", "input", "engine", "end", "steps", kNumbers);
+  std::string text = fmt::format("{:<28} {:<8} {:<9} {:>5}", "input", "engine", "end", "steps") +
+                     header_of_numbers(kOfOne);
   for (const StressRun& run : report.runs) {
     Worst worst;
     add(worst, run);
-    text += fmt::format("{:<32} {:<8} {:<13} {:>6} {}", label_of(run), words::name_of(run.engine),
-                        words::name_of(run.end), run.steps, numbers_of(worst));
+    text += fmt::format("{:<28} {:<8} {:<9} {:>5}", label_of(run), words::name_of(run.engine),
+                        short_end(run.end), run.steps) +
+            numbers_of(worst, kOfOne);
   }
   return text + faults_of(report) + total_of(report);
 }
