@@ -11,6 +11,7 @@
 #include "convexact/io/read_mesh.hpp"
 #include "convexact/stress/stress.hpp"
 #include "engine_list.hpp"
+#include "progress.hpp"
 #include "shipped_files.hpp"
 
 namespace convexact::cli {

@@ -199,6 +199,9 @@ StressFamily mesh_family(const std::string& name, std::vector<Point> points) {
 }
 
 std::vector<StressInput> inputs_of(const StressFamily& family, const SweepOptions& options) {
+  if (!options.values.empty() && family.parameter.empty()) {
+    throw Error(ErrorCode::InvalidArgument, family.name + " takes no values");
+  }
   Values values = options.values.empty() ? family.values : options.values;
   if (options.large && options.values.empty()) {
     values.insert(values.end(), family.large_values.begin(), family.large_values.end());

@@ -15,6 +15,7 @@
 #include "convexact/error.hpp"
 #include "convexact/format/stress_report.hpp"
 #include "json_schema.hpp"
+#include "process.hpp"
 
 using namespace convexact;
 
@@ -264,8 +265,10 @@ TEST_CASE("stress: a crash, an exception, a hang and a lack of memory are lines 
   CHECK_FALSE(waiting.passes());
   CHECK(waiting.runs[0].end == StressEnd::TimedOut);
   request.answer = [](const Shape&, const Question&) -> EngineAnswer {
-    for (volatile unsigned i = 0;; ++i) {
+    const volatile bool forever = true;
+    while (forever) {
     }
+    return {};
   };
   request.limits.seconds = 1;
   const StressReport hung = stress(one_input(), request);
@@ -278,4 +281,24 @@ TEST_CASE("stress: an interrupt ends it and its processes") {
   StressRequest request;
   request.stop = &stop;
   CHECK_THROWS_AS((void)stress(one_input(), request), Error);
+}
+
+TEST_CASE(
+    "stress: the program's exit code is 0 for promises kept, 1 for broken ones, 2 for nonsense") {
+  CHECK(support::run_program("stress cube --values 3").exit == 2);  // there is only one
+  const auto kept =
+      support::run_program("stress needle --values 7,1e300 --size 8 --seeds 2 --json");
+  CHECK(kept.exit == 0);
+  const auto document = nlohmann::json::parse(kept.out);
+  CHECK(schema_complaint("stress", document) == "");
+  CHECK(document["passes"] == true);
+  CHECK(document["runs"].size() == 12);
+  const auto slow = support::run_program("stress needle --values 7 --time-limit 0.000001");
+  CHECK(slow.exit == 1);
+  CHECK(slow.out.find("no end within") != std::string::npos);
+  CHECK(support::run_program("stress sphere-of-cheese").exit == 2);
+  CHECK(support::run_program("stress needle --values 0.5").exit == 2);
+  const auto list = support::run_program("stress --list --json");
+  CHECK(list.exit == 0);
+  CHECK(schema_complaint("stress", nlohmann::json::parse(list.out)) == "");
 }

@@ -52,8 +52,7 @@ struct StressFamily {
 /// (values below 0, of which the diameter is the absolute value). Coordinates are rounded.
 [[nodiscard]] StressFamily mesh_family(const std::string& name, std::vector<Point> points);
 
-/// The inputs of a family. @throws Error InvalidArgument for a value that the family does not take,
-/// when the shape is made.
+/// The inputs of a family. @throws Error InvalidArgument for a value that it does not take.
 [[nodiscard]] std::vector<StressInput> inputs_of(const StressFamily& family,
                                                  const SweepOptions& options);
 
