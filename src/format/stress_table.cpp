@@ -123,12 +123,12 @@ std::string stress_table(const StressReport& report) {
 }
 
 std::string stress_case_table(const StressReport& report) {
-  std::string text = fmt::format("{:<28} {:<8} {:<9} {:>5}", "input", "engine", "end", "steps") +
+  std::string text = fmt::format("{:<24} {:<8} {:<9} {:>5}", "input", "engine", "end", "steps") +
                      header_of_numbers(kOfOne);
   for (const StressRun& run : report.runs) {
     Worst worst;
     add(worst, run);
-    text += fmt::format("{:<28} {:<8} {:<9} {:>5}", label_of(run), words::name_of(run.engine),
+    text += fmt::format("{:<24} {:<8} {:<9} {:>5}", label_of(run), words::name_of(run.engine),
                         short_end(run.end), run.steps) +
             numbers_of(worst, kOfOne);
   }
