@@ -69,7 +69,12 @@ std::string label_of(const StressRun& run) {
   return fmt::format("{} {}={:.3g}", run.family, run.parameter, run.value);
 }
 
-// Short enough for a column.
+// Short enough for a column, as are the ends.
+std::string short_label(const StressRun& run) {
+  if (run.parameter.empty()) return run.family;
+  return fmt::format("{} {:.3g}", run.family, run.value);
+}
+
 const char* short_end(StressEnd end) {
   switch (end) {
     case StressEnd::AllUnbounded:
@@ -128,7 +133,7 @@ std::string stress_case_table(const StressReport& report) {
   for (const StressRun& run : report.runs) {
     Worst worst;
     add(worst, run);
-    text += fmt::format("{:<24} {:<8} {:<9} {:>5}", label_of(run), words::name_of(run.engine),
+    text += fmt::format("{:<24} {:<8} {:<9} {:>5}", short_label(run), words::name_of(run.engine),
                         short_end(run.end), run.steps) +
             numbers_of(worst, kOfOne);
   }
