@@ -21,7 +21,8 @@ class Page:
     """A page of a fresh browser; `complaints` are errors of its scripts and of loading."""
 
     def __init__(self, url, width=1280, height=900, media=()):
-        self.folder = tempfile.TemporaryDirectory()
+        # Its helper processes may still write there when the browser has ended.
+        self.folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         to_browser, self.commands = os.pipe()
         self.answers, from_browser = os.pipe()
         # The browser reads commands from descriptor 3 and writes answers to 4.
