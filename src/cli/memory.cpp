@@ -106,13 +106,24 @@ void release_for_cpp(void* block) noexcept {
 }  // namespace
 }  // namespace convexact::cli
 
-// The other forms of new and delete end in these.
+// Those for arrays end in these. Those that do not throw would, too, but a sanitizer brings its own
+// while it takes ours for the rest.
 void* operator new(std::size_t size) { return convexact::cli::allocate_for_cpp(size, 0); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return convexact::cli::allocate_for_cpp(size, static_cast<std::size_t>(alignment));
 }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  try {
+    return convexact::cli::allocate_for_cpp(size, 0);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
 void operator delete(void* block) noexcept { convexact::cli::release_for_cpp(block); }
 void operator delete(void* block, std::size_t) noexcept { convexact::cli::release_for_cpp(block); }
+void operator delete(void* block, const std::nothrow_t&) noexcept {
+  convexact::cli::release_for_cpp(block);
+}
 void operator delete(void* block, std::align_val_t) noexcept {
   convexact::cli::release_for_cpp(block);
 }

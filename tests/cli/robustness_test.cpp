@@ -101,12 +101,12 @@ TEST_CASE("a closed pipe: exit 6") {
 TEST_CASE("an interrupt: exit 6, and nothing written") {
   const ScratchFolder scratch;
   const std::string input = scratch.file("a.xyz");
-  REQUIRE(run_program("generate fibonacci-sphere --points 20000 -o " + input).exit == 0);
+  REQUIRE(run_program("generate fibonacci-sphere --points 5000 -o " + input).exit == 0);
   for (const char* signal : {"INT", "TERM"}) {
     CAPTURE(signal);
-    const auto ran =
-        run_shell("timeout --preserve-status -s " + std::string(signal) + " 1.5 " + program() +
-                  " simplify " + input + " --engine exact --faces 18 -o " + scratch.file("b.obj"));
+    const auto ran = run_shell("timeout --foreground --preserve-status -s " + std::string(signal) +
+                               " 1 " + program() + " simplify " + input +
+                               " --engine exact --faces 18 -o " + scratch.file("b.obj"));
     CHECK(ran.exit == 6);
     CHECK(has(ran.err, "interrupted"));
     CHECK(scratch.count() == 1);
@@ -137,14 +137,14 @@ TEST_CASE("progress: on a terminal only, with an estimate") {
   const ScratchFolder scratch;
   const std::string input = scratch.file("a.xyz"), typescript = scratch.file("typescript");
   REQUIRE(run_program("generate fibonacci-sphere --points 3000 -o " + input).exit == 0);
-  const std::string command =
-      "timeout -s INT 8 " + program() + " simplify " + input + " --engine exact --faces 4";
+  const std::string command = "timeout --foreground -s INT 8 " + program() + " simplify " + input +
+                              " --engine exact --faces 4";
   run_shell("script -qec \"" + command + "\" " + typescript);
   const std::string shown = support::bytes_of(typescript);
   CHECK(has(shown, "\r\033[K"));
   CHECK(has(shown, "removing halfspaces: "));
   CHECK(has(shown, " left"));
-  const auto quiet = run_shell("timeout -s INT 2 " + program() + " simplify " + input +
+  const auto quiet = run_shell("timeout --foreground -s INT 2 " + program() + " simplify " + input +
                                " --engine exact --faces 4");
   CHECK_FALSE(has(quiet.err, "removing"));
 }
