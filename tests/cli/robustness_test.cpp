@@ -14,7 +14,7 @@ using support::ScratchFolder;
 
 namespace {
 
-const std::string kTetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+const std::string kSmallTetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 
 std::string program() { return std::string("'") + std::getenv("CONVEXACT_PROGRAM") + "'"; }
 
@@ -115,7 +115,7 @@ TEST_CASE("an interrupt: exit 6, and nothing written") {
 
 TEST_CASE("an output that is the input: refused, by whatever name, and the input stays") {
   const ScratchFolder scratch;
-  const std::string input = scratch.write("a.obj", kTetrahedron);
+  const std::string input = scratch.write("a.obj", kSmallTetrahedron);
   std::filesystem::create_symlink(input, scratch.file("b.obj"));
   for (const std::string& output : {input, scratch.file("./a.obj"), scratch.file("b.obj")}) {
     CAPTURE(output);
@@ -125,7 +125,7 @@ TEST_CASE("an output that is the input: refused, by whatever name, and the input
       CHECK(has(ran.err, "is the input"));
     }
   }
-  CHECK(support::bytes_of(input) == kTetrahedron);
+  CHECK(support::bytes_of(input) == kSmallTetrahedron);
   CHECK(run_program("simplify --faces 4 " + input + " -o " + scratch.file("c.obj")).exit == 0);
 }
 

@@ -20,7 +20,7 @@ const char* const kShape =
     "v 1 1 8\nv 4.5 3 3\nv -6 0 0\nv 0 -5 0.3\nv 1e3 2 1\nv 5 6 7\n"
     "f 1 2 3\nf 3 2 4\nf 5 6 7\n";
 
-struct Case {
+struct ShrinkCase {
   ScratchFolder scratch;
   std::string input = scratch.write("shape.obj", kShape);
   std::string output = scratch.file("minimal.obj");
@@ -37,7 +37,7 @@ struct Case {
 
 TEST_CASE("shrink command: an exit code") {
   // Exits with 3 iff some x is above 2. The last such point has x = 5, whose half, 2, is not.
-  const Case test;
+  const ShrinkCase test;
   const auto ran = test.shrink("awk '$1 == \"v\" && $2 > 2 {f = 3} END {exit f}' \"$1\"");
   REQUIRE_MESSAGE(ran.exit == 0, ran.err);
   CHECK(bytes_of(test.output) == "v 5 0 0\n");
@@ -47,7 +47,7 @@ TEST_CASE("shrink command: an exit code") {
 
 TEST_CASE("shrink command: a crash that needs two points, and fails otherwise with fewer") {
   // With fewer than two points it fails in another way, which is not the one to keep.
-  const Case test;
+  const ShrinkCase test;
   const auto ran = test.shrink(
       "n=$(grep -c '^v' \"$1\"); [ \"$n\" -lt 2 ] && exit 9\n"
       "grep -q '^v.* 7$' \"$1\" && kill -SEGV $$\nexit 0\n",
@@ -63,7 +63,7 @@ TEST_CASE("shrink command: a crash that needs two points, and fails otherwise wi
 
 TEST_CASE("shrink command: no end in time") {
   // Few runs that hang, and long enough a time for those that do not, on a busy machine too.
-  const Case test;
+  const ShrinkCase test;
   (void)test.scratch.write("shape.obj", "v 1 1 1\nv -6 0 0\n");
   const auto ran = test.shrink("grep -q '^v -6' \"$1\" && sleep 60\nexit 0\n", "--time 2");
   REQUIRE_MESSAGE(ran.exit == 0, ran.err);
@@ -74,7 +74,7 @@ TEST_CASE("shrink command: no end in time") {
 TEST_CASE("shrink command: a verdict, and faces that keep all their corners") {
   // Its output is its input without the last point. An input with a volume has four points, and a
   // triangle misses the fourth.
-  const Case test;
+  const ShrinkCase test;
   const auto ran = test.shrink("grep '^v' \"$1\" | sed '$d' > \"$2\"",
                                "--fails-if verdict --claims contains-input");
   REQUIRE_MESSAGE(ran.exit == 0, ran.err);
@@ -85,7 +85,7 @@ TEST_CASE("shrink command: a verdict, and faces that keep all their corners") {
 }
 
 TEST_CASE("shrink command: output that is missing, while another failure is not looked at") {
-  const Case test;
+  const ShrinkCase test;
   const auto ran = test.shrink("exit 0", "--fails-if verdict");
   REQUIRE_MESSAGE(ran.exit == 0, ran.err);
   CHECK(ran.out.find("no output") != std::string::npos);
@@ -95,7 +95,7 @@ TEST_CASE("shrink command: output that is missing, while another failure is not 
 }
 
 TEST_CASE("shrink command: the same again, whenever it is asked") {
-  const Case one, two;
+  const ShrinkCase one, two;
   const char* const script = "awk '$1 == \"v\" {s += $2 * $3} END {exit s > 17.3 ? 1 : 0}' \"$1\"";
   REQUIRE(one.shrink(script).exit == 0);
   REQUIRE(two.shrink(script).exit == 0);
@@ -103,7 +103,7 @@ TEST_CASE("shrink command: the same again, whenever it is asked") {
 }
 
 TEST_CASE("shrink command: what cannot be done") {
-  const Case test;
+  const ShrinkCase test;
   const std::string start = "shrink " + test.input;
   const std::string to = " -o " + test.output;
   CHECK(run_program(start + to + " -- true {input}").exit == 2);      // does not fail

@@ -15,7 +15,7 @@ using support::ScratchFolder;
 
 namespace {
 
-const std::string kTetrahedron = "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\n";
+const std::string kBigTetrahedron = "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\n";
 const std::string kFaces = "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
 struct Judged {
@@ -38,7 +38,7 @@ struct Judged {
 
 Judged judge(const std::string& bytes, const std::string& name, const std::string& options = "") {
   const ScratchFolder scratch;
-  const std::string input = scratch.write("in.obj", kTetrahedron);
+  const std::string input = scratch.write("in.obj", kBigTetrahedron);
   const auto ran =
       run_program("verify " + input + " " + scratch.write(name, bytes) + " --json " + options);
   const json document = json::parse(ran.out);
@@ -49,7 +49,7 @@ Judged judge(const std::string& bytes, const std::string& name, const std::strin
 }  // namespace
 
 TEST_CASE("verify: the input's own hull, in every format") {
-  CHECK(judge(kTetrahedron + kFaces, "c.obj").exit == 0);
+  CHECK(judge(kBigTetrahedron + kFaces, "c.obj").exit == 0);
   CHECK(
       judge("OFF\n4 4 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n", "c.off")
           .exit == 0);
@@ -86,9 +86,9 @@ TEST_CASE("verify: whatever is wrong with the candidate is exit code 1, with a c
   };
   for (const Case& c :
        {Case{"c.obj", "", "candidate-solid"}, Case{"c.obj", "v 1 2\n", "candidate-readable"},
-        Case{"c.obj", kTetrahedron + "f 1 2 9\n", "candidate-readable"},
-        Case{"c.obj", kTetrahedron + "v inf 0 0\n", "candidate-finite"},
-        Case{"c.obj", kTetrahedron + "f 1 3 2\n", "mesh-closed"},
+        Case{"c.obj", kBigTetrahedron + "f 1 2 9\n", "candidate-readable"},
+        Case{"c.obj", kBigTetrahedron + "v inf 0 0\n", "candidate-finite"},
+        Case{"c.obj", kBigTetrahedron + "f 1 3 2\n", "mesh-closed"},
         Case{"c.off", "OFF\n9 9 9\n0 0 0\n", "candidate-readable"},
         Case{"c.ply", "ply\nformat binary_little_endian 1.0\n", "candidate-readable"},
         Case{"c.stl", std::string(83, 'x'), "candidate-readable"},
@@ -107,7 +107,7 @@ TEST_CASE("verify: whatever is wrong with the candidate is exit code 1, with a c
 
 TEST_CASE("verify: exit codes of what is not the candidate's fault") {
   const ScratchFolder scratch;
-  const std::string good = scratch.write("good.obj", kTetrahedron + kFaces);
+  const std::string good = scratch.write("good.obj", kBigTetrahedron + kFaces);
   const std::string flat = scratch.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n");
   const std::string broken = scratch.write("broken.obj", "v 0 0\n");
   CHECK(run_program("verify " + good + " " + scratch.file("none.obj")).exit == 3);
@@ -124,7 +124,7 @@ TEST_CASE("verify: exit codes of what is not the candidate's fault") {
 
 TEST_CASE("verify: people read the verdict, the witness and what was not asked") {
   const ScratchFolder scratch;
-  const std::string input = scratch.write("in.obj", kTetrahedron);
+  const std::string input = scratch.write("in.obj", kBigTetrahedron);
   const std::string planes = scratch.write("c.txt", "-1 0 0 0\n0 -1 0 0\n0 0 -1 0\n1 1 1 -3\n");
   const auto ran = run_program("verify " + input + " " + planes + " --max-facets 3");
   CHECK(ran.exit == 1);

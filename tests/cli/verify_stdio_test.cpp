@@ -13,7 +13,7 @@ using support::ScratchFolder;
 
 namespace {
 
-const char* const kTetrahedron =
+const char* const kQuestion =
     R"("points": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], "candidate": {"planes": [[-1,0,0,0],[0,-1,0,0],[0,0,-1,0],[1,1,1,-1]]})";
 
 std::vector<json> answers(const std::string& requests, int exit = 0) {
@@ -29,7 +29,7 @@ std::vector<json> answers(const std::string& requests, int exit = 0) {
 }  // namespace
 
 TEST_CASE("verify --stdio: a line for each request in its order; errors do not end it") {
-  const std::string good = std::string(R"({"id": "a", )") + kTetrahedron + "}";
+  const std::string good = std::string(R"({"id": "a", )") + kQuestion + "}";
   const std::vector<json> list =
       answers(good + "\n\n  \t\r\nnonsense\n{\"id\": 2}\n" + good + "\r\n" + good);
   REQUIRE(list.size() == 5);
@@ -55,7 +55,7 @@ TEST_CASE("verify --stdio: nothing in, nothing out; a line of megabytes is one r
 
 TEST_CASE("verify --stdio: a closed pipe is exit 6, other arguments are wrong usage") {
   const ScratchFolder scratch;
-  const std::string requests = scratch.write("requests", std::string("{") + kTetrahedron + "}\n");
+  const std::string requests = scratch.write("requests", std::string("{") + kQuestion + "}\n");
   // The reader is gone before the first answer: standard output is a pipe that nobody reads.
   const std::string script = scratch.write(
       "script", std::string("'") + std::getenv("CONVEXACT_PROGRAM") + "' verify --stdio <" +

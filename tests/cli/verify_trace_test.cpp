@@ -17,19 +17,19 @@ namespace {
 
 // [0, 4]^3 with two opposite corners of a side cut off at depths 3 and 2, of which the costs are
 // depth^3 / 6: 9/2 and 4/3. Facet ids are positions here.
-const char* const kCutCube =
+const char* const kCutCubeRows =
     "1 0 0 -4\n-1 0 0 0\n0 1 0 -4\n0 -1 0 0\n0 0 1 -4\n0 0 -1 0\n"
     "-1 -1 -1 3\n1 1 -1 -6\n";
 
-struct Judged {
+struct JudgedOrder {
   int exit;
   json document;
 };
 
 // Judges the order with the input as its own facet list.
-Judged judge(const std::string& order, const std::string& options = "--facets") {
+JudgedOrder judge_order(const std::string& order, const std::string& options = "--facets") {
   const ScratchFolder scratch;
-  const std::string input = scratch.write("cut.txt", kCutCube);
+  const std::string input = scratch.write("cut.txt", kCutCubeRows);
   const std::string list = options == "--facets" ? "--facets " + input : options;
   const auto ran = run_program("verify " + input + " --trace " + scratch.write("order", order) +
                                " " + list + " --json");
@@ -51,7 +51,7 @@ using Codes = std::vector<std::string>;
 }  // namespace
 
 TEST_CASE("verify --trace: ids in a list of one's own, the cheapest first") {
-  const Judged good = judge("7\n6\n");
+  const JudgedOrder good = judge_order("7\n6\n");
   CHECK(good.exit == 0);
   CHECK(good.document["rating"] == "greedy");
   CHECK(good.document["steps"][0]["cost"]["exact"] == "4/3");
@@ -60,13 +60,13 @@ TEST_CASE("verify --trace: ids in a list of one's own, the cheapest first") {
 }
 
 TEST_CASE("verify --trace: too dear, and how much dearer may be allowed") {
-  const Judged bad = judge("6\n7\n");
+  const JudgedOrder bad = judge_order("6\n7\n");
   CHECK(bad.exit == 1);
   CHECK(bad.document["verdict"] == "not greedy from step 0");
   CHECK(bad.document["worst"]["regret"]["exact"] == "19/8");  // 27/8 - 1
   CHECK(violated(bad.document) == Codes{"trace-greedy"});
   const ScratchFolder scratch;
-  const std::string arguments = "verify " + scratch.write("cut.txt", kCutCube) + " --facets " +
+  const std::string arguments = "verify " + scratch.write("cut.txt", kCutCubeRows) + " --facets " +
                                 scratch.file("cut.txt") + " --trace " +
                                 scratch.write("order", "6\n7\n");
   const auto allowed = run_program(arguments + " --max-regret 19/8");
@@ -82,21 +82,22 @@ TEST_CASE("verify --trace: too dear, and how much dearer may be allowed") {
 }
 
 TEST_CASE("verify --trace: what is wrong with the trace is a verdict, never a failure") {
-  CHECK(violated(judge("").document) == Codes{"trace-readable"});
-  CHECK(violated(judge("7\nnext\n").document) == Codes{"trace-readable"});
-  CHECK(violated(judge("7\n8\n").document) == Codes{"trace-id-out-of-range"});
-  CHECK(violated(judge("7\n7\n").document) == Codes{"trace-removed-twice"});
-  CHECK(violated(judge("4\n").document) == Codes{"trace-bounded"});
-  CHECK(violated(judge("1 1 -1 -6.000000001\n", "").document) == Codes{"trace-plane-unknown"});
-  CHECK(judge("\xff\xfe\0{", "").exit == 1);
-  const Judged binary = judge(std::string(1000, '\0'));
+  CHECK(violated(judge_order("").document) == Codes{"trace-readable"});
+  CHECK(violated(judge_order("7\nnext\n").document) == Codes{"trace-readable"});
+  CHECK(violated(judge_order("7\n8\n").document) == Codes{"trace-id-out-of-range"});
+  CHECK(violated(judge_order("7\n7\n").document) == Codes{"trace-removed-twice"});
+  CHECK(violated(judge_order("4\n").document) == Codes{"trace-bounded"});
+  CHECK(violated(judge_order("1 1 -1 -6.000000001\n", "").document) ==
+        Codes{"trace-plane-unknown"});
+  CHECK(judge_order("\xff\xfe\0{", "").exit == 1);
+  const JudgedOrder binary = judge_order(std::string(1000, '\0'));
   CHECK(binary.exit == 1);
   CHECK(binary.document["rating"] == "meaningless");
 }
 
 TEST_CASE("verify --trace: planes, exact or as doubles that are exact") {
-  CHECK(judge("1 1 -1 -6\n-2 -2 -2 6\n", "").exit == 0);
-  CHECK(judge("0.5 0.5 -0.5 -3.0\n", "").exit == 0);
+  CHECK(judge_order("1 1 -1 -6\n-2 -2 -2 6\n", "").exit == 0);
+  CHECK(judge_order("0.5 0.5 -0.5 -3.0\n", "").exit == 0);
 }
 
 TEST_CASE("verify --trace: our traces of the shipped cow hold; one with a wrong claim does not") {
@@ -122,7 +123,7 @@ TEST_CASE("verify --trace: our traces of the shipped cow hold; one with a wrong 
 
 TEST_CASE("verify --trace: files that are not there, inputs without interior, wrong usage") {
   const ScratchFolder scratch;
-  const std::string cut = scratch.write("cut.txt", kCutCube);
+  const std::string cut = scratch.write("cut.txt", kCutCubeRows);
   const std::string order = scratch.write("order", "7\n");
   CHECK(run_program("verify " + cut + " --trace " + scratch.file("none")).exit == 3);
   CHECK(run_program("verify " + cut + " --trace " + order + " --facets " + scratch.file("none"))

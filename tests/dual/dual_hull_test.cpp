@@ -15,17 +15,16 @@
 #include "convexact/shapes/random_points.hpp"
 #include "convexact/shapes/solids.hpp"
 #include "halfspace_arrangement.hpp"
+#include "integer_halfspace.hpp"
 #include "simplify_points.hpp"
 
 using namespace convexact;
 
 namespace {
 
-Halfspace make(int a, int b, int c, int d) { return {IntegerVector3(a, b, c), Integer(d)}; }
-
 std::vector<Halfspace> unit_cube() {
-  return {make(1, 0, 0, -1), make(-1, 0, 0, 0), make(0, 1, 0, -1),
-          make(0, -1, 0, 0), make(0, 0, 1, -1), make(0, 0, -1, 0)};
+  return {halfspace(1, 0, 0, -1), halfspace(-1, 0, 0, 0), halfspace(0, 1, 0, -1),
+          halfspace(0, -1, 0, 0), halfspace(0, 0, 1, -1), halfspace(0, 0, -1, 0)};
 }
 
 const RationalPoint kMiddle = RationalPoint::Constant(Rational(1, 2));
@@ -91,13 +90,13 @@ TEST_CASE("dual_of: hulls of points agree with the definition") {
 
 TEST_CASE("dual_of: rows of the input that are redundant, and why") {
   std::vector<Halfspace> rows = unit_cube();
-  rows.push_back(make(2, 0, 0, -2));   // 6: x <= 1 again
-  rows.push_back(make(0, 1, 0, -3));   // 7: y <= 3
-  rows.push_back(make(1, 1, 0, -2));   // 8: touches an edge
-  rows.push_back(make(1, 1, 1, -3));   // 9: touches a vertex
-  rows.push_back(make(1, 1, 1, -9));   // 10: far away, and weaker than 9
-  rows.push_back(make(1, -1, 0, -9));  // 11: far away
-  rows.push_back(make(0, 1, 0, -3));   // 12: y <= 3 again
+  rows.push_back(halfspace(2, 0, 0, -2));   // 6: x <= 1 again
+  rows.push_back(halfspace(0, 1, 0, -3));   // 7: y <= 3
+  rows.push_back(halfspace(1, 1, 0, -2));   // 8: touches an edge
+  rows.push_back(halfspace(1, 1, 1, -3));   // 9: touches a vertex
+  rows.push_back(halfspace(1, 1, 1, -9));   // 10: far away, and weaker than 9
+  rows.push_back(halfspace(1, -1, 0, -9));  // 11: far away
+  rows.push_back(halfspace(0, 1, 0, -3));   // 12: y <= 3 again
   const HalfspaceDual result = dual_of(rows, kMiddle);
   CHECK(result.dual.halfspaces.size() == 6);
   CHECK(result.dual.vertices.size() == 8);

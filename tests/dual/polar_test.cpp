@@ -5,13 +5,13 @@
 #include <doctest/doctest.h>
 
 #include "convexact/error.hpp"
+#include "integer_halfspace.hpp"
 #include "property.hpp"
 
 using namespace convexact;
 
 namespace {
 
-Halfspace make(int a, int b, int c, int d) { return {IntegerVector3(a, b, c), Integer(d)}; }
 RationalPoint point(Rational x, Rational y, Rational z) { return {x, y, z}; }
 
 // The determinant of the four rows (n, d), by cofactors of the last column.
@@ -26,7 +26,7 @@ Integer four_rows(const Halfspace& a, const Halfspace& b, const Halfspace& c, co
 }  // namespace
 
 TEST_CASE("polar: x <= 1 about two centers") {
-  const Halfspace h = make(1, 0, 0, -1);
+  const Halfspace h = halfspace(1, 0, 0, -1);
   const DualPoint origin = polar(h, point(0, 0, 0));
   CHECK(origin.n == IntegerVector3(1, 0, 0));
   CHECK(origin.w == 1);
@@ -37,31 +37,31 @@ TEST_CASE("polar: x <= 1 about two centers") {
 }
 
 TEST_CASE("polar: a center on the plane or beyond is refused") {
-  CHECK_THROWS_AS((void)polar(make(1, 0, 0, -1), point(1, 0, 0)), Error);
-  CHECK_THROWS_AS((void)polar(make(1, 0, 0, -1), point(2, 0, 0)), Error);
+  CHECK_THROWS_AS((void)polar(halfspace(1, 0, 0, -1), point(1, 0, 0)), Error);
+  CHECK_THROWS_AS((void)polar(halfspace(1, 0, 0, -1), point(2, 0, 0)), Error);
   CHECK_THROWS_AS((void)polar(point(1, 2, 3), point(1, 2, 3)), Error);
 }
 
 TEST_CASE("plane_through and height: the cube corner of the header") {
   const RationalPoint center = point(0, 0, 0);
   const DualPlane plane =
-      plane_through(polar(make(1, 0, 0, -1), center), polar(make(0, 1, 0, -1), center),
-                    polar(make(0, 0, 1, -1), center));
+      plane_through(polar(halfspace(1, 0, 0, -1), center), polar(halfspace(0, 1, 0, -1), center),
+                    polar(halfspace(0, 0, 1, -1), center));
   CHECK(plane.x == IntegerVector3(1, 1, 1));
   CHECK(plane.d == 1);
   CHECK(polar(plane, center) == point(1, 1, 1));
-  const DualPoint cutting = polar(make(1, 1, 1, -2), center);
+  const DualPoint cutting = polar(halfspace(1, 1, 1, -2), center);
   CHECK(height(plane, cutting) == 1);
   CHECK(is_beyond(cutting, plane));
-  CHECK_FALSE(is_beyond(polar(make(1, 1, 1, -3), center), plane));  // level
-  CHECK_FALSE(is_beyond(polar(make(1, 1, 1, -4), center), plane));
+  CHECK_FALSE(is_beyond(polar(halfspace(1, 1, 1, -3), center), plane));  // level
+  CHECK_FALSE(is_beyond(polar(halfspace(1, 1, 1, -4), center), plane));
 }
 
 TEST_CASE("plane_through: parallel edges meet in no vertex") {
   const RationalPoint center = point(0, 0, 0);
   const DualPlane plane =
-      plane_through(polar(make(1, 0, 0, -1), center), polar(make(0, 1, 0, -1), center),
-                    polar(make(-1, 0, 0, -1), center));
+      plane_through(polar(halfspace(1, 0, 0, -1), center), polar(halfspace(0, 1, 0, -1), center),
+                    polar(halfspace(-1, 0, 0, -1), center));
   CHECK(plane.d == 0);
 }
 

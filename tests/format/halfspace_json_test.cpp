@@ -8,19 +8,19 @@
 
 #include "convexact/error.hpp"
 #include "expect_error.hpp"
+#include "integer_halfspace.hpp"
 #include "property.hpp"
 
 using namespace convexact;
 
 namespace {
-HalfspaceList json(std::string_view text, Decimal decimal = Decimal::Nearest) {
+HalfspaceList from_json(std::string_view text, Decimal decimal = Decimal::Nearest) {
   return read_halfspaces_json(text, decimal);
 }
-Halfspace make(int a, int b, int c, int d) { return {IntegerVector3(a, b, c), Integer(d)}; }
 }  // namespace
 
 TEST_CASE("read_halfspaces_json: numbers and strings, objects and bare arrays") {
-  const std::vector<Halfspace> expected = {make(1, 0, 0, -1), make(0, -2, 0, 3)};
+  const std::vector<Halfspace> expected = {halfspace(1, 0, 0, -1), halfspace(0, -2, 0, 3)};
   for (const char* text : {
            R"({"halfspaces": [["1", "0", "0", "-1"], [0, -1, 0, 1.5]]})",
            R"([["1","0","0","-1"],["0","-2/1","0.0","3"]])",
@@ -28,27 +28,27 @@ TEST_CASE("read_halfspaces_json: numbers and strings, objects and bare arrays") 
                "steps": [{"removed": 1, "tie": [[], {}]}], "b": [[1, 2]]})",
        }) {
     CAPTURE(text);
-    const HalfspaceList list = json(text);
+    const HalfspaceList list = from_json(text);
     CHECK(list.halfspaces == expected);
     CHECK(list.rows == std::vector<std::size_t>{1, 2});
     CHECK_FALSE(list.impossible_row.has_value());
   }
-  CHECK(json(R"({"halfspaces": []})").halfspaces.empty());
+  CHECK(from_json(R"({"halfspaces": []})").halfspaces.empty());
 }
 
 TEST_CASE("read_halfspaces_json: integers of any length are exact, decimals by choice") {
   const std::string large = "123456789012345678901234567890";
   for (const std::string& number : {large, "\"" + large + "\""}) {
-    const HalfspaceList list = json("[[1, 0, 0, " + number + "]]");
+    const HalfspaceList list = from_json("[[1, 0, 0, " + number + "]]");
     CHECK(to_string(list.halfspaces.at(0).offset()) == large);
   }
-  CHECK(json("[[1, 0, 0, 0.1]]", Decimal::Exact).halfspaces.at(0) == make(10, 0, 0, 1));
-  const Halfspace nearest = json("[[1, 0, 0, 0.1]]").halfspaces.at(0);
+  CHECK(from_json("[[1, 0, 0, 0.1]]", Decimal::Exact).halfspaces.at(0) == halfspace(10, 0, 0, 1));
+  const Halfspace nearest = from_json("[[1, 0, 0, 0.1]]").halfspaces.at(0);
   CHECK(Rational(nearest.offset(), nearest.normal()[0]) == to_rational(0.1));
 }
 
 TEST_CASE("read_halfspaces_json: rows with zero normal") {
-  const HalfspaceList list = json("[[0,0,0,-1],[1,0,0,0],[0,0,0,0],[0,0,0,2],[0,0,0,3]]");
+  const HalfspaceList list = from_json("[[0,0,0,-1],[1,0,0,0],[0,0,0,0],[0,0,0,2],[0,0,0,3]]");
   CHECK(list.halfspaces.size() == 1);
   CHECK(list.rows == std::vector<std::size_t>{2});
   CHECK(list.trivial_rows == std::vector<std::size_t>{1, 3});
@@ -86,7 +86,7 @@ TEST_CASE("read_halfspaces_json: every error has its line and says what was expe
            {"[[1, 0, 0, \"1e400\"]]", 1, "expected a finite number"},
        }) {
     CAPTURE(c.text);
-    const Error error = error_of([&] { return json(c.text); });
+    const Error error = error_of([&] { return from_json(c.text); });
     CAPTURE(std::string(error.what()));
     CHECK(exit_code(error.code()) == 3);
     CHECK(error.line() == c.line);
@@ -97,16 +97,17 @@ TEST_CASE("read_halfspaces_json: every error has its line and says what was expe
 TEST_CASE("read_halfspaces_json: a file cut off anywhere is refused") {
   const std::string text = "{\"halfspaces\": [[1, \"-2/3\", 0.5, 1e-3]], \"x\": [null, \"y\"]}";
   for (std::size_t size = 0; size < text.size(); ++size) {
-    CHECK(error_of([&] { return json(text.substr(0, size)); }).code() == ErrorCode::Malformed);
+    CHECK(error_of([&] { return from_json(text.substr(0, size)); }).code() == ErrorCode::Malformed);
   }
 }
 
 TEST_CASE("write_halfspaces_json: the bytes") {
-  CHECK(write_halfspaces_json(std::vector<Halfspace>{make(1, 0, 0, -1), make(0, -2, 0, 3)}) ==
+  CHECK(write_halfspaces_json(
+            std::vector<Halfspace>{halfspace(1, 0, 0, -1), halfspace(0, -2, 0, 3)}) ==
         "{\"halfspaces\": [\n[\"1\", \"0\", \"0\", \"-1\"],\n[\"0\", \"-2\", \"0\", \"3\"]\n]}\n");
   CHECK(write_halfspaces_json(std::vector<BinaryHalfspace>{{1, -0.1, 0, 5e-324}}) ==
         "{\"halfspaces\": [\n[1, -0.1, 0, 5e-324]\n]}\n");
-  CHECK(json(write_halfspaces_json(std::vector<Halfspace>{})).halfspaces.empty());
+  CHECK(from_json(write_halfspaces_json(std::vector<Halfspace>{})).halfspaces.empty());
 }
 
 TEST_CASE("halfspaces: any list comes back, in every format") {

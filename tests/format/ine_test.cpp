@@ -7,25 +7,25 @@
 
 #include "convexact/error.hpp"
 #include "expect_error.hpp"
+#include "integer_halfspace.hpp"
 
 using namespace convexact;
 
 namespace {
-HalfspaceList ine(std::string_view text, Decimal decimal = Decimal::Nearest) {
+HalfspaceList from_ine(std::string_view text, Decimal decimal = Decimal::Nearest) {
   return read_ine(text, decimal);
 }
-Halfspace make(int a, int b, int c, int d) { return {IntegerVector3(a, b, c), Integer(d)}; }
 }  // namespace
 
 TEST_CASE("read_ine: 1 - x >= 0 is x - 1 <= 0") {
-  const HalfspaceList list = ine("begin\n2 4 integer\n1 -1 0 0\n0 0 0 1\nend\n");
-  CHECK(list.halfspaces == std::vector<Halfspace>{make(1, 0, 0, -1), make(0, 0, -1, 0)});
+  const HalfspaceList list = from_ine("begin\n2 4 integer\n1 -1 0 0\n0 0 0 1\nend\n");
+  CHECK(list.halfspaces == std::vector<Halfspace>{halfspace(1, 0, 0, -1), halfspace(0, 0, -1, 0)});
 }
 
 TEST_CASE("read_ine: the solid whose vertices lrslib 7.1 lists") {
-  const HalfspaceList list =
-      ine("H-representation\nbegin\n5 4 rational\n-1 1 0 0\n2 -1/3 0 0\n-5 0 1 0\n0 0 0 1\n"
-          "7 0 -1/2 -4\nend\n");
+  const HalfspaceList list = from_ine(
+      "H-representation\nbegin\n5 4 rational\n-1 1 0 0\n2 -1/3 0 0\n-5 0 1 0\n0 0 0 1\n"
+      "7 0 -1/2 -4\nend\n");
   const Rational top(9, 8);
   const std::vector<RationalPoint> vertices = {{6, 14, 0},  {1, 14, 0}, {6, 5, top},
                                                {1, 5, top}, {6, 5, 0},  {1, 5, 0}};
@@ -44,16 +44,18 @@ TEST_CASE("read_ine: names, comments, options, fractions, decimals") {
   const char* text =
       "a name\r\n* a comment\r\nH-representation\r\nlinearity 0\r\nbegin\r\n 3 4 rational\r\n"
       " 1/2 -1 0 0\r\n\r\n* in between\r\n1 0 -2/4 0\r\n0 0 0 +1\r\nend\r\nlponly\r\n";
-  CHECK(ine(text).halfspaces ==
-        std::vector<Halfspace>{make(2, 0, 0, -1), make(0, 1, 0, -2), make(0, 0, -1, 0)});
+  CHECK(from_ine(text).halfspaces == std::vector<Halfspace>{halfspace(2, 0, 0, -1),
+                                                            halfspace(0, 1, 0, -2),
+                                                            halfspace(0, 0, -1, 0)});
   const char* real = "begin\n1 4 real\n1.E-01 -1.0 0 0\nend";
-  CHECK(ine(real, Decimal::Exact).halfspaces.at(0) == make(10, 0, 0, -1));
-  const Halfspace nearest = ine(real).halfspaces.at(0);
+  CHECK(from_ine(real, Decimal::Exact).halfspaces.at(0) == halfspace(10, 0, 0, -1));
+  const Halfspace nearest = from_ine(real).halfspaces.at(0);
   CHECK(Rational(nearest.offset(), nearest.normal()[0]) == -to_rational(0.1));
 }
 
 TEST_CASE("read_ine: rows with zero normal") {
-  const HalfspaceList list = ine("begin\n4 4 integer\n1 0 0 0\n0 0 0 0\n0 1 0 0\n-1 0 0 0\nend\n");
+  const HalfspaceList list =
+      from_ine("begin\n4 4 integer\n1 0 0 0\n0 0 0 0\n0 1 0 0\n-1 0 0 0\nend\n");
   CHECK(list.halfspaces.size() == 1);
   CHECK(list.rows == std::vector<std::size_t>{3});
   CHECK(list.trivial_rows == std::vector<std::size_t>{1, 2});
@@ -86,7 +88,7 @@ TEST_CASE("read_ine: every error has its line and says what was expected") {
            {"begin\n1 4 integer\n0 0 0 1\n", 4, "expected end, found the end of the file"},
        }) {
     CAPTURE(c.text);
-    const Error error = error_of([&] { return ine(c.text); });
+    const Error error = error_of([&] { return from_ine(c.text); });
     CAPTURE(std::string(error.what()));
     CHECK(exit_code(error.code()) == 3);
     CHECK(error.line() == c.line);
@@ -95,7 +97,7 @@ TEST_CASE("read_ine: every error has its line and says what was expected") {
 }
 
 TEST_CASE("write_ine: the bytes") {
-  CHECK(write_ine(std::vector<Halfspace>{make(1, 0, 0, -1), make(0, -2, 0, 3)}) ==
+  CHECK(write_ine(std::vector<Halfspace>{halfspace(1, 0, 0, -1), halfspace(0, -2, 0, 3)}) ==
         "H-representation\nbegin\n2 4 integer\n1 -1 0 0\n-3 0 2 0\nend\n");
   CHECK(write_ine(std::vector<BinaryHalfspace>{{1, -0.5, 0, -5e-324}}) ==
         "H-representation\nbegin\n1 4 real\n5e-324 -1 0.5 -0\nend\n");

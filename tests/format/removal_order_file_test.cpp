@@ -9,6 +9,7 @@
 #include "convexact/number/random.hpp"
 #include "convexact/oracle/judge_trace.hpp"
 #include "convexact/shapes/boxes.hpp"
+#include "expect_error.hpp"
 #include "simplify_points.hpp"
 
 using namespace convexact;
@@ -23,13 +24,8 @@ RemovalOrder read(const std::string& text, const std::optional<ListedFacets>& fa
   return read_removal_order(text, facets, kCanonical);
 }
 
-Error error_of(const std::string& text) {
-  try {
-    (void)read(text);
-  } catch (const Error& error) {
-    return error;
-  }
-  throw std::logic_error("read without error");
+Error refusal_of(const std::string& text) {
+  return error_of([&] { return read(text); });
 }
 
 }  // namespace
@@ -126,12 +122,12 @@ TEST_CASE("removal order: what makes no sense is malformed, with its place") {
                            R"({"steps": [], "halfspaces": [[1, 2]]})",
                            "{\"steps\": [{\"removed\": \"\xff\"}]}"}) {
     CAPTURE(text);
-    CHECK(error_of(text).code() == ErrorCode::Malformed);
+    CHECK(refusal_of(text).code() == ErrorCode::Malformed);
   }
-  CHECK(error_of("1\n\n2 3\n").line() == 3);
-  CHECK(error_of("1 0 0 0\n1e999 0 0 1\n").code() == ErrorCode::NotFinite);
-  CHECK(error_of(R"({"steps": [{"removed": 1e999}]})").code() == ErrorCode::NotFinite);
-  CHECK(std::string(error_of(R"({"steps": [{"removed": 1}, {}]})").what()).find("step 2") !=
+  CHECK(refusal_of("1\n\n2 3\n").line() == 3);
+  CHECK(refusal_of("1 0 0 0\n1e999 0 0 1\n").code() == ErrorCode::NotFinite);
+  CHECK(refusal_of(R"({"steps": [{"removed": 1e999}]})").code() == ErrorCode::NotFinite);
+  CHECK(std::string(refusal_of(R"({"steps": [{"removed": 1}, {}]})").what()).find("step 2") !=
         std::string::npos);
 }
 

@@ -8,33 +8,30 @@
 
 #include "convexact/error.hpp"
 #include "convexact/number/random.hpp"
+#include "integer_halfspace.hpp"
 #include "property.hpp"
 
 using namespace convexact;
 
-namespace {
-Halfspace make(int a, int b, int c, int d) { return {IntegerVector3(a, b, c), Integer(d)}; }
-}  // namespace
-
 TEST_CASE("Halfspace: equal planes are equal vectors") {
-  CHECK(make(2, 4, -6, 8) == make(1, 2, -3, 4));
-  CHECK(make(2, 4, -6, 7).normal()[0] == 2);  // gcd 1 over all four
-  CHECK_FALSE(make(1, 0, 0, 0) == make(-1, 0, 0, 0));
-  CHECK_THROWS_AS(make(0, 0, 0, 1), Error);
+  CHECK(halfspace(2, 4, -6, 8) == halfspace(1, 2, -3, 4));
+  CHECK(halfspace(2, 4, -6, 7).normal()[0] == 2);  // gcd 1 over all four
+  CHECK_FALSE(halfspace(1, 0, 0, 0) == halfspace(-1, 0, 0, 0));
+  CHECK_THROWS_AS(halfspace(0, 0, 0, 1), Error);
 }
 
 TEST_CASE("Halfspace: the canonical order goes by direction, then by offset") {
-  CHECK(make(1, 2, 3, 0) < make(1, 2, 4, 0));
-  CHECK(make(2, 4, 6, 1) < make(1, 2, 3, 1));  // same direction; 1/2 < 1
-  CHECK(make(2, 4, 6, -1) > make(1, 2, 3, -1));
-  CHECK(make(2, 0, 0, 1) < make(1, 1, 0, 5));  // (1, 0, 0) before (1, 1, 0)
-  CHECK(same_direction(make(2, 4, 6, 1), make(1, 2, 3, 1)));
-  CHECK_FALSE(same_direction(make(-2, -4, -6, 1), make(1, 2, 3, 1)));
+  CHECK(halfspace(1, 2, 3, 0) < halfspace(1, 2, 4, 0));
+  CHECK(halfspace(2, 4, 6, 1) < halfspace(1, 2, 3, 1));  // same direction; 1/2 < 1
+  CHECK(halfspace(2, 4, 6, -1) > halfspace(1, 2, 3, -1));
+  CHECK(halfspace(2, 0, 0, 1) < halfspace(1, 1, 0, 5));  // (1, 0, 0) before (1, 1, 0)
+  CHECK(same_direction(halfspace(2, 4, 6, 1), halfspace(1, 2, 3, 1)));
+  CHECK_FALSE(same_direction(halfspace(-2, -4, -6, 1), halfspace(1, 2, 3, 1)));
 }
 
 TEST_CASE("Halfspace: through three doubles, and through the same rationals") {
   const Halfspace top = Halfspace::through(Point(0, 0, 0.5), Point(1, 0, 0.5), Point(0, 1, 0.5));
-  CHECK(top == make(0, 0, 2, -1));
+  CHECK(top == halfspace(0, 0, 2, -1));
   check_property("doubles and rationals give the same halfspace",
                  [](const std::array<std::int32_t, 9>& raw, int shift) {
                    std::array<Point, 3> p;
@@ -82,9 +79,11 @@ TEST_CASE("Halfspace: extreme doubles") {
 }
 
 TEST_CASE("meet: three planes, or none") {
-  const RationalPoint x = meet(make(1, 0, 0, -1), make(0, 2, 0, -1), make(1, 1, 1, 0));
+  const RationalPoint x =
+      meet(halfspace(1, 0, 0, -1), halfspace(0, 2, 0, -1), halfspace(1, 1, 1, 0));
   CHECK(x == RationalPoint(Rational(1), Rational(1, 2), Rational(-3, 2)));
-  CHECK_THROWS_AS((void)meet(make(1, 0, 0, 0), make(2, 0, 0, 1), make(0, 1, 0, 0)), Error);
+  CHECK_THROWS_AS((void)meet(halfspace(1, 0, 0, 0), halfspace(2, 0, 0, 1), halfspace(0, 1, 0, 0)),
+                  Error);
 }
 
 TEST_CASE("PointSet: a point that is not finite is named") {

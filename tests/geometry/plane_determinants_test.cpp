@@ -6,12 +6,11 @@
 
 #include "convexact/number/random.hpp"
 #include "exact_determinant.hpp"
+#include "integer_halfspace.hpp"
 
 using namespace convexact;
 
 namespace {
-
-Halfspace make(int a, int b, int c, int d) { return {IntegerVector3(a, b, c), Integer(d)}; }
 
 Rational by_definition(std::span<const Halfspace> planes) {
   std::vector<std::vector<Rational>> rows;
@@ -61,22 +60,23 @@ int certain_count(const std::array<Halfspace, 4>& h) {
 }  // namespace
 
 TEST_CASE("plane determinants: the documented examples") {
-  const Halfspace x = make(1, 0, 0, 0), y = make(0, 1, 0, 0), z = make(0, 0, 1, 0);
-  const Halfspace p = make(-1, -1, -1, -1);
+  const Halfspace x = halfspace(1, 0, 0, 0), y = halfspace(0, 1, 0, 0), z = halfspace(0, 0, 1, 0);
+  const Halfspace p = halfspace(-1, -1, -1, -1);
   CHECK(normal_determinant(x, y, z) == 1);
   CHECK(plane_determinant(x, y, z, p) == -1);
   CHECK(is_bounded(x, y, z));
   CHECK_FALSE(is_bounded(x, z, y));
-  CHECK_FALSE(is_bounded(x, y, make(1, 1, 0, 5)));
+  CHECK_FALSE(is_bounded(x, y, halfspace(1, 1, 0, 5)));
 }
 
 TEST_CASE(
     "plane determinants: a halfspace that cuts off the vertex lies beyond its dual triangle") {
   // The corner (1, 1, 1) of the cube |x| <= 1, about the origin.
-  const Halfspace a = make(1, 0, 0, -1), b = make(0, 1, 0, -1), c = make(0, 0, 1, -1);
-  CHECK(is_beyond(a, b, c, make(1, 1, 1, -2)));
-  CHECK_FALSE(is_beyond(a, b, c, make(1, 1, 1, -3)));  // touches it
-  CHECK_FALSE(is_beyond(a, b, c, make(1, 1, 1, -4)));
+  const Halfspace a = halfspace(1, 0, 0, -1), b = halfspace(0, 1, 0, -1),
+                  c = halfspace(0, 0, 1, -1);
+  CHECK(is_beyond(a, b, c, halfspace(1, 1, 1, -2)));
+  CHECK_FALSE(is_beyond(a, b, c, halfspace(1, 1, 1, -3)));  // touches it
+  CHECK_FALSE(is_beyond(a, b, c, halfspace(1, 1, 1, -4)));
 }
 
 TEST_CASE("plane determinants: random planes are decided by doubles, dependent ones by integers") {

@@ -20,10 +20,6 @@ using namespace convexact;
 
 namespace {
 
-Polytope solid(const std::vector<Point>& points) {
-  return polytope_by_definition(PointSet(points));
-}
-
 Enclosure root(int x, long precision) { return sqrt(Enclosure(Integer(x), precision)); }
 Enclosure number(const Rational& x, long precision) { return Enclosure(x, precision); }
 

@@ -18,10 +18,6 @@ using namespace convexact;
 
 namespace {
 
-Polytope solid(const std::vector<Point>& points) {
-  return polytope_by_definition(PointSet(points));
-}
-
 bool contains(const Polytope& polytope, const RationalPoint& x) {
   for (const Halfspace& plane : polytope.planes) {
     if (plane(x) > 0) return false;

@@ -17,10 +17,6 @@ using namespace convexact;
 
 namespace {
 
-Polytope solid(const std::vector<Point>& points) {
-  return polytope_by_definition(PointSet(points));
-}
-
 // Signed tetrahedra from the origin over a fan of each facet: det(a, b, c) / 6.
 Rational volume_by_tetrahedra(const Polytope& polytope) {
   Rational sum = 0;

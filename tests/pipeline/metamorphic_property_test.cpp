@@ -13,10 +13,11 @@ using namespace motion;
 
 namespace {
 
-using Engine = Simplification (*)(const DualHull&, const RationalPoint&, const SimplifyOptions&);
+using EngineFunction = Simplification (*)(const DualHull&, const RationalPoint&,
+                                          const SimplifyOptions&);
 
 // Of points that span a volume. @param weight  Of the first vertex in the center.
-std::optional<Trace> trace_of(Engine engine, const Points& points, std::uint64_t seed = 1,
+std::optional<Trace> trace_of(EngineFunction engine, const Points& points, std::uint64_t seed = 1,
                               unsigned weight = 1) {
   const auto hull = hull_of(points, seed);
   if (!hull) return {};
@@ -56,7 +57,7 @@ bool mirrored(const Trace& original, const Trace& image, const Motion& motion) {
   return original.steps.size() == image.steps.size() && original.stop == image.stop;
 }
 
-constexpr Engine kEngines[] = {simplify_exact, simplify_filtered};
+constexpr EngineFunction kEngines[] = {simplify_exact, simplify_filtered};
 
 }  // namespace
 
@@ -82,7 +83,7 @@ TEST_CASE("metamorphic: order, repeats, inner points and seed leave the hull as 
 TEST_CASE("metamorphic: order, repeats, inner points, seed and center leave every step as it is") {
   check_property("same steps", [](const Coordinates& raw, std::uint32_t seed, std::uint8_t weight) {
     const Points points = small_points(raw);
-    for (const Engine engine : kEngines) {
+    for (const EngineFunction engine : kEngines) {
       RC_ASSERT(same_steps(trace_of(engine, points),
                            trace_of(engine, with_irrelevant(points, seed), seed, 1 + weight)));
     }
@@ -94,7 +95,7 @@ TEST_CASE("metamorphic: translations and powers of two change only the costs, by
                  [](const Coordinates& raw, const std::array<std::int32_t, 3>& by, std::int8_t e) {
                    const Points points = small_points(raw);
                    const Motion motion = Motion::translation_and_scale(by, e);
-                   for (const Engine engine : kEngines) {
+                   for (const EngineFunction engine : kEngines) {
                      RC_ASSERT(same_steps(trace_of(engine, points),
                                           trace_of(engine, motion(points)), 3 * motion.exponent));
                    }
@@ -105,7 +106,7 @@ TEST_CASE("metamorphic: reflections and exchanges of axes mirror the steps and t
   check_property("mirrored", [](const Coordinates& raw, std::uint8_t m) {
     const Points points = small_points(raw);
     const Motion motion = Motion::symmetry(m);
-    for (const Engine engine : kEngines) {
+    for (const EngineFunction engine : kEngines) {
       const auto original = trace_of(engine, points), image = trace_of(engine, motion(points));
       RC_ASSERT(original.has_value() == image.has_value());
       if (original) RC_ASSERT(mirrored(*original, *image, motion));

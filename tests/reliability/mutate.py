@@ -99,7 +99,7 @@ def run(group, arguments):
     scratch = Scratch(arguments.scratch)
     asks = group == 'predicates' and not arguments.no_answers
     answers = scratch.build_folder / 'tests' / 'reliability' / ANSWERS
-    scratch.programs[ANSWERS] = (answers, {'CONVEXACT_STRIDE': '2'})
+    scratch.programs[ANSWERS] = (answers, [], {'CONVEXACT_STRIDE': '2'})
     tests = {test for name in sources for test in sources[name]}
     for test in [*tests, *([ANSWERS] if asks else [])]:
         scratch.build(test)

@@ -64,9 +64,9 @@ class Scratch:
         if not (self.build_folder / 'build.ninja').exists():
             subprocess.run(['meson', 'setup', self.build_folder, self.tree, *OPTIONS], check=True,
                            stdout=subprocess.DEVNULL)
-        self.programs = {}  # by name of a test: its path and the environment it wants
+        self.programs = {}  # by name of a test: its path, its arguments and the environment it wants
         for test in json.loads(self._said('meson', 'introspect', '--tests', str(self.build_folder))):
-            self.programs[test['name']] = (pathlib.Path(test['cmd'][0]), test['env'])
+            self.programs[test['name']] = (pathlib.Path(test['cmd'][0]), test['cmd'][1:], test['env'])
         commands = json.loads((self.build_folder / 'compile_commands.json').read_text())
         self.commands = {entry['output']: (entry['command'], (self.build_folder / entry['file']).resolve())
                          for entry in commands}
@@ -184,8 +184,8 @@ class Scratch:
     def run(self, test, limit, program=None):
         """Runs a test, or another program in its place, for at most `limit` seconds."""
         self.build(test)
-        path, environment = self.programs[test]
-        process = subprocess.Popen([program or path, '--abort-after=1'], text=True, errors='replace', start_new_session=True,
+        path, arguments, environment = self.programs[test]
+        process = subprocess.Popen([program or path, *arguments, '--abort-after=1'], text=True, errors='replace', start_new_session=True,
                                    env={**os.environ, **environment}, cwd=self.build_folder,
                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         try:

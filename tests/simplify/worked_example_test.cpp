@@ -9,19 +9,18 @@
 #include "convexact/simplify/cap.hpp"
 #include "convexact/simplify/exact_engine.hpp"
 #include "definitional_greedy.hpp"
+#include "integer_halfspace.hpp"
 
 using namespace convexact;
 
 namespace {
 
-Halfspace make(int a, int b, int c, int d) { return {IntegerVector3(a, b, c), Integer(d)}; }
-
 const RationalPoint kCenter = RationalPoint::Constant(Rational(1, 2));
 
 // In canonical order: -x, -y, -z, then z, y, x, and last the cut.
-const std::vector<Halfspace> kHalfspaces = {make(-1, 0, 0, 0), make(0, -1, 0, 0), make(0, 0, -1, 0),
-                                            make(0, 0, 1, -1), make(0, 1, 0, -1), make(1, 0, 0, -1),
-                                            make(2, 2, 2, -5)};
+const std::vector<Halfspace> kHalfspaces = {
+    halfspace(-1, 0, 0, 0), halfspace(0, -1, 0, 0), halfspace(0, 0, -1, 0), halfspace(0, 0, 1, -1),
+    halfspace(0, 1, 0, -1), halfspace(1, 0, 0, -1), halfspace(2, 2, 2, -5)};
 
 DualHull solid() { return dual_of(kHalfspaces, kCenter).dual; }
 

@@ -21,7 +21,7 @@ using namespace stored_cases;
 
 namespace {
 
-StoredPlanes store(const Case& c, Precision precision) {
+StoredPlanes store_planes(const Case& c, Precision precision) {
   return store_planes(c.exact, c.input, c.witnesses, precision);
 }
 
@@ -59,9 +59,9 @@ bool keeps_promises(const StoredPlanes& stored, const Case& c) {
 }
 
 // Stored, or refused with the documented code.
-bool stored_or_refused(const Case& c, Precision precision) {
+bool planes_stored_or_refused(const Case& c, Precision precision) {
   try {
-    return keeps_promises(store(c, precision), c);
+    return keeps_promises(store_planes(c, precision), c);
   } catch (const Error& error) {
     return error.code() == ErrorCode::Unrepresentable;
   }
@@ -72,7 +72,7 @@ bool stored_or_refused(const Case& c, Precision precision) {
 TEST_CASE("store_planes: what the format holds exactly is not pushed") {
   const Case cube = *hull_case(PointSet(shapes::cube()));
   for (const Precision precision : kPrecisions) {
-    const StoredPlanes stored = store(cube, precision);
+    const StoredPlanes stored = store_planes(cube, precision);
     CHECK(stored.halfspaces == cube.exact.planes);
     CHECK(stored.growth.push == 0);
     CHECK(stored.growth.volume_ratio == 1);
@@ -91,15 +91,16 @@ TEST_CASE("store_planes: every family of shapes keeps the promises") {
     const auto c = hull_case(PointSet(points));
     if (!c) continue;
     for (const Precision precision : kPrecisions) {
-      CHECK(stored_or_refused(*c, precision));
-      CHECK(stored_or_refused(drop_planes(*c, 6, 1), precision));
+      CHECK(planes_stored_or_refused(*c, precision));
+      CHECK(planes_stored_or_refused(drop_planes(*c, 6, 1), precision));
     }
   }
 }
 
 TEST_CASE("store_planes: a binary64 result of ordinary points is pushed by a few ulps") {
   const Case c = *hull_case(PointSet(shapes::on_sphere(40, 3)));
-  const StoredPlanes fine = store(c, Precision::Binary64), coarse = store(c, Precision::Binary32);
+  const StoredPlanes fine = store_planes(c, Precision::Binary64),
+                     coarse = store_planes(c, Precision::Binary32);
   CHECK(fine.growth.push > 0);
   CHECK(fine.growth.push < 1e-14);
   CHECK(coarse.growth.push > 0);
@@ -113,8 +114,8 @@ TEST_CASE("store_planes: a scale of 2^k scales the offsets by 2^k") {
   for (const int k : {-300, 300}) {
     std::vector<Point> scaled = points;
     for (Point& p : scaled) p *= std::ldexp(1.0, k);
-    const StoredPlanes one = store(c, Precision::Binary64);
-    const StoredPlanes other = store(*hull_case(PointSet(scaled)), Precision::Binary64);
+    const StoredPlanes one = store_planes(c, Precision::Binary64);
+    const StoredPlanes other = store_planes(*hull_case(PointSet(scaled)), Precision::Binary64);
     for (std::size_t i = 0; i < one.planes.size(); ++i) {
       std::array<double, 4> expected = one.planes[i];
       expected[3] = std::ldexp(expected[3], k);
@@ -130,8 +131,8 @@ TEST_CASE("store_planes: needles pass or are refused") {
     const Case c = *hull_case(PointSet(shapes::needle(25, aspect, 5)));
     for (const Precision precision : kPrecisions) {
       CAPTURE(aspect);
-      CHECK(stored_or_refused(c, precision));
-      CHECK(stored_or_refused(drop_planes(c, 6, 2), precision));
+      CHECK(planes_stored_or_refused(c, precision));
+      CHECK(planes_stored_or_refused(drop_planes(c, 6, 2), precision));
     }
   }
 }
@@ -146,7 +147,7 @@ TEST_CASE("store_planes: a skew needle whose nearest normals are unbounded is tu
                                                         {-2, 1, 1},
                                                         {-1, -1, 1}}));
   for (const Precision precision : kPrecisions) {
-    const StoredPlanes stored = store(c, precision);
+    const StoredPlanes stored = store_planes(c, precision);
     CHECK(stored.turned > 0);
     CHECK(keeps_promises(stored, c));
   }
@@ -154,25 +155,25 @@ TEST_CASE("store_planes: a skew needle whose nearest normals are unbounded is tu
 
 TEST_CASE("store_planes: the ends of the exponent range") {
   const Case huge = *hull_case(PointSet(shapes::huge(20, 1)));
-  CHECK(keeps_promises(store(huge, Precision::Binary64), huge));
-  CHECK(error_of([&] { return store(huge, Precision::Binary32); }).code() ==
+  CHECK(keeps_promises(store_planes(huge, Precision::Binary64), huge));
+  CHECK(error_of([&] { return store_planes(huge, Precision::Binary32); }).code() ==
         ErrorCode::Unrepresentable);
   const double most = std::numeric_limits<double>::max();
   std::vector<Point> largest = shapes::cube();
   for (Point& p : largest) p *= most;
   const Case box = *hull_case(PointSet(largest));
-  CHECK(store(box, Precision::Binary64).halfspaces == box.exact.planes);
+  CHECK(store_planes(box, Precision::Binary64).halfspaces == box.exact.planes);
   const Case tiny = *hull_case(PointSet(shapes::subnormal(20, 1000, 1)));
-  CHECK(keeps_promises(store(tiny, Precision::Binary64), tiny));
+  CHECK(keeps_promises(store_planes(tiny, Precision::Binary64), tiny));
   // 2^-149 is the least offset but zero: the solid would be far longer than the input.
-  CHECK(error_of([&] { return store(tiny, Precision::Binary32); }).code() ==
+  CHECK(error_of([&] { return store_planes(tiny, Precision::Binary32); }).code() ==
         ErrorCode::Unrepresentable);
 }
 
 TEST_CASE("store_planes: far from the origin") {
   const Case c = *hull_case(PointSet(shapes::offset_ball(30, 1e8, 1)));
-  CHECK(keeps_promises(store(c, Precision::Binary64), c));
-  CHECK(stored_or_refused(c, Precision::Binary32));
+  CHECK(keeps_promises(store_planes(c, Precision::Binary64), c));
+  CHECK(planes_stored_or_refused(c, Precision::Binary32));
 }
 
 TEST_CASE("store_planes: rational input, as the vertices of halfspaces are") {
@@ -181,9 +182,9 @@ TEST_CASE("store_planes: rational input, as the vertices of halfspaces are") {
   const Case c = *hull_case(PointSet(points));
   CHECK_FALSE(c.input.is_binary());
   for (const Precision precision : kPrecisions) {
-    CHECK(keeps_promises(store(c, precision), c));
+    CHECK(keeps_promises(store_planes(c, precision), c));
     const Case fewer = drop_planes(c, 7, 1);
-    CHECK(keeps_promises(store(fewer, precision), fewer));
+    CHECK(keeps_promises(store_planes(fewer, precision), fewer));
   }
 }
 
@@ -195,8 +196,8 @@ TEST_CASE("store_planes: lattice solids") {
     if (!c) return;
     for (const Precision precision : kPrecisions) {
       const Case fewer = drop_planes(*c, 5, seed);
-      RC_ASSERT(keeps_promises(store(*c, precision), *c));
-      RC_ASSERT(keeps_promises(store(fewer, precision), fewer));
+      RC_ASSERT(keeps_promises(store_planes(*c, precision), *c));
+      RC_ASSERT(keeps_promises(store_planes(fewer, precision), fewer));
     }
   });
 }
@@ -210,7 +211,7 @@ TEST_CASE("store_planes: a point that the witnesses leave out is held too, or no
     Case less = whole;
     less.witnesses.erase(less.witnesses.begin() + static_cast<std::ptrdiff_t>(i));
     try {
-      const StoredPlanes stored = store(less, Precision::Binary32);
+      const StoredPlanes stored = store_planes(less, Precision::Binary32);
       CHECK(stored_checker::count_outside(planes_of(stored), to_homogeneous(less.input)) == 0);
     } catch (const Error& error) {
       CHECK(error.code() == ErrorCode::Internal);

@@ -21,11 +21,13 @@ def count(test):
     cases = [match for match in cases if match]
     passed = sum(int(match.group(2)) for match in cases)
     failed = sum(int(match.group(3)) for match in cases)
-    # A program that is told which case to run leaves the others to runs of their own.
-    told = any(argument.startswith("--test-case=") for argument in test["command"])
+    # A program that is told what to run leaves the rest to runs of their own.
+    told = any(argument.startswith(("--test-case=", "--source-file")) for argument in test["command"])
     skipped = 0 if told else sum(int(match.group(4)) for match in cases)
+    if told and not passed:
+        failed = max(failed, 1)  # the name of a file or case that there is no more
     if test["result"] == "OK":
-        return (passed, 0, skipped) if cases else (1, 0, 0)
+        return (passed, failed, skipped) if cases else (1, 0, 0)
     return passed, max(failed, 1), skipped  # a crash or a time-out has no line of its own
 
 

@@ -41,3 +41,8 @@ inline convexact::Polytope polytope_by_definition(const convexact::PointSet& poi
   }
   return polytope;
 }
+
+/// The polytope of points, by the definition.
+inline convexact::Polytope solid(const std::vector<convexact::Point>& points) {
+  return polytope_by_definition(convexact::PointSet(points));
+}
