@@ -89,6 +89,23 @@ void report(const Options& options, const std::string& failure, const Size& befo
                   runs, options.output));
 }
 
+void write(const std::string& path, const Mesh& mesh, MeshFormat format) {
+  AtomicOutput file;
+  file.add(path, write_mesh(mesh, format));
+  file.commit();
+}
+
+// An interrupt costs only what would have come: what fails already is written.
+void keep(const Options& options, MeshFormat format, const Mesh& smallest, const Size& before) {
+  const Size size = size_of(smallest.points);
+  if (size.points == before.points && size.bits == before.bits) return;
+  write(options.output, smallest, format);
+  throw Error(ErrorCode::Stopped,
+              fmt::format("interrupted; {} holds the smallest input so far that fails, {} of {} "
+                          "points, not yet minimal",
+                          options.output, size.points, before.points));
+}
+
 int run(const Options& options) {
   ProgramCase program = options.program;
   program.require_sensible();
@@ -108,20 +125,26 @@ int run(const Options& options) {
   const Size before = size_of(mesh.points);
   Progress progress;
   std::size_t runs = 1;
-  const Shrunk shrunk = shrink(
-      mesh.points,
-      [&](const PointSet& points, std::span<const PointId> origin) {
-        ++runs;
-        return failure_of(program, part_of(mesh, points, origin), folder) == failure;
-      },
-      [&](const PointSet& points) {
-        progress("shrinking; points gone", before.points - points.size(), before.points);
-      });
+  Mesh smallest = mesh;  // that fails, so far
+  const auto still_fails = [&](const PointSet& points, std::span<const PointId> origin) {
+    ++runs;
+    Mesh part = part_of(mesh, points, origin);
+    const bool fails = failure_of(program, part, folder) == failure;
+    if (fails) smallest = std::move(part);
+    return fails;
+  };
+  try {
+    (void)shrink(mesh.points, still_fails, [&](const PointSet& points) {
+      progress("shrinking; points gone", before.points - points.size(), before.points);
+    });
+  } catch (const Error& error) {
+    progress.clear();
+    if (error.code() == ErrorCode::Stopped) keep(options, program.format, smallest, before);
+    throw;
+  }
   progress.clear();
-  AtomicOutput file;
-  file.add(options.output, write_mesh(part_of(mesh, shrunk.points, shrunk.origin), program.format));
-  file.commit();
-  report(options, *failure, before, size_of(shrunk.points), runs);
+  write(options.output, smallest, program.format);
+  report(options, *failure, before, size_of(smallest.points), runs);
   return 0;
 }
 

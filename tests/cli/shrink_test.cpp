@@ -117,3 +117,24 @@ TEST_CASE("shrink command: what cannot be done") {
   CHECK(run_program("shrink " + test.scratch.file("absent") + to + " -- false {input}").exit == 3);
   CHECK(bytes_of(test.output).empty());
 }
+
+TEST_CASE("shrink command: an interrupt leaves the smallest input so far that fails") {
+  // It ends as in the first case, and interrupts its parent once few points are left.
+  const ShrinkCase test;
+  const std::string fails = "awk '$1 == \"v\" && $2 > 2 {f = 3} END {exit f}' \"$1\"";
+  const auto ran =
+      test.shrink("[ $(grep -c '^v' \"$1\") -lt 4 ] && kill -INT $PPID\n" + fails + "\n");
+  CHECK(ran.exit == 6);
+  CHECK(ran.err.find("not yet minimal") != std::string::npos);
+  const std::string left = bytes_of(test.output);
+  const auto points = std::count(left.begin(), left.end(), 'v');
+  CHECK(points >= 1);
+  CHECK(points < 12);
+  const std::string check = test.scratch.write("check", fails);
+  CHECK(WEXITSTATUS(std::system(("/bin/sh " + check + " " + test.output).c_str())) == 3);
+
+  // Interrupted before anything smaller is known: nothing is written.
+  const ShrinkCase early;
+  CHECK(early.shrink("kill -INT $PPID; exit 3\n").exit == 6);
+  CHECK(bytes_of(early.output).empty());
+}
