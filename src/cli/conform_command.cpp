@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFooter =
+constexpr const char* kConformFooter =
     "Examples:\n"
     "  convexact conform -- my_program {input} {faces} {output}\n"
     "  convexact conform -o result.json -o result.md -o badge.svg -- my_program {input} {faces} "
@@ -36,7 +36,7 @@ constexpr const char* kFooter =
     "most that many facets, and if it refuses inputs without volume and malformed files with an\n"
     "exit code other than 0. Exit code 0: every required vector passed. 1: one failed.";
 
-struct Options {
+struct ConformArguments {
   GlobalOptions global;
   std::string vectors, flag, tolerance;
   int level = 3;
@@ -88,7 +88,7 @@ std::optional<std::string> input_bytes(const TestVector& vector, const std::stri
   return write_mesh(mesh, *mesh_format);
 }
 
-bool is_chosen(const TestVector& vector, const Options& options) {
+bool is_chosen(const TestVector& vector, const ConformArguments& options) {
   const auto& flags = vector.flags;
   return vector.level <= options.level &&
          (options.flag.empty() ||
@@ -101,7 +101,7 @@ bool asks_a_program(const TestVector& vector) {
 }
 
 ConformanceEntry run_vector(const TestVector& vector, const std::string& bytes,
-                            const Options& options, const Tolerance& tolerance) {
+                            const ConformArguments& options, const Tolerance& tolerance) {
   const ScratchFolder scratch;
   const std::string input = scratch.write("input." + options.input_format, bytes);
   const std::string output = scratch.file("output." + options.output_format);
@@ -121,7 +121,7 @@ std::string report_bytes(const ConformanceReport& report, const std::string& pat
   return extension == ".md" ? conformance_markdown(report) : conformance_badge(report);
 }
 
-void require_sensible(const Options& options) {
+void require_sensible(const ConformArguments& options) {
   for (const std::string& path : options.reports) {
     const std::string extension = fs::path(path).extension();
     if (extension != ".json" && extension != ".md" && extension != ".svg") {
@@ -139,7 +139,7 @@ void require_sensible(const Options& options) {
   }
 }
 
-ConformanceReport run_all(const std::vector<TestVector>& vectors, const Options& options) {
+ConformanceReport run_all(const std::vector<TestVector>& vectors, const ConformArguments& options) {
   const Tolerance tolerance =
       options.tolerance.empty() ? Tolerance{} : parse_tolerance(options.tolerance);
   Progress progress;
@@ -163,7 +163,7 @@ ConformanceReport run_all(const std::vector<TestVector>& vectors, const Options&
   return report;
 }
 
-int run(const Options& options) {
+int run_conform(const ConformArguments& options) {
   require_sensible(options);
   const std::vector<TestVector> vectors = read_test_vectors(find_vectors(options.vectors));
   const ConformanceReport report = run_all(vectors, options);
@@ -184,10 +184,10 @@ int run(const Options& options) {
 }  // namespace
 
 void add_conform_command(CLI::App& program, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ConformArguments>();
   CLI::App& command = *program.add_subcommand(
       "conform", "run somebody's program over inputs whose answers are known, and judge it");
-  command.footer(kFooter);
+  command.footer(kConformFooter);
   command.add_option("PROGRAM", options->program, "the program and its arguments, after --")
       ->required()
       ->expected(-1);
@@ -220,7 +220,7 @@ void add_conform_command(CLI::App& program, int& exit_code) {
 
   add_global_options(command, options->global);
   command.callback([options, &exit_code] {
-    exit_code = run_guarded(options->global, [&] { return run(*options); });
+    exit_code = run_guarded(options->global, [&] { return run_conform(*options); });
   });
 }
 

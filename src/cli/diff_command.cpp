@@ -16,7 +16,7 @@
 namespace convexact::cli {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kDiffFooter =
     "Examples:\n"
     "  convexact diff bunny.obj --faces 18\n"
     "  convexact diff meshes/*.obj --engines filtered,float --json\n"
@@ -26,7 +26,7 @@ constexpr const char* kFooter =
     "Exit code 0: the engines agree, or the float engine chose between costs that are equal up to\n"
     "rounding. Exit code 1: anything else.";
 
-struct Options {
+struct DiffArguments {
   GlobalOptions global;
   std::vector<std::string> inputs;
   SceneOptions scene;
@@ -61,7 +61,7 @@ void print_table(const std::vector<DiffedObject>& objects, const StageLog& log) 
   print(diff_table(named) + "\n" + stage_table(log.stages()));
 }
 
-int run(const Options& options) {
+int run_diff(const DiffArguments& options) {
   Progress progress;
   StageLog log(progress.watch());
   DiffRequest request;
@@ -99,10 +99,10 @@ int run(const Options& options) {
 }  // namespace
 
 void add_diff_command(CLI::App& program, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DiffArguments>();
   CLI::App& command = *program.add_subcommand(
       "diff", "run engines against each other and explain the steps where they differ");
-  command.footer(kFooter);
+  command.footer(kDiffFooter);
   add_input_argument(command, options->inputs);
   command.add_option("-k,--faces", options->faces, "how many halfspaces to keep, at least 4")
       ->check(CLI::Range(std::size_t{4}, std::size_t{1} << 32))
@@ -114,7 +114,7 @@ void add_diff_command(CLI::App& program, int& exit_code) {
   add_scene_options(command, options->scene);
   add_global_options(command, options->global);
   command.callback([options, &exit_code] {
-    exit_code = run_guarded(options->global, [&] { return run(*options); });
+    exit_code = run_guarded(options->global, [&] { return run_diff(*options); });
   });
 }
 

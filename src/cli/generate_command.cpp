@@ -19,7 +19,7 @@ using shapes::Family;
 using shapes::MalformedFile;
 using shapes::Parameter;
 
-constexpr const char* kFooter =
+constexpr const char* kGenerateFooter =
     "Examples:\n"
     "  convexact generate --list\n"
     "  convexact generate needle --points 100 --aspect 1e300 --seed 7 -o needle.obj\n"
@@ -30,7 +30,7 @@ constexpr const char* kFooter =
     "written so that the same doubles are read. convexact generate FAMILY --help shows the\n"
     "parameters of a family.";
 
-struct Options {
+struct GenerateArguments {
   GlobalOptions global;
   std::string output;
   bool list = false;
@@ -100,14 +100,14 @@ void add_hull_facets(Mesh& mesh, const std::string& family) {
   }
 }
 
-void write(const Options& options, const std::string& bytes) {
+void write(const GenerateArguments& options, const std::string& bytes) {
   if (options.output.empty()) return print(bytes);
   AtomicOutput file;
   file.add(options.output, bytes);
   file.commit();
 }
 
-MeshFormat format_of(const Options& options) {
+MeshFormat format_of(const GenerateArguments& options) {
   if (options.output.empty()) return MeshFormat::Obj;
   const std::optional<MeshFormat> format = mesh_format_of_path(options.output);
   if (!format) {
@@ -134,7 +134,8 @@ nlohmann::ordered_json document_of(const Family& family, const std::vector<doubl
   return document;
 }
 
-int run_family(const Options& options, const Family& family, const std::vector<double>& values) {
+int run_family(const GenerateArguments& options, const Family& family,
+               const std::vector<double>& values) {
   const MeshFormat format = format_of(options);
   Mesh mesh;
   mesh.points = PointSet(shapes::generate(family, values, options.global.seed));
@@ -146,7 +147,7 @@ int run_family(const Options& options, const Family& family, const std::vector<d
   return 0;
 }
 
-int run_malformed(const Options& options, const MalformedFile& file) {
+int run_malformed(const GenerateArguments& options, const MalformedFile& file) {
   const std::string extension = std::filesystem::path(options.output).extension().string();
   if (!options.output.empty() && extension != "." + std::string(file.extension())) {
     throw Error(ErrorCode::InvalidArgument, file.name + ": -o takes a file with the extension ." +
@@ -160,7 +161,7 @@ int run_malformed(const Options& options, const MalformedFile& file) {
   return 0;
 }
 
-int run(const Options& options, const std::vector<std::string>& unknown) {
+int run_generate(const GenerateArguments& options, const std::vector<std::string>& unknown) {
   if (!unknown.empty()) {
     const bool is_option = unknown.front().starts_with("-");
     throw Error(ErrorCode::InvalidArgument,
@@ -177,7 +178,7 @@ int run(const Options& options, const std::vector<std::string>& unknown) {
   return 0;
 }
 
-void add_family(CLI::App& command, const Family& family, Options& options) {
+void add_family(CLI::App& command, const Family& family, GenerateArguments& options) {
   auto values = std::make_shared<std::vector<double>>(shapes::usual_values(family));
   CLI::App& entry =
       *command.add_subcommand(std::string(family.name), std::string(family.description))
@@ -196,7 +197,7 @@ void add_family(CLI::App& command, const Family& family, Options& options) {
   });
 }
 
-void add_malformed(CLI::App& command, const MalformedFile& file, Options& options) {
+void add_malformed(CLI::App& command, const MalformedFile& file, GenerateArguments& options) {
   CLI::App& entry = *command.add_subcommand(file.name, file.description)
                          ->fallthrough()
                          ->group("Files that no reader may accept");
@@ -208,10 +209,10 @@ void add_malformed(CLI::App& command, const MalformedFile& file, Options& option
 }  // namespace
 
 void add_generate_command(CLI::App& program, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<GenerateArguments>();
   CLI::App& command =
       *program.add_subcommand("generate", "write hard inputs: families of points by name");
-  command.footer(kFooter);
+  command.footer(kGenerateFooter);
   command.require_subcommand(0, 1);
   command.allow_extras();  // so that an unknown family gets a sentence of its own
   command.add_flag("--list", options->list, "name every family with its parameters");
@@ -227,7 +228,8 @@ void add_generate_command(CLI::App& program, int& exit_code) {
     add_malformed(command, file, *options);
   }
   command.callback([&command, options, &exit_code] {
-    exit_code = run_guarded(options->global, [&] { return run(*options, command.remaining()); });
+    exit_code =
+        run_guarded(options->global, [&] { return run_generate(*options, command.remaining()); });
   });
 }
 

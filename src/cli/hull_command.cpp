@@ -14,7 +14,7 @@
 namespace convexact::cli {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kHullFooter =
     "Examples:\n"
     "  convexact hull bunny.obj\n"
     "  convexact hull bunny.obj --digits 50 -o hull.obj -o planes.ine\n"
@@ -23,7 +23,7 @@ constexpr const char* kFooter =
     "Every digit printed is certain: off by less than one unit of the last one.\n"
     "Planes are written as exact integers unless --precision is given.";
 
-struct Options {
+struct HullArguments {
   GlobalOptions global;
   std::vector<std::string> inputs;
   SceneOptions scene;
@@ -48,7 +48,7 @@ nlohmann::ordered_json document_of(const std::vector<MeasuredObject>& objects, i
   return objects.size() == 1 ? list[0] : nlohmann::ordered_json{{"objects", list}};
 }
 
-int run(const Options& options) {
+int run_hull(const HullArguments& options) {
   options.output.require_sensible();
   require_other_files(options.output.all_paths(), options.inputs);
   Progress progress;
@@ -94,10 +94,10 @@ int run(const Options& options) {
 }  // namespace
 
 void add_hull_command(CLI::App& program, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<HullArguments>();
   CLI::App& command =
       *program.add_subcommand("hull", "the exact hull: counts, volume, area, mean width");
-  command.footer(kFooter);
+  command.footer(kHullFooter);
   add_input_argument(command, options->inputs);
   add_output_options(command, options->output);
   add_scene_options(command, options->scene);
@@ -109,7 +109,7 @@ void add_hull_command(CLI::App& program, int& exit_code) {
                    "with --json: the volume as a fraction too");
   add_global_options(command, options->global);
   command.callback([options, &exit_code] {
-    exit_code = run_guarded(options->global, [&] { return run(*options); });
+    exit_code = run_guarded(options->global, [&] { return run_hull(*options); });
   });
 }
 

@@ -47,7 +47,7 @@ void count(void* block, int sign) {
     last_words()();
   } else {
     constexpr char kMessage[] = "convexact: out of memory\n";
-    [[maybe_unused]] const auto written = write(STDERR_FILENO, kMessage, std::strlen(kMessage));
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, kMessage, std::strlen(kMessage));
   }
   std::_Exit(exit_code(ErrorCode::Stopped));
 }

@@ -18,7 +18,7 @@
 namespace convexact::cli {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kReportFooter =
     "Examples:\n"
     "  convexact report bunny.obj fandisk.obj -o out\n"
     "  convexact report bunny.obj --sections precision,tightness --repetitions 9\n"
@@ -27,7 +27,7 @@ constexpr const char* kFooter =
     "Writes report.html, which opens without a network, and the same numbers as report.json\n"
     "(docs/schema/report.schema.json) and report.csv. docs/report.md says how to read them.";
 
-struct Options {
+struct ReportArguments {
   GlobalOptions global;
   std::vector<std::string> inputs;
   SceneOptions scene;
@@ -106,7 +106,7 @@ void print_summary(const ReportData& report, const std::string& folder) {
   print(text + fmt::format("written: {0}/report.html, {0}/report.json, {0}/report.csv\n", folder));
 }
 
-int run(const Options& options) {
+int run_report(const ReportArguments& options) {
   ReportRequest request = options.request;
   request.sections = parse_sections(options.sections);
   require_other_files({options.folder + "/report.html", options.folder + "/report.json",
@@ -141,10 +141,10 @@ int run(const Options& options) {
 }  // namespace
 
 void add_report_command(CLI::App& program, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReportArguments>();
   CLI::App& command = *program.add_subcommand(
       "report", "measure error against run time and draw it: report.html, .json, .csv");
-  command.footer(kFooter);
+  command.footer(kReportFooter);
   command.add_option("INPUT", options->inputs,
                      "meshes or halfspaces; none: only what does not depend on an input");
   command.add_option("-o,--output", options->folder, "the folder for the files; made if missing")
@@ -170,7 +170,7 @@ void add_report_command(CLI::App& program, int& exit_code) {
   add_scene_options(command, options->scene);
   add_global_options(command, options->global);
   command.callback([options, &exit_code] {
-    exit_code = run_guarded(options->global, [&] { return run(*options); });
+    exit_code = run_guarded(options->global, [&] { return run_report(*options); });
   });
 }
 

@@ -19,7 +19,7 @@
 namespace convexact::cli {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kShrinkFooter =
     "Examples:\n"
     "  convexact shrink bad.obj -o minimal.obj -- ./my_hull {input} {output}\n"
     "  convexact shrink bad.obj -o minimal.off --faces 12 --fails-if verdict \\\n"
@@ -32,7 +32,7 @@ constexpr const char* kFooter =
     "way:\n"
     "with the same exit code, signal or first violated claim.";
 
-struct Options {
+struct ShrinkArguments {
   GlobalOptions global;
   std::string input, output, claims;
   std::string output_extension = ".obj";
@@ -72,7 +72,7 @@ Mesh part_of(const Mesh& mesh, const PointSet& points, std::span<const PointId> 
   return part;
 }
 
-void report(const Options& options, const std::string& failure, const Size& before,
+void report(const ShrinkArguments& options, const std::string& failure, const Size& before,
             const Size& after, std::size_t runs) {
   if (options.global.json) {
     print(nlohmann::ordered_json{{"failure", failure},
@@ -96,7 +96,8 @@ void write(const std::string& path, const Mesh& mesh, MeshFormat format) {
 }
 
 // An interrupt costs only what would have come: what fails already is written.
-void keep(const Options& options, MeshFormat format, const Mesh& smallest, const Size& before) {
+void keep(const ShrinkArguments& options, MeshFormat format, const Mesh& smallest,
+          const Size& before) {
   const Size size = size_of(smallest.points);
   if (size.points == before.points && size.bits == before.bits) return;
   write(options.output, smallest, format);
@@ -106,7 +107,7 @@ void keep(const Options& options, MeshFormat format, const Mesh& smallest, const
                           options.output, size.points, before.points));
 }
 
-int run(const Options& options) {
+int run_shrink(const ShrinkArguments& options) {
   ProgramCase program = options.program;
   program.require_sensible();
   program.format = format_of(options.output);
@@ -151,10 +152,10 @@ int run(const Options& options) {
 }  // namespace
 
 void add_shrink_command(CLI::App& program, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ShrinkArguments>();
   CLI::App& command =
       *program.add_subcommand("shrink", "make an input minimal on which a program fails");
-  command.footer(kFooter);
+  command.footer(kShrinkFooter);
   command.add_option("INPUT", options->input, "a mesh or point cloud on which PROGRAM fails")
       ->required();
   command
@@ -187,7 +188,7 @@ void add_shrink_command(CLI::App& program, int& exit_code) {
       ->transform(CLI::AsSizeValue(false));
   add_global_options(command, options->global);
   command.callback([options, &exit_code] {
-    exit_code = run_guarded(options->global, [&] { return run(*options); });
+    exit_code = run_guarded(options->global, [&] { return run_shrink(*options); });
   });
 }
 

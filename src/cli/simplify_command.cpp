@@ -15,7 +15,7 @@
 namespace convexact::cli {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kSimplifyFooter =
     "Examples:\n"
     "  convexact simplify bunny.obj --faces 18 -o proxy.obj --picture proxy.html\n"
     "  convexact simplify bunny.obj --max-growth 5% -o planes.json --precision 64\n"
@@ -25,7 +25,7 @@ constexpr const char* kFooter =
     "Without --precision, planes are written as exact integers and meshes in binary64 (STL: 32).\n"
     "Whatever is written was tested, on the stored numbers, to hold every input point.";
 
-struct Options {
+struct SimplifyArguments {
   GlobalOptions global;
   std::vector<std::string> inputs;
   SceneOptions scene;
@@ -66,7 +66,7 @@ std::optional<RationalPoint> parse_center(const std::string& text) {
               "--center: expected chebyshev or three numbers X,Y,Z, found '" + text + "'");
 }
 
-SimplifyRequest request_of(const Options& options) {
+SimplifyRequest request_of(const SimplifyArguments& options) {
   SimplifyRequest request;
   if (options.faces != 0) request.faces = options.faces;
   if (!options.max_growth.empty()) request.max_growth = parse_growth(options.max_growth);
@@ -129,7 +129,7 @@ void write(const std::vector<SimplifiedObject>& objects, const OutputOptions& op
   write_outputs(outputs, options);
 }
 
-int run(const Options& options) {
+int run_simplify(const SimplifyArguments& options) {
   Progress progress;
   StageLog log(progress.watch());
   SimplifyRequest request = request_of(options);
@@ -165,10 +165,10 @@ int run(const Options& options) {
 }  // namespace
 
 void add_simplify_command(CLI::App& program, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SimplifyArguments>();
   CLI::App& command = *program.add_subcommand(
       "simplify", "enclose a shape in few halfspaces, adding as little volume as possible");
-  command.footer(kFooter);
+  command.footer(kSimplifyFooter);
   add_input_argument(command, options->inputs);
   command.add_option("-k,--faces", options->faces, "how many halfspaces to keep, at least 4")
       ->check(CLI::Range(std::size_t{4}, std::size_t{1} << 32));
@@ -197,7 +197,7 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
                    "with --json: volumes as fractions too");
   add_global_options(command, options->global);
   command.callback([options, &exit_code] {
-    exit_code = run_guarded(options->global, [&] { return run(*options); });
+    exit_code = run_guarded(options->global, [&] { return run_simplify(*options); });
   });
 }
 

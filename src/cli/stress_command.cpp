@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFooter =
+constexpr const char* kStressFooter =
     "Examples:\n"
     "  convexact stress                             every family, a few minutes\n"
     "  convexact stress needle slab --cases         each input on a line of its own\n"
@@ -35,7 +35,7 @@ constexpr const char* kFooter =
     "points outside of what was written; push: largest, of binary64; secs: longest, of processor\n"
     "time. Exit code 0: all as promised. 1: not.";
 
-struct Options {
+struct StressArguments {
   GlobalOptions global;
   std::vector<std::string> families;
   SweepOptions sweep;
@@ -67,7 +67,7 @@ StressFamily family_of(const std::string& word) {
   return is_mesh ? shipped_mesh(word) : stress_family(word);
 }
 
-std::vector<StressFamily> chosen_families(const Options& options) {
+std::vector<StressFamily> chosen_families(const StressArguments& options) {
   std::vector<StressFamily> families;
   for (const std::string& word : options.families) families.push_back(family_of(word));
   if (!families.empty()) return families;
@@ -76,7 +76,7 @@ std::vector<StressFamily> chosen_families(const Options& options) {
   return families;
 }
 
-void print_list(const Options& options) {
+void print_list(const StressArguments& options) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   std::string text;
   for (const StressFamily& family : chosen_families(options)) {
@@ -97,7 +97,7 @@ void print_list(const Options& options) {
   print(text);
 }
 
-std::vector<StressInput> all_inputs(const Options& options) {
+std::vector<StressInput> all_inputs(const StressArguments& options) {
   std::vector<StressInput> inputs;
   for (const StressFamily& family : chosen_families(options)) {
     std::vector<StressInput> more = inputs_of(family, options.sweep);
@@ -106,7 +106,7 @@ std::vector<StressInput> all_inputs(const Options& options) {
   return inputs;
 }
 
-int run(Options options) {
+int run_stress(StressArguments options) {
   options.sweep.seed = options.global.seed;
   if (options.list) {
     print_list(options);
@@ -131,7 +131,7 @@ int run(Options options) {
   return report.passes() ? 0 : 1;
 }
 
-void add_sweep_options(CLI::App& command, Options& options) {
+void add_sweep_options(CLI::App& command, StressArguments& options) {
   command.add_option("FAMILY", options.families,
                      "families by name, or mesh files to be scaled and moved (default: all)");
   command.add_flag("--list", options.list, "name every family, what is varied and its values");
@@ -153,7 +153,7 @@ void add_sweep_options(CLI::App& command, Options& options) {
   command.add_flag("--cases", options.cases, "a line for each input, not for each family");
 }
 
-void add_run_options(CLI::App& command, Options& options) {
+void add_run_options(CLI::App& command, StressArguments& options) {
   command.add_option("--engines", options.engines, "which to run")->capture_default_str();
   command
       .add_option("--time-limit", options.limits.seconds,
@@ -172,15 +172,15 @@ void add_run_options(CLI::App& command, Options& options) {
 }  // namespace
 
 void add_stress_command(CLI::App& program, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StressArguments>();
   CLI::App& command = *program.add_subcommand(
       "stress", "run every engine on ever harder inputs, and judge what they say");
-  command.footer(kFooter);
+  command.footer(kStressFooter);
   add_sweep_options(command, *options);
   add_run_options(command, *options);
   add_global_options(command, options->global);
   command.callback([options, &exit_code] {
-    exit_code = run_guarded(options->global, [&] { return run(*options); });
+    exit_code = run_guarded(options->global, [&] { return run_stress(*options); });
   });
 }
 

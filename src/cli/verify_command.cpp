@@ -19,7 +19,7 @@
 namespace convexact::cli {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kVerifyFooter =
     "Examples:\n"
     "  convexact verify bunny.obj my_hull.obj\n"
     "  convexact verify bunny.obj my_planes.json --max-facets 18 --json\n"
@@ -35,7 +35,7 @@ constexpr const char* kFooter =
     "Exit code 0: every claim holds. 1: one is violated, or the CANDIDATE is malformed.\n"
     "3: a file is not there, or INPUT is malformed. 4: INPUT has no volume.";
 
-struct Options {
+struct VerifyArguments {
   GlobalOptions global;
   std::string input, candidate, claims, tolerance;
   Decimal decimal = Decimal::Nearest;
@@ -45,7 +45,7 @@ struct Options {
   bool stdio = false;
 };
 
-VerifyRequest request_of(const Options& options) {
+VerifyRequest verify_request(const VerifyArguments& options) {
   VerifyRequest request = options.request;
   request.claims = parse_claims(options.claims);
   if (!options.tolerance.empty()) request.tolerance = parse_tolerance(options.tolerance);
@@ -54,8 +54,8 @@ VerifyRequest request_of(const Options& options) {
   return request;
 }
 
-int run_verify_candidate(const Options& options) {
-  const VerifyRequest request = request_of(options);
+int run_verify_candidate(const VerifyArguments& options) {
+  const VerifyRequest request = verify_request(options);
   if (options.input == "-" && options.candidate == "-") {
     throw Error(ErrorCode::InvalidArgument, "only one of INPUT and CANDIDATE can be -");
   }
@@ -86,7 +86,7 @@ int run_verify_candidate(const Options& options) {
   return verdict.holds() ? 0 : 1;
 }
 
-int run(const Options& options) {
+int run_verify(const VerifyArguments& options) {
   const bool has_input = !options.input.empty(), has_candidate = !options.candidate.empty(),
              has_trace = !options.trace.trace.empty();
   if (options.stdio && (has_input || has_candidate || has_trace)) {
@@ -104,10 +104,10 @@ int run(const Options& options) {
 }  // namespace
 
 void add_verify_command(CLI::App& program, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VerifyArguments>();
   CLI::App& command = *program.add_subcommand(
       "verify", "is somebody's output a convex solid that contains its input? exactly");
-  command.footer(kFooter);
+  command.footer(kVerifyFooter);
   command.add_option(
       "INPUT", options->input,
       "what is to be enclosed: a mesh or points (OBJ, OFF, PLY, STL, XYZ), or halfspaces");
@@ -132,7 +132,7 @@ void add_verify_command(CLI::App& program, int& exit_code) {
                    "per line; takes no other option but --max-memory");
   add_global_options(command, options->global);
   command.callback([options, &exit_code] {
-    exit_code = run_guarded(options->global, [&] { return run(*options); });
+    exit_code = run_guarded(options->global, [&] { return run_verify(*options); });
   });
 }
 
