@@ -10,8 +10,8 @@
 namespace convexact {
 namespace {
 
-constexpr int kDigits = 17;      // of costs
-constexpr int kFewDigits = 3;    // of shares
+constexpr int kCostDigits = 17;  // of costs
+constexpr int kShareDigits = 3;  // of shares
 constexpr int kRatioDigits = 8;  // of the final volumes
 
 std::string ratio_text(const std::optional<Enclosure>& ratio) {
@@ -20,7 +20,7 @@ std::string ratio_text(const std::optional<Enclosure>& ratio) {
 }
 
 std::string share_text(const std::optional<Rational>& share) {
-  return share ? to_decimal(*share, kFewDigits) : "-";
+  return share ? to_decimal(*share, kShareDigits) : "-";
 }
 
 std::string plane_text(const Halfspace& plane) {
@@ -33,11 +33,11 @@ std::string choice_line(Engine engine, const Choice& choice,
   if (!choice.removed) return fmt::format("    {:<9} ended\n", words::name_of(engine));
   return fmt::format("    {:<9} removed {}, cost {}\n              {}\n", words::name_of(engine),
                      choice.removed->index(),
-                     choice.cost ? to_decimal(*choice.cost, kDigits) : "infinite: unbounded",
+                     choice.cost ? to_decimal(*choice.cost, kCostDigits) : "infinite: unbounded",
                      plane_text(halfspaces[choice.removed->index()]));
 }
 
-struct Row {
+struct DiffRow {
   std::string name;
   const DiffReport* report;
   const Comparison* comparison;
@@ -52,7 +52,7 @@ std::string difference_text(const Comparison& comparison) {
   return all.size() == 1 ? text : fmt::format("{}, {} in all", text, with_separators(all.size()));
 }
 
-std::string row_text(const Row& row, std::size_t name_width) {
+std::string row_text(const DiffRow& row, std::size_t name_width) {
   const Comparison& comparison = *row.comparison;
   const Divergence* worst =
       comparison.divergences.empty() ? nullptr : &worst_of(comparison.divergences);
@@ -66,7 +66,7 @@ std::string row_text(const Row& row, std::size_t name_width) {
       ratio_text(comparison.volume_ratio), comparison.explained ? "ok" : "DIFFERENT");
 }
 
-std::string divergence_text(const Row& row, const Divergence& found, const char* what) {
+std::string divergence_text(const DiffRow& row, const Divergence& found, const char* what) {
   return fmt::format("\n  {}: {} and {} {} at step {}, {} halfspaces left: {}\n", row.name,
                      words::name_of(row.comparison->reference),
                      words::name_of(row.comparison->other), what, found.step,
@@ -76,7 +76,7 @@ std::string divergence_text(const Row& row, const Divergence& found, const char*
 }
 
 // Where they part and, if it is another step, where they differ worst.
-std::string witness_text(const Row& row) {
+std::string witness_text(const DiffRow& row) {
   const std::vector<Divergence>& all = row.comparison->divergences;
   if (all.empty()) return "";
   const Divergence &first = all.front(), &worst = worst_of(all);
@@ -88,7 +88,7 @@ std::string witness_text(const Row& row) {
 }  // namespace
 
 std::string diff_table(const std::vector<NamedDiff>& objects) {
-  std::vector<Row> rows;
+  std::vector<DiffRow> rows;
   std::size_t width = 6;
   for (const NamedDiff& object : objects) {
     width = std::max(width, object.name.size());
@@ -100,8 +100,8 @@ std::string diff_table(const std::vector<NamedDiff>& objects) {
       fmt::format("{:<{}}  {:>10}  {:<17}  {:<21}  {:>6}  {:<42}  {:>9}  {:>9}  {:>12}\n", "object",
                   width, "halfspaces", " reference other", "compared", "steps", "difference",
                   "regret", "rounding", "final volume");
-  for (const Row& row : rows) text += row_text(row, width);
-  for (const Row& row : rows) text += witness_text(row);
+  for (const DiffRow& row : rows) text += row_text(row, width);
+  for (const DiffRow& row : rows) text += witness_text(row);
   return text;
 }
 

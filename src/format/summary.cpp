@@ -8,9 +8,9 @@
 namespace convexact {
 namespace {
 
-constexpr int kDigits = 6;
+constexpr int kSummaryDigits = 6;
 
-std::string line(const char* label, const std::string& text) {
+std::string summary_line(const char* label, const std::string& text) {
   return fmt::format("  {:<12}{}\n", label, text);
 }
 
@@ -52,7 +52,8 @@ std::string certain(const Enclosure& bounds, int digits) {
 
 std::string volume_line(const SimplifyResult& result) {
   const Enclosure &before = result.input_volume.bounds, &after = result.output_volume.bounds;
-  const std::string text = certain(before, kDigits) + " -> " + certain(after, kDigits);
+  const std::string text =
+      certain(before, kSummaryDigits) + " -> " + certain(after, kSummaryDigits);
   if (result.steps == 0) return text + ", unchanged";
   const Enclosure hundred(Integer(100), kVolumeBits);
   return text + ", +" + certain(hundred * (after - before) / before, 4) + "%";
@@ -80,8 +81,9 @@ std::string float_lines(const SimplifyResult& result) {
         bound.regret == 0
             ? "every step was the cheapest"
             : fmt::format("every step cost at most 1 + {:.1g} times the cheapest", bound.regret);
-    return line("doubles", fmt::format("{}, and what they took it for within {:.1g}: proven",
-                                       greedy, bound.cost));
+    return summary_line(
+        "doubles",
+        fmt::format("{}, and what they took it for within {:.1g}: proven", greedy, bound.cost));
   }
   std::string doubts;
   if (bound.doubtful > 0) {
@@ -90,7 +92,7 @@ std::string float_lines(const SimplifyResult& result) {
   }
   if (!bound.is_end_proven)
     doubts += std::string(doubts.empty() ? "" : ", ") + "the end is not proven";
-  return line("doubtful", doubts + "; --engine filtered decides");
+  return summary_line("doubtful", doubts + "; --engine filtered decides");
 }
 
 const char* name_of(Precision precision) {
@@ -100,12 +102,13 @@ const char* name_of(Precision precision) {
 std::string stored_lines(const StoredSolid& solid) {
   std::string text;
   if (const auto& planes = solid.planes) {
-    text += line("stored", fmt::format("planes in {}, {}; no point outside",
-                                       name_of(planes->precision), push_text(planes->growth)));
+    text +=
+        summary_line("stored", fmt::format("planes in {}, {}; no point outside",
+                                           name_of(planes->precision), push_text(planes->growth)));
   }
   if (const auto& mesh = solid.mesh) {
-    text += line("stored", fmt::format("mesh in {}, {}; no point outside", name_of(mesh->precision),
-                                       push_text(mesh->growth)));
+    text += summary_line("stored", fmt::format("mesh in {}, {}; no point outside",
+                                               name_of(mesh->precision), push_text(mesh->growth)));
   }
   return text;
 }
@@ -113,29 +116,30 @@ std::string stored_lines(const StoredSolid& solid) {
 }  // namespace
 
 std::string summary(const SimplifyResult& result) {
-  std::string text = line("input", input_line(result.input_points, result.hull_vertices,
-                                              result.input_halfspaces, result.redundant.size()));
-  text += line("output", output_line(result));
-  text += line("volume", volume_line(result));
+  std::string text =
+      summary_line("input", input_line(result.input_points, result.hull_vertices,
+                                       result.input_halfspaces, result.redundant.size()));
+  text += summary_line("output", output_line(result));
+  text += summary_line("volume", volume_line(result));
   if (result.float_bound) text += float_lines(result);
-  text += line("verified", verified_line(result));
+  text += summary_line("verified", verified_line(result));
   return text + stored_lines(result.solid);
 }
 
 std::string summary(const HullResult& result, int digits) {
   const Polytope& hull = result.solid.exact;
-  std::string text = line("input", input_line(result.input_points, hull.vertices.size(),
-                                              hull.planes.size(), result.redundant.size()));
-  text += line("edges", with_separators(result.edges));
+  std::string text = summary_line("input", input_line(result.input_points, hull.vertices.size(),
+                                                      hull.planes.size(), result.redundant.size()));
+  text += summary_line("edges", with_separators(result.edges));
   const char* const axes[] = {"x", "y", "z"};
   for (int k = 0; k < 3; ++k) {
-    text += line(axes[k], to_decimal(result.box.low[k], digits) + " to " +
-                              to_decimal(result.box.high[k], digits));
+    text += summary_line(axes[k], to_decimal(result.box.low[k], digits) + " to " +
+                                      to_decimal(result.box.high[k], digits));
   }
-  text += line("diameter", certain(result.diameter.bounds, digits) + " (of the box)");
-  text += line("volume", certain(result.volume.bounds, digits));
-  text += line("area", certain(result.area.bounds, digits));
-  text += line("mean width", certain(result.mean_width.bounds, digits));
+  text += summary_line("diameter", certain(result.diameter.bounds, digits) + " (of the box)");
+  text += summary_line("volume", certain(result.volume.bounds, digits));
+  text += summary_line("area", certain(result.area.bounds, digits));
+  text += summary_line("mean width", certain(result.mean_width.bounds, digits));
   return text + stored_lines(result.solid);
 }
 

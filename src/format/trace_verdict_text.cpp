@@ -12,8 +12,8 @@
 namespace convexact {
 namespace {
 
-constexpr int kDigits = 17;             // of costs
-constexpr int kFewDigits = 3;           // of regrets
+constexpr int kTraceDigits = 17;        // of costs
+constexpr int kRegretDigits = 3;        // of regrets
 constexpr std::size_t kWorstSteps = 5;  // as many as are shown
 constexpr std::size_t kLongest = 100;   // of what a witness may take of a line
 
@@ -51,10 +51,10 @@ std::string claim_text(const TraceClaim& claim) {
 
 std::string step_row(std::size_t number, const JudgedStep& step) {
   return fmt::format("  {:>6}  {:>6}  {:>7}  {:>24}  {:>8}  {:>24}  {:>9}\n", number, step.row,
-                     step.removed.index(), number_text(step.cost, kDigits, "unbounded"),
+                     step.removed.index(), number_text(step.cost, kTraceDigits, "unbounded"),
                      step.tie.empty() ? "none" : std::to_string(step.tie.front().index()),
-                     number_text(step.minimum, kDigits, "-"),
-                     number_text(step.regret, kFewDigits, "infinite"));
+                     number_text(step.minimum, kTraceDigits, "-"),
+                     number_text(step.regret, kRegretDigits, "infinite"));
 }
 
 std::string worst_table(const TraceVerdict& verdict) {
@@ -79,7 +79,8 @@ std::string totals_text(const TraceVerdict& verdict) {
       fmt::format("  {:<22} {} of {}, from {} halfspaces\n", "removals judged",
                   with_separators(verdict.steps.size()), with_separators(verdict.removals),
                   with_separators(verdict.halfspaces.size()));
-  text += fmt::format("  {:<22} {}\n", "volume added", to_decimal(added, kDigits).value_or("?"));
+  text +=
+      fmt::format("  {:<22} {}\n", "volume added", to_decimal(added, kTraceDigits).value_or("?"));
   if (verdict.other_ties > 0) {
     text += fmt::format("  {:<22} {} ties broken otherwise than in canonical order\n", "tie-order",
                         with_separators(verdict.other_ties));
@@ -95,7 +96,7 @@ std::string verdict_line(const TraceVerdict& verdict) {
       return "greedy";
     case TraceRating::UpToRegret:
       return fmt::format("greedy up to regret {} (step {})",
-                         to_decimal(*verdict.steps[*verdict.worst].regret, kFewDigits),
+                         to_decimal(*verdict.steps[*verdict.worst].regret, kRegretDigits),
                          *verdict.worst);
     case TraceRating::NotGreedy:
       return fmt::format("not greedy from step {}", *verdict.at);

@@ -12,16 +12,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr long kBits = 128;
+constexpr long kRootBits = 128;
 
-std::string root_text(const Rational& squared) {
-  return to_decimal(sqrt(Enclosure(squared, kBits)), kDigits).value_or("");
+std::string root_decimal(const Rational& squared) {
+  return to_decimal(sqrt(Enclosure(squared, kRootBits)), kDigits).value_or("");
 }
 
 Json distance_json(const Rational& squared, const Rational& squared_diameter) {
   return {{"squared", to_string(squared)},
-          {"decimal", root_text(squared)},
-          {"relative", root_text(squared / squared_diameter)}};
+          {"decimal", root_decimal(squared)},
+          {"relative", root_decimal(squared / squared_diameter)}};
 }
 
 Json witness_json(const Witness& w, const Rational& squared_diameter) {
@@ -54,7 +54,7 @@ Json size_json(const CandidateSize& size) {
 Json outside_json(const Outside& outside) {
   Json json = {{"points", outside.points}, {"tested", outside.tested}};
   if (outside.relative_squared_distance) {
-    json["worst_relative"] = root_text(*outside.relative_squared_distance);
+    json["worst_relative"] = root_decimal(*outside.relative_squared_distance);
   }
   return json;
 }

@@ -11,16 +11,16 @@
 namespace convexact {
 namespace {
 
-constexpr int kDigits = 6;
+constexpr int kVerdictDigits = 6;
 constexpr long kBits = 128;
 constexpr std::size_t kLongestFraction = 60;  // longer ones are for --json
 
-std::string line(const char* label, const std::string& text) {
+std::string verdict_line(const char* label, const std::string& text) {
   return fmt::format("  {:<19} {}\n", label, text);
 }
 
 std::string root_text(const Rational& squared) {
-  return to_decimal(sqrt(Enclosure(squared, kBits)), kDigits).value_or("?");
+  return to_decimal(sqrt(Enclosure(squared, kBits)), kVerdictDigits).value_or("?");
 }
 
 std::string claim_lines(const Claim& claim) {
@@ -43,47 +43,48 @@ std::string not_asked_line(const Verdict& verdict) {
       names += (names.empty() ? "" : ", ") + std::string(name_of(claim.code));
     }
   }
-  return names.empty() ? "" : line("not asked", names);
+  return names.empty() ? "" : verdict_line("not asked", names);
 }
 
 std::string size_lines(const CandidateSize& size) {
   std::string stored =
       with_separators(size.stored_faces) + (size.stored_vertices > 0 ? " faces, " : " rows");
   if (size.stored_vertices > 0) stored += with_separators(size.stored_vertices) + " vertices";
-  if (!size.facets) return line("size", stored + " as stored");
-  std::string text =
-      line("size", fmt::format("{} facets, {} vertices, the largest facet has {} corners ({} as "
-                               "stored)",
-                               with_separators(*size.facets), with_separators(*size.vertices),
-                               *size.most_facet_vertices, stored));
+  if (!size.facets) return verdict_line("size", stored + " as stored");
+  std::string text = verdict_line(
+      "size", fmt::format("{} facets, {} vertices, the largest facet has {} corners ({} as "
+                          "stored)",
+                          with_separators(*size.facets), with_separators(*size.vertices),
+                          *size.most_facet_vertices, stored));
   if (size.planes_of_the_input) {
-    text += line("", fmt::format("{} of its planes are facet planes of the input's hull",
-                                 with_separators(*size.planes_of_the_input)));
+    text += verdict_line("", fmt::format("{} of its planes are facet planes of the input's hull",
+                                         with_separators(*size.planes_of_the_input)));
   }
   return text;
 }
 
 std::string tightness_lines(const Tightness& tightness, const Rational& squared_diameter) {
   const auto ratio = [](const Enclosure& bounds) {
-    return to_decimal(bounds, kDigits).value_or("?");
+    return to_decimal(bounds, kVerdictDigits).value_or("?");
   };
-  return line("against the hull",
-              fmt::format("volume times {}, area times {}, mean width times {}",
-                          ratio(tightness.volume_ratio), ratio(tightness.area_ratio),
-                          ratio(tightness.mean_width_ratio))) +
-         line("", fmt::format("Hausdorff distance {} ({} of the diameter)",
-                              root_text(tightness.squared_hausdorff),
-                              root_text(tightness.squared_hausdorff / squared_diameter)));
+  return verdict_line("against the hull",
+                      fmt::format("volume times {}, area times {}, mean width times {}",
+                                  ratio(tightness.volume_ratio), ratio(tightness.area_ratio),
+                                  ratio(tightness.mean_width_ratio))) +
+         verdict_line("", fmt::format("Hausdorff distance {} ({} of the diameter)",
+                                      root_text(tightness.squared_hausdorff),
+                                      root_text(tightness.squared_hausdorff / squared_diameter)));
 }
 
 std::string verdict_line(const Verdict& verdict) {
   const auto violated =
       std::count_if(verdict.claims.begin(), verdict.claims.end(),
                     [](const Claim& claim) { return claim.status == Status::Violated; });
-  if (violated == 0) return line("verdict", "every claim holds");
-  return line("verdict",
-              fmt::format("{} violated",
-                          violated == 1 ? "1 claim is" : fmt::format("{} claims are", violated)));
+  if (violated == 0) return verdict_line("verdict", "every claim holds");
+  return verdict_line(
+      "verdict",
+      fmt::format("{} violated",
+                  violated == 1 ? "1 claim is" : fmt::format("{} claims are", violated)));
 }
 
 }  // namespace

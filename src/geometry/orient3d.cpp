@@ -9,12 +9,10 @@
 #include <cstdint>
 
 #include "convexact/number/expansion.hpp"
+#include "roundoff.hpp"
 
 namespace convexact {
 namespace {
-
-// u is the roundoff: x op y is (x op y)(1 + e) with |e| <= u.
-constexpr double u = 0x1p-53;
 
 // Range. Let every coordinate be 0 or lie in [2^-306, 2^338] in magnitude. Then all are multiples
 // of 2^-358, and so are their differences and the roundoffs of these; every product of two or three

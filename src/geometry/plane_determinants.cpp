@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roundoff.hpp"
+
 namespace convexact {
 namespace {
-
-constexpr double u = 0x1p-53;
 
 // Both determinants are sums of monomials; T is the sum, P that of their magnitudes, Q the computed
 // P. Entries have two factors (1 + e), |e| <= u, against the true ones. All entries are at most 1,

@@ -129,7 +129,7 @@ RationalPoint NearestPoint::nearest_on_visible(const std::vector<std::uint32_t>&
 
 namespace {
 
-bool precedes(const RationalPoint& a, const RationalPoint& b) {
+bool comes_before(const RationalPoint& a, const RationalPoint& b) {
   return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
 }
 
@@ -138,12 +138,12 @@ bool precedes(const RationalPoint& a, const RationalPoint& b) {
 HausdorffDistance hausdorff_distance(const Polytope& outer, const Polytope& inner) {
   const NearestPoint nearest_point(inner);
   std::vector<RationalPoint> shared = inner.vertices;
-  std::sort(shared.begin(), shared.end(), precedes);
+  std::sort(shared.begin(), shared.end(), comes_before);
   std::optional<HausdorffDistance> best;
   for (std::uint32_t v = 0; v < outer.vertices.size(); ++v) {
     const RationalPoint& vertex = outer.vertices[v];
     // A vertex of both needs no look at the facets: hulls often share most of them.
-    const bool is_shared = std::binary_search(shared.begin(), shared.end(), vertex, precedes);
+    const bool is_shared = std::binary_search(shared.begin(), shared.end(), vertex, comes_before);
     RationalPoint nearest = is_shared ? vertex : nearest_point(vertex);
     const RationalVector3 gap = outer.vertices[v] - nearest;
     Rational squared = gap.squaredNorm();

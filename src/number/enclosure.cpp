@@ -33,7 +33,9 @@ Range range_at_corners(Operation f, const std::array<mpfr_srcptr, 2>& a,
   return range;
 }
 
-[[noreturn]] void reject(const char* message) { throw Error(ErrorCode::InvalidArgument, message); }
+[[noreturn]] void reject_operand(const char* message) {
+  throw Error(ErrorCode::InvalidArgument, message);
+}
 
 }  // namespace
 
@@ -110,7 +112,7 @@ Enclosure& Enclosure::operator*=(const Enclosure& other) {
 }
 
 Enclosure& Enclosure::operator/=(const Enclosure& other) {
-  if (other.sign().value_or(Sign::Zero) == Sign::Zero) reject("a divisor may be zero");
+  if (other.sign().value_or(Sign::Zero) == Sign::Zero) reject_operand("a divisor may be zero");
   Range range = range_at_corners(mpfr_div, {low_.data(), high_.data()},
                                  {other.low_.data(), other.high_.data()},
                                  std::max(precision(), other.precision()));
@@ -121,7 +123,7 @@ Enclosure& Enclosure::operator/=(const Enclosure& other) {
 }
 
 Enclosure sqrt(const Enclosure& x) {
-  if (x.sign() == Sign::Negative) reject("the square root of a negative number");
+  if (x.sign() == Sign::Negative) reject_operand("the square root of a negative number");
   Enclosure result(x.precision());  // its lower end is 0
   if (mpfr_sgn(x.low_.data()) > 0) mpfr_sqrt(result.low_.data(), x.low_.data(), MPFR_RNDD);
   mpfr_sqrt(result.high_.data(), x.high_.data(), MPFR_RNDU);
@@ -129,9 +131,9 @@ Enclosure sqrt(const Enclosure& x) {
 }
 
 Enclosure atan2(const Enclosure& y, const Enclosure& x) {
-  if (mpfr_sgn(y.low_.data()) < 0) reject("an angle below the x axis");
+  if (mpfr_sgn(y.low_.data()) < 0) reject_operand("an angle below the x axis");
   if (mpfr_zero_p(y.low_.data()) && x.sign().value_or(Sign::Zero) == Sign::Zero) {
-    reject("the angle of the origin");
+    reject_operand("the angle of the origin");
   }
   // Where y >= 0, the angle falls with x, and for a fixed x it is monotone in y: corners suffice.
   Enclosure result(std::max(y.precision(), x.precision()));

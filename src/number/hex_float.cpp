@@ -12,7 +12,7 @@ namespace {
 constexpr long kMaxExponent = 100000;
 constexpr std::string_view kHexDigits = "0123456789abcdefABCDEF";
 
-[[noreturn]] void reject(std::string_view text) {
+[[noreturn]] void reject_hex(std::string_view text) {
   throw Error(ErrorCode::Malformed, "expected a hexadecimal number, found " + in_quotes(text));
 }
 
@@ -28,13 +28,13 @@ std::string_view take_digits(std::string_view& rest) {
   return digits;
 }
 
-long parse_exponent(std::string_view exponent, std::string_view text) {
+long parse_binary_exponent(std::string_view exponent, std::string_view text) {
   if (!exponent.empty() && exponent.front() == '+') exponent.remove_prefix(1);
   long value = 0;
   const char* const last = exponent.data() + exponent.size();
   const auto [end, status] = std::from_chars(exponent.data(), last, value);
   const bool is_in_range = -kMaxExponent <= value && value <= kMaxExponent;
-  if (exponent.empty() || end != last || status != std::errc() || !is_in_range) reject(text);
+  if (exponent.empty() || end != last || status != std::errc() || !is_in_range) reject_hex(text);
   return value;
 }
 
@@ -46,7 +46,7 @@ bool is_hex_float(std::string_view text) {
 }
 
 Rational parse_hex_float(std::string_view text) {
-  if (!is_hex_float(text)) reject(text);
+  if (!is_hex_float(text)) reject_hex(text);
   std::string_view rest = text.substr(has_sign(text) ? 3 : 2);
   std::string digits(take_digits(rest));
   long exponent = 0;
@@ -56,10 +56,10 @@ Rational parse_hex_float(std::string_view text) {
     digits += fraction;
     exponent = -4 * static_cast<long>(fraction.size());
   }
-  if (digits.empty()) reject(text);
+  if (digits.empty()) reject_hex(text);
   if (!rest.empty()) {
-    if (rest.front() != 'p' && rest.front() != 'P') reject(text);
-    exponent += parse_exponent(rest.substr(1), text);
+    if (rest.front() != 'p' && rest.front() != 'P') reject_hex(text);
+    exponent += parse_binary_exponent(rest.substr(1), text);
   }
   Rational value;
   mpz_set_str(mpq_numref(value.backend().data()), digits.c_str(), 16);

@@ -24,7 +24,7 @@ namespace {
 
 constexpr long kMaxDecimalExponent = 100000;
 
-[[noreturn]] void reject(std::string_view text) {
+[[noreturn]] void reject_number(std::string_view text) {
   throw Error(ErrorCode::Malformed, "expected a number, found '" + std::string(text) + "'");
 }
 
@@ -52,7 +52,7 @@ long parse_exponent(std::string_view exponent, std::string_view text) {
   long value = 0;
   const auto [end, status] =
       std::from_chars(exponent.data(), exponent.data() + exponent.size(), value);
-  if (end != exponent.data() + exponent.size() || exponent.empty()) reject(text);
+  if (end != exponent.data() + exponent.size() || exponent.empty()) reject_number(text);
   // Compared from both sides: the least long has no absolute value.
   if (status != std::errc() || value < -kMaxDecimalExponent || value > kMaxDecimalExponent) {
     throw Error(ErrorCode::Malformed, "the exponent of '" + std::string(text) + "' is beyond +-" +
@@ -73,7 +73,7 @@ Rational parse_decimal(std::string_view body, std::string_view text) {
     digits.erase(point, 1);
     exponent -= static_cast<long>(body.size() - point - 1);
   }
-  if (!is_digits(digits)) reject(text);
+  if (!is_digits(digits)) reject_number(text);
   const Integer mantissa = parse_digits(digits);
   const Integer power = power_of_ten(static_cast<unsigned long>(std::abs(exponent)));
   return exponent >= 0 ? Rational(Integer(mantissa * power)) : Rational(mantissa, power);
@@ -88,7 +88,7 @@ Rational parse_rational(std::string_view text) {
   Rational value;
   if (const auto slash = body.find('/'); slash != std::string_view::npos) {
     const std::string_view p = body.substr(0, slash), q = body.substr(slash + 1);
-    if (!is_digits(p) || !is_digits(q) || parse_digits(q) == 0) reject(text);
+    if (!is_digits(p) || !is_digits(q) || parse_digits(q) == 0) reject_number(text);
     value = Rational(parse_digits(p), parse_digits(q));
   } else {
     value = parse_decimal(body, text);

@@ -12,13 +12,13 @@
 namespace convexact {
 namespace {
 
-constexpr int kDigits = 17;  // of costs in words
+constexpr int kCostDigits = 17;  // of costs in words
 
 std::string id_text(HalfspaceId id) { return std::to_string(id.index()); }
 
 std::string removal_text(HalfspaceId id, const std::optional<Rational>& cost) {
   if (!cost) return "removes " + id_text(id) + ", which leaves the solid unbounded";
-  return "removes " + id_text(id) + " at cost " + to_decimal(*cost, kDigits);
+  return "removes " + id_text(id) + " at cost " + to_decimal(*cost, kCostDigits);
 }
 
 std::string list_text(const std::vector<HalfspaceId>& ids) {

@@ -9,16 +9,16 @@
 namespace convexact {
 namespace {
 
-constexpr long kBits = 96;  // some twenty certain decimal digits of each ratio
+constexpr long kRatioBits = 96;  // some twenty certain decimal digits of each ratio
 
 }  // namespace
 
 Tightness measure_tightness(const Polytope& candidate, const Polytope& hull, bool contained) {
   Rational squared = hausdorff_distance(candidate, hull).squared;
   if (!contained) squared = std::max(squared, hausdorff_distance(hull, candidate).squared);
-  return {enclose_volume(candidate, kBits) / enclose_volume(hull, kBits),
-          surface_area(candidate, kBits) / surface_area(hull, kBits),
-          mean_width(candidate, kBits) / mean_width(hull, kBits), std::move(squared)};
+  return {enclose_volume(candidate, kRatioBits) / enclose_volume(hull, kRatioBits),
+          surface_area(candidate, kRatioBits) / surface_area(hull, kRatioBits),
+          mean_width(candidate, kRatioBits) / mean_width(hull, kRatioBits), std::move(squared)};
 }
 
 }  // namespace convexact

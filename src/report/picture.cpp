@@ -12,7 +12,7 @@
 namespace convexact {
 namespace {
 
-constexpr std::size_t kMostPoints = 200000;
+constexpr std::size_t kMostPointsDrawn = 200000;
 constexpr double kGrid = 10000;  // coordinates become integers in [-kGrid, kGrid]
 
 // Maps the scene's bounding box into the cube [-1, 1]^3, without overflow at huge coordinates.
@@ -55,7 +55,7 @@ std::vector<Point> shading_normals(const Picture& picture, const Frame& frame) {
 
 std::string points_data(const Picture& picture, const Frame& frame) {
   const std::vector<Point> normals = shading_normals(picture, frame);
-  const std::size_t stride = 1 + picture.points.size() / (kMostPoints + 1);
+  const std::size_t stride = 1 + picture.points.size() / (kMostPointsDrawn + 1);
   std::string data;
   for (std::size_t i = 0; i < picture.points.size(); i += stride) {
     const double length = normals[i].norm();
