@@ -14,6 +14,8 @@
 namespace convexact {
 namespace {
 
+using roundoff::u;
+
 // Range. Let every coordinate be 0 or lie in [2^-306, 2^338] in magnitude. Then all are multiples
 // of 2^-358, and so are their differences and the roundoffs of these; every product of two or three
 // of these is a multiple of 2^-1074, so no rounding below is an underflow and each roundoff is a

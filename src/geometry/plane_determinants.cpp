@@ -9,6 +9,8 @@
 namespace convexact {
 namespace {
 
+using roundoff::u;
+
 // Both determinants are sums of monomials; T is the sum, P that of their magnitudes, Q the computed
 // P. Entries have two factors (1 + e), |e| <= u, against the true ones. All entries are at most 1,
 // so underflows, of entries and on the way, cost far less than 2^-1000 altogether.

@@ -45,6 +45,21 @@ TEST_CASE("to_double: between two neighbours each direction takes the one it nam
   });
 }
 
+TEST_CASE("to_double: all small fractions, by their neighbours and by IEEE 754's division") {
+  for (int q = 1; q <= 70; ++q) {
+    for (int p = 1; p <= 200; ++p) {
+      CAPTURE(p);
+      CAPTURE(q);
+      const Rational x(p, q);
+      const double low = to_double(x, Rounding::Down), high = to_double(x, Rounding::Up);
+      CHECK(to_rational(low) <= x);
+      CHECK(to_rational(high) >= x);
+      CHECK((low == high ? to_rational(low) == x : std::nextafter(low, kInf) == high));
+      CHECK(to_double(x, Rounding::Nearest) == static_cast<double>(p) / q);  // IEEE 754 division
+    }
+  }
+}
+
 TEST_CASE("to_double: subnormals") {
   const Rational third = kTiny / 3;
   CHECK(to_double(third, Rounding::Down) == 0.0);

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// Proofs of what is not so, written out by hand: each has a single mistake, which no other line
+// gives away. Figures are closed forms, derived beside them.
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "checker.hpp"
+#include "convexact/shapes/prisms.hpp"
+#include "proof_text.hpp"
+#include "proofs.hpp"
+
+using namespace convexact;
+
+namespace {
+
+void check_not_proven(const std::string& proof, const std::string& why) {
+  const CheckerVerdict verdict = check_proof(ProofText(proof).text(true));
+  CHECK(verdict.exit_code == 1);
+  CHECK_MESSAGE(verdict.said.find(why) != std::string::npos, verdict.said);
+}
+
+void check_proven(const std::string& proof) {
+  const CheckerVerdict verdict = check_proof(ProofText(proof).text(true));
+  CHECK_MESSAGE(verdict.exit_code == 0, verdict.said);
+}
+
+}  // namespace
+
+TEST_CASE("wrong proof: a plane that only touches a vertex is no facet") {
+  // The cube [0, 1]^3 and x + y + z <= 3. Every sign is right, but costs would depend on more than
+  // rings. Without that plane the same text proves the cube.
+  const std::string points = [] {
+    std::string lines;
+    for (int v = 0; v < 8; ++v) {
+      lines += "point " + std::to_string(v & 1) + " " + std::to_string(v >> 1 & 1) + " " +
+               std::to_string(v >> 2) + "\n";
+    }
+    return lines;
+  }();
+  const std::string sides =
+      "plane -1 0 0 0\nplane 0 -1 0 0\nplane 0 0 -1 0\n"
+      "plane 0 0 1 -1\nplane 0 1 0 -1\nplane 1 0 0 -1\n";
+  const std::string other_vertices =
+      "triangle 0 2 1 0\ntriangle 5 1 2 1\ntriangle 4 2 0 2\ntriangle 5 2 4 3\n"
+      "triangle 3 0 1 4\ntriangle 5 3 1 5\ntriangle 4 0 3 6\n";
+  const auto proof = [&](const std::string& planes, const std::string& last,
+                         const std::string& survivors) {
+    ProofText text("convexact-proof 1 greedy\n" + points + "interior 1/2 1/2 1/2\n" + planes +
+                   other_vertices + last + "survive " + survivors + "\nend 0\n");
+    return check_proof(text.text(true));
+  };
+  const CheckerVerdict cube = proof(sides, "triangle 5 4 3 7\n", "0 1 2 3 4 5");
+  CHECK_MESSAGE(cube.exit_code == 0, cube.said);
+  const CheckerVerdict touching =
+      proof(sides + "plane 1 1 1 -3\n", "triangle 5 4 6 7\ntriangle 4 3 6 7\ntriangle 3 5 6 7\n",
+            "0 1 2 3 4 5 6");
+  CHECK(touching.exit_code == 1);
+  CHECK(touching.said.find("a plane bounds no facet") != std::string::npos);
+}
+
+TEST_CASE("wrong proof: what lies exactly on a plane, or one unit beyond it") {
+  // The cube [0, 1]^3, nothing removed, stored as its own six planes. All numbers are small
+  // integers, so a comparison that is off by one decides some line otherwise.
+  const auto proof = [](const std::string& interior, const std::string& last_stored,
+                        const std::string& rows = "", const std::string& more = "") {
+    std::string lines = "convexact-proof 1 greedy\n" + rows;
+    for (int v = 0; v < 8; ++v) {
+      lines += "point " + std::to_string(v & 1) + " " + std::to_string(v >> 1 & 1) + " " +
+               std::to_string(v >> 2) + "\n";
+    }
+    lines += more + "interior " + interior +
+             "\nplane -1 0 0 0\nplane 0 -1 0 0\nplane 0 0 -1 0\n"
+             "plane 0 0 1 -1\nplane 0 1 0 -1\nplane 1 0 0 -1\n"
+             "triangle 0 2 1 0\ntriangle 5 1 2 1\ntriangle 4 2 0 2\ntriangle 5 2 4 3\n"
+             "triangle 3 0 1 4\ntriangle 5 3 1 5\ntriangle 4 0 3 6\ntriangle 5 4 3 7\n";
+    lines +=
+        "survive 0 1 2 3 4 5\nstored\nhalfspace -1 0 0 0 1\nhalfspace 0 -1 0 0 1\n"
+        "halfspace 0 0 -1 0 1\nhalfspace 0 0 1 -1 1\nhalfspace 0 1 0 -1 1\n" +
+        last_stored + "end 0\n";
+    return check_proof(ProofText(lines).text(true));
+  };
+  const std::string inside = "1/2 1/2 1/2", stored = "halfspace 1 0 0 -1 1\n";
+  const CheckerVerdict right = proof(inside, stored);
+  CHECK_MESSAGE(right.exit_code == 0, right.said);
+  const auto check_not_proven = [](const CheckerVerdict& verdict, const std::string& why) {
+    CHECK(verdict.exit_code == 1);
+    CHECK_MESSAGE(verdict.said.find(why) != std::string::npos, verdict.said);
+  };
+  for (const std::string on_plane : {"0 1/2 1/2", "1 1/2 1/2", "1/2 1/2 1", "2 1/2 1/2"}) {
+    check_not_proven(proof(on_plane, stored), "the interior point is not inside");
+  }
+  check_not_proven(proof(inside, "halfspace 1 0 0 0 1\n"), "a point of the input is outside");
+  check_not_proven(proof(inside, "halfspace 1 0 0 -1 0\n"), "a weight that is not positive");
+  check_not_proven(proof(inside, "halfspace 1 0 0 -1 2\n"), "the stored planes are not bounded");
+  check_not_proven(proof(inside, "halfspace 0 1 0 -1 1\n"), "the stored planes are not bounded");
+  check_not_proven(proof(inside, ""), "the stored planes are not bounded");
+  check_not_proven(proof(inside, stored, "", "point 1/2 1/2 1/2\n"),
+                   "some point is not proven inside");
+  check_not_proven(proof(inside, stored, "row 1 0 0 0\n"), "a point of the input is outside");
+  check_not_proven(proof(inside, stored, "row 1 0 0 -1\n"), "a plane is none of the input's");
+}
+
+TEST_CASE("wrong proof: planes that wind twice, seen from where two of them meet") {
+  // The prism over a pentagram, with the tips of the star. Every tip lies within the planes across
+  // its edges, but each direction has two cones of normals. The middle of the first is (0, 2, 1);
+  // the other two that hold it hold it on their boundary, so each of their signs can be a zero.
+  const int tips[5][2] = {{0, 3}, {-3, 1}, {-2, -3}, {2, -3}, {3, 1}};
+  const std::string planes =
+      "plane -4 -5 0 -7\nplane -3 1 0 -3\nplane 0 0 -1 -1\nplane 0 0 1 -1\nplane 0 1 0 -1\n"
+      "plane 3 1 0 -3\nplane 4 -5 0 -7\n";
+  const std::array<std::size_t, 5> side = {1, 6, 4, 0, 5};  // from tip 2t to tip 2t + 2
+  constexpr std::size_t kBottom = 2, kTop = 3;
+  for (const std::size_t place : {0u, 1u, 2u}) {
+    CAPTURE(place);
+    std::string lines = "convexact-proof 1 greedy\n";
+    for (const char* const z : {" 1\n", " -1\n"}) {
+      for (const auto& [x, y] : tips) {
+        lines += "point " + std::to_string(x) + " " + std::to_string(y) + z;
+      }
+    }
+    lines += "interior 0 0 0\n" + planes;
+    for (const std::size_t t : {4u, 0u, 1u, 2u, 3u}) {
+      const std::size_t next = (t + 1) % 5, tip = 2 * next % 5;
+      std::vector<std::size_t> over = {side[t], side[next], kTop};
+      // Of the cones beside side 2, the other side stands where the sign will be zero.
+      const std::size_t other = t == 1 ? side[1] : side[3];
+      while ((t == 1 || t == 2) && over[place] != other) {
+        std::rotate(over.begin(), over.begin() + 1, over.end());
+      }
+      const auto line = [](std::size_t a, std::size_t b, std::size_t c, std::size_t point) {
+        return "triangle " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) +
+               " " + std::to_string(point) + "\n";
+      };
+      lines += line(over[0], over[1], over[2], tip) + line(side[next], side[t], kBottom, tip + 5);
+    }
+    check_not_proven(lines + "survive 0 1 2 3 4 5 6\nend 0\n", "cones of normals overlap");
+  }
+}
+
+TEST_CASE("wrong proof: a cap under a roof that dents by one unit") {
+  // {x <= 1, y <= 1, z <= 1 + x, z <= 2 + y, 0 <= z <= 1}. Without z <= 1 it gains
+  // min(x, 1 + y) over [0, 1] x [-1, 1]: 5/6. The other diagonal of the ring has its vertices at
+  // (1, 1, 3) and (2, 1, 3), one unit beyond a plane of the ring each; the facets of z <= 1 + x and
+  // z <= 2 + y gain 4/3 and, crossing themselves, 1/6 - 5/6: 2/3, a cheaper removal.
+  const auto row = [](int a, int b, int c, int d) {
+    return Halfspace(IntegerVector3(a, b, c), Integer(d));
+  };
+  const std::vector<Halfspace> rows = {row(1, 0, 0, -1),  row(0, 1, 0, -1), row(-1, 0, 1, -1),
+                                       row(0, -1, 1, -2), row(0, 0, 1, -1), row(0, 0, -1, 0)};
+  ProofText proof(proof_of(rows, Engine::Filtered, 5));
+  check_proven(proof.text());
+  bool found = false;
+  for (const std::size_t l : proof.all("evaluate")) {
+    std::vector<std::string>& line = proof.lines[l];
+    if (line[1] != "3") continue;
+    REQUIRE(line.size() == 16);  // evaluate 3 cost C ring R R R R triangles A B C D E F
+    CHECK(line[3] == "5/6");
+    line[3] = "2/3";
+    const std::vector<std::string> dented = {"5", "4", "1", "4", "0", "1"};
+    std::copy(dented.begin(), dented.end(), line.begin() + 10);
+    found = true;
+  }
+  REQUIRE(found);
+  const std::vector<std::size_t> vertices = proof.all("vertex");
+  REQUIRE(vertices.size() == 2);
+  proof.lines[vertices[0]] = {"vertex", "1", "1", "3"};
+  proof.lines[vertices[1]] = {"vertex", "2", "1", "3"};
+  check_not_proven(proof.text(), "the triangles are not convex");
+}
+
+TEST_CASE("wrong proof: a triangle of a cap listed twice") {
+  ProofText proof(proof_of(PointSet(shapes::antiprism(4)), Engine::Filtered, 5));
+  for (const std::size_t l : proof.all("evaluate")) {
+    std::vector<std::string>& line = proof.lines[l];
+    const auto first = std::find(line.begin(), line.end(), "triangles");
+    if (first == line.end()) continue;
+    line.insert(line.end(), first + 1, first + 4);
+    check_not_proven(proof.text(), "two triangles lie on the same side of an edge");
+    return;
+  }
+  FAIL("no evaluation with triangles");
+}
+
+TEST_CASE("proof: fractions need not be in lowest terms; hexadecimals need an exponent") {
+  const ProofText original(proof_of(PointSet(shapes::antiprism(4)), Engine::Filtered, 5));
+  ProofText proof = original;
+  std::size_t fractions = 0;
+  for (auto& line : proof.lines) {
+    for (std::string& word : line) {
+      const std::size_t slash = word.find('/');
+      if (slash == word.npos) continue;
+      const Integer p(word.substr(0, slash)), q(word.substr(slash + 1));
+      word = Integer(6 * p).str() + "/" + Integer(6 * q).str();
+      ++fractions;
+    }
+  }
+  CHECK(fractions > 10);
+  check_proven(proof.text());
+  proof = original;
+  proof.lines[proof.all("interior")[0]][1] = "0x0p";
+  CHECK(check_proof(proof.text()).exit_code == 3);
+}
