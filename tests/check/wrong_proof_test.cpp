@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "checker.hpp"
+#include "convexact/shapes/boxes.hpp"
 #include "convexact/shapes/prisms.hpp"
 #include "proof_text.hpp"
 #include "proofs.hpp"
@@ -23,6 +24,25 @@ void check_not_proven(const std::string& proof, const std::string& why) {
 void check_proven(const std::string& proof) {
   const CheckerVerdict verdict = check_proof(ProofText(proof).text(true));
   CHECK_MESSAGE(verdict.exit_code == 0, verdict.said);
+}
+
+// The cube [0, 1]^3, nothing removed, stored as its own six planes. All numbers are small integers,
+// so a comparison that is off by one decides some line otherwise.
+std::string cube_proof(const std::string& interior, const std::string& last_stored,
+                       const std::string& rows = "", const std::string& more = "") {
+  std::string lines = "convexact-proof 1 greedy\n" + rows;
+  for (int v = 0; v < 8; ++v) {
+    lines += "point " + std::to_string(v & 1) + " " + std::to_string(v >> 1 & 1) + " " +
+             std::to_string(v >> 2) + "\n";
+  }
+  return lines + more + "interior " + interior +
+         "\nplane -1 0 0 0\nplane 0 -1 0 0\nplane 0 0 -1 0\n"
+         "plane 0 0 1 -1\nplane 0 1 0 -1\nplane 1 0 0 -1\n"
+         "triangle 0 2 1 0\ntriangle 5 1 2 1\ntriangle 4 2 0 2\ntriangle 5 2 4 3\n"
+         "triangle 3 0 1 4\ntriangle 5 3 1 5\ntriangle 4 0 3 6\ntriangle 5 4 3 7\n"
+         "survive 0 1 2 3 4 5\nstored\nhalfspace -1 0 0 0 1\nhalfspace 0 -1 0 0 1\n"
+         "halfspace 0 0 -1 0 1\nhalfspace 0 0 1 -1 1\nhalfspace 0 1 0 -1 1\n" +
+         last_stored + "end 0\n";
 }
 
 }  // namespace
@@ -60,45 +80,66 @@ TEST_CASE("wrong proof: a plane that only touches a vertex is no facet") {
 }
 
 TEST_CASE("wrong proof: what lies exactly on a plane, or one unit beyond it") {
-  // The cube [0, 1]^3, nothing removed, stored as its own six planes. All numbers are small
-  // integers, so a comparison that is off by one decides some line otherwise.
-  const auto proof = [](const std::string& interior, const std::string& last_stored,
-                        const std::string& rows = "", const std::string& more = "") {
-    std::string lines = "convexact-proof 1 greedy\n" + rows;
-    for (int v = 0; v < 8; ++v) {
-      lines += "point " + std::to_string(v & 1) + " " + std::to_string(v >> 1 & 1) + " " +
-               std::to_string(v >> 2) + "\n";
-    }
-    lines += more + "interior " + interior +
-             "\nplane -1 0 0 0\nplane 0 -1 0 0\nplane 0 0 -1 0\n"
-             "plane 0 0 1 -1\nplane 0 1 0 -1\nplane 1 0 0 -1\n"
-             "triangle 0 2 1 0\ntriangle 5 1 2 1\ntriangle 4 2 0 2\ntriangle 5 2 4 3\n"
-             "triangle 3 0 1 4\ntriangle 5 3 1 5\ntriangle 4 0 3 6\ntriangle 5 4 3 7\n";
-    lines +=
-        "survive 0 1 2 3 4 5\nstored\nhalfspace -1 0 0 0 1\nhalfspace 0 -1 0 0 1\n"
-        "halfspace 0 0 -1 0 1\nhalfspace 0 0 1 -1 1\nhalfspace 0 1 0 -1 1\n" +
-        last_stored + "end 0\n";
-    return check_proof(ProofText(lines).text(true));
-  };
   const std::string inside = "1/2 1/2 1/2", stored = "halfspace 1 0 0 -1 1\n";
-  const CheckerVerdict right = proof(inside, stored);
-  CHECK_MESSAGE(right.exit_code == 0, right.said);
-  const auto check_not_proven = [](const CheckerVerdict& verdict, const std::string& why) {
-    CHECK(verdict.exit_code == 1);
-    CHECK_MESSAGE(verdict.said.find(why) != std::string::npos, verdict.said);
-  };
+  check_proven(cube_proof(inside, stored));
   for (const std::string on_plane : {"0 1/2 1/2", "1 1/2 1/2", "1/2 1/2 1", "2 1/2 1/2"}) {
-    check_not_proven(proof(on_plane, stored), "the interior point is not inside");
+    check_not_proven(cube_proof(on_plane, stored), "the interior point is not inside");
   }
-  check_not_proven(proof(inside, "halfspace 1 0 0 0 1\n"), "a point of the input is outside");
-  check_not_proven(proof(inside, "halfspace 1 0 0 -1 0\n"), "a weight that is not positive");
-  check_not_proven(proof(inside, "halfspace 1 0 0 -1 2\n"), "the stored planes are not bounded");
-  check_not_proven(proof(inside, "halfspace 0 1 0 -1 1\n"), "the stored planes are not bounded");
-  check_not_proven(proof(inside, ""), "the stored planes are not bounded");
-  check_not_proven(proof(inside, stored, "", "point 1/2 1/2 1/2\n"),
+  const auto check_stored = [&](const std::string& last, const std::string& why) {
+    check_not_proven(cube_proof(inside, last), why);
+  };
+  check_stored("halfspace 1 0 0 0 1\n", "a point of the input is outside");
+  check_stored("halfspace 1 0 0 -1 0\n", "a weight that is not positive");
+  check_stored("halfspace 1 0 0 -1 2\n", "the stored planes are not bounded");
+  check_stored("halfspace 0 1 0 -1 1\n", "the stored planes are not bounded");
+  check_stored("", "the stored planes are not bounded");
+  check_not_proven(cube_proof(inside, stored, "", "point 1/2 1/2 1/2\n"),
                    "some point is not proven inside");
-  check_not_proven(proof(inside, stored, "row 1 0 0 0\n"), "a point of the input is outside");
-  check_not_proven(proof(inside, stored, "row 1 0 0 -1\n"), "a plane is none of the input's");
+  check_not_proven(cube_proof(inside, stored, "row 1 0 0 0\n"), "a point of the input is outside");
+  check_not_proven(cube_proof(inside, stored, "row 1 0 0 -1\n"), "a plane is none of the input's");
+}
+
+TEST_CASE("wrong proof: stored planes that cancel, but leave a direction free") {
+  ProofText proof(cube_proof("1/2 1/2 1/2", "halfspace 1 0 0 -1 1\n"));
+  const std::vector<std::size_t> stored = proof.all("halfspace");
+  REQUIRE(stored.size() == 6);
+  proof.lines[stored[2]] = {"halfspace", "-1", "0", "0", "0", "1"};  // in place of -z <= 0
+  proof.lines[stored[3]] = {"halfspace", "1", "0", "0", "-1", "1"};  // in place of z <= 1
+  check_not_proven(proof.text(), "the stored planes are not bounded");
+}
+
+TEST_CASE("wrong proof: a surface seen from inside") {
+  ProofText proof(cube_proof("1/2 1/2 1/2", "halfspace 1 0 0 -1 1\n"));
+  for (const std::size_t l : proof.all("triangle")) std::swap(proof.lines[l][1], proof.lines[l][2]);
+  check_not_proven(proof.text(), "the normals span no cone");
+}
+
+TEST_CASE("wrong proof: a ray that meets a plane by one unit") {
+  ProofText proof(proof_of(PointSet(shapes::cut_cube(1, 0.25)), Engine::Filtered, 6));
+  const std::vector<std::size_t> planes = proof.all("plane");
+  std::size_t rays = 0;
+  for (const std::size_t l : proof.all("evaluate")) {
+    const std::vector<std::string> right = proof.lines[l];
+    if (right[2] != "unbounded") continue;
+    for (int code = 0; code < 27; ++code) {
+      const std::array<int, 3> ray = {code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1};
+      Rational most = 0;
+      for (std::size_t j = 0; j < planes.size(); ++j) {
+        if (std::to_string(j) == right[1]) continue;
+        Rational along = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          along += parse_rational(proof.lines[planes[j]][1 + k]) * ray[k];
+        }
+        most = std::max(most, along);
+      }
+      if (most != 1) continue;
+      for (std::size_t k = 0; k < 3; ++k) proof.lines[l][3 + k] = std::to_string(ray[k]);
+      check_not_proven(proof.text(), "the ray meets a plane");
+      ++rays;
+    }
+    proof.lines[l] = right;
+  }
+  CHECK(rays > 5);
 }
 
 TEST_CASE("wrong proof: planes that wind twice, seen from where two of them meet") {
