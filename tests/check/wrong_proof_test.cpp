@@ -108,6 +108,23 @@ TEST_CASE("wrong proof: stored planes that cancel, but leave a direction free") 
   check_not_proven(proof.text(), "the stored planes are not bounded");
 }
 
+TEST_CASE("wrong proof: a point that is not where its tetrahedron is") {
+  // Corners 0 = (0, 0, 0), 1 = (1, 0, 0), 2 = (0, 1, 0), 7 = (1, 1, 1), and the middle of the cube.
+  const auto proof = [](const std::string& point, const std::string& shown) {
+    ProofText text(cube_proof("1/2 1/2 1/2", "halfspace 1 0 0 -1 1\n", "", point));
+    const auto end = text.lines.begin() + static_cast<std::ptrdiff_t>(text.all("survive")[0]);
+    text.lines.insert(end, ProofText(shown).lines[0]);
+    return text.text();
+  };
+  check_proven(proof("point 3/8 3/8 1/8\n", "inside 8 0 1 2"));  // the centroid
+  check_proven(proof("point 1/2 0 0\n", "inside 8 0 1 2"));      // on an edge
+  const std::string why = "this does not show another point inside";
+  check_not_proven(proof("point 2 2 2\n", "inside 8 0 1 2"), why);
+  check_not_proven(proof("point 3/8 3/8 -1/8\n", "inside 8 0 1 2"), why);
+  check_not_proven(proof("point 5 5 5\n", "inside 8 0 7 1"), why);  // all in the plane y = z
+  check_not_proven(proof("point 5 5 5\n", "inside 8 7"), why);
+}
+
 TEST_CASE("wrong proof: a surface seen from inside") {
   ProofText proof(cube_proof("1/2 1/2 1/2", "halfspace 1 0 0 -1 1\n"));
   for (const std::size_t l : proof.all("triangle")) std::swap(proof.lines[l][1], proof.lines[l][2]);
@@ -238,7 +255,12 @@ TEST_CASE("proof: fractions need not be in lowest terms; hexadecimals need an ex
   }
   CHECK(fractions > 10);
   check_proven(proof.text());
-  proof = original;
-  proof.lines[proof.all("interior")[0]][1] = "0x0p";
-  CHECK(check_proof(proof.text()).exit_code == 3);
+  // 2^-2000 is inside, too, but no number of the format.
+  for (const char* const word :
+       {"0x1p", "0x1p-3z", "0x1p-2000", "0x1p2000", "0x1p-99999999999999999999"}) {
+    CAPTURE(word);
+    ProofText cube(cube_proof("1/2 1/2 1/2", "halfspace 1 0 0 -1 1\n"));
+    cube.lines[cube.all("interior")[0]][1] = word;
+    CHECK(check_proof(cube.text(true)).exit_code == 3);
+  }
 }
