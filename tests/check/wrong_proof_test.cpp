@@ -227,6 +227,36 @@ TEST_CASE("wrong proof: a cap under a roof that dents by one unit") {
   check_not_proven(proof.text(), "the triangles are not convex");
 }
 
+TEST_CASE("wrong proof: greed that is not shown") {
+  // Two opposite corners of a cube cut off at different depths: removed one after the other.
+  const auto row = [](int a, int b, int c, int d) {
+    return Halfspace(IntegerVector3(a, b, c), Integer(d));
+  };
+  const std::vector<Halfspace> rows = {row(1, 0, 0, -4),   row(-1, 0, 0, 0), row(0, 1, 0, -4),
+                                       row(0, -1, 0, 0),   row(0, 0, 1, -4), row(0, 0, -1, 0),
+                                       row(-1, -1, -1, 3), row(1, 1, 1, -10)};
+  const ProofText right(proof_of(rows, Engine::Exact, 6));
+  check_proven(right.text());
+  const std::vector<std::size_t> removals = right.all("remove"), vertices = right.all("vertex");
+  REQUIRE(removals.size() == 2);
+  REQUIRE(vertices.size() == 2);
+
+  // The dearer one first, with the tie as it is: removals, and the corners they lead to, swapped.
+  ProofText dearer = right;
+  std::swap(dearer.lines[removals[0]][1], dearer.lines[removals[1]][1]);
+  std::swap(dearer.lines[vertices[0]], dearer.lines[vertices[1]]);
+  check_not_proven(dearer.text(), "it is not the cheapest, or not the first of the tie");
+
+  // Any facet of which nothing is known may be cheaper.
+  for (const std::size_t l : right.all("evaluate")) {
+    if (l > removals[0] || right.lines[l][1] == right.lines[removals[0]][1]) continue;
+    CAPTURE(l);
+    ProofText unknown = right;
+    unknown.lines.erase(unknown.lines.begin() + static_cast<std::ptrdiff_t>(l));
+    check_not_proven(unknown.text(), "another may be as cheap: it is not evaluated");
+  }
+}
+
 TEST_CASE("wrong proof: a triangle of a cap listed twice") {
   ProofText proof(proof_of(PointSet(shapes::antiprism(4)), Engine::Filtered, 5));
   for (const std::size_t l : proof.all("evaluate")) {
