@@ -92,7 +92,11 @@ struct Words {
     return shift < 0 ? Rational(value >> -shift) : Rational(value << shift);
   }
   Row point() { return scaled({rational(), rational(), rational(), 1}); }
-  Numbers numbers() { return {rational(), rational(), rational(), rational()}; }
+  Numbers halfspace() {
+    const Numbers x{rational(), rational(), rational(), rational()};
+    expect(x[0] != 0 || x[1] != 0 || x[2] != 0, "a normal that is not zero");
+    return x;
+  }
 
   std::istream& in_;
   std::string next_;
@@ -150,7 +154,7 @@ struct Proof : Words {
 
   // The planes bound exactly the convex hull of the points: a polytope P.
   void read_hull() {
-    while (take_if("row")) rows_.insert(scaled(numbers()));
+    while (take_if("row")) rows_.insert(scaled(halfspace()));
     while (take_if("point")) points_.push_back(point());
     // (1) An interior point, strictly inside each plane. The planes stand in canonical order.
     expect(take_if("interior"), "interior");
@@ -159,9 +163,8 @@ struct Proof : Words {
     for (; take_if("plane"); previous = direction) {
       left_.insert(planes_.size());
       queue_.insert({0, planes_.size()});
-      const Row& plane = planes_.emplace_back(scaled(numbers()));
+      const Row& plane = planes_.emplace_back(scaled(halfspace()));
       const Integer common = gcd(gcd(plane[0], plane[1]), plane[2]);
-      expect(common > 0, "a normal that is not zero");
       require(dot(plane, interior) < 0, "the interior point is not inside");
       for (int k = 0; k < 3; ++k) direction[k] = plane[k] / common;
       require(planes_.size() == 1 || previous < direction, "the order is not canonical");
@@ -266,8 +269,7 @@ struct Proof : Words {
     while (at_number()) removal.triangles.push_back(triangle());
     const Rational cost = volume_of_cap(i, removal.ring, removal.triangles);
     require(stated == cost && cost >= removal.cost, "the volume of the cap is another one");
-    removal.cost = cost;
-    removal.fresh = true;
+    removal.cost = cost, removal.fresh = true;
     queue_.insert({cost, i});
   }
 
@@ -342,9 +344,7 @@ struct Proof : Words {
     }
     for (const Triangle& t : removal.triangles) add(fan_, t, vertex_of(t));
     queue_.erase({removal.cost, i});
-    removals_[i] = {};
-    left_.erase(i);
-    ++steps_;
+    removals_[i] = {}, left_.erase(i), ++steps_;
   }
 
   void read_result() {
@@ -357,7 +357,7 @@ struct Proof : Words {
     std::vector<Row> stored;
     std::array<Rational, 3> total;
     while (take_if("halfspace")) {
-      const Numbers x = numbers();
+      const Numbers x = halfspace();
       require_points_inside(stored.emplace_back(scaled(x)));
       const Rational weight = rational();
       require(weight > 0, "a weight that is not positive");

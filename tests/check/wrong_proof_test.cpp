@@ -108,6 +108,18 @@ TEST_CASE("wrong proof: stored planes that cancel, but leave a direction free") 
   check_not_proven(proof.text(), "the stored planes are not bounded");
 }
 
+TEST_CASE("wrong proof: a halfspace without a normal is none") {
+  const std::string inside = "1/2 1/2 1/2", stored = "halfspace 1 0 0 -1 1\n";
+  const std::string rows =
+      "row -1 0 0 0\nrow 0 -1 0 0\nrow 0 0 -1 0\nrow 0 0 1 -1\nrow 0 1 0 -1\nrow 1 0 0 -1\n";
+  check_proven(cube_proof(inside, stored, rows));
+  for (const std::string& lines : {cube_proof(inside, stored, rows + "row 0 0 0 -1\n"),
+                                   cube_proof(inside, "halfspace 0 0 0 -1 1\n"),
+                                   cube_proof(inside, stored, "plane 0 0 0 -1\n")}) {
+    CHECK(check_proof(ProofText(lines).text(true)).exit_code == 3);
+  }
+}
+
 TEST_CASE("wrong proof: a point that is not where its tetrahedron is") {
   // Corners 0 = (0, 0, 0), 1 = (1, 0, 0), 2 = (0, 1, 0), 7 = (1, 1, 1), and the middle of the cube.
   const auto proof = [](const std::string& point, const std::string& shown) {
