@@ -5,11 +5,12 @@
   coverage.py              a table, from a build in build/faults
   coverage.py --missing    and every line that no test runs, every branch that none takes
 
-The sources of these rooms are compiled again for gcov, without optimisation and assertions, and linked in
-front of the library. Branches that only exceptions take are left out, and templates count once, however
-many types they are used with."""
+The sources of these rooms are compiled again for gcov, without optimisation, and linked in front of the
+library. Branches that only exceptions take are left out, and those of assertions, which are never to fail;
+templates count once, however many types they are used with."""
 import argparse
 import collections
+import functools
 import json
 import pathlib
 import re
@@ -31,8 +32,9 @@ ROOMS = {
 }
 UNITS = (r'^src/(geometry/|lp/|dual/|simplify/|fast/|oracle/|number/rounding)|^tests/(check/checker|hull/near_geometry_test|'
          r'number/(expansion|double_double)_test|fast/(plane_filter|audit|float_scalar)_test)')
-TESTS = ['number', 'geometry', 'lp', 'hull', 'dual', 'simplify', 'fast', 'fast_plane_filter', 'fast_audit', 'oracle',
-         'check']
+TESTS = ['number', 'geometry', 'lp', 'hull', 'dual', 'simplify', 'definition', 'fast', 'fast_plane_filter', 'fast_audit',
+         'fast_float_scalar', 'fast_agreement_sample', 'fast_float_sample', 'fast_audit_sample', 'growth', 'pipeline', 'oracle',
+         'oracle_programs', 'oracle_corrupted_sample', 'oracle_metamorphic', 'report', 'check']
 
 
 class Coverage(Scratch):
@@ -48,7 +50,7 @@ class Coverage(Scratch):
     def compile_one(self, output, source):
         target = self.counted / output.replace('/', '_')
         if not target.exists() or target.stat().st_mtime < source.stat().st_mtime:
-            said = self._compile(output, target, ['--coverage', '-UCONVEXACT_ASSERTIONS'])
+            said = self._compile(output, target, ['--coverage'])
             if said:
                 sys.exit(said)
         self.compiled[output] = str(target)
@@ -66,6 +68,12 @@ class Coverage(Scratch):
         program.unlink()
         return outcome.how == 'passed'
 
+    @staticmethod
+    @functools.cache
+    def assertions(path):
+        """The numbers of the lines of a file where an assertion starts."""
+        return {number for number, text in enumerate(path.read_text().split('\n'), 1) if 'CONVEXACT_ASSERT(' in text}
+
     def counts(self):
         """(file, line) -> how often, and the list of how often each of its branches was taken."""
         lines, branches = collections.Counter(), collections.defaultdict(collections.Counter)
@@ -78,10 +86,11 @@ class Coverage(Scratch):
                     if not path.is_relative_to(self.tree):
                         continue
                     name = str(path.relative_to(self.tree))
+                    asserted = self.assertions(path)
                     for line in file['lines']:
                         key = name, line['line_number']
                         lines[key] += line['count']
-                        taken = [b['count'] for b in line['branches'] if not b['throw']]
+                        taken = [b['count'] for b in line['branches'] if not b['throw'] and key[1] not in asserted]
                         for index, count in enumerate(taken):
                             branches[key][index] += count
         return lines, branches
