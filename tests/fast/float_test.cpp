@@ -10,6 +10,9 @@
 #include "convexact/shapes/families.hpp"
 #include "convexact/shapes/prisms.hpp"
 #include "convexact/shapes/random_points.hpp"
+#include "convexact/shapes/solids.hpp"
+#include "expect_error.hpp"
+#include "simplify_points.hpp"
 
 using namespace convexact;
 
@@ -81,5 +84,29 @@ TEST_CASE("simplify_float: a growth limit stops it where the filtered engine sto
     const FastResult sure = simplify_filtered(dual, options), quick = simplify_float(dual, options);
     CHECK(sure.stop == quick.stop);
     CHECK(sure.steps.size() == quick.steps.size());
+  }
+}
+
+TEST_CASE("simplify_float, simplify_filtered: what makes no sense is refused") {
+  const PointSet set(shapes::icosahedron());
+  const Hull hull = std::get<Hull>(convex_hull(set));
+  const FastDual dual = FastDual::of(hull, set);
+  for (const SimplifyOptions& options :
+       {SimplifyOptions{.faces = 3}, SimplifyOptions{.max_growth = Rational(-1)}}) {
+    CHECK(error_of([&] { return simplify_float(dual, options); }).code() ==
+          ErrorCode::InvalidArgument);
+    CHECK(error_of([&] { return simplify_filtered(dual, options); }).code() ==
+          ErrorCode::InvalidArgument);
+  }
+}
+
+TEST_CASE("FastDual: the center is strictly inside, or there is no dual") {
+  const DualHull solid = dual_of_doubles(shapes::cube());
+  CHECK(FastDual::of(solid, center_of(solid)).size() == 6);
+  for (const double x : {1.0, 0x1.0000000000001p0, 2.0, 1e300}) {  // on the boundary and beyond
+    CAPTURE(x);
+    const RationalPoint center(to_rational(x), Rational(0), Rational(0));
+    CHECK(error_of([&] { return FastDual::of(solid, center); }).code() ==
+          ErrorCode::InvalidArgument);
   }
 }

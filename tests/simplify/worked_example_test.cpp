@@ -8,7 +8,9 @@
 #include "convexact/dual/polar.hpp"
 #include "convexact/simplify/cap.hpp"
 #include "convexact/simplify/exact_engine.hpp"
+#include "convexact/simplify/replay.hpp"
 #include "definitional_greedy.hpp"
+#include "expect_error.hpp"
 #include "integer_halfspace.hpp"
 
 using namespace convexact;
@@ -131,4 +133,14 @@ TEST_CASE("worked example: the other removals, from the definition") {
   for (const unsigned lower : {0u, 1u, 2u}) {
     CHECK_FALSE(arrangement.is_bounded(0x7f & ~(1u << lower)));
   }
+}
+
+TEST_CASE("worked example: replaying a removal that leaves it unbounded is refused") {
+  const Simplification cut = replay(solid(), kCenter, std::vector{HalfspaceId(6)});
+  CHECK(cut.trace.steps.at(0).cost == Rational(1, 48));
+  const Error error = error_of([] {
+    return replay(solid(), kCenter, std::vector{HalfspaceId(6), HalfspaceId(0)});
+  });
+  CHECK(error.code() == ErrorCode::InvalidArgument);
+  CHECK(std::string(error.what()).find("step 2") != std::string::npos);
 }
