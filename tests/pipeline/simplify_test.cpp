@@ -10,7 +10,9 @@
 #include "convexact/error.hpp"
 #include "convexact/pipeline/hull_measures.hpp"
 #include "convexact/shapes/boxes.hpp"
+#include "convexact/shapes/families.hpp"
 #include "convexact/shapes/random_points.hpp"
+#include "halfspace_arrangement.hpp"
 
 using namespace convexact;
 
@@ -169,6 +171,28 @@ TEST_CASE("simplify: the float engine's end at a growth limit is judged by exact
   CHECK_FALSE(run(cut, request).float_bound->is_end_proven);
   request.engine = Engine::Filtered;
   CHECK_FALSE(run(cut, request).float_bound.has_value());
+}
+
+TEST_CASE(
+    "simplify: where doubles get the float engine's surface wrong, its planes still bound it") {
+  // Balls of sizes 1, 2^-500 and 2^-1000 in one shape: doubles see the small ones as points, so the
+  // triangles that the loop ends with are no hull. Volumes are by the definition.
+  const shapes::Family& family = shapes::family("mixed-scales");
+  for (const std::uint64_t seed : {1u, 2u}) {
+    CAPTURE(seed);
+    const PointSet points(shapes::generate(family, shapes::usual_values(family), seed));
+    SimplifyRequest request = request_for(6, Engine::Float);
+    request.exact_volumes = true;
+    const SimplifyResult result = run(points, request);
+    const std::vector<Halfspace>& planes = result.solid.exact.planes;
+    CHECK(planes.size() < result.input_halfspaces);
+    const definition::HalfspaceArrangement arrangement(planes);
+    CHECK(result.output_volume.exact == arrangement.volume(arrangement.all()));
+    for (const RationalPoint& vertex : result.solid.exact.vertices) {
+      for (const Halfspace& plane : planes) CHECK(plane(vertex) <= 0);
+    }
+    CHECK_FALSE(result.float_bound->is_vouched());
+  }
 }
 
 TEST_CASE("measure_hull: a box, by closed form, with as many digits as asked for") {
