@@ -6,6 +6,8 @@
 #include <doctest/doctest.h>
 
 #include <csignal>
+#include <set>
+#include <string>
 
 #include "convexact/hull/hull.hpp"
 #include "convexact/oracle/planar_patches.hpp"
@@ -138,4 +140,27 @@ TEST_CASE("judge_run: too many facets, unless none of them can go") {
   CHECK(judged(octahedron, kDone,
                rows({{4, 4, 4, -3}, {1, -1, -1, -1}, {-1, 1, -1, -1}, {-1, -1, 1, -1}})) ==
         Outcome::NotEnclosing);
+}
+
+TEST_CASE("judge_run: tightness is that of the exact greedy result, where the vector knows it") {
+  // The cube [-1, 1]^3 (8), by greed enclosed in 10, and by the output in [-2, 2]^3 (64).
+  TestVector cube = simplify_vector(shapes::cube(), 6);
+  const Candidate output = rows({{1, 0, 0, -2},
+                                 {-1, 0, 0, -2},
+                                 {0, 1, 0, -2},
+                                 {0, -1, 0, -2},
+                                 {0, 0, 1, -2},
+                                 {0, 0, -1, -2}});
+  const auto tightness = [&] { return judge_run(cube, kDone, {}, output, {}).tightness; };
+  CHECK_FALSE(tightness().has_value());
+  std::get<SimplifyQuestion>(cube.question).volume = 10;
+  std::get<SimplifyQuestion>(cube.question).costs = {Rational(1, 2), Rational(3, 2)};
+  CHECK(tightness() == 6.4);
+}
+
+TEST_CASE("outcomes have names of their own") {
+  std::set<std::string> names;
+  for (const Outcome outcome : kAllOutcomes) names.insert(name_of(outcome));
+  CHECK(names.size() == kAllOutcomes.size());
+  CHECK(names.contains("not-enclosing"));
 }
