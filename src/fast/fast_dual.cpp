@@ -85,9 +85,10 @@ DoubleDouble to_long(const Rational& x) {
   return {hi, to_double(Rational(x - to_rational(hi)), Rounding::Nearest)};
 }
 
-// What is off by at most `error` has a relative error of at most 2^-87.
+// What is known to a relative error of about this is taken as it is; else rationals are asked.
+constexpr double kCertain = 0x1p-88;
 bool is_certain(const DoubleDouble& value, double error) {
-  return error <= 0x1p-88 * std::abs(value.hi());
+  return error <= kCertain * std::abs(value.hi());
 }
 
 }  // namespace
@@ -168,7 +169,11 @@ bool FastDualBuilder::add_from_corners(std::size_t i) {
   // off by (2v + v + v) m.k |a - c|.k, two additions by 2v more: w is off by 6v M, M = sum of
   // m.k |a - c|.k. A quotient adds v, so with relative errors of 2^-88 of both: less than 2^-86.
   constexpr double v = DoubleDouble::kUnit;
-  static_assert(0x1p-88 + 0x1p-88 + 2 * v < FastDual::kLongError);
+  // The factors are rounded up enough for m and M being rounded themselves.
+  constexpr double kOfNormal = 2, kOfDistance = kOfNormal + 1 + 1 + 2;
+  constexpr double kNormalFactor = 3, kDistanceFactor = 8;
+  static_assert(kOfNormal < kNormalFactor && kOfDistance + 1 < kDistanceFactor);
+  static_assert(kCertain + kCertain + 2 * v < FastDual::kLongError);
   const auto [ia, ib, ic] = dual_.planes_->corners(i);
   const Point &a = scaled_[ia.index()], &b = scaled_[ib.index()], &c = scaled_[ic.index()];
   const auto difference = [](const Point& p, const Point& q) {
@@ -188,9 +193,10 @@ bool FastDualBuilder::add_from_corners(std::size_t i) {
                          size(f.x, g.y, f.y, g.x)};
   const double total = m.x * std::abs(from_center.x.hi()) + m.y * std::abs(from_center.y.hi()) +
                        m.z * std::abs(from_center.z.hi());
-  // The constants are rounded up enough (2 to 3, 6 to 8) for m and M being rounded themselves.
-  if (w.hi() > 0 && is_certain(w, 8 * v * total) && is_certain(n.x, 3 * v * m.x) &&
-      is_certain(n.y, 3 * v * m.y) && is_certain(n.z, 3 * v * m.z)) {
+  constexpr double of_normal = kNormalFactor * v;
+  if (w.hi() > 0 && is_certain(w, kDistanceFactor * v * total) &&
+      is_certain(n.x, of_normal * m.x) && is_certain(n.y, of_normal * m.y) &&
+      is_certain(n.z, of_normal * m.z)) {
     const Long p{n.x / w, n.y / w, n.z / w};
     dual_.near_[i] = {p.x.hi(), p.y.hi(), p.z.hi()};
     dual_.rest_[i] = {p.x.lo(), p.y.lo(), p.z.lo()};

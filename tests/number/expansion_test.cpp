@@ -71,3 +71,11 @@ TEST_CASE("expansion: sum, scale, product, sign and estimate") {
               abs(value(times)) * to_rational(16 * 0x1p-53));
   });
 }
+
+TEST_CASE("expansion: one without a place to spare is negated, and nothing behind it") {
+  const Expansion<2> e = difference(1.0, 0x1p-80);
+  REQUIRE(e.size == 2);
+  const Expansion<2> negated = -e;
+  CHECK(negated.size == 2);
+  CHECK(negated.terms == std::array{0x1p-80, -1.0});
+}

@@ -6,6 +6,7 @@ PUSH, SKIP, STALE = 'push too small', 'verification skipped', 'stale value trust
 
 _FAST, _GEO = 'include/convexact/fast/', 'src/geometry/'
 _AUDIT = 'fast_plane_filter fast_audit'
+_CAPS = 'fast_cap_bounds fast_audit'
 _AGREE = 'fast'
 _STORED = 'stored_planes stored_mesh containment growth'
 
@@ -23,19 +24,19 @@ FAULTS = [
     (CONSTANT, _FAST + 'plane_filter.hpp', 'kUnit = 0x1p-86', 'kUnit = 0x1p-90', _AUDIT),
     (CONSTANT, _FAST + 'fast_dual.hpp', 'kNearError = 0x1p-52', 'kNearError = 0x1p-56', _AUDIT),
     (CONSTANT, _FAST + 'fast_dual.hpp', 'kLongError = 0x1p-85', 'kLongError = 0x1p-89', _AUDIT),
-    (CONSTANT, 'src/fast/fast_dual.cpp', '<= 0x1p-88 * std::abs', '<= 0x1p-84 * std::abs', _AUDIT),
-    (CONSTANT, 'src/fast/fast_dual.cpp', '8 * v * total', '0.5 * v * total', _AUDIT),
-    (CONSTANT, _FAST + 'lawrence_sum.hpp', 'kVertexError = 6,', 'kVertexError = 0.375,', _AUDIT),
+    (CONSTANT, 'src/fast/fast_dual.cpp', 'kCertain = 0x1p-88', 'kCertain = 0x1p-84', _AUDIT),
+    (CONSTANT, 'src/fast/fast_dual.cpp', 'kDistanceFactor = 8;', 'kDistanceFactor = 0.5;', _AUDIT),
+    (CONSTANT, _FAST + 'lawrence_sum.hpp', 'kVertexError = 6,', 'kVertexError = 0.375,', _CAPS),
     (CONSTANT, _FAST + 'lawrence_sum.hpp', '2 * (3 * filter.height * from_heights',
-     '2 * (0.1875 * filter.height * from_heights', _AUDIT),
+     '2 * (0.1875 * filter.height * from_heights', _CAPS),
     (CONSTANT, _FAST + 'lawrence_sum.hpp', 'const double relative = kRelativeErrors *',
-     'const double relative = 0.0625 * kRelativeErrors *', _AUDIT),
+     'const double relative = 0.0625 * kRelativeErrors *', _CAPS),
     (CONSTANT, _FAST + 'lawrence_sum.hpp', '(16 + static_cast<double>(triangles.size())) * unit',
-     '(16 + static_cast<double>(triangles.size())) * unit / 16', _AUDIT),
-    (CONSTANT, _FAST + 'cap_range.hpp', 'Scalar(2 * n * unit_)', 'Scalar(2 * n * unit_ / 16)', _AUDIT),
-    (CONSTANT, _FAST + 'cap_range.hpp', 'value - Scalar(filter_.height)', 'value - Scalar(filter_.height / 16)', _AUDIT),
-    (CONSTANT, _FAST + 'cap_range.hpp', 'value + Scalar(filter_.height)', 'value + Scalar(filter_.height / 16)', _AUDIT),
-    (CONSTANT, _FAST + 'cap_range.hpp', '(sides.size, unit_).determinant)', '(sides.size, unit_).determinant / 16)', _AUDIT),
+     '(16 + static_cast<double>(triangles.size())) * unit / 16', _CAPS),
+    (CONSTANT, _FAST + 'cap_range.hpp', 'Scalar(2 * n * unit_)', 'Scalar(2 * n * unit_ / 16)', _CAPS),
+    (CONSTANT, _FAST + 'cap_range.hpp', 'value - Scalar(error);', 'value - Scalar(error / 16);', _CAPS),
+    (CONSTANT, _FAST + 'cap_range.hpp', 'value + Scalar(error)}', 'value + Scalar(error / 16)}', _CAPS),
+    (CONSTANT, _FAST + 'cap_range.hpp', '(sides.size, unit_).determinant)', '(sides.size, unit_).determinant / 16)', _CAPS),
     (CONSTANT, 'src/fast/growth_watch.cpp', 'const double slop = 2 * (16', 'const double slop = 0.125 * (16', _AGREE),
     (CONSTANT, 'include/convexact/hull/near_geometry.hpp', 'kNearError = 8 * kRoundoff', 'kNearError = 0.5 * kRoundoff', 'hull'),
     (CONSTANT, 'include/convexact/hull/near_geometry.hpp', 'kSlope = 512 *', 'kSlope = 32 *', 'hull'),

@@ -58,7 +58,10 @@ class RangeSource {
   };
 
   RangeSource(const RingGeometry<Scalar>& ring, double unit)
-      : ring_(ring), unit_(unit), filter_(ring.filter(unit)) {}
+      : ring_(ring),
+        unit_(unit),
+        arm_error_(ring.arm_filter(unit).height),
+        error_(ring.filter(unit).height) {}
 
   // D by the bounds of their triangles alone: in a long ring a small one would drown in that of
   // all.
@@ -66,9 +69,11 @@ class RangeSource {
     const std::size_t next = m + 1 == ring_.arm.size() ? 0 : m + 1;
     return positive(dot(ring_.side[m], ring_.center), ring_.arm[m], ring_.arm[next]);
   }
-  Number slack(std::uint32_t m) const { return lift(-dot(ring_.side[0], ring_.arm[m])); }
+  Number slack(std::uint32_t m) const {
+    return lift(-dot(ring_.side[0], ring_.arm[m]), arm_error_);
+  }
   Number leg(std::uint32_t m, std::uint32_t q) const {
-    return lift(-dot(ring_.side[m], ring_.arm[q]));
+    return lift(-dot(ring_.side[m], ring_.arm[q]), arm_error_);
   }
   void set_triangle(std::uint32_t low, std::uint32_t middle, std::uint32_t high) {
     low_ = low;
@@ -77,9 +82,9 @@ class RangeSource {
     normal_ = cross(first_, second_);
   }
   Number vertex() { return positive(dot(normal_, ring_.point[low_]), first_, second_); }
-  Number to_center() const { return lift(-dot(normal_, ring_.arm[low_])); }
+  Number to_center() const { return lift(-dot(normal_, ring_.arm[low_]), error_); }
   Number to(std::uint32_t q) const {
-    return lift(-dot(normal_, ring_.point[q] - ring_.point[low_]));
+    return lift(-dot(normal_, ring_.point[q] - ring_.point[low_]), error_);
   }
 
   /// What six_times() returned, with everything that was rounded away.
@@ -98,9 +103,9 @@ class RangeSource {
   bool is_certain() const { return !doubtful_; }
 
  private:
-  Number lift(const Scalar& value) const {
-    const Scalar lower = value - Scalar(filter_.height);
-    return {is_positive(lower) ? lower : Scalar(0.0), value + Scalar(filter_.height)};
+  Number lift(const Scalar& value, double error) const {
+    const Scalar lower = value - Scalar(error);
+    return {is_positive(lower) ? lower : Scalar(0.0), value + Scalar(error)};
   }
   // Of D as computed from a point and the differences f and g of the two others to it.
   Number positive(const Scalar& value, const Triple<Scalar>& f, const Triple<Scalar>& g) {
@@ -121,7 +126,7 @@ class RangeSource {
 
   const RingGeometry<Scalar>& ring_;
   double unit_;
-  PlaneFilter filter_;
+  double arm_error_, error_;  // of heights: of arms alone, and of any points
   Triple<Scalar> first_{}, second_{}, normal_{};
   std::uint32_t low_ = 0;
   bool negative_ = false, doubtful_ = false;

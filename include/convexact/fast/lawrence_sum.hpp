@@ -20,7 +20,7 @@ namespace convexact {
 /// With e the arms and S(ab) = e_a x e_b: D(iab) = P_i.S(ab), H = -S(ab).e_c, and by expanding
 /// det(P_i + e_a, P_i + e_b, P_i + e_c), D(abc) = D(iab) + D(ibc) + D(ica) - H.
 ///
-/// Error, with h and d the bounds of PlaneFilter for heights and determinants (h <= 2 d):
+/// Error, with h and d the bounds of PlaneFilter for heights and determinants of arms (h <= 2 d):
 /// - H is off by h, D(iab) by d, D(abc) by 3 d + h from its parts and by 3 u (4 * 4 B) < d from
 ///   rounding, the parts being at most 4 B in size: by 6 d.
 /// - If all |D| are at least M >= kMargin d, a term is off by 3 h (H + h)^2 / |D D D D| from H and
@@ -33,6 +33,7 @@ template <class Scalar>
 class LawrenceSum {
  public:
   static constexpr double kMargin = 1024, kVertexError = 6, kRelativeErrors = kVertexError + 3;
+  static_assert(3 + 2 + 1 <= kVertexError);  // D of a triangle: three D, an H <= 2 d, rounding
   static_assert(kRelativeErrors / kMargin < 0.05);
   static_assert(3 * 4 * 4 < PlaneFilter::kDeterminantFactor);
   /// A sum whose relative error is more than this many units, or than this share, is worth the
@@ -105,7 +106,7 @@ template <class Scalar>
 CapRange<Scalar> LawrenceSum<Scalar>::run(const RingGeometry<Scalar>& ring,
                                           std::span<const RingTriangle> triangles, double unit) {
   using Kind = typename CapRange<Scalar>::Kind;
-  const PlaneFilter filter = ring.filter(unit);
+  const PlaneFilter filter = ring.arm_filter(unit);
   start(ring);
   stable_ = false;
   Scalar sum(0.0);

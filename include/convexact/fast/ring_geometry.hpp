@@ -34,6 +34,8 @@ struct RingGeometry {
     for (std::size_t m = 0; m + 1 < k; ++m) side[m] = cross(arm[m], arm[m + 1]);
     side[k - 1] = cross(arm[k - 1], arm[0]);
   }
+  /// Bounds for determinants of arms, and of arms with one of the points.
+  PlaneFilter arm_filter(double unit) const { return filter_for<Scalar>(extent.size, unit); }
   /// Bounds for determinants of any of these points: differences between ring points are at most
   /// twice the arms.
   PlaneFilter filter(double unit) const { return filter_for<Scalar>(extent.doubled(), unit); }
