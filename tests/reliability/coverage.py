@@ -31,16 +31,18 @@ ROOMS = {
     'checker': r'src/check/convexact_check.cpp',
 }
 UNITS = (r'^src/(geometry/|lp/|dual/|simplify/|fast/|oracle/|number/rounding)|^tests/(check/checker|hull/near_geometry_test|'
-         r'number/(expansion|double_double)_test|fast/(plane_filter|audit|float_scalar)_test)')
-TESTS = ['number', 'geometry', 'lp', 'hull', 'dual', 'simplify', 'definition', 'fast', 'fast_plane_filter', 'fast_audit',
-         'fast_float_scalar', 'fast_agreement_sample', 'fast_float_sample', 'fast_audit_sample', 'growth', 'pipeline', 'oracle',
-         'oracle_programs', 'oracle_corrupted_sample', 'oracle_metamorphic', 'report', 'check']
+         r'number/(expansion|double_double)_test|fast/(cap_bounds|plane_filter|audit|float_scalar)_test)')
+TESTS = ['number', 'geometry', 'lp', 'hull', 'dual', 'measure', 'simplify', 'definition', 'fast', 'fast_plane_filter',
+         'fast_cap_bounds', 'fast_audit', 'fast_float_scalar', 'fast_agreement_sample', 'fast_float_sample',
+         'fast_audit_sample', 'growth', 'pipeline', 'oracle', 'oracle_programs', 'oracle_corrupted_sample',
+         'oracle_metamorphic', 'report', 'check']
 
 
 class Coverage(Scratch):
     def compile_for_gcov(self):
         self.counted = self.tree.parent / 'coverage'
         self.counted.mkdir(exist_ok=True)
+        self.newest_header = max(header.stat().st_mtime for header in self.tree.glob('*/**/*.hpp'))
         linked = {word for words in self.links.values() for word in words}
         for output, (_, source) in self.commands.items():
             if re.search(UNITS, str(source.relative_to(self.tree))) and (
@@ -49,7 +51,7 @@ class Coverage(Scratch):
 
     def compile_one(self, output, source):
         target = self.counted / output.replace('/', '_')
-        if not target.exists() or target.stat().st_mtime < source.stat().st_mtime:
+        if not target.exists() or target.stat().st_mtime < max(source.stat().st_mtime, self.newest_header):
             said = self._compile(output, target, ['--coverage'])
             if said:
                 sys.exit(said)
