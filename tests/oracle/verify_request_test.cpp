@@ -20,15 +20,15 @@ namespace {
 
 const std::string kCubeRows = "1 0 0 -1\n-1 0 0 -1\n0 1 0 -1\n0 -1 0 -1\n0 0 1 -1\n0 0 -1 -1\n";
 
-Verdict judge(const std::string& bytes, const char* name, const VerifyRequest& request,
-              StageLog& log) {
+Verdict verdict_of(const std::string& bytes, const char* name, const VerifyRequest& request,
+                   StageLog& log) {
   return std::get<Verdict>(
       verify(PointSet(shapes::cube()), read_candidate_bytes(bytes, name), request, log));
 }
 
-Verdict judge(const std::string& bytes, const char* name, const VerifyRequest& request = {}) {
+Verdict verdict_of(const std::string& bytes, const char* name, const VerifyRequest& request = {}) {
   StageLog log;
-  return judge(bytes, name, request, log);
+  return verdict_of(bytes, name, request, log);
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ TEST_CASE("claims: each is found by its name, and each status has its own") {
 TEST_CASE("verify: a negative tolerance is refused") {
   VerifyRequest request;
   request.tolerance.value = -1;
-  CHECK(error_of([&] { return judge(kCubeRows, "c.txt", request); }).code() ==
+  CHECK(error_of([&] { return verdict_of(kCubeRows, "c.txt", request); }).code() ==
         ErrorCode::InvalidArgument);
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("verify: whether halfspaces contain the input does not need their vert
     CAPTURE(name_of(also));
     request.claims = {ContainsInput, also};
     StageLog log;
-    const Verdict verdict = judge(kCubeRows, "c.txt", request, log);
+    const Verdict verdict = verdict_of(kCubeRows, "c.txt", request, log);
     CHECK(verdict.holds());
     CHECK(verdict[ContainsInput].status == Status::Holds);
     const auto skipped = std::any_of(log.stages().begin(), log.stages().end(), [](const auto& s) {
@@ -77,7 +77,7 @@ TEST_CASE("verify: a budget is not for what has no bounded solid to count on") {
   VerifyRequest request;
   request.max_facets = request.max_vertices = request.max_facet_vertices = 4;
   const std::string open = kCubeRows.substr(0, kCubeRows.rfind("0 0 -1"));
-  const Verdict verdict = judge(open, "c.txt", request);
+  const Verdict verdict = verdict_of(open, "c.txt", request);
   for (const ClaimCode code : {MaxFacets, MaxVertices, MaxFacetVertices}) {
     CHECK(verdict[code].status == Status::NotApplicable);
   }
@@ -85,7 +85,7 @@ TEST_CASE("verify: a budget is not for what has no bounded solid to count on") {
 
 TEST_CASE("verify: halfspaces that leave a square are no solid, and say which and where") {
   const std::string square = "1 0 0 0\n-1 0 0 0\n0 1 0 -1\n0 -1 0 -1\n0 0 1 -1\n0 0 -1 -1\n";
-  const Verdict verdict = judge(square, "c.txt");
+  const Verdict verdict = verdict_of(square, "c.txt");
   const Claim& claim = verdict[CandidateSolid];
   CHECK(claim.status == Status::Violated);
   CHECK(claim.witness.rows == std::vector<std::size_t>{0, 1});
@@ -127,7 +127,7 @@ TEST_CASE("verify: two coverings of the cube that share no edge are closed, but 
     }
     faces += "\n";
   }
-  const Verdict verdict = judge(text + middles + faces, "c.obj");
+  const Verdict verdict = verdict_of(text + middles + faces, "c.obj");
   CHECK(verdict[MeshClosed].status == Status::Holds);
   CHECK(verdict[MeshOriented].status == Status::Holds);
   CHECK(verdict[MeshPlanar].status == Status::Holds);
