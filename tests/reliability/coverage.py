@@ -35,7 +35,7 @@ UNITS = (r'^src/(geometry/|lp/|dual/|simplify/|fast/|oracle/|number/rounding)|^t
 TESTS = ['number', 'geometry', 'lp', 'hull', 'dual', 'measure', 'simplify', 'definition', 'fast', 'fast_plane_filter',
          'fast_cap_bounds', 'fast_audit', 'fast_float_scalar', 'fast_agreement_sample', 'fast_float_sample',
          'fast_audit_sample', 'growth', 'pipeline', 'oracle', 'oracle_programs', 'oracle_corrupted_sample',
-         'oracle_metamorphic', 'report', 'check']
+         'oracle_metamorphic', 'report', 'check', 'check_mutated']
 
 
 class Coverage(Scratch):

@@ -27,7 +27,7 @@ _GEO, _NUMBER, _FAST, _HULL = ('src/geometry/', 'include/convexact/number/', 'in
 _SIGNS = ['fast_plane_filter', 'fast', 'fast_audit', 'fast_agreement_sample', 'fast_audit_sample']
 # Sources of a group, and the tests that are asked about each, cheapest first.
 GROUPS = {
-    'checker': {'src/check/convexact_check.cpp': ['check']},
+    'checker': {'src/check/convexact_check.cpp': ['check', 'check_mutated']},
     'predicates': {
         _GEO + 'orient3d.cpp': ['geometry', 'hull'],
         _GEO + 'plane_side.cpp': ['geometry', 'containment'],
