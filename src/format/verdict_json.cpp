@@ -88,6 +88,7 @@ Json verdict_json(const Verdict& verdict) {
   if (verdict.tightness) {
     json["tightness"] = tightness_json(*verdict.tightness, verdict.squared_diameter);
   }
+  if (!verdict.notes.empty()) json["notes"] = verdict.notes;
   return json;
 }
 

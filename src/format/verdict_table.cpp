@@ -97,6 +97,7 @@ std::string verdict_table(const Verdict& verdict) {
   text += not_asked_line(verdict);
   text += size_lines(verdict.size);
   if (verdict.tightness) text += tightness_lines(*verdict.tightness, verdict.squared_diameter);
+  for (const std::string& note : verdict.notes) text += verdict_line("note", note);
   return text + verdict_line(verdict);
 }
 

@@ -7,8 +7,8 @@
 
 namespace convexact {
 
-/// {"verdict", "claims", "candidate", "outside", "tightness"}; numbers that are not doubles are
-/// strings, exact ones as fractions.
+/// {"verdict", "claims", "candidate", "outside", "tightness", "notes"}; numbers that are not
+/// doubles are strings, exact ones as fractions.
 [[nodiscard]] nlohmann::ordered_json verdict_json(const Verdict& verdict);
 
 /// {"code", "status", "sentence", "witness"} of one claim.

@@ -48,6 +48,7 @@ struct Verdict {
   std::optional<Outside> outside;      ///< If containment was decided.
   std::optional<Tightness> tightness;  ///< If asked for, and the candidate is a bounded solid.
   Rational squared_diameter;           ///< Of the input: what tolerances refer to.
+  std::vector<std::string> notes;      ///< What else people should know; decides nothing.
 
   const Claim& operator[](ClaimCode code) const;
   /// Whether no claim is violated.
