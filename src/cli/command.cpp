@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -12,7 +13,9 @@
 
 #include "convexact/format/error_json.hpp"
 #include "convexact/format/result_json.hpp"
+#include "convexact/number/decimal.hpp"
 #include "memory.hpp"
+#include "quantity_option.hpp"
 #include "reproducer.hpp"
 #include "scratch_folder.hpp"
 
@@ -71,16 +74,40 @@ void limit_memory(const GlobalOptions& options) {
   });
 }
 
+// The command line up to --, behind which a program and its arguments stand.
+std::vector<std::string> own_words() {
+  const std::vector<std::string>& all = reproducer().command_line;
+  return {all.begin() + 1, std::find(all.begin() + 1, all.end(), "--")};
+}
+
+// The first word that looks like an option and is none of its subcommand: the parser would speak of
+// the words behind it, too.
+std::optional<std::string> unknown_option(const CLI::App& program,
+                                          const std::vector<std::string>& words) {
+  std::vector<const CLI::App*> commands = {&program};
+  while (!commands.back()->get_subcommands().empty()) {
+    commands.push_back(commands.back()->get_subcommands().front());
+  }
+  for (const std::string& word : words) {
+    // A minus sign before a digit is that of a number.
+    if (word.size() < 2 || word[0] != '-' || (word[1] >= '0' && word[1] <= '9')) continue;
+    const std::string name = word[1] == '-' ? word.substr(0, word.find('=')) : word.substr(0, 2);
+    const bool is_known = std::any_of(commands.begin(), commands.end(), [&](const CLI::App* app) {
+      return app->get_option_no_throw(name) != nullptr;
+    });
+    if (!is_known) return name;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 void add_global_options(CLI::App& command, GlobalOptions& options) {
   command.add_flag("--json", options.json, "print one JSON object, also on failure");
-  command
-      .add_option("--seed", options.seed, "of the random orders; the answer does not depend on it")
-      ->capture_default_str();
-  command
-      .add_option("--max-memory", options.max_memory, "stop with exit code 6 beyond this, e.g. 2GB")
-      ->transform(CLI::AsSizeValue(false));
+  add_count(command, "--seed", options.seed, {},
+            "of the random orders; the answer does not depend on it");
+  add_bytes(command, "--max-memory", options.max_memory,
+            "stop with exit code 6 beyond this, e.g. 1.5GB");
 }
 
 void remember_command_line(int argc, char** argv) {
@@ -89,6 +116,19 @@ void remember_command_line(int argc, char** argv) {
 
 void remember_input(const std::string& name, const std::string& bytes) {
   reproducer().inputs.emplace_back(name, bytes);
+}
+
+int end_of_parsing(const CLI::App& program, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return program.exit(error);
+  const std::vector<std::string> words = own_words();
+  GlobalOptions options;
+  options.json = std::find(words.begin(), words.end(), "--json") != words.end();
+  std::string what = error.what();
+  const auto unknown = unknown_option(program, words);
+  if (unknown) what = "there is no option " + in_quotes(*unknown);
+  const bool says_all = !unknown && error.get_name() == "ValidationError";
+  if (!says_all) what += "; --help names the options";
+  return report(options, Error(ErrorCode::InvalidArgument, what));
 }
 
 int run_guarded(const GlobalOptions& options, const std::function<int()>& work) {

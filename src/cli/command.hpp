@@ -51,6 +51,10 @@ void add_verify_command(CLI::App& program, int& exit_code);
 void remember_command_line(int argc, char** argv);
 void remember_input(const std::string& name, const std::string& bytes);
 
+/// Tells what is wrong with the command line, naming an unknown option before all else, or prints
+/// the help that was asked for; returns the exit code.
+int end_of_parsing(const CLI::App& program, const CLI::ParseError& error);
+
 /// Runs a subcommand's work and turns each Error into its sentence on standard error (or, with
 /// --json, into {"error": {...}} on standard output) and its exit code. Internal errors leave a
 /// reproducer in the current folder.

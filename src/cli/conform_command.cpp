@@ -15,6 +15,7 @@
 #include "convexact/io/atomic_output.hpp"
 #include "convexact/io/write_mesh.hpp"
 #include "progress.hpp"
+#include "quantity_option.hpp"
 #include "scratch_folder.hpp"
 #include "shipped_files.hpp"
 
@@ -192,17 +193,11 @@ void add_conform_command(CLI::App& program, int& exit_code) {
       ->required()
       ->expected(-1);
   command.add_option("--vectors", options->vectors, "a folder of vectors (default: the shipped)");
-  command.add_option("--level", options->level, "up to this: 1 everyday, 2 hard, 3 cruel")
-      ->check(CLI::Range(1, 3))
-      ->capture_default_str();
+  add_count(command, "--level", options->level, {1, 3}, "up to this: 1 everyday, 2 hard, 3 cruel");
   command.add_option("--flag", options->flag, "vectors with this flag only, see docs/flags");
-  command.add_option("--time-limit", options->limits.seconds, "seconds for each vector")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command
-      .add_option("--memory-limit", options->limits.memory,
-                  "address space for each vector, e.g. 2GB (default: none)")
-      ->transform(CLI::AsSizeValue(false));
+  add_seconds(command, "--time-limit", options->limits.seconds, "for each vector");
+  add_bytes(command, "--memory-limit", options->limits.memory,
+            "address space for each vector, e.g. 2GB (default: none)");
   command.add_option("--tolerance", options->tolerance,
                      "let the output miss points by this much: 1e-6, or 1e-9d of the diameter");
   command.add_option("--input-format", options->input_format, "what the program reads")

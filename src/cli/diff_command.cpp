@@ -11,6 +11,7 @@
 #include "engine_list.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
+#include "quantity_option.hpp"
 #include "scene.hpp"
 
 namespace convexact::cli {
@@ -104,9 +105,7 @@ void add_diff_command(CLI::App& program, int& exit_code) {
       "diff", "run engines against each other and explain the steps where they differ");
   command.footer(kDiffFooter);
   add_input_argument(command, options->inputs);
-  command.add_option("-k,--faces", options->faces, "how many halfspaces to keep, at least 4")
-      ->check(CLI::Range(std::size_t{4}, std::size_t{1} << 32))
-      ->capture_default_str();
+  add_faces(command, options->faces, "how many halfspaces to keep, at least 4");
   command
       .add_option("--engines", options->engines,
                   "which to run; the first is the reference of the others")

@@ -11,6 +11,7 @@
 #include "convexact/io/write_mesh.hpp"
 #include "convexact/shapes/families.hpp"
 #include "convexact/shapes/malformed.hpp"
+#include "quantity_option.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -178,6 +179,20 @@ int run_generate(const GenerateArguments& options, const std::vector<std::string
   return 0;
 }
 
+// Whole numbers from 0 on are counts; one family takes a negative exponent.
+void add_parameter(CLI::App& entry, const Parameter& p, double& value) {
+  const std::string name = "--" + std::string(p.name);
+  if (p.whole && p.least >= 0) {
+    const CountRange range{static_cast<std::uint64_t>(p.least), static_cast<std::uint64_t>(p.most)};
+    add_count(entry, name, value, range, std::string(p.meaning));
+    return;
+  }
+  add_text(entry, name, fmt::format("{}, {} to {}", p.meaning, p.least, p.most),
+           [&value](const auto& option, const auto& text) { value = parse_decimal(option, text); })
+      ->type_name(p.whole ? "INTEGER" : "NUMBER")
+      ->default_str(fmt::format("{}", value));
+}
+
 void add_family(CLI::App& command, const Family& family, GenerateArguments& options) {
   auto values = std::make_shared<std::vector<double>>(shapes::usual_values(family));
   CLI::App& entry =
@@ -186,11 +201,7 @@ void add_family(CLI::App& command, const Family& family, GenerateArguments& opti
            ->group("Families of points");
   for (std::size_t i = 0; i < family.parameters.size(); ++i) {
     const Parameter& p = family.parameters[i];
-    entry
-        .add_option("--" + std::string(p.name), (*values)[i],
-                    fmt::format("{}, {} to {}", p.meaning, p.least, p.most))
-        ->type_name(p.whole ? "INTEGER" : "NUMBER")
-        ->capture_default_str();
+    add_parameter(entry, p, (*values)[i]);
   }
   entry.callback([&family, values, &options] {
     options.work = [&family, values, &options] { return run_family(options, family, *values); };

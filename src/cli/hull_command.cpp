@@ -9,6 +9,7 @@
 #include "convexact/format/summary.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
+#include "quantity_option.hpp"
 #include "scene.hpp"
 
 namespace convexact::cli {
@@ -101,10 +102,8 @@ void add_hull_command(CLI::App& program, int& exit_code) {
   add_input_argument(command, options->inputs);
   add_output_options(command, options->output);
   add_scene_options(command, options->scene);
-  command
-      .add_option("--digits", options->request.digits, "certain digits of each measure, 1 to 10000")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
+  add_count(command, "--digits", options->request.digits, {1, 10000},
+            "certain digits of each measure");
   command.add_flag("--exact-values", options->request.exact_volume,
                    "with --json: the volume as a fraction too");
   add_global_options(command, options->global);

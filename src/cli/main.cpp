@@ -44,8 +44,7 @@ int main(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? 0
-                                    : convexact::exit_code(convexact::ErrorCode::InvalidArgument);
+    return convexact::cli::end_of_parsing(program, error);
   }
   return exit_code;
 }

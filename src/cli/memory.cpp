@@ -5,9 +5,11 @@
 #include <malloc.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <new>
 #include <utility>
 
@@ -80,7 +82,8 @@ void install_memory_functions() { mp_set_memory_functions(allocate, reallocate, 
 void limit_memory(std::uint64_t bytes, std::function<void()> words) {
   last_words() = std::move(words);
   bytes_in_use = 0;
-  most_bytes = bytes;
+  // As much as a signed count goes up to, which is more than any machine has.
+  most_bytes = std::min<std::uint64_t>(bytes, std::numeric_limits<std::int64_t>::max());
 }
 
 void lift_memory_limit() noexcept { most_bytes = 0; }

@@ -200,9 +200,12 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
       ->take_all();
   command.add_option("--picture", options.picture, "a page (.html) that shows input and result");
   command
-      .add_option("--precision", options.precision,
-                  "round outward to binary64 or binary32: 64 or 32")
-      ->check(CLI::IsMember({64, 32}));
+      .add_option_function<std::string>(
+          "--precision",
+          [&options](const std::string& word) { options.precision = word == "32" ? 32 : 64; },
+          "round outward to binary64 or binary32")
+      ->check(CLI::IsMember({"64", "32"}))
+      ->type_name("64|32");
 }
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {

@@ -13,6 +13,7 @@
 #include "convexact/io/atomic_output.hpp"
 #include "convexact/report/report_page.hpp"
 #include "outputs.hpp"
+#include "quantity_option.hpp"
 #include "scene.hpp"
 
 namespace convexact::cli {
@@ -151,18 +152,11 @@ void add_report_command(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   command.add_option("--sections", options->sections, "what to measure")->capture_default_str();
   ReportRequest& request = options->request;
-  command.add_option("-k,--faces", request.faces, "halfspaces at which runs end, at least 4")
-      ->check(CLI::Range(std::size_t{4}, std::size_t{1} << 32))
-      ->capture_default_str();
-  command.add_option("--repetitions", request.effort.repetitions, "of every timed run, at least 1")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1000}))
-      ->capture_default_str();
-  command
-      .add_option("--budget", request.effort.budget,
-                  "seconds for the repetitions of one run; a first run that takes longer is left "
-                  "out, and the page says so")
-      ->check(CLI::Range(0.001, 1e6))
-      ->capture_default_str();
+  add_faces(command, request.faces, "halfspaces at which runs end, at least 4");
+  add_count(command, "--repetitions", request.effort.repetitions, {1, 1000}, "of every timed run");
+  add_seconds(command, "--budget", request.effort.budget,
+              "for the repetitions of one run; a first run that takes longer is left out, and the "
+              "page says so");
   command
       .add_option("--family", request.families,
                   "of shapes, for the stability; default: every one that can be swept")

@@ -15,6 +15,7 @@
 #include "outputs.hpp"
 #include "program_case.hpp"
 #include "progress.hpp"
+#include "quantity_option.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -166,8 +167,7 @@ void add_shrink_command(CLI::App& program, int& exit_code) {
       .add_option("-o,--output", options->output,
                   "the minimal input: .obj, .off, .ply or .xyz; {input} has this format")
       ->required();
-  command.add_option("-k,--faces", options->program.faces, "what {faces} stands for")
-      ->check(CLI::Range(std::size_t{4}, std::size_t{1} << 32));
+  add_faces(command, options->program.faces, "what {faces} stands for");
   add_choice<FailsIf>(
       command, "--fails-if", options->program.fails_if,
       {{"either", FailsIf::Either}, {"exit", FailsIf::Exit}, {"verdict", FailsIf::Verdict}},
@@ -179,13 +179,9 @@ void add_shrink_command(CLI::App& program, int& exit_code) {
                   "extension of {output}, as the program writes it")
       ->check(CLI::IsMember({".obj", ".off", ".ply", ".stl", ".json", ".ine", ".txt"}))
       ->capture_default_str();
-  command.add_option("--time", options->program.limits.seconds, "seconds for each run")
-      ->check(CLI::Range(0.001, 1e6))
-      ->capture_default_str();
-  command
-      .add_option("--memory", options->program.limits.memory,
-                  "address space for each run, e.g. 2GB; no limit by default")
-      ->transform(CLI::AsSizeValue(false));
+  add_seconds(command, "--time-limit", options->program.limits.seconds, "for each run");
+  add_bytes(command, "--memory-limit", options->program.limits.memory,
+            "address space for each run, e.g. 2GB; no limit by default");
   add_global_options(command, options->global);
   command.callback([options, &exit_code] {
     exit_code = run_guarded(options->global, [&] { return run_shrink(*options); });

@@ -10,6 +10,7 @@
 #include "convexact/format/summary.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
+#include "quantity_option.hpp"
 #include "scene.hpp"
 
 namespace convexact::cli {
@@ -170,8 +171,7 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
       "simplify", "enclose a shape in few halfspaces, adding as little volume as possible");
   command.footer(kSimplifyFooter);
   add_input_argument(command, options->inputs);
-  command.add_option("-k,--faces", options->faces, "how many halfspaces to keep, at least 4")
-      ->check(CLI::Range(std::size_t{4}, std::size_t{1} << 32));
+  add_faces(command, options->faces, "how many halfspaces to keep, at least 4");
   command.add_option("--max-growth", options->max_growth,
                      "stop before the volume grows by more, e.g. 5% or 0.05");
   add_output_options(command, options->output);

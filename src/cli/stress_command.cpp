@@ -12,6 +12,7 @@
 #include "convexact/stress/stress.hpp"
 #include "engine_list.hpp"
 #include "progress.hpp"
+#include "quantity_option.hpp"
 #include "shipped_files.hpp"
 
 namespace convexact::cli {
@@ -41,7 +42,7 @@ struct StressArguments {
   SweepOptions sweep;
   std::string engines = "exact,filtered,float";
   StressLimits limits{120, std::uint64_t(4) << 30};
-  std::size_t processes = 2;
+  std::size_t jobs = 2;
   bool list = false, cases = false;
 };
 
@@ -116,7 +117,7 @@ int run_stress(StressArguments options) {
   StressRequest request;
   request.engines = parse_engines(options.engines, "--engines");
   request.limits = options.limits;
-  request.processes = options.processes;
+  request.processes = options.jobs;
   request.stop = &interrupted();
   request.progress = [&](std::size_t done, std::size_t total) {
     progress("judging inputs", done, total);
@@ -135,38 +136,28 @@ void add_sweep_options(CLI::App& command, StressArguments& options) {
   command.add_option("FAMILY", options.families,
                      "families by name, or mesh files to be scaled and moved (default: all)");
   command.add_flag("--list", options.list, "name every family, what is varied and its values");
-  command.add_option("--values", options.sweep.values, "instead of the family's own: 1e3,1e17")
-      ->delimiter(',');
-  command
-      .add_option("--size", options.sweep.points,
-                  "points of shapes that take a number of points, if that is not what is varied")
-      ->check(CLI::Range(1, 10000000))
-      ->capture_default_str();
-  command
-      .add_option("--seeds", options.sweep.seeds, "how many seeds for each value, from --seed on")
-      ->check(CLI::Range(1, 1000000000))
-      ->capture_default_str();
-  command.add_option("-k,--faces", options.sweep.faces, "how many halfspaces to keep, at least 4")
-      ->check(CLI::Range(std::size_t{4}, std::size_t{1} << 32))
-      ->capture_default_str();
+  add_text(command, "--values", "instead of the family's own: 1e3,1e17",
+           [&options](const auto& option, const auto& text) {
+             for (const std::string& word : CLI::detail::split(text, ',')) {
+               options.sweep.values.push_back(parse_decimal(option, word));
+             }
+           });
+  add_count(command, "--size", options.sweep.points, {1, 10000000},
+            "points of shapes that take a number of points, if that is not what is varied");
+  add_count(command, "--seeds", options.sweep.seeds, {1, 1000000000},
+            "how many seeds for each value, from --seed on");
+  add_faces(command, options.sweep.faces, "how many halfspaces to keep, at least 4");
   command.add_flag("--large", options.sweep.large, "also the values that take minutes");
   command.add_flag("--cases", options.cases, "a line for each input, not for each family");
 }
 
 void add_run_options(CLI::App& command, StressArguments& options) {
   command.add_option("--engines", options.engines, "which to run")->capture_default_str();
-  command
-      .add_option("--time-limit", options.limits.seconds,
-                  "seconds of processor time for each engine on each input, and for the judge")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command
-      .add_option("--memory-limit", options.limits.memory,
-                  "address space for each of these, e.g. 2GB; 0 for none (default: 4GB)")
-      ->transform(CLI::AsSizeValue(false));
-  command.add_option("--processes", options.processes, "how many at the same time")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
+  add_seconds(command, "--time-limit", options.limits.seconds,
+              "of processor time for each engine on each input, and for the judge");
+  add_bytes(command, "--memory-limit", options.limits.memory,
+            "address space for each of these, e.g. 2GB; 0 for none (default: 4GB)");
+  add_count(command, "--jobs", options.jobs, {1, 256}, "how many of these run at the same time");
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "convexact/format/verdict_table.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
+#include "quantity_option.hpp"
 #include "scene.hpp"
 #include "verify_stdio.hpp"
 #include "verify_trace.hpp"
@@ -117,10 +118,10 @@ void add_verify_command(CLI::App& program, int& exit_code) {
   command.add_option("--tolerance", options->tolerance,
                      "let violations up to this distance pass: 1e-6, or 1e-9d of the diameter");
   VerifyRequest& request = options->request;
-  command.add_option("--max-facets", request.max_facets, "coplanar faces count as one");
-  command.add_option("--max-vertices", request.max_vertices, "corners of the solid");
-  command.add_option("--max-facet-vertices", request.max_facet_vertices,
-                     "corners of its largest facet");
+  add_count(command, "--max-facets", request.max_facets, {}, "coplanar faces count as one");
+  add_count(command, "--max-vertices", request.max_vertices, {}, "corners of the solid");
+  add_count(command, "--max-facet-vertices", request.max_facet_vertices, {},
+            "corners of its largest facet");
   command.add_flag("--no-tightness", options->no_tightness,
                    "do not measure volume, area, mean width and distance");
   add_choice<Decimal>(command, "--decimal", options->decimal,

@@ -143,7 +143,7 @@ TEST_CASE("generate: wrong usage is exit 2 with one sentence, and writes nothing
       {"sphere-of-cheese", "sphere-of-cheese"},
       {"needle --aspect 0.5", "aspect is a number from 1"},
       {"needle --aspect nan", "aspect"},
-      {"needle --points 3.5", "points is an integer from 1"},
+      {"needle --points 3.5", "--points: expected a whole number from 1 to"},
       {"needle --points many", "points"},
       {"needle --thickness 3", "--thickness"},
       {"cospherical --squared-radius 7", "squared radius 7"},

@@ -65,7 +65,7 @@ TEST_CASE("shrink command: no end in time") {
   // Few runs that hang, and long enough a time for those that do not, on a busy machine too.
   const ShrinkCase test;
   (void)test.scratch.write("shape.obj", "v 1 1 1\nv -6 0 0\n");
-  const auto ran = test.shrink("grep -q '^v -6' \"$1\" && sleep 60\nexit 0\n", "--time 2");
+  const auto ran = test.shrink("grep -q '^v -6' \"$1\" && sleep 60\nexit 0\n", "--time-limit 2");
   REQUIRE_MESSAGE(ran.exit == 0, ran.err);
   CHECK(ran.out.find("no end within 2 s") != std::string::npos);
   CHECK(bytes_of(test.output) == "v -6 0 0\n");

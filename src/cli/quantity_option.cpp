@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "quantity_option.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+#include "convexact/error.hpp"
+#include "convexact/number/decimal.hpp"
+
+namespace convexact::cli {
+namespace {
+
+constexpr double kLongest = 1e6;  // seconds
+
+bool is_digits(std::string_view text) {
+  return !text.empty() &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+[[noreturn]] void expected(const std::string& option, const std::string& what,
+                           const std::string& found) {
+  throw Error(ErrorCode::InvalidArgument,
+              option + ": expected " + what + ", found " + in_quotes(found));
+}
+
+// Digits, or digits, a point and digits.
+bool is_plain_decimal(std::string_view text) {
+  const std::size_t point = text.find('.');
+  if (point == text.npos) return is_digits(text);
+  return is_digits(text.substr(0, point)) && is_digits(text.substr(point + 1));
+}
+
+// 1024 to the place of the unit's first letter; nothing if it is no unit.
+std::optional<Integer> bytes_of_unit(std::string unit) {
+  std::transform(unit.begin(), unit.end(), unit.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  constexpr std::string_view kLetters = "bkmgt";
+  if (unit.empty()) return 1;
+  const std::size_t power = kLetters.find(unit[0]);
+  const std::string rest = unit.substr(1);
+  if (power == kLetters.npos || !(rest.empty() || (power > 0 && (rest == "b" || rest == "ib")))) {
+    return std::nullopt;
+  }
+  return Integer(1) << (10 * power);
+}
+
+}  // namespace
+
+std::string in_words(const CountRange& range) {
+  const bool is_endless = range.most >> 32 != 0;
+  return is_endless ? "" : fmt::format(", {} to {}", range.least, range.most);
+}
+
+std::uint64_t parse_count(const std::string& option, const std::string& text,
+                          const CountRange& range) {
+  std::uint64_t count = 0;
+  // from_chars knows neither blanks nor octal numbers, but a minus sign.
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (!is_digits(text) || failure != std::errc() || end != text.data() + text.size() ||
+      count < range.least || count > range.most) {
+    expected(option, fmt::format("a whole number from {} to {}", range.least, range.most), text);
+  }
+  return count;
+}
+
+std::uint64_t parse_bytes(const std::string& option, const std::string& text) {
+  const std::string number = text.substr(0, text.find_first_not_of("0123456789."));
+  const std::optional<Integer> unit = bytes_of_unit(text.substr(number.size()));
+  if (unit && is_plain_decimal(number)) {
+    const Rational bytes = parse_rational(number) * Rational(*unit);
+    const Integer whole = numerator(bytes) / denominator(bytes);
+    if (whole <= std::numeric_limits<std::uint64_t>::max()) {
+      return whole.convert_to<std::uint64_t>();
+    }
+  }
+  expected(option, "a size such as 512MB or 1.5GB, below 2^64 bytes", text);
+}
+
+double parse_decimal(const std::string& option, const std::string& text) {
+  try {
+    return nearest_double(text);
+  } catch (const Error&) {
+    expected(option, "a number", text);
+  }
+}
+
+double parse_seconds(const std::string& option, const std::string& text) {
+  try {
+    const double seconds = nearest_double(text);
+    if (seconds > 0 && seconds <= kLongest) return seconds;
+  } catch (const Error&) {  // told below
+  }
+  expected(option, fmt::format("seconds, more than 0 and at most {:.0f}", kLongest), text);
+}
+
+CLI::Option* add_text(
+    CLI::App& command, const std::string& names, const std::string& meaning,
+    const std::function<void(const std::string& option, const std::string& text)>& take) {
+  const std::string name = names.substr(names.rfind(',') + 1);
+  return command.add_option_function<std::string>(
+      names,
+      [name, take](const std::string& text) {
+        try {
+          take(name, text);
+        } catch (const Error& error) {
+          throw CLI::ValidationError(error.what());
+        }
+      },
+      meaning);
+}
+
+CLI::Option* add_count(CLI::App& command, const std::string& names,
+                       std::optional<std::size_t>& value, const CountRange& range,
+                       const std::string& meaning) {
+  return add_text(command, names, meaning,
+                  [&value, range](const auto& name, const auto& text) {
+                    value = parse_count(name, text, range);
+                  })
+      ->type_name("COUNT");
+}
+
+CLI::Option* add_bytes(CLI::App& command, const std::string& names, std::uint64_t& value,
+                       const std::string& meaning) {
+  return add_text(command, names, meaning,
+                  [&value](const auto& name, const auto& text) { value = parse_bytes(name, text); })
+      ->type_name("SIZE");
+}
+
+CLI::Option* add_seconds(CLI::App& command, const std::string& names, double& value,
+                         const std::string& meaning) {
+  return add_text(
+             command, names, meaning,
+             [&value](const auto& name, const auto& text) { value = parse_seconds(name, text); })
+      ->type_name("SECONDS")
+      ->default_str(fmt::format("{}", value));
+}
+
+}  // namespace convexact::cli
