@@ -1,50 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "convexact/format/halfspace_json.hpp"
 
-#include <iterator>
-#include <nlohmann/json.hpp>
-
 #include "../io/output_buffer.hpp"
 #include "convexact/error.hpp"
+#include "json_text.hpp"
 
 namespace convexact {
 namespace {
 
-// Walks over bytes and counts the lines begun.
-struct LineCounter {
-  using iterator_category = std::input_iterator_tag;
-  using value_type = char;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const char*;
-  using reference = const char&;
-
-  const char* position;
-  std::size_t* line;
-
-  reference operator*() const { return *position; }
-  LineCounter& operator++() {
-    if (*position == '\n') ++*line;
-    ++position;
-    return *this;
-  }
-  friend bool operator==(const LineCounter& a, const LineCounter& b) {
-    return a.position == b.position;
-  }
-  friend bool operator!=(const LineCounter& a, const LineCounter& b) { return !(a == b); }
-};
-
 // Takes the events of the parser, which hands on numbers as they are spelled.
-class HalfspaceEvents {
+class HalfspaceEvents : public JsonEvents {
  public:
-  HalfspaceEvents(const std::size_t& line, Decimal decimal) : line_(line), decimal_(decimal) {}
+  explicit HalfspaceEvents(Decimal decimal) : decimal_(decimal) {}
 
   bool start_object(std::size_t) {
     expect_no_container();
-    ++depth_;
+    open();
     return true;
   }
   bool end_object() {
-    --depth_;
+    close();
     return true;
   }
   bool key(const std::string& name) {
@@ -64,13 +39,13 @@ class HalfspaceEvents {
     } else {
       expect_no_container();
     }
-    ++depth_;
+    open();
     return true;
   }
   bool end_array() {
     if (in_row()) end_row();
     if (depth_ == list_depth_) list_depth_ = 0;
-    --depth_;
+    close();
     return true;
   }
 
@@ -81,18 +56,6 @@ class HalfspaceEvents {
   bool number_unsigned(std::uint64_t value) { return number(std::to_string(value)); }
   bool number_float(double, const std::string& spelled) { return number(spelled); }
   bool string(const std::string& value) { return number(value); }
-
-  bool parse_error(std::size_t, const std::string& token, const nlohmann::json::exception& why) {
-    constexpr int kNumberOverflow = 406;
-    if (why.id == kNumberOverflow) {
-      throw Error(ErrorCode::NotFinite,
-                  "expected a number within the doubles (or an integer or fraction as a string), "
-                  "found " +
-                      in_quotes(token),
-                  line_);
-    }
-    throw Error(ErrorCode::Malformed, "expected JSON, found " + in_quotes(token), line_);
-  }
 
   HalfspaceList finish() {
     if (!seen_) {
@@ -145,12 +108,10 @@ class HalfspaceEvents {
     list_.add({row_[0], row_[1], row_[2]}, row_[3]);
   }
 
-  const std::size_t& line_;
   Decimal decimal_;
   HalfspaceList list_;
   std::vector<Rational> row_;
   std::size_t row_line_ = 0;
-  std::size_t depth_ = 0;       // open objects and arrays
   std::size_t list_depth_ = 0;  // depth inside the array of halfspaces; 0: not in it
   bool list_is_next_ = false;   // the key has just been read
   bool seen_ = false;
@@ -159,11 +120,8 @@ class HalfspaceEvents {
 }  // namespace
 
 HalfspaceList read_halfspaces_json(std::string_view bytes, Decimal decimal) {
-  std::size_t line = 1;
-  HalfspaceEvents events(line, decimal);
-  const char* first = bytes.data();
-  (void)nlohmann::json::sax_parse(LineCounter{first, &line},
-                                  LineCounter{first + bytes.size(), &line}, &events);
+  HalfspaceEvents events(decimal);
+  parse_json_events(bytes, events);
   return events.finish();
 }
 

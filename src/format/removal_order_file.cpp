@@ -9,6 +9,7 @@
 #include "convexact/error.hpp"
 #include "convexact/format/halfspace_json.hpp"
 #include "convexact/format/halfspace_rows.hpp"
+#include "json_text.hpp"
 #include "words.hpp"
 
 namespace convexact {
@@ -108,21 +109,9 @@ void StepReader::read(const json& document, RemovalOrder& order) {
   if (document.contains("stop")) order.stop = stop_reason(document["stop"]);
 }
 
-json parse(std::string_view text) {
-  try {
-    return json::parse(text);
-  } catch (const json::parse_error& error) {
-    const std::string_view before = text.substr(0, std::min(error.byte, text.size()));
-    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-    throw Error(ErrorCode::Malformed, "expected JSON", static_cast<std::size_t>(line));
-  } catch (const json::out_of_range&) {
-    throw Error(ErrorCode::NotFinite, "a number rounds beyond the largest double");
-  }
-}
-
 RemovalOrder read_json_order(std::string_view bytes, const std::optional<ListedFacets>& facets,
                              std::span<const Halfspace> canonical, Decimal decimal) {
-  const json document = parse(bytes);
+  const json document = parse_json(bytes);
   RemovalOrder order;
   StepReader reader;
   try {

@@ -11,6 +11,7 @@
 #include "convexact/number/decimal.hpp"
 #include "convexact/number/hex_float.hpp"
 #include "convexact/oracle/verify.hpp"
+#include "json_text.hpp"
 
 namespace convexact {
 namespace {
@@ -32,12 +33,16 @@ void require_known_keys(const json& object, std::initializer_list<const char*> k
   }
 }
 
-Rational number(const json& value, Decimal decimal) {
-  if (value.is_number_unsigned()) return Rational(Integer(value.get<std::uint64_t>()));
-  if (value.is_number_integer()) return Rational(Integer(value.get<std::int64_t>()));
-  if (value.is_number_float()) return to_rational(value.get<double>());
-  if (!value.is_string()) reject("a number, or a string that holds one");
-  const std::string& text = value.get_ref<const std::string&>();
+// A number of a JSON text or a string: both mean what their text does, whatever stands beside them.
+std::string_view text_of(const json& value) {
+  const std::string_view text = spelling_of(value);
+  if (text.empty()) reject("a number, or a string that holds one");
+  return text;
+}
+
+// As in a list of halfspaces: integers and fractions are exact.
+Rational coefficient(const json& value, Decimal decimal) {
+  const std::string_view text = text_of(value);
   return is_hex_float(text) ? parse_hex_float(text) : parse_number(text, decimal);
 }
 
@@ -50,31 +55,24 @@ const json& row_of(const json& rows, std::size_t row, std::size_t length, const 
   return numbers;
 }
 
-// Coordinates are doubles: an integer without one goes to the nearest, as a decimal does.
-double coordinate(const json& value) { return value.get<double>(); }
-
-bool is_plain(const json& rows) {
-  return std::all_of(rows.begin(), rows.end(), [](const json& row) {
-    return std::all_of(row.begin(), row.end(), [](const json& x) { return x.is_number(); });
-  });
+// As in a mesh: every decimal is the nearest double, also one without a point or an exponent.
+Rational coordinate(const json& value, Decimal decimal) {
+  const std::string_view text = text_of(value);
+  if (is_hex_float(text)) return parse_hex_float(text);
+  const bool is_fraction = text.find('/') != std::string_view::npos;
+  const bool is_spelled = is_fraction || decimal == Decimal::Exact;
+  return is_spelled ? parse_number(text, Decimal::Exact) : to_rational(nearest_double(text));
 }
 
 PointSet points(const json& rows, Decimal decimal, const char* what) {
   if (!rows.is_array()) reject(std::string("an array with a row for each ") + what);
-  if (is_plain(rows)) {
-    std::vector<Point> doubles;
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-      const json& x = row_of(rows, r, 3, what);
-      doubles.emplace_back(coordinate(x[0]), coordinate(x[1]), coordinate(x[2]));
-    }
-    return PointSet(std::move(doubles));
-  }
-  std::vector<RationalPoint> rationals;
+  std::vector<RationalPoint> list;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const json& x = row_of(rows, r, 3, what);
-    rationals.emplace_back(number(x[0], decimal), number(x[1], decimal), number(x[2], decimal));
+    list.emplace_back(coordinate(x[0], decimal), coordinate(x[1], decimal),
+                      coordinate(x[2], decimal));
   }
-  return PointSet(std::move(rationals));
+  return PointSet(std::move(list));
 }
 
 HalfspaceList halfspaces(const json& rows, Decimal decimal) {
@@ -82,8 +80,8 @@ HalfspaceList halfspaces(const json& rows, Decimal decimal) {
   HalfspaceList list;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const json& x = row_of(rows, r, 4, "plane");
-    list.add({number(x[0], decimal), number(x[1], decimal), number(x[2], decimal)},
-             number(x[3], decimal));
+    list.add({coefficient(x[0], decimal), coefficient(x[1], decimal), coefficient(x[2], decimal)},
+             coefficient(x[3], decimal));
   }
   return list;
 }
@@ -97,7 +95,7 @@ std::vector<std::vector<std::uint32_t>> faces(const json& rows, std::size_t poin
     for (const json& corner : row) {
       if (!corner.is_number_unsigned() || corner.get<std::uint64_t>() >= points) {
         reject("the index of one of " + std::to_string(points) + " vertices, found " +
-               corner.dump());
+               in_quotes(corner.dump()));
       }
       polygon.push_back(corner.get<std::uint32_t>());
     }
@@ -134,7 +132,7 @@ std::vector<ClaimCode> claims(const json& names) {
   std::vector<ClaimCode> codes;
   for (const json& name : names) {
     const auto code = name.is_string() ? claim_of_name(name.get<std::string>()) : std::nullopt;
-    if (!code) reject("the name of a claim, found " + name.dump());
+    if (!code) reject("the name of a claim, found " + in_quotes(name.dump()));
     codes.push_back(*code);
   }
   return codes;
@@ -171,6 +169,9 @@ ordered_json answer(const json& request) {
                      {"id", "points", "candidate", "claims", "tolerance", "tightness", "decimal",
                       "max_facets", "max_vertices", "max_facet_vertices"},
                      "the request");
+  if (request.contains("id") && request["id"].is_structured()) {
+    reject("an id that is a number, a string, true, false or null");
+  }
   if (!request.contains("points") || !request.contains("candidate")) {
     reject("a request with 'points' and 'candidate'");
   }
@@ -189,27 +190,37 @@ ordered_json answer(const json& request) {
   return {{"error", error}};
 }
 
-// Invalid UTF-8 in a message or an id is replaced, so that a line is always JSON.
-std::string one_line(const json& id, ordered_json body) {
-  ordered_json line;
-  if (!id.is_discarded()) line["id"] = id;
-  line.update(body);
-  return line.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+// The id of a request as it goes into the answer: a number as spelled, and empty if there is none.
+std::string id_text(const json& request) {
+  if (!request.is_object() || !request.contains("id")) return {};
+  const json& id = request["id"];
+  if (id.is_structured()) return {};
+  return id.is_binary() ? std::string(spelling_of(id)) : id.dump();
+}
+
+// Invalid UTF-8 in a message is replaced, so that a line is always JSON.
+std::string one_line(const json& request, const ordered_json& body) {
+  const std::string line = body.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  const std::string id = id_text(request);
+  return id.empty() ? line : "{\"id\":" + id + "," + line.substr(1);
 }
 
 }  // namespace
 
 std::string answer_request(std::string_view line) {
-  json id = json(json::value_t::discarded);
+  JsonDocument reader({"id", "points", "planes", "vertices"});
+  const auto failure = [&](const Error& error) {
+    return one_line(reader.document, {{"error", error_json(error)}});
+  };
   try {
-    const json request = json::parse(line);
-    if (request.is_object() && request.contains("id")) id = request["id"];
-    return one_line(id, answer(request));
-  } catch (const json::exception& error) {
-    const Error malformed(ErrorCode::Malformed, std::string("not a request: ") + error.what());
-    return one_line(id, {{"error", error_json(malformed)}});
+    parse_json_events(line, reader);
   } catch (const Error& error) {
-    return one_line(id, {{"error", error_json(error)}});
+    return failure(Error(error.code(), std::string("not a request: ") + error.what()));
+  }
+  try {
+    return one_line(reader.document, answer(reader.document));
+  } catch (const Error& error) {
+    return failure(error);
   }
 }
 

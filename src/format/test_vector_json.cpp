@@ -11,6 +11,7 @@
 #include "convexact/format/candidate_file.hpp"
 #include "convexact/io/read_bytes.hpp"
 #include "convexact/io/read_mesh.hpp"
+#include "json_text.hpp"
 
 namespace convexact {
 namespace {
@@ -243,7 +244,7 @@ TestVector to_vector(const json& entry, const std::string& data) {
 std::vector<TestVector> read_test_vectors_bytes(std::string_view bytes, const std::string& data) {
   std::vector<TestVector> vectors;
   try {
-    const json document = json::parse(bytes);
+    const json document = parse_json(bytes);
     for (const json& entry : document.at("vectors")) vectors.push_back(to_vector(entry, data));
   } catch (const json::exception& error) {
     throw Error(ErrorCode::Malformed, error.what());

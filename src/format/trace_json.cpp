@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "convexact/format/trace_json.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "convexact/error.hpp"
 #include "convexact/number/rounding.hpp"
+#include "json_text.hpp"
 #include "words.hpp"
 
 namespace convexact {
 namespace {
 
+using nlohmann::json;
 using nlohmann::ordered_json;
 
 ordered_json to_json(const Halfspace& halfspace) {
@@ -42,20 +43,20 @@ ordered_json to_json(const Step& step) {
 // Reads one document; `place_` is where in it the reader is, for messages.
 class TraceReader {
  public:
-  Trace read(const ordered_json& document);
+  Trace read(const json& document);
   const std::string& place() const { return place_; }
 
  private:
   [[noreturn]] void reject(const std::string& expected) const {
     throw Error(ErrorCode::Malformed, place_ + ": expected " + expected);
   }
-  Integer integer(const ordered_json& text) const;
-  Halfspace halfspace(const ordered_json& row) const;
-  HalfspaceId id(const ordered_json& number) const;
-  std::vector<HalfspaceId> ids(const ordered_json& list) const;
-  Step step(const ordered_json& object) const;
+  Integer integer(const json& text) const;
+  Halfspace halfspace(const json& row) const;
+  HalfspaceId id(const json& number) const;
+  std::vector<HalfspaceId> ids(const json& list) const;
+  Step step(const json& object) const;
   StopReason stop_reason(const std::string& name) const;
-  void require_array(const ordered_json& value) const {
+  void require_array(const json& value) const {
     if (!value.is_array()) reject("an array");
   }
 
@@ -63,41 +64,41 @@ class TraceReader {
   std::size_t count_ = 0;  // of halfspaces
 };
 
-Integer TraceReader::integer(const ordered_json& text) const {
+Integer TraceReader::integer(const json& text) const {
   const Rational value = parse_rational(text.get_ref<const std::string&>());
   if (denominator(value) != 1) reject("an integer as a string");
   return numerator(value);
 }
 
-Halfspace TraceReader::halfspace(const ordered_json& row) const {
+Halfspace TraceReader::halfspace(const json& row) const {
   if (!row.is_array() || row.size() != 4) reject("four integers as strings");
   const IntegerVector3 normal(integer(row[0]), integer(row[1]), integer(row[2]));
   if (normal == IntegerVector3::Zero()) reject("a normal that is not zero");
   return {normal, integer(row[3])};
 }
 
-HalfspaceId TraceReader::id(const ordered_json& number) const {
+HalfspaceId TraceReader::id(const json& number) const {
   if (!number.is_number_unsigned() || number.get<std::uint64_t>() >= count_) {
     reject("the index of a halfspace, below " + std::to_string(count_));
   }
   return HalfspaceId(number.get<std::size_t>());
 }
 
-std::vector<HalfspaceId> TraceReader::ids(const ordered_json& list) const {
+std::vector<HalfspaceId> TraceReader::ids(const json& list) const {
   require_array(list);
   std::vector<HalfspaceId> result;
-  for (const ordered_json& number : list) result.push_back(id(number));
+  for (const json& number : list) result.push_back(id(number));
   return result;
 }
 
-Step TraceReader::step(const ordered_json& object) const {
+Step TraceReader::step(const json& object) const {
   Step step;
   step.removed = id(object.at("removed"));
   step.cost = parse_rational(object.at("cost").at("exact").get_ref<const std::string&>());
   step.tie = ids(object.at("tie"));
   step.ring = ids(object.at("ring"));
   require_array(object.at("triangles"));
-  for (const ordered_json& corners : object.at("triangles")) {
+  for (const json& corners : object.at("triangles")) {
     const std::vector<HalfspaceId> abc = ids(corners);
     if (abc.size() != 3) reject("triangles of three indices");
     step.triangles.push_back({abc[0], abc[1], abc[2]});
@@ -115,19 +116,19 @@ StopReason TraceReader::stop_reason(const std::string& name) const {
   reject("reached, growth-limit or all-unbounded");
 }
 
-Trace TraceReader::read(const ordered_json& document) {
+Trace TraceReader::read(const json& document) {
   Trace trace;
-  const ordered_json& halfspaces = document.at("halfspaces");
+  const json& halfspaces = document.at("halfspaces");
   require_array(halfspaces);
-  for (const ordered_json& row : halfspaces) {
+  for (const json& row : halfspaces) {
     place_ = "halfspace " + std::to_string(trace.halfspaces.size());
     trace.halfspaces.push_back(halfspace(row));
   }
   count_ = trace.halfspaces.size();
   place_ = "trace";
-  const ordered_json& steps = document.at("steps");
+  const json& steps = document.at("steps");
   require_array(steps);
-  for (const ordered_json& object : steps) {
+  for (const json& object : steps) {
     place_ = "step " + std::to_string(trace.steps.size() + 1);
     trace.steps.push_back(step(object));
   }
@@ -152,12 +153,8 @@ std::string write_trace_json(const Trace& trace) {
 Trace read_trace_json(std::string_view text) {
   TraceReader reader;
   try {
-    return reader.read(ordered_json::parse(text));
-  } catch (const ordered_json::parse_error& error) {
-    const std::string_view before = text.substr(0, std::min(error.byte, text.size()));
-    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-    throw Error(ErrorCode::Malformed, "expected JSON", static_cast<std::size_t>(line));
-  } catch (const ordered_json::exception& error) {
+    return reader.read(parse_json(text));
+  } catch (const json::exception& error) {
     // A key that is missing or a value of another kind; the library's text says which.
     throw Error(ErrorCode::Malformed, reader.place() + ": " + error.what());
   }

@@ -53,6 +53,23 @@ TEST_CASE("verify --stdio: nothing in, nothing out; a line of a megabyte is one 
   CHECK(list[0]["outside"]["tested"] == 65004);
 }
 
+TEST_CASE("verify --stdio: after a request of endless nesting the next ones are answered (#13)") {
+  const std::string deep = std::string(300000, '[') + std::string(300000, ']');
+  const std::string good = std::string(R"({"id": "after", )") + kQuestion + "}\n";
+  std::string requests;
+  for (const char* key : {"id", "claims", "decimal", "points", "tolerance", "unknown"}) {
+    requests +=
+        std::string(R"({"before": 0, ")") + key + "\": " + deep + ", " + kQuestion + "}\n" + good;
+  }
+  const std::vector<json> list = answers(requests);
+  REQUIRE(list.size() == 12);
+  for (std::size_t k = 0; k < list.size(); k += 2) {
+    CHECK(list[k]["error"]["code"] == "malformed");
+    CHECK(list[k + 1]["id"] == "after");
+    CHECK(list[k + 1]["verdict"] == "holds");
+  }
+}
+
 TEST_CASE("verify --stdio: a closed pipe is exit 6, other arguments are wrong usage") {
   const ScratchFolder scratch;
   const std::string requests = scratch.write("requests", std::string("{") + kQuestion + "}\n");

@@ -7,6 +7,9 @@
 #include <cmath>
 
 #include "convexact/error.hpp"
+#include "convexact/format/removal_order_file.hpp"
+#include "convexact/format/test_vector_json.hpp"
+#include "convexact/format/trace_json.hpp"
 #include "expect_error.hpp"
 #include "integer_halfspace.hpp"
 #include "property.hpp"
@@ -136,4 +139,32 @@ TEST_CASE("halfspaces: any list comes back, in every format") {
       RC_ASSERT(halfspace_format_of_content(integers) == format);
     }
   });
+}
+
+TEST_CASE("json: every reader refuses nesting without end, with its line (#13)") {
+  const auto line_of = [](auto read) -> std::size_t {
+    try {
+      read();
+    } catch (const Error& error) {
+      CHECK(error.code() == ErrorCode::Malformed);
+      return error.line().value_or(0);
+    }
+    return 0;
+  };
+  for (const char* bracket : {"[", "{\"a\":"}) {
+    for (const std::size_t depth : {64u, 1000u, 300000u}) {
+      CAPTURE(depth);
+      std::string text = "{\"halfspaces\": [],\n\"steps\": [],\n\"note\": ";
+      for (std::size_t k = 0; k < depth; ++k) text += bracket;
+      CHECK(line_of([&] { (void)read_halfspaces_json(text, Decimal::Nearest); }) == 3);
+      CHECK(line_of([&] { (void)read_removal_order(text, {}, {}, Decimal::Nearest); }) == 3);
+      CHECK(line_of([&] { (void)read_trace_json(text); }) == 3);
+      CHECK(line_of([&] { (void)read_test_vectors_bytes(text, "nowhere"); }) == 3);
+    }
+  }
+  // 64 levels are read: the object and 63 lists in it.
+  const std::string lists = std::string(63, '[') + std::string(63, ']');
+  CHECK(read_halfspaces_json("{\"note\": " + lists + ", \"halfspaces\": [[1, 0, 0, -1]]}",
+                             Decimal::Nearest)
+            .row_count() == 1);
 }

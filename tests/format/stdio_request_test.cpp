@@ -124,7 +124,7 @@ TEST_CASE(
   CHECK(error("what")["error"]["code"] == "malformed");
   CHECK_FALSE(error("what").contains("id"));
   CHECK(error("[]")["error"]["code"] == "malformed");
-  CHECK(error(R"({"id": [1]})")["id"] == json{1});
+  CHECK_FALSE(error(R"({"id": [1]})").contains("id"));
   CHECK(error("\xff{\"id\": \"\xff\"}")["error"]["code"] == "malformed");
   CHECK(error(std::string("{\"id\": 1, \0}", 12))["error"]["code"] == "malformed");
   CHECK(error(std::string(100000, '['))["error"]["code"] == "malformed");
@@ -165,6 +165,94 @@ TEST_CASE(
   json infinite = base;
   infinite["points"][0][0] = "1e999";
   CHECK(error(infinite.dump())["error"]["code"] == "not-finite");
+}
+
+TEST_CASE("stdio: nesting without end is an error with the id that came before (#13)") {
+  constexpr int kDepth = 200000;
+  const std::string deep = std::string(kDepth, '[') + std::string(kDepth, ']');
+  std::string objects;
+  for (int k = 0; k < kDepth; ++k) objects += "{\"a\":";
+  objects += "1" + std::string(kDepth, '}');
+  const std::string rest =
+      R"(, "points": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], "candidate": {"planes": []}})";
+  for (const std::string& value : {deep, objects}) {
+    for (const char* key : {"points", "candidate", "claims", "tolerance", "decimal", "other"}) {
+      CAPTURE(key);
+      const json answer = json::parse(
+          answer_request("{\"id\": \"x\", \"" + std::string(key) + "\": " + value + rest));
+      CHECK(answer["id"] == "x");
+      CHECK(answer["error"]["code"] == "malformed");
+      CHECK(schema_complaint("stdio_request", answer) == "");
+    }
+    const json answer = json::parse(answer_request("{\"id\": " + value + rest));
+    CHECK_FALSE(answer.contains("id"));
+    CHECK(answer["error"]["code"] == "malformed");
+  }
+  // What is within the depth is refused for what it is, in a message of bounded length.
+  const std::string name = "\"" + std::string(1 << 20, 'x') + "\"";
+  const std::string answer = answer_request("{\"id\": 1, \"claims\": [[" + name + "]]" + rest);
+  CHECK(json::parse(answer)["id"] == 1);
+  CHECK(answer.size() < 500);
+}
+
+TEST_CASE("stdio: an id comes back as it was spelled (#13)") {
+  for (const std::string id : {"7", "-0", "18446744073709551616", "-9223372036854775809", "1e2",
+                               "1.0", "123456789012345678901234567890.50",
+                               "\"18446744073709551616\"", "null", "true", "\"\"", "\"a\\nb\""}) {
+    const std::string start = "{\"id\":" + id + ",";
+    CHECK(answer_request("{\"id\" : " + id + " }").starts_with(start));
+    CHECK(answer_request("{\"maximum\": [{\"points\": 3}], \"id\":" + id + "}").starts_with(start));
+    CHECK(answer_request("{\"id\":" + id + ", \"points\": [[").starts_with(start));
+  }
+  for (const char* id : {"[7]", "{\"a\": 7}", "[]"}) {
+    const json answer = json::parse(answer_request(std::string("{\"id\":") + id + "}"));
+    CHECK_FALSE(answer.contains("id"));
+    CHECK(answer["error"]["message"] ==
+          "expected an id that is a number, a string, true, false or null");
+  }
+  CHECK_FALSE(json::parse(answer_request("{\"id\": what")).contains("id"));
+  CHECK(json::parse(answer_request(R"({"id": 1, "id": 2})"))["error"]["code"] == "malformed");
+}
+
+// Integers beyond 2^53: a coordinate is the nearest double, as in a mesh; a plane is exact, as in a
+// list of halfspaces. Neither the other entries nor quotes make a difference.
+TEST_CASE("stdio: a number means what its text does, whatever stands beside it (#13)") {
+  const std::string two53 = "9007199254740992", above = "9007199254740993";
+  const auto violated = [&](const std::string& x, const std::string& other, const std::string& d,
+                            const std::string& decimal) {
+    const std::string answer =
+        answer_request(R"({"claims": ["contains-input"], "decimal": ")" + decimal +
+                       R"(", "points": [[0,0,0],[)" + x + ",0,0],[0," + other + ",0],[0,0,1]], " +
+                       R"("candidate": {"planes": [[1,0,0,)" + d + "],[0,1,0," + "-2]]}}");
+    const json document = json::parse(answer);
+    REQUIRE_MESSAGE(document.contains("verdict"), answer);
+    return document["verdict"] == "violated";
+  };
+  const auto quoted = [](const std::string& text) { return "\"" + text + "\""; };
+  for (const std::string& other :
+       {std::string("1"), std::string("1.0"), quoted("1"), quoted("0x1p0"), quoted("1/3")}) {
+    CAPTURE(other);
+    for (const bool is_quoted : {false, true}) {
+      const std::string x = is_quoted ? quoted(above) : above;
+      const std::string d = is_quoted ? quoted("-" + above) : "-" + above;
+      const std::string d_even = is_quoted ? quoted("-" + two53) : "-" + two53;
+      // The nearest double to 2^53 + 1 is 2^53.
+      CHECK_FALSE(violated(x, other, d_even, "nearest"));
+      CHECK(violated(x, other, d_even, "exact"));
+      CHECK_FALSE(violated(x, other, d, "exact"));
+      // 2^53 + 2 is a double; planes at 2^53 + 1 and at 2^64 + 1 are exact in both modes.
+      for (const char* decimal : {"nearest", "exact"}) {
+        CHECK(violated("9007199254740994", other, d, decimal));
+        CHECK_FALSE(violated("18446744073709551616", other, "-18446744073709551617", decimal));
+        CHECK(violated("18446744073709551616", other, "-18446744073709551615", decimal));
+      }
+      // Decimals in planes go by `decimal`, too: 0.1 as a double is larger than a tenth.
+      CHECK_FALSE(violated(quoted("1/10"), other, "-0.1", "nearest"));
+      CHECK(violated("0.1", other, quoted("-1/10"), "nearest"));
+      CHECK_FALSE(violated("0.1", other, quoted("-1/10"), "exact"));
+      CHECK_FALSE(violated(quoted("0.1"), other, "-1e-1", "exact"));
+    }
+  }
 }
 
 TEST_CASE("stdio: a corrupted request has an answer that is one line of JSON, as the schema says") {

@@ -115,8 +115,9 @@ TEST_CASE("trace_json: malformed text is refused with the place") {
     }
     return std::string("accepted");
   };
-  CHECK(message("") == "line 1: expected JSON");
-  CHECK(message("{\n\n\"halfspaces\": [}") == "line 3: expected JSON");
+  CHECK(message("") == "line 1: expected JSON, found the end at byte 1");
+  CHECK(message("{\n\n\"halfspaces\": [}") ==
+        "line 3: expected JSON, found '\"halfspaces\": [}' at byte 19");
   CHECK(message("{}").find("halfspaces") != std::string::npos);
   CHECK(message("[1]").find("trace") == 0);
   CHECK(message(R"({"halfspaces": {"a": 1}, "steps": []})") == "trace: expected an array");

@@ -12,8 +12,11 @@ namespace convexact {
 /// the request is such an error, and whatever is wrong with the candidate is a verdict; nothing is
 /// thrown but std::bad_alloc.
 ///
-/// Numbers are JSON numbers (the nearest double; integers below 2^63 exactly) or strings: decimals
-/// by the request's `decimal`, fractions, hexadecimal floats.
+/// A number means what the same text means in a file, as a JSON number or as a string, whatever
+/// stands beside it: a coordinate of a point or vertex goes by the request's `decimal`; of a plane,
+/// integers and fractions are exact and other decimals go by `decimal`. Strings may also hold
+/// fractions (for coordinates as well) and hexadecimal floats, which are exact. The id is a number, a
+/// string, true, false or null, and a number comes back digit by digit.
 /// @par Cost  Reading, about 20 ns a byte, and verify() for the claims asked.
 [[nodiscard]] std::string answer_request(std::string_view line);
 
