@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Property of obj, off, ply, stl, xyz: the reader takes any bytes and either reads them or refuses
 // them with an Error of exit code 3. What was read can be written and is then read as the same;
-// decimals taken as spelled round to the doubles that they are read as otherwise.
+// decimals taken as spelled round to the doubles, or binary32 numbers, that they are read as
+// otherwise.
 #include "convexact/io/read_mesh.hpp"
 #include "convexact/io/write_mesh.hpp"
+#include "convexact/number/rounding.hpp"
 #include "fuzz_target.hpp"
 #include "same_mesh.hpp"
 #include "unless_refused.hpp"
@@ -17,6 +19,18 @@ void check_round_trip(const Mesh& mesh, MeshFormat format, const MeshWriteOption
   FUZZ_CHECK(same_points(back.points, mesh.points));
   FUZZ_CHECK(back.polygons == mesh.polygons);
   if (options.encoding == Encoding::Text) FUZZ_CHECK(same_parts(back, mesh));
+}
+
+void check_binary32(std::string_view bytes, MeshFormat format, const PointSet& exact) {
+  const auto rounded = unless_refused(
+      [&] { return read_mesh_bytes(bytes, {.decimal = Decimal::Nearest32, .format = format}); });
+  if (!rounded) return;
+  for (std::size_t k = 0; k < exact.size(); ++k) {
+    for (int axis = 0; axis < 3; ++axis) {
+      FUZZ_CHECK(rounded->points.doubles()[k][axis] ==
+                 to_float(exact[PointId(k)][axis], Rounding::Nearest));
+    }
+  }
 }
 
 template <MeshFormat format>
@@ -38,6 +52,7 @@ void hold(FuzzInput& in) {
   FUZZ_CHECK(exact->polygons == mesh->polygons);
   FUZZ_CHECK(std::equal(exact->points.doubles().begin(), exact->points.doubles().end(),
                         mesh->points.doubles().begin(), mesh->points.doubles().end()));
+  check_binary32(bytes, format, exact->points);
 }
 
 const FuzzTarget obj("obj", hold<MeshFormat::Obj>);

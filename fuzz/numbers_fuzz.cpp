@@ -4,8 +4,9 @@
 // theirs.
 // Property of rounding: a rational in binary64 or binary32, rounded in a named direction, is the
 // format's number that the definition names.
-// Property of decimals: a text is refused, or read as the double nearest to the rational that it
-// spells; printed with any number of digits, that rational is within half a unit of the last one.
+// Property of decimals: a text is refused, or read as the double or the binary32 number nearest to
+// the rational that it spells; printed with any number of digits, that rational is within half a
+// unit of the last one.
 #include <limits>
 
 #include "convexact/number/decimal.hpp"
@@ -136,6 +137,7 @@ void hold_decimals(FuzzInput& in) {
   const auto hexadecimal = unless_refused([&] { return parse_hex_float(text); });
   if (hexadecimal) FUZZ_CHECK(is_hex_float(text));
   const auto nearest = unless_refused([&] { return nearest_double(text); });
+  const auto nearest32 = unless_refused([&] { return nearest_float(text); });
   const auto exact = unless_refused([&] { return parse_number(text, Decimal::Exact); });
   const auto rounded = unless_refused([&] { return parse_number(text, Decimal::Nearest); });
   if (nearest) FUZZ_CHECK(rounded.has_value());
@@ -143,6 +145,7 @@ void hold_decimals(FuzzInput& in) {
   FUZZ_CHECK(*exact == parse_rational(text));
   FUZZ_CHECK(parse_rational(to_string(*exact)) == *exact);
   if (nearest) FUZZ_CHECK(*nearest == to_double(*exact, Rounding::Nearest));
+  if (nearest32) FUZZ_CHECK(*nearest32 == to_float(*exact, Rounding::Nearest));
   const std::size_t bits = bit_length(numerator(*exact)) + bit_length(denominator(*exact));
   if (bits < 2000) check_printed(*exact, digits);
 }

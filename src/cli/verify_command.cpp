@@ -39,12 +39,22 @@ constexpr const char* kVerifyFooter =
 struct VerifyArguments {
   GlobalOptions global;
   std::string input, candidate, claims, tolerance;
-  Decimal decimal = Decimal::Nearest;
+  Decimal decimal = Decimal::Nearest, numbers = Decimal::Nearest;
   bool no_tightness = false;
   VerifyRequest request;
   TraceOptions trace;
   bool stdio = false;
 };
+
+// What the two options together say about the numbers of both files.
+Decimal meaning_of_numbers(const VerifyArguments& options) {
+  if (options.numbers == Decimal::Nearest) return options.decimal;
+  if (options.decimal == Decimal::Exact) {
+    throw Error(ErrorCode::InvalidArgument,
+                "--numbers binary32 rounds and --decimal exact does not: name one of them");
+  }
+  return options.numbers;
+}
 
 VerifyRequest verify_request(const VerifyArguments& options) {
   VerifyRequest request = options.request;
@@ -60,14 +70,14 @@ int run_verify_candidate(const VerifyArguments& options) {
   if (options.input == "-" && options.candidate == "-") {
     throw Error(ErrorCode::InvalidArgument, "only one of INPUT and CANDIDATE can be -");
   }
+  const Decimal decimal = meaning_of_numbers(options);
   Progress progress;
   StageLog log(progress.watch());
   const SceneObject input = log.run("read input", StageKind::Io, [&] {
-    return std::move(read_scene({options.input}, {.decimal = options.decimal}).front());
+    return std::move(read_scene({options.input}, {.decimal = decimal}).front());
   });
-  const Candidate candidate = log.run("read candidate", StageKind::Io, [&] {
-    return read_candidate(options.candidate, options.decimal);
-  });
+  const Candidate candidate = log.run("read candidate", StageKind::Io,
+                                      [&] { return read_candidate(options.candidate, decimal); });
   const VerifyOutcome outcome = verify(input.shape, candidate, request, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
     progress.clear();
@@ -98,8 +108,9 @@ int run_verify(const VerifyArguments& options) {
     throw Error(ErrorCode::InvalidArgument,
                 "name an INPUT, and a CANDIDATE or a --trace, but not both; or --stdio");
   }
-  return has_trace ? run_verify_trace(options.global, options.input, options.decimal, options.trace)
-                   : run_verify_candidate(options);
+  if (!has_trace) return run_verify_candidate(options);
+  return run_verify_trace(options.global, options.input, meaning_of_numbers(options),
+                          options.trace);
 }
 
 }  // namespace
@@ -127,6 +138,10 @@ void add_verify_command(CLI::App& program, int& exit_code) {
   add_choice<Decimal>(command, "--decimal", options->decimal,
                       {{"nearest", Decimal::Nearest}, {"exact", Decimal::Exact}},
                       "decimals in text mean the nearest double, or what they spell");
+  add_choice<Decimal>(command, "--numbers", options->numbers,
+                      {{"binary64", Decimal::Nearest}, {"binary32", Decimal::Nearest32}},
+                      "the numbers of both files are doubles, or binary32: each is rounded to the "
+                      "nearest as it is read");
   add_trace_options(command, options->trace);
   command.add_flag("--stdio", options->stdio,
                    "answer requests on standard input, one JSON object per line, with one verdict "

@@ -48,7 +48,7 @@ class TextBody {
 
 class BinaryBody {
  public:
-  explicit BinaryBody(BinaryCursor cursor) : cursor_(cursor) {}
+  BinaryBody(BinaryCursor cursor, Decimal decimal) : cursor_(cursor), decimal_(decimal) {}
 
   bool can_hold(std::uint64_t count, PlyType type) const {
     return count * size_of(type) <= cursor_.remaining();
@@ -67,11 +67,14 @@ class BinaryBody {
   void take_coordinate(PlyType type, int axis) {
     demand(type, 1);
     const std::size_t start = cursor_.offset();
-    row_[axis] = take_number(type);
+    const double stored = take_number(type);
+    // The conversion rounds half to even, and beyond the largest binary32 number to infinity.
+    row_[axis] = decimal_ == Decimal::Nearest32 ? static_cast<float>(stored) : stored;
     if (std::isfinite(row_[axis])) return;
     throw Error(ErrorCode::NotFinite,
                 "at byte " + std::to_string(start) + ": expected a finite number in point " +
-                    std::to_string(row_number_ + 1) + ", found NaN or infinity");
+                    std::to_string(row_number_ + 1) + ", found " +
+                    (std::isfinite(stored) ? "one beyond binary32" : "NaN or infinity"));
   }
   void end_point() { points_.push_back(row_); }
   void expect_end() const {
@@ -117,6 +120,7 @@ class BinaryBody {
   }
 
   BinaryCursor cursor_;
+  Decimal decimal_;
   std::string_view element_;
   std::size_t row_number_ = 0;
   Point row_;
@@ -238,7 +242,7 @@ Mesh read_ply(std::string_view bytes, Decimal decimal) {
   const PlyHeader header = read_ply_header(bytes, cursor);
   const std::uint32_t point_count = check_declarations(header, cursor).count;
   if (header.binary) {
-    BinaryBody body(BinaryCursor(bytes, header.body, *header.binary));
+    BinaryBody body(BinaryCursor(bytes, header.body, *header.binary), decimal);
     return PlyReader<BinaryBody>(header, point_count, body).read();
   }
   TextBody body(cursor, decimal);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// point_collector.hpp - gathers the points of a text file as doubles or as spelled.
+// point_collector.hpp - gathers the points of a file as doubles or as spelled.
 #pragma once
 #include <array>
 #include <vector>
@@ -16,7 +16,7 @@ class PointCollector {
   /// @throws Error Malformed or NotFinite at the line of `cursor`.
   void add(const std::array<std::string_view, 3>& coordinates, const TextCursor& cursor) {
     Point point;
-    for (int k = 0; k < 3; ++k) point[k] = cursor.to_number(coordinates[k]);
+    for (int k = 0; k < 3; ++k) point[k] = cursor.to_number(coordinates[k], decimal_);
     doubles_.push_back(point);
     if (decimal_ == Decimal::Exact) rationals_.push_back(spelled(coordinates, cursor));
   }

@@ -112,9 +112,9 @@ std::uint32_t TextCursor::to_count(std::string_view token, std::string_view what
   return value;
 }
 
-double TextCursor::to_number(std::string_view token) const {
+double TextCursor::to_number(std::string_view token, Decimal decimal) const {
   try {
-    return nearest_double(token);
+    return decimal == Decimal::Nearest32 ? nearest_float(token) : nearest_double(token);
   } catch (const Error& error) {
     fail(error.what(), error.code());
   }

@@ -46,8 +46,9 @@ class TextCursor {
   void expect_end();
   /// `token` as a count or index. @throws Error Malformed unless it is one below 2^32.
   std::uint32_t to_count(std::string_view token, std::string_view what) const;
-  /// `token` as the nearest double. @throws Error as nearest_double.
-  double to_number(std::string_view token) const;
+  /// `token` as the nearest binary32 number if `decimal` says so, else as the nearest double.
+  /// @throws Error as nearest_float and nearest_double.
+  double to_number(std::string_view token, Decimal decimal = Decimal::Nearest) const;
 
   /// @throws Error Malformed: "expected `what`, found `token`" (empty: the end of the line).
   [[noreturn]] void fail_expected(std::string_view what, std::string_view token) const;

@@ -105,6 +105,28 @@ TEST_CASE("verify: whatever is wrong with the candidate is exit code 1, with a c
   }
 }
 
+TEST_CASE("verify: with --numbers binary32, %.9g is a lossless print (#13)") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("in.obj", "v 0 0 0\nv 0.1 0 0\nv 0 0.3 0\nv 0 0 0.7\n");
+  // printf("%.9g") of 0.1f, 0.3f and 0.7f, of which the last is below 0.7.
+  const std::string candidate =
+      scratch.write("c.obj", "v 0 0 0\nv 0.100000001 0 0\nv 0 0.300000012 0\nv 0 0 0.699999988\n");
+  const std::string both = "verify " + input + " " + candidate;
+  CHECK(run_program(both).exit == 1);
+  CHECK(run_program(both + " --numbers binary64").exit == 1);
+  CHECK(run_program(both + " --numbers binary32").exit == 0);
+  CHECK(run_program(both + " --numbers binary32 --decimal nearest").exit == 0);
+  const auto refused = run_program(both + " --numbers binary32 --decimal exact");
+  CHECK(refused.exit == 2);
+  CHECK(refused.error.find("--decimal exact") != std::string::npos);
+  CHECK(run_program(both + " --numbers binary16").exit == 2);
+  const std::string large = scratch.write("large.obj", "v 0 0 0\nv 1e39 0 0\nv 0 1 0\nv 0 0 1\n");
+  CHECK(run_program("verify " + large + " " + candidate + " --numbers binary32").exit == 3);
+  const auto beyond = run_program("verify " + input + " " + large +
+                                  " --numbers binary32 --claims candidate-finite");
+  CHECK(beyond.exit == 1);
+}
+
 TEST_CASE("verify: exit codes of what is not the candidate's fault") {
   const ScratchFolder scratch;
   const std::string good = scratch.write("good.obj", kBigTetrahedron + kFaces);

@@ -6,8 +6,10 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "convexact/number/rounding.hpp"
@@ -105,12 +107,62 @@ TEST_CASE("nearest_double: what is no finite decimal") {
   }
 }
 
+TEST_CASE("nearest_float: hard decimals round once, from what they spell (#13)") {
+  // Half way between two binary32 numbers and a little beside it: by way of the nearest double,
+  // which is the half way itself, both would go to even.
+  CHECK(nearest_float("1.00000017881393432617187499") == 1 + std::ldexp(1.f, -23));
+  CHECK(nearest_float("1.000000059604644775390625000001") == 1 + std::ldexp(1.f, -23));
+  CHECK(nearest_float("-1.000000059604644775390625") == -1);
+  CHECK(nearest_float("16777217") == 16777216);
+  CHECK(nearest_float("16777217.000000000000000000000001") == 16777218);
+  CHECK(nearest_float("3.4028235677973366163e38") == std::numeric_limits<float>::max());
+  CHECK(nearest_float("7.00649232162408535461864791644958e-46") == 0);
+  CHECK(nearest_float("7.00649232162408535461864791644959e-46") ==
+        std::numeric_limits<float>::denorm_min());
+  CHECK(std::signbit(nearest_float("-1e-99999")));
+  CHECK(nearest_float("1.1754943508e-38") == std::numeric_limits<float>::min());
+  for (const std::string text : {"0.1", "+1.5", "-.5e-3", "1e-40", "1.17549430e-38", "8.5e22"}) {
+    CAPTURE(text);
+    CHECK(nearest_float(text) == to_float(parse_rational(text), Rounding::Nearest));
+  }
+}
+
+TEST_CASE("nearest_float: half way between two numbers, beside it, and the usual print (#13)") {
+  check_property("rounds to the nearest, ties to even", [](std::uint32_t bits) {
+    const float low = std::abs(std::bit_cast<float>(bits));
+    RC_PRE(std::isfinite(low) && low < std::numeric_limits<float>::max());
+    std::array<char, 64> printed{};
+    std::snprintf(printed.data(), printed.size(), "%.9g", static_cast<double>(low));
+    RC_ASSERT(nearest_float(printed.data()) == low);
+    const float high = std::nextafter(low, std::numeric_limits<float>::infinity());
+    const auto [digits, exponent] = decimal_of((to_rational(low) + to_rational(high)) / 2);
+    const bool low_is_even = (std::bit_cast<std::uint32_t>(low) & 1) == 0;
+    RC_ASSERT(nearest_float(digits + exponent) == (low_is_even ? low : high));
+    RC_ASSERT(nearest_float(digits + ".00001" + exponent) == high);
+    const std::string below = to_string(Integer(Integer(digits) - 1));
+    RC_ASSERT(nearest_float(below + ".99999" + exponent) == low);
+  });
+}
+
+TEST_CASE("nearest_float: what is no number of binary32 (#13)") {
+  for (const std::string text : {"", "-", "1e", "0x1p3", "1.2.3", "1/2"}) {
+    CAPTURE(text);
+    CHECK(error_of([&] { return nearest_float(text); }).code() == ErrorCode::Malformed);
+  }
+  for (const std::string text : {"nan", "-inf", "3.4028235677973366164e38", "-1e39", "1e400"}) {
+    CAPTURE(text);
+    CHECK(error_of([&] { return nearest_float(text); }).code() == ErrorCode::NotFinite);
+  }
+}
+
 TEST_CASE("parse_number: integers and fractions are exact, decimals by choice") {
   const std::string large = "-123456789012345678901234567890";
   CHECK(to_string(parse_number(large, Decimal::Nearest)) == large);
   CHECK(parse_number("-6/4", Decimal::Nearest) == Rational(-3, 2));
   CHECK(parse_number("0.1", Decimal::Nearest) == to_rational(0.1));
   CHECK(parse_number("0.1", Decimal::Exact) == Rational(1, 10));
+  CHECK(parse_number("0.1", Decimal::Nearest32) == to_rational(0.1f));
+  CHECK(parse_number("16777217", Decimal::Nearest32) == 16777217);
   CHECK(error_of([] { return parse_number("1e400", Decimal::Exact); }).code() ==
         ErrorCode::NotFinite);
   CHECK(error_of([] { return parse_number("nan", Decimal::Exact); }).code() ==

@@ -12,14 +12,15 @@
 namespace convexact {
 
 struct ReadOptions {
-  Decimal decimal = Decimal::Nearest;  ///< What the decimals of text formats mean.
+  /// What the decimals of text formats mean; Nearest32 rounds the numbers of binary formats too.
+  Decimal decimal = Decimal::Nearest;
   /// Unset: by the path's extension if it is a known one, else by content.
   std::optional<MeshFormat> format = {};
 };
 
 /// The mesh that the bytes of a file spell.
 /// @throws Error Malformed, naming line (binary: byte offset) and what was expected; NotFinite for
-///         NaN, infinity and decimals beyond the largest double.
+///         NaN, infinity and numbers beyond the largest double or, if asked, binary32 number.
 /// @par Cost  Linear. A declared count is compared with the size of the input before anything is
 ///            allocated for it, so memory is linear in the bytes too.
 [[nodiscard]] Mesh read_mesh_bytes(std::string_view bytes, const ReadOptions& options = {});
