@@ -118,7 +118,7 @@ TEST_CASE("verify: with --numbers binary32, %.9g is a lossless print (#13)") {
   CHECK(run_program(both + " --numbers binary32 --decimal nearest").exit == 0);
   const auto refused = run_program(both + " --numbers binary32 --decimal exact");
   CHECK(refused.exit == 2);
-  CHECK(refused.error.find("--decimal exact") != std::string::npos);
+  CHECK(refused.err.find("--decimal exact") != std::string::npos);
   CHECK(run_program(both + " --numbers binary16").exit == 2);
   const std::string large = scratch.write("large.obj", "v 0 0 0\nv 1e39 0 0\nv 0 1 0\nv 0 0 1\n");
   CHECK(run_program("verify " + large + " " + candidate + " --numbers binary32").exit == 3);
