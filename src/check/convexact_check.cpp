@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 // convexact-check reads a proof (docs/proof-format.md) and proves a run of convexact again, from it
 // alone, with GMP's numbers and nothing of convexact. What is not proven is refused, with its line.
-//
-// A plane (n, d) is the halfspace {x : n.x + d <= 0}; a point is (x, y, z, w), w > 0, in
-// homogeneous integers. dot() of the two is negative inside, zero on the plane, positive outside.
-#include <gmpxx.h>
-
-#include <array>
+#include <algorithm>
 #include <cstdlib>
 #include <deque>
 #include <fstream>
@@ -15,93 +10,13 @@
 #include <set>
 #include <vector>
 
+#include "mesh_file.hpp"
+#include "words.hpp"
+
 namespace {
 
-using Integer = mpz_class;
-using Rational = mpq_class;
-using Numbers = std::array<Rational, 4>;
-using Row = std::array<Integer, 4>;
-using Ids = std::vector<std::size_t>;
+using namespace check;
 using Triangle = std::array<std::size_t, 3>;
-
-using Failure = std::pair<int, std::string>;  // the exit code and what is wrong
-void require(bool holds, const char* otherwise) {
-  if (!holds) throw Failure(1, std::string("not proven: ") + otherwise);
-}
-void expect(bool holds, const std::string& what) {
-  if (!holds) throw Failure(3, "malformed: expected " + what);
-}
-
-Integer dot(const Row& a, const Row& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
-}
-Integer det(const Row& a, const Row& b, const Row& c, int i = 0, int j = 1, int k = 2) {
-  return a[i] * (b[j] * c[k] - b[k] * c[j]) - a[j] * (b[i] * c[k] - b[k] * c[i]) +
-         a[k] * (b[i] * c[j] - b[j] * c[i]);
-}
-// The point on three planes, w the determinant of their normals; or the plane through three points.
-Row meet(const Row& a, const Row& b, const Row& c) {
-  return {-det(a, b, c, 1, 2, 3), det(a, b, c, 0, 2, 3), -det(a, b, c, 0, 1, 3), det(a, b, c)};
-}
-// Numbers times their common denominator.
-Row scaled(const Numbers& x) {
-  const Integer w = lcm(lcm(x[0].get_den(), x[1].get_den()), lcm(x[2].get_den(), x[3].get_den()));
-  return {Integer(x[0] * w), Integer(x[1] * w), Integer(x[2] * w), Integer(x[3] * w)};
-}
-
-// The words of a text, each taken once.
-struct Words {
-  explicit Words(std::istream& in) : in_(in) { take(); }
-  std::string take() {
-    std::string taken = next_;
-    line = next_line_;
-    for (; std::isspace(in_.peek()); in_.get()) next_line_ += in_.peek() == '\n';
-    if (!(in_ >> next_)) next_.clear();
-    return taken;
-  }
-  bool at(const std::string& word) const { return next_ == word; }
-  bool take_if(const std::string& word) { return at(word) && (take(), true); }
-  bool at_number() const { return !next_.empty() && next_[0] <= '9'; }
-  std::size_t id(std::size_t limit) {
-    const std::string text = take();
-    expect(!text.empty() && text.size() < 10 && text.find_first_not_of("0123456789") == text.npos &&
-               std::stoul(text) < limit,
-           "a number below " + std::to_string(limit));
-    return std::stoul(text);
-  }
-  Ids ids(std::size_t limit) {
-    Ids list;
-    while (at_number()) list.push_back(id(limit));
-    return list;
-  }
-  // "p", "p/q", or a double in hexadecimal such as -0x1.8p-3: exactly what is spelt, never rounded.
-  Rational rational() {
-    std::string text = take();
-    const std::size_t x = text.find("0x"), p = std::min(text.find('p'), text.size());
-    const bool is_hex = x < 2 && p + 1 < text.size() && std::isxdigit(text[x + 2]);
-    char* end = text.data() + text.size();
-    long shift = is_hex ? std::strtol(&text[p] + 1, &end, 10) : 0;
-    expect(*end == 0 && shift > -2000 && shift < 2000, "an exponent of two");
-    const std::size_t point = std::min(text.find('.'), p);
-    if (is_hex) shift -= long(4 * (text.erase(p).erase(point, 1).size() - point));
-    Rational value;
-    expect(text.find_first_not_of(is_hex ? "-0123456789abcdefx" : "-0123456789/") == text.npos &&
-               value.set_str(text, is_hex ? 0 : 10) == 0 && value.get_den() != 0,
-           "a number");
-    value.canonicalize();
-    return shift < 0 ? Rational(value >> -shift) : Rational(value << shift);
-  }
-  Row point() { return scaled({rational(), rational(), rational(), 1}); }
-  Numbers halfspace() {
-    const Numbers x{rational(), rational(), rational(), rational()};
-    expect(x[0] != 0 || x[1] != 0 || x[2] != 0, "a normal that is not zero");
-    return x;
-  }
-
-  std::istream& in_;
-  std::string next_;
-  std::size_t line = 1, next_line_ = 1;  // of the word taken last, and of the next
-};
 
 // A surface of triangles of planes, counter-clockwise from outside. Each directed edge has the
 // third corner of the triangle on its left, and the point where the planes of that triangle meet.
@@ -125,7 +40,8 @@ const Side& left_of(const Surface& surface, std::size_t a, std::size_t b) {
 
 struct Proof : Words {
   using Words::Words;
-  void check() {
+  // What is proven, in sentences.
+  std::string check() {
     expect(take_if("convexact-proof") && take_if("1"), "convexact-proof 1");
     greedy_ = take_if("greedy");
     expect(greedy_ || take_if("costs"), "greedy or costs");
@@ -135,12 +51,32 @@ struct Proof : Words {
     read_result();
     expect(take_if("end") && id(line + 1) == line, "end and its line number");
     expect(take().empty(), "nothing after the end");
-    std::cout << "proven: " << planes_.size() << " planes bound exactly the "
-              << (rows_.empty() ? "hull of " : "input halfspaces, with ") << points_.size()
-              << " points\nproven: each of " << steps_ << " removals adds the stated volume\n"
-              << (greedy_ ? "proven" : "not claimed") << ": each was the cheapest, " << ties_
-              << " of them tied, by " << evaluations_ << " evaluations\nproven: the "
-              << left_.size() << " planes left, and as stored, are bounded and hold every point\n";
+    const auto count = [](std::size_t n, const char* what) { return std::to_string(n) + what; };
+    return "proven: " + count(planes_.size(), " planes bound exactly the ") +
+           (rows_.empty() ? "hull of " : "input halfspaces, with ") +
+           count(points_.size(), " points\nproven: each of ") +
+           count(steps_, " removals adds the stated volume\n") +
+           (greedy_ ? "proven" : "not claimed") + ": each was the cheapest, " +
+           count(ties_, " of them tied, by ") + count(evaluations_, " evaluations\nproven: the ") +
+           count(left_.size(), " planes left are bounded and hold every point\n") + stored_;
+  }
+
+  // Whether the points, or the rows of halfspaces, are those of a file: as sets, since neither
+  // order nor repeats change what they bound. Decimals mean the same in all of the file.
+  std::string require_same(const std::string& path) const {
+    std::string why;
+    for (const Decimals decimals : {Decimals::Nearest, Decimals::Spelt}) {
+      const MeshFile file = read_mesh_file(path, decimals);
+      require(file.is_mesh == rows_.empty(), path + " is of another kind than the proof's input");
+      const std::string difference = difference_to(file);
+      const bool is_nearest = decimals == Decimals::Nearest;
+      if (difference.empty()) {
+        return "proven: the " + std::string(file.is_mesh ? "points" : "rows") + " are those of " +
+               path + ", decimals " + (is_nearest ? "as the nearest doubles\n" : "as spelt\n");
+      }
+      if (is_nearest) why = difference;
+    }
+    throw Failure{1, "not proven: that the proof is about this file: " + why, path};
   }
 
   // What is known of the removal of a plane.
@@ -351,9 +287,13 @@ struct Proof : Words {
     expect(take_if("survive"), "survive");
     require(ids(planes_.size()) == Ids(left_.begin(), left_.end()), "others survive");
     for (const std::size_t i : left_) require_points_inside(planes_[i]);
-    if (!take_if("stored")) return;
-    // Positive multiples of the normals cancel, so a ray that meets no plane is orthogonal to them
-    // all; they span space, so there is none: bounded.
+    stored_ = "not claimed: anything about stored planes, as the proof has none\n";
+    if (take_if("stored")) read_stored();
+  }
+
+  // Planes that hold every point. Positive multiples of the normals cancel, so a ray that meets no
+  // plane is orthogonal to them all; they span space, so there is none: bounded.
+  void read_stored() {
     std::vector<Row> stored;
     std::array<Rational, 3> total;
     while (take_if("halfspace")) {
@@ -368,6 +308,55 @@ struct Proof : Words {
       for (const Row& c : stored) spans = spans || det(stored[0], b, c) != 0;
     spans = spans && total == std::array<Rational, 3>{} && stored.size() == left_.size();
     require(spans, "the stored planes are not bounded");
+    stored_ = "proven: the " + std::to_string(stored.size()) +
+              " planes stored are bounded, hold every point and " + reach_text(stored) + "\n";
+  }
+
+  // How far the stored solid reaches beyond the solid of the planes left, at most. Three stored
+  // planes stand for each vertex v of the latter and meet in a point w. If all normals span cones,
+  // these cover every direction, as the surface is closed. In the direction u of a cone, a positive
+  // sum of its normals, the stored solid reaches u.w at most: so it lies in the hull of all w.
+  std::string reach_text(const std::vector<Row>& stored) const {
+    std::map<std::size_t, Row> stored_of;
+    for (const std::size_t i : left_) stored_of[i] = stored[stored_of.size()];
+    Rational farthest = 0;  // |w - v|, squared
+    for (const auto& [edge, left] : fan_) {
+      const Row w =
+          meet(stored_of.at(edge.first), stored_of.at(edge.second), stored_of.at(left.third));
+      if (w[3] <= 0)
+        return "differ too much from the planes left for a bound on how far they reach";
+      farthest = std::max(farthest, squared_distance(w, left.vertex));
+    }
+    if (farthest == 0) return "reach nowhere beyond the planes left";
+    Numbers low, high;  // the box of the points
+    for (int k = 0; k < 3; ++k) {
+      const auto less = [k](const Row& p, const Row& q) { return p[k] * q[3] < q[k] * p[3]; };
+      const auto [first, last] = std::minmax_element(points_.begin(), points_.end(), less);
+      low[k] = quotient((*first)[k], (*first)[3]), high[k] = quotient((*last)[k], (*last)[3]);
+    }
+    low[3] = high[3] = 1;
+    return "reach at most " +
+           root_from_above(farthest / squared_distance(scaled(low), scaled(high))) +
+           " of the points' diameter beyond the planes left";
+  }
+
+  // Empty if the file has the same, in any order and any number of times.
+  std::string difference_to(const MeshFile& file) const {
+    std::vector<Row> mine = points_, theirs = file.rows;
+    if (!file.is_mesh) mine.clear();
+    for (const Row& row : rows_) mine.push_back(primitive(row));
+    std::sort(mine.begin(), mine.end());
+    std::sort(theirs.begin(), theirs.end());
+    const char* const what = file.is_mesh ? "its point " : "its halfspace ";
+    for (std::size_t k = 0; k < file.rows.size(); ++k) {
+      if (!std::binary_search(mine.begin(), mine.end(), file.rows[k]))
+        return what + std::to_string(k + 1) + " is not in the proof";
+    }
+    for (const Row& row : mine) {
+      if (!std::binary_search(theirs.begin(), theirs.end(), row))
+        return "the proof has " + text_of(row) + ", and the file has not";
+    }
+    return "";
   }
 
   bool greedy_ = false;
@@ -378,23 +367,28 @@ struct Proof : Words {
   std::vector<Removal> removals_;
   std::set<std::pair<Rational, std::size_t>> queue_;  // by last proven cost, equal ones by id
   std::size_t steps_ = 0, evaluations_ = 0, ties_ = 0;
+  std::string stored_;  // what is proven of it
 };
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2 || argv[1][0] == '-') {
-    std::cerr << "usage: convexact-check PROOF (exit 0 proven, 1 not proven, 3 malformed)\n";
+  if (argc < 2 || argc > 3 || argv[1][0] == '-' || argv[argc - 1][0] == '-') {
+    std::cerr << "usage: convexact-check PROOF [MESH] (exit 0 proven, 1 not proven, 3 malformed)\n";
     return 2;
   }
   std::ifstream file(argv[1], std::ios::binary);
   Proof proof(file);
   try {
     expect(file.is_open(), "a file that can be read");
-    proof.check();
+    std::string proven = proof.check();
+    if (argc == 3) proven += proof.require_same(argv[2]);
+    std::cout << proven;
     return 0;
   } catch (const Failure& failure) {
-    std::cerr << "convexact-check: line " << proof.line << ": " << failure.second << "\n";
-    return failure.first;
+    const std::string line = "line " + std::to_string(proof.line);
+    std::cerr << "convexact-check: " << (failure.where.empty() ? line : failure.where) << ": "
+              << failure.what << "\n";
+    return failure.exit_code;
   }
 }

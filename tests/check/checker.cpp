@@ -5,20 +5,39 @@
 
 #define main convexact_check_main
 #include "../../src/check/convexact_check.cpp"
+#include "../../src/check/mesh_file.cpp"
 #undef main
 
-CheckerVerdict check_proof(const std::string& text) {
+CheckerVerdict check_proof(const std::string& text, const std::string& mesh) {
   std::istringstream in(text);
-  std::ostringstream said;
-  std::streambuf* const before = std::cout.rdbuf(said.rdbuf());
   Proof proof(in);
-  int exit_code = 0;
   try {
-    proof.check();
+    std::string said = proof.check();
+    if (!mesh.empty()) said += proof.require_same(mesh);
+    return {0, said};
   } catch (const Failure& failure) {
-    exit_code = failure.first;
-    said << "line " << proof.line << ": " << failure.second;
+    return {failure.exit_code, "line " + std::to_string(proof.line) + ": " + failure.what};
   }
-  std::cout.rdbuf(before);
-  return {exit_code, said.str()};
+}
+
+std::optional<std::vector<std::string>> rows_by_checker(const std::string& bytes,
+                                                        const std::string& path, bool as_spelt) {
+  std::vector<std::string> rows;
+  try {
+    const MeshFile file =
+        check::parse_mesh_file(bytes, path, as_spelt ? Decimals::Spelt : Decimals::Nearest);
+    for (const Row& row : file.rows) {
+      const Integer below = file.is_mesh ? row[3] : Integer(1);
+      std::string text;
+      for (std::size_t k = 0; k < (file.is_mesh ? 3 : 4); ++k) {
+        text += (k > 0 ? " " : "") + check::quotient(row[k], below).get_str();
+      }
+      rows.push_back(text);
+    }
+  } catch (const Failure&) {
+    return std::nullopt;
+  }
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  return rows;
 }

@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <sstream>
 
 #include "convexact/shapes/boxes.hpp"
 #include "process.hpp"
@@ -49,7 +51,7 @@ TEST_CASE("convexact-check: exit codes, and where it says what") {
   CHECK(run_checker(scratch.write("empty", ""), scratch) == 3);
   CHECK(run_checker(scratch.file("absent"), scratch) == 3);
   CHECK(run_checker("", scratch) == 2);
-  CHECK(run_checker("one two", scratch) == 2);
+  CHECK(run_checker("one two.obj three", scratch) == 2);
 }
 
 TEST_CASE("convexact-check: proofs that the program wrote") {
@@ -72,12 +74,53 @@ TEST_CASE("convexact-check: proofs that the program wrote") {
   }
 }
 
-TEST_CASE("convexact-check: at most 400 lines that include nothing of ours") {
-  const std::string source = bytes_of(environment("CONVEXACT_CHECK_SOURCE"));
-  REQUIRE_FALSE(source.empty());
-  CHECK(std::count(source.begin(), source.end(), '\n') <= 400);
-  CHECK(source.find("#include \"") == std::string::npos);
-  CHECK(source.find("#include <gmpxx.h>") != std::string::npos);
+TEST_CASE("convexact-check: a mesh beside the proof, its exit codes and what it says (#13)") {
+  const ScratchFolder scratch;
+  const std::string mesh = scratch.write(
+      "cut.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nv 4 4 0\nv 4 0 4\nv 0 4 4\nv 3.9 4 4\n");
+  const std::string proof = scratch.file("proof");
+  REQUIRE(support::run_program("simplify " + mesh + " --faces 5 --proof " + proof).exit == 0);
+  CHECK(run_checker(proof + " " + mesh, scratch) == 0);
+  CHECK(bytes_of(scratch.file("out"))
+            .ends_with("proven: the points are those of " + mesh +
+                       ", decimals as the nearest doubles\n"));
+  const std::string moved = scratch.write(
+      "moved.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nv 4 4 0\nv 4 0 4\nv 0 4 4\nv 3.8 4 4\n");
+  CHECK(run_checker(proof + " " + moved, scratch) == 1);
+  CHECK(bytes_of(scratch.file("out")).empty());
+  CHECK(bytes_of(scratch.file("err")) ==
+        "convexact-check: " + moved +
+            ": not proven: that the proof is about this file: its point 8 is not in the proof\n");
+  CHECK(run_checker(proof + " " + scratch.write("bad.obj", "v 0 0 0\nv 1 1\n"), scratch) == 3);
+  CHECK(bytes_of(scratch.file("err")).find("bad.obj: line 2: malformed") != std::string::npos);
+  CHECK(run_checker(proof + " " + scratch.file("absent.obj"), scratch) == 3);
+  CHECK(run_checker(proof + " " + scratch.write("mesh.json", "[]"), scratch) == 3);
+  CHECK(run_checker(proof + " --fast", scratch) == 2);
+}
+
+TEST_CASE(
+    "convexact-check: files of at most 400 lines that include nothing of ours but each other") {
+  const std::filesystem::path folder = environment("CONVEXACT_CHECK_SOURCE");
+  std::size_t files = 0;
+  bool has_gmp = false;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
+    CAPTURE(entry.path().string());
+    const std::string source = bytes_of(entry.path().string());
+    CHECK(std::count(source.begin(), source.end(), '\n') <= 400);
+    has_gmp = has_gmp || source.find("#include <gmpxx.h>") != std::string::npos;
+    std::istringstream lines(source);
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with("#include \"")) continue;
+      const std::string name = line.substr(10, line.size() - 11);
+      CAPTURE(name);
+      CHECK(name.find('/') == std::string::npos);
+      CHECK(std::filesystem::exists(folder / name));
+    }
+    ++files;
+  }
+  CHECK(files >= 3);
+  CHECK(has_gmp);
 }
 
 TEST_CASE("convexact-check: links GMP and the standard library only") {

@@ -28,7 +28,7 @@ ROOMS = {
     'greedy, exact': r'(src|include/convexact)/simplify/',
     'greedy, fast': r'(src|include/convexact)/fast/',
     'oracle': r'(src|include/convexact)/oracle/',
-    'checker': r'src/check/convexact_check.cpp',
+    'checker': r'src/check/.*',
 }
 UNITS = (r'^src/(geometry/|lp/|dual/|simplify/|fast/|oracle/|number/rounding)|^tests/(check/checker|hull/near_geometry_test|'
          r'number/(expansion|double_double)_test|fast/(cap_bounds|plane_filter|audit|float_scalar)_test)')

@@ -27,7 +27,8 @@ _GEO, _NUMBER, _FAST, _HULL = ('src/geometry/', 'include/convexact/number/', 'in
 _SIGNS = ['fast_plane_filter', 'fast', 'fast_audit', 'fast_agreement_sample', 'fast_audit_sample']
 # Sources of a group, and the tests that are asked about each, cheapest first.
 GROUPS = {
-    'checker': {'src/check/convexact_check.cpp': ['check', 'check_mutated']},
+    'checker': {'src/check/' + name: ['check', 'check_mutated']
+                for name in ('convexact_check.cpp', 'exact.hpp', 'words.hpp', 'mesh_file.cpp')},
     'predicates': {
         _GEO + 'orient3d.cpp': ['geometry', 'hull'],
         _GEO + 'plane_side.cpp': ['geometry', 'containment'],

@@ -24,6 +24,9 @@ _LOOP = ['src/fast/filtered_engine.cpp', 'src/oracle/judge_trace.cpp']
 _HULL = ['tests/hull/near_geometry_test.cpp', 'src/hull/hull.cpp', 'src/hull/check_hull.cpp']
 UNITS = {
     'src/check/convexact_check.cpp': ['tests/check/checker.cpp'],
+    'src/check/mesh_file.cpp': ['tests/check/checker.cpp'],
+    'src/check/words.hpp': ['tests/check/checker.cpp'],
+    'src/check/exact.hpp': ['tests/check/checker.cpp'],
     'src/stored/coordinates.hpp': ['src/stored/containment.cpp', 'src/stored/support.cpp', 'src/stored/growth.cpp',
                                    'tests/stored/containment_test.cpp'],
     'include/convexact/number/expansion.hpp': ['tests/number/expansion_test.cpp', 'src/geometry/orient3d.cpp'],

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// exact.hpp - what the checker computes with: GMP's numbers, planes, points, and failures.
+//
+// A plane (n, d) is the halfspace {x : n.x + d <= 0}; a point is (x, y, z, w), w > 0, in
+// homogeneous integers. dot() of the two is negative inside, zero on the plane, positive outside.
+#pragma once
+#include <gmpxx.h>
+
+#include <array>
+#include <cstdlib>
+#include <string>
+
+namespace check {
+
+using Integer = mpz_class;
+using Rational = mpq_class;
+using Numbers = std::array<Rational, 4>;
+using Row = std::array<Integer, 4>;
+
+struct Failure {
+  int exit_code;
+  std::string what;
+  std::string where = {};  // in the mesh file; empty: in the proof, at its line
+};
+inline void require(bool holds, const std::string& otherwise) {
+  if (!holds) throw Failure{1, "not proven: " + otherwise};
+}
+inline void expect(bool holds, const std::string& what) {
+  if (!holds) throw Failure{3, "malformed: expected " + what};
+}
+
+inline Integer dot(const Row& a, const Row& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+}
+inline Integer det(const Row& a, const Row& b, const Row& c, int i = 0, int j = 1, int k = 2) {
+  return a[i] * (b[j] * c[k] - b[k] * c[j]) - a[j] * (b[i] * c[k] - b[k] * c[i]) +
+         a[k] * (b[i] * c[j] - b[j] * c[i]);
+}
+// The point on three planes, w the determinant of their normals; or the plane through three points.
+inline Row meet(const Row& a, const Row& b, const Row& c) {
+  return {-det(a, b, c, 1, 2, 3), det(a, b, c, 0, 2, 3), -det(a, b, c, 0, 1, 3), det(a, b, c)};
+}
+// Numbers times their common denominator: of a point its only such form.
+inline Row scaled(const Numbers& x) {
+  const Integer w = lcm(lcm(x[0].get_den(), x[1].get_den()), lcm(x[2].get_den(), x[3].get_den()));
+  return {Integer(x[0] * w), Integer(x[1] * w), Integer(x[2] * w), Integer(x[3] * w)};
+}
+// A plane without a common factor: its only such form.
+inline Row primitive(Row plane) {
+  const Integer common = gcd(gcd(plane[0], plane[1]), gcd(plane[2], plane[3]));
+  for (Integer& x : plane) x /= common;
+  return plane;
+}
+inline Rational power_of_two(long e) {
+  return e < 0 ? Rational(Rational(1) >> static_cast<unsigned long>(-e))
+               : Rational(Rational(1) << static_cast<unsigned long>(e));
+}
+
+inline Rational quotient(const Integer& above, const Integer& below) {
+  Rational value(above, below);
+  value.canonicalize();
+  return value;
+}
+inline Rational squared_distance(const Row& p, const Row& q) {
+  Rational sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Rational x = quotient(p[k] * q[3] - q[k] * p[3], p[3] * q[3]);
+    sum += x * x;
+  }
+  return sum;
+}
+// The least m with two digits and e such that m.m * 10^e is at least the root, which is not 0.
+inline std::string root_from_above(const Rational& square) {
+  const auto digits = [](const Integer& x) { return long(mpz_sizeinbase(x.get_mpz_t(), 10)); };
+  long e = (digits(square.get_num()) - digits(square.get_den())) / 2 - 3;
+  for (;; ++e) {
+    Integer power;
+    mpz_ui_pow_ui(power.get_mpz_t(), 100, static_cast<unsigned long>(std::labs(e - 1)));
+    const Rational steps = e > 1 ? Rational(square / power) : Rational(square * power);
+    Integer whole = sqrt(Integer(steps.get_num() / steps.get_den()));
+    if (whole * whole < steps) ++whole;
+    if (whole >= 100) continue;
+    const std::string text = whole.get_str();
+    return text.substr(0, 1) + "." + text.substr(1) + "e" + std::to_string(e);
+  }
+}
+inline std::string text_of(const Row& row) {
+  return row[0].get_str() + " " + row[1].get_str() + " " + row[2].get_str() + " " +
+         row[3].get_str();
+}
+
+}  // namespace check

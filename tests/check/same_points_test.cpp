@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// convexact-check PROOF MESH: a proof about one mesh does not pass for another, however its numbers
+// are spelt; what the library reads, the checker reads alike.
+#include <cstring>
+
+#include "checker.hpp"
+#include "convexact/shapes/boxes.hpp"
+#include "process.hpp"
+#include "proofs.hpp"
+
+using namespace convexact;
+using support::ScratchFolder;
+
+namespace {
+
+// The checker's exit code for a proof about the tetrahedron 0, (8, 0, 0), (0, 8, 0), (x, 0, 8) and
+// a mesh file.
+int verdict_on(const std::string& name, const std::string& mesh, double x) {
+  const std::vector<Point> points = {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {x, 0, 8}};
+  static const ScratchFolder scratch;
+  const std::string path = scratch.write(name, mesh);
+  return check_proof(proof_of(PointSet(points), Engine::Filtered, 4), path).exit_code;
+}
+
+constexpr const char* kBase = "v 0 0 0\nv 8 0 0\nv 0 8 0\n";
+
+std::string bytes_of_floats(const std::vector<float>& numbers) {
+  std::string bytes(4 * numbers.size(), '\0');
+  std::memcpy(bytes.data(), numbers.data(), bytes.size());
+  return bytes;
+}
+
+}  // namespace
+
+TEST_CASE("same points: decimals mean the nearest double, beyond 17 digits and at ties (#13)") {
+  const auto with = [](const std::string& x) { return kBase + ("v " + x) + " 0 8\n"; };
+  CHECK(verdict_on("a.obj", with("0.1"), 0.1) == 0);
+  CHECK(verdict_on("a.obj", with("0.1000000000000000055511151231257827021181583404541015625"),
+                   0.1) == 0);
+  // 1 + 2^-53 is the middle between 1 and 1 + 2^-52; the tie goes to 1, the even one.
+  const std::string middle = "1.00000000000000011102230246251565404236316680908203125";
+  CHECK(verdict_on("a.obj", with(middle), 1.0) == 0);
+  CHECK(verdict_on("a.obj", with(middle), 1 + 0x1p-52) == 1);
+  CHECK(verdict_on("a.obj", with(middle + "0000000000000000001"), 1 + 0x1p-52) == 0);
+  CHECK(verdict_on("a.obj", with(middle + "0000000000000000001"), 1.0) == 1);
+  // Three quarters of the smallest double round up to it, half of it to 0.
+  CHECK(verdict_on("a.obj", with("3.7e-324"), 0x1p-1074) == 0);
+  CHECK(verdict_on("a.obj", with("2.4e-324"), 0.0) == 0);
+  CHECK(verdict_on("a.obj", with("1e-99999999999999999999"), 0.0) == 0);
+  CHECK(verdict_on("a.obj", with("1e99999999999999999999"), 0.0) == 3);
+  CHECK(verdict_on("a.obj", with("+.5e+0001"), 5.0) == 0);
+  CHECK(verdict_on("a.obj", with("5."), 5.0) == 0);
+  CHECK(verdict_on("a.obj", with("-0"), 0.0) == 0);
+}
+
+TEST_CASE("same points: what looks hexadecimal, infinite or like nothing is refused (#13)") {
+  for (const std::string x : {"0x10", "0x1p4", "nan", "inf", "1e", "e5", "1,5", "--1", "+-1", ".",
+                              "", "1_0", "1f", "1d0"}) {
+    CAPTURE(x);
+    CHECK(verdict_on("a.obj", kBase + ("v " + x) + " 0 8\n", 16.0) != 0);
+  }
+  CHECK(verdict_on("a.obj", kBase + std::string("v 10 0 8\n"), 10.0) == 0);
+  CHECK(verdict_on("a.obj", kBase + std::string("v 10 0 8\n"), 16.0) == 1);
+}
+
+TEST_CASE("same points: every way to write a vertex line of OBJ is read (#13)") {
+  for (const std::string line :
+       {"v\t9 0 8\n", "  v 9 0 8\n", "v 9 0 8", "v 9 0 8\r\n", "v 9 0 8\r", "v 9 0 8 2\n",
+        "v 9 0 8 0.5 0.5 0.5\n", "v 9 0 8 1 0.5 0.5 0.5\n", "v 9 \\\n 0 8\n", "v \\\r\n9 0 8\n",
+        "v 9 0 8 # v 1 1 1\n", "# c \\\nv 9 0 8\n", "o v\nv 9 0 8\n", "o \\\nv 9 0 8\n",
+        "v 9\v0\f8\n", "f 1 2 3\nv 9 0 8\nvn 1 1 1\nvt 0 0\n"}) {
+    CAPTURE(line);
+    CHECK(verdict_on("a.obj", kBase + line, 9.0) == 0);
+    CHECK(verdict_on("a.obj", kBase + line, 9.5) == 1);
+  }
+  CHECK(verdict_on("a.obj", "\xEF\xBB\xBF" + (kBase + std::string("v 9 0 8\n")), 9.0) == 0);
+  for (const std::string line : {"#v 9 0 8\n", "V 9 0 8\n", "call other.obj\n", "v 9 0\n",
+                                 "v 9 0 8 1 1\n", "vertex 9 0 8\n"}) {
+    CAPTURE(line);
+    CHECK(verdict_on("a.obj", kBase + line, 9.0) != 0);
+  }
+}
+
+TEST_CASE("same points: order and repeats say nothing, one point more or less does (#13)") {
+  const std::string turned = "v 9 0 8\nv 0 8 0\nv 8 0 0\nv 0 0 0\nv 9 0 8\n";
+  CHECK(verdict_on("a.obj", turned, 9.0) == 0);
+  CHECK(verdict_on("a.obj", turned + "v 1 1 1\n", 9.0) == 1);  // inside, and yet another mesh
+  CHECK(verdict_on("a.obj", "v 9 0 8\nv 0 8 0\nv 8 0 0\n", 9.0) == 1);
+  CHECK(verdict_on("a.obj", "", 9.0) == 1);
+}
+
+TEST_CASE("same points: OFF, PLY, STL and XYZ, as text and as bytes (#13)") {
+  const std::string rows = "0 0 0\n8 0 0\n0 8 0\n9 0 8\n";
+  CHECK(verdict_on("a.xyz", "# four\n" + rows, 9.0) == 0);
+  CHECK(verdict_on("a.OFF", "OFF # text\n4 0 0\n" + rows, 9.0) == 0);
+  CHECK(verdict_on("a.off", "COFF 4 0\n" + rows, 9.0) == 0);
+  CHECK(verdict_on("a.off", "OFF 5 0 0\n" + rows, 9.0) == 3);
+  const std::string vertex = "element vertex 4\nproperty float x\nproperty float y\n";
+  CHECK(verdict_on("a.ply",
+                   "ply\nformat ascii 1.0\n" + vertex + "property float z\nend_header\n" + rows,
+                   9.0) == 0);
+  const std::vector<float> corners = {0, 0, 0, 8, 0, 0, 0, 8, 0, 9, 0, 8};
+  const std::string lists = "element strip 1\nproperty list uchar ushort indices\n";
+  const std::string binary = "ply\nformat binary_little_endian 1.0\n" + lists + vertex +
+                             "property float z\nend_header\n" + std::string("\2abcd") +
+                             bytes_of_floats(corners);
+  CHECK(verdict_on("a.ply", binary, 9.0) == 0);
+  CHECK(verdict_on("a.ply", binary, 9.5) == 1);
+  CHECK(verdict_on("a.ply", binary + "x", 9.0) == 3);
+  CHECK(verdict_on("a.ply", binary.substr(0, binary.size() - 1), 9.0) == 3);
+  std::string stl(80, 's');
+  stl += std::string("\2\0\0\0", 4);
+  for (const int fourth : {6, 9}) {
+    std::vector<float> triangle(12);
+    std::copy(corners.begin(), corners.begin() + 6, triangle.begin() + 3);
+    std::copy(corners.begin() + fourth, corners.begin() + fourth + 3, triangle.begin() + 9);
+    stl += bytes_of_floats(triangle) + "ab";
+  }
+  CHECK(verdict_on("a.stl", stl, 9.0) == 0);
+  CHECK(verdict_on("a.stl", stl, 9.5) == 1);
+  const std::string text =
+      "solid vertex 1 1 1\nfacet normal 0 0 1\nouter loop\n VERTEX 0 0 0\nvertex 8 0 0\n"
+      "vertex 0 8 0\nendloop\nendfacet\nfacet normal 0 0 0\nouter loop\nvertex 9 0 8\n"
+      "vertex 0 0 0\nvertex 8 0 0\nendloop\nendfacet\nendsolid\n";
+  CHECK(verdict_on("a.stl", text, 9.0) == 0);
+}
+
+TEST_CASE("same points: a proof of exact decimals is about what they spell (#13)") {
+  const ScratchFolder scratch;
+  std::vector<RationalPoint> points;
+  for (const Point& p : shapes::cut_cube(1, 0.25)) points.push_back(to_rational(p) / Rational(10));
+  const std::string proof = proof_of(PointSet(points), Engine::Filtered, 6);
+  std::string mesh;  // tenths of multiples of 1/4, so three digits behind the point
+  for (const RationalPoint& p : points) {
+    mesh += "v";
+    for (const Rational& x : p) {
+      const Integer thousandths = numerator(Rational(x * 1000));
+      mesh += " " + to_string(thousandths) + "e-3";
+    }
+    mesh += "\n";
+  }
+  const CheckerVerdict same = check_proof(proof, scratch.write("a.obj", mesh));
+  CHECK_MESSAGE(same.exit_code == 0, same.said);
+  CHECK(same.said.find("decimals as spelt") != std::string::npos);
+  mesh.replace(mesh.find("e-3"), 3, "000000000000000000001e-24");
+  CHECK(check_proof(proof, scratch.write("a.obj", mesh)).exit_code == 1);
+}
+
+TEST_CASE("same points: rows of halfspaces, as rows and as .ine (#13)") {
+  const auto row = [](int a, int b, int c, int d) {
+    return Halfspace(IntegerVector3(a, b, c), Integer(d));
+  };
+  const std::vector<Halfspace> box = {row(1, 0, 0, -3),  row(-1, 0, 0, -3), row(0, 1, 0, -2),
+                                      row(0, -1, 0, -2), row(0, 0, 1, -1),  row(0, 0, -1, -1),
+                                      row(1, 1, 1, -5),  row(1, 0, 0, -4)};
+  const std::string proof = proof_of(box, Engine::Filtered, 6);
+  const ScratchFolder scratch;
+  const auto verdict = [&](const std::string& name, const std::string& text) {
+    return check_proof(proof, scratch.write(name, text)).exit_code;
+  };
+  const std::string rows =
+      "1 0 0 -3\n-2 0 0 -6\n0 1/2 0 -1\n0 -1 0 -2 # y\n0 0 1 -1\n0 0 -.5 -0.5\n1 1 1 -5\n0 0 0 "
+      "-1\n";
+  CHECK(verdict("a.txt", rows + "1 0 0 -4\n") == 0);
+  CHECK(verdict("a.txt", rows) == 1);
+  CHECK(verdict("a.txt", rows + "1 0 0 -4.5\n") == 1);
+  CHECK(verdict("a.txt", rows + "1 0 0 -4\n0 0 0 1\n") == 3);
+  CHECK(verdict("a.txt", rows + "1 0 0 -4 2\n") == 3);
+  const std::string ine =
+      "box\nH-representation\nbegin\n8 4 rational\n3 -1 0 0\n3 1 0 0\n2 0 -1 0\n2 0 1 0\n1 0 0 -1\n"
+      "1 0 0 1\n5/2 -1/2 -1/2 -1/2\n4 -1 0 0\nend\n";
+  CHECK(verdict("a.ine", ine) == 0);
+  CHECK(verdict("a.ine", "linearity 1 1\n" + ine) == 3);
+  CHECK(verdict("a.obj", kBase) == 1);  // of another kind
+}
