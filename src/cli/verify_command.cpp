@@ -129,7 +129,13 @@ void add_verify_command(CLI::App& program, int& exit_code) {
   command.add_option("--tolerance", options->tolerance,
                      "let violations up to this distance pass: 1e-6, or 1e-9d of the diameter");
   VerifyRequest& request = options->request;
-  add_count(command, "--max-facets", request.max_facets, {}, "coplanar faces count as one");
+  CLI::Option* max_facets =
+      add_count(command, "--max-facets", request.max_facets, {},
+                "coplanar faces count as one; those of a mesh also if only rounding bent them");
+  command
+      .add_flag("--exact-facets", request.exact_facets,
+                "let --max-facets count as one only what is coplanar exactly")
+      ->needs(max_facets);
   add_count(command, "--max-vertices", request.max_vertices, {}, "corners of the solid");
   add_count(command, "--max-facet-vertices", request.max_facet_vertices, {},
             "corners of its largest facet");

@@ -39,6 +39,13 @@ Json witness_json(const Witness& w, const Rational& squared_diameter) {
   return json;
 }
 
+Json slack_json(const Slack& slack) {
+  const bool is_own = slack.ulps_of_largest == 0;
+  return {{"ulps", is_own ? 0.5 : slack.ulps_of_largest},
+          {"of", is_own ? "each" : "largest"},
+          {"numbers", slack.precision == Precision::Binary64 ? "binary64" : "binary32"}};
+}
+
 Json size_json(const CandidateSize& size) {
   Json json = {{"stored_faces", size.stored_faces}, {"stored_vertices", size.stored_vertices}};
   const auto add = [&](const char* key, std::optional<std::size_t> count) {
@@ -47,6 +54,8 @@ Json size_json(const CandidateSize& size) {
   add("facets", size.facets);
   add("vertices", size.vertices);
   add("most_facet_vertices", size.most_facet_vertices);
+  add("facets_as_meant", size.facets_as_meant);
+  if (size.facets_as_meant) json["u"] = slack_json(size.slack);
   add("planes_of_the_input", size.planes_of_the_input);
   return json;
 }

@@ -56,9 +56,17 @@ std::string size_lines(const CandidateSize& size) {
                           "stored)",
                           with_separators(*size.facets), with_separators(*size.vertices),
                           *size.most_facet_vertices, stored));
+  if (size.facets_as_meant) {
+    text +=
+        verdict_line("", fmt::format("{} facets as meant: coplanar if coordinates move by at "
+                                     "most u, {}",
+                                     with_separators(*size.facets_as_meant), describe(size.slack)));
+  }
   if (size.planes_of_the_input) {
-    text += verdict_line("", fmt::format("{} of its planes are facet planes of the input's hull",
-                                         with_separators(*size.planes_of_the_input)));
+    text +=
+        verdict_line("", fmt::format("{} of its planes are facet planes of the input's hull, up to "
+                                     "rounding",
+                                     with_separators(*size.planes_of_the_input)));
   }
   return text;
 }

@@ -7,7 +7,6 @@
 
 #include "convexact/lp/feasibility.hpp"
 #include "convexact/number/rounding.hpp"
-#include "convexact/oracle/planar_patches.hpp"
 #include "convexact/oracle/verify.hpp"
 
 namespace convexact {
@@ -54,18 +53,6 @@ std::optional<double> tightness_of(const Verdict& verdict, const SimplifyQuestio
   return to_double((ratio.low() + ratio.high()) / 2 * hull / *question.volume, Rounding::Nearest);
 }
 
-// Distances up to this are taken for rounding when the planes of a mesh are counted: 1e-6 of the
-// input's diameter, generous even for binary32, whose coordinates are off by 6e-8 of themselves; or
-// 2^-48 of the largest coordinate, 16 units in its last place, far from the origin. Squared.
-Rational squared_rounding(const Verdict& verdict, const Polytope& polytope) {
-  Rational largest = scale_by_power_of_two(1, -2 * 1022);  // below, the last place stays the same
-  for (const RationalPoint& p : polytope.vertices) {
-    for (const Rational& x : p) largest = std::max<Rational>(largest, x * x);
-  }
-  return std::max<Rational>(verdict.squared_diameter / 1000000000000,
-                            scale_by_power_of_two(largest, -96));
-}
-
 // Whether no facet can go: what the others bound reaches to infinity, for each of them.
 bool is_stuck(const std::vector<Halfspace>& planes) {
   for (std::size_t gone = 0; gone < planes.size(); ++gone) {
@@ -88,19 +75,16 @@ Polytope polytope_of(const Candidate& output) {
 }
 
 bool has_too_many_facets(const Verdict& verdict, std::size_t wanted, const Candidate& output) {
-  if (verdict.size.facets.value_or(0) <= wanted) return false;
-  const Polytope polytope = polytope_of(output);
-  if (std::holds_alternative<Mesh>(output) &&
-      count_planar_patches(polytope, squared_rounding(verdict, polytope)) <= wanted) {
-    return false;
-  }
-  return !is_stuck(polytope.planes);
+  const std::size_t facets = verdict.size.facets.value_or(0);
+  if (verdict.size.facets_as_meant.value_or(facets) <= wanted) return false;
+  return !is_stuck(polytope_of(output).planes);
 }
 
 Conformance judge_output(const Shape& input, const SimplifyQuestion& question,
                          const Candidate& output, const Tolerance& tolerance) {
   VerifyRequest request;
   request.tolerance = tolerance;
+  request.slack_ulps = kRoundingUlps;
   StageLog log;
   const VerifyOutcome outcome = verify(input, output, request, log);
   const auto* verdict = std::get_if<Verdict>(&outcome);

@@ -21,6 +21,7 @@ struct CandidateSet {
   bool is_empty = false;             ///< No point at all: a mesh without points, or 0 <= -1.
   std::optional<Hull> hull;          ///< Of a mesh that spans a volume.
   std::optional<Polytope> polytope;  ///< If it is a bounded solid, and somebody needs it.
+  std::vector<std::vector<std::uint32_t>> patches;  ///< Of a mesh: planar_patches() of that.
 };
 
 /// Which claims were asked, and the verdict so far.
@@ -51,6 +52,10 @@ bool judge_reading(const Candidate& candidate, Docket& docket);
 /// Solid, bounded.
 CandidateSet judge_mesh_set(const Mesh& mesh, Docket& docket, StageLog& log);
 CandidateSet judge_halfspace_set(const HalfspaceList& list, Docket& docket, StageLog& log);
+/// The facets that rounded vertices were meant to have, if they are asked for.
+void find_facets_as_meant(const Mesh& mesh, CandidateSet& set, Docket& docket, StageLog& log);
+/// How many of these are in a facet plane of the input's hull. @param set  Has a polytope.
+void count_planes_of_the_input(const Input& input, const CandidateSet& set, Docket& docket);
 /// Closed, oriented, planar, convex.
 void judge_faces(const Mesh& mesh, const CandidateSet& set, Docket& docket);
 /// Contains the input.

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What set a candidate is: readable, solid, bounded, and how large.
+#include <algorithm>
+
+#include "../stored/double_halfspace.hpp"
+#include "convexact/number/rounding.hpp"
 #include "judge.hpp"
 
 namespace convexact::oracle {
@@ -165,17 +169,108 @@ CandidateSet judge_halfspace_set(const HalfspaceList& list, Docket& docket, Stag
   return set;
 }
 
+void find_facets_as_meant(const Mesh& mesh, CandidateSet& set, Docket& docket, StageLog& log) {
+  const bool is_asked = docket.request.tightness || docket.asks(MaxFacets);
+  if (!set.polytope || !is_asked) return;
+  CandidateSize& size = docket.verdict.size;
+  const Precision precision = precision_of(mesh.points);
+  log.run("facets as meant", [&] {
+    size.slack = {precision, 0};
+    set.patches = planar_patches(*set.polytope, size.slack);
+    const Slack wide = {precision, docket.request.slack_ulps};
+    if (wide.ulps_of_largest > 0) {
+      auto patches = planar_patches(*set.polytope, wide);
+      if (patches.size() < set.patches.size()) {
+        set.patches = std::move(patches);
+        size.slack = wide;
+      }
+    }
+    size.facets_as_meant = set.patches.size();
+  });
+}
+
+namespace {
+
+// The patches of which every corner is as near to a facet plane of the input's hull as rounding
+// explains, whatever program did it.
+class PlanesOfTheInput {
+ public:
+  PlanesOfTheInput(const Polytope& solid, Precision precision, std::span<const Halfspace> planes)
+      : solid_(solid), planes_(planes.begin(), planes.end()) {
+    std::sort(planes_.begin(), planes_.end());
+    std::vector<Point> points;
+    for (const RationalPoint& v : solid.vertices) {
+      Point& p = points.emplace_back();
+      for (int k = 0; k < 3; ++k) {
+        p[k] = to_double(v[k], Rounding::Nearest);
+        slack_ = std::max<Rational>(slack_, abs(v[k]));
+      }
+    }
+    slack_ = kRoundingUlps * unit_in_last_place(precision, slack_);
+    vertices_.emplace(points);
+    for (const Halfspace& h : planes_) near_planes_.emplace_back(h);
+  }
+
+  bool have(const std::vector<std::uint32_t>& patch) const {
+    const auto is_exact = [&](std::uint32_t f) {
+      return std::binary_search(planes_.begin(), planes_.end(), solid_.planes[f]);
+    };
+    if (std::any_of(patch.begin(), patch.end(), is_exact)) return true;
+    for (std::size_t i = 0; i < planes_.size(); ++i) {
+      if (may_be_near(i, solid_.facets[patch[0]][0]) && is_near(i, patch)) return true;
+    }
+    return false;
+  }
+
+ private:
+  bool may_be_near(std::size_t plane, std::uint32_t vertex) const {
+    const stored::NearValue near =
+        near_planes_[plane].at(*vertices_, vertex, stored::absolute_error(vertices_->largest));
+    const double most = 3 * to_double(slack_, Rounding::Up);  // no component is above 1
+    return !(std::abs(near.value) - near.error > most);
+  }
+  bool is_near(std::size_t plane, const std::vector<std::uint32_t>& patch) const {
+    const Halfspace& h = planes_[plane];
+    Rational limit = 0;
+    for (const Integer& n : h.normal()) limit += Rational(abs(n)) * slack_;
+    return std::all_of(patch.begin(), patch.end(), [&](std::uint32_t f) {
+      const auto& corners = solid_.facets[f];
+      return std::all_of(corners.begin(), corners.end(),
+                         [&](std::uint32_t v) { return abs(h(solid_.vertices[v])) <= limit; });
+    });
+  }
+
+  const Polytope& solid_;
+  std::vector<Halfspace> planes_;
+  Rational slack_ = 0;
+  std::optional<stored::Coordinates> vertices_;
+  std::vector<stored::DoubleHalfspace> near_planes_;
+};
+
+}  // namespace
+
+void count_planes_of_the_input(const Input& input, const CandidateSet& set, Docket& docket) {
+  const Polytope& solid = *set.polytope;
+  const PlanesOfTheInput planes(solid, docket.verdict.size.slack.precision, input.hull.planes);
+  std::vector<std::vector<std::uint32_t>> patches = set.patches;
+  if (patches.empty()) {  // halfspaces: each facet is one
+    for (std::uint32_t f = 0; f < solid.facets.size(); ++f) patches.push_back({f});
+  }
+  docket.verdict.size.planes_of_the_input = static_cast<std::size_t>(
+      std::count_if(patches.begin(), patches.end(), [&](const auto& p) { return planes.have(p); }));
+}
+
 namespace {
 
 void judge_budget(ClaimCode code, std::optional<std::size_t> most, std::optional<std::size_t> found,
-                  const char* what, Docket& docket) {
+                  const std::string& what, const std::string& remark, Docket& docket) {
   if (!most) return;
   if (!found) {
     docket.not_applicable(code, "there is no bounded solid to count on");
     return;
   }
-  const std::string sentence = std::string(what) + ": " + std::to_string(*found) + ", at most " +
-                               std::to_string(*most) + " allowed";
+  const std::string sentence = what + ": " + std::to_string(*found) + ", at most " +
+                               std::to_string(*most) + " allowed" + remark;
   Witness witness;
   witness.count = *found;
   if (*found <= *most) {
@@ -190,10 +285,17 @@ void judge_budget(ClaimCode code, std::optional<std::size_t> most, std::optional
 void judge_budgets(Docket& docket) {
   const CandidateSize& size = docket.verdict.size;
   const VerifyRequest& request = docket.request;
-  judge_budget(MaxFacets, request.max_facets, size.facets, "facets", docket);
-  judge_budget(MaxVertices, request.max_vertices, size.vertices, "vertices", docket);
+  if (size.facets_as_meant && !request.exact_facets) {
+    judge_budget(MaxFacets, request.max_facets, size.facets_as_meant, "facets as meant",
+                 "; exactly there are " + std::to_string(*size.facets) + ", and u is " +
+                     describe(size.slack),
+                 docket);
+  } else {
+    judge_budget(MaxFacets, request.max_facets, size.facets, "facets", "", docket);
+  }
+  judge_budget(MaxVertices, request.max_vertices, size.vertices, "vertices", "", docket);
   judge_budget(MaxFacetVertices, request.max_facet_vertices, size.most_facet_vertices,
-               "corners of the largest facet", docket);
+               "corners of the largest facet", "", docket);
 }
 
 }  // namespace convexact::oracle

@@ -2,82 +2,415 @@
 #include "convexact/oracle/planar_patches.hpp"
 
 #include <algorithm>
-#include <map>
+#include <cmath>
+#include <limits>
 #include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "convexact/lp/seidel.hpp"
+#include "convexact/number/rounding.hpp"
 
 namespace convexact {
 namespace {
 
 using Facet = std::uint32_t;
+using Corner = std::uint32_t;
+using Corners = std::span<const Corner>;
 
-// Four times the square of the area.
-Rational squared_area(const Polytope& polytope, Facet facet) {
-  const std::vector<std::uint32_t>& corners = polytope.facets[facet];
-  const RationalPoint& first = polytope.vertices[corners[0]];
-  RationalVector3 sum(0, 0, 0);
-  for (std::size_t k = 2; k < corners.size(); ++k) {
-    const RationalVector3 u = polytope.vertices[corners[k - 1]] - first;
-    const RationalVector3 v = polytope.vertices[corners[k]] - first;
-    sum += u.cross(v);
-  }
-  return sum.dot(sum);
-}
+constexpr int kThinnest = 1024;  // of a solid whose facets are merged, in units of its slack
 
-std::vector<std::vector<Facet>> neighbours_of(const Polytope& polytope) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, Facet> left_of;  // of each directed edge
-  for (Facet f = 0; f < polytope.facets.size(); ++f) {
-    const auto& corners = polytope.facets[f];
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      left_of[{corners[k], corners[(k + 1) % corners.size()]}] = f;
+// For each vertex u for each of its coordinates.
+std::vector<RationalVector3> slack_of(const Polytope& solid, const Slack& slack) {
+  std::vector<RationalVector3> result;
+  Rational largest = 0;
+  for (const RationalPoint& v : solid.vertices) {
+    RationalVector3& u = result.emplace_back();
+    for (int k = 0; k < 3; ++k) {
+      largest = std::max<Rational>(largest, abs(v[k]));
+      u[k] = unit_in_last_place(slack.precision, v[k]) / 2;
     }
   }
-  std::vector<std::vector<Facet>> neighbours(polytope.facets.size());
-  for (const auto& [edge, facet] : left_of) {
-    neighbours[facet].push_back(left_of.at({edge.second, edge.first}));
-  }
-  return neighbours;
+  if (slack.ulps_of_largest == 0) return result;
+  const Rational u = slack.ulps_of_largest * unit_in_last_place(slack.precision, largest);
+  return std::vector<RationalVector3>(result.size(), RationalVector3(u, u, u));
 }
 
-bool lies_near(const Polytope& polytope, Facet facet, const Halfspace& plane,
-               const Rational& squared_tolerance) {
-  const RationalVector3 normal = plane.normal().cast<Rational>();
-  const Rational limit = squared_tolerance * normal.dot(normal);
-  const auto& corners = polytope.facets[facet];
-  return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
-    const Rational value = plane(polytope.vertices[corner]);
-    return value * value <= limit;
+// Decides in doubles which pairs of neighbours can never be in one patch.
+class HardEdges {
+ public:
+  HardEdges(const Polytope& solid, std::span<const RationalVector3> slack) {
+    Rational largest = 0;
+    for (const RationalPoint& v : solid.vertices) {
+      for (const Rational& x : v) largest = std::max<Rational>(largest, abs(x));
+    }
+    // By a power of two into [-1, 1], where products do not overflow.
+    const int exponent = std::ilogb(to_double(largest, Rounding::Down)) + 1;
+    const auto scaled = [&](const Rational& x) {
+      return to_double(scale_by_power_of_two(x, -exponent), Rounding::Nearest);
+    };
+    for (std::size_t v = 0; v < slack.size(); ++v) {
+      Point& p = points_.emplace_back();
+      Point& u = errors_.emplace_back();
+      for (int k = 0; k < 3; ++k) {
+        p[k] = scaled(solid.vertices[v][k]);
+        u[k] = scaled(slack[v][k]) + kUnit * std::abs(p[k]) + kTiny;
+      }
+    }
+  }
+
+  /// Whether the four points are not coplanar wherever they are within their errors.
+  bool separates(Corner a, Corner b, Corner c, Corner d) const {
+    const Corner others[] = {b, c, d};
+    double m[3][3], e[3][3];
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        m[i][k] = points_[others[i]][k] - points_[a][k];
+        e[i][k] = errors_[others[i]][k] + errors_[a][k];
+      }
+    }
+    double determinant = 0, size = 0, change = 0;
+    constexpr int kOrders[6][4] = {{0, 1, 2, 1},  {1, 2, 0, 1},  {2, 0, 1, 1},
+                                   {0, 2, 1, -1}, {2, 1, 0, -1}, {1, 0, 2, -1}};
+    for (const auto& [i, j, k, sign] : kOrders) {
+      const double x = m[0][i], y = m[1][j], z = m[2][k];
+      determinant += sign * (x * y * z);
+      size += std::abs(x * y * z);
+      change += e[0][i] * (std::abs(y) + e[1][j]) * (std::abs(z) + e[2][k]) +
+                std::abs(x) * e[1][j] * (std::abs(z) + e[2][k]) + std::abs(x * y) * e[2][k];
+    }
+    // What rounding adds here is below 2^-49 of the sum of the sizes.
+    return std::abs(determinant) > change + 16 * kUnit * size + kTiny;
+  }
+
+  /// Four times the square of the area, in units of its own.
+  double squared_area(Corners corners) const {
+    Vector3<double> sum(0, 0, 0);
+    for (std::size_t k = 2; k < corners.size(); ++k) {
+      const Vector3<double> u = points_[corners[k - 1]] - points_[corners[0]];
+      const Vector3<double> v = points_[corners[k]] - points_[corners[0]];
+      sum += u.cross(v);
+    }
+    return sum.dot(sum);
+  }
+
+ private:
+  static constexpr double kUnit = 0x1p-52, kTiny = 0x1p-1000;
+  std::vector<Point> points_, errors_;
+};
+
+struct Plane {
+  RationalVector3 normal;
+  Rational offset;
+};
+
+// How far n.p may be off.
+Rational reach(const RationalVector3& normal, const RationalVector3& slack) {
+  Rational sum = 0;
+  for (int k = 0; k < 3; ++k) sum += abs(normal[k]) * slack[k];
+  return sum;
+}
+
+class PatchSearch {
+ public:
+  PatchSearch(const Polytope& solid, const Slack& slack)
+      : solid_(solid),
+        slack_(slack_of(solid, slack)),
+        around_(solid.vertices.size()),
+        member_of_(solid.vertices.size()),
+        refused_by_(solid.facets.size()) {
+    find_soft_edges();
+  }
+
+  std::vector<std::vector<Facet>> from_largest() { return find(by_area_); }
+  std::vector<std::vector<Facet>> from_smallest() {
+    return find({by_area_.rbegin(), by_area_.rend()});
+  }
+  bool has_thin_patch() const {
+    return std::find(is_thin_.begin(), is_thin_.end(), true) != is_thin_.end();
+  }
+
+ private:
+  static constexpr Facet kNone = ~Facet{0};
+  void find_soft_edges();
+  std::vector<std::vector<Facet>> find(const std::vector<Facet>& order);
+  void grow(Facet seed);
+  bool may_join(Facet facet) const;
+  void accept(Facet facet);
+  bool fits(Facet facet) const;
+  bool tilt_to(Facet facet);
+  std::optional<Plane> plane_near(Corners all, int axis, int signs) const;
+  bool is_thin_along_plane() const;
+  std::size_t patches_at(Corner corner) const;
+  bool keeps_corners(Facet facet) const;
+
+  const Polytope& solid_;
+  std::vector<RationalVector3> slack_;
+  std::vector<std::vector<Facet>> soft_;    // neighbours that may be in the same patch
+  std::vector<std::vector<Facet>> around_;  // by corner, its facets
+  std::vector<Facet> by_area_;              // the largest first
+  std::vector<Facet> patch_of_;             // by facet
+  std::vector<bool> is_thin_;               // by patch
+  Facet patch_count_ = 0;
+  // Of the patch that grows, the last one:
+  std::vector<Facet> member_of_;   // by corner, the last patch that has it
+  std::vector<Facet> refused_by_;  // by facet, the last patch that cannot have it
+  std::vector<Facet> fresh_;       // its neighbours still to be compared with the plane
+  std::vector<Corner> corners_;    // each once
+  Plane plane_;                    // near all of these
+};
+
+void PatchSearch::find_soft_edges() {
+  const HardEdges hard(solid_, slack_);
+  struct Edge {
+    Corner low, high, before;  // `before` precedes the edge on the facet
+    Facet facet;
+  };
+  std::vector<Edge> edges;
+  std::vector<double> areas;
+  for (Facet f = 0; f < solid_.facets.size(); ++f) {
+    const auto& c = solid_.facets[f];
+    areas.push_back(hard.squared_area(c));
+    for (std::size_t k = 0, n = c.size(); k < n; ++k) {
+      const auto [low, high] = std::minmax(c[(k + 1) % n], c[(k + 2) % n]);
+      edges.push_back({low, high, c[k], f});
+      around_[c[k]].push_back(f);
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+    return std::tie(a.low, a.high, a.facet) < std::tie(b.low, b.high, b.facet);
   });
+  soft_.resize(solid_.facets.size());
+  for (std::size_t e = 0; e + 1 < edges.size(); e += 2) {
+    const Edge &a = edges[e], &b = edges[e + 1];
+    if (hard.separates(a.low, a.high, a.before, b.before)) continue;
+    soft_[a.facet].push_back(b.facet);
+    soft_[b.facet].push_back(a.facet);
+  }
+  by_area_.resize(areas.size());
+  std::iota(by_area_.begin(), by_area_.end(), Facet{0});
+  std::stable_sort(by_area_.begin(), by_area_.end(),
+                   [&](Facet a, Facet b) { return areas[a] > areas[b]; });
+}
+
+// Whether all corners of the facet are near the plane.
+bool PatchSearch::fits(Facet facet) const {
+  return std::all_of(solid_.facets[facet].begin(), solid_.facets[facet].end(), [&](Corner c) {
+    const Rational value = plane_.normal.dot(solid_.vertices[c]) + plane_.offset;
+    return abs(value) <= reach(plane_.normal, slack_[c]);
+  });
+}
+
+std::vector<std::vector<Facet>> PatchSearch::find(const std::vector<Facet>& order) {
+  patch_count_ = 0;
+  is_thin_.clear();
+  patch_of_.assign(solid_.facets.size(), kNone);
+  std::fill(member_of_.begin(), member_of_.end(), kNone);
+  std::fill(refused_by_.begin(), refused_by_.end(), kNone);
+  for (const Facet seed : order) {
+    if (patch_of_[seed] == kNone) grow(seed);
+  }
+  std::vector<bool> is_broken(patch_count_, false);
+  for (Facet f = 0; f < patch_of_.size(); ++f) {
+    if (is_thin_[patch_of_[f]] && !keeps_corners(f)) is_broken[patch_of_[f]] = true;
+  }
+  std::vector<std::vector<Facet>> patches(patch_count_);
+  for (Facet f = 0; f < patch_of_.size(); ++f) {
+    const Facet patch = patch_of_[f];
+    if (is_broken[patch] && !patches[patch].empty()) {
+      patches.push_back({f});
+    } else {
+      patches[patch].push_back(f);
+    }
+  }
+  return patches;
+}
+
+void PatchSearch::grow(Facet seed) {
+  const Halfspace& plane = solid_.planes[seed];
+  plane_ = {plane.normal().cast<Rational>(), Rational(plane.offset())};
+  corners_.clear();
+  ++patch_count_;
+  is_thin_.push_back(false);
+  accept(seed);
+  is_thin_.back() = !fresh_.empty() && is_thin_along_plane();
+  std::vector<Facet> off_plane;
+  while (!fresh_.empty() || !off_plane.empty()) {
+    std::vector<Facet>& list = fresh_.empty() ? off_plane : fresh_;
+    const bool is_fresh = !fresh_.empty();
+    const Facet facet = list.back();
+    list.pop_back();
+    if (!may_join(facet)) continue;
+    if (is_fresh && !fits(facet)) {
+      off_plane.push_back(facet);
+    } else if (is_fresh || tilt_to(facet)) {
+      accept(facet);
+      if (is_fresh) continue;
+      fresh_.insert(fresh_.end(), off_plane.begin(), off_plane.end());
+      off_plane.clear();
+    } else {
+      refused_by_[facet] = patch_count_ - 1;  // for good: more corners leave fewer planes
+    }
+  }
+  const bool is_merged = corners_.size() > solid_.facets[seed].size();
+  is_thin_.back() = is_merged && is_thin_along_plane();
+}
+
+// Whether the facet is still to be had, and whether in a thin patch all its corners can remain
+// corners of the solid meant.
+bool PatchSearch::may_join(Facet facet) const {
+  if (patch_of_[facet] != kNone || refused_by_[facet] == patch_count_ - 1) return false;
+  if (!is_thin_.back()) return true;
+  const auto& corners = solid_.facets[facet];
+  return std::all_of(corners.begin(), corners.end(), [&](Corner c) {
+    return patches_at(c) > (member_of_[c] == patch_count_ - 1 ? 3u : 2u);
+  });
+}
+
+void PatchSearch::accept(Facet facet) {
+  patch_of_[facet] = patch_count_ - 1;
+  for (const Corner c : solid_.facets[facet]) {
+    if (std::exchange(member_of_[c], patch_count_ - 1) != patch_count_ - 1) corners_.push_back(c);
+  }
+  fresh_.insert(fresh_.end(), soft_[facet].begin(), soft_[facet].end());
+}
+
+// How many patches meet in a corner; a facet that is in none so far is one.
+std::size_t PatchSearch::patches_at(Corner corner) const {
+  std::vector<Facet> patches;
+  std::size_t single = 0;
+  for (const Facet f : around_[corner]) {
+    if (patch_of_[f] == kNone)
+      ++single;
+    else
+      patches.push_back(patch_of_[f]);
+  }
+  std::sort(patches.begin(), patches.end());
+  return single +
+         static_cast<std::size_t>(std::unique(patches.begin(), patches.end()) - patches.begin());
+}
+
+// Whether three patches meet in each corner of the facet.
+bool PatchSearch::keeps_corners(Facet facet) const {
+  const auto& corners = solid_.facets[facet];
+  return std::all_of(corners.begin(), corners.end(), [&](Corner c) { return patches_at(c) >= 3; });
+}
+
+// Moves the plane so that it is near the corners of one more facet as well, if any plane is.
+bool PatchSearch::tilt_to(Facet facet) {
+  std::vector<Corner> all = corners_;
+  for (const Corner c : solid_.facets[facet]) {
+    if (member_of_[c] != patch_count_ - 1) all.push_back(c);
+  }
+  int axis = 0;
+  plane_.normal.cwiseAbs().maxCoeff(&axis);
+  for (const int signs : {0, 1, 2, 3}) {
+    const auto plane = plane_near(all, axis, signs);
+    if (!plane) continue;
+    plane_ = *plane;
+    return true;
+  }
+  return false;
+}
+
+// The plane that is nearest to all corners among those whose normal has component 1 along the axis
+// and at most 2, of the signs given, along the next two: in variables these two, the offset and s,
+//   maximise s,  |n.p + d| + s <= n_1 u_1 + n_2 u_2 + n_3 u_3  with |n_k| for n_k.
+std::optional<Plane> PatchSearch::plane_near(Corners all, int axis, int signs) const {
+  const int first = (axis + 1) % 3, second = (axis + 2) % 3;
+  const int first_sign = signs & 1 ? -1 : 1, second_sign = signs & 2 ? -1 : 1;
+  const RationalPoint& origin = solid_.vertices[all[0]];
+  LinearProgram lp;
+  lp.normals.resize(2 * static_cast<Eigen::Index>(all.size()) + 4, 4);
+  lp.offsets.resize(lp.normals.rows());
+  Eigen::Index row = 0;
+  for (const Corner c : all) {
+    const RationalVector3 p = solid_.vertices[c] - origin;
+    const RationalVector3& u = slack_[c];
+    for (const int side : {1, -1}) {
+      lp.normals.row(row) << side * p[first] - first_sign * u[first],
+          side * p[second] - second_sign * u[second], Rational(side), Rational(1);
+      lp.offsets[row++] = side * p[axis] - u[axis];
+    }
+  }
+  const auto between = [&](int column, int sign) {  // 0 <= sign * x <= 2
+    for (const int side : {1, -1}) {
+      lp.normals.row(row).setConstant(Rational(0));
+      lp.normals(row, column) = side * sign;
+      lp.offsets[row++] = side > 0 ? -2 : 0;
+    }
+  };
+  between(0, first_sign);
+  between(1, second_sign);
+  lp.objective = RationalVector::Zero(4);
+  lp.objective[3] = 1;
+  const LpOutcome outcome = maximise(lp);
+  const auto& best = std::get<Optimal>(outcome).x;  // a small s is feasible, a large one is not
+  if (best[3] < 0) return std::nullopt;
+  Plane plane;
+  plane.normal[axis] = 1;
+  plane.normal[first] = best[0];
+  plane.normal[second] = best[1];
+  plane.offset = best[2] - plane.normal.dot(origin);
+  return plane;
+}
+
+// Whether the solid is thinner along the patch's normal than what rounding may explain.
+bool PatchSearch::is_thin_along_plane() const {
+  Rational slack = 0;
+  for (const Corner c : corners_) slack = std::max(slack, reach(plane_.normal, slack_[c]));
+  std::optional<Rational> least, most;
+  for (const RationalPoint& v : solid_.vertices) {
+    const Rational value = plane_.normal.dot(v);
+    if (!least || value < *least) least = value;
+    if (!most || value > *most) most = value;
+    if (*most - *least >= kThinnest * slack) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
-std::size_t count_planar_patches(const Polytope& polytope, const Rational& squared_tolerance) {
-  const auto neighbours = neighbours_of(polytope);
-  std::vector<Rational> areas;
-  for (Facet f = 0; f < polytope.facets.size(); ++f) areas.push_back(squared_area(polytope, f));
-  std::vector<Facet> order(areas.size());
-  std::iota(order.begin(), order.end(), Facet{0});
-  std::sort(order.begin(), order.end(), [&](Facet a, Facet b) { return areas[a] > areas[b]; });
-  std::vector<bool> taken(order.size(), false);
-  std::size_t patches = 0;
-  for (const Facet seed : order) {
-    if (taken[seed]) continue;
-    ++patches;
-    taken[seed] = true;
-    std::vector<Facet> rim{seed};
-    while (!rim.empty()) {
-      const Facet facet = rim.back();
-      rim.pop_back();
-      for (const Facet next : neighbours[facet]) {
-        if (taken[next] || !lies_near(polytope, next, polytope.planes[seed], squared_tolerance)) {
-          continue;
-        }
-        taken[next] = true;
-        rim.push_back(next);
-      }
+std::string describe(const Slack& slack) {
+  const std::string format = slack.precision == Precision::Binary64 ? "binary64" : "binary32";
+  if (slack.ulps_of_largest == 0) {
+    return "half a unit in the last place of each coordinate in " + format;
+  }
+  return std::to_string(slack.ulps_of_largest) +
+         " units in the last place of the largest coordinate in " + format;
+}
+
+Precision precision_of(const PointSet& points) {
+  constexpr int kFewBits = 16;
+  if (!points.is_binary()) return Precision::Binary64;
+  bool is_rounded = false;
+  for (const Point& p : points.doubles()) {
+    for (const double x : p) {
+      if (std::abs(x) > std::numeric_limits<float>::max()) return Precision::Binary64;
+      if (static_cast<double>(static_cast<float>(x)) != x) return Precision::Binary64;
+      int exponent = 0;
+      const double scaled = std::ldexp(std::frexp(x, &exponent), kFewBits);
+      is_rounded = is_rounded || scaled != std::trunc(scaled);
     }
   }
-  return patches;
+  return is_rounded ? Precision::Binary32 : Precision::Binary64;
+}
+
+Rational unit_in_last_place(Precision precision, const Rational& x) {
+  const int least = precision == Precision::Binary64 ? -1074 : -149;
+  const double near = to_double(abs(x), Rounding::Down);
+  if (near == 0) return to_rational(std::ldexp(1.0, least));
+  return to_rational(
+      std::ldexp(1.0, std::max(std::ilogb(near) + 1 - significand_bits(precision), least)));
+}
+
+std::vector<std::vector<std::uint32_t>> planar_patches(const Polytope& solid, const Slack& slack) {
+  PatchSearch search(solid, slack);
+  auto patches = search.from_largest();
+  if (!search.has_thin_patch()) return patches;
+  auto others = search.from_smallest();
+  return others.size() < patches.size() ? others : patches;
 }
 
 }  // namespace convexact

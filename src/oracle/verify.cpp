@@ -36,20 +36,13 @@ std::variant<Input, NotSolid> input_of(const Shape& shape, std::uint64_t seed, S
                squared};
 }
 
-std::size_t count_common(std::vector<Halfspace> a, std::vector<Halfspace> b) {
-  std::sort(a.begin(), a.end());
-  std::sort(b.begin(), b.end());
-  std::vector<Halfspace> common;
-  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
-  return common.size();
-}
-
 void judge(const Input& input, const Candidate& candidate, Docket& docket, StageLog& log) {
   if (!judge_reading(candidate, docket)) return;
   CandidateSet set;
   if (const auto* mesh = std::get_if<Mesh>(&candidate)) {
     set = judge_mesh_set(*mesh, docket, log);
     log.run("faces", [&] { judge_faces(*mesh, set, docket); });
+    find_facets_as_meant(*mesh, set, docket, log);
   } else {
     set = judge_halfspace_set(std::get<HalfspaceList>(candidate), docket, log);
     for (const ClaimCode code : {ClaimCode::MeshClosed, ClaimCode::MeshOriented,
@@ -66,7 +59,7 @@ void judge(const Input& input, const Candidate& candidate, Docket& docket, Stage
     log.skip("tightness", "the candidate is no bounded solid");
   } else {
     const bool contained = verdict.outside && verdict.outside->points == 0;
-    verdict.size.planes_of_the_input = count_common(set.polytope->planes, input.hull.planes);
+    log.run("planes of the input", [&] { count_planes_of_the_input(input, set, docket); });
     verdict.tightness = log.run(
         "tightness", [&] { return measure_tightness(*set.polytope, input.hull, contained); });
   }

@@ -9,19 +9,10 @@
 #include <set>
 #include <string>
 
-#include "convexact/hull/hull.hpp"
-#include "convexact/oracle/planar_patches.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/prisms.hpp"
 #include "convexact/shapes/solids.hpp"
 using namespace convexact;
 
 namespace {
-
-Polytope polytope_of(const std::vector<Point>& points) {
-  const PointSet set(points);
-  return to_polytope(std::get<Hull>(convex_hull(set)), set);
-}
 
 Mesh points_as_mesh(const std::vector<Point>& points) {
   Mesh mesh;
@@ -62,22 +53,6 @@ HalfspaceList rows(std::initializer_list<std::array<int, 4>> list) {
 }
 
 }  // namespace
-
-TEST_CASE("planar patches: without tolerance the facets, with a little the planes meant") {
-  std::vector<Point> cube = shapes::box({1, 1, 1});
-  CHECK(count_planar_patches(polytope_of(cube), 0) == 6);
-  for (Point& p : cube) {
-    if (p == Point(1, 1, 1)) p.z() = std::nextafter(1.0, 2.0);
-  }
-  const Polytope bent = polytope_of(cube);
-  CHECK(bent.facets.size() == 7);  // the lid breaks; the other two sides at that edge stay plane
-  CHECK(count_planar_patches(bent, 0) == 7);
-  CHECK(count_planar_patches(bent, to_rational(0x1p-100)) == 6);
-  CHECK(count_planar_patches(polytope_of(shapes::rounded_dodecahedron()), to_rational(1e-20)) ==
-        12);
-  CHECK(count_planar_patches(polytope_of(shapes::icosahedron()), to_rational(1e-12)) == 20);
-  CHECK(count_planar_patches(polytope_of(shapes::prism(30)), to_rational(1e-12)) == 32);
-}
 
 TEST_CASE("judge_run: ways to end") {
   const TestVector solid = simplify_vector(shapes::cube(), 6);

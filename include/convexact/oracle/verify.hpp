@@ -7,6 +7,7 @@
 
 #include "convexact/oracle/candidate.hpp"
 #include "convexact/oracle/claim.hpp"
+#include "convexact/oracle/planar_patches.hpp"
 #include "convexact/oracle/tightness.hpp"
 #include "convexact/oracle/tolerance.hpp"
 #include "convexact/pipeline/solid.hpp"
@@ -20,6 +21,11 @@ struct VerifyRequest {
   /// reported all the same.
   Tolerance tolerance = {};
   std::optional<std::size_t> max_facets = {}, max_vertices = {}, max_facet_vertices = {};
+  /// Whether `max_facets` is for the facets of a mesh as they are, not as they were meant.
+  bool exact_facets = false;
+  /// The facets as meant are also looked for with this Slack::ulps_of_largest, if it is not 0; the
+  /// fewer count.
+  unsigned slack_ulps = 0;
   bool tightness = true;   ///< Whether to measure volume, area, mean width and distance.
   std::uint64_t seed = 1;  ///< Of every random order. The verdict does not depend on it.
 };
@@ -38,7 +44,11 @@ struct CandidateSize {
   std::size_t stored_vertices = 0;  ///< Points of the mesh; 0 for halfspaces.
   /// Of the solid, if there is one: coplanar faces as one facet, and its corners.
   std::optional<std::size_t> facets, vertices, most_facet_vertices;
-  /// How many of its planes are facet planes of the input's hull, exactly.
+  /// Of a mesh: the number of planar_patches() with this slack.
+  std::optional<std::size_t> facets_as_meant;
+  Slack slack;
+  /// How many of its facets (of a mesh: as meant) are in facet planes of the input's hull, up to
+  /// kRoundingUlps.
   std::optional<std::size_t> planes_of_the_input;
 };
 
