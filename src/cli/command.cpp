@@ -13,6 +13,7 @@
 
 #include "convexact/format/error_json.hpp"
 #include "convexact/format/result_json.hpp"
+#include "convexact/format/write_json.hpp"
 #include "convexact/number/decimal.hpp"
 #include "memory.hpp"
 #include "quantity_option.hpp"
@@ -53,7 +54,7 @@ int report(const GlobalOptions& options, const Error& error,
   if (options.json) {
     nlohmann::ordered_json body = error_json(error);
     if (!proof.is_null()) body["proof"] = proof;
-    std::cout << nlohmann::ordered_json{{"error", body}}.dump(2) << std::endl;
+    std::cout << write_json({{"error", body}}, 2) << std::endl;
   } else {
     std::cerr << "convexact: " << error.what() << std::endl;
   }
@@ -170,7 +171,7 @@ void print(const std::string& text) {
               std::string("standard output cannot be written: ") + std::strerror(errno));
 }
 
-void print(const nlohmann::ordered_json& document) { print(document.dump(2) + "\n"); }
+void print(const nlohmann::ordered_json& document) { print(write_json(document, 2) + "\n"); }
 
 const std::atomic<bool>& interrupted() noexcept { return interrupt_flag; }
 

@@ -11,6 +11,7 @@
 #include "convexact/format/conformance_report.hpp"
 #include "convexact/format/halfspace_file.hpp"
 #include "convexact/format/test_vector_json.hpp"
+#include "convexact/format/write_json.hpp"
 #include "convexact/hull/hull.hpp"
 #include "convexact/io/atomic_output.hpp"
 #include "convexact/io/write_mesh.hpp"
@@ -118,7 +119,7 @@ ConformanceEntry run_vector(const TestVector& vector, const std::string& bytes,
 
 std::string report_bytes(const ConformanceReport& report, const std::string& path) {
   const std::string extension = fs::path(path).extension();
-  if (extension == ".json") return conformance_json(report).dump(2) + "\n";
+  if (extension == ".json") return write_json(conformance_json(report), 2) + "\n";
   return extension == ".md" ? conformance_markdown(report) : conformance_badge(report);
 }
 
@@ -173,12 +174,13 @@ int run_conform(const ConformArguments& options) {
   }
   AtomicOutput files;
   for (const std::string& path : options.reports) files.add(path, report_bytes(report, path));
-  files.commit();
-  if (options.global.json) {
-    print(conformance_json(report));
-  } else {
-    print(conformance_text(report));
-  }
+  files.commit([&] {
+    if (options.global.json) {
+      print(conformance_json(report));
+    } else {
+      print(conformance_text(report));
+    }
+  });
   return report.conforms() ? 0 : 1;
 }
 

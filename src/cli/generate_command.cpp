@@ -6,11 +6,12 @@
 #include <memory>
 
 #include "command.hpp"
+#include "convexact/format/write_json.hpp"
 #include "convexact/hull/hull.hpp"
-#include "convexact/io/atomic_output.hpp"
 #include "convexact/io/write_mesh.hpp"
 #include "convexact/shapes/families.hpp"
 #include "convexact/shapes/malformed.hpp"
+#include "outputs.hpp"
 #include "quantity_option.hpp"
 
 namespace convexact::cli {
@@ -101,11 +102,11 @@ void add_hull_facets(Mesh& mesh, const std::string& family) {
   }
 }
 
-void write(const GenerateArguments& options, const std::string& bytes) {
-  if (options.output.empty()) return print(bytes);
-  AtomicOutput file;
-  file.add(options.output, bytes);
-  file.commit();
+// The bytes go to the file, and what is to be told to standard output; without a file and without
+// anything to tell, the bytes themselves do.
+void write(const GenerateArguments& options, const std::string& bytes, const std::string& told) {
+  if (options.output.empty()) return print(told.empty() ? bytes : told);
+  write_together({{options.output, bytes}}, told);
 }
 
 MeshFormat format_of(const GenerateArguments& options) {
@@ -141,10 +142,12 @@ int run_family(const GenerateArguments& options, const Family& family,
   Mesh mesh;
   mesh.points = PointSet(shapes::generate(family, values, options.global.seed));
   if (options.facets) add_hull_facets(mesh, std::string(family.name));
-  if (options.global.json) print(document_of(family, values, options.global.seed, mesh));
-  if (options.global.json && options.output.empty()) return 0;
+  std::string document;
+  if (options.global.json) {
+    document = write_json(document_of(family, values, options.global.seed, mesh), 2) + "\n";
+  }
   if (format == MeshFormat::Stl && mesh.polygons.empty()) add_triangles_over_points(mesh);
-  write(options, write_mesh(mesh, format));
+  write(options, write_mesh(mesh, format), document);
   return 0;
 }
 
@@ -158,7 +161,7 @@ int run_malformed(const GenerateArguments& options, const MalformedFile& file) {
   if (options.facets || options.global.json) {
     throw Error(ErrorCode::InvalidArgument, file.name + ": takes neither --facets nor --json");
   }
-  write(options, file.bytes);
+  write(options, file.bytes, "");
   return 0;
 }
 

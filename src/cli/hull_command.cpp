@@ -7,6 +7,7 @@
 #include "command.hpp"
 #include "convexact/format/result_json.hpp"
 #include "convexact/format/summary.hpp"
+#include "convexact/format/write_json.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
 #include "quantity_option.hpp"
@@ -49,6 +50,18 @@ nlohmann::ordered_json document_of(const std::vector<MeasuredObject>& objects, i
   return objects.size() == 1 ? list[0] : nlohmann::ordered_json{{"objects", list}};
 }
 
+std::string summary_of(const std::vector<MeasuredObject>& objects, int digits,
+                       const OutputOptions& output, const StageLog& log) {
+  std::string text;
+  for (const MeasuredObject& object : objects) {
+    text += object.source.name + "\n" + summary(object.result, digits);
+  }
+  for (const std::string& path : output.all_paths()) {
+    text += fmt::format("  written     {}\n", path);
+  }
+  return text + "\n" + stage_table(log.stages());
+}
+
 int run_hull(const HullArguments& options) {
   options.output.require_sensible();
   require_other_files(options.output.all_paths(), options.inputs);
@@ -75,20 +88,13 @@ int run_hull(const HullArguments& options) {
   for (const MeasuredObject& object : objects) {
     outputs.push_back({object.source, object.result.solid});
   }
-  log.run("write", StageKind::Io, [&] { write_outputs(outputs, options.output); });
+  const OutputFiles files =
+      log.run("write", StageKind::Io, [&] { return output_files(outputs, options.output); });
   progress.clear();
-  if (options.global.json) {
-    print(document_of(objects, request.digits));
-    return 0;
-  }
-  std::string text;
-  for (const MeasuredObject& object : objects) {
-    text += object.source.name + "\n" + summary(object.result, request.digits);
-  }
-  for (const std::string& path : options.output.all_paths()) {
-    text += fmt::format("  written     {}\n", path);
-  }
-  print(text + "\n" + stage_table(log.stages()));
+  const std::string text = options.global.json
+                               ? write_json(document_of(objects, request.digits), 2) + "\n"
+                               : summary_of(objects, request.digits, options.output, log);
+  write_together(files, text);
   return 0;
 }
 

@@ -9,6 +9,7 @@
 #include "convexact/format/halfspace_file.hpp"
 #include "convexact/format/proof.hpp"
 #include "convexact/format/trace_json.hpp"
+#include "convexact/format/write_json.hpp"
 #include "convexact/io/atomic_output.hpp"
 #include "convexact/io/read_mesh.hpp"
 #include "convexact/io/write_mesh.hpp"
@@ -100,7 +101,7 @@ std::string plane_bytes(const StoredSolid& solid, HalfspaceFormat format) {
 
 std::string picture_bytes(const std::vector<OutputObject>& objects) {
   Picture picture;
-  picture.title = objects.size() == 1 ? objects[0].source.name : "Several objects";
+  picture.title = objects.size() == 1 ? as_utf8(objects[0].source.name) : "Several objects";
   std::size_t halfspaces = 0;
   for (const OutputObject& object : objects) {
     const auto first = static_cast<std::uint32_t>(picture.points.size());
@@ -215,9 +216,8 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
                       "decimals in text mean the nearest double, or what they spell");
 }
 
-void write_outputs(const std::vector<OutputObject>& objects, const OutputOptions& options) {
-  // All bytes first: whatever fails before the first file is there leaves none behind.
-  std::vector<std::pair<std::string, std::string>> files;
+OutputFiles output_files(const std::vector<OutputObject>& objects, const OutputOptions& options) {
+  OutputFiles files;
   for (const std::string& path : options.results) {
     const auto mesh_format = mesh_format_of_path(path);
     std::string bytes = mesh_format
@@ -235,9 +235,13 @@ void write_outputs(const std::vector<OutputObject>& objects, const OutputOptions
     files.emplace_back(options.proof,
                        write_proof(*object.record, object.solid.points, object.solid.planes));
   }
+  return files;
+}
+
+void write_together(const OutputFiles& files, const std::string& summary) {
   AtomicOutput output;
   for (const auto& [path, bytes] : files) output.add(path, bytes);
-  output.commit();
+  output.commit([&summary] { print(summary); });
 }
 
 }  // namespace convexact::cli

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "convexact/pipeline/run_record.hpp"
@@ -48,9 +49,17 @@ struct OutputObject {
   const RunRecord* record = nullptr;  ///< Set wherever a proof may be asked for.
 };
 
-/// Writes every output, after reading each mesh and plane file back from its bytes and testing
-/// that what they spell holds every input point.
-/// @throws Error Unwritable; Internal if that test fails.
-void write_outputs(const std::vector<OutputObject>& objects, const OutputOptions& options);
+/// Path and bytes of each output.
+using OutputFiles = std::vector<std::pair<std::string, std::string>>;
+
+/// Every output, after reading each mesh and plane file back from its bytes and testing that what
+/// they spell holds every input point.
+/// @throws Error Unrepresentable; Internal if that test fails.
+[[nodiscard]] OutputFiles output_files(const std::vector<OutputObject>& objects,
+                                       const OutputOptions& options);
+
+/// Writes the files and prints the summary: all of it succeeds, or every file stays as it was.
+/// @throws Error as AtomicOutput and print().
+void write_together(const OutputFiles& files, const std::string& summary);
 
 }  // namespace convexact::cli

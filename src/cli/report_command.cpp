@@ -10,7 +10,7 @@
 #include "build_info.hpp"
 #include "command.hpp"
 #include "convexact/format/report_json.hpp"
-#include "convexact/io/atomic_output.hpp"
+#include "convexact/format/write_json.hpp"
 #include "convexact/report/report_page.hpp"
 #include "outputs.hpp"
 #include "quantity_option.hpp"
@@ -74,23 +74,21 @@ class StatusLine {
   }
 };
 
-void write_files(const std::string& folder, const nlohmann::ordered_json& document,
-                 const ReportData& report) {
+OutputFiles files_of(const std::string& folder, const nlohmann::ordered_json& document,
+                     const ReportData& report) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (failure) throw Error(ErrorCode::Unwritable, folder + ": " + failure.message());
-  AtomicOutput files;
-  files.add(folder + "/report.json", document.dump(1) + "\n");
-  files.add(folder + "/report.csv", report_csv(report));
-  files.add(folder + "/report.html", report_page(document.dump()));
-  files.commit();
+  return {{folder + "/report.json", write_json(document, 1) + "\n"},
+          {folder + "/report.csv", report_csv(report)},
+          {folder + "/report.html", report_page(write_json(document))}};
 }
 
 std::string seconds_text(const std::optional<Spread>& seconds) {
   return seconds ? fmt::format("{:.3g} s", seconds->median) : "over budget";
 }
 
-void print_summary(const ReportData& report, const std::string& folder) {
+std::string summary_of(const ReportData& report, const std::string& folder) {
   std::string text;
   for (const InputReport& input : report.inputs) {
     text += fmt::format("{}: {} halfspaces\n", input.name, input.halfspaces);
@@ -104,7 +102,7 @@ void print_summary(const ReportData& report, const std::string& folder) {
           way.first_wrong ? std::to_string(way.first_wrong->step + 1) : std::string("none"));
     }
   }
-  print(text + fmt::format("written: {0}/report.html, {0}/report.json, {0}/report.csv\n", folder));
+  return text + fmt::format("written: {0}/report.html, {0}/report.json, {0}/report.csv\n", folder);
 }
 
 int run_report(const ReportArguments& options) {
@@ -130,12 +128,9 @@ int run_report(const ReportArguments& options) {
   status.show("");
   const ReportOrigin origin{CONVEXACT_VERSION, kCommit, kCompiler, kFlags, this_machine()};
   const nlohmann::ordered_json document = report_json(report, request, origin);
-  write_files(options.folder, document, report);
-  if (options.global.json) {
-    print(document);
-  } else {
-    print_summary(report, options.folder);
-  }
+  write_together(
+      files_of(options.folder, document, report),
+      options.global.json ? write_json(document, 2) + "\n" : summary_of(report, options.folder));
   return 0;
 }
 

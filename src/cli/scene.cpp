@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <unordered_map>
 
@@ -69,6 +70,9 @@ SceneObject halfspace_object(const std::string& path, HalfspaceList list) {
 
 std::vector<SceneObject> read_scene(const std::vector<std::string>& paths,
                                     const SceneOptions& options) {
+  if (std::count(paths.begin(), paths.end(), "-") > 1) {
+    throw Error(ErrorCode::InvalidArgument, "standard input, -, can be read only once");
+  }
   std::vector<SceneObject> objects;
   for (const std::string& path : paths) {
     const std::string bytes = read_bytes(path);

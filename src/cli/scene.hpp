@@ -25,7 +25,7 @@ struct SceneOptions {
 
 /// Reads files one after another: meshes, or halfspaces (.json, .ine, or by content).
 /// @throws Error as the readers; NoInterior if a halfspace list has a row that nothing satisfies;
-///         InvalidArgument for parts of a file that has none.
+///         InvalidArgument for parts of a file that has none, or standard input twice.
 std::vector<SceneObject> read_scene(const std::vector<std::string>& paths,
                                     const SceneOptions& options);
 

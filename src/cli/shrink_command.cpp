@@ -8,7 +8,7 @@
 #include "claim_list.hpp"
 #include "command.hpp"
 #include "convexact/error.hpp"
-#include "convexact/io/atomic_output.hpp"
+#include "convexact/format/write_json.hpp"
 #include "convexact/io/read_mesh.hpp"
 #include "convexact/io/write_mesh.hpp"
 #include "convexact/oracle/shrink.hpp"
@@ -73,27 +73,22 @@ Mesh part_of(const Mesh& mesh, const PointSet& points, std::span<const PointId> 
   return part;
 }
 
-void report(const ShrinkArguments& options, const std::string& failure, const Size& before,
-            const Size& after, std::size_t runs) {
+std::string summary_of(const ShrinkArguments& options, const std::string& failure,
+                       const Size& before, const Size& after, std::size_t runs) {
   if (options.global.json) {
-    print(nlohmann::ordered_json{{"failure", failure},
-                                 {"points", {{"before", before.points}, {"after", after.points}}},
-                                 {"bits", {{"before", before.bits}, {"after", after.bits}}},
-                                 {"runs", runs},
-                                 {"output", options.output}});
-    return;
+    const nlohmann::ordered_json document = {
+        {"failure", failure},
+        {"points", {{"before", before.points}, {"after", after.points}}},
+        {"bits", {{"before", before.bits}, {"after", after.bits}}},
+        {"runs", runs},
+        {"output", options.output}};
+    return write_json(document, 2) + "\n";
   }
-  print(
-      fmt::format("{}\n  failure     {}\n  points      {} of {}\n  bits        {} of {}\n"
-                  "  runs        {}\n  written     {}\n",
-                  options.input, failure, after.points, before.points, after.bits, before.bits,
-                  runs, options.output));
-}
-
-void write(const std::string& path, const Mesh& mesh, MeshFormat format) {
-  AtomicOutput file;
-  file.add(path, write_mesh(mesh, format));
-  file.commit();
+  return fmt::format(
+      "{}\n  failure     {}\n  points      {} of {}\n  bits        {} of {}\n"
+      "  runs        {}\n  written     {}\n",
+      options.input, failure, after.points, before.points, after.bits, before.bits, runs,
+      options.output);
 }
 
 // An interrupt costs only what would have come: what fails already is written.
@@ -101,7 +96,7 @@ void keep(const ShrinkArguments& options, MeshFormat format, const Mesh& smalles
           const Size& before) {
   const Size size = size_of(smallest.points);
   if (size.points == before.points && size.bits == before.bits) return;
-  write(options.output, smallest, format);
+  write_together({{options.output, write_mesh(smallest, format)}}, "");
   throw Error(ErrorCode::Stopped,
               fmt::format("interrupted; {} holds the smallest input so far that fails, {} of {} "
                           "points, not yet minimal",
@@ -145,8 +140,8 @@ int run_shrink(const ShrinkArguments& options) {
     throw;
   }
   progress.clear();
-  write(options.output, smallest, program.format);
-  report(options, *failure, before, size_of(smallest.points), runs);
+  write_together({{options.output, write_mesh(smallest, program.format)}},
+                 summary_of(options, *failure, before, size_of(smallest.points), runs));
   return 0;
 }
 

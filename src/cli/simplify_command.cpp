@@ -8,6 +8,7 @@
 #include "command.hpp"
 #include "convexact/format/result_json.hpp"
 #include "convexact/format/summary.hpp"
+#include "convexact/format/write_json.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
 #include "quantity_option.hpp"
@@ -106,8 +107,8 @@ nlohmann::ordered_json document_of(const std::vector<SimplifiedObject>& objects,
   return {{"objects", list}, {"stages", stages_json(log.stages())}};
 }
 
-void print_summary(const std::vector<SimplifiedObject>& objects, const StageLog& log,
-                   const OutputOptions& output) {
+std::string summary_of(const std::vector<SimplifiedObject>& objects, const StageLog& log,
+                       const OutputOptions& output) {
   std::string text;
   for (const SimplifiedObject& object : objects) {
     text += object.source.name + "\n" + summary(object.result);
@@ -117,17 +118,17 @@ void print_summary(const std::vector<SimplifiedObject>& objects, const StageLog&
   if (output.all_paths().empty()) {
     text += "  written     nothing; -o proxy.obj keeps the solid, --picture proxy.html shows it\n";
   }
-  print(text + "\n" + stage_table(log.stages()));
+  return text + "\n" + stage_table(log.stages());
 }
 
-void write(const std::vector<SimplifiedObject>& objects, const OutputOptions& options) {
+OutputFiles files_of(const std::vector<SimplifiedObject>& objects, const OutputOptions& options) {
   std::vector<OutputObject> outputs;
   for (const SimplifiedObject& object : objects) {
     outputs.push_back({object.source, object.result.solid,
                        object.result.trace ? &*object.result.trace : nullptr,
                        object.result.record ? &*object.result.record : nullptr});
   }
-  write_outputs(outputs, options);
+  return output_files(outputs, options);
 }
 
 int run_simplify(const SimplifyArguments& options) {
@@ -153,13 +154,12 @@ int run_simplify(const SimplifyArguments& options) {
     log.add(own);
     objects.push_back({std::move(source), std::get<SimplifyResult>(std::move(outcome)), own});
   }
-  log.run("write", StageKind::Io, [&] { write(objects, options.output); });
+  const OutputFiles files =
+      log.run("write", StageKind::Io, [&] { return files_of(objects, options.output); });
   progress.clear();
-  if (options.global.json) {
-    print(document_of(objects, log));
-  } else {
-    print_summary(objects, log, options.output);
-  }
+  const std::string text = options.global.json ? write_json(document_of(objects, log), 2) + "\n"
+                                               : summary_of(objects, log, options.output);
+  write_together(files, text);
   return 0;
 }
 

@@ -68,7 +68,7 @@ VerifyRequest verify_request(const VerifyArguments& options) {
 int run_verify_candidate(const VerifyArguments& options) {
   const VerifyRequest request = verify_request(options);
   if (options.input == "-" && options.candidate == "-") {
-    throw Error(ErrorCode::InvalidArgument, "only one of INPUT and CANDIDATE can be -");
+    throw Error(ErrorCode::InvalidArgument, "standard input, -, can be read only once");
   }
   const Decimal decimal = meaning_of_numbers(options);
   Progress progress;

@@ -3,13 +3,15 @@
 #include <fmt/format.h>
 
 #include "convexact/format/report_json.hpp"
+#include "convexact/format/write_json.hpp"
 #include "words.hpp"
 
 namespace convexact {
 namespace {
 
 // A field as RFC 4180 wants it.
-std::string field(const std::string& text) {
+std::string field(const std::string& bytes) {
+  const std::string text = as_utf8(bytes);
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string escaped = "\"";
   for (const char c : text) {

@@ -8,6 +8,7 @@
 #include "convexact/format/error_json.hpp"
 #include "convexact/format/result_json.hpp"
 #include "convexact/format/verdict_json.hpp"
+#include "convexact/format/write_json.hpp"
 #include "convexact/number/decimal.hpp"
 #include "convexact/number/hex_float.hpp"
 #include "convexact/oracle/verify.hpp"
@@ -200,7 +201,7 @@ std::string id_text(const json& request) {
 
 // Invalid UTF-8 in a message is replaced, so that a line is always JSON.
 std::string one_line(const json& request, const ordered_json& body) {
-  const std::string line = body.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  const std::string line = write_json(body);
   const std::string id = id_text(request);
   return id.empty() ? line : "{\"id\":" + id + "," + line.substr(1);
 }

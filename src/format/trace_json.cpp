@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "convexact/error.hpp"
+#include "convexact/format/write_json.hpp"
 #include "convexact/number/rounding.hpp"
 #include "json_text.hpp"
 #include "words.hpp"
@@ -147,7 +148,7 @@ std::string write_trace_json(const Trace& trace) {
   const ordered_json document = {{"halfspaces", std::move(halfspaces)},
                                  {"steps", std::move(steps)},
                                  {"stop", words::name_of(trace.stop)}};
-  return document.dump() + "\n";
+  return write_json(document) + "\n";
 }
 
 Trace read_trace_json(std::string_view text) {

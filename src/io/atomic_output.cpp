@@ -104,14 +104,15 @@ void AtomicOutput::write_temporary(File& file, std::string_view bytes) {
   if (reason != 0) fail(file.path, reason);
 }
 
-void AtomicOutput::commit() {
+void AtomicOutput::commit(const std::function<void()>& last) {
   try {
     for (File& file : files_) {
-      // The move of the last file is never undone, so what it replaces needs no second name.
-      if (&file != &files_.back()) keep_replaced(file);
+      // The last step of all is never undone: what it replaces needs no second name.
+      if (last || &file != &files_.back()) keep_replaced(file);
       if (std::rename(file.temporary.c_str(), file.target.c_str()) != 0) fail(file.path, errno);
       file.moved = true;
     }
+    if (last) last();
   } catch (...) {
     undo();
     throw;
@@ -128,22 +129,29 @@ void AtomicOutput::keep_replaced(File& file) {
     file.backup = name_beside(file.target, ".old", attempt);
     if (::link(file.target.c_str(), file.backup.c_str()) == 0) return;
     const int reason = errno;
-    file.backup.clear();  // the name is not ours
+    if (reason == EEXIST) continue;
+    // A file system without hard links, where the file can be moved away for the moment.
+    if (reason != ENOENT && ::access(file.backup.c_str(), F_OK) != 0 &&
+        std::rename(file.target.c_str(), file.backup.c_str()) == 0) {
+      return;
+    }
+    file.backup.clear();  // nothing has this name
     if (reason == ENOENT) return;
-    if (reason != EEXIST) fail(file.path, reason);
+    fail(file.path, reason);
   }
+  file.backup.clear();
   fail(file.path, EEXIST);
 }
 
 void AtomicOutput::undo() noexcept {
   for (const File& file : files_) {
-    if (!file.moved) {
-      if (!file.temporary.empty()) (void)::unlink(file.temporary.c_str());
-      if (!file.backup.empty()) (void)::unlink(file.backup.c_str());
-    } else if (file.backup.empty()) {
-      (void)::unlink(file.target.c_str());
-    } else {
+    if (!file.moved && !file.temporary.empty()) (void)::unlink(file.temporary.c_str());
+    if (!file.backup.empty()) {
+      // To rename one name of a file to another one of it does nothing and leaves both.
       (void)std::rename(file.backup.c_str(), file.target.c_str());
+      (void)::unlink(file.backup.c_str());
+    } else if (file.moved) {
+      (void)::unlink(file.target.c_str());
     }
   }
   files_.clear();

@@ -114,6 +114,31 @@ TEST_CASE("AtomicOutput: a move that fails undoes those before it") {
   CHECK(read_bytes(folder / "old") == "old");
 }
 
+TEST_CASE("AtomicOutput: a last step that fails undoes every move (#13)") {
+  const Folder folder;
+  write(folder / "old", "old");
+  for (const bool several : {false, true}) {
+    CAPTURE(several);
+    AtomicOutput output;
+    if (several) output.add(folder / "new", "x");
+    output.add(folder / "old", "y");
+    CHECK(error_of([&] {
+            output.commit([&]() -> void {
+              CHECK(read_bytes(folder / "old") == "y");
+              throw Error(ErrorCode::Stopped, "told to a closed pipe");
+            });
+            return 0;
+          }).code() == ErrorCode::Stopped);
+    CHECK(folder.names() == Names{"old"});
+    CHECK(read_bytes(folder / "old") == "old");
+  }
+  AtomicOutput output;
+  output.add(folder / "old", "y");
+  output.commit([] {});
+  CHECK(folder.names() == Names{"old"});
+  CHECK(read_bytes(folder / "old") == "y");
+}
+
 TEST_CASE("AtomicOutput: one file twice, under two names") {
   const Folder folder;
   AtomicOutput output;

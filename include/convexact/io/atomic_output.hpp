@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // atomic_output.hpp - several files that appear together, complete, or not at all.
 #pragma once
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,15 +25,17 @@ class AtomicOutput {
   ///               InvalidArgument if `path` was added before.
   void add(const std::string& path, std::string_view bytes);
 
-  /// Moves all files into place. @throws Error Unwritable, after undoing the moves made so far.
-  void commit();
+  /// Moves all files into place and then calls `last`, if there is one: the step of the run that
+  /// must succeed with them, such as telling of them.
+  /// @throws Error Unwritable, or what `last` throws, after undoing the moves made so far.
+  void commit(const std::function<void()>& last = {});
 
  private:
   struct File {
     std::string path;       // as the caller gave it, for messages
     std::string target;     // without symbolic links
     std::string temporary;  // empty once it has been moved
-    std::string backup;     // a second name of the file that was replaced; empty: there was none
+    std::string backup;     // another name of the file that was replaced; empty: there was none
     bool moved = false;
   };
 

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// What a run writes appears together, and only with exit code 0: not if standard output cannot be
+// written, nor whatever bytes the names of files and objects consist of.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "process.hpp"
+
+using support::bytes_of;
+using support::run_program;
+using support::ScratchFolder;
+
+namespace {
+
+// Two tetrahedra, named "café" and "naïve" in Latin-1.
+const std::string kLatin1 =
+    "o caf\xe9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+    "g na\xefve\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv 5 0 1\nf 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n";
+
+std::string quoted(const std::string& path) { return "'" + path + "'"; }
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("outputs: object names that are not UTF-8 stay in OBJ and are replaced in JSON (#13)") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("a.obj", kLatin1);
+  const std::string output = scratch.file("b.obj"), page = scratch.file("b.html");
+  for (const std::string command : {"simplify --faces 4 ", "hull "}) {
+    CAPTURE(command);
+    const auto ran =
+        run_program(command + "--parts --json " + input + " -o " + output + " --picture " + page);
+    CAPTURE(ran.err);
+    CHECK(ran.exit == 0);
+    const auto document = nlohmann::json::parse(ran.out);
+    CHECK(document["objects"][0]["name"] == input + ": caf\xef\xbf\xbd");
+    CHECK(document["objects"][1]["name"] == input + ": na\xef\xbf\xbdve");
+    CHECK(has(bytes_of(output), "o caf\xe9\n"));
+    CHECK(has(bytes_of(output), "o na\xefve\n"));
+  }
+  const auto compared = run_program("diff --parts --json " + input);
+  CHECK(compared.exit == 0);
+  CHECK(nlohmann::json::parse(compared.out)["objects"].size() == 2);
+}
+
+TEST_CASE("outputs: file names that are not UTF-8 (#13)") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("caf\xe9.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
+  const std::string folder = quoted(scratch.file("r\xe9sultat"));
+  const std::string page = scratch.file("p\xe9.html");
+  const auto name_of = [](const support::Ran& ran) {
+    return nlohmann::json::parse(ran.out).value("name", std::string());
+  };
+  CHECK(has(name_of(run_program("hull --json " + quoted(input))), "caf\xef\xbf\xbd.obj"));
+  CHECK(run_program("simplify --faces 4 --json " + quoted(input) + " --picture " + quoted(page))
+            .exit == 0);
+  CHECK(has(bytes_of(page), "caf\xef\xbf\xbd.obj"));
+  CHECK_FALSE(has(bytes_of(page), "caf\xe9.obj"));
+  CHECK(run_program("verify --json " + quoted(input) + " " + quoted(input)).exit <= 1);
+  CHECK(run_program("report --json --sections tightness " + quoted(input) + " -o " + folder).exit ==
+        0);
+  CHECK(has(bytes_of(scratch.file("r\xe9sultat/report.csv")), "caf\xef\xbf\xbd.obj"));
+  CHECK(has(bytes_of(scratch.file("r\xe9sultat/report.html")), "caf\xef\xbf\xbd.obj"));
+  const auto shrunk = run_program("shrink --json " + quoted(input) + " -o " +
+                                  quoted(scratch.file("m\xe9.obj")) + " -- false {input}");
+  CHECK(shrunk.exit == 0);
+  CHECK(has(nlohmann::json::parse(shrunk.out)["output"], "m\xef\xbf\xbd.obj"));
+}
+
+TEST_CASE("outputs: option values that are not UTF-8 are refused in JSON that can be read (#13)") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
+  const std::string bad = "'\xff\xc0\xaf\xed\xa0\x80'";  // no byte, overlong, half a surrogate pair
+  for (const std::string& arguments :
+       {"simplify " + input + " --max-growth " + bad,
+        "simplify " + input + " --center " + bad,
+        "simplify " + input + " --engine " + bad,
+        "simplify " + input + " --faces " + bad,
+        "simplify " + input + " -o " + bad,
+        "simplify " + bad,
+        "simplify " + input + " --" + bad,
+        "verify " + input + " " + input + " --tolerance " + bad,
+        "verify " + input + " " + input + " --claims " + bad,
+        "verify " + input + " " + bad,
+        "verify " + input + " --trace " + input + " --max-regret " + bad,
+        "generate " + bad,
+        "stress " + bad,
+        "stress " + bad + ".obj",
+        "stress --engines " + bad,
+        "report " + input + " --sections " + bad,
+        "diff " + input + " --engines " + bad,
+        "conform --vectors " + bad + " -- a {input} {faces} {output}",
+        "conform -o " + bad + " -- a {input} {faces} {output}",
+        "shrink " + input + " -o " + bad + " -- a {input}",
+        "shrink " + input + " -o " + scratch.file("b.obj") + " -- " + bad + " {input}"}) {
+    CAPTURE(arguments);
+    const auto ran = run_program(arguments + " --json");
+    const bool behind_program = has(arguments, " -- ");
+    CAPTURE(ran.err);
+    CHECK((ran.exit == 2 || ran.exit == 3));
+    if (!behind_program) CHECK(nlohmann::json::parse(ran.out)["error"]["exit"] == ran.exit);
+  }
+}
+
+TEST_CASE("outputs: if standard output cannot be written, every file stays as it was (#13)") {
+  const std::string tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  for (const std::string& json : {"", "--json "}) {
+    const ScratchFolder scratch;
+    const std::string input = scratch.write("a.obj", tetrahedron);
+    const std::string old = scratch.write("old.obj", "old"), fresh = scratch.file("fresh.json");
+    const std::string both = " -o " + old + " -o " + fresh + " >/dev/full #";
+    CHECK(run_program("simplify --faces 4 " + json + input + both).exit == 5);
+    CHECK(run_program("hull " + json + input + both).exit == 5);
+    CHECK(
+        run_program("shrink " + json + "-o " + old + " " + input + " -- false {input} >/dev/full #")
+            .exit == 5);
+    CHECK(run_program("report --sections tightness " + json + input + " -o " + scratch.file("") +
+                      " >/dev/full #")
+              .exit == 5);
+    CHECK(run_program("generate cube --json -o " + old + " >/dev/full #").exit == 5);
+    CHECK(bytes_of(old) == "old");
+    CHECK(scratch.count() == 2);
+    // A reader that is gone: the pipe is closed before the program starts.
+    const ScratchFolder other;
+    const std::string code = other.file("code");
+    std::system(("(sleep 0.3; '" + std::string(std::getenv("CONVEXACT_PROGRAM")) +
+                 "' simplify --faces 4 " + json + input + " -o " + old + " 2>/dev/null; echo $? >" +
+                 code + ") | true")
+                    .c_str());
+    CHECK(bytes_of(code) == "6\n");
+    CHECK(bytes_of(old) == "old");
+    CHECK(run_program("simplify --faces 4 " + json + input + " -o " + old + " >/dev/null #").exit ==
+          0);
+    CHECK(bytes_of(old) != "old");
+    CHECK(scratch.count() == 2);
+  }
+}
+
+TEST_CASE("inputs: standard input can be read only once (#13)") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
+  for (const std::string command : {"simplify --faces 4 - -", "hull - ", "diff - -", "report - -",
+                                    "verify - -", "verify - --trace -"}) {
+    CAPTURE(command);
+    const bool twice = command != "hull - ";
+    const auto ran = run_program(command + " <" + input);
+    CHECK(ran.exit == (twice ? 2 : 0));
+    CHECK(has(ran.err, twice ? "once" : ""));
+  }
+}
