@@ -377,6 +377,7 @@ int main(int argc, char** argv) {
     std::cerr << "usage: convexact-check PROOF [MESH] (exit 0 proven, 1 not proven, 3 malformed)\n";
     return 2;
   }
+  check::end_where_memory_is_short();
   std::ifstream file(argv[1], std::ios::binary);
   Proof proof(file);
   try {

@@ -7,7 +7,9 @@
 #include <gmpxx.h>
 
 #include <array>
+#include <cstdio>
 #include <cstdlib>
+#include <new>
 #include <string>
 
 namespace check {
@@ -27,6 +29,23 @@ inline void require(bool holds, const std::string& otherwise) {
 }
 inline void expect(bool holds, const std::string& what) {
   if (!holds) throw Failure{3, "malformed: expected " + what};
+}
+
+// GMP ends the process by abort() where memory is short, and no exception may pass through it.
+[[noreturn]] inline void end_out_of_memory() {
+  std::fputs("convexact-check: out of memory: nothing is decided\n", stderr);
+  std::_Exit(6);
+}
+inline void* or_end(void* block) {
+  if (block == nullptr) end_out_of_memory();
+  return block;
+}
+inline void end_where_memory_is_short() {
+  std::set_new_handler(end_out_of_memory);
+  mp_set_memory_functions(
+      [](std::size_t size) { return or_end(std::malloc(size)); },
+      [](void* block, std::size_t, std::size_t size) { return or_end(std::realloc(block, size)); },
+      nullptr);
 }
 
 inline Integer dot(const Row& a, const Row& b) {

@@ -9,7 +9,9 @@
 #include <string>
 
 #include "convexact/error.hpp"
+#include "convexact/number/decimal.hpp"
 #include "convexact/pipeline/not_solid.hpp"
+#include "quantity_option.hpp"
 
 namespace convexact::cli {
 
@@ -23,17 +25,27 @@ struct GlobalOptions {
 /// Adds --json, --seed and --max-memory to a subcommand.
 void add_global_options(CLI::App& command, GlobalOptions& options);
 
-/// An option that takes one of a few words; the help shows them and the default.
+/// An option that takes one of a few words, in upper or lower case; the help shows them and the
+/// default.
 template <class Value>
 CLI::Option* add_choice(CLI::App& command, const std::string& name, Value& value,
                         const std::map<std::string, Value>& words, const std::string& meaning) {
-  std::string list;
+  std::string list, marked;
   for (const auto& [word, meant] : words) {
-    list += (list.empty() ? "" : "|") + word + (meant == value ? "*" : "");
+    list += (list.empty() ? "" : ", ") + word;
+    marked += (marked.empty() ? "" : "|") + word + (meant == value ? "*" : "");
   }
-  return command.add_option(name, value, meaning + " (* is the default)")
-      ->transform(CLI::CheckedTransformer(words, CLI::ignore_case).description(""))
-      ->type_name(list);
+  const std::string note = marked.find('*') == marked.npos ? "" : " (* is the default)";
+  return add_text(command, name, meaning + note,
+                  [&value, words, list](const auto& option, const auto& text) {
+                    const auto found = words.find(CLI::detail::to_lower(text));
+                    if (found == words.end()) {
+                      throw Error(ErrorCode::InvalidArgument, option + ": expected one of " + list +
+                                                                  ", found " + in_quotes(text));
+                    }
+                    value = found->second;
+                  })
+      ->type_name(marked);
 }
 
 /// Each adds its subcommand to the program; the subcommand's exit code goes to `exit_code`.

@@ -200,13 +200,8 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
       ->expected(1)
       ->take_all();
   command.add_option("--picture", options.picture, "a page (.html) that shows input and result");
-  command
-      .add_option_function<std::string>(
-          "--precision",
-          [&options](const std::string& word) { options.precision = word == "32" ? 32 : 64; },
-          "round outward to binary64 or binary32")
-      ->check(CLI::IsMember({"64", "32"}))
-      ->type_name("64|32");
+  add_choice<int>(command, "--precision", options.precision, {{"64", 64}, {"32", 32}},
+                  "round outward to binary64 or binary32");
 }
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {

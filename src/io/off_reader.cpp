@@ -52,8 +52,10 @@ class OffReader {
   }
 
   void check_counts(std::size_t points, std::size_t polygons) const {
-    constexpr std::size_t kShortestPoint = 6, kShortestPolygon = 8;  // "0 0 0\n", "3 0 0 0\n"
-    if (points * kShortestPoint + polygons * kShortestPolygon > cursor_.remaining() + 1) {
+    // Lines of one digit are wrong, but a sentence about the line says more than one about the
+    // size.
+    constexpr std::size_t kShortestLine = 2;
+    if ((points + polygons) * kShortestLine > cursor_.remaining() + 1) {
       cursor_.fail("expected " + std::to_string(points) + " points and " +
                    std::to_string(polygons) + " polygons, found a file too short for them");
     }
@@ -74,7 +76,7 @@ class OffReader {
   void read_polygon() {
     const std::string_view first = cursor_.expect_line("polygon", mesh_.polygons.size() + 1);
     const std::uint32_t size = cursor_.to_count(first, "the number of corners");
-    if (size < 3) cursor_.fail_expected("at least 3 corners", first);
+    if (size < 3) cursor_.fail_expected("a polygon of at least 3 corners", first);
     corners_.clear();
     for (std::uint32_t k = 0; k < size; ++k) {
       const std::string_view token = cursor_.expect_token("as many corners as announced");

@@ -194,7 +194,7 @@ class PlyReader {
   void read_polygon(const PlyProperty& property) {
     const std::uint32_t length = read_length(property);
     if (length < 3) {
-      body_.fail("expected at least 3 corners, found " + std::to_string(length));
+      body_.fail("expected a polygon of at least 3 corners, found " + std::to_string(length));
     }
     std::vector<std::uint32_t> corners(length);
     for (std::uint32_t& corner : corners) {

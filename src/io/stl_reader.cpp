@@ -137,6 +137,18 @@ class TextStlReader {
   Mesh mesh_;
 };
 
+// Says of a file that is no text what is wrong with it as a binary one, whatever it begins with: it
+// is cut off, or longer than it announces. Text has no byte 0.
+void reject_wrong_size(std::string_view bytes) {
+  if (bytes.size() < kHeaderSize || bytes.find('\0') == bytes.npos) return;
+  const std::size_t count = BinaryCursor(bytes, 80, ByteOrder::Little).take<std::uint32_t>();
+  throw Error(ErrorCode::Malformed, "expected " +
+                                        std::to_string(kHeaderSize + kTriangleSize * count) +
+                                        " bytes of binary STL for the " + std::to_string(count) +
+                                        " triangles that bytes 80 to 83 announce, found " +
+                                        std::to_string(bytes.size()) + " bytes");
+}
+
 }  // namespace
 
 // Many binary files start with "solid" as text files do: only the size tells them apart.
@@ -149,9 +161,15 @@ bool is_binary_stl(std::string_view bytes) {
 Mesh read_stl(std::string_view bytes, Decimal decimal) {
   if (is_binary_stl(bytes)) return read_binary(bytes, decimal);
   TextCursor start(bytes);
-  if (start.next_line() && is_word(start.token(), "solid")) {
-    return TextStlReader(bytes, decimal).read();
+  try {
+    if (start.next_line() && is_word(start.token(), "solid")) {
+      return TextStlReader(bytes, decimal).read();
+    }
+  } catch (const Error&) {
+    reject_wrong_size(bytes);
+    throw;
   }
+  reject_wrong_size(bytes);
   throw Error(
       ErrorCode::Malformed,
       "expected STL: text that begins with solid, or 84 + 50 n bytes of which bytes 80 to 83 "

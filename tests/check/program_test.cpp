@@ -143,3 +143,31 @@ TEST_CASE("convexact-check: links GMP and the standard library only") {
   }
   CHECK(has_gmp);
 }
+
+TEST_CASE("convexact-check: out of memory is exit 6 and a sentence, never an abort (#13)") {
+  const ScratchFolder scratch;
+  // Numbers of millions of digits, for which GMP takes memory, and words for which C++ does.
+  const std::string start = "convexact-proof 1 greedy\npoint ";
+  const std::string digits = scratch.write("digits", start + std::string(3000000, '7') + " 1 1\n");
+  const std::string word = scratch.write("word", start + std::string(30000000, '7') + " 1 1\n");
+  const auto run_within = [&](int kilobytes, const std::string& arguments) {
+    const std::string limited = "ulimit -v " + std::to_string(kilobytes) + "; exec '" +
+                                environment("CONVEXACT_CHECK") + "' " + arguments + " >" +
+                                scratch.file("out") + " 2>" + scratch.file("err");
+    const int status = std::system(limited.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  };
+  for (const int kilobytes : {7000, 9000, 12000, 16000, 20000, 30000}) {
+    CAPTURE(kilobytes);
+    if (run_within(kilobytes, "") != 2) continue;  // no room for the program itself
+    for (const std::string& proof : {digits, word}) {
+      const int code = run_within(kilobytes, proof);
+      CHECK((code == 6 || code == 3));  // 3: what stands behind the number is missing
+      if (proof == word) CHECK(code == 6);
+      if (code != 6) continue;
+      CHECK(bytes_of(scratch.file("out")).empty());
+      CHECK(bytes_of(scratch.file("err")) ==
+            "convexact-check: out of memory: nothing is decided\n");
+    }
+  }
+}

@@ -183,3 +183,24 @@ TEST_CASE("command line: with --json wrong usage is one object, too (#13)") {
     CHECK(nlohmann::json::parse(ran.out)["error"]["exit"] == 2);
   }
 }
+
+TEST_CASE("command line: a word out of a list is told with the list (#13)") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
+  for (const auto& [option, list] :
+       std::vector<std::pair<std::string, std::string>>{{"--decimal", "exact, nearest"},
+                                                        {"--precision", "32, 64"},
+                                                        {"--engine", "exact, filtered, float"},
+                                                        {"--verify", "full, local, none"}}) {
+    CAPTURE(option);
+    // Neither the number of a word in the list nor an octal one stands for the word.
+    for (const std::string word : {"0", "1", "064", "0x40", "near", "exactly"}) {
+      CAPTURE(word);
+      const auto ran = run_program("simplify " + input + " --faces 4 " + option + " " + word);
+      CHECK(ran.exit == 2);
+      CHECK(ran.err ==
+            "convexact: " + option + ": expected one of " + list + ", found '" + word + "'\n");
+    }
+  }
+  CHECK(run_program("simplify " + input + " --faces 4 --decimal EXACT --precision 64").exit == 0);
+}

@@ -80,6 +80,36 @@ TEST_CASE("read_ply: integers as coordinates keep their sign and size") {
                                "property uchar z\n") +
                         big({0x80, 0, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}));
   CHECK(mesh.points.doubles()[0] == Point(-32768, 4294967295.0, 255));
+  // The same bits by each other type, in both byte orders: two's complement.
+  const std::string others = "property char x\nproperty ushort y\nproperty int z\n";
+  const std::string named = "property int8 x\nproperty uint16 y\nproperty int32 z\n";
+  const std::string bytes = big({0x80, 0xFF, 0xFE, 0x80, 0, 0, 1}) + big({0xFF, 0, 1, 0xFF, 0xFF}) +
+                            big({0xFF, 0xFE}) + big({0x7F, 0x80, 0, 0x7F, 0xFF, 0xFF, 0xFF});
+  for (const std::string& properties : {others, named}) {
+    const std::string declared = "element vertex 3\n" + properties;
+    const Mesh read = ply(header("binary_big_endian", declared) + bytes);
+    CHECK(read.points.doubles()[0] == Point(-128, 65534, -2147483647.0));
+    CHECK(read.points.doubles()[1] == Point(-1, 1, -2));
+    CHECK(read.points.doubles()[2] == Point(127, 32768, 2147483647.0));
+    const Mesh little = ply(header("binary_little_endian", "element vertex 1\n" + properties) +
+                            big({0x80, 0xFE, 0xFF, 1, 0, 0, 0x80}));
+    CHECK(little.points.doubles()[0] == Point(-128, 65534, -2147483647.0));
+  }
+}
+
+TEST_CASE("read_ply: a negative length or index of a signed type is refused, not wrapped (#13)") {
+  const std::string points =
+      "element vertex 1\nproperty char x\nproperty char y\nproperty char z\n";
+  for (const auto& [list, bytes] : std::vector<std::pair<std::string, std::string>>{
+           {"list char uchar", big({1, 2, 3, 0xFF, 0, 0, 0})},
+           {"list uchar char", big({1, 2, 3, 3, 0, 0xFF, 0})}}) {
+    const Error error =
+        error_of([&, text = header("binary_big_endian", points + "element face 1\nproperty " +
+                                                            list + " vertex_indices\n") +
+                            bytes] { return ply(text); });
+    CHECK(std::string(error.what()).find("expected a length or index, found -1") !=
+          std::string::npos);
+  }
 }
 
 TEST_CASE("read_ply: line ends of the header, and a body that begins with a line feed") {

@@ -84,8 +84,9 @@ TEST_CASE("read_stl: every error says where it is and what was expected") {
   const float infinity = std::numeric_limits<float>::infinity();
   for (const Case& c : std::vector<Case>{
            {"", {}, "expected STL: text that begins with solid, or 84 + 50 n bytes"},
-           {binary("", 2, {{}}), {}, "found neither in 134 bytes"},
-           {binary("", 4000000000u, {{}}), {}, "found neither in 134 bytes"},
+           {binary("", 2, {{}}), {}, "expected 184 bytes"},
+           {binary("", 4000000000u, {{}}), {}, "expected 200000000084 bytes"},
+           {std::string(134, ' '), {}, "found neither in 134 bytes"},
            {binary("", 2, {{}, {0, 0, 0, 0, infinity, 0, 0, 0, 0}}),
             {},
             "at byte 166: expected a finite number in triangle 2"},
@@ -104,5 +105,24 @@ TEST_CASE("read_stl: every error says where it is and what was expected") {
     CHECK(exit_code(error.code()) == 3);
     CHECK(error.line() == c.line);
     CHECK(std::string(error.what()).find(c.expected) != std::string::npos);
+  }
+}
+
+TEST_CASE(
+    "read_stl: a binary file that begins with solid is told by its size, not as a text (#13)") {
+  const std::array<float, 9> triangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  for (const std::string start : {"solid", "solid part\n facet", "exported by a scanner"}) {
+    CAPTURE(start);
+    const std::string whole = binary(start, 2, {triangle, triangle});
+    CHECK(stl(whole).polygons.size() == 2);
+    for (const std::string& wrong :
+         {whole.substr(0, whole.size() - 1), whole + "\n", whole.substr(0, 84)}) {
+      const Error error = error_of([&] { return stl(wrong); });
+      CHECK(error.code() == ErrorCode::Malformed);
+      CHECK(std::string(error.what()) ==
+            "expected 184 bytes of binary STL for the 2 triangles that bytes 80 to 83 announce, "
+            "found " +
+                std::to_string(wrong.size()) + " bytes");
+    }
   }
 }
