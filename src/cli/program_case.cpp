@@ -7,8 +7,6 @@
 #include "command.hpp"
 #include "convexact/error.hpp"
 #include "convexact/format/candidate_file.hpp"
-#include "convexact/io/atomic_output.hpp"
-#include "convexact/io/write_mesh.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -20,11 +18,11 @@ bool mentions(const std::vector<std::string>& words, const std::string& placehol
 }
 
 // The first claim that the output violates, if there is one.
-std::optional<std::string> violation_of(const ProgramCase& program, const Mesh& input,
+std::optional<std::string> violation_of(const ProgramCase& program, const Shape& input,
                                         const std::string& output) {
   if (!std::filesystem::exists(output)) return "no output";
-  StageLog log;
-  const VerifyOutcome outcome = verify(input.points, read_candidate(output), program.verify, log);
+  StageLog log(StageWatch{.begins = {}, .stop = &interrupted()});
+  const VerifyOutcome outcome = verify(input, read_candidate(output), program.verify, log);
   const auto* verdict = std::get_if<Verdict>(&outcome);
   if (verdict == nullptr) return std::nullopt;  // flat: nothing can be said of an enclosure
   for (const Claim& claim : verdict->claims) {
@@ -47,14 +45,13 @@ void ProgramCase::require_sensible() const {
   }
 }
 
-std::optional<std::string> failure_of(const ProgramCase& program, const Mesh& input,
-                                      const ScratchFolder& folder) {
+std::optional<std::string> failure_of(const ProgramCase& program, const std::string& bytes,
+                                      const Shape& input, const ScratchFolder& folder) {
   const std::string output = folder.file("output" + program.output_extension);
   std::filesystem::remove_all(output);
-  const std::string path = folder.file("input" + program.input_extension);
-  AtomicOutput file;
-  file.add(path, write_mesh(input, program.format));
-  file.commit();
+  const std::string name = "input" + program.input_extension;
+  std::filesystem::remove_all(folder.file(name));
+  const std::string path = folder.write(name, bytes);
   const ProgramRun run = run_program(
       fill_in(program.words,
               {{"input", path}, {"output", output}, {"faces", std::to_string(program.faces)}}),

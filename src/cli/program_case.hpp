@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "convexact/io/mesh.hpp"
-#include "convexact/io/mesh_format.hpp"
 #include "convexact/oracle/program.hpp"
 #include "convexact/oracle/verify.hpp"
 #include "scratch_folder.hpp"
@@ -23,7 +21,6 @@ enum class FailsIf {
 struct ProgramCase {
   std::vector<std::string> words;                 ///< With {input}, {output} and {faces}.
   std::size_t faces = 0;                          ///< 0 if not given.
-  MeshFormat format;                              ///< That inputs are written in.
   std::string input_extension, output_extension;  ///< ".obj" and the like.
   FailsIf fails_if = FailsIf::Either;
   ProgramLimits limits;
@@ -33,11 +30,12 @@ struct ProgramCase {
   void require_sensible() const;
 };
 
-/// Runs the program on `input` and says how it fails, in words that are the same for the same kind
-/// of failure: "exit code 3", "killed by signal 11", "no output", "violates contains-input";
-/// nothing if it does not.
+/// Runs the program on a file of `bytes`, which spell `input`, and says how it fails, in words that
+/// are the same for the same kind of failure: "exit code 3", "killed by signal 11", "no output",
+/// "violates contains-input"; nothing if it does not.
 /// @throws Error InvalidArgument if the program cannot be started; Stopped.
-[[nodiscard]] std::optional<std::string> failure_of(const ProgramCase& program, const Mesh& input,
+[[nodiscard]] std::optional<std::string> failure_of(const ProgramCase& program,
+                                                    const std::string& bytes, const Shape& input,
                                                     const ScratchFolder& folder);
 
 }  // namespace convexact::cli

@@ -4,18 +4,22 @@
 
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "claim_list.hpp"
 #include "command.hpp"
 #include "convexact/error.hpp"
+#include "convexact/format/halfspace_file.hpp"
 #include "convexact/format/write_json.hpp"
-#include "convexact/io/read_mesh.hpp"
+#include "convexact/hull/double_points.hpp"
+#include "convexact/hull/initial_simplex.hpp"
 #include "convexact/io/write_mesh.hpp"
+#include "convexact/lp/feasibility.hpp"
 #include "convexact/oracle/shrink.hpp"
 #include "outputs.hpp"
 #include "program_case.hpp"
 #include "progress.hpp"
-#include "quantity_option.hpp"
+#include "scene.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -24,40 +28,47 @@ constexpr const char* kShrinkFooter =
     "Examples:\n"
     "  convexact shrink bad.obj -o minimal.obj -- ./my_hull {input} {output}\n"
     "  convexact shrink bad.obj -o minimal.off --faces 12 --fails-if verdict \\\n"
-    "      --claims contains-input -- ./my_hull {input} --faces {faces} -o {output}\n"
+    "      --claims contains-input --tolerance 1e-9d -- ./my_hull {input} --faces {faces} -o "
+    "{output}\n"
+    "  convexact shrink planes.ine -o minimal.ine -- ./my_clipper {input} {output}\n"
     "\n"
     "PROGRAM is run directly, not by a shell. It fails if it does not exit with 0 in time, or if "
-    "it "
-    "does\n"
+    "it does\n"
     "and what it writes to {output} violates a claim (docs/verdicts). The result fails in the same "
     "way:\n"
-    "with the same exit code, signal or first violated claim.";
+    "with the same exit code, signal or first violated claim. An input with a volume keeps one "
+    "unless\n"
+    "--allow-flat is given. Ctrl-C ends with exit code 6, and leaves the smallest input so far "
+    "that fails\n"
+    "in the output file.";
 
 struct ShrinkArguments {
   GlobalOptions global;
-  std::string input, output, claims;
-  std::string output_extension = ".obj";
+  std::string input, output, claims, tolerance;
+  std::string output_format = "obj";
+  bool allow_flat = false;
   ProgramCase program;
 };
 
 struct Size {
-  std::size_t points, bits;
+  std::size_t rows, bits;  // points or halfspaces, and all their numbers
 };
-
 Size size_of(const PointSet& points) { return {points.size(), coordinate_bits(points)}; }
+Size size_of(std::span<const Halfspace> rows) { return {rows.size(), coordinate_bits(rows)}; }
 
-MeshFormat format_of(const std::string& path) {
-  const auto format = mesh_format_of_path(path);
-  if (!format || *format == MeshFormat::Stl) {
-    throw Error(ErrorCode::InvalidArgument, "-o " + path + ": expected .obj, .off, .ply or .xyz");
-  }
-  return *format;
+bool is_solid(const PointSet& points) {
+  if (points.is_binary()) return find_simplex(DoublePoints(points.doubles())).size() == 4;
+  return std::holds_alternative<Hull>(convex_hull(points));
+}
+bool is_solid(std::span<const Halfspace> halfspaces) {
+  return std::holds_alternative<InteriorPoint>(find_interior(halfspaces)) &&
+         std::holds_alternative<BoundedProof>(find_recession(halfspaces));
 }
 
 // Of a mesh what is left with some of its points, moved: the polygons that keep all their corners.
-Mesh part_of(const Mesh& mesh, const PointSet& points, std::span<const PointId> origin) {
+Mesh part_of(const SceneObject& mesh, const PointSet& points, std::span<const PointId> origin) {
   constexpr std::uint32_t kGone = 0xffffffff;
-  std::vector<std::uint32_t> place(mesh.points.size(), kGone);
+  std::vector<std::uint32_t> place(std::get<PointSet>(mesh.shape).size(), kGone);
   for (std::size_t k = 0; k < origin.size(); ++k) {
     place[origin[k].index()] = static_cast<std::uint32_t>(k);
   }
@@ -73,75 +84,151 @@ Mesh part_of(const Mesh& mesh, const PointSet& points, std::span<const PointId> 
   return part;
 }
 
-std::string summary_of(const ShrinkArguments& options, const std::string& failure,
-                       const Size& before, const Size& after, std::size_t runs) {
-  if (options.global.json) {
+// An input on its way down: how it fails, and the smallest one so far that does so.
+class Shrinking {
+ public:
+  Shrinking(const ShrinkArguments& options, const SceneObject& input)
+      : options_(options), input_(input), program_(options.program) {
+    program_.require_sensible();
+    program_.input_extension = std::filesystem::path(options.output).extension().string();
+    program_.output_extension = "." + options.output_format;
+    program_.verify.claims = parse_claims(options.claims);
+    if (!options.tolerance.empty()) program_.verify.tolerance = parse_tolerance(options.tolerance);
+    program_.verify.tightness = false;
+    program_.verify.seed = options.global.seed;
+  }
+
+  // Leaves the smallest one in smallest_. @throws Error Stopped among others.
+  void run() {
+    Progress progress;
+    progress_ = &progress;
+    if (std::holds_alternative<PointSet>(input_.shape)) {
+      shrink_points(std::get<PointSet>(input_.shape));
+    } else {
+      shrink_halfspaces(std::get<std::vector<Halfspace>>(input_.shape));
+    }
+  }
+
+  bool is_smaller() const { return size_.rows < before_.rows || size_.bits < before_.bits; }
+  const std::string& smallest() const { return smallest_; }
+  std::string found() const {
+    return fmt::format("{} of {} {}", size_.rows, before_.rows, rows_name());
+  }
+  std::string summary() const;
+
+ private:
+  const char* rows_name() const {
+    return std::holds_alternative<PointSet>(input_.shape) ? "points" : "halfspaces";
+  }
+  void shrink_points(const PointSet& points);
+  void shrink_halfspaces(const std::vector<Halfspace>& halfspaces);
+  void begin(const std::string& bytes, const Size& size);
+  bool still_fails(const std::string& bytes, const Shape& shape, const Size& size);
+
+  const ShrinkArguments& options_;
+  const SceneObject& input_;
+  ProgramCase program_;
+  ScratchFolder folder_;
+  Progress* progress_ = nullptr;
+  std::string failure_;
+  Size before_{}, size_{};
+  std::string smallest_;
+  std::size_t runs_ = 0;
+};
+
+void Shrinking::begin(const std::string& bytes, const Size& size) {
+  const auto failure = failure_of(program_, bytes, input_.shape, folder_);
+  runs_ = 1;
+  if (!failure) {
+    throw Error(ErrorCode::InvalidArgument, "the program does not fail on " + options_.input);
+  }
+  failure_ = *failure;
+  before_ = size_ = size;
+  smallest_ = bytes;
+}
+
+bool Shrinking::still_fails(const std::string& bytes, const Shape& shape, const Size& size) {
+  ++runs_;
+  if (failure_of(program_, bytes, shape, folder_) != failure_) return false;
+  smallest_ = bytes;
+  size_ = size;
+  (*progress_)("shrinking; rows gone", before_.rows - size.rows, before_.rows);
+  return true;
+}
+
+void Shrinking::shrink_points(const PointSet& points) {
+  const auto format = mesh_format_of_path(options_.output);
+  if (!format || *format == MeshFormat::Stl) {
+    throw Error(ErrorCode::InvalidArgument,
+                "-o " + options_.output + ": expected .obj, .off, .ply or .xyz");
+  }
+  begin(write_mesh({points, input_.polygons, {}}, *format), size_of(points));
+  const bool keeps_volume = !options_.allow_flat && is_solid(points);
+  bool is_first = true;  // that one has just been run
+  (void)shrink(points, [&](const PointSet& fewer, std::span<const PointId> origin) {
+    if (std::exchange(is_first, false)) return true;
+    if (keeps_volume && !is_solid(fewer)) return false;
+    return still_fails(write_mesh(part_of(input_, fewer, origin), *format), fewer, size_of(fewer));
+  });
+}
+
+void Shrinking::shrink_halfspaces(const std::vector<Halfspace>& halfspaces) {
+  const auto format = halfspace_format_of_path(options_.output);
+  if (!format) {
+    throw Error(ErrorCode::InvalidArgument, "-o " + options_.output +
+                                                ": expected .json, .ine or .txt, as the input is "
+                                                "halfspaces");
+  }
+  begin(write_halfspaces(halfspaces, *format), size_of(halfspaces));
+  const bool keeps_volume = !options_.allow_flat && is_solid(halfspaces);
+  bool is_first = true;
+  (void)shrink(halfspaces, [&](std::span<const Halfspace> fewer) {
+    if (std::exchange(is_first, false)) return true;
+    // The readers refuse a file without a row.
+    if (fewer.empty() || (keeps_volume && !is_solid(fewer))) return false;
+    return still_fails(write_halfspaces(fewer, *format),
+                       std::vector<Halfspace>(fewer.begin(), fewer.end()), size_of(fewer));
+  });
+}
+
+std::string Shrinking::summary() const {
+  if (options_.global.json) {
     const nlohmann::ordered_json document = {
-        {"failure", failure},
-        {"points", {{"before", before.points}, {"after", after.points}}},
-        {"bits", {{"before", before.bits}, {"after", after.bits}}},
-        {"runs", runs},
-        {"output", options.output}};
+        {"failure", failure_},
+        {rows_name(), {{"before", before_.rows}, {"after", size_.rows}}},
+        {"bits", {{"before", before_.bits}, {"after", size_.bits}}},
+        {"runs", runs_},
+        {"output", options_.output}};
     return write_json(document, 2) + "\n";
   }
   return fmt::format(
-      "{}\n  failure     {}\n  points      {} of {}\n  bits        {} of {}\n"
-      "  runs        {}\n  written     {}\n",
-      options.input, failure, after.points, before.points, after.bits, before.bits, runs,
-      options.output);
-}
-
-// An interrupt costs only what would have come: what fails already is written.
-void keep(const ShrinkArguments& options, MeshFormat format, const Mesh& smallest,
-          const Size& before) {
-  const Size size = size_of(smallest.points);
-  if (size.points == before.points && size.bits == before.bits) return;
-  write_together({{options.output, write_mesh(smallest, format)}}, "");
-  throw Error(ErrorCode::Stopped,
-              fmt::format("interrupted; {} holds the smallest input so far that fails, {} of {} "
-                          "points, not yet minimal",
-                          options.output, size.points, before.points));
+      "{}\n  failure     {}\n  {:<12}{} of {}\n  bits        {} of {}\n  runs        {}\n"
+      "  written     {}\n",
+      options_.input, failure_, rows_name(), size_.rows, before_.rows, size_.bits, before_.bits,
+      runs_, options_.output);
 }
 
 int run_shrink(const ShrinkArguments& options) {
-  ProgramCase program = options.program;
-  program.require_sensible();
-  program.format = format_of(options.output);
-  program.input_extension = std::filesystem::path(options.output).extension().string();
-  program.output_extension = options.output_extension;
-  program.verify.claims = parse_claims(options.claims);
-  program.verify.tightness = false;
-  program.verify.seed = options.global.seed;
   require_other_files({options.output}, {options.input});
-  const Mesh mesh = read_mesh(options.input);
-  const ScratchFolder folder;
-  const std::optional<std::string> failure = failure_of(program, mesh, folder);
-  if (!failure) {
-    throw Error(ErrorCode::InvalidArgument, "the program does not fail on " + options.input);
-  }
-  const Size before = size_of(mesh.points);
-  Progress progress;
-  std::size_t runs = 1;
-  Mesh smallest = mesh;  // that fails, so far
-  const auto still_fails = [&](const PointSet& points, std::span<const PointId> origin) {
-    ++runs;
-    Mesh part = part_of(mesh, points, origin);
-    const bool fails = failure_of(program, part, folder) == failure;
-    if (fails) smallest = std::move(part);
-    return fails;
-  };
+  const std::vector<SceneObject> scene = read_scene({options.input}, {});
+  Shrinking shrinking(options, scene.front());
   try {
-    (void)shrink(mesh.points, still_fails, [&](const PointSet& points) {
-      progress("shrinking; points gone", before.points - points.size(), before.points);
-    });
+    shrinking.run();
   } catch (const Error& error) {
-    progress.clear();
-    if (error.code() == ErrorCode::Stopped) keep(options, program.format, smallest, before);
-    throw;
+    if (error.code() != ErrorCode::Stopped) throw;
+    if (!shrinking.is_smaller()) {
+      throw Error(ErrorCode::Stopped,
+                  fmt::format("{}; nothing is written, as nothing smaller that fails was found",
+                              error.what()));
+    }
+    // An interrupt costs only what would have come: what fails already is written.
+    write_together({{options.output, shrinking.smallest()}}, "");
+    throw Error(
+        ErrorCode::Stopped,
+        fmt::format("{}; {} holds the smallest input so far that fails, {}, not yet minimal",
+                    error.what(), options.output, shrinking.found()));
   }
-  progress.clear();
-  write_together({{options.output, write_mesh(smallest, program.format)}},
-                 summary_of(options, *failure, before, size_of(smallest.points), runs));
+  write_together({{options.output, shrinking.smallest()}}, shrinking.summary());
   return 0;
 }
 
@@ -152,7 +239,9 @@ void add_shrink_command(CLI::App& program, int& exit_code) {
   CLI::App& command =
       *program.add_subcommand("shrink", "make an input minimal on which a program fails");
   command.footer(kShrinkFooter);
-  command.add_option("INPUT", options->input, "a mesh or point cloud on which PROGRAM fails")
+  command
+      .add_option("INPUT", options->input,
+                  "a mesh, point cloud or list of halfspaces on which PROGRAM fails")
       ->required();
   command
       .add_option("PROGRAM", options->program.words,
@@ -160,7 +249,8 @@ void add_shrink_command(CLI::App& program, int& exit_code) {
       ->required();
   command
       .add_option("-o,--output", options->output,
-                  "the minimal input: .obj, .off, .ply or .xyz; {input} has this format")
+                  "the minimal input: .obj, .off, .ply or .xyz, of halfspaces .json, .ine or .txt; "
+                  "{input} has this format")
       ->required();
   add_faces(command, options->program.faces, "what {faces} stands for");
   add_choice<FailsIf>(
@@ -169,10 +259,14 @@ void add_shrink_command(CLI::App& program, int& exit_code) {
       "what counts as failing: how it ends, the verdict on {output}, or whichever comes first");
   command.add_option("--claims", options->claims,
                      "of the verdict decide these claims only, separated by commas");
+  command.add_option("--tolerance", options->tolerance,
+                     "of the verdict let violations up to this distance pass: 1e-6, or 1e-9d of "
+                     "the diameter");
+  command.add_flag("--allow-flat", options->allow_flat,
+                   "shrink an input with a volume to one without, too, if that fails");
   command
-      .add_option("--output-as", options->output_extension,
-                  "extension of {output}, as the program writes it")
-      ->check(CLI::IsMember({".obj", ".off", ".ply", ".stl", ".json", ".ine", ".txt"}))
+      .add_option("--output-format", options->output_format, "of {output}, as PROGRAM writes it")
+      ->check(CLI::IsMember({"obj", "off", "ply", "stl", "json", "ine", "txt"}))
       ->capture_default_str();
   add_seconds(command, "--time-limit", options->program.limits.seconds, "for each run");
   add_bytes(command, "--memory-limit", options->program.limits.memory,

@@ -2,6 +2,7 @@
 #include "convexact/oracle/shrink.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <unordered_set>
 
@@ -10,12 +11,14 @@
 namespace convexact {
 namespace {
 
-using Points = std::vector<RationalPoint>;
+// A point's coordinates, or a halfspace's numbers.
+using Row = std::vector<Rational>;
+using Rows = std::vector<Row>;
 
-std::size_t bits_of(const Points& points) {
+std::size_t bits_of(const Rows& rows) {
   std::size_t bits = 0;
-  for (const RationalPoint& p : points) {
-    for (int k = 0; k < 3; ++k) bits += coordinate_bits(p[k]);
+  for (const Row& row : rows) {
+    for (const Rational& x : row) bits += coordinate_bits(x);
   }
   return bits;
 }
@@ -49,92 +52,116 @@ std::vector<Rational> simpler_values(const Rational& x) {
   return values;
 }
 
+Rows rows_of(std::span<const Halfspace> halfspaces) {
+  Rows rows;
+  for (const Halfspace& h : halfspaces) {
+    rows.push_back({h.normal()[0], h.normal()[1], h.normal()[2], h.offset()});
+  }
+  return rows;
+}
+
+// Nothing if a normal is zero.
+std::optional<std::vector<Halfspace>> halfspaces_of(const Rows& rows) {
+  std::vector<Halfspace> halfspaces;
+  for (const Row& row : rows) {
+    const RationalVector3 normal(row[0], row[1], row[2]);
+    if (normal.isZero(0)) return std::nullopt;
+    halfspaces.emplace_back(normal, row[3]);
+  }
+  return halfspaces;
+}
+
 class Shrinker {
  public:
-  Shrinker(const PointSet& points, const StillFails& fails,
-           const std::function<void(const PointSet&)>& progress);
-  Shrunk run();
+  using Fails = std::function<bool(const Rows& rows, std::span<const PointId> origin)>;
+  using Progress = std::function<void(const Rows& rows)>;
+
+  /// @param are_points  So that they may be moved, and scaled along each axis.
+  Shrinker(Rows rows, bool are_points, Fails fails, Progress progress);
+  void run();
+  const Rows& rows() const { return rows_; }
+  const std::vector<PointId>& origin() const { return origin_; }
 
  private:
-  bool try_instead(Points points, std::vector<PointId> origin);
-  bool try_coordinates(Points points);
+  bool try_instead(Rows rows, std::vector<PointId> origin);
+  bool try_numbers(Rows rows);
 
-  void leave_out_points();
+  void leave_out_rows();
   void round_all();
   void move_to_origin();
-  void scale(const std::vector<int>& axes);
+  void scale(const std::vector<std::size_t>& axes);
+  void shorten_each();
   void simplify_each();
 
-  const StillFails& fails_;
-  const std::function<void(const PointSet&)>& progress_;
-  bool is_binary_;
-  Points points_;
+  Rows rows_;
+  bool are_points_;
+  Fails fails_;
+  Progress progress_;
   std::vector<PointId> origin_;
-  std::unordered_set<std::string> passed_;  // point sets that are known not to fail
-  std::size_t tries_ = 0;
+  std::unordered_set<std::string> passed_;  // rows that are known not to fail
 };
 
-Shrinker::Shrinker(const PointSet& points, const StillFails& fails,
-                   const std::function<void(const PointSet&)>& progress)
-    : fails_(fails), progress_(progress), is_binary_(points.is_binary()) {
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    points_.push_back(points[PointId(k)]);
-    origin_.emplace_back(k);
-  }
-  ++tries_;
-  if (!fails_(points, origin_)) {
-    throw Error(ErrorCode::InvalidArgument, "there is nothing to shrink: the points do not fail");
+Shrinker::Shrinker(Rows rows, bool are_points, Fails fails, Progress progress)
+    : rows_(std::move(rows)),
+      are_points_(are_points),
+      fails_(std::move(fails)),
+      progress_(std::move(progress)) {
+  for (std::size_t k = 0; k < rows_.size(); ++k) origin_.emplace_back(k);
+  if (!fails_(rows_, origin_)) {
+    throw Error(ErrorCode::InvalidArgument, "there is nothing to shrink: the input does not fail");
   }
 }
 
-Shrunk Shrinker::run() {
-  for (std::size_t points = 0, bits = 0; points_.size() != points || bits_of(points_) != bits;) {
-    points = points_.size();
-    bits = bits_of(points_);
-    leave_out_points();
-    move_to_origin();
-    round_all();
-    scale({0, 1, 2});
-    for (int axis = 0; axis < 3; ++axis) scale({axis});
+void Shrinker::run() {
+  for (std::size_t rows = 0, bits = 0; rows_.size() != rows || bits_of(rows_) != bits;) {
+    rows = rows_.size();
+    bits = bits_of(rows_);
+    leave_out_rows();
+    if (are_points_) {
+      move_to_origin();
+      round_all();
+      scale({0, 1, 2});
+      for (std::size_t axis = 0; axis < 3; ++axis) scale({axis});
+    } else {
+      shorten_each();
+    }
     simplify_each();
+    // The same halfspaces by numbers without a common factor.
+    if (!are_points_) rows_ = rows_of(*halfspaces_of(rows_));
   }
-  return {PointSet(points_), origin_, tries_};
 }
 
-// Takes the points if they still fail.
-bool Shrinker::try_instead(Points points, std::vector<PointId> origin) {
-  const PointSet set(points);
-  if (is_binary_ && !set.is_binary()) return false;
+// Takes the rows if they still fail.
+bool Shrinker::try_instead(Rows rows, std::vector<PointId> origin) {
   std::string key;  // large sets do not come again
-  if (points.size() < 200) {
-    for (const RationalPoint& p : points) {
-      for (int k = 0; k < 3; ++k) key += to_string(p[k]) + " ";
+  if (rows.size() < 200) {
+    for (const Row& row : rows) {
+      for (const Rational& x : row) key += to_string(x) + " ";
     }
     if (passed_.contains(key)) return false;
   }
-  ++tries_;
-  if (!fails_(set, origin)) {
+  if (!fails_(rows, origin)) {
     if (!key.empty()) passed_.insert(std::move(key));
     return false;
   }
-  points_ = std::move(points);
+  rows_ = std::move(rows);
   origin_ = std::move(origin);
-  if (progress_) progress_(set);
+  progress_(rows_);
   return true;
 }
 
-bool Shrinker::try_coordinates(Points points) {
-  return bits_of(points) < bits_of(points_) && try_instead(std::move(points), origin_);
+bool Shrinker::try_numbers(Rows rows) {
+  return bits_of(rows) < bits_of(rows_) && try_instead(std::move(rows), origin_);
 }
 
-// Chunks of half of the points first, then of a quarter and so on; single ones until none can go.
-void Shrinker::leave_out_points() {
-  for (std::size_t chunk = std::max<std::size_t>(points_.size() / 2, 1);;) {
+// Chunks of half of the rows first, then of a quarter and so on; single ones until none can go.
+void Shrinker::leave_out_rows() {
+  for (std::size_t chunk = std::max<std::size_t>(rows_.size() / 2, 1);;) {
     bool any = false;
-    for (std::size_t start = 0; start < points_.size();) {
+    for (std::size_t start = 0; start < rows_.size();) {
       const auto first = static_cast<std::ptrdiff_t>(start);
-      const auto last = static_cast<std::ptrdiff_t>(std::min(start + chunk, points_.size()));
-      Points fewer = points_;
+      const auto last = static_cast<std::ptrdiff_t>(std::min(start + chunk, rows_.size()));
+      Rows fewer = rows_;
       std::vector<PointId> origin = origin_;
       fewer.erase(fewer.begin() + first, fewer.begin() + last);
       origin.erase(origin.begin() + first, origin.begin() + last);
@@ -153,8 +180,8 @@ void Shrinker::leave_out_points() {
 void Shrinker::round_all() {
   long top = 0, bottom = 0;  // 2^bottom divides every dyadic coordinate, none reaches 2^top
   bool any = false;
-  for (const RationalPoint& p : points_) {
-    for (int k = 0; k < 3; ++k) {
+  for (const Row& p : rows_) {
+    for (std::size_t k = 0; k < 3; ++k) {
       if (p[k] == 0) continue;
       const auto above = static_cast<long>(bit_length(numerator(p[k])));
       const auto below = static_cast<long>(bit_length(denominator(p[k])));
@@ -164,32 +191,32 @@ void Shrinker::round_all() {
     }
   }
   for (long e = top; any && e > bottom; --e) {
-    Points rounded = points_;
-    for (RationalPoint& p : rounded) {
-      for (int k = 0; k < 3; ++k) p[k] = round_to_digits(p[k], -e);
+    Rows rounded = rows_;
+    for (Row& p : rounded) {
+      for (std::size_t k = 0; k < 3; ++k) p[k] = round_to_digits(p[k], -e);
     }
-    if (try_coordinates(std::move(rounded))) return;
+    if (try_numbers(std::move(rounded))) return;
   }
 }
 
 void Shrinker::move_to_origin() {
-  for (int axis = 0; axis < 3 && !points_.empty(); ++axis) {
-    Rational least = points_[0][axis];
-    for (const RationalPoint& p : points_) least = std::min(least, p[axis]);
-    for (const Rational& offset : {least, points_[0][axis]}) {
-      Points moved = points_;
-      for (RationalPoint& p : moved) p[axis] -= offset;
-      if (try_coordinates(std::move(moved))) break;
+  for (std::size_t axis = 0; axis < 3 && !rows_.empty(); ++axis) {
+    Rational least = rows_[0][axis];
+    for (const Row& p : rows_) least = std::min(least, p[axis]);
+    for (const Rational& offset : {least, rows_[0][axis]}) {
+      Rows moved = rows_;
+      for (Row& p : moved) p[axis] -= offset;
+      if (try_numbers(std::move(moved))) break;
     }
   }
 }
 
 // By the power of two that makes doubles integers that are not all even.
-void Shrinker::scale(const std::vector<int>& axes) {
+void Shrinker::scale(const std::vector<std::size_t>& axes) {
   long power = 0;
   bool any = false;
-  for (const RationalPoint& p : points_) {
-    for (const int k : axes) {
+  for (const Row& p : rows_) {
+    for (const std::size_t k : axes) {
       if (p[k] == 0) continue;
       const long low =
           static_cast<long>(lsb(abs(numerator(p[k])))) - static_cast<long>(lsb(denominator(p[k])));
@@ -197,22 +224,37 @@ void Shrinker::scale(const std::vector<int>& axes) {
       any = true;
     }
   }
-  Points scaled = points_;
-  for (RationalPoint& p : scaled) {
-    for (const int k : axes) p[k] = scale_by_power_of_two(p[k], -power);
+  Rows scaled = rows_;
+  for (Row& p : scaled) {
+    for (const std::size_t k : axes) p[k] = scale_by_power_of_two(p[k], -power);
   }
-  (void)try_coordinates(std::move(scaled));
+  (void)try_numbers(std::move(scaled));
+}
+
+// A halfspace stays nearly the same if its numbers lose as many bits each.
+void Shrinker::shorten_each() {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    std::size_t longest = 0;
+    for (const Rational& x : rows_[i]) longest = std::max(longest, bit_length(numerator(x)));
+    for (std::size_t kept = 1; kept < longest; kept *= 2) {
+      Rows changed = rows_;
+      for (Rational& x : changed[i]) x = round_to_digits(x, -static_cast<long>(longest - kept));
+      for (Rational& x : changed[i])
+        x = scale_by_power_of_two(x, -static_cast<long>(longest - kept));
+      if (try_numbers(std::move(changed))) break;
+    }
+  }
 }
 
 void Shrinker::simplify_each() {
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    for (int k = 0; k < 3; ++k) {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    for (std::size_t k = 0; k < rows_[i].size(); ++k) {
       for (bool simpler = true; simpler;) {
         simpler = false;
-        for (const Rational& value : simpler_values(points_[i][k])) {
-          Points changed = points_;
+        for (const Rational& value : simpler_values(rows_[i][k])) {
+          Rows changed = rows_;
           changed[i][k] = value;
-          if ((simpler = try_coordinates(std::move(changed)))) break;
+          if ((simpler = try_numbers(std::move(changed)))) break;
         }
       }
     }
@@ -234,9 +276,48 @@ std::size_t coordinate_bits(const PointSet& points) {
   return bits;
 }
 
+std::size_t coordinate_bits(std::span<const Halfspace> halfspaces) {
+  return bits_of(rows_of(halfspaces));
+}
+
 Shrunk shrink(const PointSet& points, const StillFails& fails,
               const std::function<void(const PointSet&)>& progress) {
-  return Shrinker(points, fails, progress).run();
+  Rows rows;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const RationalPoint p = points[PointId(i)];
+    rows.push_back({p[0], p[1], p[2]});
+  }
+  const auto points_of = [](const Rows& of) {
+    std::vector<RationalPoint> list;
+    for (const Row& row : of) list.emplace_back(row[0], row[1], row[2]);
+    return PointSet(list);
+  };
+  std::size_t tries = 0;
+  const auto rows_fail = [&](const Rows& candidate, std::span<const PointId> origin) {
+    const PointSet set = points_of(candidate);
+    if (points.is_binary() && !set.is_binary()) return false;
+    ++tries;
+    return fails(set, origin);
+  };
+  Shrinker shrinker(std::move(rows), true, rows_fail, [&](const Rows& smaller) {
+    if (progress) progress(points_of(smaller));
+  });
+  shrinker.run();
+  return {points_of(shrinker.rows()), shrinker.origin(), tries};
+}
+
+std::vector<Halfspace> shrink(std::span<const Halfspace> halfspaces,
+                              const HalfspacesStillFail& fail,
+                              const std::function<void(std::span<const Halfspace>)>& progress) {
+  const auto fails = [&](const Rows& rows, std::span<const PointId>) {
+    const auto candidate = halfspaces_of(rows);
+    return candidate && fail(*candidate);
+  };
+  Shrinker shrinker(rows_of(halfspaces), false, fails, [&](const Rows& smaller) {
+    if (progress) progress(*halfspaces_of(smaller));
+  });
+  shrinker.run();
+  return *halfspaces_of(shrinker.rows());
 }
 
 }  // namespace convexact

@@ -38,7 +38,8 @@ struct ShrinkCase {
 TEST_CASE("shrink command: an exit code") {
   // Exits with 3 iff some x is above 2. The last such point has x = 5, whose half, 2, is not.
   const ShrinkCase test;
-  const auto ran = test.shrink("awk '$1 == \"v\" && $2 > 2 {f = 3} END {exit f}' \"$1\"");
+  const auto ran =
+      test.shrink("awk '$1 == \"v\" && $2 > 2 {f = 3} END {exit f}' \"$1\"", "--allow-flat");
   REQUIRE_MESSAGE(ran.exit == 0, ran.err);
   CHECK(bytes_of(test.output) == "v 5 0 0\n");
   CHECK(ran.out.find("failure     exit code 3\n  points      1 of 12\n  bits        3 of ") !=
@@ -51,7 +52,7 @@ TEST_CASE("shrink command: a crash that needs two points, and fails otherwise wi
   const auto ran = test.shrink(
       "n=$(grep -c '^v' \"$1\"); [ \"$n\" -lt 2 ] && exit 9\n"
       "grep -q '^v.* 7$' \"$1\" && kill -SEGV $$\nexit 0\n",
-      "--json");
+      "--allow-flat --json");
   REQUIRE_MESSAGE(ran.exit == 0, ran.err);
   const auto document = nlohmann::json::parse(ran.out);
   CHECK(document["failure"] == "killed by signal 11");
@@ -86,7 +87,7 @@ TEST_CASE("shrink command: a verdict, and faces that keep all their corners") {
 
 TEST_CASE("shrink command: output that is missing, while another failure is not looked at") {
   const ShrinkCase test;
-  const auto ran = test.shrink("exit 0", "--fails-if verdict");
+  const auto ran = test.shrink("exit 0", "--fails-if verdict --allow-flat");
   REQUIRE_MESSAGE(ran.exit == 0, ran.err);
   CHECK(ran.out.find("no output") != std::string::npos);
   CHECK(bytes_of(test.output).empty());
@@ -122,8 +123,8 @@ TEST_CASE("shrink command: an interrupt leaves the smallest input so far that fa
   // It ends as in the first case, and interrupts its parent once few points are left.
   const ShrinkCase test;
   const std::string fails = "awk '$1 == \"v\" && $2 > 2 {f = 3} END {exit f}' \"$1\"";
-  const auto ran =
-      test.shrink("[ $(grep -c '^v' \"$1\") -lt 4 ] && kill -INT $PPID\n" + fails + "\n");
+  const auto ran = test.shrink(
+      "[ $(grep -c '^v' \"$1\") -lt 4 ] && kill -INT $PPID\n" + fails + "\n", "--allow-flat");
   CHECK(ran.exit == 6);
   CHECK(ran.err.find("not yet minimal") != std::string::npos);
   const std::string left = bytes_of(test.output);
@@ -135,6 +136,81 @@ TEST_CASE("shrink command: an interrupt leaves the smallest input so far that fa
 
   // Interrupted before anything smaller is known: nothing is written.
   const ShrinkCase early;
-  CHECK(early.shrink("kill -INT $PPID; exit 3\n").exit == 6);
+  const auto at_once = early.shrink("kill -INT $PPID; exit 3\n");
+  CHECK(at_once.exit == 6);
+  CHECK(at_once.err.find("nothing") != std::string::npos);
   CHECK(bytes_of(early.output).empty());
+}
+
+TEST_CASE("shrink command: a solid stays one unless flat inputs are asked for (#13)") {
+  // The first case above ends with one point if it may.
+  const ShrinkCase test;
+  const std::string fails = "awk '$1 == \"v\" && $2 > 2 {f = 3} END {exit f}' \"$1\"";
+  REQUIRE(test.shrink(fails).exit == 0);
+  const std::string minimal = bytes_of(test.output);
+  CHECK(std::count(minimal.begin(), minimal.end(), 'v') == 4);
+  CHECK(run_program("hull " + test.output).exit == 0);
+  const std::string check = test.scratch.write("check", fails);
+  CHECK(WEXITSTATUS(std::system(("/bin/sh " + check + " " + test.output).c_str())) == 3);
+
+  // A flat input has no volume to keep.
+  const ShrinkCase flat;
+  (void)flat.scratch.write("shape.obj", "v 9 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 7 7 0\n");
+  REQUIRE(flat.shrink(fails).exit == 0);
+  const std::string one = bytes_of(flat.output);
+  CHECK(std::count(one.begin(), one.end(), 'v') == 1);
+}
+
+TEST_CASE("shrink command: halfspaces lose rows, then bits of their numbers (#13)") {
+  // Exits with 3 iff some second number is above 100.
+  const std::string fails = "awk '$2 > 100 {f = 3} END {exit f}' \"$1\"";
+  const std::string rows =
+      "1 0 0 -1\n-1 0 0 -1\n0 1 0 -1\n0 -1 0 -1\n0 0 1 -1\n0 0 -1 -1\n"
+      "1000003 1234567 999983 -3000017\n3 2 1 -5\n1 1 1 -2.5\n";
+  for (const std::string flat : {"", "--allow-flat "}) {
+    CAPTURE(flat);
+    const ScratchFolder scratch;
+    const std::string input = scratch.write("planes.txt", rows);
+    const std::string output = scratch.file("minimal.txt");
+    const std::string program = scratch.write("program", fails);
+    const auto ran = run_program("shrink --json " + flat + input + " -o " + output +
+                                 " -- /bin/sh " + program + " {input}");
+    REQUIRE_MESSAGE(ran.exit == 0, ran.err);
+    const auto document = nlohmann::json::parse(ran.out);
+    CHECK(document["failure"] == "exit code 3");
+    CHECK(document["halfspaces"]["before"] == 9);
+    // Four rows at least bound a solid; one row is enough to fail.
+    CHECK(document["halfspaces"]["after"] == (flat.empty() ? 4 : 1));
+    CHECK(document["bits"]["after"] < (flat.empty() ? 24 : 12));
+    CHECK(run_program("hull " + output).exit == (flat.empty() ? 0 : 4));
+    CHECK(WEXITSTATUS(std::system(("/bin/sh " + program + " " + output).c_str())) == 3);
+    CHECK(run_program("shrink " + input + " -o " + scratch.file("minimal.obj") + " -- /bin/sh " +
+                      program + " {input}")
+              .exit == 2);
+  }
+}
+
+TEST_CASE("shrink command: a verdict with a tolerance (#13)") {
+  // Its output is its input, a hundred millionth smaller.
+  const ShrinkCase test;
+  const std::string script =
+      "awk '$1 == \"v\" {printf \"v %.17g %.17g %.17g\\n\", $2 * 0.99999999, $3 * 0.99999999, "
+      "$4 * 0.99999999}' \"$1\" > \"$2\"";
+  const std::string verdict = "--fails-if verdict --claims contains-input ";
+  CHECK(test.shrink(script, verdict).exit == 0);
+  const auto passes = test.shrink(script, verdict + "--tolerance 1e-6d");
+  CHECK(passes.exit == 2);
+  CHECK(passes.err.find("does not fail") != std::string::npos);
+  CHECK(test.shrink(script, verdict + "--tolerance 1e-10").exit == 0);
+  CHECK(test.shrink(script, verdict + "--tolerance x").exit == 2);
+}
+
+TEST_CASE("shrink command: limits and formats have the names that they have elsewhere (#13)") {
+  const ShrinkCase test;
+  CHECK(test.shrink("exit 3", "--time-limit 9 --memory-limit 2GB --output-format json").exit == 0);
+  for (const std::string old : {"--time", "--memory", "--output-as"}) {
+    const auto ran = test.shrink("exit 3", old + " 9");
+    CHECK(ran.exit == 2);
+    CHECK(ran.err.find("there is no option '" + old + "'") != std::string::npos);
+  }
 }

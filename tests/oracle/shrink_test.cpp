@@ -173,3 +173,51 @@ TEST_CASE("shrink: the same again, whenever it is asked") {
   CHECK(std::ranges::equal(one.points.doubles(), two.points.doubles()));
   check_minimal(one, fails);
 }
+
+TEST_CASE("shrink: halfspaces, few and of short numbers; the promises by the definition (#13)") {
+  using HalfspacesFail = std::function<bool(std::span<const Halfspace>)>;
+  std::vector<Halfspace> halfspaces;
+  for (const Point& p : cloud(40)) {
+    halfspaces.emplace_back(
+        RationalVector3(to_rational(p.x()), to_rational(p.y()), to_rational(p.z())), Rational(-1));
+  }
+  const RationalPoint far(1000, 0, 0);
+  const HalfspacesFail cuts_far = [&](std::span<const Halfspace> rows) {
+    return std::any_of(rows.begin(), rows.end(), [&](const Halfspace& h) { return h(far) > 0; });
+  };
+  const HalfspacesFail is_many = [](std::span<const Halfspace> rows) { return rows.size() >= 5; };
+  const HalfspacesFail needs_bits = [](std::span<const Halfspace> rows) {
+    return std::count_if(rows.begin(), rows.end(), [](const Halfspace& h) {
+             return h.normal()[0] > 1000 && h.normal()[1] < -1000;
+           }) >= 2;
+  };
+  REQUIRE(needs_bits(halfspaces));
+  CHECK(shrink(halfspaces, cuts_far).size() == 1);
+  CHECK(coordinate_bits(shrink(halfspaces, cuts_far)) == 1);  // x <= 0
+  CHECK(shrink(halfspaces, is_many).size() == 5);
+  CHECK(coordinate_bits(shrink(halfspaces, is_many)) == 5);
+  for (const HalfspacesFail& fails : {cuts_far, is_many, needs_bits}) {
+    const std::vector<Halfspace> result = shrink(halfspaces, fails);
+    CHECK(fails(result));
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      std::vector<Halfspace> fewer = result;
+      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+      CHECK_FALSE(fails(fewer));
+      for (int k = 0; k < 4; ++k) {
+        IntegerVector3 normal = result[i].normal();
+        Integer offset = result[i].offset();
+        Integer& x = k < 3 ? normal[k] : offset;
+        const Integer was = x;
+        for (const Integer& value : {Integer(0), Integer(was < 0 ? -1 : 1), Integer(was / 2)}) {
+          x = value;
+          const bool is_simpler = coordinate_bits(Rational(value)) < coordinate_bits(Rational(was));
+          if (!is_simpler || (normal[0] == 0 && normal[1] == 0 && normal[2] == 0)) continue;
+          std::vector<Halfspace> simpler = result;
+          simpler[i] = Halfspace(normal, offset);
+          CHECK_FALSE(fails(simpler));
+        }
+        x = was;
+      }
+    }
+  }
+}

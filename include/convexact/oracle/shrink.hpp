@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// shrink.hpp - a failing point set made minimal: fewer points, then simpler coordinates.
+// shrink.hpp - a failing input made minimal: fewer points or halfspaces, then simpler numbers.
 #pragma once
 #include <functional>
 #include <span>
 #include <vector>
 
+#include "convexact/geometry/halfspace.hpp"
 #include "convexact/geometry/point_set.hpp"
 
 namespace convexact {
@@ -13,11 +14,15 @@ namespace convexact {
 /// @param origin  origin[k]: which of the first points points[k] came from. Ascending.
 using StillFails = std::function<bool(const PointSet& points, std::span<const PointId> origin)>;
 
+/// The same for halfspaces.
+using HalfspacesStillFail = std::function<bool(std::span<const Halfspace> halfspaces)>;
+
 /// How complicated a coordinate is: the bits of its numerator and of its denominator, so 0 for 0, 1
 /// for +-1, 3 for 5 and for 1/4, and 1000 for 2^-999 and for 2^999.
 [[nodiscard]] std::size_t coordinate_bits(const Rational& x);
-/// Of all coordinates together.
+/// Of all coordinates, or numbers, together.
 [[nodiscard]] std::size_t coordinate_bits(const PointSet& points);
+[[nodiscard]] std::size_t coordinate_bits(std::span<const Halfspace> halfspaces);
 
 struct Shrunk {
   PointSet points;
@@ -38,5 +43,11 @@ struct Shrunk {
 /// @par Source      [ZellerHildebrandt2002] for the points.
 [[nodiscard]] Shrunk shrink(const PointSet& points, const StillFails& fails,
                             const std::function<void(const PointSet&)>& progress = {});
+
+/// The same for the rows of a list of halfspaces and the four integers of each: of the result, no
+/// row can be left out, and no number be replaced by 0, by its sign or by half of it.
+[[nodiscard]] std::vector<Halfspace> shrink(
+    std::span<const Halfspace> halfspaces, const HalfspacesStillFail& fail,
+    const std::function<void(std::span<const Halfspace>)>& progress = {});
 
 }  // namespace convexact
