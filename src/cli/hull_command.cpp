@@ -21,6 +21,7 @@ constexpr const char* kHullFooter =
     "  convexact hull bunny.obj\n"
     "  convexact hull bunny.obj --digits 50 -o hull.obj -o planes.ine\n"
     "  convexact hull planes.json --json\n"
+    "  convexact hull scan.ply --measures volume     no area, no mean width: these take longest\n"
     "\n"
     "Every digit printed is certain: off by less than one unit of the last one.\n"
     "Planes are written as exact integers unless --precision is given.";
@@ -62,6 +63,24 @@ std::string summary_of(const std::vector<MeasuredObject>& objects, int digits,
   return text + "\n" + stage_table(log.stages());
 }
 
+// "volume,area" and the like, or none.
+void take_measures(const std::string& option, const std::string& text, HullRequest& request) {
+  request.volume = request.area = request.mean_width = false;
+  if (text == "none") return;
+  for (const std::string& word : CLI::detail::split(text, ',')) {
+    bool* const asked = word == "volume"       ? &request.volume
+                        : word == "area"       ? &request.area
+                        : word == "mean-width" ? &request.mean_width
+                                               : nullptr;
+    if (asked == nullptr) {
+      throw Error(ErrorCode::InvalidArgument,
+                  option + ": expected names out of volume,area,mean-width, or none, found " +
+                      in_quotes(word));
+    }
+    *asked = true;
+  }
+}
+
 int run_hull(const HullArguments& options) {
   options.output.require_sensible();
   require_other_files(options.output.all_paths(), options.inputs);
@@ -71,7 +90,13 @@ int run_hull(const HullArguments& options) {
       log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
   options.output.require_room_for(scene.size());
   HullRequest request = options.request;
+  if (request.exact_volume && !request.volume) {
+    throw Error(ErrorCode::InvalidArgument, "--exact-values: --measures leaves the volume out");
+  }
   request.seed = options.global.seed;
+  request.progress = [&progress](const char* stage, std::size_t done, std::size_t total) {
+    progress(stage, done, total);
+  };
   request.store = options.output.store_request();
   std::vector<MeasuredObject> objects;
   for (SceneObject& source : scene) {
@@ -110,6 +135,12 @@ void add_hull_command(CLI::App& program, int& exit_code) {
   add_scene_options(command, options->scene);
   add_count(command, "--digits", options->request.digits, {1, 10000},
             "certain digits of each measure");
+  add_text(command, "--measures",
+           "out of volume,area,mean-width, or none: what is left out takes no time",
+           [&request = options->request](const auto& option, const auto& text) {
+             take_measures(option, text, request);
+           })
+      ->default_str("volume,area,mean-width");
   command.add_flag("--exact-values", options->request.exact_volume,
                    "with --json: the volume as a fraction too");
   add_global_options(command, options->global);

@@ -166,18 +166,20 @@ Json hull_json(const HullResult& result, int digits) {
   Json vertices = Json::array(), facets = Json::array();
   for (const RationalPoint& vertex : hull.vertices) vertices.push_back(vector_json(vertex));
   for (const auto& facet : hull.facets) facets.push_back(facet);
-  return {{"input", input_json(result.input_points, hull.vertices.size(), hull.planes.size(),
-                               result.redundant)},
-          {"edges", result.edges},
-          {"box", {{"low", vector_json(result.box.low)}, {"high", vector_json(result.box.high)}}},
-          {"diameter", measured_json(result.diameter, digits)},
-          {"volume", measured_json(result.volume, digits)},
-          {"area", measured_json(result.area, digits)},
-          {"mean_width", measured_json(result.mean_width, digits)},
-          {"planes", planes_json(hull.planes)},
-          {"vertices", vertices},
-          {"facets", facets},
-          {"stored", stored_json(result.solid)}};
+  Json json = {
+      {"input",
+       input_json(result.input_points, hull.vertices.size(), hull.planes.size(), result.redundant)},
+      {"edges", result.edges},
+      {"box", {{"low", vector_json(result.box.low)}, {"high", vector_json(result.box.high)}}},
+      {"diameter", measured_json(result.diameter, digits)}};
+  if (result.volume) json["volume"] = measured_json(*result.volume, digits);
+  if (result.area) json["area"] = measured_json(*result.area, digits);
+  if (result.mean_width) json["mean_width"] = measured_json(*result.mean_width, digits);
+  json["planes"] = planes_json(hull.planes);
+  json["vertices"] = vertices;
+  json["facets"] = facets;
+  json["stored"] = stored_json(result.solid);
+  return json;
 }
 
 Json proof_json(const NotSolid& reason) { return std::visit(ProofJson{}, reason); }

@@ -137,9 +137,12 @@ std::string summary(const HullResult& result, int digits) {
                                       to_decimal(result.box.high[k], digits));
   }
   text += summary_line("diameter", certain(result.diameter.bounds, digits) + " (of the box)");
-  text += summary_line("volume", certain(result.volume.bounds, digits));
-  text += summary_line("area", certain(result.area.bounds, digits));
-  text += summary_line("mean width", certain(result.mean_width.bounds, digits));
+  const auto add = [&](const char* name, const std::optional<Measured>& measured) {
+    if (measured) text += summary_line(name, certain(measured->bounds, digits));
+  };
+  add("volume", result.volume);
+  add("area", result.area);
+  add("mean width", result.mean_width);
   return text + stored_lines(result.solid);
 }
 

@@ -18,9 +18,12 @@ Enclosure angle_between(const IntegerVector3& a, const IntegerVector3& b, long p
 
 }  // namespace
 
-Enclosure mean_width(const Polytope& polytope, long precision) {
+Enclosure mean_width(const Polytope& polytope, long precision, const Watch& watch) {
   Enclosure sum(precision);
-  for (const Edge& edge : edges(polytope)) {
+  const std::vector<Edge> all = edges(polytope);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    watch.at(i, all.size());
+    const Edge& edge = all[i];
     const RationalVector3 along = polytope.vertices[edge.head] - polytope.vertices[edge.tail];
     const Enclosure length = sqrt(Enclosure(along.squaredNorm(), precision));
     sum += length * angle_between(polytope.planes[edge.left].normal(),

@@ -5,9 +5,10 @@
 
 namespace convexact {
 
-std::vector<RootTerm> facet_areas(const Polytope& polytope) {
+std::vector<RootTerm> facet_areas(const Polytope& polytope, const Watch& watch) {
   std::vector<RootTerm> areas;
   for (std::size_t f = 0; f < polytope.facets.size(); ++f) {
+    watch.at(f, polytope.facets.size());
     const IntegerVector3& n = polytope.planes[f].normal();
     const Integer common = gcd(gcd(n[0], n[1]), n[2]);
     const Integer x = n[0] / common, y = n[1] / common, z = n[2] / common;
@@ -24,8 +25,8 @@ Enclosure enclose_sum(const std::vector<RootTerm>& terms, long precision) {
   return sum;
 }
 
-Enclosure surface_area(const Polytope& polytope, long precision) {
-  return enclose_sum(facet_areas(polytope), precision);
+Enclosure surface_area(const Polytope& polytope, long precision, const Watch& watch) {
+  return enclose_sum(facet_areas(polytope, watch), precision);
 }
 
 }  // namespace convexact

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "process.hpp"
 
@@ -151,5 +153,38 @@ TEST_CASE("inputs: standard input can be read only once (#13)") {
     const auto ran = run_program(command + " <" + input);
     CHECK(ran.exit == (twice ? 2 : 0));
     CHECK(has(ran.err, twice ? "once" : ""));
+  }
+}
+
+TEST_CASE("hull: measures that are not asked for are neither computed nor told (#13)") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
+  const std::vector<std::pair<std::string, std::string>> measures = {
+      {"volume", "volume"}, {"area", "area"}, {"mean-width", "mean width"}};
+  for (const std::string asked :
+       {"volume,area,mean-width", "none", "volume", "area", "mean-width,volume"}) {
+    CAPTURE(asked);
+    const std::string command = "hull " + input + " --measures " + asked;
+    const auto document = nlohmann::json::parse(run_program(command + " --json").out);
+    const std::string text = run_program(command).out;
+    CHECK(document.contains("diameter"));
+    for (const auto& [word, stage] : measures) {
+      CAPTURE(word);
+      const bool is_asked = has(asked, word);
+      CHECK(document.contains(word == "mean-width" ? "mean_width" : word) == is_asked);
+      CHECK(has(text, stage + "  ") == true);  // as a number, or among the stages not needed
+      CHECK(has(text, stage + std::string(24 - stage.size(), ' ') +
+                          "not needed: not among the measures asked for") != is_asked);
+      for (const auto& listed : document["stages"]) {
+        if (listed["name"] == stage) CHECK(listed.contains("skipped") != is_asked);
+      }
+    }
+  }
+  for (const std::string bad :
+       {"mean_width", "all", "volume,", "none,area", "area --exact-values"}) {
+    CAPTURE(bad);
+    const auto ran = run_program("hull " + input + " --measures " + bad);
+    CHECK(ran.exit == 2);
+    CHECK(has(ran.err, has(bad, " ") ? "leaves the volume out" : "expected names out of"));
   }
 }

@@ -3,10 +3,15 @@
 // not, told apart by counting how often it began.
 #include <doctest/doctest.h>
 
+#include <atomic>
+#include <functional>
 #include <map>
 
 #include "convexact/fast/filtered_engine.hpp"
 #include "convexact/fast/float_engine.hpp"
+#include "convexact/hull/hull.hpp"
+#include "convexact/measure/mean_width.hpp"
+#include "convexact/measure/surface_area.hpp"
 #include "convexact/oracle/verify.hpp"
 #include "convexact/pipeline/hull_measures.hpp"
 #include "convexact/pipeline/simplify.hpp"
@@ -165,4 +170,51 @@ TEST_CASE("plan: caps and exact planes are looked at as they are needed") {
   const FastDual tied = FastDual::of(cut_hull, cut);
   (void)simplify_filtered(tied, {.faces = 6});
   CHECK(tied.formed() > 0);
+}
+
+TEST_CASE("watch: every measure with roots can be stopped (#13)") {
+  const PointSet points = ball();
+  const auto hull = std::get<Hull>(convex_hull(points));
+  const Polytope polytope = to_polytope(hull, points);
+  const std::atomic<bool> stop = true;
+  const Watch watch(&stop);
+  const std::vector<std::function<void()>> loops = {
+      [&] { (void)surface_area(polytope, 64, watch); },
+      [&] { (void)mean_width(polytope, 64, watch); }};
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    CAPTURE(k);
+    try {
+      loops[k]();
+      FAIL_CHECK("it has not stopped");
+    } catch (const Error& error) {
+      CHECK(error.code() == ErrorCode::Stopped);
+    }
+  }
+}
+
+TEST_CASE("watch: progress of a measure goes up to the whole (#13)") {
+  const PointSet points(shapes::fibonacci_sphere(2000));
+  std::size_t last = 0, whole = 0, calls = 0;
+  const Watch::Progress progress = [&](std::size_t done, std::size_t total) {
+    CHECK(done >= last);
+    CHECK(done <= total);
+    CHECK((whole == 0 || whole == total));
+    last = done;
+    whole = total;
+    ++calls;
+  };
+  const auto begin = [&] { last = whole = calls = 0; };
+  const auto check_end = [&] {
+    CHECK(calls >= 2);
+    CHECK(last + 512 >= whole);
+  };
+  const Watch watch(nullptr, progress);
+  const auto hull = std::get<Hull>(convex_hull(points));
+  const Polytope polytope = to_polytope(hull, points);
+  begin();
+  (void)surface_area(polytope, 64, watch);
+  check_end();
+  begin();
+  (void)mean_width(polytope, 64, watch);
+  check_end();
 }

@@ -3,6 +3,7 @@
 #pragma once
 #include "convexact/geometry/polytope.hpp"
 #include "convexact/number/enclosure.hpp"
+#include "convexact/watch.hpp"
 
 namespace convexact {
 
@@ -11,6 +12,7 @@ namespace convexact {
 /// of diameter D has D, a cube of side a has 3a/2. Relative width about 2^-precision.
 /// @par Cost    Two roots and one arctangent per edge.
 /// @par Source  [Schneider2014, sec. 4.2]; docs/measures.md derives it.
-[[nodiscard]] Enclosure mean_width(const Polytope& polytope, long precision);
+[[nodiscard]] Enclosure mean_width(const Polytope& polytope, long precision,
+                                   const Watch& watch = {});
 
 }  // namespace convexact

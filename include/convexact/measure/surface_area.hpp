@@ -5,6 +5,7 @@
 
 #include "convexact/geometry/polytope.hpp"
 #include "convexact/number/enclosure.hpp"
+#include "convexact/watch.hpp"
 
 namespace convexact {
 
@@ -16,13 +17,14 @@ struct RootTerm {
 
 /// Exact area of each facet, in squared length units; radicand = n.n of the facet's primitive
 /// normal direction.
-[[nodiscard]] std::vector<RootTerm> facet_areas(const Polytope& polytope);
+[[nodiscard]] std::vector<RootTerm> facet_areas(const Polytope& polytope, const Watch& watch = {});
 
 /// The sum of root terms. Relative width about 2^-precision if no factor is negative.
 [[nodiscard]] Enclosure enclose_sum(const std::vector<RootTerm>& terms, long precision);
 
 /// Surface area in squared length units, relative width about 2^-precision.
 /// @par Cost    O(corners) exact products, then one root per facet.
-[[nodiscard]] Enclosure surface_area(const Polytope& polytope, long precision);
+[[nodiscard]] Enclosure surface_area(const Polytope& polytope, long precision,
+                                     const Watch& watch = {});
 
 }  // namespace convexact

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // hull_measures.hpp - the exact hull of a shape with its measures.
 #pragma once
+#include <functional>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -12,10 +14,13 @@
 namespace convexact {
 
 struct HullRequest {
+  bool volume = true, area = true, mean_width = true;  ///< Which measures are asked for.
   int digits = 10;            ///< Certain decimal digits of each measure, 1 to 10000.
-  bool exact_volume = false;  ///< As a rational too.
+  bool exact_volume = false;  ///< The volume as a rational too.
   std::uint64_t seed = 1;     ///< Of every random order. The answer is the same.
   StoreRequest store;
+  /// Told how many of how many facets or edges a measure has been through.
+  std::function<void(const char* stage, std::size_t done, std::size_t total)> progress = {};
 };
 
 struct HullResult {
@@ -23,11 +28,10 @@ struct HullResult {
   std::vector<RedundantHalfspace> redundant;  ///< Of halfspace input.
   StoredSolid solid;
   std::size_t edges = 0;
-  BoundingBox box;      ///< Of the hull.
-  Measured diameter;    ///< Diagonal of the box, in length units.
-  Measured volume;      ///< Cubed length units.
-  Measured area;        ///< Squared length units.
-  Measured mean_width;  ///< Length units.
+  BoundingBox box;    ///< Of the hull.
+  Measured diameter;  ///< Diagonal of the box, in length units.
+  // In cubed, squared and plain length units; each if asked for.
+  std::optional<Measured> volume, area, mean_width;
 };
 
 using HullReport = std::variant<HullResult, NotSolid>;

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// watch.hpp - how a long loop is looked at, and ended, from outside.
+#pragma once
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <utility>
+
+#include "convexact/error.hpp"
+
+namespace convexact {
+
+/// What a loop that may take seconds asks at each of its steps; without arguments it asks nothing.
+class Watch {
+ public:
+  using Progress = std::function<void(std::size_t done, std::size_t total)>;
+
+  Watch(const std::atomic<bool>* stop = nullptr, Progress progress = {})
+      : stop_(stop), progress_(std::move(progress)) {}
+
+  /// @throws Error Stopped when the flag has become true.
+  void ask() const {
+    if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) {
+      throw Error(ErrorCode::Stopped, "interrupted");
+    }
+  }
+  /// Asks, and now and then tells how many of how many steps are done.
+  void at(std::size_t done, std::size_t total) const {
+    ask();
+    if (progress_ && done % 256 == 0) progress_(done, total);
+  }
+
+ private:
+  const std::atomic<bool>* stop_;
+  Progress progress_;
+};
+
+}  // namespace convexact
