@@ -44,6 +44,7 @@ struct VerifyArguments {
   VerifyRequest request;
   TraceOptions trace;
   bool stdio = false;
+  std::optional<double> time_limit;
 };
 
 // What the two options together say about the numbers of both files.
@@ -103,7 +104,10 @@ int run_verify(const VerifyArguments& options) {
   if (options.stdio && (has_input || has_candidate || has_trace)) {
     throw Error(ErrorCode::InvalidArgument, "--stdio takes everything from standard input");
   }
-  if (options.stdio) return run_verify_stdio();
+  if (options.stdio) return run_verify_stdio(options.time_limit);
+  if (options.time_limit) {
+    throw Error(ErrorCode::InvalidArgument, "--time-limit is for each request of --stdio");
+  }
   if (!has_input || has_candidate == has_trace) {
     throw Error(ErrorCode::InvalidArgument,
                 "name an INPUT, and a CANDIDATE or a --trace, but not both; or --stdio");
@@ -151,7 +155,12 @@ void add_verify_command(CLI::App& program, int& exit_code) {
   add_trace_options(command, options->trace);
   command.add_flag("--stdio", options->stdio,
                    "answer requests on standard input, one JSON object per line, with one verdict "
-                   "per line; takes no other option but --max-memory");
+                   "per line; takes no other option but --time-limit and --max-memory");
+  add_text(command, "--time-limit", "with --stdio: for each request; then its answer is an error",
+           [options](const auto& name, const auto& text) {
+             options->time_limit = parse_seconds(name, text);
+           })
+      ->type_name("SECONDS");
   add_global_options(command, options->global);
   command.callback([options, &exit_code] {
     exit_code = run_guarded(options->global, [&] { return run_verify(*options); });

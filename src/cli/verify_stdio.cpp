@@ -17,13 +17,14 @@ bool is_blank(const std::string& line) {
 
 }  // namespace
 
-int run_verify_stdio() {
+int run_verify_stdio(std::optional<double> time_limit) {
   // Most of the time it waits for a line, and nothing half-written could stay.
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
   std::ios::sync_with_stdio(false);
+  std::cin.exceptions(std::ios::badbit);  // a line that no memory holds is not the end of the input
   for (std::string line; std::getline(std::cin, line);) {
-    if (!is_blank(line)) print(answer_request(line) + "\n");
+    if (!is_blank(line)) print(answer_request(line, time_limit) + "\n");
   }
   return 0;
 }

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "convexact/format/stdio_request.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "convexact/error.hpp"
 #include "convexact/format/error_json.hpp"
@@ -165,10 +172,65 @@ Decimal decimal_of(const json& request) {
   return Decimal::Nearest;
 }
 
-ordered_json answer(const json& request) {
+// The shorter one of the limits of the caller and of the request.
+std::optional<double> time_limit_of(const json& request, std::optional<double> limit) {
+  constexpr double kLongest = 1e6;
+  if (!request.contains("time_limit")) return limit;
+  const json& seconds = request["time_limit"];
+  if (!seconds.is_number() || !(seconds > 0) || seconds > kLongest) {
+    reject("time_limit as a number of seconds, more than 0 and at most a million");
+  }
+  return std::min(seconds.get<double>(), limit.value_or(kLongest));
+}
+
+// Raises a flag when some seconds are over, unless it ends before.
+class TimeLimit {
+ public:
+  explicit TimeLimit(std::optional<double> seconds) {
+    if (!seconds) return;
+    waiter_ = std::thread([this, time = std::chrono::duration<double>(*seconds)] {
+      std::unique_lock lock(mutex_);
+      is_over_ = !ended_.wait_for(lock, time, [this] { return has_ended_; });
+    });
+  }
+  ~TimeLimit() {
+    if (!waiter_.joinable()) return;
+    {
+      const std::lock_guard lock(mutex_);
+      has_ended_ = true;
+    }
+    ended_.notify_one();
+    waiter_.join();
+  }
+  TimeLimit(const TimeLimit&) = delete;
+
+  const std::atomic<bool>& is_over() const { return is_over_; }
+
+ private:
+  std::mutex mutex_;  // of has_ended_
+  std::condition_variable ended_;
+  bool has_ended_ = false;
+  std::atomic<bool> is_over_ = false;
+  std::thread waiter_;
+};
+
+VerifyOutcome verify_in_time(const PointSet& input, const Candidate& candidate,
+                             const VerifyRequest& asked, std::optional<double> seconds) {
+  const TimeLimit limit(seconds);
+  StageLog log(StageWatch{.begins = {}, .stop = &limit.is_over()});
+  try {
+    return verify(input, candidate, asked, log);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::Stopped) throw;
+    throw Error(ErrorCode::Stopped,
+                fmt::format("no verdict within the time limit of {} s", seconds.value()));
+  }
+}
+
+ordered_json answer(const json& request, std::optional<double> time_limit) {
   require_known_keys(request,
                      {"id", "points", "candidate", "claims", "tolerance", "tightness", "decimal",
-                      "max_facets", "max_vertices", "max_facet_vertices"},
+                      "max_facets", "max_vertices", "max_facet_vertices", "time_limit"},
                      "the request");
   if (request.contains("id") && request["id"].is_structured()) {
     reject("an id that is a number, a string, true, false or null");
@@ -179,8 +241,8 @@ ordered_json answer(const json& request) {
   const Decimal decimal = decimal_of(request);
   const VerifyRequest asked = questions(request);
   const PointSet input = points(request["points"], decimal, "point");
-  StageLog log;
-  VerifyOutcome outcome = verify(input, candidate(request["candidate"], decimal), asked, log);
+  VerifyOutcome outcome = verify_in_time(input, candidate(request["candidate"], decimal), asked,
+                                         time_limit_of(request, time_limit));
   if (auto* verdict = std::get_if<Verdict>(&outcome)) {
     std::erase_if(verdict->claims, [](const Claim& c) { return c.status == Status::NotAsked; });
     return verdict_json(*verdict);
@@ -208,7 +270,7 @@ std::string one_line(const json& request, const ordered_json& body) {
 
 }  // namespace
 
-std::string answer_request(std::string_view line) {
+std::string answer_request(std::string_view line, std::optional<double> time_limit) {
   JsonDocument reader({"id", "points", "planes", "vertices"});
   const auto failure = [&](const Error& error) {
     return one_line(reader.document, {{"error", error_json(error)}});
@@ -219,7 +281,7 @@ std::string answer_request(std::string_view line) {
     return failure(Error(error.code(), std::string("not a request: ") + error.what()));
   }
   try {
-    return one_line(reader.document, answer(reader.document));
+    return one_line(reader.document, answer(reader.document, time_limit));
   } catch (const Error& error) {
     return failure(error);
   }

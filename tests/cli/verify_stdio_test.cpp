@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "convexact/number/random.hpp"
 #include "process.hpp"
 
 using nlohmann::json;
@@ -16,10 +17,11 @@ namespace {
 const char* const kQuestion =
     R"("points": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], "candidate": {"planes": [[-1,0,0,0],[0,-1,0,0],[0,0,-1,0],[1,1,1,-1]]})";
 
-std::vector<json> answers(const std::string& requests, int exit = 0) {
+std::vector<json> answers(const std::string& requests, const std::string& options = "") {
   const ScratchFolder scratch;
-  const auto ran = run_program("verify --stdio <" + scratch.write("requests", requests));
-  CHECK(ran.exit == exit);
+  const auto ran =
+      run_program("verify --stdio " + options + " <" + scratch.write("requests", requests));
+  CHECK(ran.exit == 0);
   std::vector<json> list;
   std::istringstream lines(ran.out);
   for (std::string line; std::getline(lines, line);) list.push_back(json::parse(line));
@@ -68,6 +70,49 @@ TEST_CASE("verify --stdio: after a request of endless nesting the next ones are 
     CHECK(list[k + 1]["id"] == "after");
     CHECK(list[k + 1]["verdict"] == "holds");
   }
+}
+
+// Some 100 milliseconds of work.
+std::string long_request(const std::string& fields) {
+  convexact::Random random(13);
+  std::string points;
+  for (int k = 0; k < 6000; ++k) {
+    std::string row;
+    for (int i = 0; i < 3; ++i) row += (i == 0 ? "[" : ",") + std::to_string(random() % 1000000);
+    points += (k == 0 ? "" : ",") + row + "]";
+  }
+  return "{" + fields + ", \"points\": [" + points +
+         "], \"tightness\": true, \"candidate\": {\"vertices\": [" + points + "]}}\n";
+}
+
+TEST_CASE(
+    "verify --stdio: beyond its time limit a request is an error, and the next one goes on (#13)") {
+  const std::string good = std::string(R"({"id": "after", )") + kQuestion + "}\n";
+  const std::string requests = long_request(R"("id": 1, "time_limit": 1e-3)") + good +
+                               long_request(R"("id": 2, "time_limit": 900)");
+  const auto check_stopped = [](const json& answer) {
+    CHECK(answer["error"]["code"] == "stopped");
+    CHECK(answer["error"]["exit"] == 6);
+    CHECK(answer["error"]["message"] == "no verdict within the time limit of 0.001 s");
+  };
+  std::vector<json> list = answers(requests);
+  REQUIRE(list.size() == 3);
+  CHECK(list[0]["id"] == 1);
+  check_stopped(list[0]);
+  CHECK(list[1]["verdict"] == "holds");
+  CHECK(list[2]["verdict"] == "holds");
+  list = answers(long_request(R"("id": 3, "time_limit": 900)") + long_request(R"("id": 4)") + good,
+                 "--time-limit 0.001");
+  REQUIRE(list.size() == 3);
+  check_stopped(list[0]);
+  check_stopped(list[1]);
+  CHECK(list[2]["id"] == "after");
+  for (const char* limit : {"0", "-1", "\"1\"", "null", "1e7", "true"}) {
+    const std::string request = "{\"time_limit\": " + std::string(limit) + ", " + kQuestion + "}\n";
+    CHECK(answers(request)[0]["error"]["code"] == "malformed");
+  }
+  CHECK(run_program("verify --stdio --time-limit 0 </dev/null").exit == 2);
+  CHECK(run_program("verify a.obj b.obj --time-limit 1").exit == 2);
 }
 
 TEST_CASE("verify --stdio: a closed pipe is exit 6, other arguments are wrong usage") {

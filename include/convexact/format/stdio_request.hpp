@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // stdio_request.hpp - one question to the oracle and its answer, each a line of JSON.
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,9 +16,12 @@ namespace convexact {
 /// A number means what the same text means in a file, as a JSON number or as a string, whatever
 /// stands beside it: a coordinate of a point or vertex goes by the request's `decimal`; of a plane,
 /// integers and fractions are exact and other decimals go by `decimal`. Strings may also hold
-/// fractions (for coordinates as well) and hexadecimal floats, which are exact. The id is a number, a
-/// string, true, false or null, and a number comes back digit by digit.
+/// fractions (for coordinates as well) and hexadecimal floats, which are exact. The id is a number,
+/// a string, true, false or null, and a number comes back digit by digit.
+/// @param time_limit  Seconds that the verdict may take; a request may ask for fewer. Beyond them
+///                    the answer is the error `stopped`, some milliseconds later.
 /// @par Cost  Reading, about 20 ns a byte, and verify() for the claims asked.
-[[nodiscard]] std::string answer_request(std::string_view line);
+[[nodiscard]] std::string answer_request(std::string_view line,
+                                         std::optional<double> time_limit = {});
 
 }  // namespace convexact
