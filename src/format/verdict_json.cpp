@@ -33,6 +33,7 @@ Json witness_json(const Witness& w, const Rational& squared_diameter) {
   if (w.line) json["line"] = *w.line;
   if (w.plane) json["plane"] = plane_json(*w.plane);
   if (w.point) json["point"] = vector_json(*w.point);
+  if (w.nearest) json["nearest"] = vector_json(*w.nearest);
   if (w.direction) json["direction"] = vector_json(*w.direction);
   if (w.squared_distance) json["distance"] = distance_json(*w.squared_distance, squared_diameter);
   if (w.count) json["count"] = *w.count;

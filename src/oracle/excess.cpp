@@ -2,6 +2,8 @@
 #include "convexact/oracle/excess.hpp"
 
 #include "../stored/double_halfspace.hpp"
+#include "convexact/error.hpp"
+#include "convexact/measure/distance.hpp"
 
 namespace convexact {
 namespace {
@@ -66,6 +68,23 @@ std::optional<Excess> find_excess(std::span<const Halfspace> halfspaces, const P
     }
   }
   return worst;
+}
+
+std::optional<Farthest> find_farthest(const Polytope& solid, const PointSet& points,
+                                      std::span<const PointId> ids, const std::atomic<bool>* stop) {
+  const NearestPoint nearest_point(solid);
+  std::optional<Farthest> farthest;
+  for (const PointId id : ids) {
+    if (stop != nullptr && *stop) throw Error(ErrorCode::Stopped, "interrupted");
+    const RationalPoint point = points[id];
+    RationalPoint nearest = nearest_point(point);
+    const RationalVector3 gap = point - nearest;
+    Rational squared = gap.squaredNorm();
+    if (squared > (farthest ? farthest->squared_distance : Rational(0))) {
+      farthest = Farthest{id, std::move(nearest), std::move(squared)};
+    }
+  }
+  return farthest;
 }
 
 }  // namespace convexact

@@ -22,6 +22,7 @@ struct CandidateSet {
   std::optional<Hull> hull;          ///< Of a mesh that spans a volume.
   std::optional<Polytope> polytope;  ///< If it is a bounded solid, and somebody needs it.
   std::vector<std::vector<std::uint32_t>> patches;  ///< Of a mesh: planar_patches() of that.
+  bool is_examined = false;          ///< Whether it is known if it is one.
 };
 
 /// Which claims were asked, and the verdict so far.
@@ -58,8 +59,8 @@ void find_facets_as_meant(const Mesh& mesh, CandidateSet& set, Docket& docket, S
 void count_planes_of_the_input(const Input& input, const CandidateSet& set, Docket& docket);
 /// Closed, oriented, planar, convex.
 void judge_faces(const Mesh& mesh, const CandidateSet& set, Docket& docket);
-/// Contains the input.
-void judge_containment(const Input& input, const Candidate& candidate, const CandidateSet& set,
+/// Contains the input. Where it does not, the candidate's polytope is found, to measure how far.
+void judge_containment(const Input& input, const Candidate& candidate, CandidateSet& set,
                        Docket& docket, StageLog& log);
 /// The three budgets.
 void judge_budgets(Docket& docket);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Whether a candidate contains the input: in two ways that share no predicate.
+// Whether a candidate contains the input, in two ways that share no predicate, and how far the
+// input reaches out of it.
 #include <fmt/format.h>
 
+#include "cone_location.hpp"
 #include "convexact/error.hpp"
-#include "convexact/geometry/orient3d.hpp"
+#include "convexact/geometry/edges.hpp"
 #include "convexact/geometry/subset.hpp"
 #include "convexact/number/digits.hpp"
 #include "convexact/oracle/excess.hpp"
@@ -15,60 +17,76 @@ namespace convexact::oracle {
 namespace {
 
 using enum ClaimCode;
+using StopFlag = const std::atomic<bool>*;
 
-bool is_strictly_beyond(const PointSet& mesh, const std::array<PointId, 3>& triangle,
-                        const PointSet& points, std::size_t point) {
-  const auto& [a, b, c] = triangle;
-  if (mesh.is_binary() && points.is_binary()) {
-    return is_beyond(mesh.doubles()[a.index()], mesh.doubles()[b.index()],
-                     mesh.doubles()[c.index()], points.doubles()[point]);
-  }
-  const RationalPoint origin = mesh[a];
-  const RationalVector3 u = mesh[b] - origin, v = mesh[c] - origin,
-                        w = points[PointId(point)] - origin;
-  return u.cross(v).dot(w) > 0;
+void require_no_stop(StopFlag stop) {
+  if (stop != nullptr && *stop) throw Error(ErrorCode::Stopped, "interrupted");
 }
 
-// Every vertex of the input's hull against every triangle of the candidate's hull.
-bool is_outside_by_triangles(const Hull& hull, const PointSet& mesh, const PointSet& extreme) {
-  for (std::size_t f = 0; f < hull.facets.size(); ++f) {
-    const auto corners = hull.facets[f];
-    for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
-      const std::array<PointId, 3> triangle{corners[0], corners[k], corners[k + 1]};
-      for (std::size_t p = 0; p < extreme.size(); ++p) {
-        if (is_strictly_beyond(mesh, triangle, extreme, p)) return true;
-      }
+// Whether a vertex of the input's hull lies beyond the candidate's triangle in its direction. Each
+// walk to that triangle starts where the one for a neighbour has ended.
+bool reaches_out_of_cones(const Input& input, const Hull& hull, const PointSet& mesh,
+                          StopFlag stop) {
+  std::vector<std::vector<std::uint32_t>> neighbors(input.hull.vertices.size());
+  for (const Edge& edge : edges(input.hull)) {
+    neighbors[edge.tail].push_back(edge.head);
+    neighbors[edge.head].push_back(edge.tail);
+  }
+  const ConeLocation cones(hull, mesh, PointSet(input.hull.vertices));
+  struct Walk {
+    std::uint32_t vertex, triangle;
+  };
+  std::vector<Walk> queue{{0, 0}};
+  std::vector<bool> is_queued(neighbors.size(), false);
+  is_queued[0] = true;
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    require_no_stop(stop);
+    const std::uint32_t vertex = queue[next].vertex;
+    const std::uint32_t triangle = cones.locate(vertex, queue[next].triangle);
+    if (cones.is_outside(vertex, triangle)) return true;
+    for (const std::uint32_t neighbor : neighbors[vertex]) {
+      if (is_queued[neighbor]) continue;
+      is_queued[neighbor] = true;
+      queue.push_back({neighbor, triangle});
     }
   }
   return false;
 }
 
-// The largest squared distance to which the input's hull reaches beyond a plane, by a linear
-// program for each; 0 if it does so nowhere.
-Rational reach_by_programs(const Polytope& hull, std::span<const Halfspace> planes) {
-  const SupportProgram program(hull);
-  Rational worst = 0;
+// Whether the input's hull reaches beyond a plane, by a linear program for each.
+bool reaches_beyond_planes(const Input& input, std::span<const Halfspace> planes, StopFlag stop) {
+  SupportProgram program(input.hull);
   for (const Halfspace& plane : planes) {
-    const Rational beyond = program.maximum(plane.normal()) + Rational(plane.offset());
-    if (beyond <= 0) continue;
-    worst = std::max(worst, Rational(beyond * beyond / Rational(plane.normal().squaredNorm())));
+    require_no_stop(stop);
+    if (program.maximum(plane.normal()) + Rational(plane.offset()) > 0) return true;
   }
-  return worst;
+  return false;
 }
 
 // @throws Error Internal if the second way comes to another result than the first.
-void confirm(const Input& input, const Candidate& candidate, const CandidateSet& set,
-             const std::optional<Excess>& worst) {
-  bool agrees = false;
-  if (const auto* mesh = std::get_if<Mesh>(&candidate); mesh != nullptr && set.hull) {
-    const PointSet extreme = subset(input.points, input.extreme);
-    agrees = is_outside_by_triangles(*set.hull, mesh->points, extreme) == worst.has_value();
-  } else {
-    agrees = reach_by_programs(input.hull, set.planes) ==
-             (worst ? worst->squared_distance : Rational(0));
-  }
-  if (!agrees) {
+void confirm(bool is_outside, const Input& input, const Candidate& candidate,
+             const CandidateSet& set, StopFlag stop) {
+  const auto* mesh = std::get_if<Mesh>(&candidate);
+  const bool reaches_out = mesh != nullptr && set.hull
+                               ? reaches_out_of_cones(input, *set.hull, mesh->points, stop)
+                               : reaches_beyond_planes(input, set.planes, stop);
+  if (reaches_out != is_outside) {
     throw Error(ErrorCode::Internal, "two ways to test containment disagree");
+  }
+}
+
+// By the projection theorem: q belongs to the solid, and none of its vertices lies on x's side of
+// the plane through q perpendicular to x - q.
+// @throws Error Internal if q is not the nearest point.
+void confirm_nearest(const RationalPoint& q, const RationalPoint& x, const Polytope& solid) {
+  const RationalVector3 away = x - q;
+  const Rational at_q = away.dot(q);
+  const bool is_inside = std::all_of(solid.planes.begin(), solid.planes.end(),
+                                     [&](const Halfspace& plane) { return plane(q) <= 0; });
+  const bool is_nearest = std::all_of(solid.vertices.begin(), solid.vertices.end(),
+                                      [&](const RationalPoint& v) { return away.dot(v) <= at_q; });
+  if (!is_inside || !is_nearest) {
+    throw Error(ErrorCode::Internal, "a point of a solid is not the nearest one");
   }
 }
 
@@ -93,6 +111,7 @@ std::string name_of_plane(const Candidate& candidate, const CandidateSet& set, s
   return "the facet through its points " + corners;
 }
 
+// The plane that a point lies farthest beyond, and the point.
 Witness witness_of(const Excess& worst, const Input& input, const Candidate& candidate,
                    const CandidateSet& set) {
   Witness witness;
@@ -107,35 +126,86 @@ Witness witness_of(const Excess& worst, const Input& input, const Candidate& can
   return witness;
 }
 
+Excess excess_of(std::span<const PointId> outside, const PointSet& points,
+                 const CandidateSet& set) {
+  std::optional<Excess> excess = find_excess(set.planes, subset(points, outside));
+  if (!excess) throw Error(ErrorCode::Internal, "a point is outside, but beyond no plane");
+  excess->point = outside[excess->point.index()];
+  return std::move(*excess);
+}
+
+// The candidate as a bounded solid, if it is one.
+void find_solid(const Candidate& candidate, CandidateSet& set, const Docket& docket,
+                StageLog& log) {
+  if (set.polytope || set.is_examined) return;
+  if (const auto* mesh = std::get_if<Mesh>(&candidate)) {
+    if (set.hull) set.polytope = to_polytope(*set.hull, mesh->points);
+    return;
+  }
+  StageLog within(StageWatch{.begins = {}, .stop = log.watch().stop});
+  auto outcome = log.run("candidate's vertices",
+                         [&] { return make_polytope(set.planes, docket.request.seed, within); });
+  if (auto* solid = std::get_if<Polytope>(&outcome)) set.polytope = std::move(*solid);
+}
+
+// The distance to a convex set is a convex function: of the input it is largest at a corner.
+Farthest farthest_of(const std::vector<PointId>& outside, const Input& input, const Polytope& solid,
+                     StopFlag stop) {
+  std::vector<PointId> corners;
+  std::copy_if(input.extreme.begin(), input.extreme.end(), std::back_inserter(corners),
+               [&](PointId p) { return std::binary_search(outside.begin(), outside.end(), p); });
+  std::optional<Farthest> farthest = find_farthest(solid, input.points, corners, stop);
+  if (!farthest) throw Error(ErrorCode::Internal, "points are outside, but no corner is");
+  confirm_nearest(farthest->nearest, input.points[farthest->point], solid);
+  return std::move(*farthest);
+}
+
+void judge_outside(const std::vector<PointId>& outside, const Input& input,
+                   const Candidate& candidate, CandidateSet& set, Docket& docket, StageLog& log) {
+  const std::string count =
+      fmt::format("{} outside, of {} tested", counted(outside.size(), "point", "points"),
+                  with_separators(input.points.size()));
+  find_solid(candidate, set, docket, log);
+  if (!set.polytope) {
+    const Excess worst = excess_of(outside, input.points, set);
+    docket.violated(
+        ContainsInput,
+        fmt::format("{}; point {} is beyond {}; the candidate is no bounded solid, so there is no "
+                    "distance to it, and no tolerance applies",
+                    count, worst.point.index(), name_of_plane(candidate, set, worst.plane)),
+        witness_of(worst, input, candidate, set));
+    return;
+  }
+  const Farthest farthest = log.run(
+      "distance", [&] { return farthest_of(outside, input, *set.polytope, log.watch().stop); });
+  docket.verdict.outside->relative_squared_distance =
+      farthest.squared_distance / input.squared_diameter;
+  const Excess beyond = excess_of({{farthest.point}}, input.points, set);
+  Witness witness = witness_of(beyond, input, candidate, set);
+  witness.nearest = farthest.nearest;
+  docket.violated_by(
+      farthest.squared_distance, ContainsInput,
+      fmt::format("{}; point {} is worst, {} from the candidate, beyond {}", count,
+                  farthest.point.index(), docket.distance_text(farthest.squared_distance),
+                  name_of_plane(candidate, set, beyond.plane)),
+      std::move(witness));
+}
+
 }  // namespace
 
-void judge_containment(const Input& input, const Candidate& candidate, const CandidateSet& set,
+void judge_containment(const Input& input, const Candidate& candidate, CandidateSet& set,
                        Docket& docket, StageLog& log) {
   if (!docket.asks(ContainsInput)) return;
   if (set.is_empty) return judge_empty(input, docket);
-  Outside outside{0, input.points.size(), {}};
-  std::optional<Excess> worst;
-  log.run("containment", [&] {
-    outside.points = count_outside(set.planes, input.points);
-    if (outside.points > 0) worst = find_excess(set.planes, input.points);
-  });
-  log.run("containment, second way", [&] { confirm(input, candidate, set, worst); });
-  if (worst) {
-    outside.relative_squared_distance = worst->squared_distance / input.squared_diameter;
-  }
-  docket.verdict.outside = outside;
-  if (!worst) {
-    docket.holds(ContainsInput,
-                 counted(outside.tested, "point", "points") + " tested, none outside");
-    return;
-  }
-  docket.violated_by(
-      worst->squared_distance, ContainsInput,
-      fmt::format("{} outside, of {} tested; point {} is worst, beyond {} by {}",
-                  counted(outside.points, "point", "points"), with_separators(outside.tested),
-                  worst->point.index(), name_of_plane(candidate, set, worst->plane),
-                  docket.distance_text(worst->squared_distance)),
-      witness_of(*worst, input, candidate, set));
+  const StopFlag stop = log.watch().stop;
+  const std::vector<PointId> outside =
+      log.run("containment", [&] { return find_outside(set.planes, input.points, stop); });
+  log.run("containment, second way",
+          [&] { confirm(!outside.empty(), input, candidate, set, stop); });
+  docket.verdict.outside = Outside{outside.size(), input.points.size(), {}};
+  if (!outside.empty()) return judge_outside(outside, input, candidate, set, docket, log);
+  docket.holds(ContainsInput,
+               counted(input.points.size(), "point", "points") + " tested, none outside");
 }
 
 }  // namespace convexact::oracle

@@ -158,6 +158,7 @@ CandidateSet judge_halfspace_set(const HalfspaceList& list, Docket& docket, Stag
   auto outcome = log.run("candidate's vertices", [&] {
     return make_polytope(list.halfspaces, docket.request.seed, within);
   });
+  set.is_examined = true;
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
     judge_no_solid(by_rows(*reason, list), docket);
     return set;

@@ -2,10 +2,10 @@
 #include "convexact/oracle/support_program.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "convexact/error.hpp"
-#include "convexact/lp/seidel.hpp"
 #include "convexact/number/rounding.hpp"
 
 namespace convexact {
@@ -23,27 +23,10 @@ Vector3<double> to_direction(const IntegerVector3& n) {
   return direction;
 }
 
-Rational maximum_by_seidel(const Polytope& polytope, const IntegerVector3& n) {
-  LinearProgram lp;
-  const auto rows = static_cast<Eigen::Index>(polytope.planes.size());
-  lp.normals.resize(rows, 3);
-  lp.offsets.resize(rows);
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    const Halfspace& plane = polytope.planes[static_cast<std::size_t>(i)];
-    for (int k = 0; k < 3; ++k) lp.normals(i, k) = Rational(plane.normal()[k]);
-    lp.offsets[i] = Rational(plane.offset());
-  }
-  lp.objective = n.cast<Rational>();
-  const LpOutcome outcome = maximise(lp);
-  const auto* optimal = std::get_if<Optimal>(&outcome);
-  if (optimal == nullptr) throw Error(ErrorCode::Internal, "a polytope has no largest point");
-  return lp.objective.dot(optimal->x);
-}
-
 }  // namespace
 
 SupportProgram::SupportProgram(const Polytope& polytope)
-    : polytope_(polytope), around_(polytope.vertices.size()) {
+    : polytope_(polytope), around_(polytope.vertices.size()), neighbors_(polytope.vertices.size()) {
   for (const RationalPoint& v : polytope.vertices) {
     Vector3<double> near;
     for (int k = 0; k < 3; ++k) near[k] = to_double(v[k], Rounding::Nearest);
@@ -70,6 +53,7 @@ SupportProgram::SupportProgram(const Polytope& polytope)
     const Corner* at = &start;
     do {
       around_[v].push_back(at->facet);
+      neighbors_[v].push_back(at->next);
       const std::pair wanted(v, at->previous);
       const auto found =
           std::lower_bound(corners.begin(), corners.end(), wanted,
@@ -80,30 +64,38 @@ SupportProgram::SupportProgram(const Polytope& polytope)
   }
 }
 
-Rational SupportProgram::maximum(const IntegerVector3& n) const {
-  for (const std::size_t vertex : promising_vertices(n)) {
-    if (is_optimal(vertex, n)) return polytope_.vertices[vertex].dot(n.cast<Rational>());
-  }
-  return maximum_by_seidel(polytope_, n);
+Rational SupportProgram::maximum(const IntegerVector3& n) {
+  last_ = climb_in_doubles(to_direction(n));
+  const RationalVector3 exact = n.cast<Rational>();
+  while (!is_optimal(last_, n)) last_ = better_neighbor(last_, exact);
+  return polytope_.vertices[last_].dot(exact);
 }
 
-// Those that doubles cannot tell from the best one: a candidate's plane often touches three or more
-// vertices but for rounding. Only the time depends on how many there are.
-std::vector<std::size_t> SupportProgram::promising_vertices(const IntegerVector3& n) const {
-  constexpr double kNear = 0x1p-46;  // of the largest value
-  const Vector3<double> direction = to_direction(n);
-  std::vector<double> values;
-  double largest = -std::numeric_limits<double>::infinity(), scale = 0;
-  for (const Vector3<double>& v : near_) {
-    values.push_back(direction.dot(v));
-    largest = std::max(largest, values.back());
-    scale = std::max(scale, std::abs(values.back()));
+std::uint32_t SupportProgram::climb_in_doubles(const Vector3<double>& direction) const {
+  std::uint32_t at = last_;
+  double highest = direction.dot(near_[at]);
+  for (bool climbs = true; climbs;) {
+    climbs = false;
+    for (const std::uint32_t v : neighbors_[at]) {
+      const double height = direction.dot(near_[v]);
+      if (height <= highest || std::isnan(height)) continue;
+      at = v;
+      highest = height;
+      climbs = true;
+      break;
+    }
   }
-  std::vector<std::size_t> promising;
-  for (std::size_t v = 0; v < values.size(); ++v) {
-    if (values[v] >= largest - kNear * scale) promising.push_back(v);
+  return at;
+}
+
+// A vertex that is not optimal has an edge that leads strictly higher.
+std::uint32_t SupportProgram::better_neighbor(std::uint32_t vertex,
+                                              const RationalVector3& n) const {
+  const Rational height = polytope_.vertices[vertex].dot(n);
+  for (const std::uint32_t v : neighbors_[vertex]) {
+    if (polytope_.vertices[v].dot(n) > height) return v;
   }
-  return promising;
+  throw Error(ErrorCode::Internal, "no vertex of a polytope is the largest one");
 }
 
 // The normals of the facets at a vertex, counter-clockwise, span the cone of the functionals that

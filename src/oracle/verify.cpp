@@ -60,8 +60,9 @@ void judge(const Input& input, const Candidate& candidate, Docket& docket, Stage
   } else {
     const bool contained = verdict.outside && verdict.outside->points == 0;
     log.run("planes of the input", [&] { count_planes_of_the_input(input, set, docket); });
-    verdict.tightness = log.run(
-        "tightness", [&] { return measure_tightness(*set.polytope, input.hull, contained); });
+    verdict.tightness = log.run("tightness", [&] {
+      return measure_tightness(*set.polytope, input.hull, contained, log.watch().stop);
+    });
   }
 }
 

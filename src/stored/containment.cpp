@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "convexact/stored/containment.hpp"
 
+#include <algorithm>
+
+#include "convexact/error.hpp"
 #include "convexact/geometry/plane_side.hpp"
 #include "double_halfspace.hpp"
 
@@ -12,27 +15,95 @@ using stored::DoubleHalfspace;
 
 // Blocks stay in the first-level cache while all halfspaces pass over them.
 constexpr std::size_t kBlock = 128;
+// From so many halfspaces on it pays to have neighbours in a block.
+constexpr std::size_t kManyHalfspaces = 256;
 
-class OutsideCounter {
+// All points, those of a block close together if that is worth it: halved along the longest side of
+// their box until a part is no larger than a block.
+class BlockOrder {
  public:
-  OutsideCounter(std::span<const Halfspace> halfspaces, const PointSet& points)
+  BlockOrder(const PointSet& points, bool is_worth_it) : points_(points.doubles()) {
+    for (std::size_t i = 0; i < points.size(); ++i) ids_.emplace_back(i);
+    if (is_worth_it) split(0, ids_.size());
+  }
+  std::vector<PointId> take() { return std::move(ids_); }
+
+ private:
+  void split(std::size_t first, std::size_t last) {
+    if (last - first <= kBlock) return;
+    Point low = points_[ids_[first].index()], high = low;
+    for (std::size_t j = first; j < last; ++j) {
+      low = low.cwiseMin(points_[ids_[j].index()]);
+      high = high.cwiseMax(points_[ids_[j].index()]);
+    }
+    Eigen::Index longest = 0;
+    Point(high / 2 - low / 2).maxCoeff(&longest);
+    // Whole blocks to the left, so that no part straddles two.
+    const std::size_t blocks = (last - first + kBlock - 1) / kBlock;
+    const std::size_t middle = first + blocks / 2 * kBlock;
+    const auto at = [&](std::size_t j) { return ids_.begin() + static_cast<std::ptrdiff_t>(j); };
+    std::nth_element(at(first), at(middle), at(last), [&](PointId a, PointId b) {
+      return points_[a.index()][longest] < points_[b.index()][longest];
+    });
+    split(first, middle);
+    split(middle, last);
+  }
+
+  std::span<const Point> points_;
+  std::vector<PointId> ids_;
+};
+
+class OutsideSearch {
+ public:
+  OutsideSearch(std::span<const Halfspace> halfspaces, const PointSet& points)
       : halfspaces_(halfspaces),
         points_(points),
-        doubles_(points.doubles()),
+        ids_(BlockOrder(points, halfspaces.size() >= kManyHalfspaces).take()),
+        doubles_(points, ids_),
         absolute_(stored::absolute_error(std::max(1.0, doubles_.largest))) {
     filters_.reserve(halfspaces.size());
     for (const Halfspace& h : halfspaces) filters_.emplace_back(h);
   }
 
-  std::size_t count() {
-    std::size_t total = 0;
+  std::vector<PointId> find(const std::atomic<bool>* stop) {
     for (std::size_t first = 0; first < points_.size(); first += kBlock) {
-      total += count_block(first, std::min(points_.size(), first + kBlock));
+      if (stop != nullptr && *stop) throw Error(ErrorCode::Stopped, "interrupted");
+      search_block(first, std::min(points_.size(), first + kBlock));
     }
-    return total;
+    std::sort(found_.begin(), found_.end());
+    return std::move(found_);
   }
 
  private:
+  struct Box {
+    double low[3], high[3];
+  };
+
+  Box box_of(std::size_t first, std::size_t last) const {
+    const auto range = [&](const std::vector<double>& x, double& low, double& high) {
+      const auto begin = x.begin() + static_cast<std::ptrdiff_t>(first);
+      const auto [least, most] =
+          std::minmax_element(begin, x.begin() + static_cast<std::ptrdiff_t>(last));
+      low = *least;
+      high = *most;
+    };
+    Box box;
+    range(doubles_.x, box.low[0], box.high[0]);
+    range(doubles_.y, box.low[1], box.high[1]);
+    range(doubles_.z, box.low[2], box.high[2]);
+    return box;
+  }
+
+  // The corner of the box where n.x is largest, so the whole block if that one. Rounding is
+  // monotone, so the bound holds for coordinates that are no doubles, too; and where a component
+  // of n is rounded to 0, what the other corner has more is below 2^-1074 times a coordinate, which
+  // the absolute error covers.
+  bool surely_inside(const DoubleHalfspace& h, const Box& box) const {
+    double corner[3];
+    for (int k = 0; k < 3; ++k) corner[k] = h.n[k] > 0 ? box.high[k] : box.low[k];
+    return h.at(corner[0], corner[1], corner[2], absolute_).surely_negative();
+  }
+
   bool surely_inside(const DoubleHalfspace& h, std::size_t j) const {
     return h.at(doubles_, j, absolute_).surely_negative();
   }
@@ -52,35 +123,46 @@ class OutsideCounter {
     return open == 0 && size < 0x1p1022;  // no partial sum overflowed
   }
 
-  bool is_outside(const Halfspace& h, std::size_t j) const {
-    return points_.is_binary() ? side_of(h, points_.doubles()[j]) == Sign::Positive
-                               : h(points_[PointId(j)]) > 0;
+  bool is_outside(const Halfspace& h, PointId id) const {
+    return points_.is_binary() ? side_of(h, points_.doubles()[id.index()]) == Sign::Positive
+                               : h(points_[id]) > 0;
   }
 
-  std::size_t count_block(std::size_t first, std::size_t last) {
+  void search_block(std::size_t first, std::size_t last) {
     const double largest = doubles_.largest_of(first, last);
+    const Box box = box_of(first, last);
     std::vector<bool> outside(last - first, false);
     for (std::size_t i = 0; i < filters_.size(); ++i) {
+      if (surely_inside(filters_[i], box)) continue;
       if (surely_inside(filters_[i], first, last, largest)) continue;
       for (std::size_t j = first; j < last; ++j) {
         if (outside[j - first] || surely_inside(filters_[i], j)) continue;
-        outside[j - first] = is_outside(halfspaces_[i], j);
+        outside[j - first] = is_outside(halfspaces_[i], ids_[j]);
       }
     }
-    return static_cast<std::size_t>(std::count(outside.begin(), outside.end(), true));
+    for (std::size_t j = first; j < last; ++j) {
+      if (outside[j - first]) found_.push_back(ids_[j]);
+    }
   }
 
   std::span<const Halfspace> halfspaces_;
   const PointSet& points_;
-  Coordinates doubles_;
+  std::vector<PointId> ids_;  // in blocks
+  Coordinates doubles_;       // in the order of the ids
   double absolute_;
   std::vector<DoubleHalfspace> filters_;
+  std::vector<PointId> found_;
 };
 
 }  // namespace
 
+std::vector<PointId> find_outside(std::span<const Halfspace> halfspaces, const PointSet& points,
+                                  const std::atomic<bool>* stop) {
+  return OutsideSearch(halfspaces, points).find(stop);
+}
+
 std::size_t count_outside(std::span<const Halfspace> halfspaces, const PointSet& points) {
-  return OutsideCounter(halfspaces, points).count();
+  return find_outside(halfspaces, points).size();
 }
 
 }  // namespace convexact

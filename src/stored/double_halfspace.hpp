@@ -32,11 +32,14 @@ struct DoubleHalfspace {
     d = scaled(h.offset());
   }
 
-  /// n.x + d for one of the points; `absolute` is absolute_error() of them all.
-  NearValue at(const Coordinates& points, std::size_t j, double absolute) const {
-    const double px = n[0] * points.x[j], py = n[1] * points.y[j], pz = n[2] * points.z[j];
+  /// n.x + d; `absolute` is absolute_error() of all points.
+  NearValue at(double x, double y, double z, double absolute) const {
+    const double px = n[0] * x, py = n[1] * y, pz = n[2] * z;
     const double size = std::abs(px) + std::abs(py) + std::abs(pz) + std::abs(d);
     return {px + py + pz + d, kRelative * size + absolute};
+  }
+  NearValue at(const Coordinates& points, std::size_t j, double absolute) const {
+    return at(points.x[j], points.y[j], points.z[j], absolute);
   }
 };
 

@@ -113,6 +113,20 @@ TEST_CASE("an interrupt: exit 6, and nothing written") {
   }
 }
 
+TEST_CASE("an interrupt of verify: exit 6 at once, whatever it is doing (#13)") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.file("a.obj");
+  REQUIRE(run_program("generate random-sphere --points 60000 --facets -o " + input).exit == 0);
+  for (const char* after : {"0.5", "1", "1.5"}) {
+    CAPTURE(after);
+    const auto ran =
+        run_shell("timeout --foreground --preserve-status -s INT " + std::string(after) + " " +
+                  program() + " verify " + input + " " + input);
+    CHECK(ran.exit == 6);
+    CHECK(has(ran.err, "interrupted"));
+  }
+}
+
 TEST_CASE("an output that is the input: refused, by whatever name, and the input stays") {
   const ScratchFolder scratch;
   const std::string input = scratch.write("a.obj", kSmallTetrahedron);

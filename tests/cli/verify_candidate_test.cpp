@@ -65,17 +65,25 @@ TEST_CASE("verify: a violation is exit code 1, with the distance as a fraction")
   CHECK(judged.exit == 1);
   CHECK(judged.document["verdict"] == "violated");
   CHECK(judged.document["outside"]["points"] == 3);
-  // x + y + z <= 3 from (4, 0, 0): 1 / sqrt(3); the diameter is sqrt(48).
+  // From (4, 0, 0) to the corner (3, 0, 0), while the plane x + y + z = 3 is at 1 / sqrt(3) only;
+  // the diameter is sqrt(48).
   const json witness = judged.witness("contains-input");
   CHECK(witness["input_point"] == 1);
   CHECK(witness["rows"] == json::array({3}));
   CHECK(witness["plane"] == json::array({"1", "1", "1", "-3"}));
-  CHECK(witness["distance"]["squared"] == "1/3");
-  CHECK(std::stod(witness["distance"]["decimal"].get<std::string>()) ==
-        doctest::Approx(std::sqrt(1.0 / 3)));
-  CHECK(std::stod(witness["distance"]["relative"].get<std::string>()) == doctest::Approx(1.0 / 12));
-  CHECK(judge("-1 0 0 0\n0 -1 0 0\n0 0 -1 0\n1 1 1 -3\n", "c.txt", "--tolerance 0.0834d").exit ==
-        0);
+  CHECK(witness["nearest"] == json::array({"3", "0", "0"}));
+  CHECK(witness["distance"]["squared"] == "1");
+  CHECK(std::stod(witness["distance"]["decimal"].get<std::string>()) == 1);
+  CHECK(std::stod(witness["distance"]["relative"].get<std::string>()) ==
+        doctest::Approx(std::sqrt(1.0 / 48)));
+  const auto exit_within = [](const std::string& tolerance) {
+    return judge("-1 0 0 0\n0 -1 0 0\n0 0 -1 0\n1 1 1 -3\n", "c.txt", "--tolerance " + tolerance)
+        .exit;
+  };
+  CHECK(exit_within("1") == 0);
+  CHECK(exit_within("0.1444d") == 0);
+  CHECK(exit_within("0.1443d") == 1);
+  CHECK(exit_within("0.6") == 1);
 }
 
 TEST_CASE("verify: whatever is wrong with the candidate is exit code 1, with a code") {
@@ -150,8 +158,9 @@ TEST_CASE("verify: people read the verdict, the witness and what was not asked")
   const std::string planes = scratch.write("c.txt", "-1 0 0 0\n0 -1 0 0\n0 0 -1 0\n1 1 1 -3\n");
   const auto ran = run_program("verify " + input + " " + planes + " --max-facets 3");
   CHECK(ran.exit == 1);
-  for (const char* part : {"3 points outside, of 4 tested; point 1 is worst, beyond row 3 by 0.577",
-                           "the square of the distance is 1/3", "facets: 4, at most 3 allowed",
+  for (const char* part : {"3 points outside, of 4 tested; point 1 is worst, 1 (0.144 of the "
+                           "diameter) from the candidate, beyond row 3",
+                           "the square of the distance is 1\n", "facets: 4, at most 3 allowed",
                            "not asked", "2 claims are violated"}) {
     CAPTURE(part);
     CHECK(ran.out.find(part) != std::string::npos);

@@ -43,4 +43,5 @@ def test_a_plane_that_cuts_is_found(oracle):
     verdict = oracle.verify(points, {"planes": planes}, claims=["contains-input"])
     assert verdict["verdict"] == "violated"
     assert verdict["outside"]["points"] == 3
-    assert verdict["claims"][0]["witness"]["distance"]["squared"] == "1/12"
+    assert verdict["claims"][0]["witness"]["nearest"] == ["1/2", "0", "0"]
+    assert verdict["claims"][0]["witness"]["distance"]["squared"] == "1/4"

@@ -66,6 +66,25 @@ TEST_CASE("nearest_point: the projection theorem holds around many solids") {
   }
 }
 
+TEST_CASE("nearest_point: from near and far, on many facets, far from the origin (#13)") {
+  for (const auto& points :
+       {shapes::on_sphere(150, 1), shapes::prism(60), shapes::needle(60, 1e12, 2)}) {
+    const Polytope polytope = solid(points);
+    for (const auto& by : {RationalVector3(0, 0, 0), RationalVector3(0x1p60, -0x1p61, 0x1p55)}) {
+      const Polytope moved = translated(polytope, by);
+      const NearestPoint nearest(moved);
+      for (std::size_t v = 0; v < moved.vertices.size(); v += 3) {
+        for (const Rational& factor :
+             {Rational(1), Rational(101, 100), Rational(3), Rational(99, 100)}) {
+          const RationalPoint x =
+              by + factor * (moved.vertices[v] - by) + RationalVector3(0, 0, Rational(1, 1000));
+          CHECK(is_nearest(nearest(x), x, moved));
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("hausdorff_distance: closed forms") {
   const Polytope small = solid(shapes::cube()), large = scaled(small, 1);
   const HausdorffDistance d = hausdorff_distance(large, small);

@@ -62,25 +62,31 @@ TEST_CASE("judge_containment: the second way is asked, and must come to the same
   const auto hull_of = [](const PointSet& points) {
     return to_polytope(std::get<Hull>(convex_hull(points)), points);
   };
-  const auto judge = [&](double points, double hull, double candidate) {
+  const auto judge = [&](double points, double hull, double half, bool is_mesh) {
     const PointSet input = cube(points);
     const HullOutcome outcome = convex_hull(input);
     const oracle::Input what{input, std::get<Hull>(outcome).vertices, hull_of(cube(hull)), 12};
+    Mesh mesh;
+    mesh.points = cube(half);
     HalfspaceList list;
-    list.halfspaces = hull_of(cube(candidate)).planes;
+    list.halfspaces = hull_of(mesh.points).planes;
     for (std::size_t i = 0; i < list.halfspaces.size(); ++i) list.rows.push_back(i + 1);
     oracle::CandidateSet set;
     set.planes = list.halfspaces;
+    if (is_mesh) set.hull = std::get<Hull>(convex_hull(mesh.points));
     const VerifyRequest request;
     Verdict verdict;
     verdict.squared_diameter = 12;
     oracle::Docket docket(request, verdict);
     StageLog log;
-    oracle::judge_containment(what, Candidate(list), set, docket, log);
+    const Candidate candidate = is_mesh ? Candidate(mesh) : Candidate(list);
+    oracle::judge_containment(what, candidate, set, docket, log);
     return verdict.outside->points;
   };
-  CHECK(judge(1, 1, 1) == 0);
-  CHECK(judge(2, 2, 1) == 8);
-  CHECK_THROWS_AS((void)judge(2, 1, 1), Error);
-  CHECK_THROWS_AS((void)judge(1, 2, 1), Error);
+  for (const bool is_mesh : {false, true}) {
+    CHECK(judge(1, 1, 1, is_mesh) == 0);
+    CHECK(judge(2, 2, 1, is_mesh) == 8);
+    CHECK_THROWS_AS((void)judge(2, 1, 1, is_mesh), Error);
+    CHECK_THROWS_AS((void)judge(1, 2, 1, is_mesh), Error);
+  }
 }

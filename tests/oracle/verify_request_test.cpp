@@ -144,7 +144,7 @@ TEST_CASE("SupportProgram: of vertices beyond doubles a linear program finds the
     for (Halfspace& plane : polytope.planes) {
       plane = Halfspace(plane.normal().cast<Rational>(), Rational(plane.offset()) * scale);
     }
-    const SupportProgram program(polytope);
+    SupportProgram program(polytope);
     for (int x = -2; x <= 2; ++x) {
       for (int y = -2; y <= 2; ++y) {
         const IntegerVector3 n(x, y, 1);

@@ -109,6 +109,82 @@ TEST_CASE("verify: a tolerance lets the violation pass and still tells it") {
   CHECK(with("0.07216d").status == Status::Violated);
 }
 
+// The planes z <= 1e-6 x and z >= -1e-6 x with 0 <= x <= 1 meet in a sharp edge at x = 0. The point
+// (-1/2, 0, 0) is 5e-7 beyond each of these two, and 1/2 away from the solid.
+TEST_CASE("verify: a tolerance bounds the distance to the solid, not to a plane (#13)") {
+  const std::string rows =
+      "-1000000 0 1000000000000 0\n-1000000 0 -1000000000000 0\n1 0 0 -1\n0 1 0 -1\n0 -1 0 -1\n";
+  const std::string mesh =
+      "v 0 -1 0\nv 0 1 0\nv 1 -1 1e-6\nv 1 1 1e-6\nv 1 -1 -1e-6\nv 1 1 -1e-6\n";
+  const std::vector<Point> input{{-0.5, 0, 0}, {0.25, 0.5, 0}, {0.5, -0.5, 0}, {0.5, 0, 1e-7}};
+  for (const auto& [bytes, name] : {std::pair(rows, "c.txt"), std::pair(mesh, "c.obj")}) {
+    for (const bool all : {true, false}) {
+      const auto with = [&, &bytes = bytes, &name = name](const char* tolerance) {
+        VerifyRequest request;
+        request.tolerance = parse_tolerance(tolerance);
+        if (!all) request.claims = {ContainsInput};
+        request.tightness = all;
+        StageLog log;
+        const Candidate candidate = read_candidate_bytes(bytes, name);
+        return std::get<Verdict>(verify(PointSet(input), candidate, request, log));
+      };
+      const Verdict verdict = with("1e-6");
+      const Claim& claim = verdict[ContainsInput];
+      CHECK(claim.status == Status::Violated);
+      CHECK(claim.witness.input_point == 0);
+      CHECK(claim.witness.nearest == RationalPoint(0, 0, 0));
+      CHECK(claim.witness.squared_distance == Rational(1, 4));
+      CHECK(claim.sentence.find("point 0 is worst, 0.5 (") != std::string::npos);
+      CHECK(verdict.outside->relative_squared_distance ==
+            Rational(1, 4) / verdict.squared_diameter);
+      CHECK(with("0.5")[ContainsInput].status == Status::Holds);
+      CHECK(with("0.4999999999999999999")[ContainsInput].status == Status::Violated);
+    }
+  }
+}
+
+TEST_CASE("verify: without a bounded solid no tolerance lets a point outside pass (#13)") {
+  VerifyRequest request;
+  request.tolerance = parse_tolerance("1e9");
+  const std::string corner = "-1 0 0 0\n0 -1 0 0\n0 0 -1 0\n";  // x, y, z >= 0
+  const std::string plate = "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nf 1 2 3 4\n";
+  for (const auto& [bytes, name] : {std::pair(corner, "c.txt"), std::pair(plate, "c.obj"),
+                                    std::pair(std::string("0 0 0 1\n"), "c.txt"),
+                                    std::pair(std::string("1 0 0 1\n-1 0 0 1\n"), "c.txt"),
+                                    std::pair(std::string(), "c.obj")}) {
+    for (const bool all : {true, false}) {
+      CAPTURE(bytes);
+      request.claims = {};
+      if (!all) request.claims = {ContainsInput};
+      request.tightness = all;
+      const Verdict verdict = judge(bytes, name, request);
+      CHECK(verdict[ContainsInput].status == Status::Violated);
+      CHECK_FALSE(verdict[ContainsInput].witness.squared_distance.has_value());
+      CHECK_FALSE(verdict.outside->relative_squared_distance.has_value());
+    }
+  }
+  // Unbounded or not, what holds every point holds the input.
+  CHECK(judge("1 0 0 -1\n", "c.txt", request)[ContainsInput].status == Status::Holds);
+}
+
+// The cube [-1, 1]^3 as the input, smaller cubes as candidates: from facet, edge and vertex.
+TEST_CASE("verify: the worst point is the one farthest from the solid (#13)") {
+  const auto rows = [](const char* x, const char* y, const char* z) {
+    return std::string("1 0 0 ") + x + "\n-1 0 0 -2\n0 1 0 " + y + "\n0 -1 0 -2\n0 0 1 " + z +
+           "\n0 0 -1 -2\n";
+  };
+  const auto distance = [](const std::string& bytes) {
+    return judge(bytes, "c.txt")[ContainsInput].witness.squared_distance;
+  };
+  CHECK(distance(rows("-0.75", "-2", "-2")) == Rational(1, 16));
+  CHECK(distance(rows("-0.75", "-0.5", "-2")) == Rational(1, 16) + Rational(1, 4));
+  const Verdict corner = judge(rows("-0.75", "-0.5", "0.25"), "c.txt");
+  const Witness& w = corner[ContainsInput].witness;
+  CHECK(w.squared_distance == Rational(1, 16) + Rational(1, 4) + Rational(25, 16));
+  CHECK(w.nearest == RationalPoint(Rational(3, 4), Rational(1, 2), Rational(-1, 4)));
+  CHECK(w.rows == std::vector<std::size_t>{4});  // z <= -1/4 is what it is farthest beyond
+}
+
 TEST_CASE("parse_tolerance: what is no distance is refused") {
   for (const char* text : {"", "d", "x", "1e", "-1", "-1d", "1dd", "nan", "inf"}) {
     CAPTURE(text);
@@ -177,7 +253,8 @@ TEST_CASE("verify: candidates that are no solid contain nothing") {
   CHECK(nothing.outside->points == 8);
   const Verdict plate = judge_obj("v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nf 1 2 3 4\n");
   CHECK(plate[CandidateSolid].status == Status::Violated);
-  CHECK(plate[ContainsInput].witness.squared_distance == 4);    // z = -1 from z = 1
+  CHECK(plate[ContainsInput].witness.plane == Halfspace(IntegerVector3(0, 0, -1), 1));
+  CHECK_FALSE(plate[ContainsInput].witness.squared_distance.has_value());
   const Verdict empty = judge("1 0 0 1\n-1 0 0 1\n", "c.txt");  // x <= -1 and x >= 1
   CHECK(empty[CandidateSolid].status == Status::Violated);
   CHECK(empty[CandidateSolid].witness.rows == std::vector<std::size_t>{0, 1});
@@ -271,7 +348,7 @@ TEST_CASE("verify: the input may be halfspaces, with vertices that are no double
   CHECK(is_only_violation(rounded, ContainsInput));
   CHECK(rounded.outside->points == 3);
   const Rational gap = Rational(1, 3) - to_rational(0.3333333333333333);
-  CHECK(rounded[ContainsInput].witness.squared_distance == gap * gap / 3);
+  CHECK(rounded[ContainsInput].witness.squared_distance == gap * gap);  // along an axis
   const Verdict mesh =
       judge_it("v 0 0 0\nv 0.34 0 0\nv 0 0.34 0\nv 0 0 0.34\n", "c.obj", Decimal::Exact);
   CHECK(mesh.holds());
@@ -310,7 +387,7 @@ TEST_CASE("SupportProgram: the maximum over all vertices, in every direction") {
   for (const auto& points :
        {shapes::cube(), shapes::icosahedron(), shapes::prism(7), shapes::in_ball(25, 3)}) {
     const Polytope polytope = polytope_by_definition(PointSet(points));
-    const SupportProgram program(polytope);
+    SupportProgram program(polytope);
     for (int x = -3; x <= 3; ++x) {
       for (int y = -3; y <= 3; ++y) {
         for (int z = -3; z <= 3; ++z) {

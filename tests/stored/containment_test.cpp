@@ -4,10 +4,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "../../src/stored/double_halfspace.hpp"
+#include "convexact/error.hpp"
 #include "convexact/shapes/extreme.hpp"
 #include "convexact/shapes/random_points.hpp"
 #include "hill_climb.hpp"
@@ -122,6 +124,41 @@ TEST_CASE("DoubleHalfspace: the bound holds for the worst found, and is not vacu
 }
 
 // Two coefficients underflow, times coordinates that make more of them than of the third.
+// Many halfspaces: points are put into blocks of neighbours, and boxes of blocks are settled at
+// once.
+TEST_CASE("find_outside: many points and many halfspaces, point by point (#13)") {
+  const auto near_sphere = [](double reach, std::uint64_t seed) {
+    std::vector<Point> points = shapes::on_sphere(700, seed);
+    for (std::size_t i = 0; i < points.size(); i += 5) points[i] *= i % 2 == 0 ? reach : 0.5;
+    return points;
+  };
+  for (const auto& directions : {shapes::on_sphere(400, 3), shapes::lattice(500, 9, 1)}) {
+    std::vector<Halfspace> halfspaces;
+    for (const Point& n : directions) {
+      if (!n.isZero(0)) halfspaces.emplace_back(to_rational(n), Rational(-n.squaredNorm()));
+    }
+    REQUIRE(halfspaces.size() >= 256);
+    std::vector<RationalPoint> thirds;
+    for (const Point& p : near_sphere(1.001, 4))
+      thirds.push_back(to_rational(p) / Rational(3) * Rational(2));
+    for (const PointSet& points :
+         {PointSet(near_sphere(1.001, 1)), PointSet(near_sphere(40, 2)), PointSet(thirds),
+          PointSet(std::vector<Point>(300, Point(1, 0, 0))),
+          PointSet(shapes::lattice(900, 2, 5))}) {
+      std::vector<PointId> expected;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const PointId id(i);
+        const bool is_outside = std::any_of(halfspaces.begin(), halfspaces.end(),
+                                            [&](const Halfspace& h) { return h(points[id]) > 0; });
+        if (is_outside) expected.push_back(id);
+      }
+      CHECK(find_outside(halfspaces, points) == expected);
+    }
+  }
+  const std::atomic<bool> stop = true;
+  CHECK_THROWS_AS((void)find_outside({}, PointSet(shapes::lattice(9, 2, 5)), &stop), Error);
+}
+
 TEST_CASE("count_outside: what a coefficient loses to underflow is paid for") {
   const std::vector<Halfspace> halfspaces{{IntegerVector3(Integer(1) << 1077, 1, 1), 0}};
   const PointSet point(std::vector<Point>{{-0x1p-1000, 0x1p1000, 0x1p1000}});

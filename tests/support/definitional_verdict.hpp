@@ -28,8 +28,8 @@ inline std::vector<RationalPoint> rationals(const PointSet& points) {
   return list;
 }
 
-/// The largest squared distance of a point strictly beyond a plane, and how many points are beyond
-/// at least one.
+/// The largest squared distance of a point strictly beyond a plane to that plane, and how many
+/// points are beyond at least one.
 struct Beyond {
   std::size_t points = 0;
   Rational worst = 0;
@@ -49,6 +49,66 @@ inline Beyond beyond(std::span<const Halfspace> planes, const std::vector<Ration
     result.points += is_outside ? 1 : 0;
   }
   return result;
+}
+
+/// The squared distance of a point to the intersection of halfspaces: 0 if none excludes it. Else
+/// the nearest point is where the projection to the meet of one, two or three of the planes lies in
+/// all of them, and the way there is against a nonnegative combination of these normals (the
+/// conditions of Karush, Kuhn and Tucker). Nothing if there is none such: the intersection is
+/// empty.
+inline std::optional<Rational> squared_distance(std::span<const Halfspace> planes,
+                                                const RationalPoint& x) {
+  std::vector<RationalVector3> n;
+  std::vector<Rational> beyond;
+  for (const Halfspace& h : planes) {
+    n.push_back(h.normal().cast<Rational>());
+    beyond.push_back(n.back().dot(x) + Rational(h.offset()));
+  }
+  const std::size_t count = planes.size();
+  // Whether x - sum of y_k n_k lies in all halfspaces, for y >= 0 that solves the planes `chosen`.
+  const auto reach = [&](std::vector<std::size_t> chosen) -> std::optional<Rational> {
+    const auto k = static_cast<Eigen::Index>(chosen.size());
+    Eigen::Matrix<Rational, 3, 3> gram = Eigen::Matrix<Rational, 3, 3>::Identity();
+    Eigen::Matrix<Rational, 3, 1> value = Eigen::Matrix<Rational, 3, 1>::Zero();
+    for (Eigen::Index i = 0; i < k; ++i) {
+      for (Eigen::Index j = 0; j < k; ++j) gram(i, j) = n[chosen[i]].dot(n[chosen[j]]);
+      value[i] = beyond[chosen[i]];
+    }
+    const auto column = [&](Eigen::Index c) -> RationalVector3 { return gram.col(c); };
+    const auto det = [](const RationalVector3& a, const RationalVector3& b,
+                        const RationalVector3& c) { return Rational(a.cross(b).dot(c)); };
+    const Rational whole = det(column(0), column(1), column(2));
+    if (whole == 0) return {};
+    const Rational y[3] = {det(value, column(1), column(2)) / whole,
+                           det(column(0), value, column(2)) / whole,
+                           det(column(0), column(1), value) / whole};
+    RationalVector3 way = RationalVector3::Zero();
+    for (Eigen::Index i = 0; i < k; ++i) {
+      if (y[i] < 0) return {};
+      way += y[i] * n[chosen[i]];
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      if (beyond[i] - n[i].dot(way) > 0) return {};
+    }
+    return way.dot(way);
+  };
+  if (std::none_of(beyond.begin(), beyond.end(), [](const Rational& b) { return b > 0; })) return 0;
+  for (std::size_t a = 0; a < count; ++a) {
+    if (const auto found = reach({a})) return found;
+  }
+  for (std::size_t a = 0; a < count; ++a) {
+    for (std::size_t b = a + 1; b < count; ++b) {
+      if (const auto found = reach({a, b})) return found;
+    }
+  }
+  for (std::size_t a = 0; a < count; ++a) {
+    for (std::size_t b = a + 1; b < count; ++b) {
+      for (std::size_t c = b + 1; c < count; ++c) {
+        if (const auto found = reach({a, b, c})) return found;
+      }
+    }
+  }
+  return {};
 }
 
 class MeshByDefinition {

@@ -30,21 +30,41 @@ class Disagreements {
   std::string found_;
 };
 
-// All input points against the planes, and a witness that is beyond the plane that it names by the
-// distance that it names.
-inline void check_containment(std::span<const Halfspace> planes, const PointSet& input,
-                              Disagreements& so_far) {
+// Whether the witness's point is at the distance that it names from a nearest point that it names,
+// which lies in the solid, and no point is farther away.
+inline bool is_farthest(const Witness& w, std::span<const Halfspace> planes,
+                        const std::vector<RationalPoint>& points) {
+  if (!w.nearest || !w.squared_distance) return false;
+  const RationalVector3 way = points[*w.input_point] - *w.nearest;
+  if (way.dot(way) != *w.squared_distance) return false;
+  if (beyond(planes, {*w.nearest}).points > 0) return false;
+  Rational worst = 0;
+  for (const RationalPoint& p : points) {
+    worst = std::max(worst, squared_distance(planes, p).value());
+  }
+  return worst == *w.squared_distance;
+}
+
+// All input points against the planes, and a witness that is beyond the plane that it names; as far
+// from a bounded solid as it says, and without a distance if there is none.
+inline void check_containment(std::span<const Halfspace> planes, bool is_bounded_solid,
+                              const PointSet& input, Disagreements& so_far) {
   const Verdict& verdict = so_far.verdict();
-  const Beyond outside = beyond(planes, rationals(input));
+  const std::vector<RationalPoint> points = rationals(input);
+  const Beyond outside = beyond(planes, points);
   so_far.expect(ClaimCode::ContainsInput, outside.points == 0);
   so_far.require(verdict.outside && verdict.outside->points == outside.points, "points-outside");
   const Witness& w = verdict[ClaimCode::ContainsInput].witness;
-  so_far.require(w.squared_distance.value_or(0) == outside.worst, "worst-distance");
-  if (outside.points == 0 || !w.input_point || !w.plane) return;
-  const Rational value = (*w.plane)(input[PointId(*w.input_point)]);
-  so_far.require(
-      value > 0 && value * value == outside.worst * Rational(w.plane->normal().squaredNorm()),
-      "witness");
+  if (outside.points == 0) {
+    so_far.require(!w.squared_distance && !w.input_point, "witness of nothing");
+    return;
+  }
+  so_far.require(w.input_point && w.plane && (*w.plane)(points[*w.input_point]) > 0, "witness");
+  if (!is_bounded_solid) {
+    so_far.require(!w.squared_distance && !w.nearest, "distance to no solid");
+  } else {
+    so_far.require(w.input_point && is_farthest(w, planes, points), "worst-distance");
+  }
 }
 
 inline void check_faces(const MeshByDefinition& truth, Disagreements& so_far) {
@@ -71,7 +91,7 @@ inline void check_mesh(const Mesh& mesh, const PointSet& input, Disagreements& s
   so_far.expect(ClaimCode::CandidateSolid, truth.is_solid());
   if (!mesh.polygons.empty()) check_faces(truth, so_far);
   if (truth.is_solid()) {
-    check_containment(truth.planes(), input, so_far);
+    check_containment(truth.planes(), true, input, so_far);
   } else {
     so_far.expect(ClaimCode::ContainsInput, Status::Violated);
   }
@@ -84,15 +104,14 @@ inline void check_halfspaces(const HalfspaceList& list, const PointSet& input,
     so_far.expect(ClaimCode::ContainsInput, Status::Violated);
     return;
   }
-  check_containment(list.halfspaces, input, so_far);
+  const Verdict& verdict = so_far.verdict();
+  const bool is_bounded_solid = verdict[ClaimCode::CandidateSolid].status == Status::Holds &&
+                                verdict[ClaimCode::CandidateBounded].status == Status::Holds;
+  check_containment(list.halfspaces, is_bounded_solid, input, so_far);
   if (list.halfspaces.size() > 64) return;
   const HalfspaceArrangement arrangement(list.halfspaces);
   const auto volume = arrangement.volume(arrangement.all());
-  const Verdict& verdict = so_far.verdict();
-  so_far.require(
-      (verdict[ClaimCode::CandidateSolid].status == Status::Holds &&
-       verdict[ClaimCode::CandidateBounded].status == Status::Holds) == (volume && *volume > 0),
-      "bounded-solid");
+  so_far.require(is_bounded_solid == (volume && *volume > 0), "bounded-solid");
   if (volume && *volume == 0) so_far.expect(ClaimCode::CandidateSolid, Status::Violated);
 }
 

@@ -268,15 +268,43 @@ def hull_measures(points):
     return {"facets": len(planes), "vertices": len(vertices), "volume": surface.volume(vertices, surface.all_alive())}
 
 
-def worst_outside(planes, points):
-    """How many points lie beyond some plane, and the largest squared distance to one."""
-    outside, worst = 0, Fraction(0)
-    for p in points:
-        is_outside = False
-        for n1, n2, n3, d in planes:
-            value = n1 * p[0] + n2 * p[1] + n3 * p[2] + d
-            if value > 0:
-                is_outside = True
-                worst = max(worst, Fraction(value * value) / (n1 * n1 + n2 * n2 + n3 * n3))
-        outside += is_outside
-    return outside, worst
+def squared_distance(planes, p):
+    """From a point to the intersection of halfspaces, by the conditions of Karush, Kuhn and Tucker: the
+    nearest point is p less a nonnegative combination of the normals of one, two or three planes, lies on
+    these and in all halfspaces."""
+    beyond = [dot(plane[:3], p) + plane[3] for plane in planes]
+    if all(value <= 0 for value in beyond):
+        return Fraction(0)
+    for count in (1, 2, 3):
+        for chosen in combinations(range(len(planes)), count):
+            if all(beyond[i] <= 0 for i in chosen):
+                continue  # 0 < |p - q|^2 = sum of y_i times beyond[i]
+            normals = [planes[i][:3] for i in chosen]
+            weights = solve([[dot(n, m) for m in normals] for n in normals], [beyond[i] for i in chosen])
+            if weights is None or any(y < 0 for y in weights):
+                continue
+            way = tuple(sum(y * n[k] for y, n in zip(weights, normals)) for k in range(3))
+            if all(value <= dot(plane[:3], way) for value, plane in zip(beyond, planes)):
+                return Fraction(dot(way, way))
+    raise ValueError("the halfspaces have nothing in common")
+
+
+def solve(matrix, right):
+    """The solution of a regular square system, or None."""
+    rows = [[Fraction(x) for x in row] + [Fraction(b)] for row, b in zip(matrix, right)]
+    for k in range(len(rows)):
+        pivot = next((r for r in range(k, len(rows)) if rows[r][k]), None)
+        if pivot is None:
+            return None
+        rows[k], rows[pivot] = rows[pivot], rows[k]
+        rows[k] = [x / rows[k][k] for x in rows[k]]
+        for r in range(len(rows)):
+            if r != k:
+                rows[r] = [x - rows[r][k] * y for x, y in zip(rows[r], rows[k])]
+    return [row[-1] for row in rows]
+
+
+def farthest_outside(planes, points):
+    """How many points lie beyond some plane, and the largest squared distance to the solid of all planes."""
+    distances = [squared_distance(planes, p) for p in points]
+    return sum(distance > 0 for distance in distances), max(distances)

@@ -183,7 +183,12 @@ def candidate_json(candidate):
 
 
 def add_verify(collection):
-    for family in (verify_cases.verify_cases, verify_cases.broken_candidates, verify_cases.dented):
+    for family in (
+        verify_cases.verify_cases,
+        verify_cases.broken_candidates,
+        verify_cases.dented,
+        verify_cases.sharp_edges,
+    ):
         for name, title, points, candidate, request, expected, flags, level, why in family():
             if "outside" in expected:
                 expected["outside"]["squared_distance"] = exact_text(expected["outside"]["squared_distance"])

@@ -10,10 +10,10 @@ from exact_geometry import (
     determinant,
     dimension,
     dot,
+    farthest_outside,
     hull_planes,
     minus,
     primitive_plane,
-    worst_outside,
 )
 from shapes import (
     all_images,
@@ -77,7 +77,7 @@ def status(holds):
 def judged_mesh(points, vertices, faces, extra=None):
     """What the definition says of a mesh that stands for the hull of its vertices."""
     planes = list(hull_planes(vertices))
-    outside, worst = worst_outside(planes, points)
+    outside, worst = farthest_outside(planes, points)
     claims = {
         "candidate-readable": "holds",
         "candidate-finite": "holds",
@@ -92,7 +92,7 @@ def judged_mesh(points, vertices, faces, extra=None):
 
 
 def judged_planes(points, rows, extra):
-    outside, worst = worst_outside([primitive_plane(row) for row in rows], points)
+    outside, worst = farthest_outside([primitive_plane(row) for row in rows], points)
     claims = {"candidate-readable": "holds", "candidate-finite": "holds", "contains-input": status(outside == 0)}
     claims.update(extra)
     return {"claims": claims, "outside": {"points": outside, "squared_distance": worst}}
@@ -437,3 +437,53 @@ def dented():
         1,
         "each point has coordinates of at most 1, the cube's sides are at 5",
     )
+
+
+def sharp_edges():
+    """Points that are close to every plane of a candidate and far from the candidate itself."""
+    slope = F(1, 2**20)
+    sides = [(-slope, 0, 1, 0), (-slope, 0, -1, 0)]
+    for name, what, input_point, rows, corners, distance in (
+        (
+            "wedge",
+            "A wedge, and a point half a unit before its edge",
+            (F(-1, 2), 0, 0),
+            sides + [(1, 0, 0, -1), (0, 1, 0, -1), (0, -1, 0, -1)],
+            [(0, -1, 0), (0, 1, 0)] + [(1, y, z) for y in (-1, 1) for z in (-slope, slope)],
+            F(1, 4),
+        ),
+        (
+            "spike",
+            "A spike, and a point a quarter of a unit before its tip",
+            (F(-1, 4), 0, 0),
+            sides + [(-slope, 1, 0, 0), (-slope, -1, 0, 0), (1, 0, 0, -1)],
+            [(0, 0, 0)] + [(1, y, z) for y in (-slope, slope) for z in (-slope, slope)],
+            F(1, 16),
+        ),
+    ):
+        points = exact([input_point, (F(1, 2), 0, 0), (F(3, 4), 0, slope / 4), (F(3, 4), slope / 4, 0)])
+        vertices, faces = hull_mesh(exact(corners))
+        for form, candidate, expected in (
+            (
+                "mesh",
+                {"points": vertices, "faces": faces},
+                judged_mesh(points, vertices, faces, {"mesh-oriented": "holds", "mesh-convex": "holds"}),
+            ),
+            (
+                "planes",
+                {"halfspaces": [list(row) for row in rows]},
+                judged_planes(points, rows, {"candidate-solid": "holds", "candidate-bounded": "holds"}),
+            ),
+        ):
+            assert expected["outside"] == {"points": 1, "squared_distance": distance}
+            yield (
+                f"{name}-{form}",
+                what,
+                points,
+                candidate,
+                {},
+                expected,
+                [],
+                2,
+                "the nearest point is the origin; to the planes the distance is less than a millionth",
+            )

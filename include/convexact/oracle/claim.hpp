@@ -54,9 +54,11 @@ struct Witness {
   std::optional<std::size_t> line;           ///< Of the candidate's file, from 1.
   std::optional<Halfspace> plane;            ///< The plane that something is beyond.
   std::optional<RationalPoint> point;        ///< The coordinates of what is beyond it.
+  std::optional<RationalPoint> nearest;      ///< Of the candidate, the point nearest to `point`.
   std::optional<RationalVector3> direction;  ///< In which the candidate is unbounded.
-  std::optional<Rational> squared_distance;  ///< Of `point` to `plane`; positive.
-  std::optional<std::size_t> count;          ///< How much was found where a budget allows less.
+  std::optional<Rational>
+      squared_distance;              ///< Of `point` to `nearest`, else to `plane`; positive.
+  std::optional<std::size_t> count;  ///< How much was found where a budget allows less.
 };
 
 struct Claim {

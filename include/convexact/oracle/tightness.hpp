@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // tightness.hpp - how much larger a solid is than the one that it should enclose.
 #pragma once
+#include <atomic>
+
 #include "convexact/geometry/polytope.hpp"
 #include "convexact/number/enclosure.hpp"
 
@@ -16,8 +18,10 @@ struct Tightness {
 
 /// @param contained  Whether the candidate is known to contain the hull, so that the distance need
 ///                   be measured one way only.
-/// @par Cost  The measures of both, and the vertices of one times the facets of the other.
+/// @throws Error Stopped when `stop` becomes true.
+/// @par Cost  The measures of both, and hausdorff_distance().
 [[nodiscard]] Tightness measure_tightness(const Polytope& candidate, const Polytope& hull,
-                                          bool contained);
+                                          bool contained,
+                                          const std::atomic<bool>* stop = nullptr);
 
 }  // namespace convexact

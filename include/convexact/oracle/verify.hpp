@@ -17,8 +17,8 @@ namespace convexact {
 struct VerifyRequest {
   /// The claims to decide; the budgets are asked by their numbers. Empty: all.
   std::vector<ClaimCode> claims = {};
-  /// Violations of planarity, convexity and containment up to this distance pass; they are
-  /// reported all the same.
+  /// Violations of planarity and convexity up to this distance from a plane, and of containment up
+  /// to this distance from the candidate, pass; they are reported all the same.
   Tolerance tolerance = {};
   std::optional<std::size_t> max_facets = {}, max_vertices = {}, max_facet_vertices = {};
   /// Whether `max_facets` is for the facets of a mesh as they are, not as they were meant.
@@ -34,7 +34,8 @@ struct VerifyRequest {
 struct Outside {
   std::size_t points = 0;  ///< How many.
   std::size_t tested = 0;  ///< Of how many.
-  /// (squared distance of the worst one to the plane it violates most) / (squared diameter).
+  /// (squared distance of the worst one to the candidate) / (squared diameter); nothing if the
+  /// candidate is no bounded solid.
   std::optional<Rational> relative_squared_distance;
 };
 
@@ -68,8 +69,9 @@ struct Verdict {
 using VerifyOutcome = std::variant<Verdict, NotSolid>;
 
 /// Decides every claim about `candidate` exactly. Containment is decided in two ways that share no
-/// predicate: every input point against every plane (find_excess()), and the vertices of the
-/// input's hull against the candidate's triangles, or by a linear program for each of its planes.
+/// predicate: every input point against every plane (find_outside()), and the vertices of the
+/// input's hull each against the candidate's triangle in its direction, or by a linear program for
+/// each of its planes.
 /// @return NotSolid if the *input* has no volume. Whatever is wrong with the candidate is a claim.
 /// @throws Error InvalidArgument for a negative tolerance; Internal if the two ways disagree or a
 ///               certificate fails.
