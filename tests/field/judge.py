@@ -1,0 +1,209 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""An independent judge of enclosures: judge.py INPUT CANDIDATE [--numbers binary32] [--tolerance T].
+
+Decides the claims of `convexact verify` by their definitions in integers and fractions, with Python's
+standard library and no line of convexact. Prints one JSON object. A claim is true, false, or null where
+the definition decides nothing.
+"""
+import argparse
+import json
+import sys
+from fractions import Fraction
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+from reading import Malformed, Mesh, NotFinite, read  # noqa: E402
+from solid import Flat, Hull, Intersection, dot, integers, squared_excess, without_inner  # noqa: E402
+from surface import Surface  # noqa: E402
+
+CLAIMS = ("candidate-readable", "candidate-finite", "candidate-solid", "candidate-bounded", "mesh-closed",
+          "mesh-oriented", "mesh-simple", "mesh-planar", "mesh-convex", "contains-input")
+
+
+def squared_tolerance(text, diameter):
+    """`1e-6`, or `1e-9d` of the diameter, squared; `diameter` is squared as well."""
+    if text.endswith("d"):
+        return Fraction(text[:-1]) ** 2 * diameter
+    return Fraction(text) ** 2
+
+
+class Verdict:
+    """What is decided; lengths are squared and in the unit of the files."""
+
+    def __init__(self):
+        self.claims = dict.fromkeys(CLAIMS)
+        self.figures = {}
+
+    def as_json(self):
+        figures = {key: str(value) if isinstance(value, Fraction) else value for key, value in self.figures.items()}
+        return {"claims": self.claims, **figures}
+
+
+class Input:
+    """The points that a candidate is to hold, repeats included, with their hull."""
+
+    def __init__(self, points):
+        self.points = list(points)
+        (self.integers,), self.scale = integers(self.points)
+        try:
+            self.hull = Hull(self.integers)
+        except Flat:
+            self.hull = None
+
+    def volume(self):
+        """Of the hull; 0 if it is flat."""
+        return Fraction(self.hull.volume6(), 6 * self.scale ** 3) if self.hull else Fraction(0)
+
+    def squared_diameter(self):
+        """Of the diagonal of the box."""
+        spans = [max(axis) - min(axis) for axis in zip(*self.integers)]
+        return Fraction(dot(spans, spans), self.scale ** 2)
+
+
+def count_outside(verdict, points, planes, inner, scale):
+    """By the definition: every point against every plane n.x <= d, in the unit 1/scale.
+
+    `inner` are planes of a smaller solid, which spares the points deep inside.
+    """
+    outside, worst = [], Fraction(0)
+    for point in without_inner(points, inner):
+        beyond = [(n, d) for n, d in planes if dot(n, point) > d]
+        if beyond:
+            outside.append(point)
+            worst = max([worst] + [squared_excess(n, d, point) for n, d in beyond])
+    verdict.figures["outside"] = len(outside)
+    verdict.figures["squared_excess"] = worst / scale ** 2
+    return list(dict.fromkeys(outside))
+
+
+def measure_distance(verdict, outside, hull, scale):
+    distance = max((hull.squared_distance(p, hull.beyond(p)) for p in outside), default=Fraction(0))
+    verdict.figures["squared_distance"] = Fraction(distance, 1) / scale ** 2
+
+
+def judge_hull(verdict, hull, scale):
+    verdict.figures.update(facets=len(hull.facets), vertices=len(hull.vertices),
+                           most_facet_vertices=max(len(facet.corners) for facet in hull.facets),
+                           volume=Fraction(hull.volume6(), 6 * scale ** 3))
+
+
+def covers_once(verdict, surface, hull, scale, tolerance):
+    """Whether a surface whose planes are the hull's up to a tolerance encloses the hull's volume, up to its area times that."""
+    verdict.figures["volume_gap"] = Fraction(abs(surface.volume6() - hull.volume6()), 6 * scale ** 3)
+    verdict.figures["area_above"] = Fraction(hull.area_above(), scale ** 2)
+    return within_shell(verdict.figures, tolerance) if surface.is_closed() else True
+
+
+def within_shell(figures, tolerance):
+    return figures["volume_gap"] ** 2 <= figures["area_above"] ** 2 * tolerance
+
+
+def judge_faces(verdict, surface, hull, scale, tolerance):
+    """The claims about a surface; a tolerance forgives distances to planes, never a hole."""
+    claims = verdict.claims
+    # A face without area has no plane and no outline: it counts as not simple, if it is not dropped.
+    verdict.figures["without_area"] = len(surface.without_area())
+    claims["mesh-simple"] = not surface.not_simple()
+    claims["mesh-closed"] = surface.is_closed()
+    if not surface.is_consistent():
+        claims["mesh-oriented"] = False
+    elif claims["mesh-closed"]:
+        claims["mesh-oriented"] = surface.volume6() > 0
+    bend = surface.bend()
+    verdict.figures["squared_bend"] = bend / scale ** 2
+    claims["mesh-planar"] = not surface.without_area() and bend / scale ** 2 <= tolerance
+    if hull is None:
+        return
+    off, worst = surface.off_hull(hull)
+    verdict.figures.update(faces_off=off, squared_concavity=worst / scale ** 2)
+    if off:
+        once = covers_once(verdict, surface, hull, scale, tolerance)
+        claims["mesh-convex"] = 0 < tolerance >= worst / scale ** 2 and once
+    elif claims["mesh-closed"] and claims["mesh-oriented"] is not None and surface.is_consistent():
+        claims["mesh-convex"] = surface.volume6() == hull.volume6()
+
+
+def judge_mesh(verdict, given, mesh, tolerance):
+    claims = verdict.claims
+    (points, tested), scale = integers(mesh.points, given.points)
+    claims["candidate-bounded"] = True
+    try:
+        hull = Hull(points)
+    except Flat as flat:
+        claims["candidate-solid"], hull = False, None
+        verdict.figures["dimension"] = flat.args[0]
+    if hull:
+        claims["candidate-solid"] = True
+        judge_hull(verdict, hull, scale)
+        outside = count_outside(verdict, tested, [(f.normal, f.offset) for f in hull.facets], hull.inner, scale)
+        measure_distance(verdict, outside, hull, scale)
+        claims["contains-input"] = verdict.figures["squared_distance"] <= tolerance
+    else:
+        # A flat candidate touches no interior: it misses a solid input, and the distance is not asked.
+        claims["contains-input"] = False
+    if mesh.faces:
+        surface = Surface(points, mesh.faces)
+        verdict.figures["dropped_faces"] = surface.dropped
+        if surface.faces:
+            judge_faces(verdict, surface, hull, scale, tolerance)
+
+
+def judge_rows(verdict, given, rows, tolerance):
+    claims = verdict.claims
+    solid = Intersection(rows.rows)
+    claims["candidate-solid"] = None if solid.state == "unbounded" else solid.state == "solid"
+    claims["candidate-bounded"] = None if solid.state in ("empty", "flat") else solid.state != "unbounded"
+    (tested, vertices), scale = integers(given.points, solid.vertices)
+    planes = [(row[:3], -row[3] * scale) for row in solid.rows]
+    outside = count_outside(verdict, tested, planes, [], scale)
+    if solid.state == "solid":
+        hull = Hull(vertices)
+        judge_hull(verdict, hull, scale)
+        measure_distance(verdict, outside, hull, scale)
+        claims["contains-input"] = verdict.figures["squared_distance"] <= tolerance
+    else:
+        claims["contains-input"] = not outside and solid.state != "empty"
+
+
+def judge(given, candidate, tolerance="0"):
+    """The verdict on a Mesh or Rows as candidate for the points of an Input."""
+    verdict = Verdict()
+    verdict.claims.update({"candidate-readable": True, "candidate-finite": True})
+    allowed = squared_tolerance(tolerance, given.squared_diameter())
+    (judge_mesh if isinstance(candidate, Mesh) else judge_rows)(verdict, given, candidate, allowed)
+    return verdict
+
+
+def judge_files(given, path, numbers="binary64", tolerance="0"):
+    """As judge(), of a file that may be unreadable."""
+    verdict = Verdict()
+    try:
+        candidate = read(path, numbers)
+    except Malformed as fault:
+        verdict.claims["candidate-readable"] = False
+        verdict.figures["reason"] = str(fault)
+        return verdict
+    except NotFinite as fault:
+        verdict.claims.update({"candidate-readable": True, "candidate-finite": False})
+        verdict.figures["reason"] = str(fault)
+        return verdict
+    return judge(given, candidate, tolerance)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("input")
+    parser.add_argument("candidate")
+    parser.add_argument("--numbers", choices=("binary64", "binary32"), default="binary64")
+    parser.add_argument("--tolerance", default="0")
+    options = parser.parse_args()
+    given = Input(read(options.input, options.numbers).points)
+    verdict = judge_files(given, options.candidate, options.numbers, options.tolerance)
+    json.dump(verdict.as_json(), sys.stdout, indent=1)
+    print()
+    return 1 if False in verdict.claims.values() else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
