@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: MIT
+"""Qhull as a program of ./dev field: qhull.py OPTIONS INPUT.obj OUTPUT.obj
+
+Runs `qhull OPTIONS o` (OPTIONS with commas between them, such as Q0,Pp) and keeps its 16 digits; with a leading `=` the
+faces keep the input's own coordinates, by Qhull's indices. Qhull lists corners clockwise; they are turned.
+"""
+import subprocess
+import sys
+
+
+def main(options, source, target):
+    points = [line.split()[1:4] for line in open(source, encoding="latin-1") if line.startswith("v ")]
+    text = f"3\n{len(points)}\n" + "".join(" ".join(point) + "\n" for point in points)
+    command = ["qhull", *filter(None, options.lstrip("=").split(",")), "o"]
+    done = subprocess.run(command, input=text, capture_output=True, text=True, check=False)
+    if done.returncode:
+        sys.stderr.write(done.stderr[:2000])
+        return 4
+    lines = done.stdout.split("\n")
+    count, faces, _ = map(int, lines[1].split())
+    printed = points if options.startswith("=") else [line.split() for line in lines[2:2 + count]]
+    with open(target, "w", encoding="ascii") as out:
+        for point in printed:
+            out.write("v " + " ".join(point) + "\n")
+        for line in lines[2 + count:2 + count + faces]:
+            out.write("f " + " ".join(str(int(corner) + 1) for corner in line.split()[:0:-1]) + "\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

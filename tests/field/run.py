@@ -1,0 +1,215 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Runs the field's programs over the conformance vectors and the meshes, and has two judges settle each output.
+
+`convexact verify` and judge.py, which shares nothing with it, decide about every output, and about
+deliberate damage to some. Exit code 1 if they differ anywhere.
+"""
+import argparse
+import hashlib
+import json
+import os
+import random
+import sys
+import time
+from collections import Counter
+from multiprocessing import Pool
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+from compare import Differences, compare  # noqa: E402
+from judge import Input, judge_files  # noqa: E402
+from mutate import mutations, obj_text, off_text, ply_bytes  # noqa: E402
+from programs import BUILD, ROOT, all_programs, run_program  # noqa: E402
+from reading import Malformed, Mesh, NotFinite, read, vector_number  # noqa: E402
+
+TOLERANCES = ("1e-15d", "1e-9d", "1e-6d", "1e-2d")
+WRITERS = {"obj": obj_text, "ply": ply_bytes, "off": off_text}
+
+
+def vector_points(entry):
+    """The points of a vector's input; None if it has halfspaces or a text."""
+    if "points" in entry:
+        return [tuple(vector_number(x) for x in point) for point in entry["points"]]
+    if isinstance(entry.get("file"), str):
+        mesh = read(ROOT / "tests" / "data" / entry["file"])
+        return [tuple(x * entry["scale"] for x in point) for point in mesh.points]
+    return None
+
+
+def all_cases(wanted):
+    """(name, points, faces asked for), each input once."""
+    cases, seen = [], set()
+    for path in sorted((ROOT / "tests" / "vectors").glob("*.json")):
+        for vector in json.loads(path.read_text())["vectors"]:
+            points = vector_points(vector["input"])
+            key = (json.dumps(vector["input"], sort_keys=True), vector["question"].get("faces"))
+            if points and key not in seen and wanted in vector["id"]:
+                seen.add(key)
+                cases.append((vector["id"], points, vector["question"].get("faces", 8)))
+    for path in sorted((ROOT / "tests" / "data").glob("*.obj")):
+        if wanted in path.stem:
+            cases.append((path.stem, read(path).points, 18))
+    return cases
+
+
+def write_input(given, path):
+    """Points and, of a solid, the facets of its hull: some programs want a closed mesh."""
+    faces = []
+    if given.hull:
+        index = {point: k for k, point in reversed(list(enumerate(given.integers)))}
+        faces = [[index[given.hull.points[corner]] for corner in facet.corners] for facet in given.hull.facets]
+    path.write_bytes(obj_text(Mesh(given.points, faces)))
+
+
+class Case:
+    """One input: every program's output, two verdicts on each."""
+
+    def __init__(self, name, points, faces, options):
+        self.name, self.faces, self.options = name, faces, options
+        self.folder = BUILD / "out" / name
+        self.folder.mkdir(parents=True, exist_ok=True)
+        self.source = self.folder / "input.obj"
+        self.given = {"binary64": Input(points)}
+        write_input(self.given["binary64"], self.source)
+        self.random = random.Random(int(hashlib.sha256(name.encode()).hexdigest(), 16))
+
+    def input_for(self, numbers):
+        if numbers not in self.given:
+            self.given[numbers] = Input(read(self.source, numbers).points)
+        return self.given[numbers]
+
+    def settle(self, program, target, numbers):
+        """One record for the exact verdicts, one for those with a tolerance."""
+        given, start = self.input_for(numbers), time.monotonic()
+        verdict = None
+        if given.hull:
+            try:
+                if len(getattr(read(target, numbers), "points", ())) > self.options.most:
+                    return [self.record(program, target, "too large for the judge", [])]
+            except (Malformed, NotFinite):
+                pass
+            verdict = judge_files(given, target, numbers)
+        records = []
+        for tolerance in (None, self.random.choice(TOLERANCES)):
+            differences, status = compare(self.options.convexact, given, self.source, target, numbers, tolerance,
+                                          verdict=verdict)
+            records.append(self.record(program, target, f"exit {status}", differences.found, tolerance, numbers,
+                                       time.monotonic() - start))
+        return records
+
+    def record(self, program, target, outcome, differences, tolerance=None, numbers="", seconds=0.0):
+        return {"case": self.name, "program": program, "file": str(target.relative_to(BUILD)), "outcome": outcome,
+                "differences": differences, "tolerance": tolerance, "numbers": numbers, "seconds": round(seconds, 3)}
+
+    def run(self, program):
+        target = self.folder / f"{program.name}.{program.writes}"
+        outcome = run_program(program, self.source, target, self.faces, self.options.time_limit)
+        if outcome != "output":
+            return [self.record(program.name, target, outcome, [])]
+        kinds = ["binary64"]
+        if program.numbers == "binary32" and self.options.binary32:
+            kinds = ["binary32"]
+        return [record for kind in kinds for record in self.settle(program.name, target, kind)]
+
+    def run_mutants(self, targets):
+        """Damages one output with faces, and writes it in one of three formats."""
+        meshes = []
+        for target in targets:
+            try:
+                mesh = read(target)
+            except (Malformed, NotFinite):
+                continue
+            if isinstance(mesh, Mesh) and mesh.faces and len(mesh.points) <= self.options.most // 4:
+                meshes.append(mesh)
+        records = []
+        for mesh in self.random.sample(meshes, min(len(meshes), 2)):
+            for name, mutant in mutations(mesh, self.random):
+                form = self.random.choice(sorted(WRITERS))
+                target = self.folder / f"mutant-{name}.{form}"
+                target.write_bytes(WRITERS[form](mutant))
+                found = self.settle("mutant " + name, target, "binary64")
+                if not any(record["differences"] for record in found):
+                    target.unlink()
+                records += found
+        return records
+
+
+def run_case(work):
+    name, points, faces, options = work
+    case = Case(name, points, faces, options)
+    records, targets = [], []
+    for program in all_programs(options.convexact):
+        if program.missing or (options.program and program.name not in options.program):
+            continue
+        found = case.run(program)
+        records += found
+        if found[0]["outcome"].startswith("exit") and program.writes == "obj":
+            targets.append(BUILD / found[0]["file"])
+    if case.given["binary64"].hull and options.mutants:
+        records += case.run_mutants(targets)
+    return records
+
+
+def table(records):
+    kinds = [kind for kind in Differences.KINDS]
+    rows, head = {}, ["program", "outputs", "none", "agree", *kinds]
+    for record in records:
+        row = rows.setdefault(record["program"], Counter())
+        judged = record["outcome"].startswith("exit")
+        row["outputs" if judged else "none"] += 1
+        found = {kind for kind, _, _ in record["differences"]}
+        row["agree"] += judged and not found
+        row.update(found)
+    lines = [[name, *(str(row[column]) for column in head[1:])] for name, row in rows.items()]
+    widths = [max(len(line[k]) for line in [head, *lines]) for k in range(len(head))]
+    return "\n".join("  ".join(cell.ljust(width) if k == 0 else cell.rjust(width)
+                               for k, (cell, width) in enumerate(zip(line, widths))) for line in [head, *lines])
+
+
+def understands_binary32(convexact):
+    import subprocess
+    done = subprocess.run([convexact, "verify", "--help"], capture_output=True, text=True, check=False)
+    return "--numbers" in done.stdout
+
+
+def parse_options(arguments):
+    parser = argparse.ArgumentParser(prog="./dev field", description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("--convexact", required=True, help="the program to be judged")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="cases at a time (default: the processors)")
+    parser.add_argument("--case", default="", help="only inputs whose name has this in it")
+    parser.add_argument("--program", action="append", help="only this program; may be repeated")
+    parser.add_argument("--time-limit", type=float, default=20, help="seconds for one run of a program (default 20)")
+    parser.add_argument("--most", type=int, default=700, help="points of the largest output to judge (default 700)")
+    parser.add_argument("--no-mutants", dest="mutants", action="store_false", help="leave deliberate damage out")
+    parser.add_argument("-o", dest="report", default=str(BUILD / "report.json"), help="the report as JSON")
+    return parser.parse_args(arguments)
+
+
+def main(arguments=None):
+    options = parse_options(arguments)
+    options.convexact = str(Path(options.convexact).resolve())
+    options.binary32 = understands_binary32(options.convexact)
+    work = [(*case, options) for case in all_cases(options.case)]
+    skipped = {program.name: program.missing for program in all_programs(options.convexact) if program.missing}
+    records = []
+    with Pool(options.jobs) as pool:
+        for done, found in enumerate(pool.imap_unordered(run_case, work), 1):
+            records += found
+            if sys.stderr.isatty():
+                print(f"\r{done} of {len(work)} inputs", end="", file=sys.stderr)
+    records.sort(key=lambda record: (record["program"], record["case"], record["tolerance"] or ""))
+    differing = [record for record in records if record["differences"]]
+    Path(options.report).write_text(json.dumps({"skipped": skipped, "records": records}, indent=1) + "\n")
+    print(table(records))
+    for record in differing[:60]:
+        for kind, claim, sentence in record["differences"]:
+            print(f"{kind}: {record['file']} {record['tolerance'] or ''}: {claim}: {sentence}")
+    for name, reason in skipped.items():
+        print(f"skipped: {name}: {reason}")
+    print(f"{len(records)} verdicts on {len(work)} inputs, {len(differing)} differ; {options.report}")
+    return 1 if differing else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
