@@ -21,6 +21,9 @@ class Program:
     writes: str = "obj"
     missing: str = ""  # why it cannot run here
 
+    def is_ours(self):
+        return self.name.startswith("convexact")
+
     def words(self, source, target, faces):
         return [word.format(input=source, output=target, faces=faces) for word in self.command]
 

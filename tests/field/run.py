@@ -10,6 +10,7 @@ import hashlib
 import json
 import os
 import random
+import subprocess
 import sys
 import time
 from collections import Counter
@@ -38,28 +39,25 @@ def vector_points(entry):
 
 
 def all_cases(wanted):
-    """(name, points, faces asked for), each input once."""
-    cases, seen = [], set()
+    """(name, points, faces asked for), each input once, small ones first."""
+    cases = {}
     for path in sorted((ROOT / "tests" / "vectors").glob("*.json")):
         for vector in json.loads(path.read_text())["vectors"]:
-            points = vector_points(vector["input"])
-            key = (json.dumps(vector["input"], sort_keys=True), vector["question"].get("faces"))
-            if points and key not in seen and wanted in vector["id"]:
-                seen.add(key)
-                cases.append((vector["id"], points, vector["question"].get("faces", 8)))
+            points, key = vector_points(vector["input"]), json.dumps(vector["input"], sort_keys=True)
+            if points and (key not in cases or "faces" in vector["question"]):
+                cases[key] = (vector["id"], points, vector["question"].get("faces", 8))
     for path in sorted((ROOT / "tests" / "data").glob("*.obj")):
-        if wanted in path.stem:
-            cases.append((path.stem, read(path).points, 18))
-    return cases
+        cases[path.stem] = (path.stem, read(path).points, 18)
+    return sorted((case for case in cases.values() if wanted in case[0]), key=lambda case: len(case[1]))
 
 
-def write_input(given, path):
+def input_text(given):
     """Points and, of a solid, the facets of its hull: some programs want a closed mesh."""
     faces = []
     if given.hull:
         index = {point: k for k, point in reversed(list(enumerate(given.integers)))}
         faces = [[index[given.hull.points[corner]] for corner in facet.corners] for facet in given.hull.facets]
-    path.write_bytes(obj_text(Mesh(given.points, faces)))
+    return obj_text(Mesh(given.points, faces))
 
 
 class Case:
@@ -71,7 +69,10 @@ class Case:
         self.folder.mkdir(parents=True, exist_ok=True)
         self.source = self.folder / "input.obj"
         self.given = {"binary64": Input(points)}
-        write_input(self.given["binary64"], self.source)
+        text, self.outcomes, self.memory = input_text(self.given["binary64"]), {}, self.folder / "outcomes.json"
+        if self.source.exists() and self.source.read_bytes() == text and self.memory.exists() and not options.fresh:
+            self.outcomes = json.loads(self.memory.read_text())
+        self.source.write_bytes(text)
         self.random = random.Random(int(hashlib.sha256(name.encode()).hexdigest(), 16))
 
     def input_for(self, numbers):
@@ -79,8 +80,8 @@ class Case:
             self.given[numbers] = Input(read(self.source, numbers).points)
         return self.given[numbers]
 
-    def settle(self, program, target, numbers):
-        """One record for the exact verdicts, one for those with a tolerance."""
+    def settle(self, program, target, numbers, tolerances):
+        """One record for each tolerance; None asks for the exact verdicts."""
         given, start = self.input_for(numbers), time.monotonic()
         verdict = None
         if given.hull:
@@ -91,7 +92,7 @@ class Case:
                 pass
             verdict = judge_files(given, target, numbers)
         records = []
-        for tolerance in (None, self.random.choice(TOLERANCES)):
+        for tolerance in tolerances:
             differences, status = compare(self.options.convexact, given, self.source, target, numbers, tolerance,
                                           verdict=verdict)
             records.append(self.record(program, target, f"exit {status}", differences.found, tolerance, numbers,
@@ -104,16 +105,15 @@ class Case:
 
     def run(self, program):
         target = self.folder / f"{program.name}.{program.writes}"
-        outcome = run_program(program, self.source, target, self.faces, self.options.time_limit)
-        if outcome != "output":
-            return [self.record(program.name, target, outcome, [])]
-        kinds = ["binary64"]
-        if program.numbers == "binary32" and self.options.binary32:
-            kinds = ["binary32"]
-        return [record for kind in kinds for record in self.settle(program.name, target, kind)]
+        if program.name not in self.outcomes or program.is_ours():
+            self.outcomes[program.name] = run_program(program, self.source, target, self.faces, self.options.time_limit)
+        if self.outcomes[program.name] != "output":
+            return [self.record(program.name, target, self.outcomes[program.name], [])]
+        numbers = program.numbers if self.options.binary32 else "binary64"
+        return self.settle(program.name, target, numbers, (None, self.random.choice(TOLERANCES)))
 
     def run_mutants(self, targets):
-        """Damages one output with faces, and writes it in one of three formats."""
+        """Damages an output with faces in every way, and writes it in one of three formats."""
         meshes = []
         for target in targets:
             try:
@@ -123,12 +123,12 @@ class Case:
             if isinstance(mesh, Mesh) and mesh.faces and len(mesh.points) <= self.options.most // 4:
                 meshes.append(mesh)
         records = []
-        for mesh in self.random.sample(meshes, min(len(meshes), 2)):
+        for mesh in self.random.sample(meshes, min(len(meshes), self.options.mutants)):
             for name, mutant in mutations(mesh, self.random):
                 form = self.random.choice(sorted(WRITERS))
                 target = self.folder / f"mutant-{name}.{form}"
                 target.write_bytes(WRITERS[form](mutant))
-                found = self.settle("mutant " + name, target, "binary64")
+                found = self.settle("mutant " + name, target, "binary64", [self.random.choice((None, None, *TOLERANCES))])
                 if not any(record["differences"] for record in found):
                     target.unlink()
                 records += found
@@ -146,14 +146,14 @@ def run_case(work):
         records += found
         if found[0]["outcome"].startswith("exit") and program.writes == "obj":
             targets.append(BUILD / found[0]["file"])
-    if case.given["binary64"].hull and options.mutants:
+    case.memory.write_text(json.dumps(case.outcomes))
+    if case.given["binary64"].hull:
         records += case.run_mutants(targets)
     return records
 
 
 def table(records):
-    kinds = [kind for kind in Differences.KINDS]
-    rows, head = {}, ["program", "outputs", "none", "agree", *kinds]
+    rows, head = {}, ["program", "outputs", "none", "agree", *Differences.KINDS]
     for record in records:
         row = rows.setdefault(record["program"], Counter())
         judged = record["outcome"].startswith("exit")
@@ -168,20 +168,21 @@ def table(records):
 
 
 def understands_binary32(convexact):
-    import subprocess
     done = subprocess.run([convexact, "verify", "--help"], capture_output=True, text=True, check=False)
     return "--numbers" in done.stdout
 
 
 def parse_options(arguments):
     parser = argparse.ArgumentParser(prog="./dev field", description=__doc__.split("\n", maxsplit=1)[0])
-    parser.add_argument("--convexact", required=True, help="the program to be judged")
+    parser.add_argument("--convexact", required=True, help="the program to be judged (./dev field names it)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="cases at a time (default: the processors)")
     parser.add_argument("--case", default="", help="only inputs whose name has this in it")
     parser.add_argument("--program", action="append", help="only this program; may be repeated")
     parser.add_argument("--time-limit", type=float, default=20, help="seconds for one run of a program (default 20)")
     parser.add_argument("--most", type=int, default=700, help="points of the largest output to judge (default 700)")
-    parser.add_argument("--no-mutants", dest="mutants", action="store_false", help="leave deliberate damage out")
+    parser.add_argument("--mutants", type=int, default=1, help="outputs of each input to be damaged (default 1)")
+    parser.add_argument("--every", type=int, default=1, help="only every Nth input (default 1)")
+    parser.add_argument("--fresh", action="store_true", help="run all programs again, also where their output is there")
     parser.add_argument("-o", dest="report", default=str(BUILD / "report.json"), help="the report as JSON")
     return parser.parse_args(arguments)
 
@@ -190,14 +191,14 @@ def main(arguments=None):
     options = parse_options(arguments)
     options.convexact = str(Path(options.convexact).resolve())
     options.binary32 = understands_binary32(options.convexact)
-    work = [(*case, options) for case in all_cases(options.case)]
+    work = [(*case, options) for case in all_cases(options.case)[::options.every]]
     skipped = {program.name: program.missing for program in all_programs(options.convexact) if program.missing}
     records = []
     with Pool(options.jobs) as pool:
         for done, found in enumerate(pool.imap_unordered(run_case, work), 1):
             records += found
             if sys.stderr.isatty():
-                print(f"\r{done} of {len(work)} inputs", end="", file=sys.stderr)
+                print(f"\r{done} of {len(work)} inputs", end="", file=sys.stderr, flush=True)
     records.sort(key=lambda record: (record["program"], record["case"], record["tolerance"] or ""))
     differing = [record for record in records if record["differences"]]
     Path(options.report).write_text(json.dumps({"skipped": skipped, "records": records}, indent=1) + "\n")
