@@ -246,7 +246,7 @@ def single_numbers(rng, count):
         lines = [[word() for _ in range(3)] for _ in range(8)]
         text = "".join("v " + " ".join(line) + "\n" for line in lines).encode()
         given = [tuple(float(f"{float(w):.9g}") for w in line) for line in lines]
-        yield "single", given, text, rng.choice((None, "1e-9d")), rng.choice(("binary32", "binary32", "binary64"))
+        yield "single", given, text, rng.choice((None, "1e-9d")), rng.choice(("binary32", "binary32", "binary64", "exact"))
 
 
 def decimal_text(value):

@@ -30,7 +30,7 @@ class Bench:
     def __init__(self, convexact, folder):
         self.convexact, self.folder, self.wrong, self.asked, self.answers = convexact, folder, [], 0, set()
 
-    def run(self, arguments, stdin=b"", seconds=60):
+    def run(self, arguments, stdin=b"", seconds=300):
         words = [self.convexact, *arguments]
         try:
             return subprocess.run(words, input=stdin, capture_output=True, cwd=self.folder, timeout=seconds, check=False)
@@ -210,7 +210,60 @@ def files(bench):
     bench.expect("nowhere to write", ["simplify", "cube.obj", "--faces", "6", "-o", "absent/out.obj", "--json"], [5])
 
 
-ROUNDS = (counts, vacuous, bytes_of_names, deep_json, smallest_tolerance, budgets, files)
+NONSENSE = r"""
+import sys
+mode, source, target = sys.argv[1:4]
+points = [[float(x) for x in line.split()[1:4]] for line in open(source) if line.startswith("v ")]
+if len(points) < 4:
+    sys.exit(3)
+faces = [[1, 2, 3], [1, 4, 2], [2, 4, 3], [3, 4, 1]]
+low, high = [min(axis) for axis in zip(*points)], [max(axis) for axis in zip(*points)]
+size = max(b - a for a, b in zip(low, high)) or 1.0
+if not all(abs(x) < 1e150 for p in points for x in p) or size < 1e-150:
+    sys.exit(3)
+if mode == "inner-faces":
+    (a, b, c), d = points[0:3], points[3]
+    u, v, w = ([q - p for p, q in zip(a, x)] for x in (b, c, d))
+    turn = sum(u[k - 2] * (v[k - 1] * w[k] - v[k] * w[k - 1]) for k in range(3))
+    if turn > 0:
+        faces = [face[::-1] for face in faces]
+elif mode == "huge":
+    t = 99.0 * size
+    points = [[low[0] - t, low[1] - t, low[2] - t], [high[0] + 9 * t, low[1] - t, low[2] - t],
+              [low[0] - t, high[1] + 9 * t, low[2] - t], [low[0] - t, low[1] - t, high[2] + 9 * t]]
+    faces = [[1, 3, 2], [1, 2, 4], [2, 3, 4], [3, 1, 4]]
+elif mode == "empty":
+    points, faces = [], []
+elif mode == "point":
+    points, faces = points[:1], []
+with open(target, "w") as out:
+    for p in points:
+        out.write("v %r %r %r\n" % tuple(p))
+    for f in faces:
+        out.write("f %d %d %d\n" % tuple(f))
+"""
+
+
+def nonsense_programs(bench):
+    """12, 21: programs that write nonsense, or nothing, conform nowhere; the first outcome says why."""
+    bench.file("nonsense.py", NONSENSE.encode())
+    for mode, outcomes in (("inner-faces", None), ("huge", {"too-loose"}), ("empty", {"no-solid"}), ("point", {"no-solid"})):
+        done = bench.expect("nonsense", ["conform", "--level", "1", "--json", "--", "python3", "-S", "-E", "nonsense.py", mode, "{input}",
+                                         "{output}", "{faces}"], [NO])
+        try:
+            vectors = json.loads(done.stdout)["vectors"]
+        except (ValueError, KeyError):
+            continue
+        solids = [v for v in vectors if v["outcome"] not in ("wrong-exit", "timed-out") and "refuse" not in v["id"]]
+        passed = [v["id"] for v in solids if v["outcome"] == "passed" and not {"malformed", "flat"} & set(v["flags"])]
+        if len(passed) > len(vectors) // 20:
+            bench.wrong.append(f"nonsense: {mode} passes {len(passed)} vectors: {passed[:4]}")
+        others = sorted({v["outcome"] for v in solids if not {"malformed", "flat"} & set(v["flags"])} - (outcomes or set()))
+        if outcomes and others:
+            bench.wrong.append(f"nonsense: {mode} has outcomes {others} instead of {sorted(outcomes)}")
+
+
+ROUNDS = (counts, vacuous, bytes_of_names, deep_json, smallest_tolerance, budgets, files, nonsense_programs)
 
 
 def main():

@@ -25,6 +25,14 @@ def ask_convexact(convexact, source, target, options, seconds):
         return done.returncode, None
 
 
+def shown(value):
+    """A fraction for the eye, also beyond doubles."""
+    try:
+        return f"{float(value):.6g}"
+    except OverflowError:
+        return f"about 2^{value.numerator.bit_length() - value.denominator.bit_length()}"
+
+
 class Differences:
     """Where the two disagree: (kind, claim, sentence), worst kinds first in KINDS."""
     KINDS = ("missed violation", "false accusation", "other exit", "distance", "volume", "count", "not decided")
@@ -85,19 +93,18 @@ def compare_figures(verdict, given, answer, said, differences):
         found, expected = distance_said(said.get(claim, {})), figures.get(figure)
         if found is not None and expected is not None and found != expected:
             note = " (the distance to a plane)" if found == figures.get("squared_excess") else ""
-            differences.add("distance", claim, f"{float(found):.6g} squared{note}, by the judge {float(expected):.6g}")
+            differences.add("distance", claim, f"{shown(found)} squared{note}, by the judge {shown(expected)}")
     ratio = answer.get("tightness") and answer["tightness"]["volume_ratio"]["value"]
     if ratio is not None and "volume" in figures and given.volume():
         expected = figures["volume"] / given.volume()
         if abs(Fraction(ratio) / expected - 1) > Fraction(1, 10 ** 12):
-            differences.add("volume", "tightness", f"ratio {ratio}, by the judge {float(expected)}")
+            differences.add("volume", "tightness", f"ratio {ratio}, by the judge {shown(expected)}")
 
 
 def compare(convexact, given, source, target, numbers="binary64", tolerance=None, seconds=60, verdict=None):
     """Differences of the two on one output; `given` is the judge's Input of the file `source`."""
     options = ["--tolerance", tolerance] if tolerance else []
-    if numbers == "binary32":
-        options += ["--numbers", "binary32"]
+    options += {"binary64": [], "binary32": ["--numbers", "binary32"], "exact": ["--decimal", "exact"]}[numbers]
     status, answer = ask_convexact(convexact, source, target, options, seconds)
     differences = Differences()
     if given.volume() == 0:

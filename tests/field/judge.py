@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""An independent judge of enclosures: judge.py INPUT CANDIDATE [--numbers binary32] [--tolerance T].
+"""An independent judge of enclosures: judge.py INPUT CANDIDATE [--numbers binary32|exact] [--tolerance T].
 
 Decides the claims of `convexact verify` by their definitions in integers and fractions, with Python's
 standard library and no line of convexact. Prints one JSON object. A claim is true, false, or null where
@@ -195,7 +195,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("input")
     parser.add_argument("candidate")
-    parser.add_argument("--numbers", choices=("binary64", "binary32"), default="binary64")
+    parser.add_argument("--numbers", choices=("binary64", "binary32", "exact"), default="binary64")
     parser.add_argument("--tolerance", default="0")
     options = parser.parse_args()
     given = Input(read(options.input, options.numbers).points)

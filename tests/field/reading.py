@@ -47,10 +47,10 @@ def to_binary32(value):
 
 
 class Numbers:
-    """What a number in a file means: `binary64` (the nearest double) or `binary32`."""
+    """What a number in a file means: `binary64` (the nearest double), `binary32`, or `exact` (what a decimal spells)."""
 
     def __init__(self, kind="binary64"):
-        self.single = kind == "binary32"
+        self.single, self.exact = kind == "binary32", kind == "exact"
 
     def of_text(self, word):
         if word.lower().lstrip("+-") in ("nan", "inf", "infinity"):
@@ -60,6 +60,8 @@ class Numbers:
         value = float(word)
         if math.isinf(value):
             raise NotFinite(word)
+        if self.exact:
+            return Fraction(word)
         # A decimal that is 0 as a double is 0 as a float32; the others have bounded exponents.
         return to_binary32(Fraction(word)) if self.single and value else value
 

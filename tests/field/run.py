@@ -94,7 +94,7 @@ class Case:
         records = []
         for tolerance in tolerances:
             differences, status = compare(self.options.convexact, given, self.source, target, numbers, tolerance,
-                                          verdict=verdict)
+                                          seconds=self.options.verify_limit, verdict=verdict)
             records.append(self.record(program, target, f"exit {status}", differences.found, tolerance, numbers,
                                        time.monotonic() - start))
         return records
@@ -179,6 +179,7 @@ def parse_options(arguments):
     parser.add_argument("--case", default="", help="only inputs whose name has this in it")
     parser.add_argument("--program", action="append", help="only this program; may be repeated")
     parser.add_argument("--time-limit", type=float, default=20, help="seconds for one run of a program (default 20)")
+    parser.add_argument("--verify-limit", type=float, default=120, help="seconds for one verdict (default 120)")
     parser.add_argument("--most", type=int, default=700, help="points of the largest output to judge (default 700)")
     parser.add_argument("--mutants", type=int, default=1, help="outputs of each input to be damaged (default 1)")
     parser.add_argument("--every", type=int, default=1, help="only every Nth input (default 1)")
