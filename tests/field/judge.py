@@ -18,7 +18,7 @@ from solid import Flat, Hull, Intersection, dot, integers, squared_excess, witho
 from surface import Surface  # noqa: E402
 
 CLAIMS = ("candidate-readable", "candidate-finite", "candidate-solid", "candidate-bounded", "mesh-closed",
-          "mesh-oriented", "mesh-simple", "mesh-planar", "mesh-convex", "contains-input")
+          "mesh-oriented", "mesh-planar", "mesh-convex", "contains-input")
 
 
 def squared_tolerance(text, diameter):
@@ -102,9 +102,8 @@ def within_shell(figures, tolerance):
 def judge_faces(verdict, surface, hull, scale, tolerance):
     """The claims about a surface; a tolerance forgives distances to planes, never a hole."""
     claims = verdict.claims
-    # A face without area has no plane and no outline: it counts as not simple, if it is not dropped.
-    verdict.figures["without_area"] = len(surface.without_area())
-    claims["mesh-simple"] = not surface.not_simple()
+    simple = not surface.not_simple()
+    verdict.figures.update(without_area=surface.without_area(), not_simple=surface.not_simple())
     claims["mesh-closed"] = surface.is_closed()
     if not surface.is_consistent():
         claims["mesh-oriented"] = False
@@ -112,12 +111,14 @@ def judge_faces(verdict, surface, hull, scale, tolerance):
         claims["mesh-oriented"] = surface.volume6() > 0
     bend = surface.bend()
     verdict.figures["squared_bend"] = bend / scale ** 2
-    claims["mesh-planar"] = not surface.without_area() and bend / scale ** 2 <= tolerance
+    claims["mesh-planar"] = simple and bend / scale ** 2 <= tolerance
     if hull is None:
         return
     off, worst = surface.off_hull(hull)
     verdict.figures.update(faces_off=off, squared_concavity=worst / scale ** 2)
-    if off:
+    if not simple:
+        claims["mesh-convex"] = False
+    elif off:
         once = covers_once(verdict, surface, hull, scale, tolerance)
         claims["mesh-convex"] = 0 < tolerance >= worst / scale ** 2 and once
     elif claims["mesh-closed"] and claims["mesh-oriented"] is not None and surface.is_consistent():

@@ -84,7 +84,8 @@ class Solids(unittest.TestCase):
 
 class Surfaces(unittest.TestCase):
     def claims(self, points, faces, *names):
-        claims = verdict_on(points, faces, CORNER).claims
+        verdict = verdict_on(points, faces, CORNER)
+        claims = {**verdict.claims, "mesh-simple": verdict.figures["not_simple"] == 0}
         return [claims["mesh-" + name] for name in names]
 
     def test_cube_holds_every_claim(self):
@@ -110,6 +111,13 @@ class Surfaces(unittest.TestCase):
         points = CORNER + [(0.5, 0.0, 0.0)]
         faces = [[0, 2, 1, 4], [0, 4, 1, 3], [0, 3, 2], [1, 2, 3]]
         self.assertEqual(self.claims(points, faces, "closed", "simple", "planar", "convex"), [True] * 4)
+
+    def test_a_sliver_closes_a_t_junction_and_a_winding_one_does_not(self):
+        points = CORNER + [(0.25, 0.0, 0.0), (0.5, 0.0, 0.0)]
+        faces = [[0, 2, 1], [0, 4, 5, 1, 3], [0, 3, 2], [1, 2, 3]]
+        claims = ("closed", "oriented", "simple", "planar", "convex")
+        self.assertEqual(self.claims(points, faces + [[0, 1, 5, 4]], *claims), [True] * 5)
+        self.assertEqual(self.claims(points, faces + [[0, 5, 4, 1]], "simple", "planar"), [False, False])
 
     def test_a_hole_and_a_double_cover_are_not_closed(self):
         self.assertEqual(self.claims(CORNER, CORNER_FACES[1:], "closed", "oriented"), [False, None])

@@ -6,26 +6,59 @@ from fractions import Fraction
 from solid import cross, dot, minus, squared_excess
 
 
-def side(normal, a, b, c):
-    """Left (+1), right (-1) or on (0) the line ab is c, seen against the normal."""
-    value = dot(normal, cross(minus(b, a), minus(c, a)))
+def side(a, b, c):
+    """Left (+1), right (-1) or on (0) the line ab is c, in the plane."""
+    value = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
     return (value > 0) - (value < 0)
 
 
 def within(a, b, p):
-    """Whether p, which is seen on the line ab, lies in the segment ab."""
-    along = minus(b, a)
-    return 0 <= dot(along, minus(p, a)) <= dot(along, along)
+    """Whether p, which is on the line ab, lies in the segment ab."""
+    return min(a, b) <= p <= max(a, b)
 
 
-def touch(normal, a, b, c, d):
-    """Whether the segments ab and cd share a point, seen along the normal."""
-    first, second = side(normal, a, b, c), side(normal, a, b, d)
-    third, fourth = side(normal, c, d, a), side(normal, c, d, b)
+def touch(a, b, c, d):
+    """Whether the segments ab and cd share a point."""
+    first, second = side(a, b, c), side(a, b, d)
+    third, fourth = side(c, d, a), side(c, d, b)
     if first * second < 0 and third * fourth < 0:
         return True
     return ((first == 0 and within(a, b, c)) or (second == 0 and within(a, b, d)) or
             (third == 0 and within(c, d, a)) or (fourth == 0 and within(c, d, b)))
+
+
+def is_simple(area, face):
+    """Whether the outline meets itself nowhere, seen along the axis on which its area is largest.
+
+    Corners on one line are in order if they go along it once to and fro: such slivers close T-junctions.
+    """
+    if len(set(face)) < len(face):
+        return False
+    if not any(area):
+        return is_sliver(face)
+    axis = max(range(3), key=lambda k: abs(area[k]))
+    flat = [tuple(x for k, x in enumerate(corner) if k != axis) for corner in face]
+    edges = [(flat[k - 1], flat[k]) for k in range(len(flat))]
+    count = len(edges)
+    for i, (a, b) in enumerate(edges):
+        c, d = edges[(i + 1) % count]
+        # Neighbours share b; they may go on straight but not back.
+        if side(a, b, d) == 0 and (b[0] - a[0]) * (d[0] - c[0]) + (b[1] - a[1]) * (d[1] - c[1]) <= 0:
+            return False
+        for j in range(i + 2, count):
+            if (j + 1) % count != i and touch(a, b, *edges[j]):
+                return False
+    return True
+
+
+def is_sliver(face):
+    """Whether different corners lie on one line and go along it once to and fro."""
+    along = minus(face[1], face[0])
+    if any(any(cross(along, minus(corner, face[0]))) for corner in face):
+        return False
+    places = [dot(along, corner) for corner in face]
+    turns = [(places[k] - places[k - 1] > 0) != (places[k - 1] - places[k - 2] > 0) for k in range(len(places))]
+    return sum(turns) == 2
 
 
 class Surface:
@@ -67,28 +100,11 @@ class Surface:
         return sum(dot(area, face[0]) for area, face in zip(self.areas, self.faces))
 
     def without_area(self):
-        return [k for k, area in enumerate(self.areas) if not any(area)]
+        return sum(not any(area) for area in self.areas)
 
     def not_simple(self):
-        """Faces whose outline, seen along the area vector, meets itself; those without area are in that list."""
-        return [k for k, (area, face) in enumerate(zip(self.areas, self.faces))
-                if not any(area) or not self._is_simple(area, face)]
-
-    @staticmethod
-    def _is_simple(normal, face):
-        if len(face) == 3:
-            return True
-        edges = [(face[k - 1], face[k]) for k in range(len(face))]
-        count = len(edges)
-        for i, (a, b) in enumerate(edges):
-            c, d = edges[(i + 1) % count]
-            # Neighbours share b; they may go on straight but not back.
-            if side(normal, a, b, d) == 0 and dot(minus(b, a), minus(d, c)) <= 0:
-                return False
-            for j in range(i + 2, count):
-                if (j + 1) % count != i and touch(normal, a, b, *edges[j]):
-                    return False
-        return True
+        """How many faces are no simple polygons."""
+        return sum(not is_simple(area, face) for area, face in zip(self.areas, self.faces))
 
     def bend(self):
         """The largest squared distance of a corner to the plane through its face's first corner."""
