@@ -66,7 +66,7 @@ def compare_claims(claims, said, differences):
             differences.add("missed violation", claim, sentence)
         elif expected is True and status == "violated":
             differences.add("false accusation", claim, sentence)
-        elif expected is not None and status == "not-applicable":
+        elif expected is True and status == "not-applicable":
             differences.add("not decided", claim, sentence)
 
 
