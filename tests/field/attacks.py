@@ -86,6 +86,7 @@ def nothing_faces(rng, count):
         gone = rng.randrange(len(faces) - 2)
         a, b = faces[gone][:2]
         yield "hole-with-nothing-in-it", mesh.points, Mesh(points, faces[:gone] + faces[gone + 1:] + [[a, b, a]]), None, "binary64"
+        yield "nothing-but-nothing", mesh.points, Mesh(points, [[a, b, a], [a, a, a]]), None, "binary64"
         k = faces[0][0]
         near = tuple(math.nextafter(x, math.inf) for x in points[k])
         ajar = [[len(points) if c == k else c for c in faces[0]]] + faces[1:]

@@ -148,6 +148,8 @@ def judge_mesh(verdict, given, mesh, tolerance):
         verdict.figures["dropped_faces"] = surface.dropped
         if surface.faces:
             judge_faces(verdict, surface, hull, scale, tolerance)
+        else:
+            claims["mesh-closed"] = False
 
 
 def judge_rows(verdict, given, rows, tolerance):
