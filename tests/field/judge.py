@@ -128,20 +128,19 @@ def judge_faces(verdict, surface, hull, scale, tolerance):
 def judge_mesh(verdict, given, mesh, tolerance):
     claims = verdict.claims
     (points, tested), scale = integers(mesh.points, given.points)
-    claims["candidate-bounded"] = True
     try:
         hull = Hull(points)
     except Flat as flat:
         claims["candidate-solid"], hull = False, None
         verdict.figures["dimension"] = flat.args[0]
     if hull:
-        claims["candidate-solid"] = True
+        claims.update({"candidate-solid": True, "candidate-bounded": True})
         judge_hull(verdict, hull, scale)
         outside = count_outside(verdict, tested, [(f.normal, f.offset) for f in hull.facets], hull.inner, scale)
         measure_distance(verdict, outside, hull, scale)
         claims["contains-input"] = verdict.figures["squared_distance"] <= tolerance
     else:
-        # A flat candidate touches no interior: it misses a solid input, and the distance is not asked.
+        # Without a solid there is no distance that a tolerance could forgive.
         claims["contains-input"] = False
     if mesh.faces:
         surface = Surface(points, mesh.faces)
@@ -188,7 +187,7 @@ def judge_files(given, path, numbers="binary64", tolerance="0"):
         verdict.figures["reason"] = str(fault)
         return verdict
     except NotFinite as fault:
-        verdict.claims.update({"candidate-readable": True, "candidate-finite": False})
+        verdict.claims["candidate-finite"] = False
         verdict.figures["reason"] = str(fault)
         return verdict
     return judge(given, candidate, tolerance)
