@@ -154,7 +154,7 @@ def judge_mesh(verdict, given, mesh, tolerance):
 def judge_rows(verdict, given, rows, tolerance):
     claims = verdict.claims
     solid = Intersection(rows.rows)
-    claims["candidate-solid"] = None if solid.state == "unbounded" else solid.state == "solid"
+    claims["candidate-solid"] = solid.state in ("solid", "unbounded")
     claims["candidate-bounded"] = None if solid.state in ("empty", "flat") else solid.state != "unbounded"
     (tested, vertices), scale = integers(given.points, solid.vertices)
     planes = [(row[:3], -row[3] * scale) for row in solid.rows]

@@ -253,13 +253,11 @@ class Intersection:
             if point and all(dot(row, point) + row[3] <= 0 for row in bounded):
                 self.vertices.append(point)
         self.vertices = list(dict.fromkeys(self.vertices))
-        if not self.vertices:
-            return
-        if any(abs(x) == far for point in self.vertices for x in point):
-            self.state = "unbounded"
-            return
         (points,), _ = integers(self.vertices)
-        self.state = "solid" if dimension_of(points) == 3 else "flat"
+        if self.vertices and dimension_of(points) < 3:
+            self.state = "flat"
+        elif self.vertices:
+            self.state = "unbounded" if any(abs(x) == far for point in self.vertices for x in point) else "solid"
 
 
 def integer_row(row):
