@@ -198,7 +198,7 @@ SimplifyQuestion to_simplify_question(const json& question, const json& expected
 }
 
 RefuseQuestion to_refuse_question(const json& expected) {
-  RefuseQuestion result{ErrorCode::NoInterior, std::nullopt};
+  RefuseQuestion result{ErrorCode::NoInterior, {}, {}};
   const std::string error = expected.at("error").get<std::string>();
   if (error == "malformed") {
     result.error = ErrorCode::Malformed;
@@ -210,6 +210,7 @@ RefuseQuestion to_refuse_question(const json& expected) {
   if (expected.contains("dimension")) {
     result.dimension = static_cast<int>(to_integer(expected["dimension"], -1, 2));
   }
+  if (expected.contains("points")) result.points = PointSet(to_points(expected["points"]));
   return result;
 }
 

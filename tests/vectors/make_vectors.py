@@ -224,7 +224,8 @@ def add_refusals(collection):
             ["malformed"],
             given,
             {"ask": "refuse"},
-            {"error": error, "exit": 3},
+            {"error": error, "exit": 3}
+            | ({"points": coordinates(refuse_cases.SOUND_POINTS)} if name in refuse_cases.MALFORMED_FACES else {}),
             {"kind": "definition", "why": "the format's own rules"},
             (content, form),
         )

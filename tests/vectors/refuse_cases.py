@@ -11,6 +11,21 @@ OBJ_POINTS = "v 0 0 0\nv 3 0 0\nv 0 4 0\nv 0 0 5\n"
 OBJ_FACES = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
 
 
+# The points of files in which nothing but the faces is malformed: a program that reads points only
+# may accept these.
+SOUND_POINTS = [(0, 0, 0), (3, 0, 0), (0, 4, 0), (0, 0, 5)]
+MALFORMED_FACES = [
+    "obj-index-zero",
+    "obj-index-beyond",
+    "obj-index-negative",
+    "off-index",
+    "off-cut-off",
+    "ply-index",
+    "ply-fewer-faces",
+    "ply-more-faces",
+]
+
+
 def malformed_inputs():
     """Yields name, title, bytes, format, error."""
     obj = OBJ_POINTS + OBJ_FACES

@@ -52,7 +52,12 @@ struct VerifyQuestion {
 struct RefuseQuestion {
   ErrorCode error;               ///< Malformed, NotFinite or NoInterior.
   std::optional<int> dimension;  ///< Of points that span no volume.
+  /// The points of a malformed file whose points are sound: of its faces a program that reads
+  /// points only knows nothing.
+  std::optional<PointSet> points = {};
 };
+/// What {faces} stands for in a run on an input that is to be refused.
+inline constexpr std::size_t kFacesOfRefusals = 8;
 
 struct TestVector {
   std::string id, title;
