@@ -11,12 +11,6 @@
 namespace convexact::cli {
 namespace {
 
-bool mentions(const std::vector<std::string>& words, const std::string& placeholder) {
-  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
-    return word.find(placeholder) != std::string::npos;
-  });
-}
-
 // The first claim that the output violates, if there is one.
 std::optional<std::string> violation_of(const ProgramCase& program, const Shape& input,
                                         const std::string& output) {
@@ -32,6 +26,12 @@ std::optional<std::string> violation_of(const ProgramCase& program, const Shape&
 }
 
 }  // namespace
+
+bool mentions(const std::vector<std::string>& words, const std::string& placeholder) {
+  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+    return word.find(placeholder) != std::string::npos;
+  });
+}
 
 void ProgramCase::require_sensible() const {
   const auto reject = [](const std::string& what) {

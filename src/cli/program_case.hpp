@@ -11,6 +11,9 @@
 
 namespace convexact::cli {
 
+/// Whether a placeholder such as "{input}" is in one of the words.
+[[nodiscard]] bool mentions(const std::vector<std::string>& words, const std::string& placeholder);
+
 /// What counts as a failure.
 enum class FailsIf {
   Either,   ///< Exit first; the verdict if the program succeeded.

@@ -4,12 +4,18 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <mutex>
 #include <vector>
 
 #include "convexact/error.hpp"
 
 namespace convexact::cli {
 namespace {
+
+std::mutex& paths_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
 
 std::vector<std::string>& all_paths() {
   static std::vector<std::string> paths;
@@ -23,12 +29,14 @@ ScratchFolder::ScratchFolder() {
   if (mkdtemp(path_.data()) == nullptr) {
     throw Error(ErrorCode::Unwritable, "no folder for temporary files can be made");
   }
+  const std::lock_guard lock(paths_mutex());
   all_paths().push_back(path_);
 }
 
 ScratchFolder::~ScratchFolder() {
   std::error_code ignored;
   std::filesystem::remove_all(path_, ignored);
+  const std::lock_guard lock(paths_mutex());
   std::erase(all_paths(), path_);
 }
 

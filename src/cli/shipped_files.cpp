@@ -14,6 +14,7 @@ std::optional<fs::path> find_shipped(const fs::path& name,
   std::vector<fs::path> places = {folder / "../share/convexact" / name};
   for (fs::path above = folder; above != above.parent_path(); above = above.parent_path()) {
     places.push_back(above / "tests" / name);
+    places.push_back(above / "share/convexact" / name);
   }
   places.push_back(fs::path(CONVEXACT_DATADIR) / name);
   for (const fs::path& place : places) {

@@ -7,9 +7,9 @@
 
 namespace convexact::cli {
 
-/// The first place that `is_it` accepts for "vectors", "data/bunny.obj" and the like: beside the
-/// installed program, in the source of one that runs where it was built, or where it was to be
-/// installed.
+/// The first place that `is_it` accepts for "vectors", "data/bunny.obj", "profiles.json" and the
+/// like: beside the installed program, in the source of one that runs where it was built, or where
+/// it was to be installed.
 [[nodiscard]] std::optional<std::filesystem::path> find_shipped(
     const std::filesystem::path& name,
     const std::function<bool(const std::filesystem::path&)>& is_it);

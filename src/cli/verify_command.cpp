@@ -12,7 +12,7 @@
 #include "convexact/format/verdict_table.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
-#include "quantity_option.hpp"
+#include "promise_options.hpp"
 #include "scene.hpp"
 #include "verify_stdio.hpp"
 #include "verify_trace.hpp"
@@ -38,40 +38,58 @@ constexpr const char* kVerifyFooter =
 
 struct VerifyArguments {
   GlobalOptions global;
-  std::string input, candidate, claims, tolerance;
-  Decimal decimal = Decimal::Nearest, numbers = Decimal::Nearest;
-  bool no_tightness = false;
-  VerifyRequest request;
+  std::string input, candidate, claims;
+  Decimal decimal = Decimal::Nearest;
+  PromiseOptions promise;
+  bool exact_facets = false, no_tightness = false;
   TraceOptions trace;
   bool stdio = false;
   std::optional<double> time_limit;
 };
 
-// What the two options together say about the numbers of both files.
-Decimal meaning_of_numbers(const VerifyArguments& options) {
-  if (options.numbers == Decimal::Nearest) return options.decimal;
-  if (options.decimal == Decimal::Exact) {
+// What --numbers, or the profile, and --decimal together say about the numbers of both files.
+Decimal meaning_of_numbers(const Promise& promise, Decimal decimal) {
+  if (promise.numbers == Precision::Binary64) return decimal;
+  if (decimal == Decimal::Exact) {
     throw Error(ErrorCode::InvalidArgument,
                 "--numbers binary32 rounds and --decimal exact does not: name one of them");
   }
-  return options.numbers;
+  return Decimal::Nearest32;
 }
 
-VerifyRequest verify_request(const VerifyArguments& options) {
-  VerifyRequest request = options.request;
+// As promised; an enclosure unless a profile says more.
+Promise promise_of(const VerifyArguments& options) {
+  const Promise promise = options.promise.promise(Asks::Enclosure);
+  if (promise.asks != Asks::Inner) return promise;
+  throw Error(ErrorCode::InvalidArgument,
+              "--profile " + options.promise.profile +
+                  ": this program writes inner solids, which do not contain their input: judge "
+                  "them by conform");
+}
+
+VerifyRequest verify_request(const VerifyArguments& options, const Promise& promise) {
+  VerifyRequest request;
   request.claims = parse_claims(options.claims);
-  if (!options.tolerance.empty()) request.tolerance = parse_tolerance(options.tolerance);
+  request.tolerance = promise.tolerance;
+  request.max_facets = promise.max_facets;
+  request.exact_facets = options.exact_facets;
+  if (options.exact_facets && !request.max_facets) {
+    throw Error(ErrorCode::InvalidArgument, "--exact-facets needs --max-facets");
+  }
+  request.max_vertices = promise.max_vertices;
+  request.max_facet_vertices = promise.max_facet_vertices;
   request.tightness = !options.no_tightness;
   request.seed = options.global.seed;
   return request;
 }
 
 int run_verify_candidate(const VerifyArguments& options) {
-  const VerifyRequest request = verify_request(options);
+  const Promise promise = promise_of(options);
+  const VerifyRequest request = verify_request(options, promise);
   if (options.input == "-" && options.candidate == "-") {
     throw Error(ErrorCode::InvalidArgument, "standard input, -, can be read only once");
   }
-  const Decimal decimal = meaning_of_numbers(options);
+  const Decimal decimal = meaning_of_numbers(promise, options.decimal);
   Progress progress;
   StageLog log(progress.watch());
   const SceneObject input = log.run("read input", StageKind::Io, [&] {
@@ -113,8 +131,8 @@ int run_verify(const VerifyArguments& options) {
                 "name an INPUT, and a CANDIDATE or a --trace, but not both; or --stdio");
   }
   if (!has_trace) return run_verify_candidate(options);
-  return run_verify_trace(options.global, options.input, meaning_of_numbers(options),
-                          options.trace);
+  return run_verify_trace(options.global, options.input,
+                          meaning_of_numbers(promise_of(options), options.decimal), options.trace);
 }
 
 }  // namespace
@@ -130,28 +148,14 @@ void add_verify_command(CLI::App& program, int& exit_code) {
   command.add_option("CANDIDATE", options->candidate,
                      "what should enclose it: a mesh, or halfspaces (JSON, .ine, rows n1 n2 n3 d)");
   command.add_option("--claims", options->claims, "decide these claims only, separated by commas");
-  command.add_option("--tolerance", options->tolerance,
-                     "let violations up to this distance pass: 1e-6, or 1e-9d of the diameter");
-  VerifyRequest& request = options->request;
-  CLI::Option* max_facets =
-      add_count(command, "--max-facets", request.max_facets, {},
-                "coplanar faces count as one; those of a mesh also if only rounding bent them");
-  command
-      .add_flag("--exact-facets", request.exact_facets,
-                "let --max-facets count as one only what is coplanar exactly")
-      ->needs(max_facets);
-  add_count(command, "--max-vertices", request.max_vertices, {}, "corners of the solid");
-  add_count(command, "--max-facet-vertices", request.max_facet_vertices, {},
-            "corners of its largest facet");
+  add_promise_options(command, options->promise);
+  command.add_flag("--exact-facets", options->exact_facets,
+                   "let --max-facets count as one only what is coplanar exactly");
   command.add_flag("--no-tightness", options->no_tightness,
                    "do not measure volume, area, mean width and distance");
   add_choice<Decimal>(command, "--decimal", options->decimal,
                       {{"nearest", Decimal::Nearest}, {"exact", Decimal::Exact}},
                       "decimals in text mean the nearest double, or what they spell");
-  add_choice<Decimal>(command, "--numbers", options->numbers,
-                      {{"binary64", Decimal::Nearest}, {"binary32", Decimal::Nearest32}},
-                      "the numbers of both files are doubles, or binary32: each is rounded to the "
-                      "nearest as it is read");
   add_trace_options(command, options->trace);
   command.add_flag("--stdio", options->stdio,
                    "answer requests on standard input, one JSON object per line, with one verdict "

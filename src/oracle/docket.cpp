@@ -2,18 +2,10 @@
 #include <algorithm>
 
 #include "convexact/number/digits.hpp"
-#include "convexact/number/enclosure.hpp"
 #include "judge.hpp"
 
 namespace convexact::oracle {
 namespace {
-
-constexpr long kBits = 128;
-constexpr int kDigits = 3;
-
-std::string root_text(const Rational& squared) {
-  return to_decimal(sqrt(Enclosure(squared, kBits)), kDigits).value_or("?");
-}
 
 bool has_budget(const VerifyRequest& request, ClaimCode code) {
   switch (code) {
@@ -74,7 +66,7 @@ void Docket::violated_by(const Rational& squared_distance, ClaimCode code,
 }
 
 std::string Docket::distance_text(const Rational& squared) const {
-  return root_text(squared) + " (" + root_text(squared / verdict.squared_diameter) +
+  return decimal_of_root(squared) + " (" + decimal_of_root(squared / verdict.squared_diameter) +
          " of the diameter)";
 }
 

@@ -16,6 +16,11 @@ std::string describe(const Tolerance& tolerance) {
   return to_decimal(tolerance.value, 3) + (tolerance.relative ? " of the diameter" : "");
 }
 
+std::string decimal_of_root(const Rational& squared) {
+  constexpr long kBits = 128;
+  return to_decimal(sqrt(Enclosure(squared, kBits)), 3).value_or("?");
+}
+
 Tolerance parse_tolerance(std::string_view text) {
   Tolerance tolerance;
   tolerance.relative = text.ends_with('d');

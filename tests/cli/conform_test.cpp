@@ -98,7 +98,7 @@ TEST_CASE("conform: as tight as greedy where ties decide nothing") {
   for (const json& entry : report["vectors"]) {
     if (!entry.contains("tightness")) continue;
     ++known;
-    CHECK(entry["tightness"].get<double>() == doctest::Approx(1));
+    CHECK(std::stod(entry["tightness"].get<std::string>()) == doctest::Approx(1));
   }
   CHECK(known > 5);
 }
@@ -115,7 +115,7 @@ TEST_CASE("conform: every kind of failure is told apart") {
       {"empty-output", {"no-solid"}, {"accepted-unusable"}},
       {"noise", {"unreadable-output"}, {"accepted-unusable"}},
       {"nan", {"unreadable-output"}, {"accepted-unusable"}},
-      {"cut-off", {"not-enclosing"}, {"passed"}},
+      {"half", {"not-enclosing"}, {"passed"}},
       {"hole", {"broken-mesh"}, {"passed"}},
       {"inside-out", {"broken-mesh"}, {"passed"}},
   };
@@ -133,6 +133,141 @@ TEST_CASE("conform: every kind of failure is told apart") {
     CHECK(outcomes.simplify.empty());
     CHECK(outcomes.refuse == c.refuse);
   }
+}
+
+TEST_CASE("conform: a leak by a rounding is the last of the failures, and told apart (#13)") {
+  const json report = conform_wrong("cut-off", "--level 1 --flag valence", 1);
+  for (const json& entry : report["vectors"]) {
+    CAPTURE(entry.dump());
+    const json& last = entry["failures"].back();
+    CHECK(last["outcome"] == "not-enclosing");
+    CHECK(last["rounding"] == true);
+    CHECK(entry["excess"]["points"] > 0);
+  }
+}
+
+TEST_CASE("conform: nonsense that holds the points does not conform (#13)") {
+  for (const auto& [mode, outcome] :
+       {std::pair("inner-faces", "not-convex"), std::pair("huge", "too-loose")}) {
+    const json report = conform_wrong(mode, "--level 1 --flag valence", 1);
+    CHECK(outcomes_of(report).simplify == Set{outcome});
+    CHECK(report["conforms"] == false);
+  }
+}
+
+TEST_CASE("conform: a program that reads points only need not refuse malformed faces (#13)") {
+  const json report = conform_wrong("points-only", "--level 1 --flag malformed", 1);
+  for (const json& entry : report["vectors"]) {
+    const std::string id = entry["id"];
+    if (id.starts_with("malformed-obj-index")) CHECK(entry["outcome"] == "passed");
+    if (id == "malformed-obj-two-coordinates") CHECK(entry["outcome"] == "accepted-unusable");
+  }
+}
+
+TEST_CASE("conform: an empty output is no solid in every format (#13)") {
+  for (const char* format : {"obj", "off", "ply", "stl", "json", "ine", "txt"}) {
+    CAPTURE(std::string(format));
+    const json report = conform_wrong(
+        "empty-output", "--level 1 --flag valence --output-format " + std::string(format), 1);
+    CHECK(outcomes_of(report).simplify == Set{"no-solid"});
+  }
+}
+
+TEST_CASE("conform: the report is the same for any number of jobs (#13)") {
+  const auto report_of = [](const char* jobs) {
+    json report = conform_wrong("hull", "--level 1 --flag ties --jobs " + std::string(jobs), 1);
+    for (json& entry : report["vectors"]) entry.erase("seconds");
+    return report;
+  };
+  CHECK(report_of("1") == report_of("3"));
+}
+
+TEST_CASE("conform: hulls are asked of programs that are no simplifiers (#13)") {
+  const std::string program = std::string("'") + std::getenv("CONVEXACT_WRONG_PROGRAM") + "' ";
+  const std::string hull = program + "hull {input} 0 {output}";
+  const auto run = [&](const std::string& options, const std::string& words) {
+    const auto ran = run_program("conform --json --level 1 " + options + vectors() + "-- " + words);
+    const json report = json::parse(ran.out);
+    CHECK(schema_complaint("conformance", report) == "");
+    CHECK(ran.exit == (report["conforms"].get<bool>() ? 0 : 1));
+    return report;
+  };
+  for (const char* options : {"--asks hull", "--asks inner", "--asks enclosure", ""}) {
+    CAPTURE(std::string(options));
+    const json report = run(options, hull);
+    CHECK(report["conforms"] == true);
+    CHECK(report["total"] > 50);
+  }
+  CHECK(run("", hull)["promise"]["asks"] == "enclosure");
+  CHECK(run("--asks hull --flag valence", program + "huge {input} 0 {output}")["passed"] == 0);
+  CHECK(run("--asks hull --flag valence", program + "cut-off {input} 0 {output}")["passed"] == 0);
+  CHECK(run("--asks inner --flag valence", program + "cut-off {input} 0 {output}")["conforms"] ==
+        true);
+}
+
+TEST_CASE("conform: nine digits are the binary32 number that was meant (#13)") {
+  const std::string words = std::string("-- '") + std::getenv("CONVEXACT_WRONG_PROGRAM") +
+                            "' nine-digits {input} 0 {output}";
+  const std::string base = "conform --json --level 1 --asks hull" + vectors();
+  const json as_float = json::parse(run_program(base + "--numbers binary32 " + words).out);
+  CHECK(as_float["conforms"] == true);
+  CHECK(as_float["promise"]["numbers"] == "binary32");
+  CHECK(run_program(base + words).exit == 1);  // read as doubles, they are others
+}
+
+TEST_CASE("conform: the shipped profiles fit their schema (#13)") {
+  const std::string path =
+      std::string(std::getenv("CONVEXACT_VECTORS")) + "/../../share/convexact/profiles.json";
+  CHECK(schema_complaint("profiles", json::parse(bytes_of(path))) == "");
+}
+
+TEST_CASE("conform: profiles, overridden by options, and named if unknown (#13)") {
+  const std::string words =
+      std::string("-- '") + std::getenv("CONVEXACT_WRONG_PROGRAM") + "' hull {input} 0 {output}";
+  const auto promise_of = [&](const std::string& options) {
+    const auto ran =
+        run_program("conform --json --level 1 --flag duplicates " + options + vectors() + words);
+    CHECK(ran.exit == 0);
+    return json::parse(ran.out)["promise"];
+  };
+  const json jolt = promise_of("--profile jolt");
+  CHECK(jolt["profile"] == "jolt");
+  CHECK(jolt["asks"] == "hull");
+  CHECK(jolt["numbers"] == "binary32");
+  CHECK(jolt["allow_flat"] == true);
+  CHECK(jolt["max_vertices"] == 256);
+  const json mine = promise_of("--profile jolt --numbers binary64 --tolerance 0 --max-vertices 99");
+  CHECK(mine["numbers"] == "binary64");
+  CHECK(mine["tolerance"] == "0");
+  CHECK(mine["max_vertices"] == 99);
+  const auto unknown = run_program("conform --profile jolly" + vectors() + words);
+  CHECK(unknown.exit == 2);
+  CHECK(unknown.err.find("bullet, jacobson, jolt, manifold, physx") != std::string::npos);
+}
+
+TEST_CASE("verify: a profile stands for numbers, tolerance and caps (#13)") {
+  const ScratchFolder scratch;
+  const auto box = [&](const std::string& name, const std::string& height) {
+    std::string text;
+    for (const char* z : {"-1", height.c_str()}) {
+      for (const char* xy : {"-1 -1", "1 -1", "-1 1", "1 1"}) {
+        text += std::string("v ") + xy + " " + z + "\n";
+      }
+    }
+    return scratch.write(
+        name, text + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
+  };
+  const std::string files = "verify " + box("in.obj", "1") + " " + box("out.obj", "0.9995") + " ";
+  CHECK(run_program(files).exit == 1);
+  CHECK(run_program(files + "--profile jolt").exit == 0);
+  CHECK(run_program(files + "--profile jolt --tolerance 0").exit == 1);
+  CHECK(run_program(files + "--profile jolt --max-vertices 7").exit == 1);
+  CHECK(run_program(files + "--profile jolt --decimal exact").exit == 2);
+  CHECK(run_program(files + "--profile jolt --numbers binary64 --decimal exact").exit == 0);
+  CHECK(run_program(files + "--profile vhacd").exit == 2);
+  const auto unknown = run_program(files + "--profile jolly");
+  CHECK(unknown.exit == 2);
+  CHECK(unknown.err.find("jolt, manifold") != std::string::npos);
 }
 
 TEST_CASE("conform: the hull itself has too many facets") {
@@ -173,6 +308,7 @@ TEST_CASE("conform: the reports agree with each other") {
   const std::string score = std::to_string(report["passed"].get<int>()) + "/" +
                             std::to_string(report["total"].get<int>());
   CHECK(report["flags"]["ties"]["all"]["passed"] == report["passed"]);
+  CHECK(ran.out.find("times (") != std::string::npos);  // the vector of the largest volume
   std::map<std::string, int> outcomes;
   for (const json& entry : report["vectors"]) ++outcomes[entry["outcome"]];
   for (const auto& [name, count] : outcomes) CHECK(report["outcomes"][name] == count);
@@ -194,7 +330,10 @@ TEST_CASE("conform: the shipped vectors are found without being named") {
 TEST_CASE("conform: wrong usage") {
   const ScratchFolder scratch;
   for (const std::string arguments :
-       {"conform", "conform -- false {input} {output}",
+       {"conform", "conform --asks simplify -- false {input} {output}",
+        "conform --asks nothing -- false {input} {output}",
+        "conform --numbers binary16 -- false {input} {output}", "conform -- false {input} {faces}",
+        "conform --jobs 0 -- false {input} {faces} {output}",
         "conform -- /no/such {input} {faces} {output}",
         "conform --level 4 -- false {input} {faces} {output}",
         "conform --time-limit 0 -- false {input} {faces} {output}",

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // conformance_report.hpp - how a program did on the vectors: as text, Markdown, JSON and a badge.
 #pragma once
+#include <map>
 #include <nlohmann/json_fwd.hpp>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -19,15 +19,18 @@ struct ConformanceEntry {
 
 struct ConformanceReport {
   std::string program;  ///< The command as it was given.
-  std::vector<ConformanceEntry> entries;
-  std::size_t not_run = 0;  ///< Vectors that ask what no program can answer, or in another format.
+  std::string profile;  ///< Its name, or empty.
+  Promise promise;
+  std::vector<ConformanceEntry> entries;       ///< In the order of the vectors.
+  std::map<NotRun, std::size_t> not_run = {};  ///< How many vectors were not put to it, and why.
 
   std::size_t passed() const;
   /// Whether every required vector passed.
   bool conforms() const;
 };
 
-/// A matrix of passed/total by flag and level, the failures by kind, and how tight the outputs are.
+/// A matrix of passed/total by flag and level, the failures by kind and the worst first, how far
+/// points are outside, and how tight the outputs are.
 [[nodiscard]] std::string conformance_text(const ConformanceReport& report);
 /// The same as a Markdown document.
 [[nodiscard]] std::string conformance_markdown(const ConformanceReport& report);

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "conform_run.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <exception>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "command.hpp"
+#include "convexact/format/candidate_file.hpp"
+#include "convexact/format/halfspace_file.hpp"
+#include "convexact/hull/hull.hpp"
+#include "convexact/io/read_bytes.hpp"
+#include "convexact/io/write_mesh.hpp"
+#include "progress.hpp"
+#include "scratch_folder.hpp"
+
+namespace convexact::cli {
+namespace {
+
+using RunResult = std::variant<ConformanceEntry, NotRun>;
+
+// The points and the facets of their hull, so that programs that want a closed surface are served
+// as well as those that read points only; nothing if the format cannot hold them.
+std::optional<std::string> mesh_bytes(const PointSet& points, MeshFormat format,
+                                      Precision precision) {
+  Mesh mesh;
+  mesh.points = points;
+  const HullOutcome outcome = convex_hull(points);
+  if (const auto* hull = std::get_if<Hull>(&outcome)) {
+    for (std::size_t f = 0; f < hull->facets.size(); ++f) {
+      auto& polygon = mesh.polygons.emplace_back();
+      for (const PointId corner : hull->facets[f]) polygon.push_back(corner.value);
+    }
+  } else if (format == MeshFormat::Stl) {
+    return std::nullopt;  // no triangles to write
+  }
+  return write_mesh(mesh, format, {.precision = precision});
+}
+
+// The input as the program gets it; nothing if the format cannot hold it.
+std::optional<std::string> input_bytes(const TestVector& vector, const ConformRun& options) {
+  const std::string name = "input." + options.input_format;
+  const auto mesh_format = mesh_format_of_path(name);
+  if (const auto* file = std::get_if<RawFile>(&vector.input)) {
+    if (file->extension != options.input_format) return std::nullopt;
+    return file->bytes;
+  }
+  if (const auto* list = std::get_if<HalfspaceList>(&vector.input)) {
+    if (mesh_format || list->impossible_row) return std::nullopt;
+    return write_halfspaces(list->halfspaces, *halfspace_format_of_path(name));
+  }
+  if (!mesh_format) return std::nullopt;
+  return mesh_bytes(std::get<PointSet>(vector.input), *mesh_format, options.promise.numbers);
+}
+
+std::size_t faces_of(const TestVector& vector) {
+  if (const auto* question = std::get_if<SimplifyQuestion>(&vector.question)) {
+    return question->faces;
+  }
+  const auto* hull = std::get_if<HullQuestion>(&vector.question);
+  return hull == nullptr ? kFacesOfRefusals : hull->facets;
+}
+
+// A file of no bytes, or of blanks, is no solid whatever its format; only some formats call it
+// malformed.
+std::optional<Candidate> candidate_in(const std::string& path, Precision numbers) {
+  if (!std::filesystem::is_regular_file(path)) return std::nullopt;
+  const std::string bytes = read_bytes(path);
+  if (bytes.find_first_not_of(" \t\r\n") == std::string::npos) return Mesh{};
+  return read_candidate_bytes(
+      bytes, path, numbers == Precision::Binary32 ? Decimal::Nearest32 : Decimal::Nearest);
+}
+
+RunResult run_vector(const TestVector& vector, const ConformRun& options) {
+  const auto put = as_put(vector, options.promise);
+  if (const auto* reason = std::get_if<NotRun>(&put)) return *reason;
+  const auto& given = std::get<TestVector>(put);
+  const std::optional<std::string> bytes = input_bytes(given, options);
+  if (!bytes) return NotRun::OtherFormat;
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("input." + options.input_format, *bytes);
+  const std::string output = scratch.file("output." + options.output_format);
+  const std::vector<std::string> words =
+      fill_in(options.program,
+              {{"input", input}, {"faces", std::to_string(faces_of(given))}, {"output", output}});
+  const ProgramRun run = run_program(words, options.limits, &interrupted());
+  if (run.end == ProgramEnd::NotStarted) {
+    throw Error(ErrorCode::InvalidArgument,
+                "the program '" + options.program.front() + "' cannot be started");
+  }
+  std::optional<Candidate> candidate;
+  if (run.succeeded()) candidate = candidate_in(output, options.promise.numbers);
+  return ConformanceEntry{
+      &vector, judge_run(given, options.promise, run, options.limits, candidate, &interrupted()),
+      run.seconds};
+}
+
+// Calls work(i) for each i below count, in `jobs` threads, and finished(count) after each. What is
+// thrown for the lowest i is thrown on.
+void for_each_in_parallel(std::size_t count, std::size_t jobs,
+                          const std::function<void(std::size_t)>& work,
+                          const std::function<void(std::size_t)>& finished) {
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> has_failed = false;
+  std::vector<std::exception_ptr> errors(count);
+  std::mutex mutex;  // of `finished` and `done`
+  std::size_t done = 0;
+  const auto run = [&] {
+    for (std::size_t i = next++; i < count && !has_failed; i = next++) {
+      try {
+        work(i);
+      } catch (...) {
+        errors[i] = std::current_exception();
+        has_failed = true;
+      }
+      const std::lock_guard lock(mutex);
+      finished(++done);
+    }
+  };
+  std::vector<std::thread> threads;
+  for (std::size_t k = 1; k < std::min(jobs, count); ++k) threads.emplace_back(run);
+  run();
+  for (std::thread& thread : threads) thread.join();
+  for (const std::exception_ptr& error : errors) {
+    if (error) std::rethrow_exception(error);
+  }
+}
+
+}  // namespace
+
+ConformanceReport run_vectors(std::span<const TestVector> vectors,
+                              const std::function<bool(const TestVector&)>& is_chosen,
+                              const ConformRun& options) {
+  ConformanceReport report;
+  report.program = fmt::format("{}", fmt::join(options.program, " "));
+  report.promise = options.promise;
+  std::vector<const TestVector*> chosen;
+  for (const TestVector& vector : vectors) {
+    if (!is_chosen(vector)) continue;
+    const bool is_simplify = options.promise.asks == Asks::Simplify;
+    if (!is_simplify && repeats_hull_vector(vector, vectors)) {
+      ++report.not_run[NotRun::AsksOtherwise];
+    } else {
+      chosen.push_back(&vector);
+    }
+  }
+  Progress progress;
+  std::vector<std::optional<RunResult>> results(chosen.size());
+  for_each_in_parallel(
+      chosen.size(), options.jobs,
+      [&](std::size_t i) {
+        if (interrupted()) throw Error(ErrorCode::Stopped, "interrupted");
+        results[i] = run_vector(*chosen[i], options);
+      },
+      [&](std::size_t done) { progress("running vectors", done, chosen.size()); });
+  for (std::optional<RunResult>& result : results) {
+    if (const auto* reason = std::get_if<NotRun>(&*result)) {
+      ++report.not_run[*reason];
+    } else {
+      report.entries.push_back(std::get<ConformanceEntry>(std::move(*result)));
+    }
+  }
+  return report;
+}
+
+}  // namespace convexact::cli

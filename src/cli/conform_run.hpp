@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// conform_run.hpp - somebody's program over vectors, several at a time.
+#pragma once
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "convexact/format/conformance_report.hpp"
+
+namespace convexact::cli {
+
+struct ConformRun {
+  std::vector<std::string> program;  ///< Its words, with {input}, {output} and perhaps {faces}.
+  ProgramLimits limits{30, 0};
+  std::string input_format = "obj", output_format = "obj";  ///< Extensions.
+  std::size_t jobs = 1;                                     ///< Vectors at the same time.
+  Promise promise;
+};
+
+/// Runs the program over those of the vectors that are chosen, and judges what it writes. Nothing
+/// in the result but the seconds depends on the number of jobs. An interrupt ends it.
+/// @throws Error InvalidArgument if the program cannot be started; Stopped.
+[[nodiscard]] ConformanceReport run_vectors(std::span<const TestVector> vectors,
+                                            const std::function<bool(const TestVector&)>& is_chosen,
+                                            const ConformRun& options);
+
+}  // namespace convexact::cli

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "promise_options.hpp"
+
+#include <filesystem>
+
+#include "convexact/error.hpp"
+#include "convexact/format/profiles.hpp"
+#include "convexact/io/read_bytes.hpp"
+#include "convexact/number/decimal.hpp"
+#include "quantity_option.hpp"
+#include "shipped_files.hpp"
+
+namespace convexact::cli {
+namespace {
+
+Profile find_profile(const std::string& name) {
+  const auto path = find_shipped("profiles.json",
+                                 [](const auto& place) { return std::filesystem::exists(place); });
+  if (!path) throw Error(ErrorCode::Unreadable, "the shipped profiles.json is not to be found");
+  try {
+    return profile_of_name(read_profiles_bytes(read_bytes(*path)), name);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::Malformed) throw;
+    throw error.in_file(*path);
+  }
+}
+
+template <class Value>
+void override_by(Value& value, const auto& given) {
+  if (given) value = *given;
+}
+
+// An option that takes one of a few words.
+template <class Value>
+void add_word(CLI::App& command, const std::string& name, std::optional<Value>& value,
+              const std::vector<std::pair<std::string, Value>>& words, const std::string& meaning) {
+  std::string list;
+  for (const auto& [word, meant] : words) list += (list.empty() ? "" : "|") + word;
+  add_text(command, name, meaning, [&value, words, list](const auto& option, const auto& text) {
+    for (const auto& [word, meant] : words) {
+      if (word == text) value = meant;
+    }
+    if (value) return;
+    throw Error(ErrorCode::InvalidArgument,
+                option + ": expected " + list + ", found " + in_quotes(text));
+  })->type_name(list);
+}
+
+}  // namespace
+
+Promise PromiseOptions::promise(Asks asks_by_default) const {
+  Promise result;
+  result.asks = asks_by_default;
+  if (!profile.empty()) result = find_profile(profile).promise;
+  override_by(result.asks, asks);
+  override_by(result.numbers, numbers);
+  override_by(result.max_facets, max_facets);
+  override_by(result.max_vertices, max_vertices);
+  override_by(result.max_facet_vertices, max_facet_vertices);
+  if (!tolerance.empty()) result.tolerance = parse_tolerance(tolerance);
+  result.allow_flat = result.allow_flat || allow_flat;
+  return result;
+}
+
+void add_promise_options(CLI::App& command, PromiseOptions& options) {
+  command.add_option("--profile", options.profile,
+                     "what a known engine promises, by its name: docs/conform.md has the list; "
+                     "other options override it");
+  command.add_option("--tolerance", options.tolerance,
+                     "let violations up to this distance pass: 1e-6, or 1e-9d of the diameter");
+  add_word<Precision>(
+      command, "--numbers", options.numbers,
+      {{"binary64", Precision::Binary64}, {"binary32", Precision::Binary32}},
+      "the numbers of input and output are doubles, or binary32: each is rounded to the nearest "
+      "(default: binary64)");
+  add_count(command, "--max-facets", options.max_facets, {},
+            "coplanar faces count as one; those of a mesh also if only rounding bent them");
+  add_count(command, "--max-vertices", options.max_vertices, {}, "corners of the solid");
+  add_count(command, "--max-facet-vertices", options.max_facet_vertices, {},
+            "corners of its largest facet");
+}
+
+void add_asking_options(CLI::App& command, PromiseOptions& options) {
+  add_word<Asks>(command, "--asks", options.asks,
+                 {{"enclosure", Asks::Enclosure},
+                  {"hull", Asks::Hull},
+                  {"inner", Asks::Inner},
+                  {"simplify", Asks::Simplify}},
+                 "what the program writes: an enclosure, the hull, a solid inside it, or an "
+                 "enclosure of {faces} facets (default: simplify with {faces}, else enclosure)");
+  command.add_flag("--allow-flat", options.allow_flat,
+                   "accepting points without volume does not count against the program");
+}
+
+}  // namespace convexact::cli

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// promise_options.hpp - what a program promises, from --profile and single options.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "convexact/oracle/promise.hpp"
+
+namespace convexact::cli {
+
+/// Options as they were given; what is not given comes from the profile, or is as in Promise.
+struct PromiseOptions {
+  std::string profile, tolerance;
+  std::optional<Asks> asks;
+  std::optional<Precision> numbers;
+  bool allow_flat = false;
+  std::optional<std::size_t> max_facets, max_vertices, max_facet_vertices;
+
+  /// @param asks_by_default  If neither the options nor a profile say.
+  /// @throws Error InvalidArgument for an unknown profile or a tolerance that is none.
+  Promise promise(Asks asks_by_default) const;
+};
+
+/// --profile, --tolerance, --numbers and the three caps.
+void add_promise_options(CLI::App& command, PromiseOptions& options);
+/// --asks and --allow-flat.
+void add_asking_options(CLI::App& command, PromiseOptions& options);
+
+}  // namespace convexact::cli

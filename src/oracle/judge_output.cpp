@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+// What is right of an output: the claims of verify(), the volume, and what the program promises.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "conformance_judge.hpp"
+#include "convexact/lp/feasibility.hpp"
+#include "convexact/measure/bounding_box.hpp"
+#include "convexact/measure/distance.hpp"
+#include "convexact/measure/volume.hpp"
+#include "convexact/number/digits.hpp"
+#include "convexact/oracle/planar_patches.hpp"
+#include "convexact/pipeline/simplify.hpp"
+
+namespace convexact::oracle {
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+constexpr long kBits = 96;  // of measures that are compared or printed
+constexpr int kDigits = 6;  // of numbers in sentences
+
+void judge_claims(Case& c) {
+  const Verdict& verdict = c.verdict;
+  const auto violated = [&](ClaimCode code) { return verdict[code].status == Status::Violated; };
+  const auto sentence = [&](ClaimCode code) {
+    return std::string(name_of(code)) + ": " + verdict[code].sentence;
+  };
+  const auto distance = [&](ClaimCode code) {
+    return c.relative(verdict[code].witness.squared_distance.value_or(0));
+  };
+  using enum ClaimCode;
+  for (const auto& [code, outcome] :
+       {std::pair(CandidateReadable, Outcome::UnreadableOutput),
+        std::pair(CandidateFinite, Outcome::UnreadableOutput),
+        std::pair(CandidateSolid, Outcome::NoSolid), std::pair(CandidateBounded, Outcome::NoSolid),
+        std::pair(MeshClosed, Outcome::BrokenMesh), std::pair(MeshOriented, Outcome::BrokenMesh),
+        std::pair(MaxVertices, Outcome::TooManyVertices),
+        std::pair(MaxFacetVertices, Outcome::TooManyFacetVertices)}) {
+    if (violated(code)) c.fail(outcome, sentence(code));
+  }
+  if (violated(ContainsInput) && c.solid) {
+    c.fail(Outcome::NotEnclosing, sentence(ContainsInput), distance(ContainsInput),
+           leak_is_rounding(c));
+  }
+  if (!c.solid || (!violated(MeshPlanar) && !violated(MeshConvex))) return;
+  const bool is_sound = !violated(MeshClosed) && !violated(MeshOriented);
+  if (is_sound && faces_are_rounded(c)) {
+    c.result.notes.push_back("the faces are planar and convex up to the rounding of their corners");
+    return;
+  }
+  for (const ClaimCode code : {MeshConvex, MeshPlanar}) {
+    if (violated(code)) c.fail(Outcome::NotConvex, sentence(code), distance(code));
+  }
+}
+
+// How many times an enclosure may be as large as the box of the input: a tetrahedron of 4.5 times
+// its volume holds a box, and six faces hold it exactly; twice that.
+int most_boxes(const Case& c) {
+  const auto* question = c.simplification();
+  return c.asks(Asks::Simplify) && question != nullptr && question->faces >= 6 ? 2 : 9;
+}
+
+// Of the exact greedy run: known by the vector, or found.
+Rational greedy_volume(const Case& c, std::size_t faces) {
+  if (const auto* question = c.simplification(); question->volume) return *question->volume;
+  SimplifyRequest request;
+  request.faces = faces;
+  request.exact_volumes = true;
+  StageLog log;
+  const SimplifyOutcome outcome = simplify(c.given.points, request, log);
+  return std::get<SimplifyResult>(outcome).output_volume.exact.value();
+}
+
+// Enclosures only: an inner solid is as small as it likes.
+void judge_volume(Case& c) {
+  const Enclosure about = enclose_volume(*c.solid, kBits);
+  const Enclosure hull = enclose_volume(c.given.hull, kBits);
+  const auto* question = c.simplification();
+  const bool is_greedy = c.asks(Asks::Simplify) && question != nullptr;
+  const auto middle = [](const Enclosure& x) { return Rational((x.low() + x.high()) / 2); };
+  if (!is_greedy) {
+    c.result.tightness = middle(about / hull);
+  } else if (question->volume) {
+    c.result.tightness = middle(about) / *question->volume;
+  }
+  if (c.asks(Asks::Inner)) return;
+  const RationalVector3 size = bounding_box(c.given.points).size();
+  Rational most = most_boxes(c) * size[0] * size[1] * size[2];
+  if (about.high() <= most) return;
+  std::string limit = fmt::format("{} times the axis-aligned box", most_boxes(c));
+  if (is_greedy) {
+    const Rational twice = 2 * greedy_volume(c, question->faces);
+    if (twice > most) {
+      most = twice;
+      limit = "twice the exact greedy result";
+    }
+  }
+  const Rational exact = volume(*c.solid);
+  if (exact <= most) return;
+  c.fail(Outcome::TooLoose,
+         fmt::format("its volume is {}; acceptable is up to {}, {}", to_decimal(exact, kDigits),
+                     to_decimal(most, kDigits), limit),
+         exact / most);
+}
+
+// Whether no facet can go: what the others bound reaches to infinity, for each of them.
+bool is_stuck(const std::vector<Halfspace>& planes) {
+  for (std::size_t gone = 0; gone < planes.size(); ++gone) {
+    std::vector<Halfspace> others = planes;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(gone));
+    if (std::holds_alternative<BoundedProof>(find_recession(others))) return false;
+  }
+  return true;
+}
+
+std::optional<std::size_t> most_facets(const TestVector& vector, const Promise& promise) {
+  std::optional<std::size_t> most = promise.max_facets;
+  const auto* question = std::get_if<SimplifyQuestion>(&vector.question);
+  if (promise.asks == Asks::Simplify && question != nullptr) {
+    const std::size_t wanted = std::max(question->faces, question->facets);
+    most = std::min(most.value_or(wanted), wanted);
+  }
+  return most;
+}
+
+// A simplification that cannot lose any more is forgiven, unless it breaks the program's promise.
+void judge_facets(Case& c) {
+  const Claim& claim = c.verdict[ClaimCode::MaxFacets];
+  if (claim.status != Status::Violated || !c.solid) return;
+  const std::size_t found = claim.witness.count.value_or(0);
+  const bool is_promised = !c.promise.max_facets || found <= *c.promise.max_facets;
+  if (c.asks(Asks::Simplify) && is_promised && is_stuck(c.solid->planes)) return;
+  c.fail(Outcome::TooManyFacets, std::string(name_of(claim.code)) + ": " + claim.sentence, found);
+}
+
+// The least k such that the root of the square is at most 10^k.
+int decade_of(const Rational& squared) {
+  int k = 0;
+  Rational power = 1;
+  for (; power < squared; power *= 100) ++k;
+  for (; power / 100 >= squared; power /= 100) --k;
+  return k;
+}
+
+void measure(Case& c) {
+  c.result.outside = c.verdict.outside;
+  if (c.verdict.tightness) {
+    c.result.relative_squared_hausdorff = c.relative(c.verdict.tightness->squared_hausdorff);
+  }
+  if (!c.result.outside || c.result.outside->points == 0) return;
+  const NearestPoint nearest(*c.solid);
+  for (const RationalPoint& corner : c.given.hull.vertices) {
+    const Rational squared = (nearest(corner) - corner).squaredNorm();
+    if (squared != 0) ++c.result.outside_by_decade[decade_of(c.relative(squared))];
+  }
+}
+
+std::optional<Polytope> solid_of(const Candidate& output) {
+  StageLog log;
+  if (const auto* mesh = std::get_if<Mesh>(&output)) {
+    const auto made = make_hull(mesh->points, kSeed, false, log);
+    const auto* hull = std::get_if<Hull>(&made);
+    if (hull == nullptr) return std::nullopt;
+    return to_polytope(*hull, mesh->points);
+  }
+  const auto* list = std::get_if<HalfspaceList>(&output);
+  if (list == nullptr || list->impossible_row) return std::nullopt;
+  auto made = make_polytope(list->halfspaces, kSeed, log);
+  auto* polytope = std::get_if<Polytope>(&made);
+  return polytope == nullptr ? std::nullopt : std::optional(std::move(*polytope));
+}
+
+VerifyRequest request_of(const TestVector& vector, const Promise& promise) {
+  VerifyRequest request;
+  request.tolerance = promise.tolerance;
+  request.max_facets = most_facets(vector, promise);
+  request.slack_ulps = kRoundingUlps;
+  request.max_vertices = promise.max_vertices;
+  request.max_facet_vertices = promise.max_facet_vertices;
+  if (promise.asks == Asks::Inner) {
+    using enum ClaimCode;  // all but ContainsInput; the budgets are asked by their numbers
+    request.claims = {CandidateReadable, CandidateFinite, CandidateSolid, CandidateBounded,
+                      MeshClosed,        MeshOriented,    MeshPlanar,     MeshConvex};
+  }
+  return request;
+}
+
+const char* sentence_of_success(Asks asks) {
+  switch (asks) {
+    case Asks::Hull:
+      return "is the hull of the input";
+    case Asks::Inner:
+      return "is inside the hull of the input";
+    case Asks::Enclosure:
+    case Asks::Simplify:
+      break;
+  }
+  return "encloses the input";
+}
+
+}  // namespace
+
+std::optional<Given> given_by(const TestVector& vector) {
+  StageLog log;
+  if (const auto* points = std::get_if<PointSet>(&vector.input)) {
+    const auto made = make_hull(*points, kSeed, false, log);
+    const auto* hull = std::get_if<Hull>(&made);
+    if (hull == nullptr) return std::nullopt;
+    return Given{*points, to_polytope(*hull, *points)};
+  }
+  auto made = make_polytope(std::get<HalfspaceList>(vector.input).halfspaces, kSeed, log);
+  auto* polytope = std::get_if<Polytope>(&made);
+  if (polytope == nullptr) return std::nullopt;
+  PointSet corners(polytope->vertices);
+  return Given{std::move(corners), std::move(*polytope)};
+}
+
+Conformance judge_output(const TestVector& vector, const Promise& promise, const Candidate& output,
+                         const std::atomic<bool>* stop) {
+  std::optional<Given> given = given_by(vector);
+  if (!given)
+    throw Error(ErrorCode::InvalidArgument, "a vector asks to enclose what has no volume");
+  const auto* points = std::get_if<PointSet>(&vector.input);
+  const Shape input =
+      points != nullptr ? Shape(*points) : Shape(std::get<HalfspaceList>(vector.input).halfspaces);
+  StageLog log(StageWatch{.begins = {}, .stop = stop});
+  VerifyOutcome outcome = verify(input, output, request_of(vector, promise), log);
+  Case c{
+      vector,           promise, output, std::move(*given), std::get<Verdict>(std::move(outcome)),
+      solid_of(output), {}};
+  c.result.notes = c.verdict.notes;
+  judge_claims(c);
+  if (c.solid) {
+    judge_volume(c);
+    judge_facets(c);
+    if (c.asks(Asks::Hull)) judge_corners(c);
+    if (c.asks(Asks::Inner)) judge_inside(c);
+    measure(c);
+  }
+  std::stable_sort(c.result.failures.begin(), c.result.failures.end(), is_graver);
+  c.result.sentence = c.result.failures.empty() ? sentence_of_success(promise.asks)
+                                                : c.result.failures.front().sentence;
+  return c.result;
+}
+
+}  // namespace convexact::oracle
