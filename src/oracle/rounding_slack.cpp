@@ -6,17 +6,17 @@
 namespace convexact {
 namespace {
 
-using Row = std::array<Rational, 3>;
+using Magnitudes = std::array<Rational, 3>;
 
-Rational permanent(const Row& a, const Row& b, const Row& c) {
+Rational permanent(const Magnitudes& a, const Magnitudes& b, const Magnitudes& c) {
   return a[0] * (b[1] * c[2] + b[2] * c[1]) + a[1] * (b[0] * c[2] + b[2] * c[0]) +
          a[2] * (b[0] * c[1] + b[1] * c[0]);
 }
 
-Row magnitudes(const RationalVector3& v, const Rational& slack) {
-  Row row;
-  for (int k = 0; k < 3; ++k) row[k] = abs(v[k]) + slack;
-  return row;
+Magnitudes magnitudes(const RationalVector3& v, const Rational& slack) {
+  Magnitudes sizes;
+  for (int k = 0; k < 3; ++k) sizes[k] = abs(v[k]) + slack;
+  return sizes;
 }
 
 }  // namespace
