@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Property of trace: whatever somebody's removal order and its claims say about a small solid, the
 // judge's verdict is the one by definition: the halfspaces are intersected from scratch without
-// each candidate, at each step, in the state that the order has reached.
+// each candidate, at each step, in the state that the order has reached. Without the facets that it
+// blames for never being removed, the order does as the verdict says.
 #include <cstring>
 
 #include "cheapest_removals.hpp"
@@ -168,6 +169,22 @@ void check_steps(const TraceVerdict& verdict, const Expected& expected) {
   FUZZ_CHECK(verdict.other_ties == expected.other_ties);
 }
 
+// Without the facets that are to blame the order is what the note says.
+void check_left_out(const DualHull& solid, const RationalPoint& center, const RemovalOrder& order,
+                    JudgeOptions options, const TraceVerdict& verdict) {
+  if (!verdict.never_removed) return;
+  const LeftOut& left_out = *verdict.never_removed;
+  FUZZ_CHECK(!left_out.facets.empty() && left_out.steps > 0 && !verdict.holds());
+  for (const OrderedRemoval& removal : order.removals) {
+    FUZZ_CHECK(!std::binary_search(left_out.facets.begin(), left_out.facets.end(),
+                                   HalfspaceId(removal.facet)));
+  }
+  options.left_out = left_out.facets;
+  const TraceVerdict without = judge_trace(solid, center, order, options);
+  FUZZ_CHECK(without.rating == left_out.rating && without.at == left_out.at);
+  FUZZ_CHECK(without.worst == left_out.worst);
+}
+
 void hold(FuzzInput& in) {
   const PointSet points(in.grid_points(in.rarely() ? 9 : 6, 2));
   const HullOutcome outcome = convex_hull(points);
@@ -192,6 +209,7 @@ void hold(FuzzInput& in) {
     FUZZ_CHECK(expected.statuses.at(claim.code) == claim.status);
     FUZZ_CHECK(claim.witness.has_value() == (claim.status == Status::Violated));
   }
+  check_left_out(solid, center, maker.order(), options, verdict);
 }
 
 const FuzzTarget target("trace", hold);

@@ -9,6 +9,7 @@
 #include "convexact/oracle/judge_trace.hpp"
 #include "convexact/pipeline/solid.hpp"
 #include "progress.hpp"
+#include "quantity_option.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -25,6 +26,17 @@ Rational parse_regret(std::string text) {
   }
   throw Error(ErrorCode::InvalidArgument,
               "--max-regret: expected a share such as 5% or 0.05, found '" + spelled + "'");
+}
+
+// "1217,33".
+std::vector<HalfspaceId> parse_ids(const std::string& option, const std::string& text) {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+  std::vector<HalfspaceId> ids;
+  for (std::size_t first = 0, comma = 0; comma != text.npos; first = comma + 1) {
+    comma = text.find(',', first);
+    ids.emplace_back(parse_count(option, text.substr(first, comma - first), {0, kMost}));
+  }
+  return ids;
 }
 
 // The files of an order, read but not yet understood.
@@ -75,8 +87,9 @@ TraceVerdict judge(const Solid& solid, const OrderFiles& files, const TraceOptio
 }  // namespace
 
 void add_trace_options(CLI::App& command, TraceOptions& options) {
-  command.add_option("--trace", options.trace,
-                     "judge a removal order: a trace, rows nx ny nz d, or rows of facet ids");
+  CLI::Option* trace =
+      command.add_option("--trace", options.trace,
+                         "judge a removal order: a trace, rows nx ny nz d, or rows of facet ids");
   command.add_option(
       "--facets", options.facets,
       "with --trace: what its ids refer to, counted from 0: rows nx ny nz d, JSON or "
@@ -85,12 +98,23 @@ void add_trace_options(CLI::App& command, TraceOptions& options) {
       .add_option("--max-regret", options.max_regret,
                   "with --trace: how much dearer than the cheapest a removal may be, e.g. 1%")
       ->capture_default_str();
+  add_text(command, "--left-out",
+           "with --trace: facets that the order leaves out on purpose; it is judged on the solid "
+           "without them; positions among the input's facets in canonical order, as a verdict names "
+           "them",
+           [&options](const std::string& option, const std::string& text) {
+             options.left_out = parse_ids(option, text);
+           })
+      ->type_name("ID,...")
+      ->needs(trace);
 }
 
 int run_verify_trace(const GlobalOptions& global, const std::string& input, Decimal decimal,
                      const TraceOptions& options) {
   JudgeOptions judge_options;
   judge_options.max_regret = parse_regret(options.max_regret);
+  judge_options.left_out = options.left_out;
+  if (decimal == Decimal::Nearest32) judge_options.unit = 0x1p-24;
   judge_options.stop = &interrupted();
   if ((input == "-") + (options.trace == "-") + (options.facets == "-") > 1) {
     throw Error(ErrorCode::InvalidArgument, "standard input, -, can be read only once");

@@ -2,8 +2,10 @@
 // verify_trace.hpp - verify INPUT --trace FILE: somebody's removal order, judged.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "command.hpp"
+#include "convexact/geometry/ids.hpp"
 #include "scene.hpp"
 
 namespace convexact::cli {
@@ -12,9 +14,10 @@ struct TraceOptions {
   std::string trace;   ///< The file; empty if this is not asked for.
   std::string facets;  ///< What ids in it refer to; empty for canonical order.
   std::string max_regret = "0";
+  std::vector<HalfspaceId> left_out;  ///< In canonical order of the input's facets.
 };
 
-/// Adds --trace, --facets and --max-regret.
+/// Adds --trace, --facets, --max-regret and --left-out.
 void add_trace_options(CLI::App& command, TraceOptions& options);
 
 /// Judges the order, prints the verdict and returns the exit code: 0 if nothing is violated, else 1

@@ -27,9 +27,10 @@ ListedFacets by_row(const HalfspaceList& list) {
   return facets;
 }
 
-ListedFacets facets_for_ids(const std::optional<ListedFacets>& facets,
-                            std::span<const Halfspace> canonical) {
-  return facets ? *facets : ListedFacets(canonical.begin(), canonical.end());
+void set_facets(RemovalOrder& order, const std::optional<ListedFacets>& facets,
+                std::span<const Halfspace> canonical) {
+  order.facets = facets ? *facets : ListedFacets(canonical.begin(), canonical.end());
+  order.has_list = facets.has_value();
 }
 
 void require_no_list(const std::optional<ListedFacets>& facets) {
@@ -122,8 +123,9 @@ RemovalOrder read_json_order(std::string_view bytes, const std::optional<ListedF
   if (document.contains("halfspaces")) {
     require_no_list(facets);
     order.facets = by_row(read_halfspaces_json(bytes, decimal));
+    order.has_list = true;
   } else {
-    order.facets = facets_for_ids(facets, canonical);
+    set_facets(order, facets, canonical);
   }
   return order;
 }
@@ -185,7 +187,7 @@ RemovalOrder read_text_order(std::string_view bytes, const std::optional<ListedF
     return read_planes(bytes, decimal);
   }
   RemovalOrder order = read_ids(bytes);
-  order.facets = facets_for_ids(facets, canonical);
+  set_facets(order, facets, canonical);
   return order;
 }
 

@@ -6,6 +6,7 @@
 #include "convexact/format/summary.hpp"
 #include "convexact/format/trace_verdict.hpp"
 #include "convexact/number/digits.hpp"
+#include "convexact/number/enclosure.hpp"
 #include "convexact/pipeline/measured.hpp"
 #include "words.hpp"
 
@@ -88,29 +89,102 @@ std::string totals_text(const TraceVerdict& verdict) {
   return text;
 }
 
-}  // namespace
+// "facet 7", "facets 7, 12", "17 facets (7, 12, 30, 31, 40 and 12 more)".
+std::string facets_text(const std::vector<HalfspaceId>& facets) {
+  constexpr std::size_t kNamed = 5;
+  std::string ids;
+  for (std::size_t k = 0; k < std::min(kNamed, facets.size()); ++k) {
+    ids += (k > 0 ? ", " : "") + std::to_string(facets[k].index());
+  }
+  if (facets.size() == 1) return "facet " + ids;
+  if (facets.size() <= kNamed) return "facets " + ids;
+  return fmt::format("{} facets ({} and {} more)", with_separators(facets.size()), ids,
+                     with_separators(facets.size() - kNamed));
+}
 
-std::string verdict_line(const TraceVerdict& verdict) {
-  switch (verdict.rating) {
+std::string rating_line(TraceRating rating, std::optional<std::size_t> at,
+                        std::optional<std::size_t> worst, const std::optional<Rational>& regret) {
+  switch (rating) {
     case TraceRating::Greedy:
       return "greedy";
     case TraceRating::UpToRegret:
-      return fmt::format("greedy up to regret {} (step {})",
-                         to_decimal(*verdict.steps[*verdict.worst].regret, kRegretDigits),
-                         *verdict.worst);
+      return fmt::format("greedy up to regret {} (step {})", to_decimal(*regret, kRegretDigits),
+                         *worst);
     case TraceRating::NotGreedy:
-      return fmt::format("not greedy from step {}", *verdict.at);
+      return fmt::format("not greedy from step {}", *at);
     case TraceRating::Unbounded:
-      return fmt::format("unbounded at step {}", *verdict.at);
+      return fmt::format("unbounded at step {}", *at);
     case TraceRating::Meaningless:
       break;
   }
-  return verdict.at ? fmt::format("cannot be followed from step {}", *verdict.at) : "unreadable";
+  return at ? fmt::format("cannot be followed from step {}", *at) : "unreadable";
+}
+
+std::string note(const std::string& sentence) {
+  return sentence.empty() ? "" : fmt::format("  {:<22} {}\n", "note", sentence);
+}
+
+}  // namespace
+
+std::string verdict_line(const TraceVerdict& verdict) {
+  const auto regret = verdict.worst ? verdict.steps[*verdict.worst].regret : std::nullopt;
+  const std::string line = rating_line(verdict.rating, verdict.at, verdict.worst, regret);
+  return verdict.left_out.empty() ? line : line + " without " + facets_text(verdict.left_out);
+}
+
+std::string verdict_line(const LeftOut& left_out) {
+  return rating_line(left_out.rating, left_out.at, left_out.worst, left_out.worst_regret);
+}
+
+std::string sentence(const LeftOut& left_out, const TraceVerdict& verdict) {
+  const bool is_one = left_out.facets.size() == 1;
+  const std::size_t steps = verdict.steps.size();
+  const std::string unlisted =
+      left_out.unlisted == 0 ? ""
+      : left_out.unlisted == left_out.facets.size()
+          ? " (not in the facet list)"
+          : fmt::format(" ({} of them not in the facet list)", left_out.unlisted);
+  const std::string where = left_out.steps == steps
+                                ? "in every step"
+                                : fmt::format("in {} of {} steps", with_separators(left_out.steps),
+                                              with_separators(steps));
+  const std::string cause =
+      is_one ? fmt::format("{}{} is the cheapest {} and never removed: was it left out on purpose?",
+                           facets_text(left_out.facets), unlisted, where)
+             : fmt::format(
+                   "{}{} are never removed, and the cheapest {} is one of them: were they "
+                   "left out on purpose?",
+                   facets_text(left_out.facets), unlisted, where);
+  std::string ids;
+  for (const HalfspaceId id : left_out.facets) {
+    ids += (ids.empty() ? "" : ",") + std::to_string(id.index());
+  }
+  if (ids.size() > kLongest) ids = "ID,...";
+  return fmt::format("{} Without {} the order is {}; --left-out {} makes that the verdict.", cause,
+                     is_one ? "it" : "them", verdict_line(left_out), ids);
+}
+
+std::string sentence(const ListedPlanes& listed) {
+  std::string text;
+  if (listed.rounded > 0) {
+    text = fmt::format(
+        "{} planes of the list are facet planes up to rounding: each is taken for the nearest, of "
+        "which it misses a corner by {} at most.",
+        with_separators(listed.rounded),
+        to_decimal(sqrt(Enclosure(listed.squared_distance, kVolumeBits)), kRegretDigits)
+            .value_or("?"));
+  }
+  if (listed.unknown > 0) {
+    text += fmt::format("{}{} planes of the list are no facet planes, even up to rounding.",
+                        text.empty() ? "" : " ", with_separators(listed.unknown));
+  }
+  return text;
 }
 
 std::string trace_verdict_text(const TraceVerdict& verdict) {
   std::string text = "  verdict                " + verdict_line(verdict) + "\n";
-  text += totals_text(verdict);
+  if (verdict.never_removed) text += note(sentence(*verdict.never_removed, verdict));
+  text += note(sentence(verdict.listed)) + totals_text(verdict);
   for (const TraceClaim& claim : verdict.claims) text += claim_text(claim);
   return text + worst_table(verdict);
 }

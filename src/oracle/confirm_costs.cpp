@@ -23,10 +23,11 @@ Rational volume_of(std::span<const Halfspace> halfspaces, const RationalPoint& c
 
 }  // namespace
 
-std::vector<Halfspace> left_before(std::span<const Halfspace> halfspaces,
-                                   std::span<const JudgedStep> steps, std::size_t step) {
+std::vector<Halfspace> left_before(const TraceVerdict& verdict, std::size_t step) {
+  const std::vector<Halfspace>& halfspaces = verdict.halfspaces;
   std::vector<bool> gone(halfspaces.size(), false);
-  for (const JudgedStep& earlier : steps.first(step)) gone[earlier.removed.index()] = true;
+  for (const HalfspaceId id : verdict.left_out) gone[id.index()] = true;
+  for (std::size_t s = 0; s < step; ++s) gone[verdict.steps[s].removed.index()] = true;
   std::vector<Halfspace> left;
   for (std::size_t i = 0; i < halfspaces.size(); ++i) {
     if (!gone[i]) left.push_back(halfspaces[i]);
@@ -34,28 +35,28 @@ std::vector<Halfspace> left_before(std::span<const Halfspace> halfspaces,
   return left;
 }
 
-void confirm_step(std::span<const Halfspace> halfspaces, const RationalPoint& center,
-                  std::span<const JudgedStep> steps, std::size_t step) {
-  const JudgedStep& judged = steps[step];
-  const RemovalOracle oracle(left_before(halfspaces, steps, step), center);
+void confirm_step(const TraceVerdict& verdict, const RationalPoint& center, std::size_t step) {
+  const std::vector<Halfspace>& halfspaces = verdict.halfspaces;
+  const JudgedStep& judged = verdict.steps[step];
+  const RemovalOracle oracle(left_before(verdict, step), center);
   require(oracle.without(halfspaces[judged.removed.index()]).cost == judged.cost);
   if (judged.tie.empty()) return;
   require(oracle.without(halfspaces[judged.tie.front().index()]).cost == judged.minimum);
 }
 
-void confirm_sum(std::span<const Halfspace> halfspaces, const RationalPoint& center,
-                 std::span<const JudgedStep> steps) {
+void confirm_sum(const TraceVerdict& verdict, const RationalPoint& center) {
+  const std::vector<JudgedStep>& steps = verdict.steps;
   std::size_t bounded = 0;
   while (bounded < steps.size() && steps[bounded].cost) ++bounded;
   if (bounded == 0) return;
-  const Rational before = volume_of(halfspaces, center);
-  const Rational after = volume_of(left_before(halfspaces, steps, bounded), center);
+  const Rational before = volume_of(left_before(verdict, 0), center);
+  const Rational after = volume_of(left_before(verdict, bounded), center);
   Random random(1);
   for (int repeat = 0; repeat < 2; ++repeat) {
     const ModularVolume modulo({}, random);
     std::uint64_t sum = modulo.residue(before);
-    for (const JudgedStep& step : steps.first(bounded)) {
-      sum = modulo.sum(sum, modulo.residue(*step.cost));
+    for (std::size_t s = 0; s < bounded; ++s) {
+      sum = modulo.sum(sum, modulo.residue(*steps[s].cost));
     }
     require(sum == modulo.residue(after));
   }

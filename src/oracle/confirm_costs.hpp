@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: MIT
 // confirm_costs.hpp - costs of removals once more, from the definition.
 #pragma once
-#include <span>
-
 #include "convexact/oracle/judge_trace.hpp"
 
 namespace convexact {
 
 /// The halfspaces that are left before step `step`, in canonical order.
-[[nodiscard]] std::vector<Halfspace> left_before(std::span<const Halfspace> halfspaces,
-                                                 std::span<const JudgedStep> steps,
-                                                 std::size_t step);
+[[nodiscard]] std::vector<Halfspace> left_before(const TraceVerdict& verdict, std::size_t step);
 
 /// Costs and boundedness of what one step removed and of what it should have removed.
 /// @throws Error Internal if they are not what the step says.
-void confirm_step(std::span<const Halfspace> halfspaces, const RationalPoint& center,
-                  std::span<const JudgedStep> steps, std::size_t step);
+void confirm_step(const TraceVerdict& verdict, const RationalPoint& center, std::size_t step);
 
 /// V(before the first step) + costs = V(after the last bounded one), modulo two random primes.
 /// @throws Error Internal if not.
-void confirm_sum(std::span<const Halfspace> halfspaces, const RationalPoint& center,
-                 std::span<const JudgedStep> steps);
+void confirm_sum(const TraceVerdict& verdict, const RationalPoint& center);
 
 }  // namespace convexact

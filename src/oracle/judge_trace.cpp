@@ -7,6 +7,7 @@
 #include "convexact/error.hpp"
 #include "convexact/fast/filtered_loop.hpp"
 #include "convexact/number/digits.hpp"
+#include "facet_match.hpp"
 #include "trace_claims.hpp"
 
 namespace convexact {
@@ -27,45 +28,33 @@ std::string list_text(const std::vector<HalfspaceId>& ids) {
   return text + "}";
 }
 
-// What an order removes, found in the solid.
-class Resolver {
- public:
-  Resolver(const std::vector<Halfspace>& halfspaces, const RemovalOrder& order);
-
-  std::size_t size() const { return ids_.size(); }
-  /// The facet of the solid; none if it has no such plane. Precondition: facet < size().
-  std::optional<HalfspaceId> operator[](ListedFacet facet) const { return ids_[facet]; }
-
- private:
-  std::vector<std::optional<HalfspaceId>> ids_;
-};
-
-Resolver::Resolver(const std::vector<Halfspace>& halfspaces, const RemovalOrder& order) {
-  for (const std::optional<Halfspace>& plane : order.facets) {
-    ids_.emplace_back();
-    if (!plane) continue;
-    const auto found = std::lower_bound(halfspaces.begin(), halfspaces.end(), *plane);
-    if (found == halfspaces.end() || *found != *plane) continue;
-    ids_.back() = HalfspaceId(static_cast<std::size_t>(found - halfspaces.begin()));
-  }
-}
-
 class TraceJudge {
  public:
+  /// Why an order is followed: for the verdict; to collect the facets that it never removes and
+  /// that make it too dear, each of which goes as soon as it is found; or for a rating only.
+  enum class Purpose { Verdict, Collect, Rate };
+
   TraceJudge(const DualHull& solid, const RationalPoint& center, const RemovalOrder& order,
-             const JudgeOptions& options)
+             const JudgeOptions& options, Purpose purpose = Purpose::Verdict)
       : solid_(solid),
         center_(center),
         order_(order),
         options_(options),
-        facets_(solid.halfspaces, order),
+        purpose_(purpose),
+        facets_(solid, order, options.unit),
         dual_(FastDual::of(solid, center)),
         loop_(dual_, engine_options_, audit_),
-        gone_at_(solid.halfspaces.size()) {}
+        gone_at_(solid.halfspaces.size()),
+        is_removed_(solid.halfspaces.size(), false) {}
 
   TraceVerdict run();
 
  private:
+  void leave_out();
+  void remove_unlisted(HalfspaceId id);
+  bool is_too_dear(HalfspaceId removed, HalfspaceId cheapest);
+  bool is_blamed(const JudgedStep& judged) const;
+  std::optional<LeftOut> find_never_removed() const;
   bool follow(const OrderedRemoval& removal);
   std::optional<HalfspaceId> resolve(const OrderedRemoval& removal);
   JudgedStep judge(const OrderedRemoval& removal, HalfspaceId removed);
@@ -91,12 +80,14 @@ class TraceJudge {
   const RationalPoint& center_;
   const RemovalOrder& order_;
   const JudgeOptions& options_;
-  const Resolver facets_;
+  const Purpose purpose_;
+  const NamedFacets facets_;
   const FastDual dual_;
   NoAudit audit_;
   const SimplifyOptions engine_options_;
   FilteredLoop<NoAudit> loop_;
   std::vector<std::optional<std::size_t>> gone_at_;
+  std::vector<bool> is_removed_;  // anywhere in the order
   TraceClaims claims_;
   TraceVerdict verdict_;
 };
@@ -105,14 +96,85 @@ TraceVerdict TraceJudge::run() {
   verdict_.halfspaces = solid_.halfspaces;
   verdict_.removals = order_.removals.size();
   verdict_.max_regret = options_.max_regret;
+  verdict_.listed = facets_.listed();
   loop_.evaluate_all();
+  leave_out();
   const bool is_complete = std::all_of(order_.removals.begin(), order_.removals.end(),
                                        [&](const OrderedRemoval& r) { return follow(r); });
   if (is_complete) check_stop();
   if (verdict_.worst && !verdict_.at) verdict_.rating = TraceRating::UpToRegret;
-  if (options_.confirm) confirm();
+  if (purpose_ == Purpose::Verdict) {
+    verdict_.never_removed = find_never_removed();
+    if (options_.confirm) confirm();
+  }
   verdict_.claims = std::move(claims_).list();
   return std::move(verdict_);
+}
+
+void TraceJudge::leave_out() {
+  for (const OrderedRemoval& removal : order_.removals) {
+    if (removal.facet >= facets_.size() || !facets_[removal.facet]) continue;
+    is_removed_[facets_[removal.facet]->index()] = true;
+  }
+  for (const HalfspaceId id : options_.left_out) {
+    if (id.index() >= is_removed_.size()) {
+      throw Error(ErrorCode::InvalidArgument, "facet " + id_text(id) +
+                                                  " is to be left out: expected an id below " +
+                                                  std::to_string(is_removed_.size()));
+    }
+    if (is_removed_[id.index()]) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "facet " + id_text(id) + " is to be left out, and the order removes it");
+    }
+    const auto& gone = verdict_.left_out;
+    if (std::find(gone.begin(), gone.end(), id) != gone.end()) continue;
+    if (!loop_.is_bounded(id)) {
+      throw Error(
+          ErrorCode::InvalidArgument,
+          "facet " + id_text(id) + " is to be left out, and without it the input is unbounded");
+    }
+    remove_unlisted(id);
+  }
+}
+
+void TraceJudge::remove_unlisted(HalfspaceId id) {
+  loop_.remove(id);
+  verdict_.left_out.push_back(id);
+}
+
+// Whether a step is too dear, and a facet that the order never removes is as cheap as can be.
+bool TraceJudge::is_blamed(const JudgedStep& judged) const {
+  if (judged.regret && *judged.regret <= options_.max_regret) return false;
+  return std::any_of(judged.tie.begin(), judged.tie.end(),
+                     [&](HalfspaceId i) { return !is_removed_[i.index()]; });
+}
+
+// The order twice more: to collect the facets, and on the solid without them.
+std::optional<LeftOut> TraceJudge::find_never_removed() const {
+  const auto& steps = verdict_.steps;
+  if (std::none_of(steps.begin(), steps.end(), [&](auto& step) { return is_blamed(step); })) {
+    return std::nullopt;
+  }
+  JudgeOptions without = options_;
+  without.left_out = TraceJudge(solid_, center_, order_, options_, Purpose::Collect).run().left_out;
+  LeftOut found;
+  const auto first = without.left_out.begin() + std::ptrdiff_t(verdict_.left_out.size());
+  found.facets.assign(first, without.left_out.end());
+  if (found.facets.empty()) return std::nullopt;  // only level with one that is removed later
+  std::sort(found.facets.begin(), found.facets.end());
+  const TraceVerdict others = TraceJudge(solid_, center_, order_, without, Purpose::Rate).run();
+  const auto is_found = [&](HalfspaceId i) {
+    return std::binary_search(found.facets.begin(), found.facets.end(), i);
+  };
+  for (const JudgedStep& step : steps) {
+    found.steps += is_blamed(step) && std::any_of(step.tie.begin(), step.tie.end(), is_found);
+  }
+  found.unlisted = facets_.count_unlisted(found.facets);
+  found.rating = others.rating;
+  found.at = others.at;
+  found.worst = others.worst;
+  if (others.worst) found.worst_regret = others.steps[*others.worst].regret;
+  return found;
 }
 
 // Whether the order can be followed beyond this removal.
@@ -142,7 +204,7 @@ std::optional<HalfspaceId> TraceJudge::resolve(const OrderedRemoval& removal) {
   }
   const std::optional<HalfspaceId> id = facets_[removal.facet];
   if (!id) {
-    violate(TraceCode::PlaneUnknown, removal, removal.text, "a facet plane of the input, exactly");
+    violate(TraceCode::PlaneUnknown, removal, facets_.found(removal), facets_.expected(removal));
     return std::nullopt;
   }
   if (const std::optional<std::size_t> gone = gone_at_[id->index()]) {
@@ -156,7 +218,13 @@ std::optional<HalfspaceId> TraceJudge::resolve(const OrderedRemoval& removal) {
 
 JudgedStep TraceJudge::judge(const OrderedRemoval& removal, HalfspaceId removed) {
   JudgedStep judged{removal.row, removed, {}, {}, {}, {}};
-  if (const std::optional<HalfspaceId> cheapest = loop_.choose()) {
+  std::optional<HalfspaceId> cheapest = loop_.choose();
+  for (; purpose_ == Purpose::Collect && cheapest && !is_removed_[cheapest->index()] &&
+         is_too_dear(removed, *cheapest);
+       cheapest = loop_.choose()) {
+    remove_unlisted(*cheapest);
+  }
+  if (cheapest) {
     judged.minimum = loop_.exact_cost(*cheapest);
     judged.tie = loop_.tie();
   }
@@ -165,6 +233,12 @@ JudgedStep TraceJudge::judge(const OrderedRemoval& removal, HalfspaceId removed)
   judged.cost = is_tied ? *judged.minimum : loop_.exact_cost(removed);
   judged.regret = relative_regret(*judged.cost, *judged.minimum);
   return judged;
+}
+
+bool TraceJudge::is_too_dear(HalfspaceId removed, HalfspaceId cheapest) {
+  if (!loop_.is_bounded(removed)) return true;
+  const auto regret = relative_regret(loop_.exact_cost(removed), loop_.exact_cost(cheapest));
+  return !regret || *regret > options_.max_regret;
 }
 
 void TraceJudge::rate(const JudgedStep& judged) {
@@ -204,7 +278,7 @@ void TraceJudge::compare_claims(const OrderedRemoval& removal, const JudgedStep&
   }
   if (claim.left) {
     claims_.ask(TraceCode::Left);
-    const std::size_t left = solid_.halfspaces.size() - step() - 1;
+    const std::size_t left = solid_.halfspaces.size() - verdict_.left_out.size() - step() - 1;
     if (*claim.left != left) {
       violate(TraceCode::Left, removal, std::to_string(*claim.left), std::to_string(left));
     }
@@ -244,9 +318,8 @@ void TraceJudge::confirm() const {
   if (steps.empty()) return;
   const bool is_bounded = steps.back().cost.has_value();
   const std::size_t last = steps.size() - 1;
-  confirm_step(solid_.halfspaces, center_, steps,
-               is_bounded ? verdict_.worst.value_or(last) : last);
-  confirm_sum(solid_.halfspaces, center_, steps);
+  confirm_step(verdict_, center_, is_bounded ? verdict_.worst.value_or(last) : last);
+  confirm_sum(verdict_, center_);
 }
 
 }  // namespace

@@ -100,6 +100,73 @@ TEST_CASE("verify --trace: planes, exact or as doubles that are exact") {
   CHECK(judge_order("0.5 0.5 -0.5 -3.0\n", "").exit == 0);
 }
 
+TEST_CASE("verify --trace: a facet that is never removed is named once, and --left-out (#13)") {
+  const JudgedOrder bad = judge_order("6\n");  // 9/2; 7 would cost 4/3
+  CHECK(bad.exit == 1);
+  CHECK(bad.document["verdict"] == "not greedy from step 0");
+  CHECK(bad.document["left_out"].empty());
+  REQUIRE(bad.document["notes"].size() == 1);
+  const json note = bad.document["notes"][0];
+  CHECK(note["code"] == "left-out");
+  CHECK(note["facets"].size() == 1);
+  CHECK(note["steps"] == 1);
+  CHECK(note["verdict"] == "greedy");
+  const std::string id = std::to_string(note["facets"][0].get<std::size_t>());
+  const ScratchFolder scratch;
+  const std::string arguments = "verify " + scratch.write("cut.txt", kCutCubeRows) + " --trace " +
+                                scratch.write("order", "6\n") + " --facets " +
+                                scratch.file("cut.txt");
+  const auto text = run_program(arguments);
+  CHECK(text.exit == 1);
+  CHECK(text.out.find("  note                   facet " + id +
+                      " is the cheapest in every step and never removed: was it left out on "
+                      "purpose? Without it the order is greedy; --left-out " +
+                      id + " makes that the verdict.\n") != std::string::npos);
+  const auto good = run_program(arguments + " --json --left-out " + id);
+  CHECK(good.exit == 0);
+  const json document = json::parse(good.out);
+  CHECK(schema_complaint("trace_verdict", document) == "");
+  CHECK(document["verdict"] == "greedy without facet " + id);
+  CHECK(document["left_out"] == json::array({note["facets"][0]}));
+  CHECK(document["notes"].empty());
+  CHECK(document["steps"][0]["minimum"]["exact"] == "9/2");
+  // The facet that the order removes, one that does not exist, and no ids.
+  const std::string removed =
+      std::to_string(bad.document["steps"][0]["removed"].get<std::size_t>());
+  for (const std::string ids : {removed, std::string("8"), std::string("x"), std::string("-1"),
+                                id + ",", std::string("''"), std::string("99999999999999999999")}) {
+    CAPTURE(ids);
+    CHECK(run_program(arguments + " --left-out=" + ids).exit == 2);
+  }
+  CHECK(run_program("verify " + scratch.file("cut.txt") + " " + scratch.file("cut.txt") +
+                    " --left-out 1")
+            .exit == 2);
+}
+
+TEST_CASE(
+    "verify --trace: a facet list in doubles is matched, and blamed where it is wrong (#13)") {
+  const ScratchFolder scratch;
+  const std::string third = "0.57735026918962573",
+                    two = "3.464101615137755";  // 1/sqrt 3; 6/sqrt 3 and an ulp
+  const std::string list = "1 0 0 -4\n" + third + " " + third + " -" + third + " -" + two + "\n";
+  const JudgedOrder good = judge_order("1\n", "--facets " + scratch.write("list.txt", list));
+  CHECK(good.exit == 0);
+  REQUIRE(good.document["notes"].size() == 1);
+  CHECK(good.document["notes"][0]["code"] == "facet-list");
+  CHECK(good.document["notes"][0]["rounded"] == 1);
+  const std::string off = "1 0 0 -4\n1 1 -1 -6.000001\n";
+  const JudgedOrder bad = judge_order("1\n", "--facets " + scratch.write("off.txt", off));
+  CHECK(bad.exit == 1);
+  CHECK(violated(bad.document) == Codes{"trace-plane-unknown"});
+  for (const json& claim : bad.document["claims"]) {
+    if (claim["code"] != "trace-plane-unknown") continue;
+    const std::string found = claim["witness"]["found"], expected = claim["witness"]["expected"];
+    CHECK(found.find("the id '1', in the facet list the plane") == 0);
+    CHECK(expected.find("the nearest, of facet") != std::string::npos);
+    CHECK(expected.find("5.77e-7 off it") != std::string::npos);  // 1e-6 / sqrt(3)
+  }
+}
+
 TEST_CASE("verify --trace: our traces of the shipped cow hold; one with a wrong claim does not") {
   const ScratchFolder scratch;
   const std::string trace = scratch.file("steps.json");

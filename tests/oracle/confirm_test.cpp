@@ -25,6 +25,13 @@ std::vector<JudgedStep> true_steps(const DualHull& solid) {
   return steps;
 }
 
+TraceVerdict verdict_of(const DualHull& solid, const std::vector<JudgedStep>& steps) {
+  TraceVerdict verdict;
+  verdict.halfspaces = solid.halfspaces;
+  verdict.steps = steps;
+  return verdict;
+}
+
 }  // namespace
 
 TEST_CASE("confirm_costs: what a step says of its cost is computed again, by the definition") {
@@ -33,9 +40,9 @@ TEST_CASE("confirm_costs: what a step says of its cost is computed again, by the
   REQUIRE(steps.size() == 3);
   for (std::size_t s = 0; s < steps.size(); ++s) {
     CAPTURE(s);
-    CHECK_NOTHROW(confirm_step(solid.halfspaces, kCutBoxCenter, steps, s));
+    CHECK_NOTHROW(confirm_step(verdict_of(solid, steps), kCutBoxCenter, s));
     const auto check_refused = [&](const std::vector<JudgedStep>& wrong) {
-      CHECK_THROWS_AS(confirm_step(solid.halfspaces, kCutBoxCenter, wrong, s), Error);
+      CHECK_THROWS_AS(confirm_step(verdict_of(solid, wrong), kCutBoxCenter, s), Error);
     };
     const Rational tiny = scale_by_power_of_two(Rational(1), -300);
     std::vector<JudgedStep> wrong = steps;
@@ -48,11 +55,11 @@ TEST_CASE("confirm_costs: what a step says of its cost is computed again, by the
     *wrong[s].minimum -= tiny;
     check_refused(wrong);
   }
-  CHECK_NOTHROW(confirm_sum(solid.halfspaces, kCutBoxCenter, steps));
+  CHECK_NOTHROW(confirm_sum(verdict_of(solid, steps), kCutBoxCenter));
   for (std::size_t s = 0; s < steps.size(); ++s) {
     std::vector<JudgedStep> wrong = steps;
     *wrong[s].cost += scale_by_power_of_two(Rational(1), -300);
-    CHECK_THROWS_AS(confirm_sum(solid.halfspaces, kCutBoxCenter, wrong), Error);
+    CHECK_THROWS_AS(confirm_sum(verdict_of(solid, wrong), kCutBoxCenter), Error);
   }
 }
 

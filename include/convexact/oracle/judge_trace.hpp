@@ -56,6 +56,25 @@ struct TraceClaim {
   std::optional<TraceWitness> witness = {};  ///< If violated.
 };
 
+/// Facets that an order never removes, each at some step cheaper than what it removes there by more
+/// than the limit: left out on purpose, or never listed. And how the order does on the solid
+/// without them, as if they had been removed first.
+struct LeftOut {
+  std::vector<HalfspaceId> facets;  ///< In canonical order; at least one.
+  std::size_t unlisted = 0;         ///< How many of them the order's own list does not have.
+  std::size_t steps = 0;            ///< Steps that are too dear, and one of them is the cheapest.
+  TraceRating rating = TraceRating::Greedy;  ///< This and the rest as in TraceVerdict.
+  std::optional<std::size_t> at, worst;
+  std::optional<Rational> worst_regret;  ///< Of the step `worst`.
+};
+
+/// Planes of an order's list that are facet planes only up to rounding, or not at all.
+struct ListedPlanes {
+  std::size_t rounded = 0;        ///< Taken for the nearest facet: rounding explains how far it is.
+  Rational squared_distance = 0;  ///< The largest of these, from the plane to the facet's corners.
+  std::size_t unknown = 0;        ///< No facet, and none that rounding explains.
+};
+
 struct TraceVerdict {
   TraceRating rating = TraceRating::Greedy;
   std::optional<std::size_t> at;      ///< The step that decides a rating below UpToRegret.
@@ -66,6 +85,10 @@ struct TraceVerdict {
   std::size_t other_ties = 0;         ///< Steps that are is_other_tie().
   Rational max_regret;                ///< The limit.
   std::vector<TraceClaim> claims;     ///< One per code, in a fixed order.
+  std::vector<HalfspaceId> left_out;  ///< As asked for: gone before the first step.
+  std::optional<LeftOut>
+      never_removed;  ///< If trace-greedy or trace-bounded fails because of some.
+  ListedPlanes listed;
 
   /// Whether no claim is violated.
   bool holds() const;
@@ -73,6 +96,10 @@ struct TraceVerdict {
 
 struct JudgeOptions {
   Rational max_regret = 0;  ///< >= 0.
+  /// Facets that are left out on purpose: the order is judged on the solid without them.
+  std::vector<HalfspaceId> left_out = {};
+  /// Unit roundoff of the numbers in which the order's planes are written: 2^-53 or 2^-24.
+  double unit = 0x1p-53;
   /// Whether costs are confirmed from their definition, by some ten intersections from scratch.
   bool confirm = true;
   const std::atomic<bool>* stop = nullptr;         ///< When it becomes true: Error Stopped.
@@ -88,9 +115,14 @@ struct JudgeOptions {
 /// intersected from scratch, and compared modulo two random primes; and at the step that decides
 /// (the worst, the unbounded one, else the last) both costs are computed from their definition.
 /// @param center  Strictly inside the solid.
-/// @throws Error  InvalidArgument for a negative limit; Stopped; Internal if these do not agree.
-/// @par Cost      A run of the filtered engine and one or two caps as rationals per step; five
-///                intersections from scratch, expected O(n log n) each.
+/// A plane that is no facet plane is the nearest facet's if rounding explains the difference
+/// (facet_match.hpp); the verdict counts these.
+/// @throws Error  InvalidArgument for a negative limit, for a facet that is to be left out and does
+///                not exist, is removed, or bounds the rest; Stopped; Internal if these do not
+///                agree.
+/// @par Cost      A run of the filtered engine and one or two caps as rationals per step, again if
+///                a facet that is never removed is to blame; five intersections from scratch,
+///                expected O(n log n) each. For a plane that is no facet plane linear.
 [[nodiscard]] TraceVerdict judge_trace(const DualHull& solid, const RationalPoint& center,
                                        const RemovalOrder& order, const JudgeOptions& options = {});
 

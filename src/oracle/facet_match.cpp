@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "facet_match.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "convexact/number/digits.hpp"
+#include "convexact/number/enclosure.hpp"
+#include "convexact/number/rounding.hpp"
+
+namespace convexact {
+namespace {
+
+// Off by some units of 2^-53. Normals may have thousands of bits, so they are scaled first.
+Point direction_of(const Halfspace& plane) {
+  Integer largest = 0;
+  for (const Integer& n : plane.normal()) largest = std::max(largest, Integer(abs(n)));
+  Point direction;
+  for (int k = 0; k < 3; ++k) {
+    direction[k] = to_double(Rational(plane.normal()[k], largest), Rounding::Nearest);
+  }
+  return direction / direction.norm();
+}
+
+std::string root_text(const Rational& squared) {
+  constexpr int kDigits = 3, kBits = 64;
+  return to_decimal(sqrt(Enclosure(squared, kBits)), kDigits).value_or("?");
+}
+
+Rational squared_length(const RationalVector3& v) { return v.dot(v); }
+
+}  // namespace
+
+std::optional<HalfspaceId> FacetMatcher::find(const Halfspace& plane) const {
+  const std::vector<Halfspace>& all = solid_.halfspaces;
+  const auto found = std::lower_bound(all.begin(), all.end(), plane);
+  if (found == all.end() || *found != plane) return std::nullopt;
+  return HalfspaceId(static_cast<std::size_t>(found - all.begin()));
+}
+
+void FacetMatcher::prepare() {
+  for (const Halfspace& h : solid_.halfspaces) directions_.push_back(direction_of(h));
+  triangles_of_.resize(solid_.halfspaces.size());
+  for (std::size_t t = 0; t < solid_.triangles.size(); ++t) {
+    for (const HalfspaceId i : solid_.triangles[t]) {
+      triangles_of_[i.index()].push_back(static_cast<std::uint32_t>(t));
+    }
+  }
+}
+
+NearestFacet FacetMatcher::nearest(const Halfspace& plane) {
+  if (directions_.empty()) prepare();
+  const Point direction = direction_of(plane);
+  double least = std::numeric_limits<double>::infinity();
+  for (const Point& other : directions_) least = std::min(least, (other - direction).norm());
+  std::optional<NearestFacet> best;
+  for (std::size_t i = 0; i < directions_.size(); ++i) {
+    if ((directions_[i] - direction).norm() > least + 0x1p-45) continue;
+    NearestFacet found = measure(plane, HalfspaceId(i));
+    if (!best || found.squared_distance < best->squared_distance) best = std::move(found);
+  }
+  return *best;
+}
+
+NearestFacet FacetMatcher::measure(const Halfspace& plane, HalfspaceId facet) const {
+  std::vector<RationalPoint> corners;
+  for (const std::uint32_t t : triangles_of_[facet.index()]) {
+    const auto& [a, b, c] = solid_.triangles[t];
+    const auto& h = solid_.halfspaces;
+    corners.push_back(meet(h[a.index()], h[b.index()], h[c.index()]));
+  }
+  Rational farthest = 0, largest = 0, diameter = 0, area = 0;  // the last two squared
+  RationalPoint far_corner = corners[0];
+  for (const RationalPoint& corner : corners) {
+    farthest = std::max(farthest, Rational(abs(plane(corner))));
+    for (const Rational& x : corner) largest = std::max(largest, Rational(abs(x)));
+    const Rational distance = squared_length(corner - corners[0]);
+    if (distance > diameter) diameter = distance, far_corner = corner;
+  }
+  const RationalVector3 edge = far_corner - corners[0];
+  for (const RationalPoint& corner : corners) {
+    const RationalVector3 other = corner - corners[0];
+    area = std::max(area, squared_length(edge.cross(other)));
+  }
+  Rational squared_normal = 0;
+  for (const Integer& n : plane.normal()) squared_normal += Rational(n * n);
+  const Rational reach = to_rational(16 * unit_) * largest;
+  return {facet, farthest * farthest / squared_normal, reach * reach * diameter * diameter / area};
+}
+
+NamedFacets::NamedFacets(const DualHull& solid, const RemovalOrder& order, double unit)
+    : order_(order) {
+  FacetMatcher matcher(solid, unit);
+  for (const std::optional<Halfspace>& plane : order.facets) {
+    ids_.push_back(plane ? matcher.find(*plane) : std::nullopt);
+    if (!plane || ids_.back()) continue;
+    const NearestFacet nearest = matcher.nearest(*plane);
+    if (nearest.is_explained()) {
+      ids_.back() = nearest.facet;
+      ++listed_.rounded;
+      listed_.squared_distance = std::max(listed_.squared_distance, nearest.squared_distance);
+    } else {
+      ++listed_.unknown;
+      unknown_.emplace(ids_.size() - 1, nearest);
+    }
+  }
+}
+
+std::size_t NamedFacets::count_unlisted(const std::vector<HalfspaceId>& facets) const {
+  if (!order_.has_list) return 0;
+  const auto is_absent = [&](HalfspaceId facet) {
+    return std::find(ids_.begin(), ids_.end(), facet) == ids_.end();
+  };
+  return static_cast<std::size_t>(std::count_if(facets.begin(), facets.end(), is_absent));
+}
+
+std::string NamedFacets::found(const OrderedRemoval& removal) const {
+  const std::optional<Halfspace>& plane = order_.facets[removal.facet];
+  if (!order_.has_list) return removal.text;
+  if (!plane) return removal.text + ", which has normal 0 in the facet list";
+  std::string text = removal.text + ", in the facet list the plane";
+  for (const Integer& n : plane->normal()) text += " " + to_string(n);
+  return text + " " + to_string(plane->offset());
+}
+
+std::string NamedFacets::expected(const OrderedRemoval& removal) const {
+  const auto unknown = unknown_.find(removal.facet);
+  if (unknown == unknown_.end()) return "a facet plane of the input";
+  const NearestFacet& nearest = unknown->second;
+  return "a facet plane of the input: the nearest, of facet " +
+         std::to_string(nearest.facet.index()) + ", has a corner " +
+         root_text(nearest.squared_distance) + " off it, and rounding explains " +
+         root_text(nearest.squared_limit);
+}
+
+}  // namespace convexact
