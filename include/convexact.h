@@ -19,6 +19,7 @@
 #define CONVEXACT_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 #if defined(__GNUC__)
 #define CONVEXACT_API __attribute__((visibility("default")))
@@ -32,7 +33,8 @@ extern "C" {
 
 typedef enum convexact_status {
   CONVEXACT_OK = 0,
-  CONVEXACT_INVALID_ARGUMENT = 2, /* A null pointer, a count of 0, fewer than 4 planes wanted. */
+  CONVEXACT_INVALID_ARGUMENT = 2, /* A null pointer, a count of 0, fewer than 4 planes wanted, a
+                                     face that is none, a tolerance that is none. */
   CONVEXACT_NOT_FINITE = 3,       /* A number is NaN or infinite. */
   CONVEXACT_NO_INTERIOR = 4,      /* Points lie in one plane where a solid is needed. */
   CONVEXACT_UNREPRESENTABLE = 5,  /* Doubles cannot hold the result; ask for fewer planes. */
@@ -79,6 +81,45 @@ CONVEXACT_API const char* convexact_containment_squared_distance(
 CONVEXACT_API double convexact_containment_distance(const convexact_containment* result);
 
 CONVEXACT_API void convexact_containment_free(convexact_containment* result);
+
+/* ---- Is it a solid that encloses the points? Every claim of the oracle ----------------------- */
+
+typedef struct convexact_verdict convexact_verdict;
+
+/* What `convexact verify` decides, with its claims and its tolerance; docs/verdicts has a page for
+ * each claim. Budgets are not asked. CONVEXACT_NO_INTERIOR if the *points* lie in one plane;
+ * whatever is wrong with the candidate is a violated claim.
+ * tolerance: as the option of the program, "1e-6" for a length or "1e-9d" for a share of the points'
+ * diameter, taken as spelled; NULL for none. Text that is none is CONVEXACT_INVALID_ARGUMENT. */
+
+/* The candidate is the intersection of halfspaces. */
+CONVEXACT_API convexact_status convexact_judge_planes(const double* points, size_t point_count,
+                                                      const double* planes, size_t plane_count,
+                                                      const char* tolerance,
+                                                      convexact_verdict** result);
+
+/* The candidate is a mesh. Face f has face_sizes[f] >= 3 corners, indices of vertices from 0,
+ * counter-clockwise from outside; corners holds those of all faces, one after another. Without faces
+ * (face_count 0; corners and face_sizes may be NULL) the vertices stand for their convex hull. */
+CONVEXACT_API convexact_status convexact_judge_mesh(const double* points, size_t point_count,
+                                                    const double* vertices, size_t vertex_count,
+                                                    const uint32_t* corners,
+                                                    const size_t* face_sizes, size_t face_count,
+                                                    const char* tolerance,
+                                                    convexact_verdict** result);
+
+/* 1 if no claim is violated, else 0. */
+CONVEXACT_API int convexact_verdict_holds(const convexact_verdict* result);
+CONVEXACT_API size_t convexact_verdict_claim_count(const convexact_verdict* result);
+/* Of claim i < claim count: its name, such as "contains-input"; */
+CONVEXACT_API const char* convexact_verdict_claim_name(const convexact_verdict* result, size_t i);
+/* "holds", "violated", "not-asked" or "not-applicable"; */
+CONVEXACT_API const char* convexact_verdict_claim_status(const convexact_verdict* result, size_t i);
+/* and what was found, for people. Points, faces and rows in it count from 0. */
+CONVEXACT_API const char* convexact_verdict_claim_sentence(const convexact_verdict* result,
+                                                           size_t i);
+
+CONVEXACT_API void convexact_verdict_free(convexact_verdict* result);
 
 /* ---- Few halfspaces that enclose points ------------------------------------------------------ */
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "convexact/error.hpp"
-#include "convexact/geometry/halfspace.hpp"
+#include "convexact/geometry/halfspace_list.hpp"
 #include "convexact/geometry/point_set.hpp"
 
 namespace convexact::capi {
@@ -25,6 +25,17 @@ inline PointSet to_points(const double* numbers, std::size_t count) {
     points[i] = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
   }
   return PointSet(std::move(points));
+}
+
+/// Rows n1, n2, n3, d. @throws Error as to_points.
+inline HalfspaceList to_list(const double* numbers, std::size_t count) {
+  require_array(numbers, count);
+  HalfspaceList list;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* row = numbers + 4 * i;
+    list.add(to_rational(Vector3<double>(row[0], row[1], row[2])), to_rational(row[3]));
+  }
+  return list;
 }
 
 inline std::string to_text(const Halfspace& h) {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "arrays.hpp"
-#include "convexact/geometry/halfspace_list.hpp"
 #include "convexact/hull/hull.hpp"
 #include "convexact/number/enclosure.hpp"
 #include "convexact/number/rounding.hpp"
@@ -35,16 +34,6 @@ convexact_containment containment_in(std::span<const Halfspace> planes, const Po
   result.squared_distance = to_string(worst->squared_distance);
   result.distance = to_double(sqrt(Enclosure(worst->squared_distance, kBits)).high(), Rounding::Up);
   return result;
-}
-
-HalfspaceList to_list(const double* numbers, std::size_t count) {
-  require_array(numbers, count);
-  HalfspaceList list;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double* row = numbers + 4 * i;
-    list.add(to_rational(Vector3<double>(row[0], row[1], row[2])), to_rational(row[3]));
-  }
-  return list;
 }
 
 convexact_containment verify_planes(const PointSet& points, const HalfspaceList& list) {

@@ -3,9 +3,11 @@
 #include <convexact.h>
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <string>
 #include <thread>
 #include <vector>
@@ -140,6 +142,113 @@ TEST_CASE("C interface: what makes no sense is a status, and the result is null"
             .status == CONVEXACT_INVALID_ARGUMENT);
   convexact_containment_free(nullptr);
   convexact_solid_free(nullptr);
+}
+
+namespace {
+
+// The sides of the cube, counter-clockwise from outside.
+const std::vector<std::uint32_t> kSides = {0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4,
+                                           2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6};
+
+struct Judged {
+  convexact_status status;
+  bool holds = false;
+  std::map<std::string, std::string> claims, sentences;
+};
+
+Judged take(convexact_status status, convexact_verdict* result) {
+  CHECK((result == nullptr) == (status != CONVEXACT_OK));
+  Judged judged{status, false, {}, {}};
+  if (result == nullptr) return judged;
+  judged.holds = convexact_verdict_holds(result) == 1;
+  for (std::size_t i = 0; i < convexact_verdict_claim_count(result); ++i) {
+    const std::string name = convexact_verdict_claim_name(result, i);
+    judged.claims[name] = convexact_verdict_claim_status(result, i);
+    judged.sentences[name] = convexact_verdict_claim_sentence(result, i);
+  }
+  convexact_verdict_free(result);
+  return judged;
+}
+
+Judged judge_planes(const Numbers& planes, const char* tolerance) {
+  convexact_verdict* result = nullptr;
+  const Numbers points = cube();
+  const auto status = convexact_judge_planes(points.data(), 8, planes.data(), planes.size() / 4,
+                                             tolerance, &result);
+  return take(status, result);
+}
+
+Judged judge_mesh(const Numbers& points, const Numbers& vertices,
+                  const std::vector<std::uint32_t>& corners, const std::vector<std::size_t>& sizes,
+                  const char* tolerance = nullptr) {
+  convexact_verdict* result = nullptr;
+  const auto status =
+      convexact_judge_mesh(points.data(), points.size() / 3, vertices.data(), vertices.size() / 3,
+                           corners.data(), sizes.data(), sizes.size(), tolerance, &result);
+  return take(status, result);
+}
+
+}  // namespace
+
+TEST_CASE("C interface: a tolerance lets pass what is within it, exactly (#13)") {
+  CHECK(judge_planes(cube_planes(), nullptr).holds);
+  // A quarter is missing at the top; the diameter is sqrt(48), so that is 0.03608... of it.
+  for (const char* enough : {"0.25", "1", "0.0361d"}) {
+    CAPTURE(enough);
+    CHECK(judge_planes(cube_planes(3.75), enough).holds);
+  }
+  for (const char* little : {"0", "0.24999999999999999999", "0.036d"}) {
+    CAPTURE(little);
+    const Judged judged = judge_planes(cube_planes(3.75), little);
+    CHECK(judged.status == CONVEXACT_OK);
+    CHECK_FALSE(judged.holds);
+    CHECK(judged.claims.at("contains-input") == "violated");
+    CHECK(judged.sentences.at("contains-input") != "");
+  }
+  CHECK(judge_planes(cube_planes(), "much").status == CONVEXACT_INVALID_ARGUMENT);
+  CHECK(judge_planes(cube_planes(), "-1").status == CONVEXACT_INVALID_ARGUMENT);
+}
+
+TEST_CASE("C interface: the faces of a mesh are judged (#13)") {
+  const std::vector<std::size_t> sizes(6, 4);
+  const Judged good = judge_mesh(cube(), cube(), kSides, sizes);
+  CHECK(good.holds);
+  for (const char* claim : {"mesh-closed", "mesh-oriented", "mesh-planar", "mesh-convex"}) {
+    CAPTURE(claim);
+    CHECK(good.claims.at(claim) == "holds");
+  }
+  CHECK(judge_mesh(cube(), cube(3.75), kSides, sizes, "0.25").holds);
+  const Judged open = judge_mesh(cube(), cube(), kSides, std::vector<std::size_t>(5, 4));
+  CHECK_FALSE(open.holds);
+  CHECK(open.claims.at("mesh-closed") == "violated");
+  std::vector<std::uint32_t> inward = kSides;
+  std::reverse(inward.begin(), inward.end());
+  CHECK(judge_mesh(cube(), cube(), inward, sizes).claims.at("mesh-oriented") == "violated");
+  const Judged points_only = judge_mesh(cube(), cube(), {}, {});
+  CHECK(points_only.holds);
+  CHECK(points_only.claims.at("mesh-closed") == "not-applicable");
+}
+
+TEST_CASE("C interface: meshes that make no sense are a status (#13)") {
+  const std::vector<std::size_t> sizes(6, 4);
+  std::vector<std::uint32_t> beyond = kSides;
+  beyond.back() = 8;
+  CHECK(judge_mesh(cube(), cube(), beyond, sizes).status == CONVEXACT_INVALID_ARGUMENT);
+  CHECK(judge_mesh(cube(), cube(), kSides, {2}).status == CONVEXACT_INVALID_ARGUMENT);
+  CHECK(judge_mesh(cube(), {}, {}, {}).status == CONVEXACT_INVALID_ARGUMENT);
+  CHECK(judge_mesh({0, 0, 0, 1, 0, 0, 0, 1, 0}, cube(), kSides, sizes).status ==
+        CONVEXACT_NO_INTERIOR);
+  const Numbers points = cube();
+  convexact_verdict* result = nullptr;
+  CHECK(take(convexact_judge_mesh(points.data(), 8, points.data(), 8, nullptr, sizes.data(), 6,
+                                  nullptr, &result),
+             result)
+            .status == CONVEXACT_INVALID_ARGUMENT);
+  // What is wrong with a candidate is a claim: the vertices lie in one plane.
+  const Judged flat = judge_mesh(cube(), {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, {}, {});
+  CHECK(flat.status == CONVEXACT_OK);
+  CHECK(flat.claims.at("candidate-solid") == "violated");
+  convexact_verdict_free(nullptr);
 }
 
 TEST_CASE("C interface: simplify encloses, in doubles and exactly") {

@@ -4,7 +4,7 @@
  *     cc example.c -lconvexact_c -o example && ./example
  *
  * encloses some points in few halfspaces, asks whether these enclose the points, and asks the same
- * of a box that does not. */
+ * of a box that does not; then it judges the faces of that box, and lets a quarter pass. */
 #include <convexact.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -70,7 +70,28 @@ static int verify_box(void) {
   return holds;
 }
 
+/* The same box as a mesh, with its sides, where a quarter may be missing. Prints every claim. */
+static int judge_box(void) {
+  const double box[][3] = {{0, 0, 0},    {4, 0, 0},    {0, 4, 0},    {4, 4, 0},
+                           {0, 0, 3.75}, {4, 0, 3.75}, {0, 4, 3.75}, {4, 4, 3.75}};
+  const uint32_t sides[] = {0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4,
+                            2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6};
+  const size_t sizes[] = {4, 4, 4, 4, 4, 4};
+  convexact_verdict* verdict;
+  require(convexact_judge_mesh(&points[0][0], point_count, &box[0][0], 8, sides, sizes, 6, "0.25",
+                               &verdict));
+  printf("the same box as a mesh, with a tolerance of 0.25:\n");
+  for (size_t i = 0; i < convexact_verdict_claim_count(verdict); ++i) {
+    printf("  %-20s %-15s %s\n", convexact_verdict_claim_name(verdict, i),
+           convexact_verdict_claim_status(verdict, i),
+           convexact_verdict_claim_sentence(verdict, i));
+  }
+  const int holds = convexact_verdict_holds(verdict);
+  convexact_verdict_free(verdict);
+  return holds;
+}
+
 int main(void) {
   printf("convexact %s\n", convexact_version());
-  return enclose() && !verify_box() ? EXIT_SUCCESS : EXIT_FAILURE;
+  return enclose() && !verify_box() && judge_box() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
