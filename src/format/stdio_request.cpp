@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,7 @@
 #include "convexact/format/write_json.hpp"
 #include "convexact/number/decimal.hpp"
 #include "convexact/number/hex_float.hpp"
+#include "convexact/number/rounding.hpp"
 #include "convexact/oracle/verify.hpp"
 #include "json_text.hpp"
 
@@ -63,13 +65,24 @@ const json& row_of(const json& rows, std::size_t row, std::size_t length, const 
   return numbers;
 }
 
-// As in a mesh: every decimal is the nearest double, also one without a point or an exponent.
+// As in a mesh: every decimal is the nearest double or binary32 number, also one without a point or
+// an exponent. Fractions and hexadecimal floats are what they spell; where the numbers are
+// binary32, they are rounded too.
 Rational coordinate(const json& value, Decimal decimal) {
   const std::string_view text = text_of(value);
-  if (is_hex_float(text)) return parse_hex_float(text);
+  const bool is_hex = is_hex_float(text);
   const bool is_fraction = text.find('/') != std::string_view::npos;
-  const bool is_spelled = is_fraction || decimal == Decimal::Exact;
-  return is_spelled ? parse_number(text, Decimal::Exact) : to_rational(nearest_double(text));
+  if (!is_hex && !is_fraction && decimal != Decimal::Exact) {
+    return to_rational(decimal == Decimal::Nearest ? nearest_double(text) : nearest_float(text));
+  }
+  const Rational spelled = is_hex ? parse_hex_float(text) : parse_number(text, Decimal::Exact);
+  if (decimal != Decimal::Nearest32) return spelled;
+  const float rounded = to_float(spelled, Rounding::Nearest);
+  if (!std::isfinite(rounded)) {
+    throw Error(ErrorCode::NotFinite,
+                "expected a number within binary32, found " + in_quotes(text));
+  }
+  return to_rational(rounded);
 }
 
 PointSet points(const json& rows, Decimal decimal, const char* what) {
@@ -167,9 +180,12 @@ VerifyRequest questions(const json& request) {
 
 Decimal decimal_of(const json& request) {
   const json name = request.value("decimal", json("nearest"));
-  if (name == "exact") return Decimal::Exact;
-  if (name != "nearest") reject("decimal as nearest or exact");
-  return Decimal::Nearest;
+  if (name != "nearest" && name != "exact") reject("decimal as nearest or exact");
+  const json numbers = request.value("numbers", json("binary64"));
+  if (numbers != "binary64" && numbers != "binary32") reject("numbers as binary64 or binary32");
+  if (numbers == "binary64") return name == "exact" ? Decimal::Exact : Decimal::Nearest;
+  if (name == "exact") reject("decimals as nearest with numbers in binary32");
+  return Decimal::Nearest32;
 }
 
 // The shorter one of the limits of the caller and of the request.
@@ -231,26 +247,27 @@ ordered_json answer(const json& request, std::optional<double> time_limit) {
   require_known_keys(request,
                      {"id", "points", "candidate", "claims", "tolerance", "tightness", "decimal",
                       "max_facets", "max_vertices", "max_facet_vertices", "time_limit"},
+                      "numbers", "max_facets", "max_vertices", "max_facet_vertices"},
                      "the request");
-  if (request.contains("id") && request["id"].is_structured()) {
-    reject("an id that is a number, a string, true, false or null");
-  }
-  if (!request.contains("points") || !request.contains("candidate")) {
-    reject("a request with 'points' and 'candidate'");
-  }
-  const Decimal decimal = decimal_of(request);
-  const VerifyRequest asked = questions(request);
-  const PointSet input = points(request["points"], decimal, "point");
-  VerifyOutcome outcome = verify_in_time(input, candidate(request["candidate"], decimal), asked,
-                                         time_limit_of(request, time_limit));
-  if (auto* verdict = std::get_if<Verdict>(&outcome)) {
-    std::erase_if(verdict->claims, [](const Claim& c) { return c.status == Status::NotAsked; });
-    return verdict_json(*verdict);
-  }
-  const auto& reason = std::get<NotSolid>(outcome);
-  ordered_json error = error_json(Error(ErrorCode::NoInterior, describe(reason)));
-  error["proof"] = proof_json(reason);
-  return {{"error", error}};
+if (request.contains("id") && request["id"].is_structured()) {
+  reject("an id that is a number, a string, true, false or null");
+}
+if (!request.contains("points") || !request.contains("candidate")) {
+  reject("a request with 'points' and 'candidate'");
+}
+const Decimal decimal = decimal_of(request);
+const VerifyRequest asked = questions(request);
+const PointSet input = points(request["points"], decimal, "point");
+VerifyOutcome outcome = verify_in_time(input, candidate(request["candidate"], decimal), asked,
+                                       time_limit_of(request, time_limit));
+if (auto* verdict = std::get_if<Verdict>(&outcome)) {
+  std::erase_if(verdict->claims, [](const Claim& c) { return c.status == Status::NotAsked; });
+  return verdict_json(*verdict);
+}
+const auto& reason = std::get<NotSolid>(outcome);
+ordered_json error = error_json(Error(ErrorCode::NoInterior, describe(reason)));
+error["proof"] = proof_json(reason);
+return {{"error", error}};
 }
 
 // The id of a request as it goes into the answer: a number as spelled, and empty if there is none.

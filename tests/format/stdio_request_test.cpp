@@ -158,6 +158,10 @@ TEST_CASE(
     CHECK(answer["id"] == 7);
     CHECK(answer.contains("error"));
   }
+  json binary32 = base;
+  binary32["numbers"] = "binary32";
+  binary32["decimal"] = "exact";
+  CHECK(error(binary32.dump()).contains("error"));
   json flat = base;
   flat["points"] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   CHECK(error(flat.dump())["error"]["code"] == "no-interior");
@@ -165,6 +169,24 @@ TEST_CASE(
   json infinite = base;
   infinite["points"][0][0] = "1e999";
   CHECK(error(infinite.dump())["error"]["code"] == "not-finite");
+}
+
+TEST_CASE("stdio: with numbers in binary32 every coordinate means the nearest one (#13)") {
+  // The last coordinate of each is 0.7f: as a decimal that rounds to it, as %.9g prints it, as a
+  // hexadecimal float of the double 0.7, and as a fraction.
+  for (const char* top : {"0.7", "0.699999988", "\"0x1.6666666666666p-1\"", "\"7/10\""}) {
+    CAPTURE(top);
+    const std::string request =
+        R"({"points": [[0,0,0],[1,0,0],[0,1,0],[0,0,0.7]], "claims": ["contains-input"],)"
+        R"("candidate": {"vertices": [[0,0,0],[1,0,0],[0,1,0],[0,0,)" +
+        std::string(top) + "]]}";
+    CHECK(json::parse(answer_request(request + R"(, "numbers": "binary32"})"))["verdict"] ==
+          "holds");
+  }
+  const std::string beyond =
+      R"({"points": [[0,0,0],[1,0,0],[0,1,0],[0,0,1e39]], "numbers": "binary32",)"
+      R"("candidate": {"vertices": []}})";
+  CHECK(json::parse(answer_request(beyond))["error"]["code"] == "not-finite");
 }
 
 TEST_CASE("stdio: nesting without end is an error with the id that came before (#13)") {
