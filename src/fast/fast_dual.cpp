@@ -53,7 +53,37 @@ std::size_t FastDual::formed() const {
 }
 
 bool FastDual::precedes(HalfspaceId i, HalfspaceId j) const {
-  return planes_->solid != nullptr ? i < j : exact(i) < exact(j);
+  if (planes_->solid != nullptr) return i < j;
+  // The sign of a normal's first entry is that of the dual point's, unless that is zero.
+  const double a = near(i).x, b = near(j).x;
+  if ((a < 0 && b > 0) || (a > 0 && b < 0)) return a < b;
+  return exact(i) < exact(j);
+}
+
+// The outward normal up to rounding, its largest entry +-1.
+std::array<double, 3> FastDual::direction(HalfspaceId i) const {
+  std::array<double, 3> n{near(i).x * axis_weight_[0], near(i).y * axis_weight_[1],
+                          near(i).z * axis_weight_[2]};
+  const double largest = std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])});
+  for (double& x : n) x /= largest;
+  return n;
+}
+
+bool FastDual::seems_to_precede(HalfspaceId i, HalfspaceId j) const {
+  if (planes_->solid != nullptr) return i < j;
+  constexpr double kEqual = 0x1p-40;
+  const std::array<double, 3> a = direction(i), b = direction(j);
+  std::array<double, 3> sizes_a = a, sizes_b = b;
+  for (std::array<double, 3>* sizes : {&sizes_a, &sizes_b}) {
+    for (double& x : *sizes) x = std::abs(x);
+    std::sort(sizes->begin(), sizes->end());
+  }
+  bool seem_congruent = true;
+  for (int k = 0; k < 3; ++k) seem_congruent &= std::abs(sizes_a[k] - sizes_b[k]) <= kEqual;
+  for (int k = 0; k < 3 && seem_congruent; ++k) {
+    if (std::abs(a[k] - b[k]) > kEqual) return a[k] < b[k];
+  }
+  return precedes(i, j);
 }
 
 namespace {
@@ -261,8 +291,10 @@ void FastDualBuilder::normalise() {
     for (std::vector<Triple<double>>* part : {&dual_.near_, &dual_.rest_}) {
       for (Triple<double>& p : *part) axis(p, k) = factor.times(axis(p, k));
     }
-    dual_.volume_exponent_ += exponent_[k] - down;
+    dual_.frame_[k] = exponent_[k] - down;
   }
+  const int least = *std::min_element(dual_.frame_.begin(), dual_.frame_.end());
+  for (int k = 0; k < 3; ++k) dual_.axis_weight_[k] = std::ldexp(1.0, least - dual_.frame_[k]);
 }
 
 void FastDualBuilder::merge_flat_edges() {

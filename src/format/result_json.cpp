@@ -135,6 +135,7 @@ Json float_bound_json(const FloatBound& bound) {
           {"cost", bound.cost},
           {"regret", bound.regret},
           {"doubtful", bound.doubtful},
+          {"ties", bound.ties},
           {"end_proven", bound.is_end_proven}};
 }
 

@@ -74,6 +74,15 @@ std::string push_text(const Growth& growth) {
                      std::max(0.0, growth.volume_ratio - 1));
 }
 
+std::string tie_line(const SimplifyResult& result) {
+  const std::size_t ties = result.float_bound->ties;
+  if (ties == 0) return "";
+  return summary_line("ties",
+                      fmt::format("in {} of {} several removals cost the same up to rounding; the "
+                                  "canonical order chose, and another order may end elsewhere",
+                                  with_separators(ties), counted(result.steps, "step", "steps")));
+}
+
 std::string float_lines(const SimplifyResult& result) {
   const FloatBound& bound = *result.float_bound;
   if (bound.is_vouched()) {
@@ -121,7 +130,7 @@ std::string summary(const SimplifyResult& result) {
                                        result.input_halfspaces, result.redundant.size()));
   text += summary_line("output", output_line(result));
   text += summary_line("volume", volume_line(result));
-  if (result.float_bound) text += float_lines(result);
+  if (result.float_bound) text += float_lines(result) + tie_line(result);
   text += summary_line("verified", verified_line(result));
   return text + stored_lines(result.solid);
 }

@@ -2,6 +2,7 @@
 // fast_dual.hpp - the dual hull as the fast engines take it: dual points in doubles with a proven
 // error, exact planes only on demand.
 #pragma once
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -58,7 +59,7 @@ class FastDual {
             incident_.data() + incident_start_[i.index() + 1]};
   }
   /// Volumes in these coordinates times 2^this are volumes in the caller's cubed length unit.
-  long volume_exponent() const { return volume_exponent_; }
+  long volume_exponent() const { return long{frame_[0]} + frame_[1] + frame_[2]; }
 
   /// The halfspace itself; formed at the first call. Not to be called from two threads.
   const Halfspace& exact(HalfspaceId i) const;
@@ -66,6 +67,10 @@ class FastDual {
   std::size_t formed() const;
   /// Whether i stands before j in canonical order.
   bool precedes(HalfspaceId i, HalfspaceId j) const;
+  /// As precedes(), without exact numbers where a symmetry of the axes seems to carry one normal to
+  /// the other: their primitive normals are then equally long, so the directions, in doubles, are
+  /// in the same order. For choices that need no proof.
+  bool seems_to_precede(HalfspaceId i, HalfspaceId j) const;
   /// Strictly inside: the point that the dual refers to.
   const RationalPoint& center() const { return center_; }
 
@@ -73,12 +78,14 @@ class FastDual {
   friend class FastDualBuilder;
   FastDual();
   struct Planes;
+  std::array<double, 3> direction(HalfspaceId i) const;
 
   std::vector<Triple<double>> near_, rest_;
   std::vector<DualTriangle> triangles_;
   std::vector<std::uint32_t> twins_;
   std::vector<std::uint32_t> incident_, incident_start_;
-  long volume_exponent_ = 0;
+  std::array<int, 3> frame_{0, 0, 0};           // caller's length = length here * 2^frame
+  std::array<double, 3> axis_weight_{1, 1, 1};  // 2^-frame over the largest of the three
   RationalPoint center_;
   std::unique_ptr<Planes> planes_;
 };

@@ -24,6 +24,8 @@ struct FloatBound {
   std::size_t doubtful = 0;  ///< Steps of which these two are not proven.
   double least_next = 0;     ///< What any further removal would cost at least, as the steps' costs;
                              ///< infinite if all are proven to be unbounded.
+  std::size_t ties = 0;      ///< Steps in which doubles could not tell the cheapest, so that the
+                             ///< canonical order decided.
   bool is_end_proven = true;  ///< Whether exact numbers, too, would have ended the run there.
 
   /// Whether everything is proven. If not, the filtered engine knows.
@@ -48,6 +50,8 @@ class FloatWatch {
     upper_[i.index()] = upper;
     if (lower > lower_.key(i)) lower_.update(i, lower);
   }
+  /// The canonical order decides a step.
+  void note_tie() { ++bound_.ties; }
   /// i goes, at what is reported as its cost.
   void remove(HalfspaceId i, double cost) {
     const double upper = upper_[i.index()], lower = lower_.key(i);

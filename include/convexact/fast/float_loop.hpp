@@ -91,6 +91,7 @@ class FloatLoop {
   bool is_unbounded_by_signs() const;
   Scalar six_times_volume();
   std::optional<HalfspaceId> choose();
+  bool collect_tie(HalfspaceId top);
   void remove(HalfspaceId i);
 
   const FastDual& dual_;
@@ -105,6 +106,7 @@ class FloatLoop {
   KeyedQueue<Scalar> queue_;
   std::vector<unsigned char> state_;
   std::vector<Scalar> lower_;     // of six times the cost, as last enclosed
+  std::vector<Scalar> upper_;     // likewise
   std::vector<Scalar> estimate_;  // likewise; infinite if there is no such cap, or may be none
   // Changes of its ring to wait for before another look at a cap that was not found bounded: with a
   // quarter of the ring's length, all looks together cost no more than linear in it.
@@ -115,6 +117,7 @@ class FloatLoop {
   std::optional<LongerCap<Arithmetic>> longer_cap_;
   std::optional<FloatWatch> watch_;
   std::vector<RingTriangle> triangles_;
+  std::vector<HalfspaceId> tied_;  // after choose(): the choice first, then its equals
   std::uint64_t evaluations_ = 0;
 };
 
@@ -129,6 +132,7 @@ FloatLoop<Arithmetic>::FloatLoop(const FastDual& dual, const Arithmetic& arithme
       queue_(dual.size()),
       state_(dual.size(), kFresh),
       lower_(dual.size()),
+      upper_(dual.size()),
       estimate_(dual.size()),
       patience_(dual.size()),
       cap_(arithmetic) {
@@ -165,8 +169,10 @@ FastResult FloatLoop<Arithmetic>::run() {
       break;
     }
     allowance = allowance - cost;
-    result.steps.push_back({*choice, 1, leading(cost) / 6, leading(cost) / 6});
+    const auto tied = static_cast<std::uint32_t>(tied_.size());
+    result.steps.push_back({*choice, tied, leading(cost) / 6, leading(cost) / 6});
     if (watch_) watch_->remove(*choice, leading(cost));
+    if (watch_ && tied > 1) watch_->note_tie();
     remove(*choice);
     --left;
     if (options_.progress) options_.progress(left);
@@ -259,12 +265,14 @@ void FloatLoop<Arithmetic>::keep(HalfspaceId i, const CapEstimate<Number>& cap) 
   const bool is_bounded = cap.kind == Kind::Bounded;
   lower = is_bounded ? shortened(cap.lower) : Scalar(0.0);
   estimate = is_bounded ? shortened(cap.value) : infinity_;
+  upper_[i.index()] = is_bounded ? shortened(cap.upper) : infinity_;
   state_[i.index()] = estimate <= narrow_ * lower ? kFresh : kWide;
   const auto k = static_cast<std::uint32_t>(ring_.vertices.size());
   patience_[i.index()] = is_bounded || k <= RingTriangulator::kShortRing ? 0 : k / 4;
 }
 
-// The cheapest estimate, once no stale lower end is below it.
+// The cheapest estimate, once no stale lower end is below it; where others are as near as rounding,
+// the first of them in canonical order.
 template <class Arithmetic>
 std::optional<HalfspaceId> FloatLoop<Arithmetic>::choose() {
   for (;;) {
@@ -273,10 +281,37 @@ std::optional<HalfspaceId> FloatLoop<Arithmetic>::choose() {
       queue_.update(top, evaluate(top));
     } else if (!(queue_.key(top) < infinity_)) {
       return {};
-    } else {
-      return top;
+    } else if (collect_tie(top)) {
+      return tied_.front();
     }
   }
+}
+
+// Of a fresh top: those whose estimates are next to its own and whose ends overlap, the first in
+// canonical order in front. False if some of them were stale, which they are no longer.
+template <class Arithmetic>
+bool FloatLoop<Arithmetic>::collect_tie(HalfspaceId top) {
+  // Modelled symmetries tie in pairs, and the symmetries of the cube 48 at most. Long prisms tie
+  // all over, by the thousand; there the order among them means nothing.
+  constexpr std::size_t kMost = 48;
+  queue_.collect(narrow_ * queue_.key(top), tied_, kMost);
+  if (tied_.size() > kMost) tied_.assign(1, top);
+  if (tied_.size() == 1) return true;
+  bool all_fresh = true;
+  for (const HalfspaceId i : tied_) {
+    if (!(state_[i.index()] & kStale)) continue;
+    queue_.update(i, evaluate(i));
+    all_fresh = false;
+  }
+  if (!all_fresh) return false;
+  Scalar least = upper_[top.index()];
+  for (const HalfspaceId i : tied_) least = std::min(least, upper_[i.index()]);
+  std::erase_if(tied_, [&](HalfspaceId i) { return least < lower_[i.index()]; });
+  const auto first =
+      std::min_element(tied_.begin(), tied_.end(),
+                       [&](HalfspaceId a, HalfspaceId b) { return dual_.seems_to_precede(a, b); });
+  std::iter_swap(tied_.begin(), first);
+  return true;
 }
 
 // Of the initial solid. Where doubts remain, rather too small: the growth limit is kept.

@@ -39,11 +39,13 @@ class KeyedQueue {
     heap_.pop_back();
     if (hole < heap_.size()) settle(hole, last);
   }
-  /// All ids with a key of at most `limit`, in no order. @par Cost  Their number.
-  void collect(const Key& limit, std::vector<HalfspaceId>& ids) {
+  /// All ids with a key of at most `limit`, in no order; of more than `most` some most + 1 of them.
+  /// @par Cost  Their number.
+  void collect(const Key& limit, std::vector<HalfspaceId>& ids,
+               std::size_t most = std::numeric_limits<std::size_t>::max() - 1) {
     ids.clear();
     pending_.assign(1, 0);
-    while (!pending_.empty()) {
+    while (!pending_.empty() && ids.size() <= most) {
       const std::size_t i = pending_.back();
       pending_.pop_back();
       if (i >= heap_.size() || !(heap_[i].key <= limit)) continue;
