@@ -81,7 +81,7 @@ int run_diff(const DiffArguments& options) {
     DiffOutcome outcome = diff_engines(source.shape, request, own);
     if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
       progress.clear();
-      return report_not_solid(options.global, source.name, *reason);
+      return report_not_solid(options.global, source.name, of_typed_rows(*reason, source.rows));
     }
     log.add(own);
     objects.push_back({source.name, std::get<DiffReport>(std::move(outcome)), own});

@@ -104,10 +104,12 @@ int run_hull(const HullArguments& options) {
     HullReport outcome = measure_hull(source.shape, request, own);
     if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
       progress.clear();
-      return report_not_solid(options.global, source.name, *reason);
+      return report_not_solid(options.global, source.name, of_typed_rows(*reason, source.rows));
     }
     log.add(own);
-    objects.push_back({std::move(source), std::get<HullResult>(std::move(outcome)), own});
+    auto& result = std::get<HullResult>(outcome);
+    to_typed_rows(result.redundant, source.rows);
+    objects.push_back({std::move(source), std::move(result), own});
   }
   std::vector<OutputObject> outputs;
   for (const MeasuredObject& object : objects) {

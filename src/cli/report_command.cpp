@@ -120,7 +120,7 @@ int run_report(const ReportArguments& options) {
   for (const SceneObject& object : scene) {
     auto measured = measure_input({without_folder(object.name), &object.shape}, request);
     if (const auto* reason = std::get_if<NotSolid>(&measured)) {
-      return report_not_solid(options.global, object.name, *reason);
+      return report_not_solid(options.global, object.name, of_typed_rows(*reason, object.rows));
     }
     report.inputs.push_back(std::get<InputReport>(std::move(measured)));
   }

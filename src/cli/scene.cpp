@@ -59,14 +59,20 @@ void read_mesh_objects(const std::string& path, const std::string& bytes,
 
 SceneObject halfspace_object(const std::string& path, HalfspaceList list) {
   if (list.impossible_row) {
-    throw Error(ErrorCode::NoInterior,
-                "the input is empty: halfspace " + std::to_string(*list.impossible_row) +
-                    " (counting from 1) has a zero normal and holds nowhere");
+    throw Error(ErrorCode::NoInterior, "the input is empty: halfspace " +
+                                           std::to_string(*list.impossible_row - 1) +
+                                           " (counted from 0) has a zero normal and holds nowhere");
   }
-  return {display_name(path), stem_of(path), std::move(list.halfspaces), {}};
+  TypedRows rows = std::move(static_cast<TypedRows&>(list));
+  return {display_name(path), stem_of(path), std::move(list.halfspaces), {}, std::move(rows)};
 }
 
 }  // namespace
+
+void to_typed_rows(std::vector<RedundantHalfspace>& redundant, const TypedRows& rows) {
+  if (rows.rows.empty()) return;
+  for (RedundantHalfspace& halfspace : redundant) halfspace.row = rows.rows[halfspace.row] - 1;
+}
 
 std::vector<SceneObject> read_scene(const std::vector<std::string>& paths,
                                     const SceneOptions& options) {

@@ -149,10 +149,12 @@ int run_simplify(const SimplifyArguments& options) {
     SimplifyOutcome outcome = simplify(source.shape, request, own);
     if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
       progress.clear();
-      return report_not_solid(options.global, source.name, *reason);
+      return report_not_solid(options.global, source.name, of_typed_rows(*reason, source.rows));
     }
     log.add(own);
-    objects.push_back({std::move(source), std::get<SimplifyResult>(std::move(outcome)), own});
+    auto& result = std::get<SimplifyResult>(outcome);
+    to_typed_rows(result.redundant, source.rows);
+    objects.push_back({std::move(source), std::move(result), own});
   }
   const OutputFiles files =
       log.run("write", StageKind::Io, [&] { return files_of(objects, options.output); });

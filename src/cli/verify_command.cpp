@@ -100,7 +100,7 @@ int run_verify_candidate(const VerifyArguments& options) {
   const VerifyOutcome outcome = verify(input.shape, candidate, request, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
     progress.clear();
-    return report_not_solid(options.global, input.name, *reason);
+    return report_not_solid(options.global, input.name, of_typed_rows(*reason, input.rows));
   }
   const auto& verdict = std::get<Verdict>(outcome);
   progress.clear();

@@ -129,7 +129,7 @@ int run_verify_trace(const GlobalOptions& global, const std::string& input, Deci
   const SolidOutcome outcome = make_solid(scene[0].shape, global.seed, true, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
     progress.clear();
-    return report_not_solid(global, scene[0].name, *reason);
+    return report_not_solid(global, scene[0].name, of_typed_rows(*reason, scene[0].rows));
   }
   const std::size_t halfspaces = std::get<Solid>(outcome).dual.halfspaces.size();
   judge_options.progress = [&](std::size_t judged) {

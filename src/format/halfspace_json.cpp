@@ -70,7 +70,7 @@ class HalfspaceEvents : public JsonEvents {
   bool in_row() const { return in_list() && depth_ == list_depth_ + 1; }
 
   [[noreturn]] void fail_row(const std::string& message, ErrorCode code) const {
-    throw Error(code, "halfspace " + std::to_string(list_.row_count() + 1) + ": " + message,
+    throw Error(code, "halfspace " + std::to_string(list_.row_count()) + ": " + message,
                 row_line_);
   }
 

@@ -20,7 +20,7 @@ class IneReader {
       check_option(token);
     }
     const std::uint32_t rows = read_sizes();
-    for (std::uint32_t row = 1; row <= rows; ++row) read_row(row);
+    for (std::uint32_t row = 0; row < rows; ++row) read_row(row);
     if (const auto token = cursor_.expect_line("end"); token != "end") {
       cursor_.fail_expected("end", token);
     }
@@ -62,7 +62,7 @@ class IneReader {
   }
 
   void read_row(std::uint32_t row) {
-    const Rational b = to_number(cursor_.expect_line("row", row));
+    const Rational b = to_number(cursor_.expect_line("halfspace", row));
     RationalVector3 a;
     for (Rational& x : a) x = to_number(cursor_.expect_token("four numbers"));
     cursor_.expect_line_end();

@@ -63,7 +63,7 @@ class OffReader {
 
   void read_point() {
     std::array<std::string_view, 3> coordinates;
-    coordinates[0] = cursor_.expect_line("point", points_.size() + 1);
+    coordinates[0] = cursor_.expect_line("point", points_.size());
     for (int k : {1, 2}) coordinates[k] = cursor_.expect_token("three coordinates");
     points_.add(coordinates, cursor_);
     if (!has_attributes_) return cursor_.expect_line_end();
@@ -74,7 +74,7 @@ class OffReader {
 
   // n i1 ... in [colour]
   void read_polygon() {
-    const std::string_view first = cursor_.expect_line("polygon", mesh_.polygons.size() + 1);
+    const std::string_view first = cursor_.expect_line("polygon", mesh_.polygons.size());
     const std::uint32_t size = cursor_.to_count(first, "the number of corners");
     if (size < 3) cursor_.fail_expected("a polygon of at least 3 corners", first);
     corners_.clear();

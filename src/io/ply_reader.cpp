@@ -33,7 +33,7 @@ class TextBody {
   PointSet finish() { return points_.finish(); }
   [[noreturn]] void fail(const std::string& message) const { cursor_.fail(message); }
   [[noreturn]] void fail_short(std::string_view element, std::size_t row) const {
-    fail("expected " + std::string(element) + " " + std::to_string(row + 1) +
+    fail("expected " + std::string(element) + " " + std::to_string(row) +
          ", found the end of the file");
   }
 
@@ -73,7 +73,7 @@ class BinaryBody {
     if (std::isfinite(row_[axis])) return;
     throw Error(ErrorCode::NotFinite,
                 "at byte " + std::to_string(start) + ": expected a finite number in point " +
-                    std::to_string(row_number_ + 1) + ", found " +
+                    std::to_string(row_number_) + ", found " +
                     (std::isfinite(stored) ? "one beyond binary32" : "NaN or infinity"));
   }
   void end_point() { points_.push_back(row_); }
@@ -83,7 +83,7 @@ class BinaryBody {
   PointSet finish() { return PointSet(std::move(points_)); }
   [[noreturn]] void fail(const std::string& message) const { cursor_.fail(message); }
   [[noreturn]] void fail_short(std::string_view element, std::size_t row) const {
-    fail("expected " + std::string(element) + " " + std::to_string(row + 1) +
+    fail("expected " + std::string(element) + " " + std::to_string(row) +
          ", found the end of the file");
   }
 

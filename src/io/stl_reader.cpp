@@ -63,7 +63,7 @@ Mesh read_binary(std::string_view bytes, Decimal decimal) {
         x = cursor.take_float();
         if (!std::isfinite(x)) {
           cursor.fail("expected a finite number in triangle " +
-                          std::to_string(mesh.polygons.size() + 1) + ", found NaN or infinity",
+                          std::to_string(mesh.polygons.size()) + ", found NaN or infinity",
                       ErrorCode::NotFinite);
         }
       }

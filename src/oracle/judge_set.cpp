@@ -43,16 +43,6 @@ CandidateSet flat_mesh(const FlatInput& flat, Docket& docket) {
   return set;
 }
 
-// The halfspaces of a proof by their rows in the candidate's file, counted from 0.
-NotSolid by_rows(NotSolid reason, const HalfspaceList& list) {
-  const auto rename = [&](std::vector<Multiplier>& multipliers) {
-    for (Multiplier& m : multipliers) m.row = list.rows[m.row] - 1;
-  };
-  if (auto* empty = std::get_if<EmptyProof>(&reason)) rename(empty->farkas);
-  if (auto* flat = std::get_if<FlatProof>(&reason)) rename(flat->multipliers);
-  return reason;
-}
-
 std::vector<std::size_t> rows_of(const std::vector<Multiplier>& multipliers) {
   std::vector<std::size_t> rows;
   for (const Multiplier& m : multipliers) rows.push_back(m.row);
@@ -160,7 +150,7 @@ CandidateSet judge_halfspace_set(const HalfspaceList& list, Docket& docket, Stag
   });
   set.is_examined = true;
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
-    judge_no_solid(by_rows(*reason, list), docket);
+    judge_no_solid(of_typed_rows(*reason, list), docket);
     return set;
   }
   set.polytope = std::get<Polytope>(std::move(outcome));

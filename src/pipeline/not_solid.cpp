@@ -50,11 +50,12 @@ struct Description {
   }
   std::string operator()(const EmptyProof& proof) const {
     return "no point lies in all halfspaces: " + list_rows(proof.farkas) +
-           " says that a positive number is at most 0";
+           " says that a positive number is at most 0 (rows as typed, counted from 0)";
   }
   std::string operator()(const FlatProof& proof) const {
     return "the halfspaces have a point in common but no interior: " +
-           list_rows(proof.multipliers) + " is 0 <= 0, so each of them holds with equality only";
+           list_rows(proof.multipliers) +
+           " is 0 <= 0, so each of them holds with equality only (rows as typed, counted from 0)";
   }
   std::string operator()(const RecessionRay& ray) const {
     return "the halfspaces bound no finite volume: their intersection extends to infinity along " +
@@ -63,6 +64,18 @@ struct Description {
 };
 
 }  // namespace
+
+NotSolid of_typed_rows(NotSolid reason, const TypedRows& rows) {
+  const auto rename = [&](std::vector<Multiplier>& multipliers) {
+    if (rows.rows.empty()) return;
+    for (Multiplier& m : multipliers) {
+      m = {rows.rows[m.row] - 1, m.value * rows.scales[m.row]};
+    }
+  };
+  if (auto* empty = std::get_if<EmptyProof>(&reason)) rename(empty->farkas);
+  if (auto* flat = std::get_if<FlatProof>(&reason)) rename(flat->multipliers);
+  return reason;
+}
 
 std::string describe(const NotSolid& reason) { return std::visit(Description{}, reason); }
 

@@ -48,7 +48,7 @@ TEST_CASE("read_off: every error has its line and says what was expected") {
            {"OFF\n-3 1 0\n", 2, "expected the number of points, found '-3'"},
            {"OFF\n3 1 0 0\n", 2, "expected the end of the line, found '0'"},
            {"OFF\n4000000000 4000000000 0\n0 0 0\n", 2, "too short"},
-           {"OFF\n3 0 0\n0 0 0\n0 0 0           \n", 5, "expected point 3, found the end"},
+           {"OFF\n3 0 0\n0 0 0\n0 0 0           \n", 5, "expected point 2, found the end"},
            {"OFF\n1 0 0\n0 0\n", 3, "expected three coordinates"},
            {"OFF\n1 0 0\n0 0 0 0\n", 3, "expected the end of the line"},
            {"OFF\n1 0 0\n0 nan 0\n", 3, "expected a finite number"},

@@ -89,7 +89,7 @@ TEST_CASE("read_stl: every error says where it is and what was expected") {
            {std::string(134, ' '), {}, "found neither in 134 bytes"},
            {binary("", 2, {{}, {0, 0, 0, 0, infinity, 0, 0, 0, 0}}),
             {},
-            "at byte 166: expected a finite number in triangle 2"},
+            "at byte 166: expected a finite number in triangle 1"},
            {"solid\n" + good, 9, "expected facet or endsolid, found the end of the file"},
            {"solid\nloop\n", 2, "expected facet or endsolid, found 'loop'"},
            {"solid\nfacet\nouter lop\n", 3, "expected loop, found 'lop'"},
