@@ -70,8 +70,7 @@ class HalfspaceEvents : public JsonEvents {
   bool in_row() const { return in_list() && depth_ == list_depth_ + 1; }
 
   [[noreturn]] void fail_row(const std::string& message, ErrorCode code) const {
-    throw Error(code, "halfspace " + std::to_string(list_.row_count()) + ": " + message,
-                row_line_);
+    throw Error(code, "halfspace " + std::to_string(list_.row_count()) + ": " + message, row_line_);
   }
 
   // An object, or an array that is neither the list nor a row of it.

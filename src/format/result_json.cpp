@@ -131,12 +131,9 @@ Json stop_json(const SimplifyResult& result) {
 }
 
 Json float_bound_json(const FloatBound& bound) {
-  return {{"vouched", bound.is_vouched()},
-          {"cost", bound.cost},
-          {"regret", bound.regret},
-          {"doubtful", bound.doubtful},
-          {"ties", bound.ties},
-          {"end_proven", bound.is_end_proven}};
+  return {
+      {"vouched", bound.is_vouched()}, {"cost", bound.cost}, {"regret", bound.regret},
+      {"doubtful", bound.doubtful},    {"ties", bound.ties}, {"end_proven", bound.is_end_proven}};
 }
 
 }  // namespace

@@ -17,14 +17,14 @@ using support::ScratchFolder;
 
 namespace {
 
-using Row = std::array<Rational, 4>;
+using TypedRow = std::array<Rational, 4>;
 
-std::vector<Row> typed_rows(const std::string& text) {
-  std::vector<Row> rows;
+std::vector<TypedRow> typed_rows(const std::string& text) {
+  std::vector<TypedRow> rows;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
-    Row& row = rows.emplace_back();
+    TypedRow& row = rows.emplace_back();
     for (Rational& x : row) {
       std::string word;
       words >> word;
@@ -35,13 +35,13 @@ std::vector<Row> typed_rows(const std::string& text) {
 }
 
 // y'(N, d) for multipliers y >= 0 of typed rows.
-Row combination(const json& multipliers, const std::vector<Row>& rows) {
-  Row sum{0, 0, 0, 0};
+TypedRow combination(const json& multipliers, const std::vector<TypedRow>& rows) {
+  TypedRow sum{0, 0, 0, 0};
   CHECK_FALSE(multipliers.empty());
   for (const json& entry : multipliers) {
     const Rational y = parse_rational(entry["multiplier"].get<std::string>());
     CHECK(y > 0);
-    const Row& row = rows.at(entry["halfspace"].get<std::size_t>());
+    const TypedRow& row = rows.at(entry["halfspace"].get<std::size_t>());
     for (int k = 0; k < 4; ++k) sum[k] += y * row[k];
   }
   return sum;
@@ -69,7 +69,7 @@ TEST_CASE("proofs: multipliers of an empty list hold for the rows as typed (#13)
     CAPTURE(command);
     const json proof = proof_of(command);
     REQUIRE(proof["kind"] == "empty");
-    const Row sum = combination(proof["farkas"], typed_rows(kEmpty));
+    const TypedRow sum = combination(proof["farkas"], typed_rows(kEmpty));
     for (int k = 0; k < 3; ++k) CHECK(sum[k] == 0);
     CHECK(sum[3] > 0);
   }
