@@ -246,28 +246,27 @@ VerifyOutcome verify_in_time(const PointSet& input, const Candidate& candidate,
 ordered_json answer(const json& request, std::optional<double> time_limit) {
   require_known_keys(request,
                      {"id", "points", "candidate", "claims", "tolerance", "tightness", "decimal",
-                      "max_facets", "max_vertices", "max_facet_vertices", "time_limit"},
-                      "numbers", "max_facets", "max_vertices", "max_facet_vertices"},
+                      "numbers", "max_facets", "max_vertices", "max_facet_vertices", "time_limit"},
                      "the request");
-if (request.contains("id") && request["id"].is_structured()) {
-  reject("an id that is a number, a string, true, false or null");
-}
-if (!request.contains("points") || !request.contains("candidate")) {
-  reject("a request with 'points' and 'candidate'");
-}
-const Decimal decimal = decimal_of(request);
-const VerifyRequest asked = questions(request);
-const PointSet input = points(request["points"], decimal, "point");
-VerifyOutcome outcome = verify_in_time(input, candidate(request["candidate"], decimal), asked,
-                                       time_limit_of(request, time_limit));
-if (auto* verdict = std::get_if<Verdict>(&outcome)) {
-  std::erase_if(verdict->claims, [](const Claim& c) { return c.status == Status::NotAsked; });
-  return verdict_json(*verdict);
-}
-const auto& reason = std::get<NotSolid>(outcome);
-ordered_json error = error_json(Error(ErrorCode::NoInterior, describe(reason)));
-error["proof"] = proof_json(reason);
-return {{"error", error}};
+  if (request.contains("id") && request["id"].is_structured()) {
+    reject("an id that is a number, a string, true, false or null");
+  }
+  if (!request.contains("points") || !request.contains("candidate")) {
+    reject("a request with 'points' and 'candidate'");
+  }
+  const Decimal decimal = decimal_of(request);
+  const VerifyRequest asked = questions(request);
+  const PointSet input = points(request["points"], decimal, "point");
+  VerifyOutcome outcome = verify_in_time(input, candidate(request["candidate"], decimal), asked,
+                                         time_limit_of(request, time_limit));
+  if (auto* verdict = std::get_if<Verdict>(&outcome)) {
+    std::erase_if(verdict->claims, [](const Claim& c) { return c.status == Status::NotAsked; });
+    return verdict_json(*verdict);
+  }
+  const auto& reason = std::get<NotSolid>(outcome);
+  ordered_json error = error_json(Error(ErrorCode::NoInterior, describe(reason)));
+  error["proof"] = proof_json(reason);
+  return {{"error", error}};
 }
 
 // The id of a request as it goes into the answer: a number as spelled, and empty if there is none.
