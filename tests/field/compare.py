@@ -4,7 +4,7 @@ import json
 import subprocess
 from fractions import Fraction
 
-from judge import judge_files, squared_tolerance, within_shell
+from judge import decide_convex, judge_files, squared_tolerance
 
 # Of these claims a tolerance forgives distances; the figure that decides is beside each.
 MEASURED = {"contains-input": "squared_distance", "mesh-planar": "squared_bend", "mesh-convex": "squared_concavity"}
@@ -49,13 +49,10 @@ def expected_claims(verdict, diameter, tolerance):
     allowed = squared_tolerance(tolerance, diameter)
     if allowed and "squared_distance" in figures:
         claims["contains-input"] = figures["squared_distance"] <= allowed
-    if figures.get("not_simple"):
-        return claims
     if allowed and claims["mesh-planar"] is False:
-        claims["mesh-planar"] = figures["squared_bend"] <= allowed
-    if allowed and claims["mesh-convex"] is False and figures["faces_off"]:
-        claims["mesh-convex"] = figures["squared_concavity"] <= allowed and (
-            not claims["mesh-closed"] or within_shell(figures, allowed))
+        claims["mesh-planar"] = not figures["not_simple"] and figures["squared_bend"] <= allowed
+    if allowed and claims["mesh-convex"] is False:
+        claims["mesh-convex"] = decide_convex(claims, figures, allowed)
     return claims
 
 

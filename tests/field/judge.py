@@ -88,41 +88,45 @@ def judge_hull(verdict, hull, scale):
                            volume=Fraction(hull.volume6(), 6 * scale ** 3))
 
 
-def covers_once(verdict, surface, hull, scale, tolerance):
-    """Whether a surface whose planes are the hull's up to a tolerance encloses the hull's volume, up to its area times that."""
+def measure_cover(verdict, surface, hull, scale):
+    """How far the volume that the faces enclose is from the hull's, and an upper bound of the hull's area."""
     verdict.figures["volume_gap"] = Fraction(abs(surface.volume6() - hull.volume6()), 6 * scale ** 3)
     verdict.figures["area_above"] = Fraction(hull.area_above(), scale ** 2)
-    return within_shell(verdict.figures, tolerance) if surface.is_closed() else True
 
 
-def within_shell(figures, tolerance):
+def decide_convex(claims, figures, tolerance):
+    """Simple faces in the planes of the hull's facets that cover it once; up to the tolerance, given as a square.
+
+    Covering is asked of closed, oriented surfaces only; of others that lie in the hull's surface nothing is decided.
+    """
+    if figures["not_simple"] or figures["squared_concavity"] > tolerance or (figures["faces_off"] and not tolerance):
+        return False
+    if not claims["mesh-closed"] or not figures["consistent"]:
+        return None
+    if not figures["faces_off"]:
+        return figures["volume_gap"] == 0
     return figures["volume_gap"] ** 2 <= figures["area_above"] ** 2 * tolerance
 
 
 def judge_faces(verdict, surface, hull, scale, tolerance):
     """The claims about a surface; a tolerance forgives distances to planes, never a hole."""
     claims = verdict.claims
-    simple = not surface.not_simple()
-    verdict.figures.update(without_area=surface.without_area(), not_simple=surface.not_simple())
+    verdict.figures.update(without_area=surface.without_area(), not_simple=surface.not_simple(),
+                           consistent=surface.is_consistent())
     claims["mesh-closed"] = surface.is_closed()
-    if not surface.is_consistent():
+    if not verdict.figures["consistent"]:
         claims["mesh-oriented"] = False
     elif claims["mesh-closed"]:
         claims["mesh-oriented"] = surface.volume6() > 0
     bend = surface.bend()
     verdict.figures["squared_bend"] = bend / scale ** 2
-    claims["mesh-planar"] = simple and bend / scale ** 2 <= tolerance
+    claims["mesh-planar"] = not verdict.figures["not_simple"] and bend / scale ** 2 <= tolerance
     if hull is None:
         return
     off, worst = surface.off_hull(hull)
     verdict.figures.update(faces_off=off, squared_concavity=worst / scale ** 2)
-    if not simple:
-        claims["mesh-convex"] = False
-    elif off:
-        once = covers_once(verdict, surface, hull, scale, tolerance)
-        claims["mesh-convex"] = 0 < tolerance >= worst / scale ** 2 and once
-    elif claims["mesh-closed"] and claims["mesh-oriented"] is not None and surface.is_consistent():
-        claims["mesh-convex"] = surface.volume6() == hull.volume6()
+    measure_cover(verdict, surface, hull, scale)
+    claims["mesh-convex"] = decide_convex(claims, verdict.figures, tolerance)
 
 
 def judge_mesh(verdict, given, mesh, tolerance):
@@ -147,8 +151,6 @@ def judge_mesh(verdict, given, mesh, tolerance):
         verdict.figures["dropped_faces"] = surface.dropped
         if surface.faces:
             judge_faces(verdict, surface, hull, scale, tolerance)
-        else:
-            claims["mesh-closed"] = False
 
 
 def judge_rows(verdict, given, rows, tolerance):
