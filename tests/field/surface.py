@@ -108,29 +108,33 @@ class Surface:
 
     def bend(self):
         """The largest squared distance of a corner to the plane through its face's first corner."""
-        worst = Fraction(0)
-        for area, face in zip(self.areas, self.faces):
-            if any(area):
-                offset = dot(area, face[0])
-                worst = max([worst] + [squared_excess(area, offset, c) for c in face if dot(area, c) != offset])
-        return worst
+        return max((bend_of(area, face) for area, face in zip(self.areas, self.faces)), default=Fraction(0))
 
     def off_hull(self, hull):
-        """How many faces with an area lie in no facet of the hull outward, and how far a vertex is beyond one."""
+        """How many faces with an area lie in no facet of the hull outward, and how far a vertex is beyond one.
+
+        If none is beyond any of them, how much they are bent.
+        """
         planes = {direction(facet.normal, facet.offset) for facet in hull.facets}
         vertices = [hull.points[v] for v in hull.vertices]
-        count, worst = 0, Fraction(0)
+        count, worst, bend = 0, Fraction(0), Fraction(0)
         for area, face in zip(self.areas, self.faces):
             if not any(area):
                 continue
             offset = dot(area, face[0])
             if direction(area, offset) in planes:
                 continue
-            count += 1
+            count, bend = count + 1, max(bend, bend_of(area, face))
             farthest = max(vertices, key=lambda p: dot(area, p))
             if dot(area, farthest) > offset:
                 worst = max(worst, squared_excess(area, offset, farthest))
-        return count, worst
+        return count, worst or bend
+
+
+def bend_of(area, face):
+    """The largest squared distance of a corner to the plane through the first one; 0 without an area."""
+    offset = dot(area, face[0])
+    return max((squared_excess(area, offset, c) for c in face if dot(area, c) != offset), default=Fraction(0))
 
 
 def direction(normal, offset):
