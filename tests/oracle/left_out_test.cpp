@@ -93,7 +93,7 @@ CutIds never_removed_by_definition(const std::vector<Halfspace>& halfspaces, con
 }
 
 // Every number of a verdict on the solid without what is left out.
-void check_against_definition(const TraceVerdict& verdict) {
+void check_left_out_by_definition(const TraceVerdict& verdict) {
   const definition::HalfspaceArrangement arrangement(verdict.halfspaces);
   definition::Subset left = arrangement.all();
   for (const HalfspaceId id : verdict.left_out) left &= ~(definition::Subset{1} << id.index());
@@ -243,7 +243,7 @@ TEST_CASE("left out: facets and rating by the definition, on random orders (#13)
       options.left_out = expected;
       const TraceVerdict without =
           judge_trace(solid, center_of(solid), order_of(solid, ids), options);
-      check_against_definition(without);
+      check_left_out_by_definition(without);
       CHECK(without.rating == verdict.never_removed->rating);
       CHECK(without.at == verdict.never_removed->at);
     }
