@@ -172,6 +172,11 @@ VerifyRequest questions(const json& request) {
     if (!tolerance.is_string()) reject("the tolerance as a string, such as \"1e-9d\"");
     asked.tolerance = parse_tolerance(tolerance.get_ref<const std::string&>());
   }
+  if (request.contains("exact_facets")) {
+    if (!request["exact_facets"].is_boolean()) reject("exact_facets as true or false");
+    asked.exact_facets = request["exact_facets"].get<bool>();
+    if (!request.contains("max_facets")) reject("exact_facets with max_facets only");
+  }
   asked.max_facets = budget(request, "max_facets");
   asked.max_vertices = budget(request, "max_vertices");
   asked.max_facet_vertices = budget(request, "max_facet_vertices");
@@ -246,7 +251,8 @@ VerifyOutcome verify_in_time(const PointSet& input, const Candidate& candidate,
 ordered_json answer(const json& request, std::optional<double> time_limit) {
   require_known_keys(request,
                      {"id", "points", "candidate", "claims", "tolerance", "tightness", "decimal",
-                      "numbers", "max_facets", "max_vertices", "max_facet_vertices", "time_limit"},
+                      "numbers", "max_facets", "max_vertices", "max_facet_vertices", "exact_facets",
+                      "time_limit"},
                      "the request");
   if (request.contains("id") && request["id"].is_structured()) {
     reject("an id that is a number, a string, true, false or null");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "convexact/format/verdict_json.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "convexact/format/result_json.hpp"
@@ -91,12 +92,20 @@ Json verdict_json(const Verdict& verdict) {
   for (const Claim& claim : verdict.claims) {
     claims.push_back(claim_json(claim, verdict.squared_diameter));
   }
-  Json json = {{"verdict", verdict.holds() ? "holds" : "violated"},
+  const bool is_violated =
+      std::any_of(verdict.claims.begin(), verdict.claims.end(),
+                  [](const Claim& claim) { return claim.status == Status::Violated; });
+  Json json = {{"verdict", verdict.holds() ? "holds"
+                           : is_violated   ? "violated"
+                                           : "undecided"},
                {"claims", claims},
                {"candidate", size_json(verdict.size)}};
   if (verdict.outside) json["outside"] = outside_json(*verdict.outside);
   if (verdict.tightness) {
     json["tightness"] = tightness_json(*verdict.tightness, verdict.squared_diameter);
+  }
+  if (const auto& least = verdict.smallest_tolerance) {
+    json["smallest_tolerance"] = {{"value", least->decimal}, {"rounding", least->is_rounding}};
   }
   if (!verdict.notes.empty()) json["notes"] = verdict.notes;
   return json;

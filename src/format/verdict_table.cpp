@@ -88,6 +88,14 @@ std::string verdict_line(const Verdict& verdict) {
   const auto violated =
       std::count_if(verdict.claims.begin(), verdict.claims.end(),
                     [](const Claim& claim) { return claim.status == Status::Violated; });
+  const auto undecided = std::count_if(verdict.claims.begin(), verdict.claims.end(),
+                                       [](const Claim& claim) { return claim.is_undecided(); });
+  if (violated == 0 && undecided > 0) {
+    return verdict_line(
+        "verdict",
+        fmt::format("{} asked for by name and cannot be decided",
+                    undecided == 1 ? "1 claim was" : fmt::format("{} claims were", undecided)));
+  }
   if (violated == 0) return verdict_line("verdict", "every claim holds");
   return verdict_line(
       "verdict",

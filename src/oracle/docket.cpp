@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "convexact/error.hpp"
 #include "convexact/number/digits.hpp"
 #include "judge.hpp"
 
 namespace convexact::oracle {
 namespace {
+
+bool is_budget(ClaimCode code) {
+  return code == ClaimCode::MaxFacets || code == ClaimCode::MaxVertices ||
+         code == ClaimCode::MaxFacetVertices;
+}
 
 bool has_budget(const VerifyRequest& request, ClaimCode code) {
   switch (code) {
@@ -22,24 +28,52 @@ bool has_budget(const VerifyRequest& request, ClaimCode code) {
 
 }  // namespace
 
+void require_numbers(const VerifyRequest& request) {
+  for (const ClaimCode code : request.claims) {
+    if (has_budget(request, code)) continue;
+    throw Error(ErrorCode::InvalidArgument, std::string("the claim ") + name_of(code) +
+                                                " needs the number that it allows: --" +
+                                                name_of(code) + " N");
+  }
+}
+
+void judge_tolerance(const Rational& rounding, Docket& docket) {
+  Verdict& verdict = docket.verdict;
+  Rational worst = 0;
+  for (const Claim& claim : verdict.claims) {
+    if (claim.is_undecided()) return;
+    if (claim.status != Status::Violated) continue;
+    if (!claim.witness.squared_distance) return;
+    worst = std::max(worst, *claim.witness.squared_distance);
+  }
+  if (worst == 0) return;
+  const SmallestTolerance least{least_tolerance(worst), worst <= rounding * rounding};
+  verdict.smallest_tolerance = least;
+  verdict.notes.push_back((least.is_rounding
+                               ? "all that is violated is so by no more than rounding explains, " +
+                                     std::to_string(kRoundingUlps) +
+                                     " units in the last place of the largest coordinate; "
+                               : std::string()) +
+                          "with --tolerance " + least.decimal + " every claim holds");
+}
+
 Docket::Docket(const VerifyRequest& asked, Verdict& result) : request(asked), verdict(result) {
   for (const ClaimCode code : kAllClaims) {
-    verdict.claims.push_back({code, Status::NotAsked, "", {}});
+    verdict.claims.push_back({code, Status::NotAsked, "", {}, false});
+    verdict.claims.back().is_named = asks(code) && (!asked.claims.empty() || is_budget(code));
   }
 }
 
 bool Docket::asks(ClaimCode code) const {
   const auto& list = request.claims;
   const bool listed = list.empty() || std::find(list.begin(), list.end(), code) != list.end();
-  const bool is_budget = code == ClaimCode::MaxFacets || code == ClaimCode::MaxVertices ||
-                         code == ClaimCode::MaxFacetVertices;
-  return is_budget ? has_budget(request, code) : listed;
+  return is_budget(code) ? has_budget(request, code) : listed;
 }
 
 void Docket::set(ClaimCode code, Status status, std::string sentence, Witness witness) {
   if (!asks(code)) return;
   Claim& claim = verdict.claims[static_cast<std::size_t>(code)];
-  claim = {code, status, std::move(sentence), std::move(witness)};
+  claim = {code, status, std::move(sentence), std::move(witness), claim.is_named};
 }
 
 void Docket::holds(ClaimCode code, std::string sentence, Witness witness) {

@@ -65,6 +65,11 @@ void judge_containment(const Input& input, const Candidate& candidate, Candidate
 /// The three budgets.
 void judge_budgets(Docket& docket);
 
+/// @throws Error InvalidArgument if a budget is among the claims without its number.
+void require_numbers(const VerifyRequest& request);
+/// After all claims: the tolerance with which they hold. @param rounding  A distance.
+void judge_tolerance(const Rational& rounding, Docket& docket);
+
 /// "1 point", "18 halfspaces".
 std::string counted(std::size_t count, const char* one, const char* many);
 

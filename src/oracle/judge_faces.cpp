@@ -23,11 +23,11 @@ std::string edge_text(const MeshEdge& edge) {
 void judge_closed(const std::optional<MeshEdge>& open, Docket& docket) {
   if (!open) {
     docket.holds(MeshClosed, "each edge has two faces");
-  } else if (open->tail == open->head) {
-    docket.violated(
-        MeshClosed,
-        "face " + std::to_string(open->faces[0]) + " has the same corner twice in a row",
-        witness_of(*open));
+  } else if (open->faces.size() == 2) {
+    docket.violated(MeshClosed,
+                    "face " + std::to_string(open->faces[0]) + " runs along " + edge_text(*open) +
+                        " twice, and no other face does",
+                    witness_of(*open));
   } else {
     docket.violated(MeshClosed,
                     edge_text(*open) + " has " + counted(open->faces.size(), "face", "faces") +
@@ -51,18 +51,32 @@ void judge_oriented(const MeshSurface& surface, bool is_closed, Docket& docket) 
   }
 }
 
-void judge_planar(const Mesh& mesh, const MeshSurface& surface, Docket& docket) {
-  if (const auto face = surface.face_without_area()) {
-    Witness witness;
-    witness.faces = {*face};
-    for (const std::uint32_t corner : mesh.polygons[*face]) witness.vertices.push_back(corner);
-    docket.violated(MeshPlanar, "face " + std::to_string(*face) + " has no area",
-                    std::move(witness));
+Witness witness_of(const CrossedFace& crossed) {
+  Witness witness;
+  witness.faces = {crossed.face};
+  witness.vertices.assign(crossed.corners.begin(), crossed.corners.end());
+  return witness;
+}
+
+std::string crossing_text(const CrossedFace& crossed) {
+  const std::string face = "face " + std::to_string(crossed.face);
+  const auto& c = crossed.corners;
+  if (c.empty()) return face + " is no polygon: it runs along a line more than once to and fro";
+  const auto edge = [&](std::size_t k) {
+    return "from " + std::to_string(c[k]) + " to " + std::to_string(c[k + 1]);
+  };
+  return face + " is no simple polygon: its edges " + edge(0) + " and " + edge(2) + " meet";
+}
+
+void judge_planar(const Mesh& mesh, const MeshSurface& surface,
+                  const std::optional<CrossedFace>& crossed, Docket& docket) {
+  if (crossed) {
+    docket.violated(MeshPlanar, crossing_text(*crossed), witness_of(*crossed));
     return;
   }
   const auto bent = surface.most_bent();
   if (!bent) {
-    docket.holds(MeshPlanar, "the corners of each face lie in one plane, exactly");
+    docket.holds(MeshPlanar, "each face is a simple polygon in one plane, exactly");
     return;
   }
   Witness witness;
@@ -84,7 +98,8 @@ std::string hull_text(const CandidateSet& set) {
 }
 
 void judge_convex(const Mesh& mesh, const MeshSurface& surface, bool is_closed,
-                  const CandidateSet& set, Docket& docket) {
+                  const std::optional<CrossedFace>& crossed, const CandidateSet& set,
+                  Docket& docket) {
   const MeshSurface::OffHull off = surface.faces_off(set.planes, set.hull->vertices);
   if (off.worst) {
     Witness witness;
@@ -101,8 +116,13 @@ void judge_convex(const Mesh& mesh, const MeshSurface& surface, bool is_closed,
                        std::move(witness));
     return;
   }
-  // Faces in facet planes of the hull that look outward cover each facet equally often, and close
-  // up once: then they enclose what the hull encloses.
+  // Simple polygons in facet planes of the hull that look outward cover each point of its surface
+  // equally often if they close up: as a cycle on a sphere they are a multiple of it. Once if they
+  // enclose what the hull encloses.
+  if (crossed) {
+    docket.violated(MeshConvex, crossing_text(*crossed) + hull_text(set), witness_of(*crossed));
+    return;
+  }
   if (!is_closed || surface.twisted_edge()) {
     docket.not_applicable(MeshConvex,
                           "each face is in the surface of the hull, but together they do not "
@@ -119,6 +139,33 @@ void judge_convex(const Mesh& mesh, const MeshSurface& surface, bool is_closed,
   }
 }
 
+std::string list_text(const std::vector<std::size_t>& faces) {
+  constexpr std::size_t kShown = 5;
+  std::string text = faces.size() == 1 ? "face " : "faces ";
+  for (std::size_t k = 0; k < std::min(faces.size(), kShown); ++k) {
+    text += (k > 0 ? ", " : "") + std::to_string(faces[k]);
+  }
+  return faces.size() <= kShown ? text
+                                : text + " and " + with_separators(faces.size() - kShown) + " more";
+}
+
+void note_surplus(const Surplus& surplus, Docket& docket) {
+  std::vector<std::string>& notes = docket.verdict.notes;
+  if (!surplus.degenerate_faces.empty()) {
+    notes.push_back(list_text(surplus.degenerate_faces) +
+                    (surplus.degenerate_faces.size() == 1 ? " does" : " do") +
+                    " not count: fewer than three corners at different places");
+  }
+  if (surplus.zero_edges > 0) {
+    notes.push_back(counted(surplus.zero_edges, "edge does", "edges do") +
+                    " not count: between points at the same place");
+  }
+  if (!surplus.slivers.empty()) {
+    notes.push_back(list_text(surplus.slivers) + (surplus.slivers.size() == 1 ? " has" : " have") +
+                    " no area: all corners on a line");
+  }
+}
+
 }  // namespace
 
 void judge_faces(const Mesh& mesh, const CandidateSet& set, Docket& docket) {
@@ -127,21 +174,28 @@ void judge_faces(const Mesh& mesh, const CandidateSet& set, Docket& docket) {
                    [&](ClaimCode code) { return docket.asks(code); })) {
     return;
   }
-  if (mesh.polygons.empty()) {
+  const MeshSurface surface(mesh);
+  note_surplus(surface.surplus(), docket);
+  if (surface.is_empty()) {
     for (const ClaimCode code : kClaims) {
       docket.not_applicable(code, "it has no faces, and stands for the hull of its points");
     }
+    if (mesh.polygons.empty()) return;
+    Witness witness;
+    witness.faces = {0};
+    docket.violated(MeshClosed, "no face has three corners at different places", witness);
     return;
   }
-  const MeshSurface surface(mesh);
   const std::optional<MeshEdge> open = surface.open_edge();
   judge_closed(open, docket);
   if (docket.asks(MeshOriented)) judge_oriented(surface, !open, docket);
-  if (docket.asks(MeshPlanar)) judge_planar(mesh, surface, docket);
+  const bool needs_polygons = docket.asks(MeshPlanar) || docket.asks(MeshConvex);
+  const auto crossed = needs_polygons ? surface.crossed_face() : std::nullopt;
+  if (docket.asks(MeshPlanar)) judge_planar(mesh, surface, crossed, docket);
   if (!set.hull) {
     docket.not_applicable(MeshConvex, "there is no solid");
   } else if (docket.asks(MeshConvex)) {
-    judge_convex(mesh, surface, !open, set, docket);
+    judge_convex(mesh, surface, !open, crossed, set, docket);
   }
 }
 

@@ -2,11 +2,13 @@
 #include "convexact/oracle/mesh_surface.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <tuple>
 
 #include "convexact/geometry/subset.hpp"
 #include "convexact/number/balanced_sum.hpp"
+#include "simple_polygon.hpp"
 
 namespace convexact {
 namespace {
@@ -41,7 +43,14 @@ std::vector<std::uint32_t> weld(const PointSet& points) {
   return weld(points.size(), [&](std::uint32_t i) { return points[PointId(i)]; });
 }
 
+// Whether there are three different corners; neighbours differ.
+bool has_three(std::span<const std::uint32_t> corners) {
+  return std::any_of(corners.begin(), corners.end(),
+                     [&](std::uint32_t c) { return c != corners[0] && c != corners[1]; });
+}
+
 RationalVector3 area_vector(const PointSet& points, std::span<const std::uint32_t> corners) {
+  if (corners.empty()) return RationalVector3::Zero();
   const RationalPoint origin = points[PointId(corners[0])];
   RationalVector3 sum = RationalVector3::Zero();
   RationalVector3 before = points[PointId(corners[1])] - origin;
@@ -60,10 +69,20 @@ MeshSurface::MeshSurface(const Mesh& mesh) : mesh_(mesh), faces_(mesh.polygons) 
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     std::vector<std::uint32_t>& face = faces_[f];
     for (std::uint32_t& corner : face) corner = first[corner];
+    const std::size_t before = face.size();
+    face.erase(std::unique(face.begin(), face.end()), face.end());
+    while (face.size() > 1 && face.front() == face.back()) face.pop_back();
+    if (has_three(face)) {
+      surplus_.zero_edges += before - face.size();
+    } else {
+      surplus_.degenerate_faces.push_back(f);
+      face.clear();
+    }
     for (std::size_t k = 0; k < face.size(); ++k) {
       edges_.push_back({face[k], face[(k + 1) % face.size()], f});
     }
     area_vectors_.push_back(area_vector(mesh.points, face));
+    if (!face.empty() && is_on_a_line(f)) surplus_.slivers.push_back(f);
   }
   const auto key = [](const DirectedEdge& e) {
     return std::tuple(std::min(e.from, e.to), std::max(e.from, e.to), e.from, e.face);
@@ -90,21 +109,76 @@ std::optional<MeshEdge> MeshSurface::find_edge(const IsFault& is_fault) const {
 }
 
 std::optional<MeshEdge> MeshSurface::open_edge() const {
-  return find_edge([](Edges edges) { return edges.size() != 2 || edges[0].from == edges[0].to; });
+  return find_edge([](Edges edges) { return edges.size() != 2 || edges[0].face == edges[1].face; });
 }
 
 std::optional<MeshEdge> MeshSurface::twisted_edge() const {
   return find_edge([](Edges edges) {
-    if (edges[0].from == edges[0].to) return false;  // of no direction
     const auto forward = std::count_if(
         edges.begin(), edges.end(), [&](const DirectedEdge& e) { return e.from == edges[0].from; });
     return forward > 1 || static_cast<std::ptrdiff_t>(edges.size()) - forward > 1;
   });
 }
 
-std::optional<std::size_t> MeshSurface::face_without_area() const {
+bool MeshSurface::is_on_a_line(std::size_t face) const {
+  if (!area_vectors_[face].isZero(0)) return false;
+  const std::vector<std::uint32_t>& corners = faces_[face];
+  const RationalPoint origin = mesh_.points[PointId(corners[0])];
+  const RationalVector3 along = mesh_.points[PointId(corners[1])] - origin;
+  return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t c) {
+    const RationalVector3 here = mesh_.points[PointId(c)] - origin;
+    return along.cross(here).isZero(0);
+  });
+}
+
+// Of a face on a line: all corners differ, and it turns round twice.
+bool MeshSurface::goes_to_and_fro(std::size_t face) const {
+  const std::vector<std::uint32_t>& corners = faces_[face];
+  std::vector<std::uint32_t> sorted = corners;
+  std::sort(sorted.begin(), sorted.end());
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return false;
+  const std::size_t n = corners.size();
+  std::size_t turns = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const RationalPoint here = mesh_.points[PointId(corners[(k + 1) % n])];
+    const RationalVector3 before = here - mesh_.points[PointId(corners[k])];
+    const RationalVector3 after = mesh_.points[PointId(corners[(k + 2) % n])] - here;
+    turns += before.dot(after) < 0 ? 1 : 0;
+  }
+  return turns == 2;
+}
+
+// Of a face with corners that are not all on a line.
+std::optional<CrossedFace> MeshSurface::crossing_of(std::size_t face) const {
+  const std::vector<std::uint32_t>& corners = faces_[face];
+  RationalVector3 n = area_vectors_[face];
+  // Parts that cancel each other: any normal will do, for no simple polygon has the area 0.
+  for (std::size_t k = 2; n.isZero(0) && k < corners.size(); ++k) {
+    n = area_vector(mesh_.points, std::array{corners[0], corners[1], corners[k]});
+  }
+  int axis = 0;
+  n.cwiseAbs().maxCoeff(&axis);
+  std::vector<PlanarPoint> seen;
+  for (const std::uint32_t c : corners) {
+    const RationalPoint p = mesh_.points[PointId(c)];
+    seen.push_back({p[(axis + 1) % 3], p[(axis + 2) % 3]});
+  }
+  const auto edges = touching_edges(seen);
+  if (!edges) return {};
+  const auto next = [&](std::size_t k) { return corners[(k + 1) % corners.size()]; };
+  const auto [i, j] = *edges;
+  return CrossedFace{face, {corners[i], next(i), corners[j], next(j)}};
+}
+
+std::optional<CrossedFace> MeshSurface::crossed_face() const {
+  auto sliver = surplus_.slivers.begin();
   for (std::size_t f = 0; f < faces_.size(); ++f) {
-    if (area_vectors_[f].isZero(0)) return f;
+    const bool is_sliver = sliver != surplus_.slivers.end() && *sliver == f;
+    if (is_sliver) ++sliver;
+    if (faces_[f].size() <= 3) continue;
+    if (is_sliver && !goes_to_and_fro(f)) return CrossedFace{f, {}};
+    if (is_sliver) continue;
+    if (auto crossed = crossing_of(f)) return crossed;
   }
   return {};
 }
@@ -112,7 +186,7 @@ std::optional<std::size_t> MeshSurface::face_without_area() const {
 std::optional<BentFace> MeshSurface::most_bent() const {
   std::optional<BentFace> worst;
   for (std::size_t f = 0; f < faces_.size(); ++f) {
-    if (faces_[f].size() == 3) continue;
+    if (faces_[f].size() <= 3) continue;
     const RationalVector3& n = area_vectors_[f];
     if (n.isZero(0)) continue;
     const RationalPoint origin = mesh_.points[PointId(faces_[f][0])];
@@ -130,6 +204,7 @@ std::optional<BentFace> MeshSurface::most_bent() const {
 Rational MeshSurface::enclosed() const {
   std::vector<Rational> terms;
   for (std::size_t f = 0; f < faces_.size(); ++f) {
+    if (faces_[f].empty()) continue;
     terms.push_back(area_vectors_[f].dot(mesh_.points[PointId(faces_[f][0])]));
   }
   return balanced_sum(std::move(terms));

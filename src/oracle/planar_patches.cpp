@@ -11,13 +11,15 @@
 
 #include "convexact/lp/seidel.hpp"
 #include "convexact/number/rounding.hpp"
+#include "hard_edges.hpp"
 
 namespace convexact {
 namespace {
 
+using oracle::Corner;
+using oracle::Corners;
+using oracle::HardEdges;
 using Facet = std::uint32_t;
-using Corner = std::uint32_t;
-using Corners = std::span<const Corner>;
 
 constexpr int kThinnest = 1024;  // of a solid whose facets are merged, in units of its slack
 
@@ -36,69 +38,6 @@ std::vector<RationalVector3> slack_of(const Polytope& solid, const Slack& slack)
   const Rational u = slack.ulps_of_largest * unit_in_last_place(slack.precision, largest);
   return std::vector<RationalVector3>(result.size(), RationalVector3(u, u, u));
 }
-
-// Decides in doubles which pairs of neighbours can never be in one patch.
-class HardEdges {
- public:
-  HardEdges(const Polytope& solid, std::span<const RationalVector3> slack) {
-    Rational largest = 0;
-    for (const RationalPoint& v : solid.vertices) {
-      for (const Rational& x : v) largest = std::max<Rational>(largest, abs(x));
-    }
-    // By a power of two into [-1, 1], where products do not overflow.
-    const int exponent = std::ilogb(to_double(largest, Rounding::Down)) + 1;
-    const auto scaled = [&](const Rational& x) {
-      return to_double(scale_by_power_of_two(x, -exponent), Rounding::Nearest);
-    };
-    for (std::size_t v = 0; v < slack.size(); ++v) {
-      Point& p = points_.emplace_back();
-      Point& u = errors_.emplace_back();
-      for (int k = 0; k < 3; ++k) {
-        p[k] = scaled(solid.vertices[v][k]);
-        u[k] = scaled(slack[v][k]) + kUnit * std::abs(p[k]) + kTiny;
-      }
-    }
-  }
-
-  /// Whether the four points are not coplanar wherever they are within their errors.
-  bool separates(Corner a, Corner b, Corner c, Corner d) const {
-    const Corner others[] = {b, c, d};
-    double m[3][3], e[3][3];
-    for (int i = 0; i < 3; ++i) {
-      for (int k = 0; k < 3; ++k) {
-        m[i][k] = points_[others[i]][k] - points_[a][k];
-        e[i][k] = errors_[others[i]][k] + errors_[a][k];
-      }
-    }
-    double determinant = 0, size = 0, change = 0;
-    constexpr int kOrders[6][4] = {{0, 1, 2, 1},  {1, 2, 0, 1},  {2, 0, 1, 1},
-                                   {0, 2, 1, -1}, {2, 1, 0, -1}, {1, 0, 2, -1}};
-    for (const auto& [i, j, k, sign] : kOrders) {
-      const double x = m[0][i], y = m[1][j], z = m[2][k];
-      determinant += sign * (x * y * z);
-      size += std::abs(x * y * z);
-      change += e[0][i] * (std::abs(y) + e[1][j]) * (std::abs(z) + e[2][k]) +
-                std::abs(x) * e[1][j] * (std::abs(z) + e[2][k]) + std::abs(x * y) * e[2][k];
-    }
-    // What rounding adds here is below 2^-49 of the sum of the sizes.
-    return std::abs(determinant) > change + 16 * kUnit * size + kTiny;
-  }
-
-  /// Four times the square of the area, in units of its own.
-  double squared_area(Corners corners) const {
-    Vector3<double> sum(0, 0, 0);
-    for (std::size_t k = 2; k < corners.size(); ++k) {
-      const Vector3<double> u = points_[corners[k - 1]] - points_[corners[0]];
-      const Vector3<double> v = points_[corners[k]] - points_[corners[0]];
-      sum += u.cross(v);
-    }
-    return sum.dot(sum);
-  }
-
- private:
-  static constexpr double kUnit = 0x1p-52, kTiny = 0x1p-1000;
-  std::vector<Point> points_, errors_;
-};
 
 struct Plane {
   RationalVector3 normal;
@@ -140,7 +79,8 @@ class PatchSearch {
   void accept(Facet facet);
   bool fits(Facet facet) const;
   bool tilt_to(Facet facet);
-  std::optional<Plane> plane_near(Corners all, int axis, int signs) const;
+  std::optional<Plane> plane_near(Corners all) const;
+  std::optional<Plane> plane_near(Corners all, int axis, int first_sign, int second_sign) const;
   bool is_thin_along_plane() const;
   std::size_t patches_at(Corner corner) const;
   bool keeps_corners(Facet facet) const;
@@ -158,6 +98,7 @@ class PatchSearch {
   std::vector<Facet> refused_by_;  // by facet, the last patch that cannot have it
   std::vector<Facet> fresh_;       // its neighbours still to be compared with the plane
   std::vector<Corner> corners_;    // each once
+  std::vector<Corner> decisive_;   // those that made the plane what it is
   Plane plane_;                    // near all of these
 };
 
@@ -231,6 +172,8 @@ void PatchSearch::grow(Facet seed) {
   const Halfspace& plane = solid_.planes[seed];
   plane_ = {plane.normal().cast<Rational>(), Rational(plane.offset())};
   corners_.clear();
+  const auto& c = solid_.facets[seed];
+  decisive_ = {c[0], c[c.size() / 3], c[2 * c.size() / 3]};
   ++patch_count_;
   is_thin_.push_back(false);
   accept(seed);
@@ -297,29 +240,58 @@ bool PatchSearch::keeps_corners(Facet facet) const {
   return std::all_of(corners.begin(), corners.end(), [&](Corner c) { return patches_at(c) >= 3; });
 }
 
-// Moves the plane so that it is near the corners of one more facet as well, if any plane is.
+// Moves the plane so that it is near the corners of one more facet as well, if any plane is. Few
+// corners decide: from those that decided before, the one that is worst is added until the plane
+// that is best for these is near all, or there is none.
 bool PatchSearch::tilt_to(Facet facet) {
   std::vector<Corner> all = corners_;
-  for (const Corner c : solid_.facets[facet]) {
-    if (member_of_[c] != patch_count_ - 1) all.push_back(c);
+  all.insert(all.end(), solid_.facets[facet].begin(), solid_.facets[facet].end());
+  std::vector<Corner> decisive = decisive_;
+  for (Plane plane = plane_;;) {
+    Rational worst = 0;
+    std::optional<Corner> added;
+    for (const Corner c : all) {
+      const Rational value = plane.normal.dot(solid_.vertices[c]) + plane.offset;
+      Rational excess = abs(value) - reach(plane.normal, slack_[c]);
+      if (excess <= worst) continue;
+      worst = std::move(excess);
+      added = c;
+    }
+    if (!added) {
+      plane_ = std::move(plane);
+      decisive_ = std::move(decisive);
+      return true;
+    }
+    decisive.push_back(*added);
+    const auto better = plane_near(decisive);
+    if (!better) return false;
+    plane = *better;
   }
+}
+
+// A plane near all these corners; best in one of the octants in which its normal may lie.
+std::optional<Plane> PatchSearch::plane_near(Corners all) const {
   int axis = 0;
   plane_.normal.cwiseAbs().maxCoeff(&axis);
-  for (const int signs : {0, 1, 2, 3}) {
-    const auto plane = plane_near(all, axis, signs);
-    if (!plane) continue;
-    plane_ = *plane;
-    return true;
+  const auto signs_of = [&](int column) {
+    const Rational x = plane_.normal[column] / plane_.normal[axis];
+    if (8 * abs(x) > 1) return std::vector<int>{x.sign()};
+    return x < 0 ? std::vector<int>{-1, 1} : std::vector<int>{1, -1};
+  };
+  for (const int first : signs_of((axis + 1) % 3)) {
+    for (const int second : signs_of((axis + 2) % 3)) {
+      if (auto plane = plane_near(all, axis, first, second)) return plane;
+    }
   }
-  return false;
+  return std::nullopt;
 }
 
 // The plane that is nearest to all corners among those whose normal has component 1 along the axis
 // and at most 2, of the signs given, along the next two: in variables these two, the offset and s,
 //   maximise s,  |n.p + d| + s <= n_1 u_1 + n_2 u_2 + n_3 u_3  with |n_k| for n_k.
-std::optional<Plane> PatchSearch::plane_near(Corners all, int axis, int signs) const {
+std::optional<Plane> PatchSearch::plane_near(Corners all, int axis, int first_sign,
+                                             int second_sign) const {
   const int first = (axis + 1) % 3, second = (axis + 2) % 3;
-  const int first_sign = signs & 1 ? -1 : 1, second_sign = signs & 2 ? -1 : 1;
   const RationalPoint& origin = solid_.vertices[all[0]];
   LinearProgram lp;
   lp.normals.resize(2 * static_cast<Eigen::Index>(all.size()) + 4, 4);

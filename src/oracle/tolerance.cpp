@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "convexact/oracle/tolerance.hpp"
 
+#include <cmath>
+
 #include "convexact/error.hpp"
 #include "convexact/number/decimal.hpp"
 #include "convexact/number/digits.hpp"
@@ -36,6 +38,25 @@ Tolerance parse_tolerance(std::string_view text) {
     throw Error(ErrorCode::InvalidArgument, "a tolerance cannot be negative");
   }
   return tolerance;
+}
+
+std::string least_tolerance(const Rational& squared) {
+  const auto bits = [](const Integer& x) { return static_cast<long>(bit_length(x)); };
+  // A power of ten at or below the root, less than a factor 10 away or two; then upwards.
+  const long halves = bits(numerator(squared)) - bits(denominator(squared)) - 1;
+  long exponent = static_cast<long>(std::floor(static_cast<double>(halves) / 2 * 0.30103)) - 3;
+  for (;; ++exponent) {
+    const Rational unit = parse_rational("1e" + std::to_string(exponent));
+    const Rational target = squared / (unit * unit);
+    Integer digits = sqrt(Integer(numerator(target) / denominator(target)));
+    if (Rational(digits * digits) < target) ++digits;
+    if (digits > 999) continue;
+    std::string text = to_string(digits);
+    const long leading = exponent + static_cast<long>(text.size()) - 1;
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.size() > 1) text.insert(1, ".");
+    return text + "e" + std::to_string(leading);
+  }
 }
 
 }  // namespace convexact

@@ -36,6 +36,18 @@ std::variant<Input, NotSolid> input_of(const Shape& shape, std::uint64_t seed, S
                squared};
 }
 
+// A distance that rounding in a program explains.
+Rational rounding_of(const Input& input, const Candidate& candidate) {
+  const auto* mesh = std::get_if<Mesh>(&candidate);
+  const PointSet& points = mesh != nullptr ? mesh->points : input.points;
+  Rational largest = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (const Rational& x : points[PointId(i)]) largest = std::max<Rational>(largest, abs(x));
+  }
+  const Precision precision = mesh != nullptr ? precision_of(points) : Precision::Binary64;
+  return kRoundingUlps * unit_in_last_place(precision, largest);
+}
+
 void judge(const Input& input, const Candidate& candidate, Docket& docket, StageLog& log) {
   if (!judge_reading(candidate, docket)) return;
   CandidateSet set;
@@ -52,6 +64,7 @@ void judge(const Input& input, const Candidate& candidate, Docket& docket, Stage
   }
   judge_containment(input, candidate, set, docket, log);
   judge_budgets(docket);
+  if (!docket.verdict.holds()) judge_tolerance(rounding_of(input, candidate), docket);
   Verdict& verdict = docket.verdict;
   if (!docket.request.tightness) {
     log.skip("tightness", "not asked for");
@@ -73,8 +86,9 @@ const Claim& Verdict::operator[](ClaimCode code) const {
 }
 
 bool Verdict::holds() const {
-  return std::none_of(claims.begin(), claims.end(),
-                      [](const Claim& claim) { return claim.status == Status::Violated; });
+  return std::none_of(claims.begin(), claims.end(), [](const Claim& claim) {
+    return claim.status == Status::Violated || claim.is_undecided();
+  });
 }
 
 VerifyOutcome verify(const Shape& shape, const Candidate& candidate, const VerifyRequest& request,
@@ -82,6 +96,7 @@ VerifyOutcome verify(const Shape& shape, const Candidate& candidate, const Verif
   if (request.tolerance.value < 0) {
     throw Error(ErrorCode::InvalidArgument, "a tolerance cannot be negative");
   }
+  require_numbers(request);
   auto made = input_of(shape, request.seed, log);
   if (const auto* reason = std::get_if<NotSolid>(&made)) return *reason;
   const auto& input = std::get<Input>(made);

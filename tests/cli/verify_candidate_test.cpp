@@ -3,6 +3,7 @@
 // (docs/schema/verdict.schema.json, validated by valijson).
 #include <doctest/doctest.h>
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "json_schema.hpp"
@@ -176,6 +177,68 @@ TEST_CASE("verify: what simplify writes passes, in every format and precision") 
     REQUIRE(
         run_program("simplify " + data("spot.obj") + " --faces 30 -o " + file + precision).exit ==
         0);
-    CHECK(run_program("verify " + data("spot.obj") + " " + file).exit == 0);
+    CHECK(run_program("verify " + data("spot.obj") + " " + file + " --max-facets 30").exit == 0);
   }
+}
+
+TEST_CASE(
+    "verify: a mesh of as many facets as simplify kept passes, exactly counted it does not (#13)") {
+  const ScratchFolder scratch;
+  for (const char* mesh : {"teapot.obj", "bunny.obj"}) {
+    for (const char* precision : {"64", "32"}) {
+      CAPTURE(mesh);
+      CAPTURE(precision);
+      const std::string file = scratch.file("c.off");
+      REQUIRE(run_program("simplify " + data(mesh) + " --faces 18 --precision " + precision +
+                          " -o " + file)
+                  .exit == 0);
+      const std::string verify = "verify " + data(mesh) + " " + file + " --no-tightness";
+      CHECK(run_program(verify + " --max-facets 18").exit == 0);
+      CHECK(run_program(verify + " --max-facets 17").exit == 1);
+      CHECK(run_program(verify + " --max-facets 18 --exact-facets").exit == 1);
+    }
+  }
+}
+
+TEST_CASE("verify: polygons bent by rounding, and the tolerance that allows them (#13)") {
+  // The faces of a rotated box, each corner rounded to doubles: no two quads are quite plane.
+  const ScratchFolder scratch;
+  std::string points;
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0}) {
+      for (const double z : {-1.0, 1.0}) {
+        char line[200];
+        std::snprintf(line, sizeof line, "v %.17g %.17g %.17g\n",
+                      0.1 + 0.36 * x - 0.8 * y + 0.48 * z, 0.2 + 0.48 * x + 0.6 * y + 0.64 * z,
+                      0.3 - 0.8 * x + 0.6 * z);
+        points += line;
+      }
+    }
+  }
+  const std::string box = scratch.write(
+      "box.obj", points + "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n");
+  const auto strict = run_program("verify " + box + " " + box + " --json --max-facets 6");
+  CHECK(strict.exit == 1);
+  const json verdict = json::parse(strict.out);
+  CHECK(schema_complaint("verdict", verdict) == "");
+  REQUIRE(verdict.contains("smallest_tolerance"));
+  CHECK(verdict["smallest_tolerance"]["rounding"] == true);
+  const std::string tolerance = verdict["smallest_tolerance"]["value"];
+  CHECK(
+      run_program("verify " + box + " " + box + " --max-facets 6 --tolerance " + tolerance).exit ==
+      0);
+}
+
+TEST_CASE(
+    "verify: what was named and does not apply is exit 1, what asks nothing is exit 2 (#13)") {
+  CHECK(judge(kBigTetrahedron, "c.obj").exit == 0);
+  const Judged closed = judge(kBigTetrahedron, "c.obj", "--claims mesh-closed");
+  CHECK(closed.exit == 1);
+  CHECK(closed.document["verdict"] == "undecided");
+  CHECK(judge(kBigTetrahedron + "f 1 3 2\n", "c.obj", "--claims mesh-oriented").exit == 1);
+  CHECK(judge("-1 0 0 0\n0 -1 0 0\n0 0 -1 0\n", "c.txt", "--claims contains-input").exit == 0);
+  CHECK(judge("-1 0 0 0\n0 -1 0 0\n0 0 -1 0\n", "c.txt", "--claims contains-input --max-facets 3")
+            .exit == 1);
+  CHECK(judge(kBigTetrahedron, "c.obj", "--claims max-facets").exit == 2);
+  CHECK(judge(kBigTetrahedron, "c.obj", "--exact-facets").exit == 2);
 }

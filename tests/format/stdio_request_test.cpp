@@ -309,3 +309,33 @@ TEST_CASE("stdio: a corrupted request has an answer that is one line of JSON, as
   CHECK(verdicts > 500);
   CHECK(violated > 200);
 }
+
+TEST_CASE("stdio: a claim that was named and does not apply is undecided (#13)") {
+  const json points = cube_points();
+  const auto answer = [&](json request) {
+    request["points"] = points;
+    request["candidate"] = {{"vertices", points}};
+    const json line = json::parse(answer_request(request.dump()));
+    CHECK(schema_complaint("stdio_request", line) == "");
+    return line;
+  };
+  CHECK(answer({{"claims", {"mesh-closed"}}})["verdict"] == "undecided");
+  CHECK(answer({{"claims", {"contains-input"}}})["verdict"] == "holds");
+  CHECK(answer({{"claims", {"max-facets"}}})["error"]["exit"] == 2);
+  CHECK(answer({{"claims", {"max-facets"}}, {"max_facets", 6}})["verdict"] == "holds");
+}
+
+TEST_CASE("stdio: facets as meant, and exactly (#13)") {
+  json points = cube_points();
+  points.back()[2] = 1 + 0x1p-52;  // the top is two triangles now
+  json request = {{"points", cube_points()}, {"candidate", {{"vertices", points}}}};
+  request["max_facets"] = 6;
+  const json meant = json::parse(answer_request(request.dump()));
+  CHECK(meant["verdict"] == "holds");
+  CHECK(meant["candidate"]["facets_as_meant"] == 6);
+  CHECK(meant["candidate"]["u"]["ulps"] == 0.5);
+  request["exact_facets"] = true;
+  CHECK(json::parse(answer_request(request.dump()))["verdict"] == "violated");
+  request.erase("max_facets");
+  CHECK(json::parse(answer_request(request.dump()))["error"]["exit"] == 3);
+}

@@ -83,6 +83,73 @@ TEST_CASE("verify: a budget is not for what has no bounded solid to count on") {
   }
 }
 
+TEST_CASE("verify: a claim that was named and does not apply is no success (#13)") {
+  const std::string hole =
+      "v -2 -2 -2\nv 9 -2 -2\nv -2 9 -2\nv -2 -2 9\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";
+  VerifyRequest request;
+  request.tightness = false;
+  request.claims = {MeshOriented};
+  CHECK(verdict_of(hole, "c.obj", request)[MeshOriented].status == Status::NotApplicable);
+  CHECK_FALSE(verdict_of(hole, "c.obj", request).holds());
+  request.claims = {MeshClosed};
+  const std::string points = hole.substr(0, hole.find('f'));
+  CHECK_FALSE(verdict_of(points, "c.obj", request).holds());
+  CHECK_FALSE(verdict_of(kCubeRows, "c.txt", request).holds());
+  request.claims = {};
+  CHECK(verdict_of(points, "c.obj", request).holds());
+  request.max_facets = 6;
+  const std::string open = kCubeRows.substr(0, kCubeRows.rfind("0 0 -1"));
+  request.claims = {ContainsInput};
+  CHECK_FALSE(verdict_of(open, "c.txt", request).holds());
+  request.max_facets.reset();
+  CHECK(verdict_of(open, "c.txt", request).holds());
+}
+
+TEST_CASE("verify: a budget that is named without a number asks nothing (#13)") {
+  for (const ClaimCode code : {MaxFacets, MaxVertices, MaxFacetVertices}) {
+    VerifyRequest request;
+    request.claims = {ContainsInput, code};
+    CHECK(error_of([&] { return verdict_of(kCubeRows, "c.txt", request); }).code() ==
+          ErrorCode::InvalidArgument);
+    request.max_facets = request.max_vertices = request.max_facet_vertices = 8;
+    CHECK(verdict_of(kCubeRows, "c.txt", request).holds());
+  }
+}
+
+TEST_CASE("least_tolerance: the least decimal of three digits that is not below the root (#13)") {
+  CHECK(least_tolerance(4) == "2e0");
+  CHECK(least_tolerance(2) == "1.42e0");
+  CHECK(least_tolerance(Rational(1, 4)) == "5e-1");
+  CHECK(least_tolerance(parse_rational("0.99900000000000001")) == "1e0");
+  for (const char* squared : {"1e-700", "7.3e-31", "1e600", "998001", "998002", "1/3", "3e-5"}) {
+    CAPTURE(squared);
+    const Rational square = parse_rational(squared);
+    const Tolerance least = parse_tolerance(least_tolerance(square));
+    CHECK(least.allows(square, 1));
+    CHECK_FALSE(Tolerance{least.value * Rational(989, 1000)}.allows(square, 1));
+  }
+}
+
+TEST_CASE("verify: with the smallest tolerance named, every claim holds (#13)") {
+  // x <= 0.75 misses corners by 1/4; x <= 1 - 2^-53 by what rounding explains.
+  const std::string rest = "-1 0 0 -1\n0 1 0 -1\n0 -1 0 -1\n0 0 1 -1\n0 0 -1 -1\n";
+  for (const auto& [row, is_rounding] :
+       {std::pair("1 0 0 -0.75\n", false), std::pair("1 0 0 -0.99999999999999988897\n", true)}) {
+    const Verdict verdict = verdict_of(row + rest, "c.txt");
+    REQUIRE(verdict.smallest_tolerance.has_value());
+    CHECK(verdict.smallest_tolerance->is_rounding == is_rounding);
+    VerifyRequest request;
+    request.tolerance = parse_tolerance(verdict.smallest_tolerance->decimal);
+    const Verdict again = verdict_of(row + rest, "c.txt", request);
+    CHECK(again.holds());
+    CHECK_FALSE(again.smallest_tolerance.has_value());
+  }
+  CHECK_FALSE(verdict_of(kCubeRows, "c.txt").smallest_tolerance.has_value());
+  // A hole is none of a distance.
+  CHECK_FALSE(verdict_of("v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\n", "c.obj")
+                  .smallest_tolerance.has_value());
+}
+
 TEST_CASE("verify: halfspaces that leave a square are no solid, and say which and where") {
   const std::string square = "1 0 0 0\n-1 0 0 0\n0 1 0 -1\n0 -1 0 -1\n0 0 1 -1\n0 0 -1 -1\n";
   const Verdict verdict = verdict_of(square, "c.txt");

@@ -116,9 +116,16 @@ class MeshByDefinition {
   explicit MeshByDefinition(const Mesh& mesh) : points_(rationals(mesh.points)) {
     for (const auto& polygon : mesh.polygons) {
       std::vector<RationalPoint> corners;
-      for (const std::uint32_t c : polygon) corners.push_back(points_[c]);
+      for (const std::uint32_t c : polygon) {
+        if (corners.empty() || corners.back() != points_[c]) corners.push_back(points_[c]);
+      }
+      while (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
+      std::set<Place> places;
+      for (const RationalPoint& c : corners) places.insert(place_of(c));
+      if (places.size() < 3) continue;
       for (std::size_t k = 0; k < corners.size(); ++k) {
         edges_.emplace_back(place_of(corners[k]), place_of(corners[(k + 1) % corners.size()]));
+        face_of_.push_back(faces_.size());
       }
       faces_.push_back(std::move(corners));
     }
@@ -128,14 +135,16 @@ class MeshByDefinition {
   bool is_solid() const { return affine_dimension(points_) == 3; }
   const std::vector<Halfspace>& planes() const { return planes_; }
 
+  /// Whether there is a face with three corners at different places.
+  bool has_faces() const { return !faces_.empty(); }
   bool is_closed() const {
-    std::map<std::set<Place>, int> faces_at;
-    for (const auto& [from, to] : edges_) {
-      if (from == to) return false;
-      ++faces_at[{from, to}];
+    std::map<std::set<Place>, std::vector<std::size_t>> faces_at;
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      faces_at[{edges_[e].first, edges_[e].second}].push_back(face_of_[e]);
     }
-    return std::all_of(faces_at.begin(), faces_at.end(),
-                       [](const auto& e) { return e.second == 2; });
+    return std::all_of(faces_at.begin(), faces_at.end(), [](const auto& e) {
+      return e.second.size() == 2 && e.second[0] != e.second[1];
+    });
   }
   bool is_twisted() const {
     std::map<std::pair<Place, Place>, int> times;
@@ -154,7 +163,8 @@ class MeshByDefinition {
   }
   bool is_planar() const {
     return std::all_of(faces_.begin(), faces_.end(), [](const std::vector<RationalPoint>& c) {
-      return normal_of(c) != RationalVector3::Zero() && affine_dimension(c) == 2;
+      const int dimension = affine_dimension(c);
+      return dimension == 1 ? covers_a_segment_twice(c) : dimension == 2 && is_simple(c);
     });
   }
   /// Whether no point of the mesh is beyond the plane of a face (through its first corner).
@@ -174,6 +184,55 @@ class MeshByDefinition {
   }
 
  private:
+  static bool has_repeats(const std::vector<RationalPoint>& c) {
+    std::set<Place> places;
+    for (const RationalPoint& p : c) places.insert(place_of(p));
+    return places.size() < c.size();
+  }
+  // Of corners on a line: between neighbours among them two edges pass, everywhere.
+  static bool covers_a_segment_twice(const std::vector<RationalPoint>& c) {
+    const RationalVector3 along = c[1] - c[0];
+    std::vector<Rational> at;
+    for (const RationalPoint& p : c) at.push_back(along.dot(RationalVector3(p - c[0])));
+    std::vector<Rational> sorted = at;
+    std::sort(sorted.begin(), sorted.end());
+    for (std::size_t i = 0; i + 1 < sorted.size(); ++i) {
+      std::size_t edges = 0;
+      for (std::size_t k = 0; k < at.size(); ++k) {
+        const Rational &x = at[k], &y = at[(k + 1) % at.size()];
+        edges += std::min(x, y) <= sorted[i] && sorted[i + 1] <= std::max(x, y) ? 1 : 0;
+      }
+      if (edges != 2) return false;
+    }
+    return !has_repeats(c);
+  }
+  // Of segments in one plane: p + s u and q + t v with s and t in [0, 1].
+  static bool do_meet(const RationalPoint& p, const RationalVector3& u, const RationalPoint& q,
+                      const RationalVector3& v) {
+    const RationalVector3 n = u.cross(v), w = q - p;
+    if (n != RationalVector3::Zero()) {
+      const Rational s = w.cross(v).dot(n) / n.dot(n), t = w.cross(u).dot(n) / n.dot(n);
+      return s >= 0 && s <= 1 && t >= 0 && t <= 1;
+    }
+    if (w.cross(u) != RationalVector3::Zero()) return false;
+    const Rational a = w.dot(u), b = a + v.dot(u);
+    return std::max(a, b) >= 0 && std::min(a, b) <= u.dot(u);
+  }
+  // Of corners in a plane: all differ, and edges meet only where they follow each other.
+  static bool is_simple(const std::vector<RationalPoint>& c) {
+    const std::size_t n = c.size();
+    if (has_repeats(c)) return false;
+    for (std::size_t i = 0; i < n; ++i) {
+      const RationalVector3 u = c[(i + 1) % n] - c[i];
+      for (std::size_t j = i + 1; j < n; ++j) {
+        const RationalVector3 v = c[(j + 1) % n] - c[j];
+        const bool follow = j == i + 1 || (i == 0 && j == n - 1);
+        if (follow && u.cross(v) == RationalVector3::Zero() && u.dot(v) < 0) return false;
+        if (!follow && do_meet(c[i], u, c[j], v)) return false;
+      }
+    }
+    return true;
+  }
   static RationalVector3 normal_of(const std::vector<RationalPoint>& c) {
     RationalVector3 sum = RationalVector3::Zero();
     for (std::size_t k = 1; k + 1 < c.size(); ++k) {
@@ -186,6 +245,7 @@ class MeshByDefinition {
   std::vector<RationalPoint> points_;
   std::vector<std::vector<RationalPoint>> faces_;
   std::vector<std::pair<Place, Place>> edges_;
+  std::vector<std::size_t> face_of_;  // of each edge
   std::vector<Halfspace> planes_;
 };
 

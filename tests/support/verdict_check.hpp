@@ -68,6 +68,14 @@ inline void check_containment(std::span<const Halfspace> planes, bool is_bounded
 }
 
 inline void check_faces(const MeshByDefinition& truth, Disagreements& so_far) {
+  if (!truth.has_faces()) {
+    so_far.expect(ClaimCode::MeshClosed, false);
+    for (const ClaimCode code :
+         {ClaimCode::MeshOriented, ClaimCode::MeshPlanar, ClaimCode::MeshConvex}) {
+      so_far.expect(code, Status::NotApplicable);
+    }
+    return;
+  }
   const bool is_closed = truth.is_closed(), is_twisted = truth.is_twisted();
   so_far.expect(ClaimCode::MeshClosed, is_closed);
   so_far.expect(ClaimCode::MeshPlanar, truth.is_planar());

@@ -188,6 +188,7 @@ def add_verify(collection):
         verify_cases.broken_candidates,
         verify_cases.dented,
         verify_cases.sharp_edges,
+        verify_cases.surfaces,
     ):
         for name, title, points, candidate, request, expected, flags, level, why in family():
             if "outside" in expected:

@@ -115,6 +115,7 @@ TEST_CASE("vectors: both exact engines remove at the known costs, with the known
 TEST_CASE("vectors: candidates get the known verdict, with the exact distance") {
   for_each<VerifyQuestion>([](const TestVector& vector, const VerifyQuestion& question) {
     VerifyRequest request;
+    request.exact_facets = true;  // budgets are counted by definition
     request.max_facets = question.max_facets;
     request.max_vertices = question.max_vertices;
     request.max_facet_vertices = question.max_facet_vertices;

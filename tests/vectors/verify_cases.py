@@ -487,3 +487,91 @@ def sharp_edges():
                 2,
                 "the nearest point is the origin; to the planes the distance is less than a millionth",
             )
+
+
+def surfaces():
+    """Surfaces of a cube with faces that count for nothing, or that are no polygons."""
+    cube = exact(box(2, 2, 2))
+    corner = lambda x, y, z: cube.index((x, y, z))
+    low, high = min(p[0] for p in cube), max(p[0] for p in cube)
+    middle = (low + high) / 2
+    a, b, c, d = (corner(x, y, high) for x, y in ((low, low), (high, low), (high, high), (low, high)))
+    e, f, g, h = (corner(x, y, low) for x, y in ((low, low), (high, low), (high, high), (low, high)))
+    sides = [[a, e, f, b], [b, f, g, c], [c, g, h, d], [d, h, e, a], [h, g, f, e]]
+    center, edge, twin = 8, 9, 10
+    points = cube + [(middle, middle, high), (middle, low, high), cube[a]]
+    names = ("mesh-closed", "mesh-oriented", "mesh-planar", "mesh-convex")
+    fine = dict.fromkeys(names, "holds")
+    for name, title, faces, claims, why in (
+        (
+            "zero-edge",
+            "a corner twice in a row, under two numbers",
+            [[a, e, f, b, twin]] + sides[1:] + [[a, b, c, d]],
+            fine,
+            "the edge from a point to its repeat has length zero",
+        ),
+        (
+            "zero-face",
+            "triangles that are an edge or a point",
+            sides + [[a, b, c, d], [a, b, a], [a, twin, b], [a, a, twin]],
+            fine,
+            "faces with fewer than three different corners are no faces",
+        ),
+        (
+            "sliver",
+            "a T-junction closed by a triangle without area",
+            sides + [[a, edge, b, c, d], [a, b, edge]],
+            fine,
+            "the sliver has the edge of the side on one hand, its two halves on the other",
+        ),
+        (
+            "t-junction",
+            "a T-junction left open",
+            sides + [[a, edge, b, c, d]],
+            {"mesh-closed": "violated", "mesh-planar": "holds"},
+            "the edge of the side has one face, and so have its halves",
+        ),
+        (
+            "bow-tie",
+            "a bow-tie for its top",
+            sides + [[a, c, b, d]],
+            {"mesh-planar": "violated"},
+            "the diagonals cross in the middle",
+        ),
+        (
+            "bow-ties",
+            "two bow-ties over two triangles for its top",
+            sides + [[a, b, c], [b, c, d, a], [a, c, b, d], [b, d, a]],
+            {"mesh-planar": "violated"},
+            "the diagonals cross in the middle",
+        ),
+        (
+            "spike",
+            "a top that runs out to its middle and back",
+            sides + [[a, b, c, center, c, d]],
+            {"mesh-closed": "violated", "mesh-planar": "violated"},
+            "the edge to the middle belongs to one face, twice",
+        ),
+        (
+            "pinched",
+            "a top that visits its middle twice",
+            sides + [[a, b, center, c, d, center]],
+            {"mesh-planar": "violated"},
+            "a corner that is visited twice is none of a simple polygon",
+        ),
+        (
+            "notched",
+            "a top of two polygons, one of them not convex",
+            sides + [[a, b, c, center], [c, d, a, center]],
+            fine,
+            "both are simple, and share the two edges to the middle",
+        ),
+    ):
+        judged = judged_mesh(cube, points, faces)
+        for code in names:
+            judged["claims"].pop(code, None)
+        judged["claims"].update(claims)
+        yield f"surface-{name}", f"A cube with {title}", cube, {"points": points, "faces": faces}, {}, judged, [
+            "coplanar",
+            "duplicates",
+        ], 2, why

@@ -18,10 +18,10 @@ enum class ClaimCode {
   CandidateBounded,   ///< It does not extend to infinity.
   MeshClosed,         ///< Each edge is shared by exactly two faces.
   MeshOriented,       ///< All faces look outward.
-  MeshPlanar,         ///< The corners of each face lie in one plane, and span it.
+  MeshPlanar,         ///< Each face is a simple polygon in one plane.
   MeshConvex,         ///< The faces are the surface of the hull of the vertices.
   ContainsInput,      ///< No input point lies outside.
-  MaxFacets,          ///< At most so many facets, coplanar faces counted as one.
+  MaxFacets,          ///< At most so many facets; of a mesh, as meant.
   MaxVertices,        ///< At most so many vertices, those inside a facet or an edge not counted.
   MaxFacetVertices,   ///< No facet has more corners.
 };
@@ -66,6 +66,10 @@ struct Claim {
   Status status;
   std::string sentence;  ///< What was found, for people.
   Witness witness;       ///< Empty unless violated, or let pass by a tolerance.
+  /// Whether the request named it, so that it is no success if it is not applicable.
+  bool is_named = false;
+
+  bool is_undecided() const { return is_named && status == Status::NotApplicable; }
 };
 
 }  // namespace convexact

@@ -18,6 +18,14 @@ struct MeshEdge {
   std::vector<std::size_t> faces;
 };
 
+/// A face that is no simple polygon.
+struct CrossedFace {
+  std::size_t face;
+  /// The ends of two of its edges that meet (in a bent face: seen along the axis on which its area
+  /// is largest); none if all its corners lie on a line.
+  std::vector<std::uint32_t> corners;
+};
+
 /// A corner that is not in the plane of its face.
 struct BentFace {
   std::size_t face;
@@ -34,7 +42,15 @@ struct PointBeyondFace {
   Rational squared_distance;
 };
 
-/// The faces of a mesh, with points at the same place taken as one.
+/// What a mesh has too much of, without being another surface.
+struct Surplus {
+  std::size_t zero_edges = 0;                 ///< Edges between points at the same place.
+  std::vector<std::size_t> degenerate_faces;  ///< Fewer than three different corners.
+  std::vector<std::size_t> slivers;           ///< Three corners or more, all on a line.
+};
+
+/// The faces of a mesh: points at the same place are one, edges between them are gone, and so are
+/// the faces that are left with fewer than three different corners. Faces keep their numbers.
 ///
 /// A face's *area vector* is the sum of the cross products around it; for a planar polygon it is
 /// normal to its plane, as long as twice its area, and points to where the corners look
@@ -44,12 +60,16 @@ class MeshSurface {
   /// Keeps a reference. @par Cost  O(n log n).
   explicit MeshSurface(const Mesh& mesh);
 
-  /// An edge that does not have exactly two faces.
+  const Surplus& surplus() const { return surplus_; }
+  /// Whether no face is left.
+  bool is_empty() const { return edges_.empty(); }
+  /// An edge that does not have exactly two faces, or the same face twice.
   [[nodiscard]] std::optional<MeshEdge> open_edge() const;
   /// An edge along which two faces run in the same direction, so that one of them is turned over.
   [[nodiscard]] std::optional<MeshEdge> twisted_edge() const;
-  /// A face whose area vector is zero.
-  [[nodiscard]] std::optional<std::size_t> face_without_area() const;
+  /// A face that crosses or touches itself, exactly; the corners of one that has them on a line go
+  /// along it once to and fro.
+  [[nodiscard]] std::optional<CrossedFace> crossed_face() const;
   /// The corner that is farthest from the plane of its face.
   [[nodiscard]] std::optional<BentFace> most_bent() const;
   /// Six times the volume that the faces enclose, positive if they look outward. Meaningful if
@@ -73,10 +93,14 @@ class MeshSurface {
   using Edges = std::span<const DirectedEdge>;
   template <class IsFault>
   std::optional<MeshEdge> find_edge(const IsFault& is_fault) const;
+  bool is_on_a_line(std::size_t face) const;
+  bool goes_to_and_fro(std::size_t face) const;
+  std::optional<CrossedFace> crossing_of(std::size_t face) const;
   const Mesh& mesh_;
   std::vector<std::vector<std::uint32_t>> faces_;  // corners by the first point at their place
   std::vector<RationalVector3> area_vectors_;
   std::vector<DirectedEdge> edges_;  // sorted by their ends, whichever comes first
+  Surplus surplus_;
 };
 
 }  // namespace convexact

@@ -28,4 +28,9 @@ struct Tolerance {
 /// @throws Error InvalidArgument for anything else, and for negative numbers.
 [[nodiscard]] Tolerance parse_tolerance(std::string_view text);
 
+/// The least decimal of three significant digits that, as an absolute tolerance, allows distances
+/// with this square: "3.15e-16".
+/// @param squared_distance  Positive.
+[[nodiscard]] std::string least_tolerance(const Rational& squared_distance);
+
 }  // namespace convexact

@@ -15,7 +15,8 @@
 namespace convexact {
 
 struct VerifyRequest {
-  /// The claims to decide; the budgets are asked by their numbers. Empty: all.
+  /// The claims to decide; the budgets are asked by their numbers. Empty: all. Claims that stand
+  /// here and budgets must apply to the candidate for the verdict to hold.
   std::vector<ClaimCode> claims = {};
   /// Violations of planarity and convexity up to this distance from a plane, and of containment up
   /// to this distance from the candidate, pass; they are reported all the same.
@@ -53,16 +54,26 @@ struct CandidateSize {
   std::optional<std::size_t> planes_of_the_input;
 };
 
+/// The least tolerance with which a violated verdict holds.
+struct SmallestTolerance {
+  std::string decimal;  ///< Absolute, rounded up.
+  /// Whether rounding explains it: at most kRoundingUlps of the candidate's largest coordinate (of
+  /// halfspaces: of the largest coordinate of the input).
+  bool is_rounding;
+};
+
 struct Verdict {
   std::vector<Claim> claims;  ///< One for each of kAllClaims, in that order.
   CandidateSize size;
   std::optional<Outside> outside;      ///< If containment was decided.
   std::optional<Tightness> tightness;  ///< If asked for, and the candidate is a bounded solid.
   Rational squared_diameter;           ///< Of the input: what tolerances refer to.
-  std::vector<std::string> notes;      ///< What else people should know; decides nothing.
+  /// If some claim is violated, and all that are by a distance only.
+  std::optional<SmallestTolerance> smallest_tolerance;
+  std::vector<std::string> notes;  ///< What else people should know; decides nothing.
 
   const Claim& operator[](ClaimCode code) const;
-  /// Whether no claim is violated.
+  /// Whether no claim is violated, and each that was named is decided.
   bool holds() const;
 };
 
@@ -73,8 +84,8 @@ using VerifyOutcome = std::variant<Verdict, NotSolid>;
 /// input's hull each against the candidate's triangle in its direction, or by a linear program for
 /// each of its planes.
 /// @return NotSolid if the *input* has no volume. Whatever is wrong with the candidate is a claim.
-/// @throws Error InvalidArgument for a negative tolerance; Internal if the two ways disagree or a
-///               certificate fails.
+/// @throws Error InvalidArgument for a negative tolerance, and for a budget that `claims` names
+///               without a number; Internal if the two ways disagree or a certificate fails.
 /// @par Cost    Points times planes in doubles, the two hulls, and the measures asked for.
 [[nodiscard]] VerifyOutcome verify(const Shape& input, const Candidate& candidate,
                                    const VerifyRequest& request, StageLog& log);
