@@ -88,10 +88,14 @@ void Docket::not_applicable(ClaimCode code, std::string sentence) {
   set(code, Status::NotApplicable, std::move(sentence), {});
 }
 
+bool Docket::allows(const Rational& squared_distance) const {
+  return request.tolerance.allows(squared_distance, verdict.squared_diameter);
+}
+
 void Docket::violated_by(const Rational& squared_distance, ClaimCode code,
                          const std::string& sentence, Witness witness) {
   witness.squared_distance = squared_distance;
-  if (request.tolerance.allows(squared_distance, verdict.squared_diameter)) {
+  if (allows(squared_distance)) {
     holds(code, "within the tolerance of " + describe(request.tolerance) + ": " + sentence,
           std::move(witness));
   } else {

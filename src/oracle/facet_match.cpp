@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "convexact/number/digits.hpp"
-#include "convexact/number/enclosure.hpp"
 #include "convexact/number/rounding.hpp"
+#include "convexact/oracle/tolerance.hpp"
 
 namespace convexact {
 namespace {
@@ -20,11 +20,6 @@ Point direction_of(const Halfspace& plane) {
     direction[k] = to_double(Rational(plane.normal()[k], largest), Rounding::Nearest);
   }
   return direction / direction.norm();
-}
-
-std::string root_text(const Rational& squared) {
-  constexpr int kDigits = 3, kBits = 64;
-  return to_decimal(sqrt(Enclosure(squared, kBits)), kDigits).value_or("?");
 }
 
 Rational squared_length(const RationalVector3& v) { return v.dot(v); }
@@ -129,8 +124,8 @@ std::string NamedFacets::expected(const OrderedRemoval& removal) const {
   const NearestFacet& nearest = unknown->second;
   return "a facet plane of the input: the nearest, of facet " +
          std::to_string(nearest.facet.index()) + ", has a corner " +
-         root_text(nearest.squared_distance) + " off it, and rounding explains " +
-         root_text(nearest.squared_limit);
+         decimal_of_root(nearest.squared_distance) + " off it, and rounding explains " +
+         decimal_of_root(nearest.squared_limit);
 }
 
 }  // namespace convexact

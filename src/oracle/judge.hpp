@@ -22,7 +22,7 @@ struct CandidateSet {
   std::optional<Hull> hull;          ///< Of a mesh that spans a volume.
   std::optional<Polytope> polytope;  ///< If it is a bounded solid, and somebody needs it.
   std::vector<std::vector<std::uint32_t>> patches;  ///< Of a mesh: planar_patches() of that.
-  bool is_examined = false;          ///< Whether it is known if it is one.
+  bool is_examined = false;                         ///< Whether it is known if it is one.
 };
 
 /// Which claims were asked, and the verdict so far.
@@ -35,6 +35,8 @@ class Docket {
   void holds(ClaimCode code, std::string sentence, Witness witness = {});
   void violated(ClaimCode code, std::string sentence, Witness witness);
   void not_applicable(ClaimCode code, std::string sentence);
+  /// Whether a distance with this square is within the tolerance.
+  bool allows(const Rational& squared_distance) const;
   /// Violated by so much, unless the tolerance allows it.
   void violated_by(const Rational& squared_distance, ClaimCode code, const std::string& sentence,
                    Witness witness);

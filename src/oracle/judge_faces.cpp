@@ -97,43 +97,53 @@ std::string hull_text(const CandidateSet& set) {
          " and " + counted(set.hull->vertices.size(), "vertex", "vertices");
 }
 
+void judge_off_hull(const Mesh& mesh, const MeshSurface::OffHull& off, const CandidateSet& set,
+                    Docket& docket) {
+  Witness witness;
+  witness.faces = {off.worst->face};
+  witness.vertices = {off.worst->point.index()};
+  witness.plane = off.worst->plane;
+  witness.point = mesh.points[off.worst->point];
+  docket.violated_by(off.worst->squared_distance, MeshConvex,
+                     counted(off.faces, "face is", "faces are") +
+                         " not in the surface of the hull; point " +
+                         std::to_string(off.worst->point.index()) + " is off the plane of face " +
+                         std::to_string(off.worst->face) + " by " +
+                         docket.distance_text(off.worst->squared_distance) + hull_text(set),
+                     std::move(witness));
+}
+
+// Simple polygons in facet planes of the hull that look outward cover each point of its surface
+// equally often if they close up: as a cycle on a sphere they are a multiple of it. Once if they
+// enclose what the hull encloses. Faces off by distances within a tolerance enclose nearly a
+// multiple.
+bool covers_once(const Rational& enclosed, const Rational& hull, bool is_exact) {
+  return is_exact ? enclosed == hull : abs(Rational(2 * (enclosed - hull))) < hull;
+}
+
 void judge_convex(const Mesh& mesh, const MeshSurface& surface, bool is_closed,
                   const std::optional<CrossedFace>& crossed, const CandidateSet& set,
                   Docket& docket) {
-  const MeshSurface::OffHull off = surface.faces_off(set.planes, set.hull->vertices);
-  if (off.worst) {
-    Witness witness;
-    witness.faces = {off.worst->face};
-    witness.vertices = {off.worst->point.index()};
-    witness.plane = off.worst->plane;
-    witness.point = mesh.points[off.worst->point];
-    docket.violated_by(off.worst->squared_distance, MeshConvex,
-                       counted(off.faces, "face is", "faces are") +
-                           " not in the surface of the hull; point " +
-                           std::to_string(off.worst->point.index()) + " is beyond face " +
-                           std::to_string(off.worst->face) + " by " +
-                           docket.distance_text(off.worst->squared_distance) + hull_text(set),
-                       std::move(witness));
-    return;
-  }
-  // Simple polygons in facet planes of the hull that look outward cover each point of its surface
-  // equally often if they close up: as a cycle on a sphere they are a multiple of it. Once if they
-  // enclose what the hull encloses.
   if (crossed) {
     docket.violated(MeshConvex, crossing_text(*crossed) + hull_text(set), witness_of(*crossed));
     return;
   }
-  if (!is_closed || surface.twisted_edge()) {
+  const MeshSurface::OffHull off = surface.faces_off(set.planes, set.hull->vertices);
+  if (off.worst && !docket.allows(off.worst->squared_distance)) {
+    judge_off_hull(mesh, off, set, docket);
+  } else if (!is_closed || surface.twisted_edge()) {
     docket.not_applicable(MeshConvex,
                           "each face is in the surface of the hull, but together they do not "
                           "close it" +
                               hull_text(set));
-  } else if (surface.enclosed() != 6 * volume(*set.hull, mesh.points)) {
+  } else if (!covers_once(surface.enclosed(), 6 * volume(*set.hull, mesh.points), !off.worst)) {
     docket.violated(MeshConvex,
                     "each face is in the surface of the hull, but together they do not cover it "
                     "once" +
                         hull_text(set),
                     {});
+  } else if (off.worst) {
+    judge_off_hull(mesh, off, set, docket);
   } else {
     docket.holds(MeshConvex, "the faces are the surface of the hull of the points");
   }

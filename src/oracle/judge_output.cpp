@@ -44,7 +44,12 @@ void judge_claims(Case& c) {
            leak_is_rounding(c));
   }
   if (!c.solid || (!violated(MeshPlanar) && !violated(MeshConvex))) return;
-  const bool is_sound = !violated(MeshClosed) && !violated(MeshOriented);
+  // A face that crosses itself is no rounding: rounding explains distances only.
+  const auto is_by_distance = [&](ClaimCode code) {
+    return !violated(code) || verdict[code].witness.squared_distance.has_value();
+  };
+  const bool is_sound = !violated(MeshClosed) && !violated(MeshOriented) &&
+                        is_by_distance(MeshPlanar) && is_by_distance(MeshConvex);
   if (is_sound && faces_are_rounded(c)) {
     c.result.notes.push_back("the faces are planar and convex up to the rounding of their corners");
     return;

@@ -183,20 +183,27 @@ std::optional<CrossedFace> MeshSurface::crossed_face() const {
   return {};
 }
 
+std::optional<BentFace> MeshSurface::bend_of(std::size_t face) const {
+  std::optional<BentFace> worst;
+  const RationalVector3& n = area_vectors_[face];
+  if (faces_[face].size() <= 3 || n.isZero(0)) return worst;
+  const RationalPoint origin = mesh_.points[PointId(faces_[face][0])];
+  for (const std::uint32_t corner : faces_[face]) {
+    const Rational off = n.dot(RationalVector3(mesh_.points[PointId(corner)] - origin));
+    if (off == 0) continue;
+    const Rational squared = off * off / n.squaredNorm();
+    if (worst && squared <= worst->squared_distance) continue;
+    worst = BentFace{face, corner, Halfspace(n, Rational(-n.dot(origin))), squared};
+  }
+  return worst;
+}
+
 std::optional<BentFace> MeshSurface::most_bent() const {
   std::optional<BentFace> worst;
   for (std::size_t f = 0; f < faces_.size(); ++f) {
-    if (faces_[f].size() <= 3) continue;
-    const RationalVector3& n = area_vectors_[f];
-    if (n.isZero(0)) continue;
-    const RationalPoint origin = mesh_.points[PointId(faces_[f][0])];
-    for (const std::uint32_t corner : faces_[f]) {
-      const Rational off = n.dot(RationalVector3(mesh_.points[PointId(corner)] - origin));
-      if (off == 0) continue;
-      const Rational squared = off * off / n.squaredNorm();
-      if (worst && squared <= worst->squared_distance) continue;
-      worst = BentFace{f, corner, Halfspace(n, Rational(-n.dot(origin))), squared};
-    }
+    auto bend = bend_of(f);
+    if (!bend || (worst && bend->squared_distance <= worst->squared_distance)) continue;
+    worst = std::move(bend);
   }
   return worst;
 }
@@ -216,20 +223,29 @@ MeshSurface::OffHull MeshSurface::faces_off(std::span<const Halfspace> planes,
   std::sort(sorted.begin(), sorted.end());
   std::vector<Halfspace> off;
   std::vector<std::size_t> face_of;
+  std::optional<BentFace> most_bent;
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const RationalVector3& n = area_vectors_[f];
     if (n.isZero(0)) continue;
     const Rational offset = -n.dot(mesh_.points[PointId(faces_[f][0])]);
     Halfspace plane(n, offset);
-    if (std::binary_search(sorted.begin(), sorted.end(), plane)) continue;
+    auto bend = bend_of(f);
+    if (!bend && std::binary_search(sorted.begin(), sorted.end(), plane)) continue;
     off.push_back(std::move(plane));
     face_of.push_back(f);
+    if (bend && (!most_bent || bend->squared_distance > most_bent->squared_distance)) {
+      most_bent = std::move(bend);
+    }
   }
   OffHull result{off.size(), {}};
   const PointSet corners = subset(mesh_.points, extreme);
   if (const auto excess = find_excess(off, corners)) {
-    result.worst = PointBeyondFace{face_of[excess->plane], extreme[excess->point.index()],
-                                   off[excess->plane], excess->squared_distance};
+    result.worst = PointOffFace{face_of[excess->plane], extreme[excess->point.index()],
+                                off[excess->plane], excess->squared_distance};
+  } else if (most_bent) {
+    // A plane that no point is beyond holds a facet unless its face is bent.
+    result.worst = PointOffFace{most_bent->face, PointId(most_bent->corner), most_bent->plane,
+                                most_bent->squared_distance};
   }
   return result;
 }

@@ -4,8 +4,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "convexact/format/candidate_file.hpp"
+#include "convexact/number/random.hpp"
 #include "convexact/oracle/verify.hpp"
 #include "convexact/shapes/solids.hpp"
 
@@ -21,13 +23,18 @@ const std::string kCube =
     "v -1 -1 -1\nv -1 -1 1\nv -1 1 -1\nv -1 1 1\nv 1 -1 -1\nv 1 -1 1\nv 1 1 -1\nv 1 1 1\n";
 const std::string kSides = "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\n";  // no top
 
-Verdict judge(const std::vector<Point>& input, const std::string& bytes,
-              const char* name = "c.obj") {
+Verdict judge(const std::vector<Point>& input, const Candidate& candidate,
+              const char* tolerance = "0") {
   VerifyRequest request;
   request.tightness = false;
+  request.tolerance = parse_tolerance(tolerance);
   StageLog log;
-  return std::get<Verdict>(
-      verify(PointSet(input), read_candidate_bytes(bytes, name), request, log));
+  return std::get<Verdict>(verify(PointSet(input), candidate, request, log));
+}
+
+Verdict judge(const std::vector<Point>& input, const std::string& bytes,
+              const char* name = "c.obj") {
+  return judge(input, read_candidate_bytes(bytes, name));
 }
 
 Verdict judge_cube(const std::string& faces) { return judge(shapes::cube(), kCube + faces); }
@@ -148,4 +155,96 @@ TEST_CASE("faces: bent ones are judged as seen along their normal (#13)") {
   const Verdict crossed = judge(shapes::cube(), lifted + kSides + "f 2 6 8 9 4\n");
   CHECK(is_violated(crossed, MeshPlanar));
   CHECK_FALSE(crossed[MeshPlanar].witness.squared_distance.has_value());
+}
+
+TEST_CASE("faces: a bent one is not in the surface of the hull, a point beyond it or not (#13)") {
+  // The corner 4 of the top lower or higher by 2^-30: no facet plane holds the bent face.
+  for (const double z : {1 - 0x1p-30, 1 + 0x1p-30}) {
+    CAPTURE(z);
+    Mesh mesh = std::get<Mesh>(read_candidate_bytes(kCube + kSides + "f 2 6 8 4\n", "c.obj"));
+    std::vector<Point> points(mesh.points.doubles().begin(), mesh.points.doubles().end());
+    points[3][2] = z;
+    mesh.points = PointSet(points);
+    CHECK(is_violated(judge(shapes::cube(), mesh), MeshConvex));
+    CHECK(judge(shapes::cube(), mesh, "1e-6")[MeshConvex].status == Status::Holds);
+  }
+}
+
+TEST_CASE("faces: with a tolerance, too, the hull is covered once (#13)") {
+  Mesh mesh = std::get<Mesh>(read_candidate_bytes(kCube + kSides + "f 2 6 8 4\n", "c.obj"));
+  std::vector<Point> points(mesh.points.doubles().begin(), mesh.points.doubles().end());
+  for (std::size_t k = 0; k < 8; ++k) points.push_back(points[k] * (1 - 0x1p-20));
+  mesh.points = PointSet(points);
+  for (std::size_t f = 0; f < 6; ++f) {
+    auto inner = mesh.polygons[f];
+    for (std::uint32_t& corner : inner) corner += 8;
+    mesh.polygons.push_back(inner);
+  }
+  CHECK(is_violated(judge(shapes::cube(), mesh), MeshConvex));
+  CHECK(is_violated(judge(shapes::cube(), mesh, "1e-3"), MeshConvex));
+}
+
+namespace {
+
+using Place = std::array<long, 2>;
+
+long turn(const Place& a, const Place& b, const Place& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+bool is_on(const Place& a, const Place& b, const Place& p) {
+  return turn(a, b, p) == 0 && (p[0] - a[0]) * (p[0] - b[0]) + (p[1] - a[1]) * (p[1] - b[1]) <= 0;
+}
+
+bool do_cross(const Place& a, const Place& b, const Place& c, const Place& d) {
+  const auto sign = [](long x) { return (x > 0) - (x < 0); };
+  return sign(turn(a, b, c)) * sign(turn(a, b, d)) < 0 &&
+         sign(turn(c, d, a)) * sign(turn(c, d, b)) < 0;
+}
+
+// Every pair of a corner and an edge, and of two edges.
+bool is_simple_by_definition(const std::vector<Place>& polygon) {
+  const std::size_t n = polygon.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Place &a = polygon[i], &b = polygon[(i + 1) % n];
+    for (std::size_t j = 0; j < n; ++j) {
+      if (j != i && j != (i + 1) % n && is_on(a, b, polygon[j])) return false;
+      if (do_cross(a, b, polygon[j], polygon[(j + 1) % n])) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("faces: outlines of random polygons, by the definition (#13)") {
+  Random random(7);
+  std::size_t simple = 0, others = 0;
+  for (int trial = 0; trial < 4000; ++trial) {
+    const std::size_t n = 4 + uniform_below(random, 3);
+    std::vector<Place> polygon;
+    while (polygon.size() < n) {
+      const Place p = {static_cast<long>(uniform_below(random, 5)),
+                       static_cast<long>(uniform_below(random, 5))};
+      if (std::find(polygon.begin(), polygon.end(), p) == polygon.end()) polygon.push_back(p);
+    }
+    long area = 0;
+    for (std::size_t k = 1; k + 1 < n; ++k) area += turn(polygon[0], polygon[k], polygon[k + 1]);
+    if (area == 0) continue;
+    std::vector<Point> points;
+    std::vector<std::uint32_t> face;
+    for (const auto& [x, y] : polygon) {
+      face.push_back(static_cast<std::uint32_t>(points.size()));
+      points.emplace_back(x, y, x - 2 * y);  // in a slanted plane
+    }
+    CAPTURE(trial);
+    Mesh mesh;
+    mesh.points = PointSet(points);
+    mesh.polygons = {face};
+    const Status status = judge(shapes::cube(), mesh)[MeshPlanar].status;
+    CHECK((status == Status::Holds) == is_simple_by_definition(polygon));
+    (is_simple_by_definition(polygon) ? simple : others) += 1;
+  }
+  CHECK(simple > 500);
+  CHECK(others > 500);
 }

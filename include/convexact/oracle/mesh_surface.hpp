@@ -34,8 +34,8 @@ struct BentFace {
   Rational squared_distance;  ///< Of the corner to the plane; positive.
 };
 
-/// A point of the mesh strictly beyond the plane of a face.
-struct PointBeyondFace {
+/// A point of the mesh off the plane of a face: beyond it, or a corner of the face.
+struct PointOffFace {
   std::size_t face;
   PointId point;
   Halfspace plane;
@@ -76,11 +76,12 @@ class MeshSurface {
   /// there is neither an open nor a twisted edge.
   [[nodiscard]] Rational enclosed() const;
 
-  /// Of the faces that are not in a facet plane of the hull of the mesh's points, the one that a
-  /// point is farthest beyond. @param planes  Those of the hull. @param extreme  Its vertices.
+  /// Of the faces that are bent or not in a facet plane of the hull of the mesh's points, the one
+  /// that a point is farthest beyond; if none is beyond any, the one that is most bent.
+  /// @param planes  Those of the hull. @param extreme  Its vertices.
   struct OffHull {
-    std::size_t faces = 0;  ///< How many faces are not in such a plane.
-    std::optional<PointBeyondFace> worst;
+    std::size_t faces = 0;              ///< How many faces are off.
+    std::optional<PointOffFace> worst;  ///< Set if there are any.
   };
   [[nodiscard]] OffHull faces_off(std::span<const Halfspace> planes,
                                   std::span<const PointId> extreme) const;
@@ -96,6 +97,7 @@ class MeshSurface {
   bool is_on_a_line(std::size_t face) const;
   bool goes_to_and_fro(std::size_t face) const;
   std::optional<CrossedFace> crossing_of(std::size_t face) const;
+  std::optional<BentFace> bend_of(std::size_t face) const;
   const Mesh& mesh_;
   std::vector<std::vector<std::uint32_t>> faces_;  // corners by the first point at their place
   std::vector<RationalVector3> area_vectors_;
