@@ -3,6 +3,7 @@
 #pragma once
 #include "convexact/oracle/mesh_surface.hpp"
 #include "convexact/oracle/verify.hpp"
+#include "convexact/watch.hpp"
 
 namespace convexact::oracle {
 
@@ -60,7 +61,7 @@ void find_facets_as_meant(const Mesh& mesh, CandidateSet& set, Docket& docket, S
 /// How many of these are in a facet plane of the input's hull. @param set  Has a polytope.
 void count_planes_of_the_input(const Input& input, const CandidateSet& set, Docket& docket);
 /// Closed, oriented, planar, convex.
-void judge_faces(const Mesh& mesh, const CandidateSet& set, Docket& docket);
+void judge_faces(const Mesh& mesh, const CandidateSet& set, Docket& docket, const Watch& watch);
 /// Contains the input. Where it does not, the candidate's polytope is found, to measure how far.
 void judge_containment(const Input& input, const Candidate& candidate, CandidateSet& set,
                        Docket& docket, StageLog& log);

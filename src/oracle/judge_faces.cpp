@@ -178,7 +178,7 @@ void note_surplus(const Surplus& surplus, Docket& docket) {
 
 }  // namespace
 
-void judge_faces(const Mesh& mesh, const CandidateSet& set, Docket& docket) {
+void judge_faces(const Mesh& mesh, const CandidateSet& set, Docket& docket, const Watch& watch) {
   constexpr ClaimCode kClaims[] = {MeshClosed, MeshOriented, MeshPlanar, MeshConvex};
   if (std::none_of(std::begin(kClaims), std::end(kClaims),
                    [&](ClaimCode code) { return docket.asks(code); })) {
@@ -196,12 +196,15 @@ void judge_faces(const Mesh& mesh, const CandidateSet& set, Docket& docket) {
     docket.violated(MeshClosed, "no face has three corners at different places", witness);
     return;
   }
+  watch.ask();
   const std::optional<MeshEdge> open = surface.open_edge();
   judge_closed(open, docket);
   if (docket.asks(MeshOriented)) judge_oriented(surface, !open, docket);
+  watch.ask();
   const bool needs_polygons = docket.asks(MeshPlanar) || docket.asks(MeshConvex);
   const auto crossed = needs_polygons ? surface.crossed_face() : std::nullopt;
   if (docket.asks(MeshPlanar)) judge_planar(mesh, surface, crossed, docket);
+  watch.ask();
   if (!set.hull) {
     docket.not_applicable(MeshConvex, "there is no solid");
   } else if (docket.asks(MeshConvex)) {

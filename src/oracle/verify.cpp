@@ -53,7 +53,7 @@ void judge(const Input& input, const Candidate& candidate, Docket& docket, Stage
   CandidateSet set;
   if (const auto* mesh = std::get_if<Mesh>(&candidate)) {
     set = judge_mesh_set(*mesh, docket, log);
-    log.run("faces", [&] { judge_faces(*mesh, set, docket); });
+    log.run("faces", [&] { judge_faces(*mesh, set, docket, log.watch().stop); });
     find_facets_as_meant(*mesh, set, docket, log);
   } else {
     set = judge_halfspace_set(std::get<HalfspaceList>(candidate), docket, log);
