@@ -47,6 +47,8 @@ void ProgramCase::require_sensible() const {
 
 std::optional<std::string> failure_of(const ProgramCase& program, const std::string& bytes,
                                       const Shape& input, const ScratchFolder& folder) {
+  // A program that is started after an interrupt may send another one, which ends the process.
+  if (interrupted()) throw Error(ErrorCode::Stopped, "interrupted");
   const std::string output = folder.file("output" + program.output_extension);
   std::filesystem::remove_all(output);
   const std::string name = "input" + program.input_extension;
