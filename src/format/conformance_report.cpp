@@ -7,6 +7,7 @@
 #include <set>
 
 #include "conformance_summary.hpp"
+#include "convexact/format/write_json.hpp"
 #include "convexact/number/digits.hpp"
 
 namespace convexact {
@@ -203,7 +204,7 @@ std::string conformance_text(const ConformanceReport& report) {
 
 std::string conformance_markdown(const ConformanceReport& report) {
   const ScoreMatrix matrix = matrix_of(report);
-  std::string text = fmt::format("# Conformance of `{}`\n\n", report.program);
+  std::string text = fmt::format("# Conformance of `{}`\n\n", as_utf8(report.program));
   for (const std::string& paragraph : {verdict_sentence(report), excess_text(report),
                                        tightness_sentence(report), not_run_sentence(report)}) {
     if (!paragraph.empty()) text += paragraph + "\n";

@@ -72,6 +72,12 @@ TEST_CASE("outputs: file names that are not UTF-8 (#13)") {
                                   quoted(scratch.file("m\xe9.obj")) + " -- false {input}");
   CHECK(shrunk.exit == 0);
   CHECK(has(nlohmann::json::parse(shrunk.out)["output"], "m\xef\xbf\xbd.obj"));
+  const std::string table = scratch.file("table.md");
+  const auto conformed =
+      run_program("conform --json --level 1 --flag ties --vectors " + support::data("../vectors") +
+                  " -o " + table + " -- cat {input} {faces} {output} 'caf\xe9'");
+  CHECK(has(nlohmann::json::parse(conformed.out)["program"], "caf\xef\xbf\xbd"));
+  CHECK(has(bytes_of(table), "caf\xef\xbf\xbd"));
 }
 
 TEST_CASE("outputs: option values that are not UTF-8 are refused in JSON that can be read (#13)") {
