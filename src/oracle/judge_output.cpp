@@ -44,12 +44,12 @@ void judge_claims(Case& c) {
            leak_is_rounding(c));
   }
   if (!c.solid || (!violated(MeshPlanar) && !violated(MeshConvex))) return;
-  // A face that crosses itself is no rounding: rounding explains distances only.
-  const auto is_by_distance = [&](ClaimCode code) {
-    return !violated(code) || verdict[code].witness.squared_distance.has_value();
+  // A face that crosses itself, and faces that cover the hull twice, are off by no distance.
+  const auto is_gross = [&](ClaimCode code) {
+    return violated(code) && !verdict[code].witness.squared_distance;
   };
-  const bool is_sound = !violated(MeshClosed) && !violated(MeshOriented) &&
-                        is_by_distance(MeshPlanar) && is_by_distance(MeshConvex);
+  const bool is_sound = !violated(MeshClosed) && !violated(MeshOriented) && !is_gross(MeshPlanar) &&
+                        !is_gross(MeshConvex);
   if (is_sound && faces_are_rounded(c)) {
     c.result.notes.push_back("the faces are planar and convex up to the rounding of their corners");
     return;
