@@ -24,8 +24,11 @@ template <class Float>
 
 template <class Float>
 Float rounded(const Rational& x) {
-  if constexpr (std::is_same_v<Float, float>) return to_float(x, Rounding::Nearest);
-  return to_double(x, Rounding::Nearest);
+  if constexpr (std::is_same_v<Float, float>) {
+    return to_float(x, Rounding::Nearest);
+  } else {
+    return to_double(x, Rounding::Nearest);
+  }
 }
 
 // The exponent e of the first nonzero digit: |x| = d.ddd * 10^e. Saturates far beyond any double.

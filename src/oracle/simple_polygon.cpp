@@ -8,7 +8,7 @@
 namespace convexact {
 namespace {
 
-using Corners = std::span<const PlanarPoint>;
+using Outline = std::span<const PlanarPoint>;
 
 // Positive if a, b, c turn left.
 int turn(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c) {
@@ -26,7 +26,7 @@ bool is_upward(const PlanarPoint& a, const PlanarPoint& b) {
 }
 
 // A polygon that turns to one side only, and by 360 degrees in all, is convex and simple.
-bool is_convex(Corners p) {
+bool is_convex(Outline p) {
   const std::size_t n = p.size();
   int side = 0;
   std::size_t changes = 0;
@@ -59,7 +59,7 @@ bool do_meet(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c,
 }
 
 // Whether edges i < j have more in common than the corner between neighbours.
-bool do_touch(Corners p, std::size_t i, std::size_t j) {
+bool do_touch(Outline p, std::size_t i, std::size_t j) {
   const std::size_t n = p.size();
   const auto folds = [&](std::size_t k) {  // at the end of edge k
     const PlanarPoint &a = p[k], &b = p[(k + 1) % n], &c = p[(k + 2) % n];
@@ -72,7 +72,7 @@ bool do_touch(Corners p, std::size_t i, std::size_t j) {
 
 }  // namespace
 
-std::optional<std::pair<std::size_t, std::size_t>> touching_edges(Corners corners) {
+std::optional<std::pair<std::size_t, std::size_t>> touching_edges(Outline corners) {
   if (is_convex(corners)) return std::nullopt;
   const std::size_t n = corners.size();
   const auto first_x = [&](std::size_t e) -> const Rational& {
