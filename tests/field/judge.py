@@ -89,9 +89,8 @@ def judge_hull(verdict, hull, scale):
 
 
 def measure_cover(verdict, surface, hull, scale):
-    """How far the volume that the faces enclose is from the hull's, and an upper bound of the hull's area."""
+    """How far the volume that the faces enclose is from the hull's."""
     verdict.figures["volume_gap"] = Fraction(abs(surface.volume6() - hull.volume6()), 6 * scale ** 3)
-    verdict.figures["area_above"] = Fraction(hull.area_above(), scale ** 2)
 
 
 def decide_convex(claims, figures, tolerance):
@@ -105,7 +104,8 @@ def decide_convex(claims, figures, tolerance):
         return None
     if not figures["faces_off"]:
         return figures["volume_gap"] == 0
-    return figures["volume_gap"] ** 2 <= figures["area_above"] ** 2 * tolerance
+    # A closed surface near the hull's encloses nearly a multiple of its volume: nearly one.
+    return 2 * figures["volume_gap"] < figures["volume"]
 
 
 def judge_faces(verdict, surface, hull, scale, tolerance):
@@ -149,6 +149,7 @@ def judge_mesh(verdict, given, mesh, tolerance):
     if mesh.faces:
         surface = Surface(points, mesh.faces)
         verdict.figures["dropped_faces"] = surface.dropped
+        claims["mesh-closed"] = False  # of faces that are a point or an edge each
         if surface.faces:
             judge_faces(verdict, surface, hull, scale, tolerance)
 

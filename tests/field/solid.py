@@ -7,7 +7,7 @@ facet. Slow and plain on purpose: it is meant for a few hundred vertices.
 """
 from fractions import Fraction
 from itertools import combinations
-from math import isqrt, lcm
+from math import lcm
 
 
 class Flat(Exception):
@@ -179,16 +179,6 @@ class Hull:
             for b, c in zip(facet.corners[1:], facet.corners[2:]):
                 total += dot(a, cross(self.points[b], self.points[c]))
         return total
-
-    def area_above(self):
-        """At least the area, in the squared unit of the integers, and hardly more."""
-        total = 0
-        for facet in self.facets:
-            a = self.points[facet.corners[0]]
-            for b, c in zip(facet.corners[1:], facet.corners[2:]):
-                normal = cross(minus(self.points[b], a), minus(self.points[c], a))
-                total += isqrt(dot(normal, normal)) + 1
-        return (total + 1) // 2
 
     def beyond(self, point):
         """The facets that a point lies strictly beyond."""
