@@ -187,11 +187,13 @@ TEST_CASE("command line: with --json wrong usage is one object, too (#13)") {
 TEST_CASE("command line: a word out of a list is told with the list (#13)") {
   const ScratchFolder scratch;
   const std::string input = scratch.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
-  for (const auto& [option, list] :
-       std::vector<std::pair<std::string, std::string>>{{"--decimal", "exact, nearest"},
-                                                        {"--precision", "32, 64"},
-                                                        {"--engine", "exact, filtered, float"},
-                                                        {"--verify", "full, local, none"}}) {
+  const std::vector<std::pair<std::string, std::string>> lists = {
+      {"--decimal", "exact, nearest"},
+      {"--precision", "32, 64"},
+      {"--engine", "exact, filtered, float"},
+      {"--verify", "full, local, none"}};
+  for (const auto& choice : lists) {  // Clang 14 captures no bindings
+    const std::string &option = choice.first, &list = choice.second;
     CAPTURE(option);
     // Neither the number of a word in the list nor an octal one stands for the word.
     for (const std::string word : {"0", "1", "064", "0x40", "near", "exactly"}) {

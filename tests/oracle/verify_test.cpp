@@ -148,10 +148,12 @@ TEST_CASE("verify: without a bounded solid no tolerance lets a point outside pas
   request.tolerance = parse_tolerance("1e9");
   const std::string corner = "-1 0 0 0\n0 -1 0 0\n0 0 -1 0\n";  // x, y, z >= 0
   const std::string plate = "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nf 1 2 3 4\n";
-  for (const auto& [bytes, name] : {std::pair(corner, "c.txt"), std::pair(plate, "c.obj"),
-                                    std::pair(std::string("0 0 0 1\n"), "c.txt"),
-                                    std::pair(std::string("1 0 0 1\n-1 0 0 1\n"), "c.txt"),
-                                    std::pair(std::string(), "c.obj")}) {
+  for (const auto& file : {std::pair(corner, "c.txt"), std::pair(plate, "c.obj"),
+                           std::pair(std::string("0 0 0 1\n"), "c.txt"),
+                           std::pair(std::string("1 0 0 1\n-1 0 0 1\n"), "c.txt"),
+                           std::pair(std::string(), "c.obj")}) {
+    const std::string& bytes = file.first;  // Clang 14 captures no bindings
+    const char* const name = file.second;
     for (const bool all : {true, false}) {
       CAPTURE(bytes);
       request.claims = {};
