@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Whether the faces of a mesh are the surface of a convex solid.
 #include "convexact/measure/hull_volume.hpp"
+#include "convexact/number/digits.hpp"
 #include "judge.hpp"
 
 namespace convexact::oracle {
