@@ -9,8 +9,8 @@ namespace convexact::cli {
 
 std::vector<ClaimCode> parse_claims(const std::string& text) {
   std::vector<ClaimCode> claims;
-  if (text.empty()) return claims;
-  for (const std::string& word : CLI::detail::split(text, ',')) {
+  // A comma behind each word: the splitter passes over an empty last word.
+  for (const std::string& word : CLI::detail::split(text + ",", ',')) {
     const auto code = claim_of_name(word);
     if (!code) {
       std::string names;

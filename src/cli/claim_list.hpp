@@ -8,8 +8,8 @@
 
 namespace convexact::cli {
 
-/// Names of claims, separated by commas; none for an empty text, which means all.
-/// @throws Error InvalidArgument, listing the names, for any other word.
+/// Names of claims, separated by commas.
+/// @throws Error InvalidArgument, listing the names, for any other word, also an empty one.
 [[nodiscard]] std::vector<ClaimCode> parse_claims(const std::string& text);
 
 }  // namespace convexact::cli

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "claim_list.hpp"
@@ -44,7 +45,8 @@ constexpr const char* kShrinkFooter =
 
 struct ShrinkArguments {
   GlobalOptions global;
-  std::string input, output, claims, tolerance;
+  std::string input, output, tolerance;
+  std::optional<std::string> claims;
   std::string output_format = "obj";
   bool allow_flat = false;
   ProgramCase program;
@@ -92,7 +94,7 @@ class Shrinking {
     program_.require_sensible();
     program_.input_extension = std::filesystem::path(options.output).extension().string();
     program_.output_extension = "." + options.output_format;
-    program_.verify.claims = parse_claims(options.claims);
+    if (options.claims) program_.verify.claims = parse_claims(*options.claims);
     if (!options.tolerance.empty()) program_.verify.tolerance = parse_tolerance(options.tolerance);
     program_.verify.tightness = false;
     program_.verify.seed = options.global.seed;

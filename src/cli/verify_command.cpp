@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // convexact verify: the oracle.
 #include <memory>
+#include <optional>
 
 #include "claim_list.hpp"
 #include "command.hpp"
@@ -38,7 +39,8 @@ constexpr const char* kVerifyFooter =
 
 struct VerifyArguments {
   GlobalOptions global;
-  std::string input, candidate, claims;
+  std::string input, candidate;
+  std::optional<std::string> claims;
   Decimal decimal = Decimal::Nearest;
   PromiseOptions promise;
   bool exact_facets = false, no_tightness = false;
@@ -69,7 +71,7 @@ Promise promise_of(const VerifyArguments& options) {
 
 VerifyRequest verify_request(const VerifyArguments& options, const Promise& promise) {
   VerifyRequest request;
-  request.claims = parse_claims(options.claims);
+  if (options.claims) request.claims = parse_claims(*options.claims);
   request.tolerance = promise.tolerance;
   request.max_facets = promise.max_facets;
   request.exact_facets = options.exact_facets;

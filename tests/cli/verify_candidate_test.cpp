@@ -240,5 +240,7 @@ TEST_CASE(
   CHECK(judge("-1 0 0 0\n0 -1 0 0\n0 0 -1 0\n", "c.txt", "--claims contains-input --max-facets 3")
             .exit == 1);
   CHECK(judge(kBigTetrahedron, "c.obj", "--claims max-facets").exit == 2);
+  CHECK(judge(kBigTetrahedron, "c.obj", "--claims ''").exit == 2);
+  CHECK(judge(kBigTetrahedron, "c.obj", "--claims contains-input,").exit == 2);
   CHECK(judge(kBigTetrahedron, "c.obj", "--exact-facets").exit == 2);
 }
