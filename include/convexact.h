@@ -89,8 +89,9 @@ typedef struct convexact_verdict convexact_verdict;
 /* What `convexact verify` decides, with its claims and its tolerance; docs/verdicts has a page for
  * each claim. Budgets are not asked. CONVEXACT_NO_INTERIOR if the *points* lie in one plane;
  * whatever is wrong with the candidate is a violated claim.
- * tolerance: as the option of the program, "1e-6" for a length or "1e-9d" for a share of the points'
- * diameter, taken as spelled; NULL for none. Text that is none is CONVEXACT_INVALID_ARGUMENT. */
+ * tolerance: as the option of the program, "1e-6" for a length or "1e-9d" for a share of the
+ * points' diameter, taken as spelled; NULL for none. Text that is none is
+ * CONVEXACT_INVALID_ARGUMENT. */
 
 /* The candidate is the intersection of halfspaces. */
 CONVEXACT_API convexact_status convexact_judge_planes(const double* points, size_t point_count,
@@ -99,8 +100,9 @@ CONVEXACT_API convexact_status convexact_judge_planes(const double* points, size
                                                       convexact_verdict** result);
 
 /* The candidate is a mesh. Face f has face_sizes[f] >= 3 corners, indices of vertices from 0,
- * counter-clockwise from outside; corners holds those of all faces, one after another. Without faces
- * (face_count 0; corners and face_sizes may be NULL) the vertices stand for their convex hull. */
+ * counter-clockwise from outside; corners holds those of all faces, one after another. Without
+ * faces (face_count 0; corners and face_sizes may be NULL) the vertices stand for their convex
+ * hull. */
 CONVEXACT_API convexact_status convexact_judge_mesh(const double* points, size_t point_count,
                                                     const double* vertices, size_t vertex_count,
                                                     const uint32_t* corners,

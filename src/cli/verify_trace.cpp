@@ -98,13 +98,14 @@ void add_trace_options(CLI::App& command, TraceOptions& options) {
       .add_option("--max-regret", options.max_regret,
                   "with --trace: how much dearer than the cheapest a removal may be, e.g. 1%")
       ->capture_default_str();
-  add_text(command, "--left-out",
-           "with --trace: facets that the order leaves out on purpose; it is judged on the solid "
-           "without them; positions among the input's facets in canonical order, as a verdict names "
-           "them",
-           [&options](const std::string& option, const std::string& text) {
-             options.left_out = parse_ids(option, text);
-           })
+  add_text(
+      command, "--left-out",
+      "with --trace: facets that the order leaves out on purpose; it is judged on the solid "
+      "without them; positions among the input's facets in canonical order, as a verdict names "
+      "them",
+      [&options](const std::string& option, const std::string& text) {
+        options.left_out = parse_ids(option, text);
+      })
       ->type_name("ID,...")
       ->needs(trace);
 }

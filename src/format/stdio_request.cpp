@@ -249,11 +249,11 @@ VerifyOutcome verify_in_time(const PointSet& input, const Candidate& candidate,
 }
 
 ordered_json answer(const json& request, std::optional<double> time_limit) {
-  require_known_keys(request,
-                     {"id", "points", "candidate", "claims", "tolerance", "tightness", "decimal",
-                      "numbers", "max_facets", "max_vertices", "max_facet_vertices", "exact_facets",
-                      "time_limit"},
-                     "the request");
+  require_known_keys(
+      request,
+      {"id", "points", "candidate", "claims", "tolerance", "tightness", "decimal", "numbers",
+       "max_facets", "max_vertices", "max_facet_vertices", "exact_facets", "time_limit"},
+      "the request");
   if (request.contains("id") && request["id"].is_structured()) {
     reject("an id that is a number, a string, true, false or null");
   }

@@ -73,7 +73,8 @@ class ObjReader {
       corners_.push_back(read_corner(token));
     }
     if (corners_.size() < 3) {
-      cursor_.fail("expected a polygon of at least 3 corners, found " + std::to_string(corners_.size()));
+      cursor_.fail("expected a polygon of at least 3 corners, found " +
+                   std::to_string(corners_.size()));
     }
     mesh_.polygons.emplace_back(corners_.begin(), corners_.end());
   }

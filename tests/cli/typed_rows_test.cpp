@@ -65,7 +65,7 @@ TEST_CASE("proofs: multipliers of an empty list hold for the rows as typed (#13)
   const ScratchFolder scratch;
   const std::string list = scratch.write("empty.txt", kEmpty);
   for (const std::string& command : {"hull " + list, "simplify --faces 4 " + list,
-                                    "verify " + list + " " + list, "diff --faces 4 " + list}) {
+                                     "verify " + list + " " + list, "diff --faces 4 " + list}) {
     CAPTURE(command);
     const json proof = proof_of(command);
     REQUIRE(proof["kind"] == "empty");

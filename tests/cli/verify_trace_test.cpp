@@ -133,8 +133,9 @@ TEST_CASE("verify --trace: a facet that is never removed is named once, and --le
   // The facet that the order removes, one that does not exist, and no ids.
   const std::string removed =
       std::to_string(bad.document["steps"][0]["removed"].get<std::size_t>());
-  for (const std::string& ids : {removed, std::string("8"), std::string("x"), std::string("-1"),
-                                id + ",", std::string("''"), std::string("99999999999999999999")}) {
+  for (const std::string& ids :
+       {removed, std::string("8"), std::string("x"), std::string("-1"), id + ",", std::string("''"),
+        std::string("99999999999999999999")}) {
     CAPTURE(ids);
     CHECK(run_program(arguments + " --left-out=" + ids).exit == 2);
   }

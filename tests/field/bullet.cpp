@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bullet as a program of ./dev field: bullet hull|shape INPUT.obj OUTPUT.obj
-// hull is btConvexHullComputer, shape is btShapeHull (42 directions). Built once with binary32, once with binary64.
+// hull is btConvexHullComputer, shape is btShapeHull (42 directions). Built once with binary32,
+// once with binary64.
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/CollisionShapes/btShapeHull.h>
 #include <LinearMath/btConvexHullComputer.h>
@@ -69,5 +70,7 @@ int main(int count, char** arguments) {
   if (points.empty()) return 4;
   std::ofstream out(arguments[3]);
   out.precision(std::numeric_limits<btScalar>::max_digits10);
-  return (std::string(arguments[1]) == "hull" ? write_hull(points, out) : write_shape(points, out)) ? 0 : 4;
+  return (std::string(arguments[1]) == "hull" ? write_hull(points, out) : write_shape(points, out))
+             ? 0
+             : 4;
 }

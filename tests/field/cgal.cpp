@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// CGAL's convex_hull_3 as a program of ./dev field: cgal doubles|exact-predicates INPUT.obj OUTPUT.obj
+// CGAL's convex_hull_3 as a program of ./dev field: cgal doubles|exact-predicates INPUT.obj
+// OUTPUT.obj
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -29,7 +30,8 @@ int run(const char* input, const char* output) {
   for (const auto vertex : hull.vertices()) out << "v " << hull.point(vertex) << '\n';
   for (const auto face : hull.faces()) {
     out << 'f';
-    for (const auto vertex : vertices_around_face(hull.halfedge(face), hull)) out << ' ' << vertex.idx() + 1;
+    for (const auto vertex : vertices_around_face(hull.halfedge(face), hull))
+      out << ' ' << vertex.idx() + 1;
     out << '\n';
   }
   return hull.number_of_faces() > 3 ? 0 : 4;

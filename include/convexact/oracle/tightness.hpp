@@ -21,7 +21,6 @@ struct Tightness {
 /// @throws Error Stopped when `stop` becomes true.
 /// @par Cost  The measures of both, and hausdorff_distance().
 [[nodiscard]] Tightness measure_tightness(const Polytope& candidate, const Polytope& hull,
-                                          bool contained,
-                                          const std::atomic<bool>* stop = nullptr);
+                                          bool contained, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace convexact
