@@ -189,7 +189,7 @@ TEST_CASE("hull: measures that are not asked for are neither computed nor told (
     }
   }
   for (const std::string bad :
-       {"mean_width", "all", "volume;area", "none,area", "area --exact-values"}) {
+       {"mean_width", "all", "volume+area", "none,area", "area --exact-values"}) {
     CAPTURE(bad);
     const auto ran = run_program("hull " + input + " --measures " + bad);
     CHECK(ran.exit == 2);

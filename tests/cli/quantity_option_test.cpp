@@ -60,20 +60,11 @@ TEST_CASE("counts: everything but a count in range is wrong usage, told by its o
   const std::string input = scratch.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
   for (const CountOption& c : kCounts) {
     const std::string command = with_input(c.command, input) + " " + c.option + "=";
-    std::vector<std::string> bad = {"-1",
-                                    "+4",
-                                    "' 4'",
-                                    "'4 '",
-                                    "4.0",
-                                    "4.5",
-                                    "4e0",
-                                    "1e1",
-                                    "0x10",
-                                    "4,",
-                                    "4_0",
-                                    "four",
-                                    "99999999999999999999",
-                                    "18446744073709551620"};
+    std::vector<std::string> bad = {"-1", "1e1", "99999999999999999999"};
+    if (&c == &kCounts.front()) {  // one reader for all: what it refuses is asked once
+      bad.insert(bad.end(), {"+4", "' 4'", "'4 '", "4.0", "4.5", "4e0", "0x10", "4,", "4_0", "four",
+                             "18446744073709551620"});
+    }
     if (c.outside != nullptr) bad.push_back(c.outside);
     for (const std::string& value : bad) {
       const std::string arguments = command + value;
