@@ -82,7 +82,10 @@ class Case:
 
     def settle(self, program, target, numbers, tolerances):
         """One record for each tolerance; None asks for the exact verdicts."""
-        given, start = self.input_for(numbers), time.monotonic()
+        try:
+            given, start = self.input_for(numbers), time.monotonic()
+        except NotFinite:
+            return [self.record(program, target, f"an input beyond {numbers}", [])]
         verdict = None
         if given.hull:
             try:

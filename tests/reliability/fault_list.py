@@ -57,7 +57,7 @@ FAULTS = [
     (TIE, _FAST + 'tie_breaker.hpp', 'return exact_cost(i) != least;', 'return exact_cost(i) < least;', _AGREE),
     (TIE, _FAST + 'tie_breaker.hpp', 'return refined_.at(i).range.lower > best;', 'return !(refined_.at(i).range.lower < best);', _AGREE),
     (TIE, _FAST + 'tie_breaker.hpp', 'return classes.size() == 1;', 'return true;', _AGREE),
-    (TIE, 'src/fast/fast_dual.cpp', 'planes_->solid != nullptr ? i < j : exact(i) < exact(j)', 'i < j', _AGREE),
+    (TIE, 'src/fast/fast_dual.cpp', 'return exact(i) < exact(j);', 'return i < j;', _AGREE),
     (TIE, 'src/fast/congruence.cpp', 'symmetry.is_reflection() ? k - 1 : 1', '1', _AGREE),
     (TIE, 'src/fast/congruence.cpp', 'm == k && differ_by_one_translation(pairs)', 'm == k', _AGREE),
     (TIE, 'src/measure/support.cpp', 'value > best.value', 'value >= best.value', 'measure'),
