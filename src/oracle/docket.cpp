@@ -43,7 +43,7 @@ void judge_tolerance(const Rational& rounding, Docket& docket) {
   for (const Claim& claim : verdict.claims) {
     if (claim.is_undecided()) return;
     if (claim.status != Status::Violated) continue;
-    if (!claim.witness.squared_distance) return;
+    if (!claim.is_by_distance) return;
     worst = std::max(worst, *claim.witness.squared_distance);
   }
   if (worst == 0) return;
@@ -100,6 +100,7 @@ void Docket::violated_by(const Rational& squared_distance, ClaimCode code,
           std::move(witness));
   } else {
     violated(code, sentence, std::move(witness));
+    verdict.claims[static_cast<std::size_t>(code)].is_by_distance = asks(code);
   }
 }
 

@@ -98,20 +98,25 @@ std::string hull_text(const CandidateSet& set) {
          " and " + counted(set.hull->vertices.size(), "vertex", "vertices");
 }
 
-void judge_off_hull(const Mesh& mesh, const MeshSurface::OffHull& off, const CandidateSet& set,
-                    Docket& docket) {
+void judge_off_hull(const Mesh& mesh, const MeshSurface::OffHull& off, bool covers_once,
+                    const CandidateSet& set, Docket& docket) {
+  const Rational& squared = off.worst->squared_distance;
   Witness witness;
   witness.faces = {off.worst->face};
   witness.vertices = {off.worst->point.index()};
   witness.plane = off.worst->plane;
   witness.point = mesh.points[off.worst->point];
-  docket.violated_by(off.worst->squared_distance, MeshConvex,
-                     counted(off.faces, "face is", "faces are") +
+  std::string sentence = counted(off.faces, "face is", "faces are") +
                          " not in the surface of the hull; point " +
                          std::to_string(off.worst->point.index()) + " is off the plane of face " +
-                         std::to_string(off.worst->face) + " by " +
-                         docket.distance_text(off.worst->squared_distance) + hull_text(set),
-                     std::move(witness));
+                         std::to_string(off.worst->face) + " by " + docket.distance_text(squared);
+  if (covers_once) {
+    docket.violated_by(squared, MeshConvex, sentence + hull_text(set), std::move(witness));
+  } else {
+    witness.squared_distance = squared;
+    sentence += ", and together they do not cover it once";
+    docket.violated(MeshConvex, sentence + hull_text(set), std::move(witness));
+  }
 }
 
 // Simple polygons in facet planes of the hull that look outward cover each point of its surface
@@ -130,21 +135,24 @@ void judge_convex(const Mesh& mesh, const MeshSurface& surface, bool is_closed,
     return;
   }
   const MeshSurface::OffHull off = surface.faces_off(set.planes, set.hull->vertices);
-  if (off.worst && !docket.allows(off.worst->squared_distance)) {
-    judge_off_hull(mesh, off, set, docket);
-  } else if (!is_closed || surface.twisted_edge()) {
+  const bool closes = is_closed && !surface.twisted_edge();
+  const bool covers =
+      !closes || covers_once(surface.enclosed(), 6 * volume(*set.hull, mesh.points), !off.worst);
+  if (off.worst && (!covers || !docket.allows(off.worst->squared_distance))) {
+    judge_off_hull(mesh, off, covers, set, docket);
+  } else if (!closes) {
     docket.not_applicable(MeshConvex,
                           "each face is in the surface of the hull, but together they do not "
                           "close it" +
                               hull_text(set));
-  } else if (!covers_once(surface.enclosed(), 6 * volume(*set.hull, mesh.points), !off.worst)) {
+  } else if (!covers) {
     docket.violated(MeshConvex,
                     "each face is in the surface of the hull, but together they do not cover it "
                     "once" +
                         hull_text(set),
                     {});
   } else if (off.worst) {
-    judge_off_hull(mesh, off, set, docket);
+    judge_off_hull(mesh, off, covers, set, docket);
   } else {
     docket.holds(MeshConvex, "the faces are the surface of the hull of the points");
   }

@@ -46,7 +46,7 @@ void judge_claims(Case& c) {
   if (!c.solid || (!violated(MeshPlanar) && !violated(MeshConvex))) return;
   // A face that crosses itself, and faces that cover the hull twice, are off by no distance.
   const auto is_gross = [&](ClaimCode code) {
-    return violated(code) && !verdict[code].witness.squared_distance;
+    return violated(code) && !verdict[code].is_by_distance;
   };
   const bool is_sound = !violated(MeshClosed) && !violated(MeshOriented) && !is_gross(MeshPlanar) &&
                         !is_gross(MeshConvex);

@@ -180,7 +180,10 @@ TEST_CASE("faces: with a tolerance, too, the hull is covered once (#13)") {
     for (std::uint32_t& corner : inner) corner += 8;
     mesh.polygons.push_back(inner);
   }
-  CHECK(is_violated(judge(shapes::cube(), mesh), MeshConvex));
+  const Verdict exact = judge(shapes::cube(), mesh);
+  CHECK(is_violated(exact, MeshConvex));
+  CHECK(exact[MeshConvex].witness.squared_distance.has_value());
+  CHECK_FALSE(exact.smallest_tolerance.has_value());  // as there is none
   CHECK(is_violated(judge(shapes::cube(), mesh, "1e-3"), MeshConvex));
 }
 

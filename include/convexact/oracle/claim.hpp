@@ -68,6 +68,9 @@ struct Claim {
   Witness witness;       ///< Empty unless violated, or let pass by a tolerance.
   /// Whether the request named it, so that it is no success if it is not applicable.
   bool is_named = false;
+  /// Whether it is violated by `witness.squared_distance` alone, so that such a tolerance lets it
+  /// pass.
+  bool is_by_distance = false;
 
   bool is_undecided() const { return is_named && status == Status::NotApplicable; }
 };
