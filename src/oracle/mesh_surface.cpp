@@ -151,6 +151,17 @@ bool MeshSurface::goes_to_and_fro(std::size_t face) const {
 // Of a face with corners that are not all on a line.
 std::optional<CrossedFace> MeshSurface::crossing_of(std::size_t face) const {
   const std::vector<std::uint32_t>& corners = faces_[face];
+  const auto next = [&](std::size_t k) { return corners[(k + 1) % corners.size()]; };
+  // A corner that comes back: seen along the normal, a spike out of the plane may hide behind it.
+  std::vector<std::uint32_t> sorted = corners;
+  std::sort(sorted.begin(), sorted.end());
+  if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end()) {
+    const auto first = std::find(corners.begin(), corners.end(), *twice);
+    const auto second = std::find(first + 1, corners.end(), *twice);
+    const auto i = static_cast<std::size_t>(first - corners.begin()),
+               j = static_cast<std::size_t>(second - corners.begin());
+    return CrossedFace{face, {corners[i], next(i), corners[j], next(j)}};
+  }
   RationalVector3 n = area_vectors_[face];
   // Parts that cancel each other: any normal will do, for no simple polygon has the area 0.
   for (std::size_t k = 2; n.isZero(0) && k < corners.size(); ++k) {
@@ -165,7 +176,6 @@ std::optional<CrossedFace> MeshSurface::crossing_of(std::size_t face) const {
   }
   const auto edges = touching_edges(seen);
   if (!edges) return {};
-  const auto next = [&](std::size_t k) { return corners[(k + 1) % corners.size()]; };
   const auto [i, j] = *edges;
   return CrossedFace{face, {corners[i], next(i), corners[j], next(j)}};
 }

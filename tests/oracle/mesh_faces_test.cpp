@@ -170,6 +170,13 @@ TEST_CASE("faces: a bent one is not in the surface of the hull, a point beyond i
   }
 }
 
+TEST_CASE("faces: a spike out of the plane of its face is no bend (#13)") {
+  // Down from corner 6 to 5 and back: seen from above, the spike is a point.
+  const Verdict verdict = judge_cube(kSides + "f 2 6 5 6 8 4\n");
+  CHECK(is_violated(verdict, MeshPlanar));
+  CHECK_FALSE(verdict[MeshPlanar].witness.squared_distance.has_value());
+}
+
 TEST_CASE("faces: with a tolerance, too, the hull is covered once (#13)") {
   Mesh mesh = std::get<Mesh>(read_candidate_bytes(kCube + kSides + "f 2 6 8 4\n", "c.obj"));
   std::vector<Point> points(mesh.points.doubles().begin(), mesh.points.doubles().end());
