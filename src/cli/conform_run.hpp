@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// conform_run.hpp - somebody's program over vectors, several at a time.
+// conform_run.hpp - runs a program over vectors, several at a time.
 #pragma once
 #include <functional>
 #include <span>

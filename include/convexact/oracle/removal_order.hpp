@@ -36,7 +36,7 @@ struct OrderedRemoval {
 struct RemovalOrder {
   /// None for a row with normal 0: no facet has that plane. Any order, repeats allowed.
   std::vector<std::optional<Halfspace>> facets;
-  /// Whether `facets` is a list of its own, of which somebody numbered the rows: not the input's
+  /// Whether `facets` is a list of its own, whose rows the ids count: not the input's
   /// facets, and not the planes removed.
   bool has_list = false;
   std::vector<OrderedRemoval> removals;
