@@ -4,9 +4,8 @@
 // them. Both read what both understand: only statements of OBJ that it does not know, and
 // "linearity 0", are the checker's alone to refuse.
 #include "../tests/check/checker.hpp"
-#include "convexact/format/halfspace_file.hpp"
-#include "convexact/geometry/point_set.hpp"
-#include "convexact/io/read_mesh.hpp"
+#include "convexact/io.hpp"
+#include "convexact/point_set.hpp"
 #include "fuzz_target.hpp"
 #include "unless_refused.hpp"
 

@@ -3,13 +3,13 @@
 // removes the same halfspaces as the exact one, at the same costs, with the same ties and the same
 // end, and every step of both passes its verification; the float engine keeps a subset that is
 // bounded.
-#include "convexact/dual/dual_hull.hpp"
-#include "convexact/fast/filtered_engine.hpp"
-#include "convexact/fast/float_engine.hpp"
-#include "convexact/simplify/exact_engine.hpp"
+#include "convexact/dual.hpp"
+#include "fast/filtered_engine.hpp"
+#include "fast/float_engine.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
 #include "hard_numbers.hpp"
+#include "simplify/exact_engine.hpp"
 
 using namespace convexact;
 

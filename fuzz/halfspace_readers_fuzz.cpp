@@ -2,7 +2,7 @@
 // Property of halfspaces_json, ine, rows: the reader takes any bytes and either reads them or
 // refuses them with an Error of exit code 3, numbers rounded or taken as spelled. What was read can
 // be written in every format and is then read as the same.
-#include "convexact/format/halfspace_file.hpp"
+#include "convexact/io.hpp"
 #include "fuzz_target.hpp"
 #include "unless_refused.hpp"
 

@@ -5,7 +5,7 @@
 // order matters, nor does an image of the grid in last bits or in thirds.
 #include <limits>
 
-#include "convexact/hull/hull.hpp"
+#include "convexact/hull.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
 #include "grid_hull.hpp"

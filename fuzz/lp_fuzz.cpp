@@ -4,14 +4,12 @@
 // Property of feasibility: of a few halfspaces, empty, flat, bounded and the largest ball are
 // answered with certificates that check() accepts, and as the volume of the intersection by
 // definition says.
-#include "convexact/lp/certificates.hpp"
-#include "convexact/lp/chebyshev_center.hpp"
-#include "convexact/lp/interior_point.hpp"
-#include "convexact/lp/seidel.hpp"
+#include "convexact/linear_program.hpp"
 #include "fourier_motzkin.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
 #include "halfspace_arrangement.hpp"
+#include "lp/certificates.hpp"
 
 using namespace convexact;
 

@@ -3,9 +3,8 @@
 // them with an Error of exit code 3. What was read can be written and is then read as the same;
 // decimals taken as spelled round to the doubles, or binary32 numbers, that they are read as
 // otherwise.
-#include "convexact/io/read_mesh.hpp"
-#include "convexact/io/write_mesh.hpp"
-#include "convexact/number/rounding.hpp"
+#include "convexact/io.hpp"
+#include "convexact/number.hpp"
 #include "fuzz_target.hpp"
 #include "same_mesh.hpp"
 #include "unless_refused.hpp"

@@ -9,13 +9,11 @@
 // unit of the last one.
 #include <limits>
 
-#include "convexact/number/decimal.hpp"
-#include "convexact/number/digits.hpp"
-#include "convexact/number/double_double.hpp"
-#include "convexact/number/expansion.hpp"
-#include "convexact/number/hex_float.hpp"
-#include "convexact/number/rounding.hpp"
+#include "convexact/number.hpp"
 #include "fuzz_target.hpp"
+#include "number/double_double.hpp"
+#include "number/expansion.hpp"
+#include "number/hex_float.hpp"
 #include "unless_refused.hpp"
 
 using namespace convexact;

@@ -2,9 +2,8 @@
 // Property of orient3d: for all finite doubles the sign is that of the determinant in rationals,
 // and what each stage computed is within the bound that it states. Property of plane_side: the side
 // of each point, and how many points lie outside, are those of n.x + d in rationals.
-#include "convexact/geometry/orient3d.hpp"
-#include "convexact/geometry/plane_side.hpp"
-#include "convexact/stored/containment.hpp"
+#include "convexact/predicates.hpp"
+#include "convexact/stored.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
 #include "hard_numbers.hpp"

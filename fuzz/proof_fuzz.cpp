@@ -5,11 +5,11 @@
 // code, and what it accepts is true by the definition.
 #include "../tests/check/checker.hpp"
 #include "../tests/check/proof_text.hpp"
-#include "convexact/format/proof.hpp"
-#include "convexact/pipeline/simplify.hpp"
+#include "convexact/simplify.hpp"
 #include "definitional_proof.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
+#include "scene/proof.hpp"
 
 using namespace convexact;
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "convexact/io/read_bytes.hpp"
+#include "convexact/io.hpp"
 #include "fuzz_target.hpp"
 
 namespace {

@@ -3,7 +3,7 @@
 // binary64 and binary32 consist of numbers of the format, are bounded and hold every point, all in
 // rationals and from the definition; or they are refused because the format cannot hold them.
 #include "convexact/error.hpp"
-#include "convexact/pipeline/simplify.hpp"
+#include "convexact/simplify.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
 #include "hard_numbers.hpp"

@@ -6,8 +6,8 @@
 #include <cstring>
 
 #include "cheapest_removals.hpp"
-#include "convexact/hull/hull.hpp"
-#include "convexact/oracle/judge_trace.hpp"
+#include "convexact/hull.hpp"
+#include "convexact/verify_run.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
 

@@ -3,10 +3,10 @@
 // definitions give: surfaces by counting edges, hulls by all triples of points, boundedness by all
 // meetings of three planes, distances by all pairs.
 // Property of candidates: so is the verdict on whatever bytes stand in a candidate's file.
-#include "convexact/format/candidate_file.hpp"
-#include "convexact/shapes/solids.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
+#include "oracle/candidate_file.hpp"
+#include "shapes/solids.hpp"
 #include "verdict_check.hpp"
 
 using namespace convexact;

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "convexact/geometry/point_set.hpp"
+#include "convexact/point_set.hpp"
 
 /// Consumes the input from the front; at its end every choice is 0.
 class FuzzInput {

@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "convexact/geometry/point_set.hpp"
+#include "convexact/point_set.hpp"
 
 namespace grid_hull {
 

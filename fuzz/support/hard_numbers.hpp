@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "convexact/geometry/point_set.hpp"
+#include "convexact/point_set.hpp"
 #include "fuzz_input.hpp"
 
 /// One kind of number for a whole input, chosen by its first byte.

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "convexact/error.hpp"
-#include "convexact/geometry/halfspace_list.hpp"
-#include "convexact/geometry/point_set.hpp"
+#include "convexact/halfspace.hpp"
+#include "convexact/point_set.hpp"
 
 namespace convexact::capi {
 

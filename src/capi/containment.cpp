@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/stored/containment.hpp"
-
 #include <cmath>
 
-#include "arrays.hpp"
-#include "convexact/hull/hull.hpp"
-#include "convexact/number/enclosure.hpp"
-#include "convexact/number/rounding.hpp"
-#include "convexact/oracle/excess.hpp"
-#include "convexact/pipeline/solid.hpp"
-#include "guarded.hpp"
+#include "capi/arrays.hpp"
+#include "capi/guarded.hpp"
+#include "convexact/hull.hpp"
+#include "convexact/number.hpp"
+#include "convexact/scene.hpp"
+#include "convexact/stored.hpp"
+#include "oracle/excess.hpp"
 
 struct convexact_containment {
   std::size_t outside = 0, point = 0, plane = 0;

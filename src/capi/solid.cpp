@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "arrays.hpp"
-#include "convexact/pipeline/simplify.hpp"
-#include "guarded.hpp"
+#include "capi/arrays.hpp"
+#include "capi/guarded.hpp"
+#include "convexact/simplify.hpp"
 
 struct convexact_solid {
   std::vector<std::array<double, 4>> planes;

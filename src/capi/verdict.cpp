@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <variant>
 
-#include "arrays.hpp"
-#include "convexact/oracle/verify.hpp"
-#include "guarded.hpp"
+#include "capi/arrays.hpp"
+#include "capi/guarded.hpp"
+#include "convexact/verify.hpp"
 
 struct convexact_verdict {
   convexact::Verdict verdict;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "claim_list.hpp"
+#include "cli/claim_list.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "convexact/oracle/claim.hpp"
+#include "convexact/verify.hpp"
 
 namespace convexact::cli {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "command.hpp"
+#include "cli/command.hpp"
 
 #include <fmt/format.h>
 
@@ -11,14 +11,13 @@
 #include <iostream>
 #include <new>
 
-#include "convexact/format/error_json.hpp"
-#include "convexact/format/result_json.hpp"
-#include "convexact/format/write_json.hpp"
-#include "convexact/number/decimal.hpp"
-#include "memory.hpp"
-#include "quantity_option.hpp"
-#include "reproducer.hpp"
-#include "scratch_folder.hpp"
+#include "cli/memory.hpp"
+#include "cli/quantity_option.hpp"
+#include "cli/reproducer.hpp"
+#include "cli/scratch_folder.hpp"
+#include "convexact/number.hpp"
+#include "io/json.hpp"
+#include "scene/result_json.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "cli/quantity_option.hpp"
 #include "convexact/error.hpp"
-#include "convexact/number/decimal.hpp"
-#include "convexact/pipeline/not_solid.hpp"
-#include "quantity_option.hpp"
+#include "convexact/number.hpp"
+#include "convexact/scene.hpp"
 
 namespace convexact::cli {
 

@@ -4,16 +4,16 @@
 #include <filesystem>
 #include <memory>
 
-#include "command.hpp"
-#include "conform_run.hpp"
+#include "cli/command.hpp"
+#include "cli/conform_run.hpp"
+#include "cli/program_case.hpp"
+#include "cli/promise_options.hpp"
+#include "cli/quantity_option.hpp"
+#include "cli/shipped_files.hpp"
 #include "convexact/error.hpp"
-#include "convexact/format/test_vector_json.hpp"
-#include "convexact/format/write_json.hpp"
-#include "convexact/io/atomic_output.hpp"
-#include "program_case.hpp"
-#include "promise_options.hpp"
-#include "quantity_option.hpp"
-#include "shipped_files.hpp"
+#include "convexact/io.hpp"
+#include "io/json.hpp"
+#include "oracle/test_vector_json.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "conform_run.hpp"
+#include "cli/conform_run.hpp"
 
 #include <fmt/format.h>
 
@@ -10,14 +10,12 @@
 #include <optional>
 #include <thread>
 
-#include "command.hpp"
-#include "convexact/format/candidate_file.hpp"
-#include "convexact/format/halfspace_file.hpp"
-#include "convexact/hull/hull.hpp"
-#include "convexact/io/read_bytes.hpp"
-#include "convexact/io/write_mesh.hpp"
-#include "progress.hpp"
-#include "scratch_folder.hpp"
+#include "cli/command.hpp"
+#include "cli/progress.hpp"
+#include "cli/scratch_folder.hpp"
+#include "convexact/hull.hpp"
+#include "convexact/io.hpp"
+#include "oracle/candidate_file.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "convexact/format/conformance_report.hpp"
+#include "oracle/conformance_report.hpp"
 
 namespace convexact::cli {
 

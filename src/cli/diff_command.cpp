@@ -4,15 +4,15 @@
 #include <memory>
 #include <optional>
 
-#include "command.hpp"
-#include "convexact/format/diff_json.hpp"
-#include "convexact/format/result_json.hpp"
-#include "convexact/format/summary.hpp"
-#include "engine_list.hpp"
-#include "outputs.hpp"
-#include "progress.hpp"
-#include "quantity_option.hpp"
-#include "scene.hpp"
+#include "cli/command.hpp"
+#include "cli/engine_list.hpp"
+#include "cli/outputs.hpp"
+#include "cli/progress.hpp"
+#include "cli/quantity_option.hpp"
+#include "cli/scene.hpp"
+#include "oracle/diff_json.hpp"
+#include "scene/result_json.hpp"
+#include "scene/summary.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine_list.hpp"
+#include "cli/engine_list.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "convexact/pipeline/simplify.hpp"
+#include "convexact/simplify.hpp"
 
 namespace convexact::cli {
 

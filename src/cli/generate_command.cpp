@@ -5,14 +5,13 @@
 #include <filesystem>
 #include <memory>
 
-#include "command.hpp"
-#include "convexact/format/write_json.hpp"
-#include "convexact/hull/hull.hpp"
-#include "convexact/io/write_mesh.hpp"
-#include "convexact/shapes/families.hpp"
-#include "convexact/shapes/malformed.hpp"
-#include "outputs.hpp"
-#include "quantity_option.hpp"
+#include "cli/command.hpp"
+#include "cli/outputs.hpp"
+#include "cli/quantity_option.hpp"
+#include "convexact/hull.hpp"
+#include "convexact/io.hpp"
+#include "convexact/shapes.hpp"
+#include "io/json.hpp"
 
 namespace convexact::cli {
 namespace {

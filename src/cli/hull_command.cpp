@@ -4,14 +4,14 @@
 
 #include <memory>
 
-#include "command.hpp"
-#include "convexact/format/result_json.hpp"
-#include "convexact/format/summary.hpp"
-#include "convexact/format/write_json.hpp"
-#include "outputs.hpp"
-#include "progress.hpp"
-#include "quantity_option.hpp"
-#include "scene.hpp"
+#include "cli/command.hpp"
+#include "cli/outputs.hpp"
+#include "cli/progress.hpp"
+#include "cli/quantity_option.hpp"
+#include "cli/scene.hpp"
+#include "io/json.hpp"
+#include "scene/result_json.hpp"
+#include "scene/summary.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The program: one subcommand per file.
-#include "command.hpp"
-#include "memory.hpp"
+#include "cli/command.hpp"
+#include "cli/memory.hpp"
 
 namespace {
 

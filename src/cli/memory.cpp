@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "memory.hpp"
+#include "cli/memory.hpp"
 
 #include <gmp.h>
 #include <malloc.h>

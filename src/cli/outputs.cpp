@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "outputs.hpp"
+#include "cli/outputs.hpp"
 
 #include <algorithm>
 #include <filesystem>
 
-#include "command.hpp"
+#include "cli/command.hpp"
 #include "convexact/error.hpp"
-#include "convexact/format/halfspace_file.hpp"
-#include "convexact/format/proof.hpp"
-#include "convexact/format/trace_json.hpp"
-#include "convexact/format/write_json.hpp"
-#include "convexact/io/atomic_output.hpp"
-#include "convexact/io/read_mesh.hpp"
-#include "convexact/io/write_mesh.hpp"
-#include "convexact/report/picture.hpp"
-#include "convexact/stored/containment.hpp"
+#include "convexact/io.hpp"
+#include "convexact/stored.hpp"
+#include "io/json.hpp"
+#include "report/picture.hpp"
+#include "scene/proof.hpp"
+#include "simplify/trace_json.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "convexact/pipeline/run_record.hpp"
-#include "convexact/pipeline/stored_solid.hpp"
-#include "convexact/simplify/trace.hpp"
-#include "scene.hpp"
+#include "cli/scene.hpp"
+#include "convexact/run.hpp"
+#include "convexact/scene.hpp"
+#include "convexact/simplify.hpp"
 
 namespace convexact::cli {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "program_case.hpp"
+#include "cli/program_case.hpp"
 
 #include <algorithm>
 #include <filesystem>
 
-#include "command.hpp"
+#include "cli/command.hpp"
 #include "convexact/error.hpp"
-#include "convexact/format/candidate_file.hpp"
+#include "oracle/candidate_file.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "convexact/oracle/program.hpp"
-#include "convexact/oracle/verify.hpp"
-#include "scratch_folder.hpp"
+#include "cli/scratch_folder.hpp"
+#include "convexact/conform.hpp"
+#include "convexact/verify.hpp"
 
 namespace convexact::cli {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "convexact/pipeline/stage.hpp"
+#include "convexact/scene.hpp"
 
 namespace convexact::cli {
 

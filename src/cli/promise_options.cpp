@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "promise_options.hpp"
+#include "cli/promise_options.hpp"
 
 #include <filesystem>
 
+#include "cli/quantity_option.hpp"
+#include "cli/shipped_files.hpp"
 #include "convexact/error.hpp"
-#include "convexact/format/profiles.hpp"
-#include "convexact/io/read_bytes.hpp"
-#include "convexact/number/decimal.hpp"
-#include "quantity_option.hpp"
-#include "shipped_files.hpp"
+#include "convexact/io.hpp"
+#include "convexact/number.hpp"
+#include "oracle/profiles.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "convexact/oracle/promise.hpp"
+#include "convexact/conform.hpp"
 
 namespace convexact::cli {
 

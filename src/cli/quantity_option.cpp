@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "quantity_option.hpp"
+#include "cli/quantity_option.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <charconv>
 
 #include "convexact/error.hpp"
-#include "convexact/number/decimal.hpp"
+#include "convexact/number.hpp"
 
 namespace convexact::cli {
 namespace {

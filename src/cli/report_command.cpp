@@ -7,14 +7,14 @@
 #include <memory>
 #include <optional>
 
-#include "build_info.hpp"
-#include "command.hpp"
-#include "convexact/format/report_json.hpp"
-#include "convexact/format/write_json.hpp"
-#include "convexact/report/report_page.hpp"
-#include "outputs.hpp"
-#include "quantity_option.hpp"
-#include "scene.hpp"
+#include "cli/build_info.hpp"
+#include "cli/command.hpp"
+#include "cli/outputs.hpp"
+#include "cli/quantity_option.hpp"
+#include "cli/scene.hpp"
+#include "io/json.hpp"
+#include "report/report_json.hpp"
+#include "report/report_page.hpp"
 
 namespace convexact::cli {
 namespace {

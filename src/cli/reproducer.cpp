@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "reproducer.hpp"
+#include "cli/reproducer.hpp"
 
 #include <filesystem>
 
 #include "convexact/error.hpp"
-#include "convexact/io/atomic_output.hpp"
+#include "convexact/io.hpp"
 
 namespace convexact::cli {
 namespace {

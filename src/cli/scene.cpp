@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "scene.hpp"
+#include "cli/scene.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <unordered_map>
 
-#include "command.hpp"
+#include "cli/command.hpp"
 #include "convexact/error.hpp"
-#include "convexact/format/halfspace_file.hpp"
-#include "convexact/io/read_bytes.hpp"
-#include "convexact/io/read_mesh.hpp"
+#include "convexact/io.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "convexact/io/mesh.hpp"
-#include "convexact/number/decimal.hpp"
-#include "convexact/pipeline/solid.hpp"
+#include "convexact/mesh.hpp"
+#include "convexact/number.hpp"
+#include "convexact/scene.hpp"
 
 namespace convexact::cli {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scratch_folder.hpp"
+#include "cli/scratch_folder.hpp"
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shipped_files.hpp"
+#include "cli/shipped_files.hpp"
 
 #include <vector>
 

@@ -7,20 +7,19 @@
 #include <optional>
 #include <utility>
 
-#include "claim_list.hpp"
-#include "command.hpp"
+#include "cli/claim_list.hpp"
+#include "cli/command.hpp"
+#include "cli/outputs.hpp"
+#include "cli/program_case.hpp"
+#include "cli/progress.hpp"
+#include "cli/scene.hpp"
 #include "convexact/error.hpp"
-#include "convexact/format/halfspace_file.hpp"
-#include "convexact/format/write_json.hpp"
-#include "convexact/hull/double_points.hpp"
-#include "convexact/hull/initial_simplex.hpp"
-#include "convexact/io/write_mesh.hpp"
-#include "convexact/lp/feasibility.hpp"
-#include "convexact/oracle/shrink.hpp"
-#include "outputs.hpp"
-#include "program_case.hpp"
-#include "progress.hpp"
-#include "scene.hpp"
+#include "convexact/io.hpp"
+#include "convexact/linear_program.hpp"
+#include "convexact/shrink.hpp"
+#include "hull/double_points.hpp"
+#include "hull/initial_simplex.hpp"
+#include "io/json.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -5,15 +5,15 @@
 #include <filesystem>
 #include <memory>
 
-#include "command.hpp"
-#include "convexact/format/stress_report.hpp"
-#include "convexact/io/mesh_format.hpp"
-#include "convexact/io/read_mesh.hpp"
-#include "convexact/stress/stress.hpp"
-#include "engine_list.hpp"
-#include "progress.hpp"
-#include "quantity_option.hpp"
-#include "shipped_files.hpp"
+#include "cli/command.hpp"
+#include "cli/engine_list.hpp"
+#include "cli/progress.hpp"
+#include "cli/quantity_option.hpp"
+#include "cli/shipped_files.hpp"
+#include "convexact/io.hpp"
+#include "convexact/mesh.hpp"
+#include "stress/stress.hpp"
+#include "stress/stress_report.hpp"
 
 namespace convexact::cli {
 namespace {

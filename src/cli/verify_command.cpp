@@ -3,20 +3,20 @@
 #include <memory>
 #include <optional>
 
-#include "claim_list.hpp"
-#include "command.hpp"
+#include "cli/claim_list.hpp"
+#include "cli/command.hpp"
+#include "cli/outputs.hpp"
+#include "cli/progress.hpp"
+#include "cli/promise_options.hpp"
+#include "cli/scene.hpp"
+#include "cli/verify_stdio.hpp"
+#include "cli/verify_trace.hpp"
 #include "convexact/error.hpp"
-#include "convexact/format/candidate_file.hpp"
-#include "convexact/format/result_json.hpp"
-#include "convexact/format/summary.hpp"
-#include "convexact/format/verdict_json.hpp"
-#include "convexact/format/verdict_table.hpp"
-#include "outputs.hpp"
-#include "progress.hpp"
-#include "promise_options.hpp"
-#include "scene.hpp"
-#include "verify_stdio.hpp"
-#include "verify_trace.hpp"
+#include "oracle/candidate_file.hpp"
+#include "oracle/verdict_json.hpp"
+#include "oracle/verdict_table.hpp"
+#include "scene/result_json.hpp"
+#include "scene/summary.hpp"
 
 namespace convexact::cli {
 namespace {

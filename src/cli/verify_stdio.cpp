@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "verify_stdio.hpp"
+#include "cli/verify_stdio.hpp"
 
 #include <csignal>
 #include <iostream>
 #include <string>
 
-#include "command.hpp"
-#include "convexact/format/stdio_request.hpp"
+#include "cli/command.hpp"
+#include "oracle/stdio_request.hpp"
 
 namespace convexact::cli {
 namespace {

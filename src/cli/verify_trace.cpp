@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "verify_trace.hpp"
+#include "cli/verify_trace.hpp"
 
-#include "convexact/format/removal_order_file.hpp"
-#include "convexact/format/result_json.hpp"
-#include "convexact/format/summary.hpp"
-#include "convexact/format/trace_verdict.hpp"
-#include "convexact/io/read_bytes.hpp"
-#include "convexact/oracle/judge_trace.hpp"
-#include "convexact/pipeline/solid.hpp"
-#include "progress.hpp"
-#include "quantity_option.hpp"
+#include "cli/progress.hpp"
+#include "cli/quantity_option.hpp"
+#include "convexact/io.hpp"
+#include "convexact/scene.hpp"
+#include "convexact/verify_run.hpp"
+#include "oracle/removal_order_file.hpp"
+#include "oracle/trace_verdict.hpp"
+#include "scene/result_json.hpp"
+#include "scene/summary.hpp"
 
 namespace convexact::cli {
 namespace {

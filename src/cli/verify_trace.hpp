@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "command.hpp"
-#include "convexact/geometry/ids.hpp"
-#include "scene.hpp"
+#include "cli/command.hpp"
+#include "cli/scene.hpp"
+#include "convexact/point_set.hpp"
 
 namespace convexact::cli {
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/dual/adjacency_matrix.hpp"
-
 #include <algorithm>
 
+#include "convexact/dual.hpp"
 #include "convexact/error.hpp"
 
 namespace convexact {

@@ -5,10 +5,9 @@
 #include <numeric>
 #include <optional>
 
-#include "convexact/dual/dual_hull.hpp"
-#include "convexact/dual/polar.hpp"
+#include "convexact/dual.hpp"
 #include "convexact/error.hpp"
-#include "convexact/hull/homogeneous_hull.hpp"
+#include "convexact/hull.hpp"
 
 namespace convexact {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "convexact/dual/dual_hull.hpp"
+#include "convexact/dual.hpp"
 #include "convexact/error.hpp"
 
 namespace convexact {

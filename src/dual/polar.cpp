@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/dual/polar.hpp"
-
+#include "convexact/dual.hpp"
 #include "convexact/error.hpp"
 
 namespace convexact {

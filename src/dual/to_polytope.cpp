@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "convexact/dual/adjacency_matrix.hpp"
-#include "convexact/dual/dual_hull.hpp"
+#include "convexact/dual.hpp"
 
 namespace convexact {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/fast/check_surface.hpp"
+#include "fast/check_surface.hpp"
 
 #include <algorithm>
 #include <vector>
 
-#include "convexact/fast/dual_signs.hpp"
+#include "fast/dual_signs.hpp"
 
 namespace convexact {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/fast/congruence.hpp"
+#include "fast/congruence.hpp"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "convexact/fast/dual_signs.hpp"
+#include "fast/dual_signs.hpp"
 
 namespace convexact {
 namespace {

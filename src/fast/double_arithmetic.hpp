@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // double_arithmetic.hpp - what the float engine computes with.
 #pragma once
-#include "convexact/fast/dual_signs.hpp"
-#include "convexact/fast/fast_dual.hpp"
-#include "convexact/fast/plane_filter.hpp"
+#include "fast/dual_signs.hpp"
+#include "fast/fast_dual.hpp"
+#include "fast/plane_filter.hpp"
 
 namespace convexact {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Walks around the vertices of a hull and cuts the polygons found there into triangles.
-#include "dual_faces.hpp"
+#include "fast/dual_faces.hpp"
 
 #include "convexact/error.hpp"
-#include "convexact/fast/half_edge_mesh.hpp"
+#include "fast/half_edge_mesh.hpp"
 
 namespace convexact {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "convexact/hull/hull.hpp"
+#include "convexact/hull.hpp"
 
 namespace convexact {
 

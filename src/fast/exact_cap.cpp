@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/fast/exact_cap.hpp"
+#include "fast/exact_cap.hpp"
 
 namespace convexact {
 

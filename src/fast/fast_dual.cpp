@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Dual points in doubles: from the corners of facets where that is certain, else from exact planes.
-#include "convexact/fast/fast_dual.hpp"
+#include "fast/fast_dual.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,10 +9,10 @@
 #include <numeric>
 
 #include "convexact/error.hpp"
-#include "convexact/fast/dual_signs.hpp"
-#include "convexact/fast/half_edge_mesh.hpp"
-#include "convexact/number/rounding.hpp"
-#include "dual_faces.hpp"
+#include "convexact/number.hpp"
+#include "fast/dual_faces.hpp"
+#include "fast/dual_signs.hpp"
+#include "fast/half_edge_mesh.hpp"
 
 namespace convexact {
 

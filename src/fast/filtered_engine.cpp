@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/fast/filtered_engine.hpp"
+#include "fast/filtered_engine.hpp"
 
-#include "convexact/fast/filtered_loop.hpp"
+#include "fast/filtered_loop.hpp"
 
 namespace convexact {
 namespace {

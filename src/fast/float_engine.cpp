@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/fast/float_engine.hpp"
+#include "fast/float_engine.hpp"
 
-#include "convexact/fast/float_loop.hpp"
-#include "double_arithmetic.hpp"
+#include "fast/double_arithmetic.hpp"
+#include "fast/float_loop.hpp"
 
 namespace convexact {
 

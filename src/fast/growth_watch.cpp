@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/fast/growth_watch.hpp"
+#include "fast/growth_watch.hpp"
 
 #include <algorithm>
 #include <limits>
 
 #include "convexact/error.hpp"
-#include "convexact/fast/cap_range.hpp"
-#include "convexact/fast/exact_cap.hpp"
-#include "convexact/fast/half_edge_mesh.hpp"
-#include "convexact/fast/outward.hpp"
-#include "convexact/fast/solid_volume.hpp"
-#include "convexact/number/rounding.hpp"
+#include "convexact/number.hpp"
+#include "fast/cap_range.hpp"
+#include "fast/exact_cap.hpp"
+#include "fast/half_edge_mesh.hpp"
+#include "fast/outward.hpp"
+#include "fast/solid_volume.hpp"
 
 namespace convexact {
 namespace {

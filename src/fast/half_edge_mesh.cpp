@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/fast/half_edge_mesh.hpp"
+#include "fast/half_edge_mesh.hpp"
 
 #include "convexact/error.hpp"
 

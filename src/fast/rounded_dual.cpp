@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/fast/rounded_dual.hpp"
+#include "fast/rounded_dual.hpp"
 
 #include <array>
 #include <cmath>
 
-#include "convexact/fast/float_loop.hpp"
-#include "convexact/number/mpfr_scalar.hpp"
-#include "double_arithmetic.hpp"
+#include "fast/double_arithmetic.hpp"
+#include "fast/float_loop.hpp"
+#include "number/mpfr_scalar.hpp"
 
 namespace convexact {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/fast/step_check.hpp"
+#include "fast/step_check.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/geometry/edges.hpp"
-
 #include <algorithm>
 #include <tuple>
 
 #include "convexact/error.hpp"
+#include "convexact/polytope.hpp"
 
 namespace convexact {
 namespace {

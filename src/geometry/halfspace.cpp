@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/geometry/halfspace.hpp"
+#include "convexact/halfspace.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/geometry/halfspace_list.hpp"
+#include "convexact/halfspace.hpp"
 
 namespace convexact {
 

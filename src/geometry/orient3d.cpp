@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Four stages of growing cost, after [Shewchuk1997, sec. 4.3], and rationals outside the range
 // where these are proven. The error bounds are our own, a little wider and shorter to derive.
-#include "convexact/geometry/orient3d.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 
-#include "convexact/number/expansion.hpp"
-#include "roundoff.hpp"
+#include "convexact/predicates.hpp"
+#include "geometry/roundoff.hpp"
+#include "number/expansion.hpp"
 
 namespace convexact {
 namespace {

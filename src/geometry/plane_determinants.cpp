@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/geometry/plane_determinants.hpp"
+#include "geometry/plane_determinants.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "roundoff.hpp"
+#include "geometry/roundoff.hpp"
 
 namespace convexact {
 namespace {

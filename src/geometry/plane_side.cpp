@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/geometry/plane_side.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "convexact/predicates.hpp"
 
 namespace convexact {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/geometry/point_set.hpp"
+#include "convexact/point_set.hpp"
 
 #include <algorithm>
 
 #include "convexact/error.hpp"
-#include "convexact/number/rounding.hpp"
+#include "convexact/number.hpp"
 
 namespace convexact {
 

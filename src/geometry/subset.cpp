@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/geometry/subset.hpp"
+#include "convexact/point_set.hpp"
 
 namespace convexact {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "convexact/hull/hull.hpp"
+#include "convexact/hull.hpp"
 
 namespace convexact {
 namespace {

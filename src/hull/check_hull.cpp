@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "convexact/hull/double_points.hpp"
-#include "convexact/hull/homogeneous_hull.hpp"
-#include "convexact/hull/homogeneous_points.hpp"
-#include "convexact/hull/hull.hpp"
+#include "convexact/hull.hpp"
+#include "hull/double_points.hpp"
+#include "hull/homogeneous_points.hpp"
 
 namespace convexact {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/hull/double_points.hpp"
+#include "hull/double_points.hpp"
 
 #include <cmath>
 
-#include "convexact/geometry/orient3d.hpp"
-#include "convexact/number/rounding.hpp"
+#include "convexact/number.hpp"
+#include "convexact/predicates.hpp"
 
 namespace convexact {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/hull/homogeneous_points.hpp"
+#include "hull/homogeneous_points.hpp"
 
 #include <algorithm>
 
 #include "convexact/error.hpp"
-#include "convexact/number/rounding.hpp"
+#include "convexact/number.hpp"
 
 namespace convexact {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/hull/hull.hpp"
+#include "convexact/hull.hpp"
 
-#include "convexact/hull/double_points.hpp"
-#include "convexact/hull/homogeneous_hull.hpp"
-#include "convexact/hull/homogeneous_points.hpp"
-#include "convexact/hull/initial_simplex.hpp"
-#include "convexact/hull/merge_facets.hpp"
+#include "hull/double_points.hpp"
+#include "hull/homogeneous_points.hpp"
+#include "hull/initial_simplex.hpp"
+#include "hull/merge_facets.hpp"
 
 namespace convexact {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/io/atomic_output.hpp"
-
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -11,6 +9,7 @@
 #include <filesystem>
 
 #include "convexact/error.hpp"
+#include "convexact/io.hpp"
 
 namespace convexact {
 namespace {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/io/mesh_format.hpp"
-
 #include <algorithm>
 
-#include "mesh_readers.hpp"
-#include "text_cursor.hpp"
+#include "convexact/mesh.hpp"
+#include "io/mesh_readers.hpp"
+#include "io/text_cursor.hpp"
 
 namespace convexact {
 namespace {

@@ -3,8 +3,8 @@
 #pragma once
 #include <string_view>
 
-#include "convexact/io/mesh.hpp"
-#include "convexact/number/decimal.hpp"
+#include "convexact/mesh.hpp"
+#include "convexact/number.hpp"
 
 namespace convexact {
 

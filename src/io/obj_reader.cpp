@@ -5,8 +5,8 @@
 #include <array>
 #include <charconv>
 
-#include "mesh_readers.hpp"
-#include "point_collector.hpp"
+#include "io/mesh_readers.hpp"
+#include "io/point_collector.hpp"
 
 namespace convexact {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // OFF as text: a header such as "OFF" or "COFF", the counts, one point per line, one polygon per
 // line. The prefixes ST, C and N announce numbers after each point's coordinates.
-#include "mesh_readers.hpp"
-#include "point_collector.hpp"
+#include "io/mesh_readers.hpp"
+#include "io/point_collector.hpp"
 
 namespace convexact {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ply_header.hpp"
+#include "io/ply_header.hpp"
 
 #include <algorithm>
 #include <utility>

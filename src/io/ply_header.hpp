@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "binary_cursor.hpp"
-#include "text_cursor.hpp"
+#include "io/binary_cursor.hpp"
+#include "io/text_cursor.hpp"
 
 namespace convexact {
 

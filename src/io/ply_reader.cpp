@@ -3,9 +3,9 @@
 // element and property is stepped over by the size that its declaration gives it.
 #include <cmath>
 
-#include "mesh_readers.hpp"
-#include "ply_header.hpp"
-#include "point_collector.hpp"
+#include "io/mesh_readers.hpp"
+#include "io/ply_header.hpp"
+#include "io/point_collector.hpp"
 
 namespace convexact {
 namespace {

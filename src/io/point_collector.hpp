@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "convexact/geometry/point_set.hpp"
-#include "text_cursor.hpp"
+#include "convexact/point_set.hpp"
+#include "io/text_cursor.hpp"
 
 namespace convexact {
 

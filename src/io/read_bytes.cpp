@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/io/read_bytes.hpp"
-
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -9,6 +7,7 @@
 #include <cstring>
 
 #include "convexact/error.hpp"
+#include "convexact/io.hpp"
 
 namespace convexact {
 namespace {

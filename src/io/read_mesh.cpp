@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/io/read_mesh.hpp"
-
 #include "convexact/error.hpp"
-#include "convexact/io/read_bytes.hpp"
-#include "mesh_readers.hpp"
+#include "convexact/io.hpp"
+#include "io/mesh_readers.hpp"
 
 namespace convexact {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <unordered_set>
 
-#include "binary_cursor.hpp"
-#include "mesh_readers.hpp"
-#include "point_collector.hpp"
+#include "io/binary_cursor.hpp"
+#include "io/mesh_readers.hpp"
+#include "io/point_collector.hpp"
 
 namespace convexact {
 namespace {

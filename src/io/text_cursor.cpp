@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "text_cursor.hpp"
+#include "io/text_cursor.hpp"
 
 #include <charconv>
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "convexact/error.hpp"
-#include "convexact/number/decimal.hpp"
+#include "convexact/number.hpp"
 
 namespace convexact {
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/io/write_mesh.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "convexact/error.hpp"
-#include "output_buffer.hpp"
+#include "convexact/io.hpp"
+#include "io/output_buffer.hpp"
 
 namespace convexact {
 namespace {

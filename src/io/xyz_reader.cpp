@@ -2,8 +2,8 @@
 // Point clouds as plain text: x y z in each line, and further numbers that are not used.
 #include <array>
 
-#include "mesh_readers.hpp"
-#include "point_collector.hpp"
+#include "io/mesh_readers.hpp"
+#include "io/point_collector.hpp"
 
 namespace convexact {
 

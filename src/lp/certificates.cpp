@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/lp/certificates.hpp"
+#include "lp/certificates.hpp"
 
 namespace convexact {
 namespace {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/lp/chebyshev_center.hpp"
-
-#include "convexact/lp/interior_point.hpp"
-#include "inflation.hpp"
+#include "convexact/linear_program.hpp"
+#include "lp/inflation.hpp"
 
 namespace convexact {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "combination.hpp"
+#include "lp/combination.hpp"
 
 #include "convexact/error.hpp"
 

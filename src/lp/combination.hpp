@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "convexact/number/rational.hpp"
+#include "convexact/number.hpp"
 
 namespace convexact::detail {
 

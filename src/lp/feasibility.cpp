@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/lp/feasibility.hpp"
-
 #include <algorithm>
 #include <optional>
 
-#include "convexact/lp/interior_point.hpp"
-#include "inflation.hpp"
+#include "convexact/linear_program.hpp"
+#include "lp/inflation.hpp"
 
 namespace convexact {
 

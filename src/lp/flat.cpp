@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "flat.hpp"
+#include "lp/flat.hpp"
 
 namespace convexact::detail {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "convexact/number/rational.hpp"
+#include "convexact/number.hpp"
 
 namespace convexact::detail {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The checkers of feasibility.hpp and chebyshev_center.hpp: definitions only, no solver.
-#include "convexact/lp/chebyshev_center.hpp"
-#include "convexact/lp/feasibility.hpp"
+#include "convexact/linear_program.hpp"
 
 namespace convexact {
 namespace {

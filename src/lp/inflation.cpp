@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "inflation.hpp"
+#include "lp/inflation.hpp"
 
 #include "convexact/error.hpp"
 

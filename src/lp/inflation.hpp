@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "convexact/lp/feasibility.hpp"
+#include "convexact/linear_program.hpp"
 
 namespace convexact::detail {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/lp/interior_point.hpp"
-
 #include <algorithm>
 #include <limits>
+
+#include "convexact/linear_program.hpp"
 
 namespace convexact {
 

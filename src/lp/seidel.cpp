@@ -2,14 +2,13 @@
 // Randomised incremental linear programming [Seidel1991]. Infinity is a symbol M: each variable
 // starts in the box -M <= x_j <= M, so that every subproblem has an optimal vertex, and what the
 // box holds at the end tells the three outcomes apart (docs/design/lp.md).
-#include "convexact/lp/seidel.hpp"
-
 #include <numeric>
 
-#include "combination.hpp"
 #include "convexact/error.hpp"
-#include "convexact/number/random.hpp"
-#include "flat.hpp"
+#include "convexact/linear_program.hpp"
+#include "lp/combination.hpp"
+#include "lp/flat.hpp"
+#include "number/random.hpp"
 
 namespace convexact {
 namespace {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/measure/bounding_box.hpp"
-
 #include <algorithm>
 
 #include "convexact/error.hpp"
+#include "convexact/measure.hpp"
 
 namespace convexact {
 namespace {

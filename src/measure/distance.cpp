@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/measure/distance.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "convexact/error.hpp"
-#include "convexact/number/rounding.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/number.hpp"
 
 namespace convexact {
 

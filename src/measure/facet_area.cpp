@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "facet_area.hpp"
+#include "measure/facet_area.hpp"
 
-#include "convexact/number/balanced_sum.hpp"
+#include "number/balanced_sum.hpp"
 
 namespace convexact {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // facet_area.hpp - the rational part of a facet's area.
 #pragma once
-#include "convexact/geometry/polytope.hpp"
+#include "convexact/polytope.hpp"
 
 namespace convexact {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/measure/hull_volume.hpp"
-
 #include <cmath>
 #include <optional>
 #include <vector>
+
+#include "convexact/measure.hpp"
 
 namespace convexact {
 namespace {

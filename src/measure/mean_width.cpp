@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/measure/mean_width.hpp"
-
 #include "convexact/error.hpp"
-#include "convexact/geometry/edges.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/polytope.hpp"
 
 namespace convexact {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/measure/support.hpp"
+#include "measure/support.hpp"
 
 #include "convexact/error.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/measure/surface_area.hpp"
-
-#include "facet_area.hpp"
+#include "convexact/measure.hpp"
+#include "measure/facet_area.hpp"
 
 namespace convexact {
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/measure/volume.hpp"
-
 #include <algorithm>
 #include <vector>
 
-#include "convexact/number/balanced_sum.hpp"
-#include "facet_area.hpp"
+#include "convexact/measure.hpp"
+#include "measure/facet_area.hpp"
+#include "number/balanced_sum.hpp"
 
 namespace convexact {
 

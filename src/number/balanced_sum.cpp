@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/number/balanced_sum.hpp"
+#include "number/balanced_sum.hpp"
 
 namespace convexact {
 

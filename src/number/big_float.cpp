@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/number/big_float.hpp"
-
 #include "convexact/error.hpp"
+#include "convexact/number.hpp"
 
 namespace convexact {
 

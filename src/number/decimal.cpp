@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/number/decimal.hpp"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
 #include "convexact/error.hpp"
-#include "convexact/number/rounding.hpp"
+#include "convexact/number.hpp"
 
 namespace convexact {
 namespace {

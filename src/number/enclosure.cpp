@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/number/enclosure.hpp"
-
 #include <algorithm>
 #include <array>
 
 #include "convexact/error.hpp"
+#include "convexact/number.hpp"
 
 namespace convexact {
 namespace {

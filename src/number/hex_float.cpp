@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/number/hex_float.hpp"
+#include "number/hex_float.hpp"
 
 #include <charconv>
 
 #include "convexact/error.hpp"
-#include "convexact/number/decimal.hpp"
+#include "convexact/number.hpp"
 
 namespace convexact {
 namespace {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/number/rational.hpp"
-
 #include <charconv>
 #include <cmath>
 
 #include "convexact/error.hpp"
+#include "convexact/number.hpp"
 
 namespace convexact {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/number/rounding.hpp"
-
 #include <cmath>
 #include <limits>
+
+#include "convexact/number.hpp"
 
 namespace convexact {
 namespace {

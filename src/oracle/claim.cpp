@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/oracle/claim.hpp"
+#include "convexact/verify.hpp"
 
 namespace convexact {
 

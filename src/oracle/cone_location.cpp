@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "cone_location.hpp"
+#include "oracle/cone_location.hpp"
 
 #include <algorithm>
 #include <tuple>
 
 #include "convexact/error.hpp"
-#include "convexact/geometry/orient3d.hpp"
+#include "convexact/predicates.hpp"
 
 namespace convexact::oracle {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "convexact/hull/hull.hpp"
+#include "convexact/hull.hpp"
 
 namespace convexact::oracle {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "confirm_costs.hpp"
+#include "oracle/confirm_costs.hpp"
 
-#include "../simplify/modular_volume.hpp"
 #include "convexact/error.hpp"
-#include "convexact/measure/volume.hpp"
-#include "convexact/oracle/removal_cost.hpp"
+#include "convexact/measure.hpp"
+#include "oracle/removal_cost.hpp"
+#include "simplify/modular_volume.hpp"
 
 namespace convexact {
 namespace {

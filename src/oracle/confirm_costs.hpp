@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // confirm_costs.hpp - costs of removals once more, from the definition.
 #pragma once
-#include "convexact/oracle/judge_trace.hpp"
+#include "convexact/verify_run.hpp"
 
 namespace convexact {
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/oracle/conformance.hpp"
-
 #include <algorithm>
 #include <csignal>
 #include <tuple>
 
-#include "conformance_judge.hpp"
+#include "convexact/conform.hpp"
+#include "oracle/conformance_judge.hpp"
 
 namespace convexact {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // conformance_judge.hpp - the parts of judge_run(): what is right of an output.
 #pragma once
-#include "convexact/oracle/conformance.hpp"
+#include "convexact/conform.hpp"
 
 namespace convexact::oracle {
 

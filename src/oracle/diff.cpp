@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/oracle/diff.hpp"
+#include "oracle/diff.hpp"
 
 #include <algorithm>
 
 #include "convexact/error.hpp"
-#include "convexact/measure/volume.hpp"
-#include "convexact/oracle/greedy_check.hpp"
+#include "convexact/measure.hpp"
+#include "oracle/greedy_check.hpp"
 
 namespace convexact {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/oracle/divergence.hpp"
+#include "oracle/divergence.hpp"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "convexact/error.hpp"
-#include "convexact/number/digits.hpp"
-#include "judge.hpp"
+#include "convexact/number.hpp"
+#include "oracle/judge.hpp"
 
 namespace convexact::oracle {
 namespace {

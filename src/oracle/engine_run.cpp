@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/oracle/engine_run.hpp"
+#include "oracle/engine_run.hpp"
 
-#include "convexact/fast/fast_dual.hpp"
-#include "convexact/fast/filtered_engine.hpp"
-#include "convexact/fast/float_engine.hpp"
+#include "fast/fast_dual.hpp"
+#include "fast/filtered_engine.hpp"
+#include "fast/float_engine.hpp"
 
 namespace convexact {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/oracle/excess.hpp"
+#include "oracle/excess.hpp"
 
-#include "../stored/double_halfspace.hpp"
 #include "convexact/error.hpp"
-#include "convexact/measure/distance.hpp"
+#include "convexact/measure.hpp"
+#include "stored/double_halfspace.hpp"
 
 namespace convexact {
 namespace {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "facet_match.hpp"
+#include "oracle/facet_match.hpp"
 
 #include <algorithm>
 #include <limits>
 
-#include "convexact/number/digits.hpp"
-#include "convexact/number/rounding.hpp"
-#include "convexact/oracle/tolerance.hpp"
+#include "convexact/number.hpp"
+#include "convexact/verify.hpp"
 
 namespace convexact {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "convexact/dual/dual_hull.hpp"
-#include "convexact/oracle/judge_trace.hpp"
+#include "convexact/dual.hpp"
+#include "convexact/verify_run.hpp"
 
 namespace convexact {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/oracle/greedy_check.hpp"
+#include "oracle/greedy_check.hpp"
 
 #include <algorithm>
 
 #include "convexact/error.hpp"
-#include "convexact/fast/filtered_loop.hpp"
+#include "fast/filtered_loop.hpp"
 
 namespace convexact {
 namespace {

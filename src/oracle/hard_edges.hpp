@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "convexact/geometry/point_set.hpp"
-#include "convexact/geometry/polytope.hpp"
-#include "convexact/number/rounding.hpp"
+#include "convexact/number.hpp"
+#include "convexact/point_set.hpp"
+#include "convexact/polytope.hpp"
 
 namespace convexact::oracle {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // judge.hpp - the parts of verify(): each decides some claims about one candidate.
 #pragma once
-#include "convexact/oracle/mesh_surface.hpp"
-#include "convexact/oracle/verify.hpp"
+#include "convexact/verify.hpp"
 #include "convexact/watch.hpp"
+#include "oracle/mesh_surface.hpp"
 
 namespace convexact::oracle {
 

@@ -3,15 +3,15 @@
 // input reaches out of it.
 #include <fmt/format.h>
 
-#include "cone_location.hpp"
 #include "convexact/error.hpp"
-#include "convexact/geometry/edges.hpp"
-#include "convexact/geometry/subset.hpp"
-#include "convexact/number/digits.hpp"
-#include "convexact/oracle/excess.hpp"
-#include "convexact/oracle/support_program.hpp"
-#include "convexact/stored/containment.hpp"
-#include "judge.hpp"
+#include "convexact/number.hpp"
+#include "convexact/point_set.hpp"
+#include "convexact/polytope.hpp"
+#include "convexact/stored.hpp"
+#include "oracle/cone_location.hpp"
+#include "oracle/excess.hpp"
+#include "oracle/judge.hpp"
+#include "oracle/support_program.hpp"
 
 namespace convexact::oracle {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Whether the faces of a mesh are the surface of a convex solid.
-#include "convexact/measure/hull_volume.hpp"
-#include "convexact/number/digits.hpp"
-#include "judge.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/number.hpp"
+#include "oracle/judge.hpp"
 
 namespace convexact::oracle {
 namespace {

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 
-#include "conformance_judge.hpp"
-#include "convexact/lp/feasibility.hpp"
-#include "convexact/measure/bounding_box.hpp"
-#include "convexact/measure/distance.hpp"
-#include "convexact/measure/volume.hpp"
-#include "convexact/number/digits.hpp"
-#include "convexact/oracle/planar_patches.hpp"
-#include "convexact/pipeline/simplify.hpp"
+#include "convexact/linear_program.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/number.hpp"
+#include "convexact/simplify.hpp"
+#include "convexact/verify.hpp"
+#include "oracle/conformance_judge.hpp"
 
 namespace convexact::oracle {
 namespace {

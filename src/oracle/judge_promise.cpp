@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "conformance_judge.hpp"
-#include "convexact/measure/distance.hpp"
-#include "convexact/measure/volume.hpp"
-#include "convexact/number/rounding.hpp"
-#include "convexact/oracle/excess.hpp"
-#include "convexact/oracle/mesh_surface.hpp"
-#include "convexact/oracle/planar_patches.hpp"
-#include "convexact/oracle/rounding_slack.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/number.hpp"
+#include "convexact/verify.hpp"
+#include "oracle/conformance_judge.hpp"
+#include "oracle/excess.hpp"
+#include "oracle/mesh_surface.hpp"
+#include "oracle/rounding_slack.hpp"
 
 namespace convexact::oracle {
 namespace {

@@ -2,9 +2,9 @@
 // What set a candidate is: readable, solid, bounded, and how large.
 #include <algorithm>
 
-#include "../stored/double_halfspace.hpp"
-#include "convexact/number/rounding.hpp"
-#include "judge.hpp"
+#include "convexact/number.hpp"
+#include "oracle/judge.hpp"
+#include "stored/double_halfspace.hpp"
 
 namespace convexact::oracle {
 namespace {

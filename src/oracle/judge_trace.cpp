@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/oracle/judge_trace.hpp"
-
 #include <algorithm>
 
-#include "confirm_costs.hpp"
 #include "convexact/error.hpp"
-#include "convexact/fast/filtered_loop.hpp"
-#include "convexact/number/digits.hpp"
-#include "facet_match.hpp"
-#include "trace_claims.hpp"
+#include "convexact/number.hpp"
+#include "convexact/verify_run.hpp"
+#include "fast/filtered_loop.hpp"
+#include "oracle/confirm_costs.hpp"
+#include "oracle/facet_match.hpp"
+#include "oracle/trace_claims.hpp"
 
 namespace convexact {
 namespace {

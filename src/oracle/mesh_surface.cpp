@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/oracle/mesh_surface.hpp"
+#include "oracle/mesh_surface.hpp"
 
 #include <algorithm>
 #include <array>
 #include <numeric>
 #include <tuple>
 
-#include "convexact/geometry/subset.hpp"
-#include "convexact/number/balanced_sum.hpp"
-#include "simple_polygon.hpp"
+#include "convexact/point_set.hpp"
+#include "number/balanced_sum.hpp"
+#include "oracle/simple_polygon.hpp"
 
 namespace convexact {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/oracle/planar_patches.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,9 +7,10 @@
 #include <tuple>
 #include <utility>
 
-#include "convexact/lp/seidel.hpp"
-#include "convexact/number/rounding.hpp"
-#include "hard_edges.hpp"
+#include "convexact/linear_program.hpp"
+#include "convexact/number.hpp"
+#include "convexact/verify.hpp"
+#include "oracle/hard_edges.hpp"
 
 namespace convexact {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/oracle/program.hpp"
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -15,6 +13,7 @@
 #include <csignal>
 #include <optional>
 
+#include "convexact/conform.hpp"
 #include "convexact/error.hpp"
 
 namespace convexact {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "conformance_judge.hpp"
+#include "oracle/conformance_judge.hpp"
 
 namespace convexact {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/oracle/removal_cost.hpp"
+#include "oracle/removal_cost.hpp"
 
 #include <algorithm>
 
-#include "convexact/dual/dual_hull.hpp"
+#include "convexact/dual.hpp"
 #include "convexact/error.hpp"
-#include "convexact/lp/feasibility.hpp"
-#include "convexact/measure/volume.hpp"
+#include "convexact/linear_program.hpp"
+#include "convexact/measure.hpp"
 
 namespace convexact {
 namespace {

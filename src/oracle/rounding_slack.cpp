@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/oracle/rounding_slack.hpp"
+#include "oracle/rounding_slack.hpp"
 
 #include <array>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/oracle/shrink.hpp"
+#include "convexact/shrink.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "simple_polygon.hpp"
+#include "oracle/simple_polygon.hpp"
 
 #include <algorithm>
 #include <numeric>

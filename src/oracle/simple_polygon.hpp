@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "convexact/number/rational.hpp"
+#include "convexact/number.hpp"
 
 namespace convexact {
 

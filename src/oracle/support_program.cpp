@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/oracle/support_program.hpp"
+#include "oracle/support_program.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "convexact/error.hpp"
-#include "convexact/number/rounding.hpp"
+#include "convexact/number.hpp"
 
 namespace convexact {
 namespace {

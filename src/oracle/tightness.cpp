@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/oracle/tightness.hpp"
-
-#include "convexact/measure/distance.hpp"
-#include "convexact/measure/mean_width.hpp"
-#include "convexact/measure/surface_area.hpp"
-#include "convexact/measure/volume.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/verify.hpp"
 
 namespace convexact {
 namespace {

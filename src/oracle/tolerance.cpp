@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/oracle/tolerance.hpp"
-
 #include <cmath>
 
 #include "convexact/error.hpp"
-#include "convexact/number/decimal.hpp"
-#include "convexact/number/digits.hpp"
+#include "convexact/number.hpp"
+#include "convexact/verify.hpp"
 
 namespace convexact {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "trace_claims.hpp"
+#include "oracle/trace_claims.hpp"
 
 namespace convexact {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "convexact/oracle/judge_trace.hpp"
+#include "convexact/verify_run.hpp"
 
 namespace convexact {
 

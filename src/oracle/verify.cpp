@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/oracle/verify.hpp"
+#include "convexact/verify.hpp"
 
 #include <algorithm>
 
 #include "convexact/error.hpp"
-#include "convexact/measure/bounding_box.hpp"
-#include "judge.hpp"
+#include "convexact/measure.hpp"
+#include "oracle/judge.hpp"
 
 namespace convexact {
 namespace {

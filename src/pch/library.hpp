@@ -12,4 +12,4 @@
 #include <variant>
 #include <vector>
 
-#include "convexact/number/rational.hpp"
+#include "convexact/number.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/report/breakdown.hpp"
+#include "report/breakdown.hpp"
 
 #include <algorithm>
 
-#include "convexact/shapes/families.hpp"
+#include "convexact/shapes.hpp"
 
 namespace convexact {
 namespace {

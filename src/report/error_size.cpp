@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/report/error_size.hpp"
+#include "report/error_size.hpp"
 
 #include <cmath>
 
-#include "convexact/number/rounding.hpp"
+#include "convexact/number.hpp"
 
 namespace convexact {
 

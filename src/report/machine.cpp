@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/report/machine.hpp"
+#include "report/machine.hpp"
 
 #include <fstream>
 #include <sstream>

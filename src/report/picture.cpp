@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/report/picture.hpp"
+#include "report/picture.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "convexact/number/rounding.hpp"
-#include "picture_page.hpp"
+#include "convexact/number.hpp"
+#include "report/picture_page.hpp"
 
 namespace convexact {
 namespace {

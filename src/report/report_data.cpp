@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/report/report_data.hpp"
+#include "report/report_data.hpp"
 
 namespace convexact {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/report/report_page.hpp"
+#include "report/report_page.hpp"
 
-#include "page_parts.hpp"
+#include "report/page_parts.hpp"
 
 namespace convexact {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "rounded_planes.hpp"
+#include "report/rounded_planes.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "convexact/measure/bounding_box.hpp"
-#include "convexact/number/rounding.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/number.hpp"
 
 namespace convexact {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // rounded_planes.hpp - how wrong planes are that were rounded to some numbers.
 #pragma once
-#include "convexact/dual/dual_hull.hpp"
-#include "convexact/fast/rounded_dual.hpp"
-#include "convexact/report/error_size.hpp"
+#include "convexact/dual.hpp"
+#include "fast/rounded_dual.hpp"
+#include "report/error_size.hpp"
 
 namespace convexact {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/report/scaling.hpp"
+#include "report/scaling.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-#include "convexact/number/random.hpp"
-#include "convexact/shapes/random_points.hpp"
+#include "number/random.hpp"
+#include "shapes/random_points.hpp"
 
 namespace convexact {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/report/stage_times.hpp"
+#include "report/stage_times.hpp"
 
 #include <algorithm>
 #include <map>
 
-#include "convexact/measure/mean_width.hpp"
-#include "convexact/measure/surface_area.hpp"
+#include "convexact/measure.hpp"
 
 namespace convexact {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/report/statistics.hpp"
+#include "report/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/report/tightness_curve.hpp"
+#include "report/tightness_curve.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "convexact/fast/filtered_engine.hpp"
-#include "convexact/measure/bounding_box.hpp"
-#include "convexact/measure/distance.hpp"
-#include "convexact/measure/volume.hpp"
-#include "convexact/number/rounding.hpp"
-#include "convexact/pipeline/measured.hpp"
-#include "convexact/report/error_size.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/number.hpp"
+#include "convexact/scene.hpp"
+#include "fast/filtered_engine.hpp"
+#include "report/error_size.hpp"
 
 namespace convexact {
 namespace {

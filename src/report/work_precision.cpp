@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/report/work_precision.hpp"
+#include "report/work_precision.hpp"
 
 #include <algorithm>
 
-#include "convexact/measure/volume.hpp"
-#include "convexact/number/balanced_sum.hpp"
-#include "convexact/number/rounding.hpp"
-#include "convexact/oracle/greedy_check.hpp"
-#include "convexact/simplify/replay.hpp"
-#include "rounded_planes.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/number.hpp"
+#include "number/balanced_sum.hpp"
+#include "oracle/greedy_check.hpp"
+#include "report/rounded_planes.hpp"
+#include "simplify/exact_engine.hpp"
+#include "simplify/replay.hpp"
 
 namespace convexact {
 namespace {

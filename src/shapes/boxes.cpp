@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/shapes/boxes.hpp"
+#include "shapes/boxes.hpp"
 
 #include "convexact/error.hpp"
-#include "convexact/shapes/circle.hpp"
+#include "shapes/circle.hpp"
 
 namespace convexact::shapes {
 namespace {

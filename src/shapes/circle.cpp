@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/shapes/circle.hpp"
+#include "shapes/circle.hpp"
 
 #include <utility>
 
-#include "convexact/number/big_float.hpp"
+#include "convexact/number.hpp"
 
 namespace convexact::shapes {
 namespace {

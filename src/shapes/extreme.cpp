@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/shapes/extreme.hpp"
+#include "shapes/extreme.hpp"
 
 #include <cmath>
 
 #include "convexact/error.hpp"
-#include "convexact/number/random.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/integer.hpp"
-#include "convexact/shapes/random_points.hpp"
+#include "number/random.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/integer.hpp"
+#include "shapes/random_points.hpp"
 
 namespace convexact::shapes {
 namespace {

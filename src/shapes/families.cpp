@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/shapes/families.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,14 +6,15 @@
 #include <string>
 
 #include "convexact/error.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/extreme.hpp"
-#include "convexact/shapes/flat.hpp"
-#include "convexact/shapes/integer.hpp"
-#include "convexact/shapes/mixture.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
+#include "convexact/shapes.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/extreme.hpp"
+#include "shapes/flat.hpp"
+#include "shapes/integer.hpp"
+#include "shapes/mixture.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 
 namespace convexact::shapes {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/shapes/flat.hpp"
+#include "shapes/flat.hpp"
 
-#include "convexact/number/random.hpp"
+#include "number/random.hpp"
 
 namespace convexact::shapes {
 namespace {

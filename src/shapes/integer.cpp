@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/shapes/integer.hpp"
+#include "shapes/integer.hpp"
 
 #include <cmath>
 #include <string>
 
 #include "convexact/error.hpp"
-#include "convexact/number/random.hpp"
+#include "number/random.hpp"
 
 namespace convexact::shapes {
 namespace {

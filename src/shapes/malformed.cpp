@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/shapes/malformed.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <limits>
 #include <vector>
+
+#include "convexact/shapes.hpp"
 
 namespace convexact::shapes {
 namespace {

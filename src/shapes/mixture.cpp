@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/shapes/mixture.hpp"
+#include "shapes/mixture.hpp"
 
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include "convexact/error.hpp"
-#include "convexact/number/random.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/extreme.hpp"
-#include "convexact/shapes/integer.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
+#include "number/random.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/extreme.hpp"
+#include "shapes/integer.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 
 namespace convexact::shapes {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/shapes/prisms.hpp"
+#include "shapes/prisms.hpp"
 
 #include <cmath>
 
 #include "convexact/error.hpp"
-#include "convexact/shapes/circle.hpp"
+#include "shapes/circle.hpp"
 
 namespace convexact::shapes {
 namespace {

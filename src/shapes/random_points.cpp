@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/shapes/random_points.hpp"
+#include "shapes/random_points.hpp"
 
 #include <cmath>
 
 #include "convexact/error.hpp"
-#include "convexact/number/big_float.hpp"
-#include "convexact/number/random.hpp"
-#include "convexact/shapes/boxes.hpp"
+#include "convexact/number.hpp"
+#include "number/random.hpp"
+#include "shapes/boxes.hpp"
 
 namespace convexact::shapes {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/shapes/solids.hpp"
+#include "shapes/solids.hpp"
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/simplify/cap.hpp"
+#include "simplify/cap.hpp"
 
 #include <algorithm>
 #include <array>
 
 #include "convexact/error.hpp"
-#include "convexact/number/balanced_sum.hpp"
+#include "number/balanced_sum.hpp"
 
 namespace convexact {
 namespace {

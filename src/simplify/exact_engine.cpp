@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/simplify/exact_engine.hpp"
+#include "simplify/exact_engine.hpp"
 
 #include <algorithm>
 #include <set>
 #include <utility>
 
-#include "convexact/dual/adjacency_matrix.hpp"
-#include "convexact/dual/polar.hpp"
+#include "convexact/dual.hpp"
 #include "convexact/error.hpp"
-#include "convexact/simplify/cap.hpp"
-#include "convexact/simplify/growth_limit.hpp"
-#include "convexact/simplify/ring_triangulation.hpp"
-#include "convexact/simplify/step_verification.hpp"
+#include "simplify/cap.hpp"
+#include "simplify/growth_limit.hpp"
+#include "simplify/ring_triangulation.hpp"
+#include "simplify/step_verification.hpp"
 
 namespace convexact {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/simplify/growth_limit.hpp"
+#include "simplify/growth_limit.hpp"
 
 #include "convexact/error.hpp"
-#include "convexact/measure/volume.hpp"
-#include "convexact/number/balanced_sum.hpp"
+#include "convexact/measure.hpp"
+#include "number/balanced_sum.hpp"
 
 namespace convexact {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modular_volume.hpp"
+#include "simplify/modular_volume.hpp"
 
 #include "convexact/error.hpp"
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "convexact/geometry/halfspace.hpp"
-#include "convexact/number/random.hpp"
-#include "plain_surface.hpp"
+#include "convexact/halfspace.hpp"
+#include "number/random.hpp"
+#include "simplify/plain_surface.hpp"
 
 namespace convexact {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plain_surface.hpp"
+#include "simplify/plain_surface.hpp"
 
 #include "convexact/error.hpp"
 

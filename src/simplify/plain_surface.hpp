@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "convexact/geometry/ids.hpp"
+#include "convexact/point_set.hpp"
 
 namespace convexact {
 

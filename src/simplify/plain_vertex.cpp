@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plain_vertex.hpp"
+#include "simplify/plain_vertex.hpp"
 
 namespace convexact {
 

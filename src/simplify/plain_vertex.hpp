@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // plain_vertex.hpp - the verifier's own arithmetic: determinants of the planes as they are given.
 #pragma once
-#include "convexact/geometry/halfspace.hpp"
+#include "convexact/halfspace.hpp"
 
 namespace convexact {
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/simplify/replay.hpp"
+#include "simplify/replay.hpp"
 
-#include "convexact/dual/adjacency_matrix.hpp"
-#include "convexact/dual/polar.hpp"
+#include "convexact/dual.hpp"
 #include "convexact/error.hpp"
-#include "convexact/simplify/cap.hpp"
+#include "simplify/cap.hpp"
 
 namespace convexact {
 

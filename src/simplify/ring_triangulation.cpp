@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/simplify/ring_triangulation.hpp"
+#include "simplify/ring_triangulation.hpp"
 
 #include <algorithm>
 #include <array>

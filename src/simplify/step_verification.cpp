@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The checks of a single step, in the order of docs/verification.md.
-#include "convexact/simplify/step_verification.hpp"
+#include "simplify/step_verification.hpp"
 
 #include <algorithm>
 #include <set>
 
 #include "convexact/error.hpp"
-#include "plain_surface.hpp"
-#include "plain_vertex.hpp"
-#include "whole_dual.hpp"
+#include "simplify/plain_surface.hpp"
+#include "simplify/plain_vertex.hpp"
+#include "simplify/whole_dual.hpp"
 
 namespace convexact {
 

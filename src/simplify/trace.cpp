@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/simplify/trace.hpp"
-
 #include "convexact/error.hpp"
+#include "convexact/run.hpp"
 
 namespace convexact {
 

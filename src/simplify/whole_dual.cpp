@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "whole_dual.hpp"
+#include "simplify/whole_dual.hpp"
 
 #include <algorithm>
 
-#include "convexact/number/balanced_sum.hpp"
+#include "number/balanced_sum.hpp"
 
 namespace convexact {
 namespace {

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "modular_volume.hpp"
-#include "plain_surface.hpp"
-#include "plain_vertex.hpp"
+#include "simplify/modular_volume.hpp"
+#include "simplify/plain_surface.hpp"
+#include "simplify/plain_vertex.hpp"
 
 namespace convexact {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "acceptance.hpp"
+#include "stored/acceptance.hpp"
 
 #include <cmath>
 
 #include "convexact/error.hpp"
-#include "convexact/measure/bounding_box.hpp"
-#include "convexact/stored/containment.hpp"
-#include "interior_point.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/stored.hpp"
+#include "stored/interior_point.hpp"
 
 namespace convexact::stored {
 

@@ -4,10 +4,10 @@
 #include <span>
 #include <string>
 
-#include "convexact/geometry/point_set.hpp"
-#include "convexact/geometry/polytope.hpp"
-#include "convexact/number/precision.hpp"
-#include "convexact/stored/growth.hpp"
+#include "convexact/number.hpp"
+#include "convexact/point_set.hpp"
+#include "convexact/polytope.hpp"
+#include "convexact/stored.hpp"
 
 namespace convexact::stored {
 

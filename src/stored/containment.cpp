@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/stored/containment.hpp"
-
 #include <algorithm>
 
 #include "convexact/error.hpp"
-#include "convexact/geometry/plane_side.hpp"
-#include "double_halfspace.hpp"
+#include "convexact/predicates.hpp"
+#include "convexact/stored.hpp"
+#include "stored/double_halfspace.hpp"
 
 namespace convexact {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "convexact/geometry/point_set.hpp"
+#include "convexact/point_set.hpp"
 
 namespace convexact::stored {
 

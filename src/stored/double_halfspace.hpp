@@ -3,9 +3,9 @@
 #pragma once
 #include <cmath>
 
-#include "convexact/geometry/halfspace.hpp"
-#include "convexact/number/rounding.hpp"
-#include "coordinates.hpp"
+#include "convexact/halfspace.hpp"
+#include "convexact/number.hpp"
+#include "stored/coordinates.hpp"
 
 namespace convexact::stored {
 

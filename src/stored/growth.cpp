@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/stored/growth.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,9 +6,10 @@
 #include <optional>
 
 #include "convexact/error.hpp"
-#include "convexact/measure/volume.hpp"
-#include "convexact/number/rounding.hpp"
-#include "coordinates.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/number.hpp"
+#include "convexact/stored.hpp"
+#include "stored/coordinates.hpp"
 
 namespace convexact {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "interior_point.hpp"
+#include "stored/interior_point.hpp"
 
 #include <vector>
 
-#include "convexact/lp/interior_point.hpp"
-#include "convexact/number/balanced_sum.hpp"
+#include "convexact/linear_program.hpp"
+#include "number/balanced_sum.hpp"
 
 namespace convexact::stored {
 

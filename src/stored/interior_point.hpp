@@ -3,8 +3,8 @@
 #pragma once
 #include <span>
 
-#include "convexact/geometry/halfspace.hpp"
-#include "convexact/geometry/point_set.hpp"
+#include "convexact/halfspace.hpp"
+#include "convexact/point_set.hpp"
 
 namespace convexact::stored {
 

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/stored/stored_mesh.hpp"
-
 #include <cmath>
 #include <optional>
 
-#include "acceptance.hpp"
 #include "convexact/error.hpp"
-#include "convexact/geometry/subset.hpp"
-#include "convexact/hull/hull.hpp"
-#include "convexact/stored/containment.hpp"
-#include "interior_point.hpp"
+#include "convexact/hull.hpp"
+#include "convexact/point_set.hpp"
+#include "convexact/stored.hpp"
+#include "stored/acceptance.hpp"
+#include "stored/interior_point.hpp"
 
 namespace convexact {
 namespace {

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/stored/stored_planes.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "acceptance.hpp"
-#include "convexact/dual/dual_hull.hpp"
+#include "convexact/dual.hpp"
 #include "convexact/error.hpp"
-#include "convexact/lp/feasibility.hpp"
-#include "interior_point.hpp"
-#include "support.hpp"
+#include "convexact/linear_program.hpp"
+#include "convexact/stored.hpp"
+#include "stored/acceptance.hpp"
+#include "stored/interior_point.hpp"
+#include "stored/support.hpp"
 
 namespace convexact {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "support.hpp"
+#include "stored/support.hpp"
 
 #include <limits>
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // support.hpp - the exact maximum of n.x over points, with the doubles asked first.
 #pragma once
-#include "coordinates.hpp"
+#include "stored/coordinates.hpp"
 
 namespace convexact::stored {
 

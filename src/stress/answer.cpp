@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/stress/answer.hpp"
+#include "stress/answer.hpp"
 
 #include <time.h>
 
@@ -7,10 +7,9 @@
 #include <cmath>
 
 #include "convexact/error.hpp"
-#include "convexact/fast/filtered_engine.hpp"
-#include "convexact/fast/float_engine.hpp"
-#include "convexact/format/halfspace_file.hpp"
-#include "convexact/io/write_mesh.hpp"
+#include "convexact/io.hpp"
+#include "fast/filtered_engine.hpp"
+#include "fast/float_engine.hpp"
 
 namespace convexact {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "convexact/error.hpp"
-#include "convexact/geometry/halfspace.hpp"
+#include "convexact/halfspace.hpp"
 
 namespace convexact {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "child.hpp"
+#include "stress/child.hpp"
 
 #include <fmt/format.h>
 #include <sys/mman.h>

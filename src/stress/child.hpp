@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "convexact/stress/stress.hpp"
+#include "stress/stress.hpp"
 
 namespace convexact {
 

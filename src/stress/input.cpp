@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/stress/input.hpp"
+#include "stress/input.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "convexact/error.hpp"
-#include "convexact/shapes/families.hpp"
-#include "mixed_halfspaces.hpp"
+#include "convexact/shapes.hpp"
+#include "stress/mixed_halfspaces.hpp"
 
 namespace convexact {
 namespace {

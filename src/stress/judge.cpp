@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/stress/judge.hpp"
+#include "stress/judge.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "convexact/measure/volume.hpp"
-#include "convexact/number/rounding.hpp"
-#include "convexact/oracle/removal_cost.hpp"
-#include "judge_float.hpp"
-#include "judge_order.hpp"
-#include "judge_stored.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/number.hpp"
+#include "oracle/removal_cost.hpp"
+#include "stress/judge_float.hpp"
+#include "stress/judge_order.hpp"
+#include "stress/judge_stored.hpp"
 
 namespace convexact {
 namespace {

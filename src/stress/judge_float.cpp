@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "judge_float.hpp"
+#include "stress/judge_float.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <string_view>
 
-#include "convexact/number/rounding.hpp"
+#include "convexact/number.hpp"
 
 namespace convexact {
 namespace {

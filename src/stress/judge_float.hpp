@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // judge_float.hpp - the float engine: how wrong it is, and whether it says so.
 #pragma once
-#include "judge_order.hpp"
+#include "stress/judge_order.hpp"
 
 namespace convexact {
 

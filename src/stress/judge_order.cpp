@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "judge_order.hpp"
+#include "stress/judge_order.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "convexact/measure/volume.hpp"
-#include "convexact/number/balanced_sum.hpp"
-#include "convexact/oracle/removal_cost.hpp"
+#include "convexact/measure.hpp"
+#include "number/balanced_sum.hpp"
+#include "oracle/removal_cost.hpp"
 
 namespace convexact {
 namespace {

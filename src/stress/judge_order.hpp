@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "convexact/oracle/judge_trace.hpp"
-#include "convexact/stress/judge.hpp"
+#include "convexact/verify_run.hpp"
+#include "stress/judge.hpp"
 
 namespace convexact {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "judge_stored.hpp"
+#include "stress/judge_stored.hpp"
 
 #include <fmt/format.h>
 
-#include "convexact/format/candidate_file.hpp"
-#include "convexact/oracle/verify.hpp"
+#include "convexact/verify.hpp"
+#include "oracle/candidate_file.hpp"
 
 namespace convexact {
 namespace {

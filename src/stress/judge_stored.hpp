@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // judge_stored.hpp - results as bytes: read back, then judged by the oracle.
 #pragma once
-#include "convexact/stress/answer.hpp"
+#include "stress/answer.hpp"
 
 namespace convexact {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "mixed_halfspaces.hpp"
+#include "stress/mixed_halfspaces.hpp"
 
 #include <array>
 
-#include "convexact/number/random.hpp"
+#include "number/random.hpp"
 
 namespace convexact {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "convexact/geometry/halfspace.hpp"
+#include "convexact/halfspace.hpp"
 
 namespace convexact {
 

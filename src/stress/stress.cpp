@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/stress/stress.hpp"
+#include "stress/stress.hpp"
 
 #include <poll.h>
 
@@ -7,8 +7,8 @@
 #include <map>
 #include <utility>
 
-#include "child.hpp"
 #include "convexact/error.hpp"
+#include "stress/child.hpp"
 
 namespace convexact {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Answers and findings as bytes. Both sides are the same program, so the layout is nobody's
 // contract.
-#include "archive.hpp"
-#include "convexact/stress/answer.hpp"
+#include "stress/answer.hpp"
+#include "stress/archive.hpp"
 
 namespace convexact {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "convexact/io/read_mesh.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
+#include "convexact/io.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
 
 struct BenchInput {
   std::string name;

@@ -5,7 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "benches.hpp"
-#include "convexact/hull/hull.hpp"
+#include "convexact/hull.hpp"
 
 #ifdef CONVEXACT_HAVE_CGAL
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

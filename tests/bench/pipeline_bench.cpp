@@ -5,7 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "benches.hpp"
-#include "convexact/pipeline/simplify.hpp"
+#include "convexact/simplify.hpp"
 #include "peak_memory.hpp"
 
 using namespace convexact;

@@ -5,8 +5,8 @@
 #include <sys/resource.h>
 
 #include "benches.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/simplify/exact_engine.hpp"
+#include "shapes/random_points.hpp"
+#include "simplify/exact_engine.hpp"
 
 using namespace convexact;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Every engine's proof of every shipped mesh at 18 planes, and of every family of solids.
 #include "checker.hpp"
-#include "convexact/io/read_mesh.hpp"
-#include "convexact/shapes/families.hpp"
+#include "convexact/io.hpp"
+#include "convexact/shapes.hpp"
 #include "proofs.hpp"
 #include "shipped_meshes.hpp"
 

@@ -5,12 +5,12 @@
 #include <algorithm>
 
 #include "checker.hpp"
-#include "convexact/io/read_mesh.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
+#include "convexact/io.hpp"
 #include "proofs.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 #include "shipped_meshes.hpp"
 
 using namespace convexact;

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <sstream>
 
-#include "convexact/shapes/boxes.hpp"
 #include "process.hpp"
 #include "proofs.hpp"
+#include "shapes/boxes.hpp"
 
 using namespace convexact;
 using support::bytes_of;

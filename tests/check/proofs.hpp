@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "convexact/format/proof.hpp"
-#include "convexact/pipeline/simplify.hpp"
+#include "convexact/simplify.hpp"
+#include "scene/proof.hpp"
 
 /// The proof of a run on a solid shape, with planes in a format if one is given.
 inline std::string proof_of(const convexact::Shape& shape, convexact::Engine engine,

@@ -6,12 +6,12 @@
 #include <set>
 
 #include "checker.hpp"
-#include "convexact/number/random.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/solids.hpp"
+#include "number/random.hpp"
 #include "proof_text.hpp"
 #include "proofs.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/solids.hpp"
 
 using namespace convexact;
 

@@ -4,9 +4,9 @@
 #include <cstring>
 
 #include "checker.hpp"
-#include "convexact/shapes/boxes.hpp"
 #include "process.hpp"
 #include "proofs.hpp"
+#include "shapes/boxes.hpp"
 
 using namespace convexact;
 using support::ScratchFolder;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What convexact-check says of stored planes: whether there are any, and how far they reach.
 #include "checker.hpp"
-#include "convexact/shapes/boxes.hpp"
 #include "proof_text.hpp"
 #include "proofs.hpp"
+#include "shapes/boxes.hpp"
 
 using namespace convexact;
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "checker.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/prisms.hpp"
 #include "proof_text.hpp"
 #include "proofs.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/prisms.hpp"
 
 using namespace convexact;
 

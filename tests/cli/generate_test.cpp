@@ -7,9 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "affine_dimension.hpp"
-#include "convexact/io/read_mesh.hpp"
-#include "convexact/shapes/families.hpp"
-#include "convexact/shapes/malformed.hpp"
+#include "convexact/io.hpp"
+#include "convexact/shapes.hpp"
 #include "process.hpp"
 using namespace convexact;
 using nlohmann::json;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The file that a failed verification leaves: expected contents are what was put in.
-#include "reproducer.hpp"
+#include "cli/reproducer.hpp"
 
 #include <doctest/doctest.h>
 

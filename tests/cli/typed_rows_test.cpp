@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "convexact/number/rational.hpp"
+#include "convexact/number.hpp"
 #include "process.hpp"
 
 using convexact::parse_rational;

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "convexact/number/random.hpp"
+#include "number/random.hpp"
 #include "process.hpp"
 
 using nlohmann::json;

@@ -14,10 +14,9 @@
 #include <string>
 
 #include "convexact/error.hpp"
-#include "convexact/hull/hull.hpp"
-#include "convexact/io/read_mesh.hpp"
-#include "convexact/io/write_mesh.hpp"
-#include "convexact/shapes/boxes.hpp"
+#include "convexact/hull.hpp"
+#include "convexact/io.hpp"
+#include "shapes/boxes.hpp"
 
 using namespace convexact;
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The adjacency matrix. Expected values by hand.
-#include "convexact/dual/adjacency_matrix.hpp"
-
 #include <doctest/doctest.h>
 
+#include "convexact/dual.hpp"
 #include "convexact/error.hpp"
 
 using namespace convexact;

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The dual hull, read off a primal hull and computed from halfspaces, and the way back. Truth is
 // the definition (tests/support/definitional_dual.hpp) and, for cubes, written out by hand.
-#include "convexact/dual/dual_hull.hpp"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "convexact/dual/adjacency_matrix.hpp"
+#include "convexact/dual.hpp"
 #include "convexact/error.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
 #include "halfspace_arrangement.hpp"
 #include "integer_halfspace.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 #include "simplify_points.hpp"
 
 using namespace convexact;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The polar map. Expected values by hand; the determinants from their definition.
-#include "convexact/dual/polar.hpp"
-
 #include <doctest/doctest.h>
 
+#include "convexact/dual.hpp"
 #include "convexact/error.hpp"
 #include "integer_halfspace.hpp"
 #include "property.hpp"

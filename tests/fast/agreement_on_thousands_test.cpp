@@ -4,9 +4,9 @@
 // and wherever the run is told to end.
 #include <algorithm>
 
-#include "convexact/number/random.hpp"
 #include "growth_limits.hpp"
 #include "hard_inputs.hpp"
+#include "number/random.hpp"
 #include "same_run.hpp"
 
 using namespace convexact;

@@ -4,13 +4,13 @@
 #include <array>
 #include <string>
 
-#include "convexact/fast/filtered_engine.hpp"
-#include "convexact/lp/feasibility.hpp"
-#include "convexact/simplify/exact_engine.hpp"
+#include "convexact/linear_program.hpp"
+#include "fast/filtered_engine.hpp"
 #include "hard_halfspaces.hpp"
 #include "perturb.hpp"
 #include "property.hpp"
 #include "same_run.hpp"
+#include "simplify/exact_engine.hpp"
 
 using namespace convexact;
 

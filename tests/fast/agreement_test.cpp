@@ -2,13 +2,13 @@
 // The filtered engine removes what the exact engine removes, at the same costs, with the same ties.
 #include <cmath>
 
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/extreme.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
 #include "perturb.hpp"
 #include "same_run.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/extreme.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 
 using namespace convexact;
 

@@ -3,9 +3,9 @@
 #include <doctest/doctest.h>
 
 #include "allocation_watch.hpp"
-#include "convexact/fast/filtered_engine.hpp"
-#include "convexact/fast/float_engine.hpp"
-#include "convexact/shapes/random_points.hpp"
+#include "fast/filtered_engine.hpp"
+#include "fast/float_engine.hpp"
+#include "shapes/random_points.hpp"
 
 using namespace convexact;
 

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "auditor.hpp"
-#include "convexact/number/random.hpp"
-#include "convexact/shapes/random_points.hpp"
 #include "hard_inputs.hpp"
+#include "number/random.hpp"
+#include "shapes/random_points.hpp"
 
 using namespace convexact;
 

@@ -8,11 +8,11 @@
 #include <variant>
 
 #include "auditor.hpp"
-#include "convexact/hull/hull.hpp"
-#include "convexact/io/read_mesh.hpp"
-#include "convexact/shapes/extreme.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
+#include "convexact/hull.hpp"
+#include "convexact/io.hpp"
+#include "shapes/extreme.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
 
 using namespace convexact;
 

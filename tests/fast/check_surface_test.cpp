@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The checker of dual surfaces: true surfaces pass, and each way of being wrong is found.
-#include "convexact/fast/check_surface.hpp"
+#include "fast/check_surface.hpp"
 
 #include <doctest/doctest.h>
 
 #include "convexact/error.hpp"
-#include "convexact/fast/filtered_engine.hpp"
-#include "convexact/hull/hull.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
+#include "convexact/hull.hpp"
+#include "fast/filtered_engine.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
 
 using namespace convexact;
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Caps that a symmetry of the axes carries to each other, expected from the definition: the plane
 // of one facet is the other's image.
-#include "convexact/fast/congruence.hpp"
+#include "fast/congruence.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
-#include "convexact/fast/cap_evaluator.hpp"
-#include "convexact/fast/filtered_engine.hpp"
-#include "convexact/hull/hull.hpp"
-#include "convexact/oracle/removal_cost.hpp"
-#include "convexact/shapes/random_points.hpp"
+#include "convexact/hull.hpp"
+#include "fast/cap_evaluator.hpp"
+#include "fast/filtered_engine.hpp"
+#include "oracle/removal_cost.hpp"
 #include "same_run.hpp"
+#include "shapes/random_points.hpp"
 
 using namespace convexact;
 

@@ -7,8 +7,8 @@
 #include <variant>
 
 #include "check_float_bound.hpp"
-#include "convexact/io/read_mesh.hpp"
-#include "convexact/shapes/families.hpp"
+#include "convexact/io.hpp"
+#include "convexact/shapes.hpp"
 #include "shipped_meshes.hpp"
 
 using namespace convexact;

@@ -7,12 +7,12 @@
 #include "check_bounded.hpp"
 #include "check_float_bound.hpp"
 #include "convexact/error.hpp"
-#include "convexact/fast/cap_evaluator.hpp"
-#include "convexact/fast/float_engine.hpp"
-#include "convexact/io/write_mesh.hpp"
-#include "convexact/oracle/removal_cost.hpp"
-#include "convexact/pipeline/simplify.hpp"
+#include "convexact/io.hpp"
+#include "convexact/simplify.hpp"
+#include "fast/cap_evaluator.hpp"
+#include "fast/float_engine.hpp"
 #include "hard_inputs.hpp"
+#include "oracle/removal_cost.hpp"
 #include "stored_cases.hpp"
 
 using namespace convexact;

@@ -8,18 +8,18 @@
 #include <variant>
 
 #include "check_bounded.hpp"
-#include "convexact/fast/float_engine.hpp"
-#include "convexact/fast/float_loop.hpp"
-#include "convexact/fast/rounded_dual.hpp"
-#include "convexact/io/read_mesh.hpp"
-#include "convexact/measure/volume.hpp"
-#include "convexact/number/mpfr_scalar.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/extreme.hpp"
-#include "convexact/shapes/families.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/simplify/replay.hpp"
+#include "convexact/io.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/shapes.hpp"
+#include "fast/float_engine.hpp"
+#include "fast/float_loop.hpp"
+#include "fast/rounded_dual.hpp"
+#include "number/mpfr_scalar.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/extreme.hpp"
+#include "shapes/random_points.hpp"
 #include "shipped_meshes.hpp"
+#include "simplify/replay.hpp"
 
 using namespace convexact;
 

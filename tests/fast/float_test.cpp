@@ -7,12 +7,12 @@
 #include <variant>
 
 #include "check_bounded.hpp"
-#include "convexact/fast/float_engine.hpp"
-#include "convexact/shapes/families.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
+#include "convexact/shapes.hpp"
 #include "expect_error.hpp"
+#include "fast/float_engine.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 #include "simplify_points.hpp"
 
 using namespace convexact;

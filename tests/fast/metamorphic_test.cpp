@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "convexact/shapes/random_points.hpp"
 #include "perturb.hpp"
 #include "same_run.hpp"
+#include "shapes/random_points.hpp"
 
 using namespace convexact;
 

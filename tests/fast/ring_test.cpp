@@ -8,11 +8,11 @@
 #include <variant>
 
 #include "convexact/error.hpp"
-#include "convexact/fast/half_edge_mesh.hpp"
-#include "convexact/fast/step_check.hpp"
-#include "convexact/fast/triangulate_ring.hpp"
-#include "convexact/hull/hull.hpp"
-#include "convexact/shapes/random_points.hpp"
+#include "convexact/hull.hpp"
+#include "fast/half_edge_mesh.hpp"
+#include "fast/step_check.hpp"
+#include "fast/triangulate_ring.hpp"
+#include "shapes/random_points.hpp"
 
 using namespace convexact;
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Halfspaces: primitive form, canonical order, intersection of planes. Expected values by hand.
-#include "convexact/geometry/halfspace.hpp"
+#include "convexact/halfspace.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "convexact/error.hpp"
-#include "convexact/number/random.hpp"
 #include "integer_halfspace.hpp"
+#include "number/random.hpp"
 #include "property.hpp"
 
 using namespace convexact;

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "convexact/geometry/orient3d.hpp"
+#include "convexact/predicates.hpp"
 #include "exact_determinant.hpp"
 #include "hill_climb.hpp"
 

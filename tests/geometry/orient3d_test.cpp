@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // orient3d: against the 4x4 determinant of the rows (x, y, z, 1) in rationals.
-#include "convexact/geometry/orient3d.hpp"
-
 #include <doctest/doctest.h>
 
 #include <array>
 #include <cmath>
 
-#include "convexact/number/random.hpp"
+#include "convexact/predicates.hpp"
 #include "exact_determinant.hpp"
+#include "number/random.hpp"
 #include "property.hpp"
 
 using namespace convexact;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Determinants of planes: against their expansion along rows, in rationals.
-#include "convexact/geometry/plane_determinants.hpp"
+#include "geometry/plane_determinants.hpp"
 
 #include <doctest/doctest.h>
 
-#include "convexact/number/random.hpp"
 #include "exact_determinant.hpp"
 #include "integer_halfspace.hpp"
+#include "number/random.hpp"
 
 using namespace convexact;
 

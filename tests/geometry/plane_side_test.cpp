@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Sides of planes in integers against the definition, n.x + d as a rational.
-#include "convexact/geometry/plane_side.hpp"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "convexact/predicates.hpp"
 #include "property.hpp"
 
 using namespace convexact;

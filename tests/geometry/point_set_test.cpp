@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which points make a set: all that doubles reach, exactly; the rest is refused with its number.
-#include "convexact/geometry/point_set.hpp"
+#include "convexact/point_set.hpp"
 
 #include <doctest/doctest.h>
 

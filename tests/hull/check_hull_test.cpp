@@ -6,9 +6,9 @@
 #include <functional>
 
 #include "checked_hull.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/random_points.hpp"
 #include "exact_determinant.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/random_points.hpp"
 
 using namespace convexact;
 

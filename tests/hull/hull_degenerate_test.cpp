@@ -7,11 +7,11 @@
 
 #include "affine_dimension.hpp"
 #include "checked_hull.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/extreme.hpp"
-#include "convexact/shapes/flat.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/extreme.hpp"
+#include "shapes/flat.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
 
 using namespace convexact;
 

@@ -7,10 +7,10 @@
 
 #include "checked_hull.hpp"
 #include "convexact/error.hpp"
-#include "convexact/hull/homogeneous_hull.hpp"
-#include "convexact/number/random.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/random_points.hpp"
+#include "convexact/hull.hpp"
+#include "number/random.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/random_points.hpp"
 
 using namespace convexact;
 

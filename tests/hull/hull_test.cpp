@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The hull of points that span a volume. Expected values: closed forms and the definition.
-#include "convexact/hull/hull.hpp"
+#include "convexact/hull.hpp"
 
 #include <doctest/doctest.h>
 
 #include "checked_hull.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
 #include "property.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
 #include "supporting_planes.hpp"
 
 using namespace convexact;

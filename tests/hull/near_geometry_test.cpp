@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The hull's static filters at the worst inputs that a search finds: never broken, by rationals,
 // and not so wide that they would be of no use.
-#include "convexact/hull/near_geometry.hpp"
+#include "hull/near_geometry.hpp"
 
 #include <doctest/doctest.h>
 

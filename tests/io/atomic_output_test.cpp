@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Outputs that appear together or not at all. The folder is listed after every attempt.
-#include "convexact/io/atomic_output.hpp"
-
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -9,7 +7,7 @@
 #include <filesystem>
 #include <set>
 
-#include "convexact/io/read_bytes.hpp"
+#include "convexact/io.hpp"
 #include "expect_error.hpp"
 
 using namespace convexact;

@@ -3,8 +3,7 @@
 // literals of type float, rounded by the compiler.
 #include <doctest/doctest.h>
 
-#include "convexact/io/read_mesh.hpp"
-#include "convexact/io/write_mesh.hpp"
+#include "convexact/io.hpp"
 #include "expect_error.hpp"
 
 using namespace convexact;

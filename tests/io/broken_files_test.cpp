@@ -4,8 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "allocation_watch.hpp"
-#include "convexact/io/read_mesh.hpp"
-#include "convexact/io/write_mesh.hpp"
+#include "convexact/io.hpp"
 #include "expect_error.hpp"
 
 using namespace convexact;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Which format a file has. Expected values are written out by hand.
-#include "convexact/io/mesh_format.hpp"
-
 #include <doctest/doctest.h>
+
+#include "convexact/mesh.hpp"
 
 using namespace convexact;
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "convexact/io/read_mesh.hpp"
+#include "convexact/io.hpp"
 #include "expect_error.hpp"
 
 using namespace convexact;

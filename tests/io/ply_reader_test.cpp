@@ -2,7 +2,7 @@
 // PLY files in their three encodings, and broken ones. Expected values are written out by hand.
 #include <doctest/doctest.h>
 
-#include "convexact/io/read_mesh.hpp"
+#include "convexact/io.hpp"
 #include "expect_error.hpp"
 
 using namespace convexact;

@@ -4,7 +4,7 @@
 
 #include <bit>
 
-#include "convexact/io/read_mesh.hpp"
+#include "convexact/io.hpp"
 #include "expect_error.hpp"
 
 using namespace convexact;

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What is written is read back to the last bit, in every format; the written text is also compared
 // with files written out by hand.
-#include "convexact/io/write_mesh.hpp"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "convexact/io/read_mesh.hpp"
+#include "convexact/io.hpp"
 #include "expect_error.hpp"
 #include "property.hpp"
 #include "same_mesh.hpp"

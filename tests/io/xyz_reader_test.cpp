@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include "convexact/io/read_mesh.hpp"
-#include "convexact/io/write_mesh.hpp"
+#include "convexact/io.hpp"
 #include "expect_error.hpp"
 
 using namespace convexact;

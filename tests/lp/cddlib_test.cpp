@@ -16,8 +16,7 @@ int main() {
 #include <cddlib/cdd.h>
 #include <doctest/doctest.h>
 
-#include "convexact/lp/chebyshev_center.hpp"
-#include "convexact/lp/seidel.hpp"
+#include "convexact/linear_program.hpp"
 #include "halfspaces.hpp"
 #include "linear_programs.hpp"
 

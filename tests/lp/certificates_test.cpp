@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The checkers of linear programs reject certificates that prove nothing. All by hand.
-#include "convexact/lp/certificates.hpp"
+#include "lp/certificates.hpp"
 
 #include <doctest/doctest.h>
 

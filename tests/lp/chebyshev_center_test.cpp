@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Chebyshev centers: closed forms (named in each case), metamorphic properties, and the checker.
-#include "convexact/lp/chebyshev_center.hpp"
-
 #include <doctest/doctest.h>
 
+#include "convexact/linear_program.hpp"
 #include "halfspaces.hpp"
 #include "property.hpp"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Empty, flat, bounded: by hand, against Fourier-Motzkin elimination (the definition), and by the
 // certificates; and that the checkers refuse what proves nothing.
-#include "convexact/lp/feasibility.hpp"
-
 #include <doctest/doctest.h>
 
+#include "convexact/linear_program.hpp"
 #include "fourier_motzkin.hpp"
 #include "halfspaces.hpp"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Short interior points; expected values by hand and by the definition of "coarsest".
-#include "convexact/lp/interior_point.hpp"
-
 #include <doctest/doctest.h>
 
+#include "convexact/linear_program.hpp"
 #include "halfspaces.hpp"
 #include "property.hpp"
 

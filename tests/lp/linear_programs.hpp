@@ -3,8 +3,8 @@
 #pragma once
 #include <initializer_list>
 
-#include "convexact/lp/linear_program.hpp"
-#include "convexact/number/random.hpp"
+#include "convexact/linear_program.hpp"
+#include "number/random.hpp"
 
 namespace convexact::data {
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Linear programs: by hand, against Fourier-Motzkin elimination (the definition), and by the
 // certificates that come with each outcome.
-#include "convexact/lp/seidel.hpp"
-
 #include <doctest/doctest.h>
 
 #include "convexact/error.hpp"
-#include "convexact/lp/certificates.hpp"
+#include "convexact/linear_program.hpp"
 #include "fourier_motzkin.hpp"
 #include "linear_programs.hpp"
+#include "lp/certificates.hpp"
 #include "property.hpp"
 
 using namespace convexact;

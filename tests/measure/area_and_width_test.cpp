@@ -5,17 +5,16 @@
 
 #include <cmath>
 
-#include "convexact/measure/mean_width.hpp"
-#include "convexact/measure/support.hpp"
-#include "convexact/measure/surface_area.hpp"
-#include "convexact/number/refine.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
+#include "convexact/measure.hpp"
+#include "measure/support.hpp"
 #include "moved_polytope.hpp"
+#include "number/refine.hpp"
 #include "polytope_by_definition.hpp"
 #include "property.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 using namespace convexact;
 
 namespace {

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Distances. Expected values: closed forms; nearest points are proven by the projection theorem on
 // the list of vertices, which shares nothing with the search.
-#include "convexact/measure/distance.hpp"
-
 #include <doctest/doctest.h>
 
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/extreme.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
+#include "convexact/measure.hpp"
 #include "expect_error.hpp"
 #include "moved_polytope.hpp"
 #include "polytope_by_definition.hpp"
 #include "property.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/extreme.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 using namespace convexact;
 
 namespace {

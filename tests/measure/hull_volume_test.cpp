@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Volume of a hull from its points. Expected values: closed forms of boxes and simplices, and the
 // volume of the same hull as a polytope, which is computed by facets and heights instead.
-#include "convexact/measure/hull_volume.hpp"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "convexact/measure/volume.hpp"
+#include "convexact/measure.hpp"
 #include "property.hpp"
 
 using namespace convexact;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Support function and bounding box, against hand-made values.
-#include "convexact/measure/support.hpp"
+#include "measure/support.hpp"
 
 #include <doctest/doctest.h>
 
 #include "convexact/error.hpp"
-#include "convexact/measure/bounding_box.hpp"
+#include "convexact/measure.hpp"
 using namespace convexact;
 
 TEST_CASE("support: no points, no direction") {

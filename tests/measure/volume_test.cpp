@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Volumes. Expected values: closed forms, and tetrahedra over a fan of each facet (the definition).
-#include "convexact/measure/volume.hpp"
-
 #include <doctest/doctest.h>
 
-#include "convexact/number/balanced_sum.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/extreme.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
+#include "convexact/measure.hpp"
 #include "moved_polytope.hpp"
+#include "number/balanced_sum.hpp"
 #include "polytope_by_definition.hpp"
 #include "property.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/extreme.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 using namespace convexact;
 
 namespace {

@@ -2,8 +2,6 @@
 // Decimals to doubles. The expected value is the exact rational rounded by to_double, whose own
 // tests go by the definition; nothing else of decimal.cpp takes that way but for subnormals, which
 // are written out by hand as well.
-#include "convexact/number/decimal.hpp"
-
 #include <doctest/doctest.h>
 
 #include <array>
@@ -12,7 +10,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "convexact/number/rounding.hpp"
+#include "convexact/number.hpp"
 #include "expect_error.hpp"
 #include "property.hpp"
 

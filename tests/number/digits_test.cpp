@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Decimal text. Expected strings are written out by hand; the property reads the text back exactly.
-#include "convexact/number/digits.hpp"
-
 #include <doctest/doctest.h>
 
 #include "convexact/error.hpp"
-#include "convexact/number/refine.hpp"
+#include "convexact/number.hpp"
+#include "number/refine.hpp"
 #include "property.hpp"
 using namespace convexact;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DoubleDouble: every operation against rationals, never further off than its unit, and far enough
 // off at the worst operands that a search finds for the unit to be needed.
-#include "convexact/number/double_double.hpp"
+#include "number/double_double.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Enclosures. Expected values come from exact rationals, from closed forms, and from the
 // definition: an interval result holds the result of every choice from the intervals it was given.
-#include "convexact/number/enclosure.hpp"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <limits>
 
 #include "convexact/error.hpp"
-#include "convexact/number/refine.hpp"
-#include "convexact/number/rounding.hpp"
+#include "convexact/number.hpp"
+#include "number/refine.hpp"
 #include "property.hpp"
 using namespace convexact;
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Expansions: every operation against rationals, and the shape that their proofs rely on.
-#include "convexact/number/expansion.hpp"
+#include "number/expansion.hpp"
 
 #include <doctest/doctest.h>
 
-#include "convexact/number/rational.hpp"
+#include "convexact/number.hpp"
 #include "property.hpp"
 
 using namespace convexact;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Hexadecimal numbers: by closed form, and against what the C library prints for doubles.
-#include "convexact/number/hex_float.hpp"
+#include "number/hex_float.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "convexact/error.hpp"
-#include "convexact/number/random.hpp"
+#include "number/random.hpp"
 
 using namespace convexact;
 

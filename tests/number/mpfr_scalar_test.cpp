@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // MPFR in the formats of C's float and double against what the processor computes.
-#include "convexact/number/mpfr_scalar.hpp"
+#include "number/mpfr_scalar.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Conversions into Rational. Expected values are written out by hand.
-#include "convexact/number/rational.hpp"
-
 #include <doctest/doctest.h>
 
 #include <limits>
 
 #include "convexact/error.hpp"
+#include "convexact/number.hpp"
 
 using namespace convexact;
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Directed rounding. Expected values come from the definition: the neighbours of x in the format.
-#include "convexact/number/rounding.hpp"
-
 #include <doctest/doctest.h>
 
 #include <bit>
 #include <cmath>
 #include <limits>
 
+#include "convexact/number.hpp"
 #include "property.hpp"
 using namespace convexact;
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Locating points over the triangles of a hull. By definition a point is outside if and only if it
 // is strictly beyond the plane of a facet; facet_halfspaces() and rationals decide that here.
-#include "../../src/oracle/cone_location.hpp"
+#include "oracle/cone_location.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
-#include "convexact/shapes/extreme.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
+#include "shapes/extreme.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 
 using namespace convexact;
 using oracle::ConeLocation;

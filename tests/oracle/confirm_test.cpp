@@ -3,13 +3,13 @@
 // things, so that the second way must object.
 #include <doctest/doctest.h>
 
-#include "../../src/oracle/confirm_costs.hpp"
-#include "../../src/oracle/judge.hpp"
 #include "convexact/error.hpp"
-#include "convexact/shapes/boxes.hpp"
 #include "cut_box.hpp"
 #include "expect_error.hpp"
+#include "oracle/confirm_costs.hpp"
+#include "oracle/judge.hpp"
 #include "polytope_by_definition.hpp"
+#include "shapes/boxes.hpp"
 #include "simplify_points.hpp"
 
 using namespace convexact;

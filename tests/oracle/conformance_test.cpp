@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Judging a run: how many planes a rounded mesh has, which ends count as which failure, and that a
 // solid of which nothing can go is no failure. Expected counts are closed forms.
-#include "convexact/oracle/conformance.hpp"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -11,8 +9,9 @@
 #include <set>
 #include <string>
 
-#include "convexact/oracle/rounding_slack.hpp"
-#include "convexact/shapes/solids.hpp"
+#include "convexact/conform.hpp"
+#include "oracle/rounding_slack.hpp"
+#include "shapes/solids.hpp"
 using namespace convexact;
 
 namespace {

@@ -7,16 +7,15 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "convexact/format/candidate_file.hpp"
-#include "convexact/format/halfspace_file.hpp"
-#include "convexact/io/write_mesh.hpp"
-#include "convexact/oracle/verify.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
+#include "convexact/io.hpp"
+#include "convexact/verify.hpp"
 #include "hard_inputs.hpp"
+#include "oracle/candidate_file.hpp"
 #include "perturb.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 #include "verdict_check.hpp"
 
 using namespace convexact;

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "convexact/dual/dual_hull.hpp"
+#include "convexact/dual.hpp"
 
 /// The center of the cube.
 inline const convexact::RationalPoint kCutBoxCenter(2, 2, 2);

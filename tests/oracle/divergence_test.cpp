@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Runs doctored by hand on a cube with cut corners: what parts them, and who is at fault. A cut of
 // depth t costs t^3 / 6, which gives every regret in closed form.
-#include "convexact/oracle/divergence.hpp"
+#include "oracle/divergence.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
-#include "convexact/oracle/diff.hpp"
-#include "convexact/shapes/random_points.hpp"
 #include "cut_box.hpp"
+#include "oracle/diff.hpp"
+#include "shapes/random_points.hpp"
 
 using namespace convexact;
 

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <array>
 
-#include "convexact/fast/filtered_engine.hpp"
-#include "convexact/format/trace_verdict.hpp"
-#include "convexact/number/rounding.hpp"
-#include "convexact/shapes/extreme.hpp"
-#include "convexact/shapes/random_points.hpp"
+#include "convexact/number.hpp"
+#include "fast/filtered_engine.hpp"
+#include "oracle/trace_verdict.hpp"
 #include "removal_orders.hpp"
+#include "shapes/extreme.hpp"
+#include "shapes/random_points.hpp"
 
 using namespace convexact;
 

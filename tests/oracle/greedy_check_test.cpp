@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Runs doctored by hand on a cube with cut corners, followed to their ends: a cut of depth t costs
 // t^3 / 6, whatever else has been removed.
-#include "convexact/oracle/greedy_check.hpp"
+#include "oracle/greedy_check.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
-#include "convexact/oracle/diff.hpp"
-#include "convexact/shapes/extreme.hpp"
-#include "convexact/shapes/solids.hpp"
 #include "cut_box.hpp"
+#include "oracle/diff.hpp"
+#include "shapes/extreme.hpp"
+#include "shapes/solids.hpp"
 
 using namespace convexact;
 

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Removal orders judged: on a cube with cut corners, where a cut of depth t costs t^3 / 6 whatever
 // else is gone, and on small shapes by the definition.
-#include "convexact/oracle/judge_trace.hpp"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
 #include "convexact/error.hpp"
-#include "convexact/fast/filtered_engine.hpp"
-#include "convexact/number/random.hpp"
-#include "convexact/oracle/engine_run.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
+#include "convexact/verify_run.hpp"
 #include "definitional_greedy.hpp"
+#include "fast/filtered_engine.hpp"
+#include "number/random.hpp"
+#include "oracle/engine_run.hpp"
 #include "removal_orders.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 #include "simplify_points.hpp"
 
 using namespace convexact;

@@ -7,12 +7,12 @@
 
 #include "cheapest_removals.hpp"
 #include "convexact/error.hpp"
-#include "convexact/format/trace_verdict.hpp"
-#include "convexact/number/random.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
+#include "number/random.hpp"
+#include "oracle/trace_verdict.hpp"
 #include "removal_orders.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 
 using namespace convexact;
 

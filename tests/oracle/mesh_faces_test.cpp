@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 
-#include "convexact/format/candidate_file.hpp"
-#include "convexact/number/random.hpp"
-#include "convexact/oracle/verify.hpp"
-#include "convexact/shapes/solids.hpp"
+#include "convexact/verify.hpp"
+#include "number/random.hpp"
+#include "oracle/candidate_file.hpp"
+#include "shapes/solids.hpp"
 
 using namespace convexact;
 using enum ClaimCode;

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
 // How many facets a solid of rounded vertices was meant to have. Expected counts are those of the
 // solids before they were rounded, or of points that nothing explains.
-#include "convexact/oracle/planar_patches.hpp"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <numeric>
 
-#include "convexact/hull/hull.hpp"
-#include "convexact/pipeline/simplify.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
+#include "convexact/hull.hpp"
+#include "convexact/simplify.hpp"
+#include "convexact/verify.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 using namespace convexact;
 
 namespace {

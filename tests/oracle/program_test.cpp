@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Running a program: every way to end is told apart, and nothing of it is left. The programs are
 // the system's own, so what they do is known.
-#include "convexact/oracle/program.hpp"
-
 #include <doctest/doctest.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
 
+#include "convexact/conform.hpp"
 #include "convexact/error.hpp"
 #include "process.hpp"
 

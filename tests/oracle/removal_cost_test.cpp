@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Costs by definition against closed forms; the rounding that is allowed for against planes that
 // are really off by one rounding.
-#include "convexact/oracle/removal_cost.hpp"
+#include "oracle/removal_cost.hpp"
 
 #include <doctest/doctest.h>
 
-#include "convexact/number/random.hpp"
-#include "convexact/shapes/random_points.hpp"
 #include "cut_box.hpp"
+#include "number/random.hpp"
+#include "shapes/random_points.hpp"
 #include "simplify_points.hpp"
 
 using namespace convexact;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "convexact/oracle/judge_trace.hpp"
-#include "convexact/simplify/trace.hpp"
+#include "convexact/run.hpp"
+#include "convexact/verify_run.hpp"
 #include "cut_box.hpp"
 #include "simplify_points.hpp"
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Shrinking: predicates whose minimum is known in closed form, and the promises of shrink.hpp asked
 // of the result by the definition.
-#include "convexact/oracle/shrink.hpp"
+#include "convexact/shrink.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
 #include "convexact/error.hpp"
-#include "convexact/hull/hull.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/random_points.hpp"
+#include "convexact/hull.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/random_points.hpp"
 
 using namespace convexact;
 

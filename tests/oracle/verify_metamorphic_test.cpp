@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "convexact/oracle/verify.hpp"
+#include "convexact/verify.hpp"
 #include "hard_inputs.hpp"
 #include "perturb.hpp"
 

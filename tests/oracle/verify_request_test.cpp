@@ -5,13 +5,13 @@
 
 #include <algorithm>
 
-#include "convexact/format/candidate_file.hpp"
-#include "convexact/oracle/support_program.hpp"
-#include "convexact/oracle/verify.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/solids.hpp"
+#include "convexact/verify.hpp"
 #include "expect_error.hpp"
+#include "oracle/candidate_file.hpp"
+#include "oracle/support_program.hpp"
 #include "polytope_by_definition.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/solids.hpp"
 
 using namespace convexact;
 using enum ClaimCode;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The oracle on candidates small enough to be judged by hand. Expected values are closed forms: the
 // input is the cube [-1, 1]^3, of squared diameter 12, volume 8, area 24 and mean width 3.
-#include "convexact/oracle/verify.hpp"
+#include "convexact/verify.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "convexact/format/candidate_file.hpp"
-#include "convexact/oracle/excess.hpp"
-#include "convexact/oracle/support_program.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
 #include "expect_error.hpp"
+#include "oracle/candidate_file.hpp"
+#include "oracle/excess.hpp"
+#include "oracle/support_program.hpp"
 #include "polytope_by_definition.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 
 using namespace convexact;
 using enum ClaimCode;

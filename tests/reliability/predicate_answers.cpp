@@ -4,15 +4,14 @@
 #include <cstdio>
 #include <variant>
 
-#include "convexact/fast/dual_signs.hpp"
-#include "convexact/fast/filtered_engine.hpp"
-#include "convexact/geometry/orient3d.hpp"
-#include "convexact/geometry/plane_determinants.hpp"
-#include "convexact/geometry/plane_side.hpp"
-#include "convexact/hull/hull.hpp"
-#include "convexact/number/random.hpp"
-#include "convexact/number/rounding.hpp"
+#include "convexact/hull.hpp"
+#include "convexact/number.hpp"
+#include "convexact/predicates.hpp"
+#include "fast/dual_signs.hpp"
+#include "fast/filtered_engine.hpp"
+#include "geometry/plane_determinants.hpp"
 #include "hard_inputs.hpp"
+#include "number/random.hpp"
 
 using namespace convexact;
 

@@ -6,18 +6,17 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "convexact/format/report_json.hpp"
-#include "convexact/measure/bounding_box.hpp"
-#include "convexact/measure/volume.hpp"
-#include "convexact/number/rounding.hpp"
-#include "convexact/report/report_data.hpp"
-#include "convexact/report/report_page.hpp"
-#include "convexact/shapes/extreme.hpp"
-#include "convexact/shapes/families.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/number.hpp"
+#include "convexact/shapes.hpp"
 #include "json_schema.hpp"
-#include "rounded_planes.hpp"
+#include "report/report_data.hpp"
+#include "report/report_json.hpp"
+#include "report/report_page.hpp"
+#include "report/rounded_planes.hpp"
+#include "shapes/extreme.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 
 using namespace convexact;
 

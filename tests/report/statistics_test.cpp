@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Statistics of repeated measurements and sizes of errors, against closed forms.
-#include "convexact/report/statistics.hpp"
+#include "report/statistics.hpp"
 
 #include <doctest/doctest.h>
 
 #include <array>
 #include <cmath>
 
-#include "convexact/report/error_size.hpp"
-#include "convexact/report/tightness_curve.hpp"
+#include "report/error_size.hpp"
+#include "report/tightness_curve.hpp"
 
 using namespace convexact;
 

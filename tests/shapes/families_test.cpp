@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The registry: every family is usable by name alone, and refuses values outside its ranges.
-#include "convexact/shapes/families.hpp"
-
 #include <doctest/doctest.h>
 
 #include <limits>
@@ -9,6 +7,7 @@
 
 #include "affine_dimension.hpp"
 #include "convexact/error.hpp"
+#include "convexact/shapes.hpp"
 using namespace convexact;
 using namespace convexact::shapes;
 

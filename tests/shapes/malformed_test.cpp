@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Malformed files: each is refused for its one mistake, and is valid without it.
-#include "convexact/shapes/malformed.hpp"
-
 #include <doctest/doctest.h>
 
 #include <map>
 #include <set>
 
 #include "convexact/error.hpp"
-#include "convexact/format/halfspace_file.hpp"
-#include "convexact/io/read_mesh.hpp"
+#include "convexact/io.hpp"
+#include "convexact/shapes.hpp"
 using namespace convexact;
 using shapes::malformed_files;
 using shapes::MalformedFile;

@@ -10,15 +10,15 @@
 
 #include "affine_dimension.hpp"
 #include "convexact/error.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/circle.hpp"
-#include "convexact/shapes/extreme.hpp"
-#include "convexact/shapes/flat.hpp"
-#include "convexact/shapes/integer.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
 #include "polytope_by_definition.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/circle.hpp"
+#include "shapes/extreme.hpp"
+#include "shapes/flat.hpp"
+#include "shapes/integer.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 using namespace convexact;
 using namespace convexact::shapes;
 

@@ -3,13 +3,13 @@
 // scratch for every candidate, without duality (tests/support/definitional_greedy.hpp).
 #include <doctest/doctest.h>
 
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
-#include "convexact/simplify/exact_engine.hpp"
 #include "definitional_dual.hpp"
 #include "definitional_greedy.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
+#include "simplify/exact_engine.hpp"
 #include "simplify_points.hpp"
 
 using namespace convexact;

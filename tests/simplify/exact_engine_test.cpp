@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How a run stops, and that nothing changes its answer that must not. Truth is the input's own
 // symmetry: the run on the transformed input must be the transformed run.
-#include "convexact/simplify/exact_engine.hpp"
+#include "simplify/exact_engine.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,11 +9,11 @@
 #include <cmath>
 
 #include "convexact/error.hpp"
-#include "convexact/number/random.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/circle.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
+#include "number/random.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/circle.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 #include "simplify_points.hpp"
 
 using namespace convexact;

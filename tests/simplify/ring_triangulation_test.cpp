@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // T_i is judged by what it must be: k - 2 triangles with no ring point beyond any of them and the
 // removed point beyond or level with all. Valences up to 10,000.
-#include "convexact/simplify/ring_triangulation.hpp"
+#include "simplify/ring_triangulation.hpp"
 
 #include <doctest/doctest.h>
 
 #include <set>
 
-#include "convexact/shapes/circle.hpp"
 #include "property.hpp"
+#include "shapes/circle.hpp"
 
 using namespace convexact;
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Mutation tests of the verifier: every way of corrupting a true step is caught, by the check that
 // is there for it.
-#include "convexact/simplify/step_verification.hpp"
+#include "simplify/step_verification.hpp"
 
 #include <doctest/doctest.h>
 
 #include <functional>
 #include <map>
 
-#include "../../src/simplify/modular_volume.hpp"
-#include "convexact/dual/adjacency_matrix.hpp"
+#include "convexact/dual.hpp"
 #include "convexact/error.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
+#include "simplify/modular_volume.hpp"
 #include "simplify_points.hpp"
 
 using namespace convexact;

@@ -3,15 +3,13 @@
 // (1, 1, 1), cut where x + y + z = 5/2. Every value is in closed form there.
 #include <doctest/doctest.h>
 
-#include "convexact/dual/adjacency_matrix.hpp"
-#include "convexact/dual/dual_hull.hpp"
-#include "convexact/dual/polar.hpp"
-#include "convexact/simplify/cap.hpp"
-#include "convexact/simplify/exact_engine.hpp"
-#include "convexact/simplify/replay.hpp"
+#include "convexact/dual.hpp"
 #include "definitional_greedy.hpp"
 #include "expect_error.hpp"
 #include "integer_halfspace.hpp"
+#include "simplify/cap.hpp"
+#include "simplify/exact_engine.hpp"
+#include "simplify/replay.hpp"
 
 using namespace convexact;
 

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
 // count_outside against the definition in GMP integers, and at one ulp from the plane.
-#include "convexact/stored/containment.hpp"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "../../src/stored/double_halfspace.hpp"
 #include "convexact/error.hpp"
-#include "convexact/shapes/extreme.hpp"
-#include "convexact/shapes/random_points.hpp"
+#include "convexact/stored.hpp"
 #include "hill_climb.hpp"
 #include "property.hpp"
+#include "shapes/extreme.hpp"
+#include "shapes/random_points.hpp"
+#include "stored/double_halfspace.hpp"
 #include "stored_cases.hpp"
 
 using namespace convexact;

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Growth of solids whose distance and volume have a closed form.
-#include "convexact/stored/growth.hpp"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "convexact/measure/distance.hpp"
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/stored.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 #include "stored_cases.hpp"
 
 using namespace convexact;

@@ -7,11 +7,9 @@
 #include <fstream>
 #include <set>
 
-#include "convexact/io/read_mesh.hpp"
-#include "convexact/io/write_mesh.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/stored/stored_mesh.hpp"
-#include "convexact/stored/stored_planes.hpp"
+#include "convexact/io.hpp"
+#include "convexact/stored.hpp"
+#include "shapes/random_points.hpp"
 #include "stored_cases.hpp"
 
 using namespace convexact;

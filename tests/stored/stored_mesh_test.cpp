@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Meshes in floating point. Judged by stored_checker.hpp, which computes from the definition.
-#include "convexact/stored/stored_mesh.hpp"
-
 #include <doctest/doctest.h>
 
 #include <limits>
 
-#include "convexact/shapes/extreme.hpp"
-#include "convexact/shapes/families.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
+#include "convexact/shapes.hpp"
+#include "convexact/stored.hpp"
 #include "expect_error.hpp"
 #include "property.hpp"
+#include "shapes/extreme.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 #include "stored_cases.hpp"
 
 using namespace convexact;

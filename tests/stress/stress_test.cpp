@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The sweep and its judge. Honest engines pass on inputs of every kind; and a run that is wrong in
 // one thing, injected here, is a fault of that run, in whatever way it is wrong.
-#include "convexact/stress/stress.hpp"
+#include "stress/stress.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,9 +13,9 @@
 #include <thread>
 
 #include "convexact/error.hpp"
-#include "convexact/format/stress_report.hpp"
 #include "json_schema.hpp"
 #include "process.hpp"
+#include "stress/stress_report.hpp"
 
 using namespace convexact;
 

@@ -8,11 +8,11 @@
 #include <variant>
 #include <vector>
 
-#include "convexact/dual/polar.hpp"
-#include "convexact/fast/filtered_loop.hpp"
-#include "convexact/hull/hull.hpp"
-#include "convexact/simplify/cap.hpp"
+#include "convexact/dual.hpp"
+#include "convexact/hull.hpp"
 #include "exact_determinant.hpp"
+#include "fast/filtered_loop.hpp"
+#include "simplify/cap.hpp"
 
 namespace audit {
 

@@ -2,7 +2,7 @@
 // cheapest_removals.hpp - what is cheapest to remove, by the definition: the halfspaces are
 // intersected from scratch without each candidate.
 #pragma once
-#include "convexact/geometry/ids.hpp"
+#include "convexact/point_set.hpp"
 #include "halfspace_arrangement.hpp"
 
 namespace definition {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "convexact/fast/filtered_loop.hpp"
-#include "convexact/fast/float_engine.hpp"
+#include "fast/filtered_loop.hpp"
+#include "fast/float_engine.hpp"
 
 namespace convexact {
 

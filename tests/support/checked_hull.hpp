@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "convexact/hull/hull.hpp"
+#include "convexact/hull.hpp"
 
 inline bool operator==(const convexact::FacetList& a, const convexact::FacetList& b) {
   if (a.size() != b.size()) return false;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "convexact/dual/dual_hull.hpp"
+#include "convexact/dual.hpp"
 #include "supporting_planes.hpp"
 
 namespace definition {

@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "cheapest_removals.hpp"
-#include "convexact/simplify/trace.hpp"
+#include "convexact/run.hpp"
 
 namespace definition {
 

@@ -10,7 +10,7 @@
 
 #include "affine_dimension.hpp"
 #include "cheapest_removals.hpp"
-#include "convexact/number/hex_float.hpp"
+#include "number/hex_float.hpp"
 #include "stored_cases.hpp"
 #include "supporting_planes.hpp"
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "affine_dimension.hpp"
-#include "convexact/geometry/halfspace_list.hpp"
-#include "convexact/io/mesh.hpp"
+#include "convexact/halfspace.hpp"
+#include "convexact/mesh.hpp"
 #include "halfspace_arrangement.hpp"
 #include "supporting_planes.hpp"
 

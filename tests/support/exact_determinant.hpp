@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "convexact/number/rational.hpp"
+#include "convexact/number.hpp"
 
 inline convexact::Rational exact_determinant(
     const std::vector<std::vector<convexact::Rational>>& rows) {

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "convexact/lp/linear_program.hpp"
+#include "convexact/linear_program.hpp"
 
 namespace convexact::oracle {
 

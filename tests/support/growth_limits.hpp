@@ -3,8 +3,8 @@
 #pragma once
 #include <vector>
 
-#include "convexact/measure/volume.hpp"
-#include "convexact/simplify/trace.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/run.hpp"
 
 /// A limit and, by its definition, how many steps of the run stay within it: the longest prefix
 /// with V <= (1 + g) V0.

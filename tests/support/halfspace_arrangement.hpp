@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "convexact/geometry/halfspace.hpp"
-#include "convexact/number/balanced_sum.hpp"
+#include "convexact/halfspace.hpp"
+#include "number/balanced_sum.hpp"
 
 namespace definition {
 

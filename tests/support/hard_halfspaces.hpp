@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "convexact/geometry/halfspace.hpp"
-#include "convexact/number/random.hpp"
+#include "convexact/halfspace.hpp"
+#include "number/random.hpp"
 
 namespace hard {
 

@@ -7,13 +7,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "convexact/shapes/boxes.hpp"
-#include "convexact/shapes/circle.hpp"
-#include "convexact/shapes/extreme.hpp"
-#include "convexact/shapes/prisms.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/shapes/solids.hpp"
 #include "perturb.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/circle.hpp"
+#include "shapes/extreme.hpp"
+#include "shapes/prisms.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
 
 namespace hard {
 namespace {

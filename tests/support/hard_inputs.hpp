@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "convexact/geometry/point_set.hpp"
+#include "convexact/point_set.hpp"
 
 namespace hard {
 

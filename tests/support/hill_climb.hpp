@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "convexact/number/random.hpp"
-#include "convexact/number/rational.hpp"
+#include "convexact/number.hpp"
+#include "number/random.hpp"
 
 namespace hill_climb {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "convexact/hull/hull.hpp"
+#include "convexact/hull.hpp"
 
 /// Both sorted, each entry once.
 struct HullOutline {

@@ -8,8 +8,8 @@
 #include <set>
 #include <vector>
 
-#include "convexact/hull/hull.hpp"
-#include "convexact/number/random.hpp"
+#include "convexact/hull.hpp"
+#include "number/random.hpp"
 
 namespace motion {
 

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <span>
 
-#include "convexact/geometry/polytope.hpp"
-#include "convexact/number/random.hpp"
+#include "convexact/polytope.hpp"
+#include "number/random.hpp"
 
 /// Times 2^k.
 inline convexact::Polytope scaled(convexact::Polytope polytope, long k) {

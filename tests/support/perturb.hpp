@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "convexact/geometry/point_set.hpp"
-#include "convexact/number/random.hpp"
+#include "convexact/point_set.hpp"
+#include "number/random.hpp"
 
 namespace perturb {
 

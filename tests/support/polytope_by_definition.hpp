@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "convexact/geometry/polytope.hpp"
+#include "convexact/polytope.hpp"
 #include "supporting_planes.hpp"
 
 /// The vertices on a plane, counter-clockwise from outside. All others lie within half a turn as

@@ -6,10 +6,10 @@
 #include <limits>
 #include <variant>
 
-#include "convexact/dual/dual_hull.hpp"
-#include "convexact/fast/filtered_engine.hpp"
-#include "convexact/hull/hull.hpp"
-#include "convexact/simplify/exact_engine.hpp"
+#include "convexact/dual.hpp"
+#include "convexact/hull.hpp"
+#include "fast/filtered_engine.hpp"
+#include "simplify/exact_engine.hpp"
 
 /// Strictly inside.
 inline convexact::RationalPoint mean_of_vertices(const convexact::DualHull& solid) {

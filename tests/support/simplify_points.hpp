@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // simplify_points.hpp - points to an exact simplification, with the dual hull from the definition.
 #pragma once
-#include "convexact/simplify/exact_engine.hpp"
 #include "definitional_dual.hpp"
+#include "simplify/exact_engine.hpp"
 
 /// The mean of the solid's vertices: strictly inside.
 inline convexact::RationalPoint center_of(const convexact::DualHull& solid) {

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "convexact/dual/dual_hull.hpp"
-#include "convexact/hull/hull.hpp"
-#include "convexact/lp/feasibility.hpp"
-#include "convexact/number/precision.hpp"
-#include "convexact/number/random.hpp"
+#include "convexact/dual.hpp"
+#include "convexact/hull.hpp"
+#include "convexact/linear_program.hpp"
+#include "convexact/number.hpp"
+#include "number/random.hpp"
 #include "stored_checker.hpp"
 
 namespace stored_cases {

@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include "convexact/oracle/verify.hpp"
+#include "convexact/verify.hpp"
 #include "definitional_verdict.hpp"
 
 namespace definition {

@@ -19,9 +19,9 @@ int main() {
 
 #include <set>
 
-#include "convexact/shapes/families.hpp"
-#include "convexact/shapes/random_points.hpp"
+#include "convexact/shapes.hpp"
 #include "hull_outline.hpp"
+#include "shapes/random_points.hpp"
 using namespace convexact;
 
 namespace {

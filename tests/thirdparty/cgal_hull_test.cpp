@@ -19,10 +19,10 @@ int main() {
 #include <map>
 #include <set>
 
-#include "convexact/io/read_mesh.hpp"
-#include "convexact/shapes/families.hpp"
-#include "convexact/shapes/random_points.hpp"
+#include "convexact/io.hpp"
+#include "convexact/shapes.hpp"
 #include "hull_outline.hpp"
+#include "shapes/random_points.hpp"
 #include "shipped_meshes.hpp"
 using namespace convexact;
 

@@ -25,9 +25,9 @@ int main() {
 #include <algorithm>
 #include <sstream>
 
-#include "convexact/format/candidate_file.hpp"
-#include "convexact/io/read_mesh.hpp"
-#include "convexact/oracle/verify.hpp"
+#include "convexact/io.hpp"
+#include "convexact/verify.hpp"
+#include "oracle/candidate_file.hpp"
 #include "shipped_meshes.hpp"
 using namespace convexact;
 

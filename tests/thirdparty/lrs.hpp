@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "convexact/geometry/halfspace.hpp"
+#include "convexact/halfspace.hpp"
 
 /// CONVEXACT_LRS is the program's path. It is run on files beside the test executable.
 class Lrs {

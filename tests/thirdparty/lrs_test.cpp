@@ -14,17 +14,17 @@ int main() {
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
-#include "convexact/dual/dual_hull.hpp"
-#include "convexact/hull/hull.hpp"
-#include "convexact/io/read_mesh.hpp"
-#include "convexact/lp/interior_point.hpp"
-#include "convexact/measure/volume.hpp"
-#include "convexact/number/balanced_sum.hpp"
-#include "convexact/shapes/families.hpp"
-#include "convexact/shapes/random_points.hpp"
-#include "convexact/simplify/exact_engine.hpp"
+#include "convexact/dual.hpp"
+#include "convexact/hull.hpp"
+#include "convexact/io.hpp"
+#include "convexact/linear_program.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/shapes.hpp"
 #include "lrs.hpp"
+#include "number/balanced_sum.hpp"
+#include "shapes/random_points.hpp"
 #include "shipped_meshes.hpp"
+#include "simplify/exact_engine.hpp"
 using namespace convexact;
 
 namespace {

@@ -7,14 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "convexact/format/candidate_file.hpp"
-#include "convexact/format/halfspace_file.hpp"
-#include "convexact/format/test_vector_json.hpp"
-#include "convexact/io/read_mesh.hpp"
-#include "convexact/oracle/verify.hpp"
-#include "convexact/pipeline/hull_measures.hpp"
-#include "convexact/pipeline/simplify.hpp"
+#include "convexact/io.hpp"
+#include "convexact/simplify.hpp"
+#include "convexact/verify.hpp"
 #include "json_schema.hpp"
+#include "oracle/candidate_file.hpp"
+#include "oracle/test_vector_json.hpp"
 #include "process.hpp"
 using namespace convexact;
 

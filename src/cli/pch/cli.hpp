@@ -5,4 +5,4 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "convexact/number/rational.hpp"
+#include "convexact/number.hpp"

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+// conform.hpp - another program's answers to inputs whose answers are known, judged.
+#pragma once
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "convexact/error.hpp"
+#include "convexact/halfspace.hpp"
+#include "convexact/number.hpp"
+#include "convexact/verify.hpp"
+
+namespace convexact {
+
+struct ProgramLimits {
+  double seconds = 10;       ///< Of wall time, more than 0; then it is killed.
+  std::uint64_t memory = 0;  ///< Bytes of address space of each of its processes; 0 for no limit.
+};
+
+enum class ProgramEnd {
+  Exited,      ///< By itself, with `exit_code`.
+  Crashed,     ///< By `signal`.
+  TimedOut,    ///< Killed.
+  NotStarted,  ///< There is no such program, or it cannot be executed.
+};
+
+struct ProgramRun {
+  ProgramEnd end = ProgramEnd::NotStarted;
+  int exit_code = 0;
+  int signal = 0;
+  double seconds = 0;             ///< Wall time.
+  std::uint64_t peak_memory = 0;  ///< Largest resident set of one of its processes, in bytes.
+  std::string printed;  ///< The end of what it wrote to standard output and error, up to 4 KiB.
+
+  bool succeeded() const { return end == ProgramEnd::Exited && exit_code == 0; }
+};
+
+/// "exit code 3", "killed by signal 11", "no end within 10 s", "cannot be started".
+[[nodiscard]] std::string describe(const ProgramRun& run);
+
+/// Runs a program and waits for its end; what it started in the background is ended with it. No
+/// shell: the words are its arguments as they are. Its standard input is empty, and it may leave no
+/// core dump.
+/// @param words  The program, looked up in PATH unless it has a slash, and its arguments.
+/// @param stop   When it becomes true, the program is killed: Error Stopped.
+/// @throws Error InvalidArgument if there are no words or the time is not positive; Stopped also if
+///               the system cannot make a process.
+[[nodiscard]] ProgramRun run_program(const std::vector<std::string>& words,
+                                     const ProgramLimits& limits,
+                                     const std::atomic<bool>* stop = nullptr);
+
+/// The words with every "{name}" replaced by its value, also inside a word. Other braces stay.
+[[nodiscard]] std::vector<std::string> fill_in(const std::vector<std::string>& words,
+                                               const std::map<std::string, std::string>& values);
+
+/// What is asked of a program.
+enum class Asks {
+  Enclosure,  ///< A convex solid that contains the input.
+  Hull,       ///< The same, and each of its corners is a point of the input.
+  Inner,      ///< A convex solid inside the hull of the input.
+  Simplify,   ///< An enclosure of at most so many facets.
+};
+/// "enclosure" and the like.
+[[nodiscard]] const char* name_of(Asks asks);
+
+struct Promise {
+  Asks asks = Asks::Simplify;
+  /// What the numbers of inputs and outputs are. Inputs are rounded to them before they are
+  /// written; a decimal in an output means the nearest one.
+  Precision numbers = Precision::Binary64;
+  Tolerance tolerance = {};  ///< Violations up to this distance pass.
+  bool allow_flat = false;   ///< Inputs without volume may be accepted.
+  std::optional<std::size_t> max_facets = {}, max_vertices = {}, max_facet_vertices = {};
+};
+
+/// A promise that is known by a name, such as that of an engine.
+struct Profile {
+  std::string name, title;
+  Promise promise;
+};
+
+/// The bytes of a file, which may be malformed, and the extension that says how to read them.
+struct RawFile {
+  std::string bytes;
+  std::string extension;  ///< Without a dot.
+};
+
+/// What is the hull?
+struct HullQuestion {
+  std::size_t facets, vertices;
+  Rational volume;
+};
+
+/// What does the greedy removal of halfspaces lead to?
+struct SimplifyQuestion {
+  std::size_t faces;               ///< How many to keep.
+  std::size_t facets;              ///< How many are left; more than `faces` if not `reached`.
+  bool reached;                    ///< False if every further removal would be unbounded.
+  std::optional<Rational> volume;  ///< The rest is known only together with the volume.
+  std::vector<Rational> costs;     ///< Of each step.
+  std::vector<std::vector<Halfspace>> ties;  ///< For each step the tied halfspaces; none if one.
+};
+
+/// What is to be said of a candidate?
+struct VerifyQuestion {
+  Candidate candidate;
+  std::optional<std::size_t> max_facets, max_vertices, max_facet_vertices;
+  std::vector<std::pair<ClaimCode, Status>> claims;  ///< Those whose status is known.
+  struct Outside {
+    std::size_t points;
+    Rational squared_distance;  ///< Of the worst one; 0 if none is outside.
+  };
+  std::optional<Outside> outside;
+};
+
+/// Is the input refused, and why?
+struct RefuseQuestion {
+  ErrorCode error;               ///< Malformed, NotFinite or NoInterior.
+  std::optional<int> dimension;  ///< Of points that span no volume.
+  /// The points of a malformed file whose points are sound: of its faces a program that reads
+  /// points only knows nothing.
+  std::optional<PointSet> points = {};
+};
+/// What {faces} stands for in a run on an input that is to be refused.
+inline constexpr std::size_t kFacesOfRefusals = 8;
+
+struct TestVector {
+  std::string id, title;
+  int level = 1;  ///< 1 everyday, 2 hard, 3 cruel.
+  bool required = true;
+  std::vector<std::string> flags;  ///< docs/flags has a page for each.
+  std::variant<PointSet, HalfspaceList, RawFile> input;
+  std::variant<HullQuestion, SimplifyQuestion, VerifyQuestion, RefuseQuestion> question;
+};
+
+/// How a program did on a vector, from the gravest on. A run that ends well can fail in several of
+/// the ways from UnreadableOutput on.
+enum class Outcome {
+  NotStarted,            ///< There is no such program.
+  TimedOut,              ///< It did not end in time.
+  OutOfMemory,           ///< It failed for want of memory.
+  Crashed,               ///< A signal ended it.
+  AcceptedUnusable,      ///< Exit code 0 for an input that encloses no volume or cannot be read.
+  WrongExit,             ///< Another exit code for a usable input.
+  MissingOutput,         ///< Exit code 0 and no output.
+  UnreadableOutput,      ///< The output is malformed or not finite.
+  NoSolid,               ///< The output is empty, flat or unbounded.
+  NotEnclosing,          ///< The output misses a point of the input.
+  NotInside,             ///< The output, an inner solid by promise, sticks out of the input's hull.
+  TooLoose,              ///< The output is larger than any enclosure of so many facets need be.
+  BrokenMesh,            ///< The output's surface has holes, or looks inward.
+  NotConvex,             ///< The output's faces are not the surface of the hull of its points.
+  NotTheHull,            ///< The output, a hull by promise, has a corner that is no input point.
+  TooManyFacets,         ///< More facets than asked for or promised.
+  TooManyVertices,       ///< More corners than promised.
+  TooManyFacetVertices,  ///< A facet of more corners than promised.
+  Passed,
+};
+inline constexpr std::array kAllOutcomes = {
+    Outcome::NotStarted,    Outcome::TimedOut,         Outcome::OutOfMemory,
+    Outcome::Crashed,       Outcome::AcceptedUnusable, Outcome::WrongExit,
+    Outcome::MissingOutput, Outcome::UnreadableOutput, Outcome::NoSolid,
+    Outcome::NotEnclosing,  Outcome::NotInside,        Outcome::TooLoose,
+    Outcome::BrokenMesh,    Outcome::NotConvex,        Outcome::NotTheHull,
+    Outcome::TooManyFacets, Outcome::TooManyVertices,  Outcome::TooManyFacetVertices,
+    Outcome::Passed};
+
+/// "timed-out" and the like: stable, in messages and in JSON.
+[[nodiscard]] const char* name_of(Outcome outcome);
+
+/// One way in which a run failed.
+struct Failure {
+  Outcome outcome;
+  std::string sentence;      ///< What was found, for people.
+  bool is_rounding = false;  ///< Explained by the rounding of the output's numbers.
+  /// How bad it is among failures of its kind: a squared distance over the squared diameter, or
+  /// how many times the allowed volume or number.
+  Rational size = 0;
+};
+/// Gross failures come before those by rounding, graver outcomes before others, larger before
+/// smaller.
+[[nodiscard]] bool is_graver(const Failure& a, const Failure& b);
+
+struct Conformance {
+  std::vector<Failure> failures;   ///< The gravest first; none if the vector is passed.
+  std::string sentence;            ///< That of the first failure, or how it passed.
+  std::vector<std::string> notes;  ///< What rounding explains, or the promise allows.
+  std::optional<Outside> outside;  ///< Of the input's points, if there is a solid.
+  /// How many corners of the input's hull are outside by more than 10^(k-1) and up to 10^k times
+  /// the diameter, by k.
+  std::map<int, std::size_t> outside_by_decade;
+  /// Volume of the output over that of the exact greedy result if a simplification is asked for and
+  /// the vector knows it, else over that of the input's hull. 1 is as tight as that, less tighter.
+  std::optional<Rational> tightness;
+  /// The square of the Hausdorff distance to the input's hull over the square of the diameter.
+  std::optional<Rational> relative_squared_hausdorff;
+
+  Outcome outcome() const { return failures.empty() ? Outcome::Passed : failures.front().outcome; }
+};
+
+/// Why a vector is not put to a program.
+enum class NotRun {
+  AsksOtherwise,     ///< It asks what the program does not answer, or the same input comes twice.
+  OtherFormat,       ///< The input format cannot hold it.
+  OtherNumbers,      ///< In binary32 it would overflow, become flat or cease to be flat.
+  BeyondTheProgram,  ///< Its hull has more facets or corners than the program handles by promise.
+};
+inline constexpr std::array kAllNotRun = {NotRun::AsksOtherwise, NotRun::OtherFormat,
+                                          NotRun::OtherNumbers, NotRun::BeyondTheProgram};
+[[nodiscard]] const char* name_of(NotRun reason);
+
+/// Whether another of the vectors asks for the hull of the same points. One of the two is enough
+/// for a program of which no simplification is asked.
+[[nodiscard]] bool repeats_hull_vector(const TestVector& vector,
+                                       std::span<const TestVector> vectors);
+
+/// The vector as it is put to a program that promises this: the input in the program's numbers.
+/// Where that changes the input, the known counts of a hull are computed anew and other known
+/// answers left out.
+[[nodiscard]] std::variant<TestVector, NotRun> as_put(const TestVector& vector,
+                                                      const Promise& promise);
+
+/// Judges a run.
+///
+/// A vector that asks `refuse` is passed by ending in time with an exit code other than 0. If only
+/// the faces of its file are malformed, also by an output that is right for its points: a program
+/// that reads points only does not see them.
+///
+/// Other vectors are passed by an output of which every claim of verify() holds that applies, and
+/// what the promise asks; docs/conform.md has the whole list. Two things are forgiven. A face may
+/// be bent, or off the surface of the hull, by what 16 units in the last place of the largest
+/// coordinate explain (is_explained()); and an output of which no facet can go without leaving it
+/// unbounded does not have too many: which of tied removals comes first decides where a greedy run
+/// ends.
+/// @param vector  As as_put() gives it.
+/// @param output  What the program wrote, if there is a file.
+/// @param stop    When it becomes true: Error Stopped.
+[[nodiscard]] Conformance judge_run(const TestVector& vector, const Promise& promise,
+                                    const ProgramRun& run, const ProgramLimits& limits,
+                                    const std::optional<Candidate>& output,
+                                    const std::atomic<bool>* stop = nullptr);
+
+}  // namespace convexact

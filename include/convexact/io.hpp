@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// io.hpp - meshes and halfspaces from files and to files.
+#pragma once
+#include <array>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "convexact/halfspace.hpp"
+#include "convexact/mesh.hpp"
+#include "convexact/number.hpp"
+
+namespace convexact {
+
+/// All bytes of the file at `path`; "-" is standard input.
+/// @throws Error Unreadable if it does not exist, is a directory or cannot be read.
+[[nodiscard]] std::string read_bytes(const std::string& path);
+
+/// How errors call the file: the path, or "standard input" for "-".
+[[nodiscard]] std::string display_name(const std::string& path);
+
+struct ReadOptions {
+  /// What the decimals of text formats mean; Nearest32 rounds the numbers of binary formats too.
+  Decimal decimal = Decimal::Nearest;
+  /// Unset: by the path's extension if it is a known one, else by content.
+  std::optional<MeshFormat> format = {};
+};
+
+/// The mesh that the bytes of a file spell.
+/// @throws Error Malformed, naming line (binary: byte offset) and what was expected; NotFinite for
+///         NaN, infinity and numbers beyond the largest double or, if asked, binary32 number.
+/// @par Cost  Linear. A declared count is compared with the size of the input before anything is
+///            allocated for it, so memory is linear in the bytes too.
+[[nodiscard]] Mesh read_mesh_bytes(std::string_view bytes, const ReadOptions& options = {});
+
+/// The mesh in a file; "-" is standard input.
+/// @throws Error as read_mesh_bytes, with the path in front; Unreadable as read_bytes.
+[[nodiscard]] Mesh read_mesh(const std::string& path, const ReadOptions& options = {});
+
+enum class Encoding {
+  Text,    ///< Shortest decimals whose nearest double is the coordinate.
+  Binary,  ///< PLY: little-endian, float or double by the precision. STL: always float.
+};
+
+struct MeshWriteOptions {
+  Precision precision = Precision::Binary64;  ///< Every coordinate must be a number of it already.
+  Encoding encoding = Encoding::Text;         ///< OBJ and OFF know text only.
+};
+
+/// The bytes of a file that read_mesh_bytes reads as the same points, polygons and, for OBJ and STL
+/// as text, parts. STL keeps triangles and the points that they use: a polygon becomes a fan from
+/// its first corner, and equal points become one. XYZ keeps the points alone.
+/// @param mesh   Binary points; polygons of at least 3 valid indices; parts that follow each other
+///               and hold every polygon (or none at all).
+/// @throws Error Unrepresentable if a coordinate is no number of the precision (STL in binary: of
+///               binary32), if the points are rationals, or if there are 2^31 points or more;
+///               InvalidArgument for OBJ or OFF in binary and for names with line ends.
+[[nodiscard]] std::string write_mesh(const Mesh& mesh, MeshFormat format,
+                                     const MeshWriteOptions& options = {});
+
+/// A halfspace in binary64 or binary32: n1, n2, n3, d.
+using BinaryHalfspace = std::array<double, 4>;
+
+enum class HalfspaceFormat {
+  Json,  ///< {"halfspaces": [[n1, n2, n3, d], ...]}, see halfspace_json.hpp
+  Ine,   ///< cdd and lrs, see ine.hpp
+  Rows,  ///< Lines "n1 n2 n3 d", see halfspace_rows.hpp
+};
+
+/// By the extension .json, .ine or .txt in any case; nothing for any other path.
+[[nodiscard]] std::optional<HalfspaceFormat> halfspace_format_of_path(const std::string& path);
+
+/// JSON if the first character opens an object or array; .ine if a line says so; rows if the first
+/// line that is not a comment has four numbers; else no halfspaces.
+[[nodiscard]] std::optional<HalfspaceFormat> halfspace_format_of_content(std::string_view bytes);
+
+/// @throws Error as read_halfspaces_json, read_ine and read_halfspace_rows.
+[[nodiscard]] HalfspaceList read_halfspaces_bytes(std::string_view bytes, HalfspaceFormat format,
+                                                  Decimal decimal = Decimal::Nearest);
+
+/// @throws Error as read_halfspaces_bytes, with the path in front; Unreadable as read_bytes.
+[[nodiscard]] HalfspaceList read_halfspaces(const std::string& path, HalfspaceFormat format,
+                                            Decimal decimal = Decimal::Nearest);
+
+/// The bytes from which the same halfspaces are read.
+[[nodiscard]] std::string write_halfspaces(std::span<const Halfspace> halfspaces,
+                                           HalfspaceFormat format);
+/// The same for finite doubles, as shortest decimals: to be read with Decimal::Nearest.
+[[nodiscard]] std::string write_halfspaces(std::span<const BinaryHalfspace> halfspaces,
+                                           HalfspaceFormat format);
+
+/// Each file is written beside its target under another name; commit() moves all into place.
+/// Unless that succeeds, every target stays as it was and nothing new is left behind.
+class AtomicOutput {
+ public:
+  AtomicOutput() = default;
+  ~AtomicOutput();
+  AtomicOutput(const AtomicOutput&) = delete;
+  AtomicOutput& operator=(const AtomicOutput&) = delete;
+
+  /// Writes `bytes` to the disk, for `path` to hold after commit(). A symbolic link stays one: the
+  /// file that it points to is replaced. A file that exists keeps its permissions.
+  /// After an error every file added so far is forgotten, and removed.
+  /// @throws Error Unwritable if the folder does not exist or cannot be written to, or if the
+  ///               target is a folder or another thing that is no regular file;
+  ///               InvalidArgument if `path` was added before.
+  void add(const std::string& path, std::string_view bytes);
+
+  /// Moves all files into place and then calls `last`, if there is one: the step of the run that
+  /// must succeed with them, such as telling of them.
+  /// @throws Error Unwritable, or what `last` throws, after undoing the moves made so far.
+  void commit(const std::function<void()>& last = {});
+
+ private:
+  struct File {
+    std::string path;       // as the caller gave it, for messages
+    std::string target;     // without symbolic links
+    std::string temporary;  // empty once it has been moved
+    std::string backup;     // another name of the file that was replaced; empty: there was none
+    bool moved = false;
+  };
+
+  static void write_temporary(File& file, std::string_view bytes);
+  static void keep_replaced(File& file);
+  void undo() noexcept;
+  std::vector<File> files_;
+};
+
+}  // namespace convexact

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// measure.hpp - volume, surface area, mean width, distance and box of solids.
+#pragma once
+#include <atomic>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "convexact/hull.hpp"
+#include "convexact/number.hpp"
+#include "convexact/point_set.hpp"
+#include "convexact/polytope.hpp"
+#include "convexact/watch.hpp"
+
+namespace convexact {
+
+/// low <= x <= high in each coordinate; exact.
+struct BoundingBox {
+  RationalPoint low, high;
+
+  RationalVector3 size() const { return high - low; }
+  /// Square of the diagonal: what the project calls the diameter of an input.
+  Rational squared_diameter() const { return size().squaredNorm(); }
+};
+
+/// The smallest box around n >= 1 points. @throws Error InvalidArgument if there is none.
+[[nodiscard]] BoundingBox bounding_box(std::span<const RationalPoint> points);
+[[nodiscard]] BoundingBox bounding_box(const PointSet& points);
+
+/// Exact volume, in cubed length units: the sum over the facets of height times area over 3, where
+/// the roots in both cancel. Balanced, because the vertices of a simplified polytope hardly share
+/// denominators.
+/// @par Cost    O(corners) short products; the last additions are as long as the result.
+/// @par Source  docs/measures.md
+[[nodiscard]] Rational volume(const Polytope& polytope);
+
+/// The same to a relative width of about 2^-precision, without long numbers: no term is negative,
+/// because heights are measured from a vertex.
+[[nodiscard]] Enclosure enclose_volume(const Polytope& polytope, long precision);
+
+/// Exact volume of a hull, in cubed length units. Points that are doubles are integers times a
+/// common power of two, so the sum over the facets needs no fraction until the end.
+/// @par Cost  O(corners) products of integers as long as the spread of the coordinates.
+[[nodiscard]] Rational volume(const Hull& hull, const PointSet& points);
+
+/// factor * sqrt(radicand), radicand > 0.
+struct RootTerm {
+  Rational factor;
+  Integer radicand;
+};
+
+/// Exact area of each facet, in squared length units; radicand = n.n of the facet's primitive
+/// normal direction.
+[[nodiscard]] std::vector<RootTerm> facet_areas(const Polytope& polytope, const Watch& watch = {});
+
+/// The sum of root terms. Relative width about 2^-precision if no factor is negative.
+[[nodiscard]] Enclosure enclose_sum(const std::vector<RootTerm>& terms, long precision);
+
+/// Surface area in squared length units, relative width about 2^-precision.
+/// @par Cost    O(corners) exact products, then one root per facet.
+[[nodiscard]] Enclosure surface_area(const Polytope& polytope, long precision,
+                                     const Watch& watch = {});
+
+/// The width of the polytope between two parallel planes, averaged over all directions, in length
+/// units: the sum over the edges of length times exterior dihedral angle, over 4 pi. A ball
+/// of diameter D has D, a cube of side a has 3a/2. Relative width about 2^-precision.
+/// @throws Error Stopped, as the watch says.
+/// @par Cost    Two roots and one arctangent per edge.
+/// @par Source  [Schneider2014, sec. 4.2]; docs/measures.md derives it.
+[[nodiscard]] Enclosure mean_width(const Polytope& polytope, long precision,
+                                   const Watch& watch = {});
+
+/// Finds the nearest point of one polytope. Space outside is divided into the regions of points
+/// that are nearest to one facet, edge or vertex; each is bounded by planes, so that only signs of
+/// integers are needed to find the right one, and it proves itself. Not for several threads at
+/// once.
+/// @par Source  [LinCanny1991]; [Rockafellar1970, thm. 27.4] for the proof.
+class NearestPoint {
+ public:
+  /// Keeps a reference. @par Cost  O(E log E), without an exact plane: those of a feature are
+  ///                             computed when it is first asked about.
+  explicit NearestPoint(const Polytope& polytope);
+
+  /// The unique point of the polytope nearest to x; x itself if inside or on the boundary.
+  /// @par Cost  Of x outside: a product in doubles per facet, then a few signs for each feature of
+  ///            the visible facets, those first that are next to the facet x is farthest beyond.
+  ///            Of x inside: the products, and a sign where these leave it open.
+  RationalPoint operator()(const RationalPoint& x) const;
+
+ private:
+  struct Homogeneous;
+  // A facet's side from vertex `tail` to vertex `head`.
+  struct HalfEdge {
+    std::uint32_t tail, head, twin, facet;
+  };
+  // Two planes through its tail, once they are computed.
+  struct EdgePlanes {
+    std::optional<Halfspace> side;  // holds what projects to the facet's side of the edge
+    std::optional<Halfspace> end;   // perpendicular to it; holds what does not lie towards `head`
+  };
+
+  // A plane in doubles with a normal of length 1, for coordinates relative to the first vertex.
+  struct NearPlane {
+    Vector3<double> n;
+    double d;
+  };
+
+  std::optional<std::uint32_t> visible_facet(const RationalPoint& x,
+                                             const Homogeneous& homogeneous) const;
+  RationalPoint nearest_around(std::uint32_t visible, const RationalPoint& x,
+                               const Homogeneous& homogeneous) const;
+  const Halfspace& side(std::uint32_t half_edge) const;
+  const Halfspace& end(std::uint32_t half_edge) const;
+  bool in_facet_region(std::uint32_t facet, const Homogeneous& x) const;
+  bool in_edge_region(std::uint32_t half_edge, const Homogeneous& x) const;
+  bool in_vertex_region(std::uint32_t vertex, const Homogeneous& x) const;
+
+  const Polytope& polytope_;
+  std::vector<NearPlane> near_planes_;
+  std::vector<HalfEdge> half_edges_;
+  mutable std::vector<EdgePlanes> edge_planes_;        // as half_edges_; filled by side() and end()
+  std::vector<std::vector<std::uint32_t>> of_facet_;   // half-edges around each facet
+  std::vector<std::vector<std::uint32_t>> of_vertex_;  // half-edges out of each vertex
+};
+
+/// The Hausdorff distance between a polytope and one inside it, with the pair that attains it.
+struct HausdorffDistance {
+  Rational squared;       ///< Exact, in squared length units.
+  std::uint32_t vertex;   ///< Of the outer polytope, the lowest index on a tie.
+  RationalPoint nearest;  ///< Its nearest point of the inner polytope.
+};
+
+/// The distance to a convex set is a convex function, so on the outer polytope it is largest at one
+/// of its vertices; and no point of the inner one is away from the outer one. Precondition: `outer`
+/// contains `inner`.
+/// @throws Error Stopped when `stop` becomes true.
+/// @par Cost  NearestPoint for each outer vertex that is no inner one.
+[[nodiscard]] HausdorffDistance hausdorff_distance(const Polytope& outer, const Polytope& inner,
+                                                   const std::atomic<bool>* stop = nullptr);
+
+}  // namespace convexact

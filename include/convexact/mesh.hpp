@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// mesh.hpp - what a mesh file holds, and the formats that there are.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "convexact/point_set.hpp"
+
+namespace convexact {
+
+/// A named part of a file: the polygons [first, last) under one `o` or `g` line of an OBJ, or one
+/// `solid` of an STL. Other formats have a single part with an empty name.
+struct MeshPart {
+  std::string name;
+  std::size_t first_polygon;
+  std::size_t last_polygon;
+};
+
+/// Points and polygons as the file gives them; polygons index points from 0.
+struct Mesh {
+  PointSet points;
+  std::vector<std::vector<std::uint32_t>> polygons;
+  std::vector<MeshPart> parts;
+};
+
+enum class MeshFormat {
+  Obj,
+  Off,
+  Ply,
+  Stl,
+  Xyz,  ///< Points only.
+};
+
+/// By the extension .obj, .off, .ply, .stl or .xyz in any case; nothing for any other path.
+[[nodiscard]] std::optional<MeshFormat> mesh_format_of_path(const std::string& path);
+
+/// By the first bytes, and for a binary STL by its size; what nothing else claims is OBJ.
+[[nodiscard]] MeshFormat mesh_format_of_content(std::string_view bytes);
+
+}  // namespace convexact

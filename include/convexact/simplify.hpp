@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// simplify.hpp - the main job: enclose a shape in few halfspaces and prove that they hold it.
+#pragma once
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "convexact/dual.hpp"
+#include "convexact/hull.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/run.hpp"
+#include "convexact/scene.hpp"
+
+namespace convexact {
+
+struct RunRecord {
+  std::vector<Halfspace> input_halfspaces;  ///< Where the input is halfspaces: all of them.
+  DualHull solid;                           ///< What the run started from.
+  RationalPoint interior;                   ///< Strictly inside the solid.
+  std::vector<InsideProof> inside;          ///< As in HullCertificate.
+  std::vector<PointId> extreme;             ///< The points that are the solid's vertices.
+  bool is_greedy = true;                    ///< Whether each removal is claimed to be the cheapest.
+  std::vector<Step> steps;                  ///< With ties where it is greedy.
+  std::vector<Evaluation> evaluations;      ///< In the order in which they were made.
+};
+
+enum class Engine {
+  Exact,     ///< Rationals and integers everywhere: the reference.
+  Filtered,  ///< The same answer; exact numbers only where doubles cannot decide.
+  Float,     ///< Doubles decide which halfspaces go. What is left is proven all the same.
+};
+
+/// What is wanted. At least one of `faces` and `max_growth` must be given.
+struct SimplifyRequest {
+  std::optional<std::size_t> faces;    ///< Halfspaces to keep, >= 4.
+  std::optional<Rational> max_growth;  ///< Volume may grow to (1 + max_growth) times; >= 0.
+  Engine engine = Engine::Filtered;
+  bool trace = false;   ///< Keep the full record of every step. Not for the float engine.
+  bool record = false;  ///< Keep what a proof of the run needs. For every engine.
+  /// How much of each step is proven again. The float engine proves no steps, only the result; Full
+  /// makes the filtered engine keep the record that it needs.
+  VerifyLevel verify = VerifyLevel::Local;
+  std::optional<RationalPoint> center;  ///< Unset: the Chebyshev center. The answer is the same.
+  std::uint64_t seed = 1;               ///< Of every random order. The answer is the same.
+  StoreRequest store;
+  bool exact_volumes = false;  ///< As rationals too, not only their certain digits.
+  /// Called after each removal with the number of halfspaces left and at the start.
+  std::function<void(std::size_t left, std::size_t at_start)> progress;
+  const std::atomic<bool>* stop = nullptr;  ///< When it becomes true: Error Stopped.
+};
+
+struct SimplifyResult {
+  std::size_t input_points = 0;  ///< 0 where the input is halfspaces.
+  std::size_t hull_vertices = 0;
+  std::vector<RedundantHalfspace> redundant;  ///< Of halfspace input.
+  std::size_t input_halfspaces = 0;           ///< Of the hull, redundant ones not counted.
+  std::size_t steps = 0;                      ///< Halfspaces removed.
+  StopReason stop = StopReason::Reached;
+  std::optional<Trace> trace;       ///< If it was asked for, and by the exact engine.
+  std::optional<RunRecord> record;  ///< If it was asked for.
+  StoredSolid solid;                ///< What encloses the input.
+  Measured input_volume;            ///< Of the input's hull, in cubed length units.
+  Measured output_volume;
+  std::size_t tested_points = 0;  ///< Points tested directly against every survivor.
+  Engine engine = Engine::Filtered;
+  VerifyLevel verified = VerifyLevel::Local;
+  std::optional<FloatBound> float_bound;  ///< Of the float engine: what it proves of its errors.
+};
+
+using SimplifyOutcome = std::variant<SimplifyResult, NotSolid>;
+
+/// Runs the stages that the request and the shape need; `log` gets each with its time, or the
+/// reason why it was left out.
+/// @throws Error InvalidArgument for a request that makes no sense or a center that is not strictly
+///         inside; Unrepresentable if a stored format cannot hold the result; Stopped; Internal if
+///         a verification fails.
+[[nodiscard]] SimplifyOutcome simplify(const Shape& shape, const SimplifyRequest& request,
+                                       StageLog& log);
+
+struct HullRequest {
+  bool volume = true, area = true, mean_width = true;  ///< Which measures are asked for.
+  int digits = 10;            ///< Certain decimal digits of each measure, 1 to 10000.
+  bool exact_volume = false;  ///< The volume as a rational too.
+  std::uint64_t seed = 1;     ///< Of every random order. The answer is the same.
+  StoreRequest store;
+  /// Told how many of how many facets or edges a measure has been through.
+  std::function<void(const char* stage, std::size_t done, std::size_t total)> progress = {};
+};
+
+struct HullResult {
+  std::size_t input_points = 0;               ///< 0 where the input is halfspaces.
+  std::vector<RedundantHalfspace> redundant;  ///< Of halfspace input.
+  StoredSolid solid;
+  std::size_t edges = 0;
+  BoundingBox box;    ///< Of the hull.
+  Measured diameter;  ///< Diagonal of the box, in length units.
+  // In cubed, squared and plain length units; each if asked for.
+  std::optional<Measured> volume, area, mean_width;
+};
+
+using HullReport = std::variant<HullResult, NotSolid>;
+
+/// The hull of points, or the solid that halfspaces bound, measured. @throws Error as simplify().
+[[nodiscard]] HullReport measure_hull(const Shape& shape, const HullRequest& request,
+                                      StageLog& log);
+
+}  // namespace convexact

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// stored.hpp - solids rounded outward to doubles, with the proof that nothing is lost.
+#pragma once
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "convexact/halfspace.hpp"
+#include "convexact/mesh.hpp"
+#include "convexact/number.hpp"
+#include "convexact/point_set.hpp"
+#include "convexact/polytope.hpp"
+
+namespace convexact {
+
+/// How rounding changed a solid.
+struct Growth {
+  /// Upper bound of the Hausdorff distance between the exact and the stored solid, divided by the
+  /// diameter of the input (the diagonal of its axis-aligned box). 0 iff they are the same set;
+  /// infinity if it is beyond the largest double.
+  double push = 0;
+  /// Upper bound of the stored solid's volume over the exact one's, from 128 bits; may be below 1,
+  /// because both hold the input but not each other. Infinity beyond the largest double.
+  double volume_ratio = 1;
+};
+
+/// Compares two solids that share an interior point.
+/// The distance of a vertex of the one to the other solid is at most that to the nearest vertex,
+/// and at most that to where the segment to `center` enters; the lesser counts. So the bound is
+/// sharp when vertices move a little, and also when they slide along an edge that is almost flat.
+/// @param center   Strictly inside both.
+/// @param squared_diameter  Of the input; positive.
+/// @par Cost  A double distance for each pair of vertices; exact arithmetic for a few of each
+/// vertex.
+[[nodiscard]] Growth growth(const Polytope& exact, const Polytope& stored,
+                            const RationalPoint& center, const Rational& squared_diameter);
+
+/// The points that lie strictly outside at least one of the halfspaces, ascending. By the
+/// definition of containment alone: nothing is taken from a hull, a dual or a certificate.
+/// @throws Error Stopped when `stop` becomes true.
+/// @par Cost  One product n.x in doubles for each halfspace and block of 128 points, if its proven
+///            error bound settles the block's box; else one for each pair; exact arithmetic only
+///            where that leaves the sign open.
+[[nodiscard]] std::vector<PointId> find_outside(std::span<const Halfspace> halfspaces,
+                                                const PointSet& points,
+                                                const std::atomic<bool>* stop = nullptr);
+
+/// How many these are.
+[[nodiscard]] std::size_t count_outside(std::span<const Halfspace> halfspaces,
+                                        const PointSet& points);
+
+/// Halfspaces n.x + d <= 0 whose numbers are all of the format `precision`, proven on these very
+/// numbers to be bounded and to hold every input point.
+struct StoredPlanes {
+  Precision precision = Precision::Binary64;
+  /// n1, n2, n3, d in the order of the exact halfspaces; the largest |n_k| is in [1/2, 1].
+  std::vector<std::array<double, 4>> planes;
+  /// The same as exact integers. Two near-equal ones may have become equal.
+  std::vector<Halfspace> halfspaces;
+  Growth growth;
+  /// Normals that were not rounded to nearest, because the solid would have become unbounded.
+  std::size_t turned = 0;
+  std::size_t violations = 0;  ///< Input points found outside by the final pass: 0, or it throws.
+};
+
+/// Rounds the halfspaces of a result outward; docs/stored.md has the argument.
+/// (1) Each normal is scaled by a power of two and rounded to nearest. (2) While some ray escapes,
+/// the normals that stopped it before rounding and no longer do are rounded towards it instead,
+/// each at most once. (3) Each offset is the largest of the format that keeps the witnesses inside.
+/// @param exact      The result: full-dimensional, bounded, holding every input point.
+/// @param input      n >= 4 points that span a volume.
+/// @param witnesses  Input points whose hull holds all the others; they fix the offsets.
+/// @throws Error     Unrepresentable if an offset overflows, if no rounding tried is bounded, or if
+///                   the stored solid lies farther from the exact one than that one is long;
+///                   Internal if an input point is found outside.
+/// @par Cost         halfspaces * (witnesses + points) products in doubles, one dual hull.
+[[nodiscard]] StoredPlanes store_planes(const Polytope& exact, const PointSet& input,
+                                        std::span<const PointId> witnesses, Precision precision);
+
+/// A mesh that stands for the convex hull of its points, every coordinate a number of the format
+/// `precision`, proven on these very numbers to hold every input point.
+struct StoredMesh {
+  Precision precision = Precision::Binary64;
+  /// Extreme points; polygons are the maximal facets of their hull, counter-clockwise from outside.
+  Mesh mesh;
+  Growth growth;
+  /// The vertices were scaled by 1 + factor from an interior point before they were rounded: 0, or
+  /// a power of two.
+  double factor = 0;
+  std::size_t violations = 0;  ///< Input points found outside by the final pass: 0, or it throws.
+};
+
+/// Rounds the vertices of a result to nearest, scaled outward by the first rung 1 + f of the ladder
+///   f = 0, u, 2u, 4u, ..., 1     (u = 2^-52 for binary64, 2^-23 for binary32)
+/// for which their hull holds every witness; docs/stored.md has the argument.
+/// @param exact      The result: full-dimensional, bounded, holding every input point.
+/// @param input      n >= 4 points that span a volume.
+/// @param witnesses  Input points whose hull holds all the others.
+/// @throws Error     Unrepresentable if a coordinate overflows, if the ladder ends, or if the
+/// stored
+///                   solid lies farther from the exact one than that one is long; Internal if an
+///                   input point is found outside.
+/// @par Cost         For each rung a hull of the vertices and facets * witnesses products in
+/// doubles;
+///                   facets * points at the end.
+[[nodiscard]] StoredMesh store_mesh(const Polytope& exact, const PointSet& input,
+                                    std::span<const PointId> witnesses, Precision precision);
+
+/// How many input points lie strictly outside the hull of a mesh's points; all of them if these
+/// span no volume. Of what is read back from a file it proves the bytes.
+[[nodiscard]] std::size_t count_outside_hull(const PointSet& mesh_points, const PointSet& input);
+
+}  // namespace convexact

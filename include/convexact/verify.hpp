@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+// verify.hpp - is a candidate a convex solid that contains the input? Decided exactly, with
+// witnesses.
+#pragma once
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "convexact/error.hpp"
+#include "convexact/halfspace.hpp"
+#include "convexact/mesh.hpp"
+#include "convexact/number.hpp"
+#include "convexact/polytope.hpp"
+#include "convexact/scene.hpp"
+
+namespace convexact {
+
+/// A distance, absolute in length units or relative to the diameter of the input. 0 by default:
+/// nothing passes.
+struct Tolerance {
+  Rational value = 0;
+  bool relative = false;
+
+  /// Whether a distance with this square is within the tolerance; exact.
+  bool allows(const Rational& squared_distance, const Rational& squared_diameter) const;
+};
+
+/// "1.00e-9", or "1.00e-9 of the diameter": to three digits.
+[[nodiscard]] std::string describe(const Tolerance& tolerance);
+
+/// The root of an exact square to three digits: "3.47e-16".
+[[nodiscard]] std::string decimal_of_root(const Rational& squared);
+
+/// "1e-9" is absolute, "1e-9d" relative to the diameter; decimals mean what they spell.
+/// @throws Error InvalidArgument for anything else, and for negative numbers.
+[[nodiscard]] Tolerance parse_tolerance(std::string_view text);
+
+/// The least decimal of three significant digits that, as an absolute tolerance, allows distances
+/// with this square: "3.15e-16".
+/// @param squared_distance  Positive.
+[[nodiscard]] std::string least_tolerance(const Rational& squared_distance);
+
+/// A mesh, which stands for the convex hull of its points; halfspaces, which stand for their
+/// intersection; or the error (Malformed or NotFinite) that reading it met.
+using Candidate = std::variant<Mesh, HalfspaceList, Error>;
+
+/// What can be claimed of a candidate; docs/verdicts has a page for each.
+enum class ClaimCode {
+  CandidateReadable,  ///< Its bytes spell a mesh or a list of halfspaces.
+  CandidateFinite,    ///< No NaN, no infinity, no decimal beyond the largest double.
+  CandidateSolid,     ///< It has a 3D interior.
+  CandidateBounded,   ///< It does not extend to infinity.
+  MeshClosed,         ///< Each edge is shared by exactly two faces.
+  MeshOriented,       ///< All faces look outward.
+  MeshPlanar,         ///< Each face is a simple polygon in one plane.
+  MeshConvex,         ///< The faces are the surface of the hull of the vertices.
+  ContainsInput,      ///< No input point lies outside.
+  MaxFacets,          ///< At most so many facets; of a mesh, as meant.
+  MaxVertices,        ///< At most so many vertices, those inside a facet or an edge not counted.
+  MaxFacetVertices,   ///< No facet has more corners.
+};
+inline constexpr std::array kAllClaims = {
+    ClaimCode::CandidateReadable, ClaimCode::CandidateFinite, ClaimCode::CandidateSolid,
+    ClaimCode::CandidateBounded,  ClaimCode::MeshClosed,      ClaimCode::MeshOriented,
+    ClaimCode::MeshPlanar,        ClaimCode::MeshConvex,      ClaimCode::ContainsInput,
+    ClaimCode::MaxFacets,         ClaimCode::MaxVertices,     ClaimCode::MaxFacetVertices};
+
+/// "contains-input" and the like: stable, in messages, in JSON and as the names of the pages.
+[[nodiscard]] const char* name_of(ClaimCode code);
+/// The claim of that name, if there is one.
+[[nodiscard]] std::optional<ClaimCode> claim_of_name(const std::string& name);
+
+enum class Status {
+  Holds,
+  Violated,
+  NotAsked,       ///< Nobody wants to know.
+  NotApplicable,  ///< It has no meaning for this candidate; the sentence says why.
+};
+[[nodiscard]] const char* name_of(Status status);
+
+/// What refutes a claim. Which fields are set depends on the claim, see docs/verdicts; ids count
+/// from 0, faces and rows in the order of the candidate's file.
+struct Witness {
+  std::optional<std::size_t> input_point;    ///< A point of the input.
+  std::vector<std::size_t> vertices;         ///< Points of the candidate.
+  std::vector<std::size_t> faces;            ///< Faces of the candidate's mesh.
+  std::vector<std::size_t> rows;             ///< Rows of the candidate's list of halfspaces.
+  std::optional<std::size_t> line;           ///< Of the candidate's file, from 1.
+  std::optional<Halfspace> plane;            ///< The plane that something is beyond.
+  std::optional<RationalPoint> point;        ///< The coordinates of what is beyond it.
+  std::optional<RationalPoint> nearest;      ///< Of the candidate, the point nearest to `point`.
+  std::optional<RationalVector3> direction;  ///< In which the candidate is unbounded.
+  std::optional<Rational>
+      squared_distance;              ///< Of `point` to `nearest`, else to `plane`; positive.
+  std::optional<std::size_t> count;  ///< How much was found where a budget allows less.
+};
+
+struct Claim {
+  ClaimCode code;
+  Status status;
+  std::string sentence;  ///< What was found, for people.
+  Witness witness;       ///< Empty unless violated, or let pass by a tolerance.
+  /// Whether the request named it, so that it is no success if it is not applicable.
+  bool is_named = false;
+  /// Whether it is violated by `witness.squared_distance` alone, so that such a tolerance lets it
+  /// pass.
+  bool is_by_distance = false;
+
+  bool is_undecided() const { return is_named && status == Status::NotApplicable; }
+};
+
+/// A candidate against the hull of the input. Ratios are candidate over hull; at least 1 if it
+/// contains the input, since all three measures grow with the set.
+struct Tightness {
+  Enclosure volume_ratio, area_ratio, mean_width_ratio;
+  /// Hausdorff distance between the two solids, in squared length units; exact.
+  Rational squared_hausdorff;
+};
+
+/// @param contained  Whether the candidate is known to contain the hull, so that the distance need
+///                   be measured one way only.
+/// @throws Error Stopped when `stop` becomes true.
+/// @par Cost  The measures of both, and hausdorff_distance().
+[[nodiscard]] Tightness measure_tightness(const Polytope& candidate, const Polytope& hull,
+                                          bool contained, const std::atomic<bool>* stop = nullptr);
+
+/// How far each stored coordinate may be from the one that was meant: u.
+struct Slack {
+  Precision precision = Precision::Binary64;  ///< Whose units in the last place count.
+  unsigned ulps_of_largest = 0;  ///< Of the largest coordinate; 0: half one of each coordinate.
+};
+
+/// "half a unit in the last place of each coordinate in binary64" and the like.
+[[nodiscard]] std::string describe(const Slack& slack);
+
+/// The format to whose numbers the coordinates were rounded, as far as they tell: binary32 if all
+/// are numbers of binary32 and one of them needs more than 16 of its 24 bits; else binary64.
+[[nodiscard]] Precision precision_of(const PointSet& points);
+
+/// What rounding in a program may add up to: so many units in the last place of the largest
+/// coordinate.
+inline constexpr unsigned kRoundingUlps = 16;
+
+/// One unit in the last place of a number of the format; of 0, the least positive number.
+[[nodiscard]] Rational unit_in_last_place(Precision precision, const Rational& x);
+
+/// The facets as they were meant, each a list of facets of the solid: the fewest *patches* found. A
+/// patch is a set of facets, connected by edges, all of whose corners some plane comes near:
+/// |n.p + d| <= |n_1| u_1 + |n_2| u_2 + |n_3| u_3, that is, they become coplanar when each
+/// coordinate moves by at most its own u. Such a plane is found by linear programs, exactly.
+///
+/// Where the solid is thinner along n than 1024 times the right side, rounding might explain
+/// anything. There facets stay single, unless all corners of the patch remain corners of the solid
+/// meant: three patches or more meet in each. The vertices of a solid of k facets that were rounded
+/// pass that test; points of a thin cloud, whose facets happen to be nearly coplanar, do not.
+///
+/// Patches grow greedily from the largest facet down (where the solid is thin, once more from the
+/// smallest up), so that there may be fewer. There are at most as many as facets.
+/// @par Cost  Doubles for each edge; for each that may lie inside a patch linear programs with the
+///            patch's corners as rows.
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> planar_patches(const Polytope& solid,
+                                                                     const Slack& slack);
+
+struct VerifyRequest {
+  /// The claims to decide; the budgets are asked by their numbers. Empty: all. Claims that stand
+  /// here and budgets must apply to the candidate for the verdict to hold.
+  std::vector<ClaimCode> claims = {};
+  /// Violations of planarity and convexity up to this distance from a plane, and of containment up
+  /// to this distance from the candidate, pass; they are reported all the same.
+  Tolerance tolerance = {};
+  std::optional<std::size_t> max_facets = {}, max_vertices = {}, max_facet_vertices = {};
+  /// Whether `max_facets` is for the facets of a mesh as they are, not as they were meant.
+  bool exact_facets = false;
+  /// The facets as meant are also looked for with this Slack::ulps_of_largest, if it is not 0; the
+  /// fewer count.
+  unsigned slack_ulps = 0;
+  bool tightness = true;   ///< Whether to measure volume, area, mean width and distance.
+  std::uint64_t seed = 1;  ///< Of every random order. The verdict does not depend on it.
+};
+
+/// The input points that lie outside a candidate.
+struct Outside {
+  std::size_t points = 0;  ///< How many.
+  std::size_t tested = 0;  ///< Of how many.
+  /// (squared distance of the worst one to the candidate) / (squared diameter); nothing if the
+  /// candidate is no bounded solid.
+  std::optional<Rational> relative_squared_distance;
+};
+
+/// What a candidate consists of.
+struct CandidateSize {
+  std::size_t stored_faces = 0;     ///< Faces of the mesh, or rows of the list.
+  std::size_t stored_vertices = 0;  ///< Points of the mesh; 0 for halfspaces.
+  /// Of the solid, if there is one: coplanar faces as one facet, and its corners.
+  std::optional<std::size_t> facets, vertices, most_facet_vertices;
+  /// Of a mesh: the number of planar_patches() with this slack.
+  std::optional<std::size_t> facets_as_meant;
+  Slack slack;
+  /// How many of its facets (of a mesh: as meant) are in facet planes of the input's hull, up to
+  /// kRoundingUlps.
+  std::optional<std::size_t> planes_of_the_input;
+};
+
+/// The least tolerance with which a violated verdict holds.
+struct SmallestTolerance {
+  std::string decimal;  ///< Absolute, rounded up.
+  /// Whether rounding explains it: at most kRoundingUlps of the candidate's largest coordinate (of
+  /// halfspaces: of the largest coordinate of the input).
+  bool is_rounding;
+};
+
+struct Verdict {
+  std::vector<Claim> claims;  ///< One for each of kAllClaims, in that order.
+  CandidateSize size;
+  std::optional<Outside> outside;      ///< If containment was decided.
+  std::optional<Tightness> tightness;  ///< If asked for, and the candidate is a bounded solid.
+  Rational squared_diameter;           ///< Of the input: what tolerances refer to.
+  /// If some claim is violated, and all that are by a distance only.
+  std::optional<SmallestTolerance> smallest_tolerance;
+  std::vector<std::string> notes;  ///< What else people should know; decides nothing.
+
+  const Claim& operator[](ClaimCode code) const;
+  /// Whether no claim is violated, and each that was named is decided.
+  bool holds() const;
+};
+
+using VerifyOutcome = std::variant<Verdict, NotSolid>;
+
+/// Decides every claim about `candidate` exactly. Containment is decided in two ways that share no
+/// predicate: every input point against every plane (find_outside()), and the vertices of the
+/// input's hull each against the candidate's triangle in its direction, or by a linear program for
+/// each of its planes.
+/// @return NotSolid if the *input* has no volume. Whatever is wrong with the candidate is a claim.
+/// @throws Error InvalidArgument for a negative tolerance, and for a budget that `claims` names
+///               without a number; Internal if the two ways disagree or a certificate fails.
+/// @par Cost    Points times planes in doubles, the two hulls, and the measures asked for.
+[[nodiscard]] VerifyOutcome verify(const Shape& input, const Candidate& candidate,
+                                   const VerifyRequest& request, StageLog& log);
+
+}  // namespace convexact

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// verify_run.hpp - is an order of removals greedy? Decided exactly, step by step.
+#pragma once
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "convexact/dual.hpp"
+#include "convexact/halfspace.hpp"
+#include "convexact/run.hpp"
+#include "convexact/verify.hpp"
+
+namespace convexact {
+
+/// Position in RemovalOrder::facets; anything at or beyond its end names no facet.
+using ListedFacet = std::uint64_t;
+inline constexpr ListedFacet kNoListedFacet = std::numeric_limits<ListedFacet>::max();
+
+/// What an order says about one of its steps, as far as it does.
+struct StepClaim {
+  std::optional<Rational> cost;                 ///< Exact, in cubed length units.
+  std::optional<std::vector<ListedFacet>> tie;  ///< All of the least cost, in any order.
+  std::optional<std::uint64_t> left;            ///< Halfspaces after the step.
+};
+
+struct OrderedRemoval {
+  std::size_t row;    ///< Row of a text, step of a JSON trace; counted from 1.
+  std::string text;   ///< What stands there, for messages.
+  ListedFacet facet;  ///< What is removed.
+  StepClaim claim = {};
+};
+
+/// Removals name planes by their positions in a list. Where a file spells out each plane, the list
+/// is what the file spells.
+struct RemovalOrder {
+  /// None for a row with normal 0: no facet has that plane. Any order, repeats allowed.
+  std::vector<std::optional<Halfspace>> facets;
+  /// Whether `facets` is a list of its own, whose rows the ids count: not the input's
+  /// facets, and not the planes removed.
+  bool has_list = false;
+  std::vector<OrderedRemoval> removals;
+  /// Why it says that it ends. Only AllUnbounded is a claim that can be judged.
+  std::optional<StopReason> stop = {};
+};
+
+/// How much dearer than the cheapest: (cost - minimum) / minimum, for costs >= 0. None, infinite,
+/// for cost > 0 against a minimum of 0; 0 if both are 0. (No halfspace of a solid without redundant
+/// ones is free, so in a trace only an unbounded removal has infinite regret.)
+[[nodiscard]] std::optional<Rational> relative_regret(const Rational& cost,
+                                                      const Rational& minimum);
+
+/// One removal, in the state that the removals before it left. Costs in cubed length units.
+struct JudgedStep {
+  std::size_t row;  ///< Of the order.
+  HalfspaceId removed;
+  std::optional<Rational> cost;     ///< Exact; none if the removal is unbounded.
+  std::optional<Rational> minimum;  ///< Of all removals; none if every one is unbounded.
+  std::vector<HalfspaceId> tie;     ///< All of that cost, in canonical order.
+  std::optional<Rational> regret;   ///< relative_regret(); none, infinite, if cost is none.
+
+  bool is_greedy() const { return regret && *regret == 0; }
+  /// Greedy, but not the first of the tie, which is what our engines remove.
+  bool is_other_tie() const { return is_greedy() && removed != tie.front(); }
+};
+
+/// In a word. Steps are counted from 0.
+enum class TraceRating {
+  Greedy,       ///< Every removal is one of the cheapest.
+  UpToRegret,   ///< No regret is above the limit, but some are above 0.
+  NotGreedy,    ///< From step `at` on: the first regret above the limit.
+  Unbounded,    ///< At step `at`: what is left is unbounded.
+  Meaningless,  ///< At step `at`, or from the start: the order cannot be followed.
+};
+
+/// Where a claim fails first.
+struct TraceWitness {
+  std::optional<std::size_t> step;  ///< Counted from 0; none if it is about the file.
+  std::optional<std::size_t> row;   ///< Of the order.
+  std::string found, expected;      ///< Exact numbers, ids in canonical order.
+};
+
+/// A claim with its code, which names a page of docs/verdicts/.
+struct TraceClaim {
+  const char* code;
+  Status status = Status::Holds;
+  std::optional<TraceWitness> witness = {};  ///< If violated.
+};
+
+/// Facets that an order never removes, each at some step cheaper than what it removes there by more
+/// than the limit: left out on purpose, or never listed. And how the order does on the solid
+/// without them, as if they had been removed first.
+struct LeftOut {
+  std::vector<HalfspaceId> facets;  ///< In canonical order; at least one.
+  std::size_t unlisted = 0;         ///< How many of them the order's own list does not have.
+  std::size_t steps = 0;            ///< Steps that are too dear, and one of them is the cheapest.
+  TraceRating rating = TraceRating::Greedy;  ///< This and the rest as in TraceVerdict.
+  std::optional<std::size_t> at, worst;
+  std::optional<Rational> worst_regret;  ///< Of the step `worst`.
+};
+
+/// Planes of an order's list that are facet planes only up to rounding, or not at all.
+struct ListedPlanes {
+  std::size_t rounded = 0;        ///< Taken for the nearest facet: rounding explains how far it is.
+  Rational squared_distance = 0;  ///< The largest of these, from the plane to the facet's corners.
+  std::size_t unknown = 0;        ///< No facet, and none that rounding explains.
+};
+
+struct TraceVerdict {
+  TraceRating rating = TraceRating::Greedy;
+  std::optional<std::size_t> at;      ///< The step that decides a rating below UpToRegret.
+  std::vector<Halfspace> halfspaces;  ///< Of the input, in canonical order; ids are positions.
+  std::size_t removals = 0;           ///< In the order; those behind an end are not judged.
+  std::vector<JudgedStep> steps;      ///< Up to the end, or to the first that is unbounded.
+  std::optional<std::size_t> worst;   ///< The step of the largest regret above 0, the first one.
+  std::size_t other_ties = 0;         ///< Steps that are is_other_tie().
+  Rational max_regret;                ///< The limit.
+  std::vector<TraceClaim> claims;     ///< One per code, in a fixed order.
+  std::vector<HalfspaceId> left_out;  ///< As asked for: gone before the first step.
+  std::optional<LeftOut>
+      never_removed;  ///< If trace-greedy or trace-bounded fails because of some.
+  ListedPlanes listed;
+
+  /// Whether no claim is violated.
+  bool holds() const;
+};
+
+struct JudgeOptions {
+  Rational max_regret = 0;  ///< >= 0.
+  /// Facets that are left out on purpose: the order is judged on the solid without them.
+  std::vector<HalfspaceId> left_out = {};
+  /// Unit roundoff of the numbers in which the order's planes are written: 2^-53 or 2^-24.
+  double unit = 0x1p-53;
+  /// Whether costs are confirmed from their definition, by some ten intersections from scratch.
+  bool confirm = true;
+  const std::atomic<bool>* stop = nullptr;         ///< When it becomes true: Error Stopped.
+  std::function<void(std::size_t)> progress = {};  ///< Called with the number of judged steps.
+};
+
+/// Follows an order to its end, to its first unbounded removal, or to the first row that names no
+/// facet of the solid or one that is gone.
+///
+/// Costs, minima and ties are the filtered engine's, certified by enclosures and exact where it
+/// matters, in the state that *the order* has reached. They are not simply believed: what all
+/// removals cost together is computed again from the volumes of the solid before and after,
+/// intersected from scratch, and compared modulo two random primes; and at the step that decides
+/// (the worst, the unbounded one, else the last) both costs are computed from their definition.
+/// @param center  Strictly inside the solid.
+/// A plane that is no facet plane is the nearest facet's if rounding explains the difference
+/// (facet_match.hpp); the verdict counts these.
+/// @throws Error  InvalidArgument for a negative limit, for a facet that is to be left out and does
+///                not exist, is removed, or bounds the rest; Stopped; Internal if these do not
+///                agree.
+/// @par Cost      A run of the filtered engine and one or two caps as rationals per step, again if
+///                a facet that is never removed is to blame; five intersections from scratch,
+///                expected O(n log n) each. For a plane that is no facet plane linear.
+[[nodiscard]] TraceVerdict judge_trace(const DualHull& solid, const RationalPoint& center,
+                                       const RemovalOrder& order, const JudgeOptions& options = {});
+
+/// The verdict on a file from which no order could be read: everything else is not asked.
+/// @param line  Where it stops making sense, if known.
+[[nodiscard]] TraceVerdict unreadable_trace(const DualHull& solid, const std::string& what,
+                                            std::optional<std::size_t> line);
+
+}  // namespace convexact

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// fast_dual.hpp - the dual hull as the fast engines take it: dual points in doubles with a proven
+// error, exact planes only on demand.
+#pragma once
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "convexact/dual.hpp"
+#include "convexact/hull.hpp"
+#include "fast/triple.hpp"
+#include "number/double_double.hpp"
+
+namespace convexact {
+
+/// A bounded solid as dual points. With c the center and w_i = -(n_i.c + d_i) > 0, dual point i is
+/// P_i = n_i / w_i, each axis scaled by a power of two so that the largest coordinate is in
+/// [1/2, 1]. Scaling an axis multiplies every determinant by one positive constant, so no sign and
+/// no comparison of volumes depends on it.
+///
+/// Two roundings are kept: near(i), a double per coordinate, and near(i) + rest(i), twice as long.
+/// Each coordinate q of P_i, wherever it does not underflow (see plane_filter.hpp), satisfies
+///   |near - q| <= kNearError |near|   and   |near + rest - q| <= kLongError |near|.
+class FastDual {
+ public:
+  static constexpr double kNearError = 0x1p-52;
+  static constexpr double kLongError = 0x1p-85;
+
+  /// Reads the dual off a hull without forming its exact planes: ids are positions
+  /// in hull.facets, *not* canonical. Both arguments must outlive the object.
+  /// @par Cost  Linear; about 0.3 microseconds per facet. Where cancellation would break the bound
+  ///            (a facet normal close to, but not in, a coordinate plane), exact numbers step in.
+  static FastDual of(const Hull& hull, const PointSet& points);
+  static FastDual of(Hull&&, const PointSet&) = delete;
+  /// From exact planes; ids are theirs. `solid` must outlive the object.
+  /// @param center  Strictly inside. @throws Error InvalidArgument if it is not.
+  static FastDual of(const DualHull& solid, const RationalPoint& center);
+  static FastDual of(DualHull&&, const RationalPoint&) = delete;
+
+  FastDual(FastDual&&) noexcept;
+  ~FastDual();
+
+  std::size_t size() const { return near_.size(); }
+  /// A closed triangulated sphere, 2 size() - 4 triangles.
+  std::span<const DualTriangle> triangles() const { return triangles_; }
+  /// Of half-edge 3 t + c, which leaves corner c of triangle t, the opposite one.
+  std::span<const std::uint32_t> twins() const { return twins_; }
+  const Triple<double>& near(HalfspaceId i) const { return near_[i.index()]; }
+  const Triple<double>& rest(HalfspaceId i) const { return rest_[i.index()]; }
+  Triple<DoubleDouble> long_point(HalfspaceId i) const {
+    const Triple<double>&a = near(i), &b = rest(i);
+    return {{a.x, b.x}, {a.y, b.y}, {a.z, b.z}};
+  }
+  /// The vertices of the solid that lie on plane i, as ascending numbers: planes with a common
+  /// number have a common point.
+  std::span<const std::uint32_t> incidences(HalfspaceId i) const {
+    return {incident_.data() + incident_start_[i.index()],
+            incident_.data() + incident_start_[i.index() + 1]};
+  }
+  /// Volumes in these coordinates times 2^this are volumes in the caller's cubed length unit.
+  long volume_exponent() const { return long{frame_[0]} + frame_[1] + frame_[2]; }
+
+  /// The halfspace itself; formed at the first call. Not to be called from two threads.
+  const Halfspace& exact(HalfspaceId i) const;
+  /// How many halfspaces have been formed so far.
+  std::size_t formed() const;
+  /// Whether i stands before j in canonical order.
+  bool precedes(HalfspaceId i, HalfspaceId j) const;
+  /// As precedes(), without exact numbers where a symmetry of the axes seems to carry one normal to
+  /// the other: their primitive normals are then equally long, so the directions, in doubles, are
+  /// in the same order. For choices that need no proof.
+  bool seems_to_precede(HalfspaceId i, HalfspaceId j) const;
+  /// Strictly inside: the point that the dual refers to.
+  const RationalPoint& center() const { return center_; }
+
+ private:
+  friend class FastDualBuilder;
+  FastDual();
+  struct Planes;
+  std::array<double, 3> direction(HalfspaceId i) const;
+
+  std::vector<Triple<double>> near_, rest_;
+  std::vector<DualTriangle> triangles_;
+  std::vector<std::uint32_t> twins_;
+  std::vector<std::uint32_t> incident_, incident_start_;
+  std::array<int, 3> frame_{0, 0, 0};           // caller's length = length here * 2^frame
+  std::array<double, 3> axis_weight_{1, 1, 1};  // 2^-frame over the largest of the three
+  RationalPoint center_;
+  std::unique_ptr<Planes> planes_;
+};
+
+}  // namespace convexact

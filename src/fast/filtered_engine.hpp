@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// filtered_engine.hpp - the greedy simplification at float speed, with the exact engine's answer.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "convexact/run.hpp"
+#include "fast/dual_signs.hpp"
+#include "fast/fast_dual.hpp"
+#include "fast/float_bound.hpp"
+
+namespace convexact {
+
+/// One removal, without the numbers that no one asked for.
+struct FastStep {
+  HalfspaceId removed;
+  /// How many halfspaces have this exact cost, `removed` included; in the float engine, how many
+  /// have costs that doubles cannot tell apart, or 1 where they are more than it looks at.
+  std::uint32_t tied;
+  /// The cost, enclosed by the filtered engine and estimated by the float engine (then both are
+  /// equal), in units of 2^FastDual::volume_exponent() cubed length units. Where it is beyond the
+  /// largest double the upper end is infinite.
+  double cost_lower, cost_upper;
+};
+
+/// How often which arithmetic was needed.
+struct FastCounts {
+  SignCounts signs;               ///< Of the loop, not of the verification.
+  std::uint64_t evaluations = 0;  ///< Caps enclosed by doubles.
+  std::uint64_t doubtful = 0;     ///< Of these, caps that doubles could not enclose.
+  std::uint64_t extended = 0;     ///< Caps enclosed again by DoubleDouble.
+  std::uint64_t congruent = 0;    ///< Caps found to be congruent to one that they may tie with.
+  std::uint64_t exact = 0;        ///< Caps computed as rationals.
+};
+
+struct FastResult {
+  std::vector<FastStep> steps;
+  std::vector<HalfspaceId> survivors;   ///< Ascending.
+  std::vector<DualTriangle> triangles;  ///< Their dual hull.
+  StopReason stop = StopReason::Reached;
+  FastCounts counts;
+  std::optional<FloatBound> bound;  ///< Of the float engine.
+};
+
+/// Removes one halfspace after another, each time the one whose removal adds the least volume; of
+/// equal ones the first in canonical order. The same removals as simplify_exact(), by other means:
+/// see docs/design/filtered.md.
+/// @param options  As for simplify_exact(). VerifyLevel::Full counts as Local here.
+/// @throws Error   As simplify_exact().
+/// @par Cost       About k^2 flops per evaluated cap of a ring of k <= 16, O(k) above; per removal
+///                 two to three caps are evaluated and a heap is sifted as often.
+/// @par Source     [Jacobson2026], [Minoux1978]
+[[nodiscard]] FastResult simplify_filtered(const FastDual& dual,
+                                           const SimplifyOptions& options = {});
+
+/// The same with the full record of every step: exact costs, ties, rings and triangles. Equals
+/// simplify_exact() but for the choice among triangulations, and so among rings, where planes share
+/// a point.
+/// @param center  Strictly inside the solid.
+[[nodiscard]] Simplification simplify_filtered(const DualHull& solid, const RationalPoint& center,
+                                               const SimplifyOptions& options = {});
+
+}  // namespace convexact

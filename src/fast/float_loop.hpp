@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: MIT
+// float_loop.hpp - the greedy loop in any floating-point arithmetic, without exact numbers.
+#pragma once
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "convexact/error.hpp"
+#include "convexact/number.hpp"
+#include "fast/filtered_engine.hpp"
+#include "fast/half_edge_mesh.hpp"
+#include "fast/lazy_queue.hpp"
+#include "fast/ring_cap.hpp"
+#include "fast/solid_volume.hpp"
+
+namespace convexact {
+
+template <class Arithmetic>
+concept HasLonger = requires {
+  typename Arithmetic::Longer;
+};
+
+// RingCap<Arithmetic::Longer>, or nothing.
+template <class Arithmetic>
+struct LongerCapOf {
+  using Type = std::monostate;
+};
+template <HasLonger Arithmetic>
+struct LongerCapOf<Arithmetic> {
+  using Type = RingCap<typename Arithmetic::Longer>;
+};
+template <class Arithmetic>
+using LongerCap = typename LongerCapOf<Arithmetic>::Type;
+
+/// Whether the ends of a cap are too far apart to be worth much as a bound.
+template <class Scalar>
+bool is_loose(const CapEstimate<Scalar>& cap) {
+  constexpr double kLoose = 1 + FloatBound::kMost / 4;
+  return !(cap.upper <= Scalar(kLoose) * cap.lower);
+}
+
+/// Arithmetic provides
+///   Scalar                              + - * / < > <= and, by leading(), the nearest double
+///   Triple<Scalar> point(HalfspaceId)   the dual point, off by at most 2 unit() per coordinate
+///   double unit()                       the relative error of one operation, at most 2^-24
+/// and, if there is a longer arithmetic for the caps that this one does not find bounded,
+///   Longer                              such a type, without a Longer of its own
+///   const Longer& longer()
+/// and, if the run is to know its own error (FastResult::bound),
+///   const DualSigns& signs()            asked where this arithmetic is not sure of a sign of T
+///
+/// Signs of H are taken as they come out, and costs as CapEstimator computes them. Three guards,
+/// all relative to the size of what is computed (PlaneFilter), keep the result sound:
+/// - Existence: a halfspace is removed only if every D of its cap is beyond its error bound.
+/// - Laziness: a changed cap is looked at again when its *lower end* comes to the top, not its
+///   estimate, unless both are nearly the same; an ill-conditioned cap has a low one. (Without this
+///   guard an estimate that is too high would never be looked at again.)
+/// - Doubt: a cap that is not found bounded, be it that some D is too close to zero or that T is
+///   wrong, or its ends far apart, is looked at in the longer arithmetic. If that does not find it
+///   bounded either, it is put off until its ring changes. (Facets that would be one, had their
+///   vertices not been rounded, have dual points a few roundings apart.)
+///
+/// It ends: each pass removes a halfspace, evaluates a stale cap or stops, and RingTriangulator
+/// ends whatever the signs. The surface stays a sphere around the center: the new triangles of a
+/// removal cover, seen from the center, what the old ones covered, because all are proven to be
+/// positively oriented and have the same rim. So the center stays strictly inside the hull of the
+/// dual points that are left, and the solid stays bounded. Nor does a ring get shorter than three:
+/// two triangles on the same three dual points would have opposite orientations.
+template <class Arithmetic>
+class FloatLoop {
+ public:
+  using Scalar = typename Arithmetic::Scalar;
+
+  FloatLoop(const FastDual& dual, const Arithmetic& arithmetic, const SimplifyOptions& options);
+  FastResult run();
+
+  /// Six times the cost of a removal that run() made, as it was found.
+  const Scalar& six_times_cost(HalfspaceId removed) const { return estimate_[removed.index()]; }
+
+ private:
+  void prepare(HalfspaceId i);
+  void load(HalfspaceId i);
+  const Scalar& evaluate(HalfspaceId i);
+  template <class Number>
+  void keep(HalfspaceId i, const CapEstimate<Number>& cap);
+  template <class Number>
+  void watch(HalfspaceId i, const CapEstimate<Number>& cap, bool is_right);
+  bool is_unbounded_by_signs() const;
+  Scalar six_times_volume();
+  std::optional<HalfspaceId> choose();
+  bool collect_tie(HalfspaceId top);
+  void remove(HalfspaceId i);
+
+  const FastDual& dual_;
+  const Arithmetic& arithmetic_;
+  const SimplifyOptions& options_;
+  HalfEdgeMesh mesh_;
+  // Keys are estimates where fresh and lower ends where stale. Where these hardly differ, as
+  // mostly, the key stays as it is and State says so; and it says whether it took the longer way.
+  enum State : unsigned char { kFresh = 0, kStale = 1, kWide = 2, kLonger = 4 };
+  const Scalar infinity_ = Scalar(std::numeric_limits<double>::infinity());
+  const Scalar narrow_;  // estimate over lower end, at most
+  KeyedQueue<Scalar> queue_;
+  std::vector<unsigned char> state_;
+  std::vector<Scalar> lower_;     // of six times the cost, as last enclosed
+  std::vector<Scalar> upper_;     // likewise
+  std::vector<Scalar> estimate_;  // likewise; infinite if there is no such cap, or may be none
+  // Changes of its ring to wait for before another look at a cap that was not found bounded: with a
+  // quarter of the ring's length, all looks together cost no more than linear in it.
+  std::vector<std::uint32_t> patience_;
+  std::optional<HalfspaceId> prepared_;
+  OneRing ring_;
+  RingCap<Arithmetic> cap_;
+  std::optional<LongerCap<Arithmetic>> longer_cap_;
+  std::optional<FloatWatch> watch_;
+  std::vector<RingTriangle> triangles_;
+  std::vector<HalfspaceId> tied_;  // after choose(): the choice first, then its equals
+  std::uint64_t evaluations_ = 0;
+};
+
+template <class Arithmetic>
+FloatLoop<Arithmetic>::FloatLoop(const FastDual& dual, const Arithmetic& arithmetic,
+                                 const SimplifyOptions& options)
+    : dual_(dual),
+      arithmetic_(arithmetic),
+      options_(options),
+      mesh_(dual.size(), dual.triangles(), dual.twins()),
+      narrow_(Scalar(1 + std::min(0x1p-24, 0x1p29 * arithmetic.unit()))),
+      queue_(dual.size()),
+      state_(dual.size(), kFresh),
+      lower_(dual.size()),
+      upper_(dual.size()),
+      estimate_(dual.size()),
+      patience_(dual.size()),
+      cap_(arithmetic) {
+  if constexpr (HasLonger<Arithmetic>) longer_cap_.emplace(arithmetic.longer());
+  if constexpr (HasSigns<Arithmetic>) watch_.emplace(dual.size());
+  if (options.faces < 4) throw Error(ErrorCode::InvalidArgument, "a solid has at least 4 faces");
+  if (options.max_growth && *options.max_growth < 0) {
+    throw Error(ErrorCode::InvalidArgument, "a growth limit is not negative");
+  }
+}
+
+template <class Arithmetic>
+FastResult FloatLoop<Arithmetic>::run() {
+  FastResult result;
+  Scalar allowance = infinity_;
+  if (options_.max_growth) {
+    allowance = Scalar(to_double(*options_.max_growth, Rounding::Nearest)) * six_times_volume();
+  }
+  std::size_t left = dual_.size();
+  for (std::size_t i = 0; left > options_.faces && i < dual_.size(); ++i) {
+    queue_.append(HalfspaceId(i), evaluate(HalfspaceId(i)));
+  }
+  queue_.make_heap();
+  while (left > options_.faces) {
+    if (options_.stop != nullptr && *options_.stop) throw Error(ErrorCode::Stopped, "interrupted");
+    const std::optional<HalfspaceId> choice = choose();
+    if (!choice) {
+      result.stop = StopReason::AllUnbounded;
+      break;
+    }
+    const Scalar& cost = estimate_[choice->index()];
+    if (!(cost <= allowance)) {
+      result.stop = StopReason::GrowthLimit;
+      break;
+    }
+    allowance = allowance - cost;
+    const auto tied = static_cast<std::uint32_t>(tied_.size());
+    result.steps.push_back({*choice, tied, leading(cost) / 6, leading(cost) / 6});
+    if (watch_) watch_->remove(*choice, leading(cost));
+    if (watch_ && tied > 1) watch_->note_tie();
+    remove(*choice);
+    --left;
+    if (options_.progress) options_.progress(left);
+  }
+  result.triangles = mesh_.triangles();
+  result.survivors = mesh_.vertices();
+  result.counts.evaluations = evaluations_;
+  if (watch_) result.bound = watch_->finish(result.stop == StopReason::AllUnbounded);
+  return result;
+}
+
+// The ring of i, triangulated in the arithmetic that knows its cap.
+template <class Arithmetic>
+void FloatLoop<Arithmetic>::prepare(HalfspaceId i) {
+  if (prepared_ == i) return;
+  load(i);
+  if constexpr (HasLonger<Arithmetic>) {
+    if (state_[i.index()] & kLonger) longer_cap_->load(i, ring_, options_.seed, triangles_);
+  }
+}
+
+template <class Arithmetic>
+void FloatLoop<Arithmetic>::load(HalfspaceId i) {
+  mesh_.one_ring(i, ring_);
+  cap_.load(i, ring_, options_.seed, triangles_);
+  prepared_ = i;
+}
+
+// The key of i, fresh.
+template <class Arithmetic>
+const typename FloatLoop<Arithmetic>::Scalar& FloatLoop<Arithmetic>::evaluate(HalfspaceId i) {
+  load(i);
+  ++evaluations_;
+  const CapEstimate<Scalar> cap = cap_.estimate(triangles_);
+  keep(i, cap);
+  if constexpr (HasLonger<Arithmetic>) {
+    if (cap.kind != CapRange<Scalar>::Kind::Bounded || !cap_.is_right() || is_loose(cap)) {
+      longer_cap_->load(i, ring_, options_.seed, triangles_);
+      const auto long_cap = longer_cap_->estimate(triangles_);
+      keep(i, long_cap);
+      state_[i.index()] |= kLonger;
+      watch(i, long_cap, longer_cap_->is_right());
+      return estimate_[i.index()];
+    }
+  }
+  watch(i, cap, cap_.is_right());
+  return estimate_[i.index()];
+}
+
+// Tells what is proven of i, whose ring and triangles are there.
+template <class Arithmetic>
+template <class Number>
+void FloatLoop<Arithmetic>::watch(HalfspaceId i, const CapEstimate<Number>& cap, bool is_right) {
+  if constexpr (HasSigns<Arithmetic>) {
+    using Kind = typename CapRange<Number>::Kind;
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (!is_right) {
+      watch_->note(i, 0, kInfinity);
+    } else if (cap.kind == Kind::Unbounded ||
+               (cap.kind == Kind::Doubtful && is_unbounded_by_signs())) {
+      watch_->note(i, kInfinity, kInfinity);
+    } else {
+      watch_->note(i, next_below(leading(cap.lower)), next_above(leading(cap.upper)));
+    }
+  }
+}
+
+// Whether some vertex of the cap is none: D <= 0 in exact numbers.
+template <class Arithmetic>
+bool FloatLoop<Arithmetic>::is_unbounded_by_signs() const {
+  const auto& v = ring_.vertices;
+  return std::any_of(triangles_.begin(), triangles_.end(), [&](const RingTriangle& t) {
+    return arithmetic_.signs().determinant(v[t.low], v[t.middle], v[t.high]) != Sign::Positive;
+  });
+}
+
+template <class Arithmetic>
+template <class Number>
+void FloatLoop<Arithmetic>::keep(HalfspaceId i, const CapEstimate<Number>& cap) {
+  using Kind = typename CapRange<Number>::Kind;
+  const auto shortened = [](const Number& x) {
+    if constexpr (std::is_same_v<Number, Scalar>) {
+      return x;
+    } else {
+      return Scalar(leading(x));
+    }
+  };
+  Scalar& lower = lower_[i.index()];
+  Scalar& estimate = estimate_[i.index()];
+  const bool is_bounded = cap.kind == Kind::Bounded;
+  lower = is_bounded ? shortened(cap.lower) : Scalar(0.0);
+  estimate = is_bounded ? shortened(cap.value) : infinity_;
+  upper_[i.index()] = is_bounded ? shortened(cap.upper) : infinity_;
+  state_[i.index()] = estimate <= narrow_ * lower ? kFresh : kWide;
+  const auto k = static_cast<std::uint32_t>(ring_.vertices.size());
+  patience_[i.index()] = is_bounded || k <= RingTriangulator::kShortRing ? 0 : k / 4;
+}
+
+// The cheapest estimate, once no stale lower end is below it; where others are as near as rounding,
+// the first of them in canonical order.
+template <class Arithmetic>
+std::optional<HalfspaceId> FloatLoop<Arithmetic>::choose() {
+  for (;;) {
+    const HalfspaceId top = queue_.top();
+    if (state_[top.index()] & kStale) {
+      queue_.update(top, evaluate(top));
+    } else if (!(queue_.key(top) < infinity_)) {
+      return {};
+    } else if (collect_tie(top)) {
+      return tied_.front();
+    }
+  }
+}
+
+// Of a fresh top: those whose estimates are next to its own and whose ends overlap, the first in
+// canonical order in front. False if some of them were stale, which they are no longer.
+template <class Arithmetic>
+bool FloatLoop<Arithmetic>::collect_tie(HalfspaceId top) {
+  // Modelled symmetries tie in pairs, and the symmetries of the cube 48 at most. Long prisms tie
+  // all over, by the thousand; there the order among them means nothing.
+  constexpr std::size_t kMost = 48;
+  queue_.collect(narrow_ * queue_.key(top), tied_, kMost);
+  if (tied_.size() > kMost) tied_.assign(1, top);
+  if (tied_.size() == 1) return true;
+  bool all_fresh = true;
+  for (const HalfspaceId i : tied_) {
+    if (!(state_[i.index()] & kStale)) continue;
+    queue_.update(i, evaluate(i));
+    all_fresh = false;
+  }
+  if (!all_fresh) return false;
+  Scalar least = upper_[top.index()];
+  for (const HalfspaceId i : tied_) least = std::min(least, upper_[i.index()]);
+  std::erase_if(tied_, [&](HalfspaceId i) { return least < lower_[i.index()]; });
+  const auto first =
+      std::min_element(tied_.begin(), tied_.end(),
+                       [&](HalfspaceId a, HalfspaceId b) { return dual_.seems_to_precede(a, b); });
+  std::iter_swap(tied_.begin(), first);
+  return true;
+}
+
+// Of the initial solid. Where doubts remain, rather too small: the growth limit is kept.
+template <class Arithmetic>
+typename FloatLoop<Arithmetic>::Scalar FloatLoop<Arithmetic>::six_times_volume() {
+  typename RangeSource<Scalar>::Sum sum;
+  bool certain = true;
+  for (std::size_t i = 0; i < dual_.size(); ++i) {
+    prepare(HalfspaceId(i));
+    RangeSource<Scalar> source(cap_.geometry(), arithmetic_.unit());
+    add_cone(static_cast<std::uint32_t>(ring_.vertices.size()), source, sum);
+    certain = certain && source.is_certain();
+  }
+  const auto& [lower, upper] = sum.total;
+  return certain ? (lower + upper) / Scalar(2.0) : lower;
+}
+
+template <class Arithmetic>
+void FloatLoop<Arithmetic>::remove(HalfspaceId i) {
+  prepare(i);
+  mesh_.remove(i, ring_, triangles_);
+  queue_.erase(i);
+  for (const HalfspaceId r : ring_.vertices) {
+    state_[r.index()] |= kStale;
+    if (patience_[r.index()] > 0) {
+      --patience_[r.index()];
+    } else if (state_[r.index()] & kWide) {
+      queue_.update(r, lower_[r.index()]);
+    }
+  }
+  prepared_.reset();
+}
+
+}  // namespace convexact

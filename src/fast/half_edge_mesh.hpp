@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// half_edge_mesh.hpp - the triangulated dual hull in flat arrays; removals reuse their own slots.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "convexact/point_set.hpp"
+#include "fast/ring_triangles.hpp"
+
+namespace convexact {
+
+/// For each half-edge the one in the opposite direction.
+/// @param tail, head  Of each half-edge, below vertex_count; each directed edge occurs once.
+/// @throws Error      InvalidArgument if some half-edge has no opposite.
+/// @par Cost          Sum over the edges of the smaller degree of their ends: linear on a sphere.
+[[nodiscard]] std::vector<std::uint32_t> match_twins(std::span<const std::uint32_t> tail,
+                                                     std::span<const std::uint32_t> head,
+                                                     std::size_t vertex_count);
+
+/// What surrounds a vertex: its neighbours, counter-clockwise from outside, and for each edge of
+/// the cycle (vertices[m] -> vertices[m + 1]) the half-edge across it.
+struct OneRing {
+  std::vector<HalfspaceId> vertices;
+  std::vector<std::uint32_t> outer;
+};
+
+/// A closed triangulated sphere. Half-edges 3t, 3t + 1, 3t + 2 bound triangle t counter-clockwise.
+/// Removing a vertex of degree k frees k triangles and takes k - 2 of them again, so nothing is
+/// ever allocated.
+class HalfEdgeMesh {
+ public:
+  /// @param twins  Of half-edge 3 t + c, which leaves corner c of triangle t, the opposite one.
+  HalfEdgeMesh(std::size_t vertex_count, std::span<const DualTriangle> triangles,
+               std::span<const std::uint32_t> twins);
+  HalfEdgeMesh(std::size_t vertex_count, std::span<const DualTriangle> triangles);
+
+  /// Reads the ring of v into `ring`. @par Cost  Its length.
+  void one_ring(HalfspaceId v, OneRing& ring) const;
+  std::uint32_t twin(std::uint32_t half_edge) const { return edges_[half_edge].twin; }
+  /// The third corner of the triangle of a half-edge.
+  HalfspaceId apex(std::uint32_t half_edge) const {
+    return HalfspaceId(edges_[previous(half_edge)].tail);
+  }
+  /// Takes v out and closes the hole. `ring` is v's, `triangles` a triangulation of it.
+  void remove(HalfspaceId v, const OneRing& ring, std::span<const RingTriangle> triangles);
+  /// Every triangle once; the ones freed are left out.
+  std::vector<DualTriangle> triangles() const;
+  /// Every vertex that was not removed, ascending.
+  std::vector<HalfspaceId> vertices() const;
+
+ private:
+  static std::uint32_t next(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static std::uint32_t previous(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  void link(std::uint32_t a, std::uint32_t b) {
+    edges_[a].twin = b;
+    edges_[b].twin = a;
+  }
+
+  struct HalfEdge {
+    std::uint32_t tail;  // kNone in a freed triangle
+    std::uint32_t twin;
+  };
+
+  std::vector<HalfEdge> edges_;
+  std::vector<std::uint32_t> out_;    // of each vertex some half-edge that starts there
+  std::vector<std::uint32_t> slots_;  // scratch of remove()
+};
+
+}  // namespace convexact

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// plane_filter.hpp - how far determinants of dual points, computed from rounded coordinates, can be
+// from the true ones.
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include "fast/exponent_range.hpp"
+#include "fast/fast_dual.hpp"
+#include "fast/triple.hpp"
+
+namespace convexact {
+
+/// The rounding that an arithmetic works with: every operation is off by at most a relative kUnit,
+/// every coordinate of a dual point by 2 kUnit.
+template <class Scalar>
+struct Roundoff;
+
+template <>
+struct Roundoff<double> {
+  static constexpr double kUnit = 0x1p-53;
+  static_assert(FastDual::kNearError <= 2 * kUnit);
+};
+
+template <>
+struct Roundoff<DoubleDouble> {
+  // The coordinates are what limits this stage, not the operations.
+  static constexpr double kUnit = 0x1p-86;
+  static_assert(FastDual::kLongError <= 2 * kUnit && DoubleDouble::kUnit <= kUnit);
+};
+
+inline double leading(double x) { return x; }
+inline double leading(const DoubleDouble& x) { return x.hi(); }
+template <class Scalar>
+inline bool is_positive(const Scalar& x) {
+  return x > Scalar(0.0);
+}
+
+/// Bounds for determinants of a handful of dual points whose differences, as computed, have
+/// components of at most E = (extent.x, extent.y, extent.z).
+///
+/// Let u be the unit of Roundoff; coordinates are at most 1 in size and off by 2u, so E <= 2. First
+/// order in u:
+/// - A difference f = b - a is off by 2u + 2u from its ends and by u |f| <= 2u from rounding: 6u.
+/// - A component of N = f x g, such as f.y g.z - f.z g.y, is at most 2 E.y E.z; it is off by
+///   2 (6u E.z + 6u E.y) from its factors and by 4u E.y E.z <= 4u (E.y + E.z) from rounding
+///   (E.y E.z <= (E.y + E.z)^2 / 4 <= E.y + E.z): 16u (E.y + E.z).
+/// - height = N.h, h a difference: with A = E.y E.z + E.z E.x + E.x E.y, off by
+///   16u 2A from N, by 6u 2A from h, and by 3u 6 E.x E.y E.z <= 3u 4A from rounding
+///   (E.x E.y E.z <= 2A/3): 56u A.
+/// - determinant = N.p, p a point: with B = E.x + E.y + E.z, off by 16u 2B from N, by
+///   2u 2A + 3u 2A from p and rounding, where A <= 2B (E.y E.z <= E.y + E.z): 52u B.
+/// Higher orders are below 2^-40 of these, in binary32 2^-15. Nothing overflows, all sizes being at
+/// most 48. Underflow of a product loses 2^-1075, and at most a factor of 48 follows it; an
+/// underflowing coordinate loses as much. ExponentRange covers both, and what the bound itself
+/// loses.
+struct PlaneFilter {
+  static constexpr double kDifference = 2 + 2 + 2;
+  static constexpr double kNormal = 2 * kDifference + 4;
+  static constexpr double kHeight = 2 * kNormal + 2 * kDifference + 12;
+  static constexpr double kDeterminant = 2 * kNormal + 2 * (2 * 2 + 3 * 2);
+  static constexpr double kHeightFactor = 64, kDeterminantFactor = 64;
+  static_assert(kHeight < kHeightFactor - 1 && kDeterminant < kDeterminantFactor - 1);
+
+  double height = 0;       ///< Of |((b - a) x (c - a)).(p - q)|, q one of a, b, c.
+  double determinant = 0;  ///< Of |((b - a) x (c - a)).a|, that is of |det(a, b, c)|.
+
+  static PlaneFilter within(const Triple<double>& extent, double unit,
+                            double underflow = ExponentRange<double>::kUnderflow) {
+    const double sum = extent.x + extent.y + extent.z;
+    const double area = extent.y * extent.z + extent.x * (extent.y + extent.z);
+    return {kHeightFactor * unit * area + underflow, kDeterminantFactor * unit * sum + underflow};
+  }
+};
+
+/// The largest components of some differences.
+struct Extent {
+  Triple<double> size{0, 0, 0};
+
+  template <class Scalar>
+  void include(const Triple<Scalar>& difference) {
+    size = {std::max(size.x, std::abs(leading(difference.x))),
+            std::max(size.y, std::abs(leading(difference.y))),
+            std::max(size.z, std::abs(leading(difference.z)))};
+  }
+  /// Of the differences of these differences.
+  Triple<double> doubled() const { return {2 * size.x, 2 * size.y, 2 * size.z}; }
+};
+
+/// Bounds in the arithmetic of Scalar for determinants within that extent.
+template <class Scalar>
+inline PlaneFilter filter_for(const Triple<double>& extent, double unit) {
+  return PlaneFilter::within(extent, unit, ExponentRange<Scalar>::kUnderflow);
+}
+
+}  // namespace convexact

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// ring_cap.hpp - the cap of one dual point, in one floating-point arithmetic.
+#pragma once
+#include <cmath>
+#include <concepts>
+#include <vector>
+
+#include "fast/cap_estimate.hpp"
+#include "fast/dual_signs.hpp"
+#include "fast/half_edge_mesh.hpp"
+#include "fast/ring_geometry.hpp"
+#include "fast/triangulate_ring.hpp"
+
+namespace convexact {
+
+/// An arithmetic that can ask exact numbers whether it was right.
+template <class Arithmetic>
+concept HasSigns = requires(const Arithmetic& arithmetic) {
+  { arithmetic.signs() } -> std::convertible_to<const DualSigns&>;
+};
+
+/// Ring, triangulation T and volume. Signs of H are taken as they come out.
+/// @tparam Arithmetic  As for FloatLoop.
+template <class Arithmetic>
+class RingCap {
+ public:
+  using Scalar = typename Arithmetic::Scalar;
+
+  explicit RingCap(const Arithmetic& arithmetic) : arithmetic_(arithmetic) {}
+
+  /// Reads the coordinates of i and its ring, and triangulates it.
+  void load(HalfspaceId i, const OneRing& ring, std::uint64_t seed,
+            std::vector<RingTriangle>& triangles) {
+    geometry_.load(i, ring.vertices, [&](HalfspaceId v) { return arithmetic_.point(v); });
+    Beyond beyond{geometry_, ring.vertices, arithmetic_,
+                  geometry_.filter(arithmetic_.unit()).height};
+    triangulator_.run(static_cast<std::uint32_t>(ring.vertices.size()), beyond, seed, triangles);
+    is_right_ = !beyond.is_wrong;
+  }
+  /// Whether T, as it was made last, has only right signs; true where nobody can tell.
+  bool is_right() const { return is_right_; }
+  /// Of the cap read last, with T as it was made.
+  CapEstimate<Scalar> estimate(const std::vector<RingTriangle>& triangles) {
+    return estimator_.run(geometry_, triangles, arithmetic_.unit());
+  }
+  const RingGeometry<Scalar>& geometry() const { return geometry_; }
+
+ private:
+  struct Beyond {
+    const RingGeometry<Scalar>& ring;
+    const std::vector<HalfspaceId>& ids;
+    const Arithmetic& arithmetic;
+    double doubt;  // how far H may be off
+    bool is_wrong = false;
+    Triple<Scalar> normal{};
+    std::uint32_t low = 0, middle = 0, high = 0;
+
+    void set_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      low = a;
+      middle = b;
+      high = c;
+      normal = cross(ring.point[b] - ring.point[a], ring.point[c] - ring.point[a]);
+    }
+    bool is_beyond(std::uint32_t m) {
+      const Scalar height = dot(normal, ring.point[m] - ring.point[low]);
+      const bool answer = is_positive(height);
+      if constexpr (HasSigns<Arithmetic>) {
+        if (!(std::abs(leading(height)) > doubt)) check(m, answer);
+      }
+      return answer;
+    }
+    // Where H is zero, either answer leads to a right T.
+    void check(std::uint32_t m, bool answer) {
+      const Sign sign = arithmetic.signs().height(ids[low], ids[middle], ids[high], ids[m]);
+      is_wrong |= sign == (answer ? Sign::Negative : Sign::Positive);
+    }
+  };
+
+  const Arithmetic& arithmetic_;
+  RingGeometry<Scalar> geometry_;
+  RingTriangulator triangulator_;
+  CapEstimator<Scalar> estimator_;
+  bool is_right_ = true;
+};
+
+}  // namespace convexact

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// step_check.hpp - proves one removal again, from plain lists and exact signs.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "fast/dual_signs.hpp"
+
+namespace convexact {
+
+/// What a removal claims: the ring of `removed`, counter-clockwise from outside; for each edge
+/// ring[m] -> ring[m + 1] the third corner of the dual triangle across it; the ring's new
+/// triangles.
+struct ClaimedStep {
+  HalfspaceId removed;
+  std::span<const HalfspaceId> ring;
+  std::span<const HalfspaceId> across;
+  std::span<const DualTriangle> triangles;
+};
+
+/// The local checks of docs/verification.md, with filtered signs in place of integers. It knows no
+/// mesh, no queue and no volume, and shares nothing with the step but the predicates.
+class StepCheck {
+ public:
+  explicit StepCheck(const FastDual& dual)
+      : dual_(dual), signs_(dual), position_(dual.size(), kNotInRing) {}
+
+  /// @throws Error Internal, naming the check that failed.
+  /// @par Cost     O(k^2) signs for a ring of k.
+  void check(const ClaimedStep& step);
+
+ private:
+  void check_disk(const ClaimedStep& step);
+  void measure(const ClaimedStep& step);
+  void check_triangles(const ClaimedStep& step) const;
+  void check_rim(const ClaimedStep& step) const;
+  bool is_beyond(const DualTriangle& triangle, HalfspaceId p, double height) const;
+
+  static constexpr std::uint32_t kNotInRing = 0xffffffff;
+  const FastDual& dual_;
+  DualSigns signs_;
+  PlaneFilter filter_;                   // for all dual points of the step
+  std::vector<std::uint32_t> position_;  // in the ring, while a step is checked
+  std::vector<HalfspaceId> rim_owner_;   // the third corner of the new triangle at each ring edge
+  std::vector<std::uint64_t> edges_;
+};
+
+}  // namespace convexact

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+// triangulate_ring.hpp - closes the hole of a removed dual point, whatever arithmetic decides.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "fast/ring_triangles.hpp"
+#include "number/random.hpp"
+
+namespace convexact {
+
+/// Triangulates one-rings. Beyond is any type with
+///   void set_triangle(low, middle, high)  positions in the ring, ascending
+///   bool is_beyond(m)                     whether ring point m is strictly beyond that triangle
+/// The result is a triangulation of the polygon 0 .. k - 1 *whatever* is_beyond answers; with true
+/// answers it is the hull of the ring as the removed point saw it. So it ends in any arithmetic,
+/// which flipping does not.
+class RingTriangulator {
+ public:
+  /// @par Cost  Up to kShortRing points: at most (k - 2)(k - 3) / 2 questions, fewer than by
+  ///            insertion. Above: expected O(k) questions, by insertion in random order.
+  /// @param seed  Of that order: the same ring and seed give the same triangles.
+  /// @par Source  [Chew1990] for long rings.
+  template <class Beyond>
+  void run(std::uint32_t k, Beyond& beyond, std::uint64_t seed,
+           std::vector<RingTriangle>& triangles) {
+    triangles.clear();
+    if (k <= kShortRing) {
+      wrap(k, beyond, triangles);
+    } else {
+      Random random(seed);
+      insert_all(k, beyond, random);
+      as_tree(k, triangles);
+    }
+  }
+
+  static constexpr std::uint32_t kShortRing = 16;
+
+ private:
+  struct Task {
+    std::uint32_t low, high, parent;
+  };
+  // A triangle while inserting: edge e runs from corner[e] to the next corner, counter-clockwise;
+  // across[e] is the piece behind it, kNone at the polygon's rim.
+  struct Piece {
+    std::array<std::uint32_t, 3> corner, across;
+    std::uint32_t edge_from(std::uint32_t tail) const {
+      return corner[0] == tail ? 0 : corner[1] == tail ? 1 : 2;
+    }
+  };
+  struct Side {
+    std::uint32_t piece, edge;
+  };
+  static constexpr std::uint32_t kRim = 3;  // added to an edge: on the rim; keeps it modulo 3
+  // An edge of the polygon that a new point sees, as the new triangle over it will have it.
+  struct Link {
+    std::uint32_t tail, head, across;
+  };
+
+  template <class Beyond>
+  void wrap(std::uint32_t k, Beyond& beyond, std::vector<RingTriangle>& triangles);
+  template <class Beyond>
+  void insert_all(std::uint32_t k, Beyond& beyond, Random& random);
+  template <class Beyond>
+  void collect_chain(std::uint32_t p, std::uint32_t before, Beyond& beyond);
+  void fill_fan(std::uint32_t p, std::uint32_t before, std::uint32_t after);
+  void as_tree(std::uint32_t k, std::vector<RingTriangle>& triangles);
+  std::uint32_t new_piece();
+
+  std::vector<Task> tasks_;
+  std::vector<Piece> pieces_;
+  std::vector<std::uint32_t> free_;  // positions in pieces_
+  std::vector<std::uint32_t> rim_;   // of each vertex of the polygon the piece along its next edge
+  std::vector<Side> stack_;
+  std::vector<Link> chain_;
+  std::vector<std::uint32_t> order_, next_, previous_;
+};
+
+// Below a known edge (low, high) hangs the point first met by a plane turning about that edge.
+// All candidates lie within half a turn, so pairwise comparison finds it.
+template <class Beyond>
+void RingTriangulator::wrap(std::uint32_t k, Beyond& beyond, std::vector<RingTriangle>& triangles) {
+  std::array<Task, kShortRing> tasks;
+  std::size_t pending = 0;
+  tasks[pending++] = {0, k - 1, kNone};
+  triangles.resize(k - 2);
+  for (std::uint32_t self = 0; self < k - 2; ++self) {
+    const Task task = tasks[--pending];
+    std::uint32_t best = task.low + 1;
+    if (best + 1 < task.high) {
+      beyond.set_triangle(task.low, best, task.high);
+      for (std::uint32_t m = best + 1; m < task.high; ++m) {
+        if (!beyond.is_beyond(m)) continue;
+        best = m;
+        if (m + 1 < task.high) beyond.set_triangle(task.low, best, task.high);
+      }
+    }
+    triangles[self] = {task.low, best, task.high, task.parent};
+    if (best > task.low + 1) tasks[pending++] = {task.low, best, self};
+    if (task.high > best + 1) tasks[pending++] = {best, task.high, self};
+  }
+}
+
+template <class Beyond>
+void RingTriangulator::insert_all(std::uint32_t k, Beyond& beyond, Random& random) {
+  // (1) Take points out in random order until three are left; each remembers the neighbours that
+  //     it had when it went.
+  order_.resize(k);
+  next_.resize(k);
+  previous_.resize(k);
+  for (std::uint32_t v = 0; v < k; ++v) {
+    order_[v] = v;
+    next_[v] = v + 1 == k ? 0 : v + 1;
+    previous_[v] = v == 0 ? k - 1 : v - 1;
+  }
+  shuffle(std::span<std::uint32_t>(order_), random);
+  for (std::uint32_t j = k - 1; j >= 3; --j) {
+    const std::uint32_t v = order_[j];
+    next_[previous_[v]] = next_[v];
+    previous_[next_[v]] = previous_[v];
+  }
+  // (2) The last three are a triangle.
+  const std::uint32_t a = order_[0], b = next_[a], c = next_[b];
+  pieces_.assign(1, {{a, b, c}, {kNone, kNone, kNone}});
+  free_.clear();
+  rim_.assign(k, 0);
+  // (3) Put the others back in reverse order, each between those neighbours.
+  for (std::uint32_t j = 3; j < k; ++j) {
+    const std::uint32_t p = order_[j];
+    collect_chain(p, previous_[p], beyond);
+    fill_fan(p, previous_[p], next_[p]);
+  }
+}
+
+// The pieces that p is beyond, connected through the rim edge from `before`, are freed; the other
+// edges of their union are met in order, starting at `before`.
+template <class Beyond>
+void RingTriangulator::collect_chain(std::uint32_t p, std::uint32_t before, Beyond& beyond) {
+  chain_.clear();
+  const std::uint32_t first = rim_[before];
+  stack_.assign(1, {first, pieces_[first].edge_from(before)});
+  while (!stack_.empty()) {
+    const Side side = stack_.back();
+    stack_.pop_back();
+    const Piece& piece = pieces_[side.piece];
+    const auto corner = [&](std::uint32_t k) { return piece.corner[(side.edge + k) % 3]; };
+    if (side.edge >= kRim) {  // an edge of a freed piece with nothing behind it
+      chain_.push_back({corner(0), corner(1), kNone});
+      continue;
+    }
+    std::array<std::uint32_t, 3> sorted = piece.corner;
+    std::sort(sorted.begin(), sorted.end());
+    beyond.set_triangle(sorted[0], sorted[1], sorted[2]);
+    if (!beyond.is_beyond(p)) {
+      chain_.push_back({corner(1), corner(0), side.piece});
+      continue;
+    }
+    free_.push_back(side.piece);
+    // Edge 2 leads back to corner 0, which is nearer to `before`: it is popped first. A rim edge
+    // has nothing behind it and joins the chain in its turn.
+    for (const std::uint32_t k : {1u, 2u}) {
+      const std::uint32_t across = piece.across[(side.edge + k) % 3];
+      if (across == kNone) {
+        stack_.push_back({side.piece, (side.edge + k) % 3 + kRim});
+      } else {
+        stack_.push_back({across, pieces_[across].edge_from(corner(k + 1))});
+      }
+    }
+  }
+}
+
+inline std::uint32_t RingTriangulator::new_piece() {
+  if (free_.empty()) {
+    pieces_.push_back({});
+    return static_cast<std::uint32_t>(pieces_.size() - 1);
+  }
+  const std::uint32_t piece = free_.back();
+  free_.pop_back();
+  return piece;
+}
+
+// One triangle (tail, head, p) for each link; neighbours in the chain share an edge at p.
+inline void RingTriangulator::fill_fan(std::uint32_t p, std::uint32_t before, std::uint32_t after) {
+  std::uint32_t last = kNone;
+  for (const Link& link : chain_) {
+    const std::uint32_t self = new_piece();
+    pieces_[self] = {{link.tail, link.head, p}, {link.across, last, kNone}};
+    if (last != kNone) pieces_[last].across[2] = self;
+    if (link.across == kNone) {
+      rim_[link.tail] = self;
+    } else {
+      Piece& behind = pieces_[link.across];
+      behind.across[behind.edge_from(link.head)] = self;
+    }
+    if (link.head == before) rim_[before] = self;
+    if (link.tail == after) rim_[p] = self;
+    last = self;
+  }
+}
+
+inline void RingTriangulator::as_tree(std::uint32_t k, std::vector<RingTriangle>& triangles) {
+  stack_.assign(1, {rim_[k - 1], pieces_[rim_[k - 1]].edge_from(k - 1)});
+  tasks_.assign(1, {0, k - 1, kNone});
+  while (!stack_.empty()) {
+    const Side side = stack_.back();
+    const Task task = tasks_.back();
+    stack_.pop_back();
+    tasks_.pop_back();
+    const Piece& piece = pieces_[side.piece];
+    const std::uint32_t middle = piece.corner[(side.edge + 2) % 3];
+    const auto self = static_cast<std::uint32_t>(triangles.size());
+    triangles.push_back({task.low, middle, task.high, task.parent});
+    const auto descend = [&](std::uint32_t low, std::uint32_t high, std::uint32_t edge) {
+      const std::uint32_t across = piece.across[edge % 3];
+      if (across == kNone) return;
+      stack_.push_back({across, pieces_[across].edge_from(high)});
+      tasks_.push_back({low, high, self});
+    };
+    descend(task.low, middle, side.edge + 1);
+    descend(middle, task.high, side.edge + 2);
+  }
+}
+
+}  // namespace convexact

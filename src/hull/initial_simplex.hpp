@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// initial_simplex.hpp - four points that span a volume, or as many as the input has.
+#pragma once
+#include <cmath>
+#include <vector>
+
+#include "hull/exact_points.hpp"
+
+namespace convexact {
+
+namespace detail {
+
+// The point with the largest |measure|; if it does not pass the exact test, the first that does.
+// nullopt if none passes.
+template <class Measure, class Test>
+std::optional<PointId> best_point(std::size_t size, Measure measure, Test passes) {
+  if (size == 0) return std::nullopt;
+  PointId best;
+  double largest = -1;
+  for (std::size_t i = 0; i < size; ++i) {
+    const double value = std::abs(measure(i));
+    if (value <= largest) continue;
+    largest = value;
+    best = PointId(i);
+  }
+  if (passes(best)) return best;
+  for (std::size_t i = 0; i < size; ++i) {
+    if (passes(PointId(i))) return PointId(i);
+  }
+  return std::nullopt;
+}
+
+}  // namespace detail
+
+/// Affinely independent points, far apart where possible, as many as there are (at most 4). If
+/// four, then the side of the last from the first three is Negative. Linear time; the exact tests
+/// run over all points only if the input is flat or nearly so.
+/// @tparam Points  ExactPoints that also offer size() and collinear(a, b, c).
+template <ExactPoints Points>
+std::vector<PointId> find_simplex(const Points& points) {
+  const auto near = points.near();
+  const std::size_t size = points.size();
+  const auto difference = [&](std::size_t i, PointId p) {
+    const NearPoint &a = near[i], &b = near[p.index()];
+    return NearPoint{a.x - b.x, a.y - b.y, a.z - b.z};
+  };
+  std::vector<PointId> s;
+  // A corner far out: the largest coordinate sum finds one of the box in all but odd cases.
+  const auto first = detail::best_point(
+      size, [&](std::size_t i) { return near[i].x + near[i].y + near[i].z; },
+      [](PointId) { return true; });
+  if (!first) return s;
+  s.push_back(*first);
+  const auto second = detail::best_point(
+      size,
+      [&](std::size_t i) {
+        const NearPoint d = difference(i, s[0]);
+        return dot(d, d);
+      },
+      [&](PointId p) { return !points.equal(p, s[0]); });
+  if (!second) return s;
+  s.push_back(*second);
+  const NearPoint axis = difference(s[1].index(), s[0]);
+  const auto third = detail::best_point(
+      size,
+      [&](std::size_t i) {
+        const NearPoint area = cross(axis, difference(i, s[0]));
+        return dot(area, area);
+      },
+      [&](PointId p) { return !points.collinear(s[0], s[1], p); });
+  if (!third) return s;
+  s.push_back(*third);
+  const NearPoint normal = cross(axis, difference(s[2].index(), s[0]));
+  const auto fourth = detail::best_point(
+      size, [&](std::size_t i) { return dot(normal, difference(i, s[0])); },
+      [&](PointId p) { return points.side(s[0], s[1], s[2], p) != Sign::Zero; });
+  if (!fourth) return s;
+  s.push_back(*fourth);
+  if (points.side(s[0], s[1], s[2], s[3]) == Sign::Positive) std::swap(s[0], s[1]);
+  return s;
+}
+
+}  // namespace convexact

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "io/json.hpp"
+
+#include <cmath>
+
+namespace convexact {
+
+using nlohmann::ordered_json;
+
+std::string write_json(const ordered_json& document, int indent) {
+  return document.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+std::string as_utf8(const std::string& text) {
+  return ordered_json::parse(write_json(text)).get<std::string>();
+}
+
+namespace {
+
+const char* name_of(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::InvalidArgument:
+      return "invalid-argument";
+    case ErrorCode::Unreadable:
+      return "unreadable";
+    case ErrorCode::Malformed:
+      return "malformed";
+    case ErrorCode::NotFinite:
+      return "not-finite";
+    case ErrorCode::NoInterior:
+      return "no-interior";
+    case ErrorCode::Unwritable:
+      return "unwritable";
+    case ErrorCode::Unrepresentable:
+      return "unrepresentable";
+    case ErrorCode::Stopped:
+      return "stopped";
+    case ErrorCode::Internal:
+      break;
+  }
+  return "internal";
+}
+
+}  // namespace
+
+nlohmann::ordered_json error_json(const Error& error) {
+  nlohmann::ordered_json json = {{"code", name_of(error.code())},
+                                 {"message", error.what()},
+                                 {"exit", exit_code(error.code())}};
+  if (error.line()) json["line"] = *error.line();
+  return json;
+}
+
+nlohmann::ordered_json measured_json(const Measured& x, int digits) {
+  const std::optional<std::string> decimal = to_decimal(x.bounds, digits);
+  if (!decimal) throw Error(ErrorCode::Internal, "the bounds of a measure are too wide to print");
+  const double value = to_double(parse_rational(*decimal), Rounding::Nearest);
+  nlohmann::ordered_json json = {
+      {"value", std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr},
+      {"decimal", *decimal}};
+  if (x.exact) json["exact"] = to_string(*x.exact);
+  return json;
+}
+
+}  // namespace convexact

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "io/json_text.hpp"
+
+#include <algorithm>
+
+#include "convexact/error.hpp"
+#include "convexact/number.hpp"
+
+namespace convexact {
+
+using nlohmann::json;
+
+bool JsonEvents::parse_error(std::size_t byte, const std::string& token,
+                             const json::exception& why) {
+  constexpr int kNumberOverflow = 406;
+  if (why.id == kNumberOverflow) {
+    throw Error(ErrorCode::NotFinite,
+                "expected a number within the doubles (or an integer or fraction as a string), "
+                "found " +
+                    in_quotes(token),
+                line_);
+  }
+  throw Error(ErrorCode::Malformed,
+              "expected JSON, found " + (token.empty() ? "the end" : in_quotes(token)) +
+                  " at byte " + std::to_string(byte),
+              line_);
+}
+
+void JsonEvents::open() {
+  if (++depth_ <= kMaxJsonDepth) return;
+  throw Error(ErrorCode::Malformed,
+              "expected at most " + std::to_string(kMaxJsonDepth) +
+                  " lists and objects within each other, found more",
+              line_);
+}
+
+bool JsonDocument::take_spelled(std::string_view text) {
+  return take(json::binary({text.begin(), text.end()}));
+}
+
+// A minus zero is the only zero that the parser calls signed.
+bool JsonDocument::number_integer(std::int64_t value) {
+  if (spelled_depth_ == 0) return take(value);
+  return take_spelled(value == 0 ? "-0" : std::to_string(value));
+}
+
+bool JsonDocument::number_unsigned(std::uint64_t value) {
+  return spelled_depth_ == 0 ? take(value) : take_spelled(std::to_string(value));
+}
+
+bool JsonDocument::number_float(double value, const std::string& spelling) {
+  return spelled_depth_ == 0 ? take(value) : take_spelled(spelling);
+}
+
+bool JsonDocument::key(std::string& name) {
+  if (open_.back()->contains(name)) {
+    throw Error(ErrorCode::Malformed,
+                "expected the key " + in_quotes(name) + " once, found it twice", line_);
+  }
+  if (spelled_depth_ == 0 || depth_ <= spelled_depth_) {
+    const bool is_spelled = std::find(spelled_.begin(), spelled_.end(), name) != spelled_.end();
+    spelled_depth_ = is_spelled ? depth_ : 0;
+  }
+  key_ = std::move(name);
+  return true;
+}
+
+json& JsonDocument::put(json value) {
+  if (open_.empty()) return document = std::move(value);
+  if (open_.back()->is_object()) return (*open_.back())[key_] = std::move(value);
+  open_.back()->push_back(std::move(value));
+  return open_.back()->back();
+}
+
+bool JsonDocument::open_with(json container) {
+  open();
+  open_.push_back(&put(std::move(container)));
+  return true;
+}
+
+bool JsonDocument::close_last() {
+  close();
+  open_.pop_back();
+  if (depth_ < spelled_depth_) spelled_depth_ = 0;
+  return true;
+}
+
+json parse_json(std::string_view bytes) {
+  JsonDocument reader;
+  parse_json_events(bytes, reader);
+  return std::move(reader.document);
+}
+
+std::string_view spelling_of(const json& value) {
+  if (value.is_string()) return value.get_ref<const std::string&>();
+  if (!value.is_binary()) return {};
+  const json::binary_t& text = value.get_binary();
+  return {reinterpret_cast<const char*>(text.data()), text.size()};
+}
+
+}  // namespace convexact

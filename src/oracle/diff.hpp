@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// diff.hpp - engines against each other on one shape.
+#pragma once
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "convexact/number.hpp"
+#include "convexact/simplify.hpp"
+#include "oracle/divergence.hpp"
+
+namespace convexact {
+
+struct DiffRequest {
+  std::size_t faces = 4;  ///< Halfspaces at which each run ends, >= 4.
+  /// At least two, all different; the first is what the others are compared with.
+  std::vector<Engine> engines = {Engine::Exact, Engine::Filtered, Engine::Float};
+  std::uint64_t seed = 1;  ///< Of every random order. The answer is the same.
+  /// Called after each removal with the engine and the number of halfspaces left and at the start.
+  std::function<void(Engine engine, std::size_t left, std::size_t at_start)> progress;
+  const std::atomic<bool>* stop = nullptr;  ///< When it becomes true: Error Stopped.
+};
+
+/// One engine against the reference.
+///
+/// Two engines that promise the same answer are compared up to the first step where they differ. If
+/// one of them is the float engine, its run is followed from there to the end (check_greedy()):
+/// every step is judged in the state that the float engine had reached.
+struct Comparison {
+  Engine reference, other;
+  /// Ascending by step; empty if the runs are the same, step by step. The first is where the runs
+  /// part. In the later ones the choice of the engine that is not `float` is what the filtered
+  /// engine would remove there, as its own run is elsewhere by then.
+  std::vector<Divergence> divergences;
+  bool explained = true;      ///< Whether each of them is (is_explained()).
+  std::size_t judged = 0;     ///< Steps that were compared or judged, from the first one on.
+  bool with_records = false;  ///< Costs and tie lists were compared, not only removals.
+  /// Final volume of `other` over that of the reference; none if either is unbounded.
+  std::optional<Enclosure> volume_ratio;
+};
+
+struct DiffReport {
+  std::vector<Halfspace> halfspaces;  ///< Of the input, in canonical order; ids are positions.
+  std::vector<EngineRun> runs;        ///< In the order asked for.
+  std::vector<Comparison> comparisons;
+
+  /// Whether every difference is explained.
+  bool holds() const;
+};
+
+using DiffOutcome = std::variant<DiffReport, NotSolid>;
+
+/// Runs the engines on one dual hull, from one center, and judges where they differ. Nothing is
+/// verified on the way: the comparison is the verification. The filtered engine keeps its record,
+/// costs and tie lists, only if the exact one runs too: no other engine has one to compare it with.
+/// @throws Error InvalidArgument for a request that makes no sense; Stopped; Internal.
+[[nodiscard]] DiffOutcome diff_engines(const Shape& shape, const DiffRequest& request,
+                                       StageLog& log);
+
+}  // namespace convexact

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// divergence.hpp - where two greedy runs on the same solid part, and which of them was right.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "oracle/engine_run.hpp"
+#include "oracle/removal_cost.hpp"
+
+namespace convexact {
+
+/// What parted two runs, judged by exact costs from the definition.
+enum class DivergenceKind {
+  Tie,               ///< Equal costs; the canonical order should have decided.
+  BelowRounding,     ///< Costs so close that planes rounded to doubles cannot tell them apart; or
+                     ///< the end where such planes may not bound the cheapest cap.
+  WrongTopology,     ///< Costs further apart: what it acted on cannot come from the right cap.
+  WrongBoundedness,  ///< An unbounded removal, or the end although a bounded one existed.
+  WrongRecord,       ///< The same removal, but another cost, tie list or reason to end.
+};
+
+/// What one run did at the step where they part.
+struct Choice {
+  std::optional<HalfspaceId> removed;  ///< None: it ended here.
+  std::optional<Rational> cost;  ///< Exact, in cubed length units; none if unbounded or it ended.
+};
+
+struct Divergence {
+  std::size_t step;  ///< Removals in common, so also the 0-based number of the step.
+  std::size_t left;  ///< Halfspaces left before it.
+  DivergenceKind kind;
+  Choice reference, other;
+  bool reference_at_fault;  ///< Else `other` is: it chose the higher cost or, in a tie, the higher
+                            ///< id.
+  /// (higher cost - lower cost) / lower cost. None where it is infinite or a cost is missing.
+  std::optional<Rational> regret;
+  /// How large a regret rounding explains: RemovalCost::rounding of both, over the lower cost. None
+  /// as for the regret, or if any is explained.
+  std::optional<Rational> rounding;
+};
+
+/// Two different choices on what the first `step` removals of `run` leave, judged by the
+/// definition. At least one of them is a removal.
+/// @param halfspaces  Of the solid, in canonical order, none redundant; ids are positions.
+/// @param center      Strictly inside.
+/// @throws Error      InvalidArgument if what they leave is unbounded.
+/// @par Cost          Three intersections of what is left, from scratch: expected O(n log n).
+[[nodiscard]] Divergence judge_choices(std::span<const Halfspace> halfspaces,
+                                       const RationalPoint& center, const EngineRun& run,
+                                       std::size_t step, std::optional<HalfspaceId> reference,
+                                       std::optional<HalfspaceId> other);
+
+/// The first step where two runs differ; none if they made the same removals, ended for the same
+/// reason and, where both kept them, recorded the same costs and ties.
+/// @throws Error      InvalidArgument if the runs agree on a prefix that leaves an unbounded solid.
+/// Otherwise as judge_choices().
+[[nodiscard]] std::optional<Divergence> find_divergence(std::span<const Halfspace> halfspaces,
+                                                        const RationalPoint& center,
+                                                        const EngineRun& reference,
+                                                        const EngineRun& other);
+
+/// Whether both runs kept costs and tie lists, so that these were compared too.
+[[nodiscard]] bool have_records(const EngineRun& a, const EngineRun& b);
+
+/// Of a non-empty list the worst: by kind, in the order of DivergenceKind, then by regret; the
+/// first of equals. No regret is larger than any.
+[[nodiscard]] const Divergence& worst_of(std::span<const Divergence> divergences);
+
+/// Whether the engine at fault may differ like this: only the float engine may, and only where
+/// costs are equal or too close for doubles.
+[[nodiscard]] bool is_explained(const Divergence& divergence, Engine reference, Engine other);
+
+}  // namespace convexact

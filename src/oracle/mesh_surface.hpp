@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// mesh_surface.hpp - what is wrong with the faces of a mesh that should bound a convex solid.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "convexact/hull.hpp"
+#include "convexact/mesh.hpp"
+#include "oracle/excess.hpp"
+
+namespace convexact {
+
+/// An edge between two points of a mesh and the faces that have it.
+struct MeshEdge {
+  std::uint32_t tail, head;
+  std::vector<std::size_t> faces;
+};
+
+/// A face that is no simple polygon.
+struct CrossedFace {
+  std::size_t face;
+  /// The ends of two of its edges that meet (in a bent face: seen along the axis on which its area
+  /// is largest); none if all its corners lie on a line.
+  std::vector<std::uint32_t> corners;
+};
+
+/// A corner that is not in the plane of its face.
+struct BentFace {
+  std::size_t face;
+  std::uint32_t corner;       ///< The point of the mesh.
+  Halfspace plane;            ///< Through the face's first corner, normal to its area vector.
+  Rational squared_distance;  ///< Of the corner to the plane; positive.
+};
+
+/// A point of the mesh off the plane of a face: beyond it, or a corner of the face.
+struct PointOffFace {
+  std::size_t face;
+  PointId point;
+  Halfspace plane;
+  Rational squared_distance;
+};
+
+/// What a mesh has too much of, without being another surface.
+struct Surplus {
+  std::size_t zero_edges = 0;                 ///< Edges between points at the same place.
+  std::vector<std::size_t> degenerate_faces;  ///< Fewer than three different corners.
+  std::vector<std::size_t> slivers;           ///< Three corners or more, all on a line.
+};
+
+/// The faces of a mesh: points at the same place are one, edges between them are gone, and so are
+/// the faces that are left with fewer than three different corners. Faces keep their numbers.
+///
+/// A face's *area vector* is the sum of the cross products around it; for a planar polygon it is
+/// normal to its plane, as long as twice its area, and points to where the corners look
+/// counter-clockwise.
+class MeshSurface {
+ public:
+  /// Keeps a reference. @par Cost  O(n log n).
+  explicit MeshSurface(const Mesh& mesh);
+
+  const Surplus& surplus() const { return surplus_; }
+  /// Whether no face is left.
+  bool is_empty() const { return edges_.empty(); }
+  /// An edge that does not have exactly two faces, or the same face twice.
+  [[nodiscard]] std::optional<MeshEdge> open_edge() const;
+  /// An edge along which two faces run in the same direction, so that one of them is turned over.
+  [[nodiscard]] std::optional<MeshEdge> twisted_edge() const;
+  /// A face that crosses or touches itself, exactly; the corners of one that has them on a line go
+  /// along it once to and fro.
+  [[nodiscard]] std::optional<CrossedFace> crossed_face() const;
+  /// The corner that is farthest from the plane of its face.
+  [[nodiscard]] std::optional<BentFace> most_bent() const;
+  /// Six times the volume that the faces enclose, positive if they look outward. Meaningful if
+  /// there is neither an open nor a twisted edge.
+  [[nodiscard]] Rational enclosed() const;
+
+  /// Of the faces that are bent or not in a facet plane of the hull of the mesh's points, the one
+  /// that a point is farthest beyond; if none is beyond any, the one that is most bent.
+  /// @param planes  Those of the hull. @param extreme  Its vertices.
+  struct OffHull {
+    std::size_t faces = 0;              ///< How many faces are off.
+    std::optional<PointOffFace> worst;  ///< Set if there are any.
+  };
+  [[nodiscard]] OffHull faces_off(std::span<const Halfspace> planes,
+                                  std::span<const PointId> extreme) const;
+
+ private:
+  struct DirectedEdge {
+    std::uint32_t from, to;
+    std::size_t face;
+  };
+  using Edges = std::span<const DirectedEdge>;
+  template <class IsFault>
+  std::optional<MeshEdge> find_edge(const IsFault& is_fault) const;
+  bool is_on_a_line(std::size_t face) const;
+  bool goes_to_and_fro(std::size_t face) const;
+  std::optional<CrossedFace> crossing_of(std::size_t face) const;
+  std::optional<BentFace> bend_of(std::size_t face) const;
+  const Mesh& mesh_;
+  std::vector<std::vector<std::uint32_t>> faces_;  // corners by the first point at their place
+  std::vector<RationalVector3> area_vectors_;
+  std::vector<DirectedEdge> edges_;  // sorted by their ends, whichever comes first
+  Surplus surplus_;
+};
+
+}  // namespace convexact

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// removal_cost.hpp - what removing a halfspace costs, by definition, and how well doubles can know.
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "convexact/halfspace.hpp"
+#include "convexact/polytope.hpp"
+
+namespace convexact {
+
+/// The unit of rounding() below: doubles hold a dual point with a relative error of 2^-52 per
+/// coordinate (FastDual::kNearError), that is one; a term of the cap's volume has at most eight
+/// determinants as factors (cap_volume.hpp), each of about a dozen operations that are off by
+/// 2^-53, that is 8 * 12 / 2 = 48 more. 64 leaves room for the sum of the terms.
+inline constexpr double kPlaneRounding = 64 * 0x1p-52;
+
+/// The price of one removal from a bounded solid.
+struct RemovalCost {
+  /// Exact volume added, in cubed length units; none if what is left is unbounded.
+  std::optional<Rational> cost;
+  /// By how much a cost can come out wrong when each plane is off by kPlaneRounding, in units of
+  /// the cost; 0 if it is unbounded; none if a plane so far off may not bound the cap at all.
+  ///
+  /// Take the center as origin, so that planes are P.x = 1. A relative error e per coordinate of P
+  /// moves the plane, seen from the center at a point x of it, by the share e |P|.|x| at most
+  /// (absolute values by coordinate), so by e k, where k is the largest such product over the cap's
+  /// planes and its box. In a direction that meets the facet, the cap reaches from radius r to R,
+  /// so it is the integral of (R^3 - r^3) / 3 over these directions. When r and R are off by the
+  /// share e k each, that changes by the integral of (R^3 + r^3) e k to first order:
+  ///   3 e k (2 cone + cost),  cone = the pyramid from the center over the facet.
+  /// With e k >= 1, P.x = 1 +- e k may be 0 or less: seen from the center, the plane is turned
+  /// away.
+  std::optional<Rational> rounding;
+};
+
+/// A set of halfspaces with a bounded intersection, and what each removal from it costs. Everything
+/// is intersected from scratch: nothing is taken from an engine.
+class RemovalOracle {
+ public:
+  /// @param halfspaces  None redundant. @param center  Strictly inside.
+  /// @throws Error  InvalidArgument if the center is not inside or the intersection is unbounded.
+  /// @par Cost      Expected O(n log n).
+  RemovalOracle(std::vector<Halfspace> halfspaces, const RationalPoint& center);
+
+  /// volume(all but `removed`) - volume(all). @par Cost  Expected O(n log n) again.
+  RemovalCost without(const Halfspace& removed) const;
+
+ private:
+  std::vector<Halfspace> halfspaces_;
+  RationalPoint center_;
+  Polytope solid_;
+  Rational volume_;
+};
+
+/// The intersection of halfspaces from scratch; none if it is unbounded.
+/// @param center  Strictly inside. @throws Error InvalidArgument if it is not.
+[[nodiscard]] std::optional<Polytope> intersect(std::span<const Halfspace> halfspaces,
+                                                const RationalPoint& center);
+
+}  // namespace convexact

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "oracle/removal_order_file.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "convexact/error.hpp"
+#include "io/halfspace_json.hpp"
+#include "io/halfspace_rows.hpp"
+#include "io/json_text.hpp"
+#include "io/text_cursor.hpp"
+#include "oracle/words.hpp"
+
+namespace convexact {
+namespace {
+
+using nlohmann::json;
+
+constexpr TextRules kRowRules{.comment = '#'};
+
+ListedFacets by_row(const HalfspaceList& list) {
+  ListedFacets facets(list.row_count());
+  for (std::size_t k = 0; k < list.rows.size(); ++k) {
+    facets[list.rows[k] - 1] = list.halfspaces[k];
+  }
+  return facets;
+}
+
+void set_facets(RemovalOrder& order, const std::optional<ListedFacets>& facets,
+                std::span<const Halfspace> canonical) {
+  order.facets = facets ? *facets : ListedFacets(canonical.begin(), canonical.end());
+  order.has_list = facets.has_value();
+}
+
+void require_no_list(const std::optional<ListedFacets>& facets) {
+  if (facets) {
+    throw Error(ErrorCode::InvalidArgument,
+                "a facet list is for ids, and this trace spells out its planes");
+  }
+}
+
+// Reads the steps of a document; `place_` is where in it the reader is, for messages.
+class StepReader {
+ public:
+  void read(const json& document, RemovalOrder& order);
+  const std::string& place() const { return place_; }
+
+ private:
+  [[noreturn]] void reject(const std::string& expected) const {
+    throw Error(ErrorCode::Malformed, place_ + ": expected " + expected);
+  }
+  ListedFacet facet(const json& number) const;
+  StepClaim claim(const json& step) const;
+  StopReason stop_reason(const json& name) const;
+
+  std::string place_ = "trace";
+};
+
+ListedFacet StepReader::facet(const json& number) const {
+  if (number.is_number_unsigned()) return number.get<ListedFacet>();
+  if (!number.is_number_integer()) reject("the index of a halfspace");
+  return kNoListedFacet;
+}
+
+StepClaim StepReader::claim(const json& step) const {
+  StepClaim claim;
+  if (step.contains("cost") && step["cost"].is_object() && step["cost"].contains("exact")) {
+    const json& exact = step["cost"]["exact"];
+    if (!exact.is_string()) reject("the exact cost as a string");
+    try {
+      claim.cost = parse_rational(exact.get_ref<const std::string&>());
+    } catch (const Error&) {
+      reject("the exact cost as p or p/q");
+    }
+  }
+  if (step.contains("tie")) {
+    if (!step["tie"].is_array()) reject("the tie as an array");
+    claim.tie.emplace();
+    for (const json& number : step["tie"]) claim.tie->push_back(facet(number));
+  }
+  if (step.contains("left")) {
+    if (!step["left"].is_number_unsigned()) reject("how many are left");
+    claim.left = step["left"].get<std::uint64_t>();
+  }
+  return claim;
+}
+
+StopReason StepReader::stop_reason(const json& name) const {
+  for (const StopReason reason :
+       {StopReason::Reached, StopReason::GrowthLimit, StopReason::AllUnbounded}) {
+    if (name == words::name_of(reason)) return reason;
+  }
+  reject("reached, growth-limit or all-unbounded");
+}
+
+void StepReader::read(const json& document, RemovalOrder& order) {
+  if (!document.is_object() || !document.contains("steps") || !document["steps"].is_array()) {
+    reject("an object with an array 'steps'");
+  }
+  for (const json& step : document["steps"]) {
+    const std::size_t row = order.removals.size() + 1;
+    place_ = "step " + std::to_string(row);
+    if (!step.is_object() || !step.contains("removed")) reject("an object with 'removed'");
+    const json& removed = step["removed"];
+    order.removals.push_back(
+        {row, "the id " + in_quotes(removed.dump()), facet(removed), claim(step)});
+  }
+  place_ = "stop";
+  if (document.contains("stop")) order.stop = stop_reason(document["stop"]);
+}
+
+RemovalOrder read_json_order(std::string_view bytes, const std::optional<ListedFacets>& facets,
+                             std::span<const Halfspace> canonical, Decimal decimal) {
+  const json document = parse_json(bytes);
+  RemovalOrder order;
+  StepReader reader;
+  try {
+    reader.read(document, order);
+  } catch (const json::exception&) {  // invalid UTF-8 in a message, say
+    throw Error(ErrorCode::Malformed, reader.place() + ": not as in trace.schema.json");
+  }
+  if (document.contains("halfspaces")) {
+    require_no_list(facets);
+    order.facets = by_row(read_halfspaces_json(bytes, decimal));
+    order.has_list = true;
+  } else {
+    set_facets(order, facets, canonical);
+  }
+  return order;
+}
+
+std::string plane_text(const std::optional<Halfspace>& plane) {
+  if (!plane) return "a plane with normal 0";
+  std::string text = "the plane";
+  for (const Integer& n : plane->normal()) text += " " + to_string(n);
+  return text + " " + to_string(plane->offset());
+}
+
+RemovalOrder read_planes(std::string_view bytes, Decimal decimal) {
+  RemovalOrder order;
+  order.facets = by_row(read_halfspace_rows(bytes, decimal));
+  for (std::size_t k = 0; k < order.facets.size(); ++k) {
+    order.removals.push_back({k + 1, plane_text(order.facets[k]), k});
+  }
+  return order;
+}
+
+// An integer of any length and sign.
+ListedFacet id_of(std::string_view token, const TextCursor& cursor) {
+  std::string_view digits = token;
+  const bool is_negative = digits.front() == '-';
+  if (is_negative || digits.front() == '+') digits.remove_prefix(1);
+  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos) {
+    cursor.fail_expected("a facet id, or a plane n1 n2 n3 d", token);
+  }
+  ListedFacet value = 0;
+  const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  const bool is_too_large = parsed.ec != std::errc();
+  return is_too_large || (is_negative && value != 0) ? kNoListedFacet : value;
+}
+
+RemovalOrder read_ids(std::string_view bytes) {
+  TextCursor cursor(bytes, kRowRules);
+  RemovalOrder order;
+  while (cursor.next_line()) {
+    const std::string_view token = cursor.token();
+    order.removals.push_back(
+        {order.removals.size() + 1, "the id " + in_quotes(token), id_of(token, cursor)});
+    cursor.expect_line_end();
+  }
+  return order;
+}
+
+std::size_t numbers_in_first_row(std::string_view bytes) {
+  TextCursor cursor(bytes, kRowRules);
+  if (!cursor.next_line()) throw Error(ErrorCode::Malformed, "expected removals, found nothing");
+  std::size_t count = 0;
+  while (!cursor.token().empty()) ++count;
+  return count;
+}
+
+RemovalOrder read_text_order(std::string_view bytes, const std::optional<ListedFacets>& facets,
+                             std::span<const Halfspace> canonical, Decimal decimal) {
+  if (numbers_in_first_row(bytes) == 4) {
+    require_no_list(facets);
+    return read_planes(bytes, decimal);
+  }
+  RemovalOrder order = read_ids(bytes);
+  set_facets(order, facets, canonical);
+  return order;
+}
+
+}  // namespace
+
+ListedFacets read_facet_list(std::string_view bytes, const std::string& path, Decimal decimal) {
+  std::optional<HalfspaceFormat> format = halfspace_format_of_path(path);
+  if (!format) format = halfspace_format_of_content(bytes);
+  if (!format) throw Error(ErrorCode::Malformed, "expected a list of halfspaces");
+  return by_row(read_halfspaces_bytes(bytes, *format, decimal));
+}
+
+RemovalOrder read_removal_order(std::string_view bytes, const std::optional<ListedFacets>& facets,
+                                std::span<const Halfspace> canonical, Decimal decimal) {
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  const bool is_json = first != std::string_view::npos && bytes[first] == '{';
+  return is_json ? read_json_order(bytes, facets, canonical, decimal)
+                 : read_text_order(bytes, facets, canonical, decimal);
+}
+
+}  // namespace convexact

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+#include "oracle/stdio_request.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "convexact/error.hpp"
+#include "convexact/number.hpp"
+#include "convexact/verify.hpp"
+#include "io/json.hpp"
+#include "io/json_text.hpp"
+#include "number/hex_float.hpp"
+#include "oracle/verdict_json.hpp"
+#include "scene/result_json.hpp"
+
+namespace convexact {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+[[noreturn]] void reject(const std::string& expected) {
+  throw Error(ErrorCode::Malformed, "expected " + expected);
+}
+
+void require_known_keys(const json& object, std::initializer_list<const char*> known,
+                        const char* what) {
+  if (!object.is_object()) reject(std::string(what) + " as an object");
+  for (const auto& [key, value] : object.items()) {
+    if (std::find(known.begin(), known.end(), key) == known.end()) {
+      reject(std::string("only known keys in ") + what + ", found '" + key + "'");
+    }
+  }
+}
+
+// A number of a JSON text or a string: both mean what their text does, whatever stands beside them.
+std::string_view text_of(const json& value) {
+  const std::string_view text = spelling_of(value);
+  if (text.empty()) reject("a number, or a string that holds one");
+  return text;
+}
+
+// As in a list of halfspaces: integers and fractions are exact.
+Rational coefficient(const json& value, Decimal decimal) {
+  const std::string_view text = text_of(value);
+  return is_hex_float(text) ? parse_hex_float(text) : parse_number(text, decimal);
+}
+
+const json& row_of(const json& rows, std::size_t row, std::size_t length, const char* what) {
+  const json& numbers = rows[row];
+  if (!numbers.is_array() || numbers.size() != length) {
+    reject(std::string(what) + " " + std::to_string(row) + " as an array of " +
+           std::to_string(length));
+  }
+  return numbers;
+}
+
+// As in a mesh: every decimal is the nearest double or binary32 number, also one without a point or
+// an exponent. Fractions and hexadecimal floats are what they spell; where the numbers are
+// binary32, they are rounded too.
+Rational coordinate(const json& value, Decimal decimal) {
+  const std::string_view text = text_of(value);
+  const bool is_hex = is_hex_float(text);
+  const bool is_fraction = text.find('/') != std::string_view::npos;
+  if (!is_hex && !is_fraction && decimal != Decimal::Exact) {
+    return to_rational(decimal == Decimal::Nearest ? nearest_double(text) : nearest_float(text));
+  }
+  const Rational spelled = is_hex ? parse_hex_float(text) : parse_number(text, Decimal::Exact);
+  if (decimal != Decimal::Nearest32) return spelled;
+  const float rounded = to_float(spelled, Rounding::Nearest);
+  if (!std::isfinite(rounded)) {
+    throw Error(ErrorCode::NotFinite,
+                "expected a number within binary32, found " + in_quotes(text));
+  }
+  return to_rational(rounded);
+}
+
+PointSet points(const json& rows, Decimal decimal, const char* what) {
+  if (!rows.is_array()) reject(std::string("an array with a row for each ") + what);
+  std::vector<RationalPoint> list;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const json& x = row_of(rows, r, 3, what);
+    list.emplace_back(coordinate(x[0], decimal), coordinate(x[1], decimal),
+                      coordinate(x[2], decimal));
+  }
+  return PointSet(std::move(list));
+}
+
+HalfspaceList halfspaces(const json& rows, Decimal decimal) {
+  if (!rows.is_array()) reject("an array with a row for each plane");
+  HalfspaceList list;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const json& x = row_of(rows, r, 4, "plane");
+    list.add({coefficient(x[0], decimal), coefficient(x[1], decimal), coefficient(x[2], decimal)},
+             coefficient(x[3], decimal));
+  }
+  return list;
+}
+
+std::vector<std::vector<std::uint32_t>> faces(const json& rows, std::size_t points) {
+  if (!rows.is_array()) reject("an array with a row for each face");
+  std::vector<std::vector<std::uint32_t>> polygons;
+  for (const json& row : rows) {
+    if (!row.is_array() || row.size() < 3) reject("a face as an array of three corners or more");
+    std::vector<std::uint32_t>& polygon = polygons.emplace_back();
+    for (const json& corner : row) {
+      if (!corner.is_number_unsigned() || corner.get<std::uint64_t>() >= points) {
+        reject("the index of one of " + std::to_string(points) + " vertices, found " +
+               in_quotes(corner.dump()));
+      }
+      polygon.push_back(corner.get<std::uint32_t>());
+    }
+  }
+  return polygons;
+}
+
+// What is wrong with the numbers of a candidate is for the oracle to tell.
+Candidate candidate(const json& object, Decimal decimal) {
+  require_known_keys(object, {"planes", "vertices", "faces"}, "the candidate");
+  if (object.contains("planes") == object.contains("vertices")) {
+    reject("a candidate with 'planes' or with 'vertices'");
+  }
+  if (object.contains("planes") && object.contains("faces")) reject("faces with 'vertices' only");
+  try {
+    if (object.contains("planes")) return halfspaces(object["planes"], decimal);
+    Mesh mesh;
+    mesh.points = points(object["vertices"], decimal, "vertex");
+    if (object.contains("faces")) mesh.polygons = faces(object["faces"], mesh.points.size());
+    return mesh;
+  } catch (const Error& error) {
+    return error;
+  }
+}
+
+std::optional<std::size_t> budget(const json& request, const char* key) {
+  if (!request.contains(key)) return std::nullopt;
+  if (!request[key].is_number_unsigned()) reject(std::string(key) + " as a count");
+  return request[key].get<std::size_t>();
+}
+
+std::vector<ClaimCode> claims(const json& names) {
+  if (!names.is_array()) reject("claims as an array of names");
+  std::vector<ClaimCode> codes;
+  for (const json& name : names) {
+    const auto code = name.is_string() ? claim_of_name(name.get<std::string>()) : std::nullopt;
+    if (!code) reject("the name of a claim, found " + in_quotes(name.dump()));
+    codes.push_back(*code);
+  }
+  return codes;
+}
+
+VerifyRequest questions(const json& request) {
+  VerifyRequest asked;
+  asked.tightness = false;
+  if (request.contains("claims")) asked.claims = claims(request["claims"]);
+  if (request.contains("tightness")) {
+    if (!request["tightness"].is_boolean()) reject("tightness as true or false");
+    asked.tightness = request["tightness"].get<bool>();
+  }
+  if (request.contains("tolerance")) {
+    const json& tolerance = request["tolerance"];
+    if (!tolerance.is_string()) reject("the tolerance as a string, such as \"1e-9d\"");
+    asked.tolerance = parse_tolerance(tolerance.get_ref<const std::string&>());
+  }
+  if (request.contains("exact_facets")) {
+    if (!request["exact_facets"].is_boolean()) reject("exact_facets as true or false");
+    asked.exact_facets = request["exact_facets"].get<bool>();
+    if (!request.contains("max_facets")) reject("exact_facets with max_facets only");
+  }
+  asked.max_facets = budget(request, "max_facets");
+  asked.max_vertices = budget(request, "max_vertices");
+  asked.max_facet_vertices = budget(request, "max_facet_vertices");
+  return asked;
+}
+
+Decimal decimal_of(const json& request) {
+  const json name = request.value("decimal", json("nearest"));
+  if (name != "nearest" && name != "exact") reject("decimal as nearest or exact");
+  const json numbers = request.value("numbers", json("binary64"));
+  if (numbers != "binary64" && numbers != "binary32") reject("numbers as binary64 or binary32");
+  if (numbers == "binary64") return name == "exact" ? Decimal::Exact : Decimal::Nearest;
+  if (name == "exact") reject("decimals as nearest with numbers in binary32");
+  return Decimal::Nearest32;
+}
+
+// The shorter one of the limits of the caller and of the request.
+std::optional<double> time_limit_of(const json& request, std::optional<double> limit) {
+  constexpr double kLongest = 1e6;
+  if (!request.contains("time_limit")) return limit;
+  const json& seconds = request["time_limit"];
+  if (!seconds.is_number() || !(seconds > 0) || seconds > kLongest) {
+    reject("time_limit as a number of seconds, more than 0 and at most a million");
+  }
+  return std::min(seconds.get<double>(), limit.value_or(kLongest));
+}
+
+// Raises a flag when some seconds are over, unless it ends before.
+class TimeLimit {
+ public:
+  explicit TimeLimit(std::optional<double> seconds) {
+    if (!seconds) return;
+    waiter_ = std::thread([this, time = std::chrono::duration<double>(*seconds)] {
+      std::unique_lock lock(mutex_);
+      is_over_ = !ended_.wait_for(lock, time, [this] { return has_ended_; });
+    });
+  }
+  ~TimeLimit() {
+    if (!waiter_.joinable()) return;
+    {
+      const std::lock_guard lock(mutex_);
+      has_ended_ = true;
+    }
+    ended_.notify_one();
+    waiter_.join();
+  }
+  TimeLimit(const TimeLimit&) = delete;
+
+  const std::atomic<bool>& is_over() const { return is_over_; }
+
+ private:
+  std::mutex mutex_;  // of has_ended_
+  std::condition_variable ended_;
+  bool has_ended_ = false;
+  std::atomic<bool> is_over_ = false;
+  std::thread waiter_;
+};
+
+VerifyOutcome verify_in_time(const PointSet& input, const Candidate& candidate,
+                             const VerifyRequest& asked, std::optional<double> seconds) {
+  const TimeLimit limit(seconds);
+  StageLog log(StageWatch{.begins = {}, .stop = &limit.is_over()});
+  try {
+    return verify(input, candidate, asked, log);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::Stopped) throw;
+    throw Error(ErrorCode::Stopped,
+                fmt::format("no verdict within the time limit of {} s", seconds.value()));
+  }
+}
+
+ordered_json answer(const json& request, std::optional<double> time_limit) {
+  require_known_keys(
+      request,
+      {"id", "points", "candidate", "claims", "tolerance", "tightness", "decimal", "numbers",
+       "max_facets", "max_vertices", "max_facet_vertices", "exact_facets", "time_limit"},
+      "the request");
+  if (request.contains("id") && request["id"].is_structured()) {
+    reject("an id that is a number, a string, true, false or null");
+  }
+  if (!request.contains("points") || !request.contains("candidate")) {
+    reject("a request with 'points' and 'candidate'");
+  }
+  const Decimal decimal = decimal_of(request);
+  const VerifyRequest asked = questions(request);
+  const PointSet input = points(request["points"], decimal, "point");
+  VerifyOutcome outcome = verify_in_time(input, candidate(request["candidate"], decimal), asked,
+                                         time_limit_of(request, time_limit));
+  if (auto* verdict = std::get_if<Verdict>(&outcome)) {
+    std::erase_if(verdict->claims, [](const Claim& c) { return c.status == Status::NotAsked; });
+    return verdict_json(*verdict);
+  }
+  const auto& reason = std::get<NotSolid>(outcome);
+  ordered_json error = error_json(Error(ErrorCode::NoInterior, describe(reason)));
+  error["proof"] = proof_json(reason);
+  return {{"error", error}};
+}
+
+// The id of a request as it goes into the answer: a number as spelled, and empty if there is none.
+std::string id_text(const json& request) {
+  if (!request.is_object() || !request.contains("id")) return {};
+  const json& id = request["id"];
+  if (id.is_structured()) return {};
+  return id.is_binary() ? std::string(spelling_of(id)) : id.dump();
+}
+
+// Invalid UTF-8 in a message is replaced, so that a line is always JSON.
+std::string one_line(const json& request, const ordered_json& body) {
+  const std::string line = write_json(body);
+  const std::string id = id_text(request);
+  return id.empty() ? line : "{\"id\":" + id + "," + line.substr(1);
+}
+
+}  // namespace
+
+std::string answer_request(std::string_view line, std::optional<double> time_limit) {
+  JsonDocument reader({"id", "points", "planes", "vertices"});
+  const auto failure = [&](const Error& error) {
+    return one_line(reader.document, {{"error", error_json(error)}});
+  };
+  try {
+    parse_json_events(line, reader);
+  } catch (const Error& error) {
+    return failure(Error(error.code(), std::string("not a request: ") + error.what()));
+  }
+  try {
+    return one_line(reader.document, answer(reader.document, time_limit));
+  } catch (const Error& error) {
+    return failure(error);
+  }
+}
+
+}  // namespace convexact

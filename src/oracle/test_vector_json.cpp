@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+#include "oracle/test_vector_json.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "convexact/io.hpp"
+#include "io/json_text.hpp"
+#include "oracle/candidate_file.hpp"
+
+namespace convexact {
+namespace {
+
+using nlohmann::json;
+
+[[noreturn]] void fail(const std::string& message) { throw Error(ErrorCode::Malformed, message); }
+
+// An integer of JSON within bounds. Asked for one, the JSON library converts any number: -1 becomes
+// a huge count, and 1e99 is undefined behaviour.
+std::int64_t to_integer(const json& number, std::int64_t least, std::int64_t most) {
+  const bool is_beyond =
+      number.is_number_unsigned() &&
+      (most < 0 || number.get<std::uint64_t>() > static_cast<std::uint64_t>(most));
+  if (!number.is_number_integer() || is_beyond || number.get<std::int64_t>() < least) {
+    fail("expected an integer from " + std::to_string(least) + " to " + std::to_string(most) +
+         ", found " + in_quotes(number.dump()));
+  }
+  return number.get<std::int64_t>();
+}
+
+std::size_t to_count(const json& number) {
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+  return static_cast<std::size_t>(to_integer(number, 0, kMost));
+}
+
+// "-0x1.8p-3", as Python and C print doubles.
+double to_double(const std::string& text) {
+  std::string_view digits = text;
+  const bool negative = digits.starts_with('-');
+  if (negative) digits.remove_prefix(1);
+  if (!digits.starts_with("0x")) fail("expected a hexadecimal float, found " + in_quotes(text));
+  digits.remove_prefix(2);
+  double value = 0;
+  const char* end = digits.data() + digits.size();
+  const auto result = std::from_chars(digits.data(), end, value, std::chars_format::hex);
+  if (result.ec != std::errc() || result.ptr != end) {
+    fail("expected a hexadecimal float, found " + in_quotes(text));
+  }
+  return negative ? -value : value;
+}
+
+// "p", "p/q" or either with "*2^e" behind.
+Rational to_exact(const std::string& text) {
+  const std::size_t star = text.find("*2^");
+  if (star == std::string::npos) return parse_rational(text);
+  int exponent = 0;
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data() + star + 3, end, exponent);
+  if (result.ec != std::errc() || result.ptr != end || exponent < -100000 || exponent > 100000) {
+    fail("expected a power of two, found " + in_quotes(text));
+  }
+  return scale_by_power_of_two(parse_rational(text.substr(0, star)), exponent);
+}
+
+std::vector<Point> to_points(const json& list) {
+  std::vector<Point> points;
+  for (const json& row : list) {
+    Point& p = points.emplace_back();
+    for (int k = 0; k < 3; ++k) {
+      const json& x = row.at(k);
+      p[k] = x.is_string() ? to_double(x.get<std::string>()) : x.get<double>();
+    }
+  }
+  return points;
+}
+
+HalfspaceList to_halfspaces(const json& list) {
+  HalfspaceList halfspaces;
+  for (const json& row : list) {
+    std::array<Rational, 4> numbers;
+    for (int k = 0; k < 4; ++k) numbers[k] = to_exact(row.at(k).get<std::string>());
+    halfspaces.add({numbers[0], numbers[1], numbers[2]}, numbers[3]);
+  }
+  return halfspaces;
+}
+
+std::string from_base64(const std::string& text) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (const char c : text) {
+    if (c == '=') break;
+    const std::size_t digit = kDigits.find(c);
+    if (digit == std::string_view::npos) fail("expected base64, found " + in_quotes(text));
+    bits = bits << 6 | static_cast<std::uint32_t>(digit);
+    count += 6;
+    if (count >= 8) bytes += static_cast<char>(bits >> (count -= 8) & 0xFF);
+  }
+  return bytes;
+}
+
+RawFile to_file(const json& file) {
+  const std::string extension = file.at("format").get<std::string>();
+  if (file.contains("text")) return {file["text"].get<std::string>(), extension};
+  return {from_base64(file.at("base64").get<std::string>()), extension};
+}
+
+PointSet scaled_mesh(const json& input, const std::string& data) {
+  const auto mesh = read_mesh((std::filesystem::path(data) / input.at("file").get<std::string>()));
+  const auto scale = input.at("scale").get<double>();
+  std::vector<Point> points(mesh.points.doubles().begin(), mesh.points.doubles().end());
+  for (Point& p : points) p *= scale;  // each coordinate to the nearest double
+  return PointSet(std::move(points));
+}
+
+decltype(TestVector::input) to_input(const json& input, const std::string& data) {
+  if (input.contains("points")) return PointSet(to_points(input["points"]));
+  if (input.contains("halfspaces")) return to_halfspaces(input["halfspaces"]);
+  if (input.contains("file")) return scaled_mesh(input, data);
+  return to_file(input);
+}
+
+std::vector<std::vector<std::uint32_t>> to_polygons(const json& faces, std::size_t points) {
+  std::vector<std::vector<std::uint32_t>> polygons;
+  for (const json& face : faces) {
+    if (!face.is_array() || face.size() < 3) fail("expected a face of three corners or more");
+    std::vector<std::uint32_t>& polygon = polygons.emplace_back();
+    for (const json& corner : face) {
+      const auto last = static_cast<std::int64_t>(points) - 1;
+      polygon.push_back(static_cast<std::uint32_t>(to_integer(corner, 0, last)));
+    }
+  }
+  return polygons;
+}
+
+Candidate to_candidate(const json& candidate) {
+  if (candidate.contains("halfspaces")) return to_halfspaces(candidate["halfspaces"]);
+  if (candidate.contains("points")) {
+    Mesh mesh;
+    mesh.points = PointSet(to_points(candidate["points"]));
+    mesh.polygons = to_polygons(candidate.at("faces"), mesh.points.size());
+    return mesh;
+  }
+  const RawFile file = to_file(candidate);
+  return read_candidate_bytes(file.bytes, "candidate." + file.extension);
+}
+
+Status to_status(const std::string& name) {
+  for (const Status status : {Status::Holds, Status::Violated}) {
+    if (name == name_of(status)) return status;
+  }
+  fail("expected holds or violated, found " + in_quotes(name));
+}
+
+VerifyQuestion to_verify_question(const json& question, const json& expected) {
+  VerifyQuestion result{to_candidate(question.at("candidate")), {}, {}, {}, {}, {}};
+  const auto budget = [&](const char* name) -> std::optional<std::size_t> {
+    if (!question.contains(name)) return std::nullopt;
+    return to_count(question[name]);
+  };
+  result.max_facets = budget("max_facets");
+  result.max_vertices = budget("max_vertices");
+  result.max_facet_vertices = budget("max_facet_vertices");
+  for (const auto& [name, status] : expected.at("claims").items()) {
+    const std::optional<ClaimCode> code = claim_of_name(name);
+    if (!code) fail("expected the code of a claim, found " + in_quotes(name));
+    result.claims.emplace_back(*code, to_status(status.get<std::string>()));
+  }
+  if (expected.contains("outside")) {
+    const json& outside = expected["outside"];
+    result.outside = {to_count(outside.at("points")),
+                      to_exact(outside.at("squared_distance").get<std::string>())};
+  }
+  return result;
+}
+
+SimplifyQuestion to_simplify_question(const json& question, const json& expected) {
+  SimplifyQuestion result;
+  result.faces = to_count(question.at("faces"));
+  result.facets = to_count(expected.at("facets"));
+  result.reached = expected.at("reached").get<bool>();
+  if (!expected.contains("volume")) return result;
+  result.volume = to_exact(expected["volume"].get<std::string>());
+  for (const json& cost : expected.at("costs")) {
+    result.costs.push_back(to_exact(cost.get<std::string>()));
+  }
+  for (const json& tie : expected.at("ties")) {
+    result.ties.push_back(to_halfspaces(tie).halfspaces);
+  }
+  return result;
+}
+
+RefuseQuestion to_refuse_question(const json& expected) {
+  RefuseQuestion result{ErrorCode::NoInterior, {}, {}};
+  const std::string error = expected.at("error").get<std::string>();
+  if (error == "malformed") {
+    result.error = ErrorCode::Malformed;
+  } else if (error == "not-finite") {
+    result.error = ErrorCode::NotFinite;
+  } else if (error != "no-interior") {
+    fail("expected malformed, not-finite or no-interior, found " + in_quotes(error));
+  }
+  if (expected.contains("dimension")) {
+    result.dimension = static_cast<int>(to_integer(expected["dimension"], -1, 2));
+  }
+  if (expected.contains("points")) result.points = PointSet(to_points(expected["points"]));
+  return result;
+}
+
+decltype(TestVector::question) to_question(const json& question, const json& expected) {
+  const std::string ask = question.at("ask").get<std::string>();
+  if (ask == "simplify") return to_simplify_question(question, expected);
+  if (ask == "verify") return to_verify_question(question, expected);
+  if (ask == "refuse") return to_refuse_question(expected);
+  if (ask != "hull") fail("expected hull, simplify, verify or refuse, found " + in_quotes(ask));
+  return HullQuestion{to_count(expected.at("facets")), to_count(expected.at("vertices")),
+                      to_exact(expected.at("volume").get<std::string>())};
+}
+
+TestVector to_vector(const json& entry, const std::string& data) {
+  TestVector vector;
+  vector.id = entry.at("id").get<std::string>();
+  vector.title = entry.at("title").get<std::string>();
+  vector.level = static_cast<int>(to_integer(entry.at("level"), 1, 3));
+  vector.required = entry.at("required").get<bool>();
+  vector.flags = entry.at("flags").get<std::vector<std::string>>();
+  try {
+    vector.input = to_input(entry.at("input"), data);
+    vector.question = to_question(entry.at("question"), entry.at("expected"));
+  } catch (const json::exception& error) {
+    fail(vector.id + ": " + error.what());
+  }
+  return vector;
+}
+
+}  // namespace
+
+std::vector<TestVector> read_test_vectors_bytes(std::string_view bytes, const std::string& data) {
+  std::vector<TestVector> vectors;
+  try {
+    const json document = parse_json(bytes);
+    for (const json& entry : document.at("vectors")) vectors.push_back(to_vector(entry, data));
+  } catch (const json::exception& error) {
+    throw Error(ErrorCode::Malformed, error.what());
+  }
+  return vectors;
+}
+
+std::vector<TestVector> read_test_vectors_file(const std::string& path, const std::string& data) {
+  try {
+    return read_test_vectors_bytes(read_bytes(path), data);
+  } catch (const Error& error) {
+    throw error.in_file(path);
+  }
+}
+
+std::vector<TestVector> read_test_vectors(const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::vector<fs::path> files;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(folder, failed)) {
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  }
+  if (files.empty()) {
+    throw Error(ErrorCode::Unreadable, folder + ": expected a folder with vectors in .json files");
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<TestVector> vectors;
+  for (const fs::path& file : files) {
+    for (TestVector& vector :
+         read_test_vectors_file(file, (fs::path(folder).parent_path() / "data"))) {
+      vectors.push_back(std::move(vector));
+    }
+  }
+  return vectors;
+}
+
+}  // namespace convexact

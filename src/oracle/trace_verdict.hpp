@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// trace_verdict.hpp - how somebody's removal order was judged, for machines
+// (docs/schema/trace_verdict.schema.json) and for people.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "convexact/verify_run.hpp"
+
+namespace convexact {
+
+/// "greedy", "greedy up to regret 0.0123 (step 5)", "not greedy from step 7", "unbounded at step
+/// 7", "cannot be followed from step 7" or "unreadable"; " without facet 12" if it is left out.
+/// Steps are counted from 0.
+[[nodiscard]] std::string verdict_line(const TraceVerdict& verdict);
+/// The same of the order among the other facets.
+[[nodiscard]] std::string verdict_line(const LeftOut& left_out);
+
+/// Which facets are to blame, and how the order does without them.
+[[nodiscard]] std::string sentence(const LeftOut& left_out, const TraceVerdict& verdict);
+/// Which planes of the list are facet planes up to rounding only; empty if all are exactly.
+[[nodiscard]] std::string sentence(const ListedPlanes& listed);
+
+/// All steps with exact costs, whatever their length; without the stages.
+[[nodiscard]] nlohmann::ordered_json trace_verdict_json(const TraceVerdict& verdict);
+
+/// The verdict, what is violated and with what witness, the worst steps, totals.
+[[nodiscard]] std::string trace_verdict_text(const TraceVerdict& verdict);
+
+}  // namespace convexact

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// effort.hpp - how often and how long a report may measure, and the clock that sees to it.
+#pragma once
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "convexact/error.hpp"
+#include "convexact/run.hpp"
+#include "report/statistics.hpp"
+
+namespace convexact {
+
+struct Effort {
+  std::size_t repetitions = 5;  ///< Of every timed run; >= 1.
+  /// Seconds for the repetitions of one run: none begins later, and a first run that takes longer
+  /// by itself is given up.
+  double budget = 60;
+  std::uint64_t seed = 1;
+  /// Called with what is being measured.
+  std::function<void(const std::string& what)> progress = {};
+  const std::atomic<bool>* stop = nullptr;  ///< When it becomes true: Error Stopped.
+};
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Stops engines when the time is up, or the user wants it.
+class Deadline {
+ public:
+  explicit Deadline(const Effort& effort) : effort_(effort) {}
+  Deadline(const Deadline&) = delete;
+
+  bool has_passed() const { return watch_.seconds() > effort_.budget; }
+  bool is_interrupted() const { return effort_.stop != nullptr && *effort_.stop; }
+  /// Makes a run end with Error Stopped soon after the time is up.
+  void apply_to(SimplifyOptions& options) {
+    options.stop = &ring_;
+    // The clock is read too seldom to be seen in the times of the quickest engine.
+    options.progress = [this](std::size_t left) {
+      if (left % 64 == 0 && (has_passed() || is_interrupted())) ring_ = true;
+    };
+  }
+
+ private:
+  const Effort& effort_;
+  Stopwatch watch_;
+  std::atomic<bool> ring_ = false;
+};
+
+/// Times `work(deadline)` again and again, as the effort allows. None if not even the first run
+/// came to its end in time. @throws Error Stopped if the user wants it; else as work.
+template <class Work>
+std::optional<Spread> time_repeatedly(const Effort& effort, Work&& work) {
+  std::vector<double> seconds;
+  Deadline deadline(effort);
+  do {
+    if (deadline.is_interrupted()) throw Error(ErrorCode::Stopped, "interrupted");
+    const Stopwatch watch;
+    try {
+      work(deadline);
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::Stopped || deadline.is_interrupted()) throw;
+      break;
+    }
+    seconds.push_back(watch.seconds());
+  } while (seconds.size() < effort.repetitions && !deadline.has_passed());
+  if (seconds.empty()) return std::nullopt;
+  return spread_of(seconds);
+}
+
+}  // namespace convexact

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// tightness_curve.hpp - how tightly k halfspaces enclose a solid, and when a run gets there.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "convexact/scene.hpp"
+#include "report/effort.hpp"
+
+namespace convexact {
+
+/// What the greedy removals leave at k halfspaces.
+struct TightnessPoint {
+  std::size_t faces = 0;
+  double growth = 0;  ///< Volume over that of the solid, minus 1; the nearest double, about.
+  /// Hausdorff distance to the solid, over the diameter of its box: the nearest double. None where
+  /// the effort's budget was spent before.
+  std::optional<double> hausdorff;
+  /// From the dual hull on, in one run that goes on to the end.
+  Spread seconds;
+};
+
+struct TightnessCurve {
+  std::size_t halfspaces = 0;          ///< Of the solid.
+  std::vector<TightnessPoint> points;  ///< Ascending by `faces`, from `least` to all.
+};
+
+/// About `count` numbers from `most` down to `least`, evenly spaced by their logarithms; both ends
+/// included, ascending, each once. Precondition: 1 <= least <= most.
+[[nodiscard]] std::vector<std::size_t> spaced_by_ratio(std::size_t least, std::size_t most,
+                                                       std::size_t count);
+
+/// The filtered engine's removals, which are the exact engine's, down to `least` >= 4 halfspaces or
+/// where they end.
+/// @par Cost  The timed runs; for each point a further run, a volume and a Hausdorff distance.
+[[nodiscard]] TightnessCurve measure_tightness_curve(const Solid& solid, std::size_t least,
+                                                     const Effort& effort);
+
+}  // namespace convexact

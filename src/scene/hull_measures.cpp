@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/error.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/number.hpp"
+#include "convexact/simplify.hpp"
+#include "number/refine.hpp"
+
+namespace convexact {
+namespace {
+
+constexpr int kMostDigits = 10000;
+
+// Bounds narrow enough to print `digits` certain digits.
+template <class Compute>
+Measured measure(const Compute& compute, int digits) {
+  const auto narrow_enough = [digits](const Enclosure& bounds) -> std::optional<Enclosure> {
+    if (!to_decimal(bounds, digits)) return std::nullopt;
+    return bounds;
+  };
+  const auto bounds = refine(compute, narrow_enough, PrecisionRange{.first = 64 + 4 * digits});
+  if (!bounds) throw Error(ErrorCode::Internal, "a measure does not settle");
+  return {*bounds, std::nullopt};
+}
+
+// The solid without its dual, which only removals need, where the input is points.
+SolidOutcome solid_to_measure(const Shape& shape, std::uint64_t seed, StageLog& log) {
+  const auto* points = std::get_if<PointSet>(&shape);
+  if (points == nullptr) return make_solid(shape, seed, true, log);
+  auto outcome = make_hull(*points, seed, true, log);
+  if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
+  const auto& hull = std::get<Hull>(outcome);
+  log.skip("dual", "only removals need it");
+  Solid solid;
+  solid.polytope = log.run("polytope", [&] { return to_polytope(hull, *points); });
+  solid.points = *points;
+  solid.extreme = hull.vertices;
+  solid.input_points = points->size();
+  return solid;
+}
+
+// Each measure that is asked for, as a stage of its own.
+void add_measures(HullResult& result, const HullRequest& request, StageLog& log) {
+  const Polytope& hull = result.solid.exact;
+  const auto watch_of = [&](const char* name) {
+    if (!request.progress) return Watch(log.watch().stop);
+    return Watch(log.watch().stop, [&request, name](std::size_t done, std::size_t total) {
+      request.progress(name, done, total);
+    });
+  };
+  const auto run = [&](const char* name, bool is_asked, const auto& compute) {
+    std::optional<Measured> measured;
+    if (is_asked) {
+      measured = log.run(name, [&] {
+        const Watch watch = watch_of(name);
+        return measure([&](long bits) { return compute(bits, watch); }, request.digits);
+      });
+    } else {
+      log.skip(name, "not among the measures asked for");
+    }
+    return measured;
+  };
+  result.volume = run("volume", request.volume,
+                      [&](long bits, const Watch&) { return enclose_volume(hull, bits); });
+  if (result.volume && request.exact_volume) {
+    result.volume->exact = log.run("exact volume", [&] { return volume(hull); });
+  } else {
+    log.skip("exact volume", "the fraction is not asked for");
+  }
+  result.area = run("area", request.area,
+                    [&](long bits, const Watch& watch) { return surface_area(hull, bits, watch); });
+  result.mean_width = run("mean width", request.mean_width, [&](long bits, const Watch& watch) {
+    return mean_width(hull, bits, watch);
+  });
+}
+
+}  // namespace
+
+HullReport measure_hull(const Shape& shape, const HullRequest& request, StageLog& log) {
+  if (request.digits < 1 || request.digits > kMostDigits) {
+    throw Error(ErrorCode::InvalidArgument, "digits: expected 1 to " + std::to_string(kMostDigits));
+  }
+  SolidOutcome outcome = solid_to_measure(shape, request.seed, log);
+  if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
+  auto& made = std::get<Solid>(outcome);
+  const BoundingBox box = bounding_box(made.polytope.vertices);
+  const Measured diameter = measure(
+      [&](long bits) { return sqrt(Enclosure(box.squared_diameter(), bits)); }, request.digits);
+  std::size_t corners = 0;
+  for (const auto& facet : made.polytope.facets) corners += facet.size();
+  StoredSolid stored =
+      store(std::move(made.polytope), made.points, made.extreme, request.store, log);
+  HullResult result{made.input_points,
+                    std::move(made.redundant),
+                    std::move(stored),
+                    corners / 2,
+                    box,
+                    diameter,
+                    {},
+                    {},
+                    {}};
+  add_measures(result, request, log);
+  return result;
+}
+
+}  // namespace convexact

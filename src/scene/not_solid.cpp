@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "convexact/scene.hpp"
+
+namespace convexact {
+namespace {
+
+std::string list_rows(const std::vector<Multiplier>& multipliers) {
+  std::string rows;
+  for (const Multiplier& m : multipliers) {
+    rows += fmt::format("{}{} times halfspace {}", rows.empty() ? "" : " + ", to_string(m.value),
+                        m.row);
+  }
+  return rows;
+}
+
+std::string list(const RationalVector3& v) {
+  return fmt::format("({}, {}, {})", to_string(v[0]), to_string(v[1]), to_string(v[2]));
+}
+
+// "2 x - z + 5 = 0"
+std::string list(const Halfspace& plane) {
+  std::string sum;
+  const auto add = [&](const Integer& factor, const std::string& name) {
+    if (factor == 0) return;
+    const Integer magnitude = abs(factor);
+    sum += sum.empty() ? (factor < 0 ? "-" : "") : (factor < 0 ? " - " : " + ");
+    if (magnitude != 1 || name.empty()) sum += to_string(magnitude) + (name.empty() ? "" : " ");
+    sum += name;
+  };
+  add(plane.normal()[0], "x");
+  add(plane.normal()[1], "y");
+  add(plane.normal()[2], "z");
+  add(plane.offset(), "");
+  return sum + " = 0";
+}
+
+struct Description {
+  std::string operator()(const FlatInput& flat) const {
+    if (flat.dimension < 0) return "there are no points";
+    std::string equations;
+    for (const Halfspace& plane : flat.equations) {
+      equations += (equations.empty() ? "" : " and ") + list(plane);
+    }
+    static constexpr const char* kWhere[] = {"are all the same point", "lie on one line",
+                                             "lie in one plane"};
+    return fmt::format("the points span no volume: they {}; every one satisfies {}",
+                       kWhere[flat.dimension], equations);
+  }
+  std::string operator()(const EmptyProof& proof) const {
+    return "no point lies in all halfspaces: " + list_rows(proof.farkas) +
+           " says that a positive number is at most 0 (rows as typed, counted from 0)";
+  }
+  std::string operator()(const FlatProof& proof) const {
+    return "the halfspaces have a point in common but no interior: " +
+           list_rows(proof.multipliers) +
+           " is 0 <= 0, so each of them holds with equality only (rows as typed, counted from 0)";
+  }
+  std::string operator()(const RecessionRay& ray) const {
+    return "the halfspaces bound no finite volume: their intersection extends to infinity along " +
+           list(ray.direction);
+  }
+};
+
+}  // namespace
+
+NotSolid of_typed_rows(NotSolid reason, const TypedRows& rows) {
+  const auto rename = [&](std::vector<Multiplier>& multipliers) {
+    if (rows.rows.empty()) return;
+    for (Multiplier& m : multipliers) {
+      m = {rows.rows[m.row] - 1, m.value * rows.scales[m.row]};
+    }
+  };
+  if (auto* empty = std::get_if<EmptyProof>(&reason)) rename(empty->farkas);
+  if (auto* flat = std::get_if<FlatProof>(&reason)) rename(flat->multipliers);
+  return reason;
+}
+
+std::string describe(const NotSolid& reason) { return std::visit(Description{}, reason); }
+
+}  // namespace convexact

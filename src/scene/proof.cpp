@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "scene/proof.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "convexact/error.hpp"
+#include "convexact/linear_program.hpp"
+#include "simplify/cap.hpp"
+
+namespace convexact {
+namespace {
+
+class ProofWriter {
+ public:
+  ProofWriter(const RunRecord& record, const PointSet& points) : record_(record), points_(points) {
+    for (const Halfspace& halfspace : record.solid.halfspaces) {
+      dual_points_.push_back(polar(halfspace, record.interior));
+    }
+  }
+  std::string write(const std::optional<StoredPlanes>& stored);
+
+ private:
+  // What is known of the removal of a halfspace.
+  struct Appraisal {
+    RingTriangulation roof;
+    std::optional<Rational> cost;
+    std::optional<IntegerVector3> ray;  // if it is unbounded: meets no other plane
+  };
+
+  template <class... Fields>
+  void line(const std::string& keyword, const Fields&... fields) {
+    text_ += keyword;
+    (add(fields), ...);
+    text_ += '\n';
+  }
+  void add(const char* word) { text_ += std::string(" ") + word; }
+  void add(const std::string& word) { text_ += ' ' + word; }
+  void add(std::size_t number) { text_ += fmt::format(" {}", number); }
+  void add(double number) { text_ += fmt::format(" {:a}", number); }
+  void add(const Rational& number) { add(to_string(number)); }
+  void add(const Integer& number) { add(to_string(number)); }
+  void add(HalfspaceId id) { add(id.index()); }
+  void add(PointId id) { add(id.index()); }
+  template <class Number>
+  void add(const Vector3<Number>& v) {
+    for (int k = 0; k < 3; ++k) add(v[k]);
+  }
+  template <class Item>
+  void add(const std::vector<Item>& items) {
+    for (const Item& item : items) add(item);
+  }
+  template <class Item, std::size_t size>
+  void add(const std::array<Item, size>& items) {
+    for (const Item& item : items) add(item);
+  }
+  void add(const Halfspace& halfspace) {
+    add(halfspace.normal());
+    add(halfspace.offset());
+  }
+
+  void write_hull();
+  void write_inside();
+  void write_run();
+  void write_evaluation(const Evaluation& evaluation);
+  void write_removal(const Step& step);
+  void write_stored(const StoredPlanes& stored);
+  Appraisal appraise(const Evaluation& evaluation) const;
+
+  const RunRecord& record_;
+  const PointSet& points_;
+  std::vector<DualPoint> dual_points_;
+  std::vector<std::optional<Appraisal>> appraisals_;  // by halfspace: the last one
+  std::string text_;
+};
+
+std::string ProofWriter::write(const std::optional<StoredPlanes>& stored) {
+  line("convexact-proof", "1", record_.is_greedy ? "greedy" : "costs");
+  write_hull();
+  write_inside();
+  write_run();
+  if (stored) write_stored(*stored);
+  const auto lines = static_cast<std::size_t>(std::count(text_.begin(), text_.end(), '\n'));
+  line("end", lines + 1);
+  return std::move(text_);
+}
+
+void ProofWriter::write_hull() {
+  for (const Halfspace& halfspace : record_.input_halfspaces) line("row", halfspace);
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    if (points_.is_binary()) {
+      line("point", points_.doubles()[p]);
+    } else {
+      line("point", points_[PointId(p)]);
+    }
+  }
+  line("interior", record_.interior);
+  for (const Halfspace& halfspace : record_.solid.halfspaces) line("plane", halfspace);
+  const auto precedes = [](const RationalPoint& a, const RationalPoint& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  };
+  std::map<RationalPoint, PointId, decltype(precedes)> vertices(precedes);
+  for (const PointId p : record_.extreme) vertices.emplace(points_[p], p);
+  for (const DualTriangle& t : record_.solid.triangles) {
+    const auto& h = record_.solid.halfspaces;
+    const auto vertex = vertices.find(meet(h[t[0].index()], h[t[1].index()], h[t[2].index()]));
+    if (vertex == vertices.end()) throw Error(ErrorCode::Internal, "a vertex is no input point");
+    line("triangle", t, vertex->second);
+  }
+}
+
+// The certificate gives points up in turn, each into a tetrahedron of later ones and extreme ones;
+// a proof goes the other way.
+void ProofWriter::write_inside() {
+  for (auto proof = record_.inside.rbegin(); proof != record_.inside.rend(); ++proof) {
+    const auto& [p, corners] = *proof;
+    if (corners[0] == corners[1] && corners[1] == corners[2]) {
+      line("inside", p, corners[0]);
+    } else {
+      line("inside", p, corners);
+    }
+  }
+}
+
+// What removing a halfspace does, from its ring and triangulation at that time.
+ProofWriter::Appraisal ProofWriter::appraise(const Evaluation& evaluation) const {
+  Appraisal appraisal;
+  RingTriangulation& roof = appraisal.roof;
+  roof.triangles = evaluation.triangles;
+  const auto point = [this](HalfspaceId i) { return dual_points_[i.index()]; };
+  for (const auto& [a, b, c] : roof.triangles) {
+    roof.planes.push_back(plane_through(point(a), point(b), point(c)));
+    // All dual points but the removed one have x.n <= d w, so x.n <= 0.
+    if (roof.planes.back().d <= 0) appraisal.ray = roof.planes.back().x;
+  }
+  if (!appraisal.ray) {
+    appraisal.cost = volume(make_cap(dual_points_, evaluation.halfspace, evaluation.ring, roof));
+  }
+  return appraisal;
+}
+
+void ProofWriter::write_evaluation(const Evaluation& evaluation) {
+  const HalfspaceId i = evaluation.halfspace;
+  std::optional<Appraisal>& known = appraisals_[i.index()];
+  if (known && known->ray) return;  // unbounded is for ever, though an eager engine asks again
+  known = appraise(evaluation);
+  if (known->ray) {
+    line("evaluate", i, "unbounded", *known->ray);
+  } else {
+    line("evaluate", i, "cost", *known->cost, "ring", evaluation.ring, "triangles",
+         evaluation.triangles);
+  }
+}
+
+void ProofWriter::write_removal(const Step& step) {
+  const std::optional<Appraisal>& appraisal = appraisals_[step.removed.index()];
+  if (!appraisal || appraisal->cost != step.cost) {
+    throw Error(ErrorCode::Internal, "a removal does not cost what its evaluation says");
+  }
+  if (record_.is_greedy) {
+    line("remove", step.removed, "tie", step.tie);
+  } else {
+    line("remove", step.removed);
+  }
+  for (const DualPlane& plane : appraisal->roof.planes) {
+    line("vertex", polar(plane, record_.interior));
+  }
+}
+
+void ProofWriter::write_run() {
+  appraisals_.resize(dual_points_.size());
+  auto evaluation = record_.evaluations.begin();
+  for (std::size_t s = 0; s <= record_.steps.size(); ++s) {
+    for (; evaluation != record_.evaluations.end() && evaluation->step == s; ++evaluation) {
+      write_evaluation(*evaluation);
+    }
+    if (s < record_.steps.size()) write_removal(record_.steps[s]);
+  }
+  std::vector<bool> is_gone(dual_points_.size(), false);
+  for (const Step& step : record_.steps) is_gone[step.removed.index()] = true;
+  std::vector<std::size_t> survivors;
+  for (std::size_t i = 0; i < is_gone.size(); ++i) {
+    if (!is_gone[i]) survivors.push_back(i);
+  }
+  line("survive", survivors);
+}
+
+// Each plane with a weight; the weighted normals add up to zero.
+void ProofWriter::write_stored(const StoredPlanes& stored) {
+  const BoundedOutcome outcome = find_recession(stored.halfspaces);
+  const auto* proof = std::get_if<BoundedProof>(&outcome);
+  if (proof == nullptr) throw Error(ErrorCode::Internal, "the stored planes are unbounded");
+  line("stored");
+  for (std::size_t i = 0; i < stored.planes.size(); ++i) {
+    const std::array<double, 4>& plane = stored.planes[i];
+    const IntegerVector3& normal = stored.halfspaces[i].normal();
+    const int k = normal[0] != 0 ? 0 : normal[1] != 0 ? 1 : 2;
+    // The multiplier is that of the primitive integers.
+    const Rational scale = to_rational(plane[static_cast<std::size_t>(k)]) / Rational(normal[k]);
+    line("halfspace", plane, Rational(proof->multipliers[i] / scale));
+  }
+}
+
+}  // namespace
+
+std::string write_proof(const RunRecord& record, const PointSet& points,
+                        const std::optional<StoredPlanes>& stored) {
+  return ProofWriter(record, points).write(stored);
+}
+
+}  // namespace convexact

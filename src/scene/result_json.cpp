@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "scene/result_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "convexact/error.hpp"
+#include "convexact/number.hpp"
+#include "io/json.hpp"
+#include "scene/words.hpp"
+
+namespace convexact {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json multipliers_json(const std::vector<Multiplier>& multipliers) {
+  Json list = Json::array();
+  for (const Multiplier& m : multipliers) {
+    list.push_back({{"halfspace", m.row}, {"multiplier", to_string(m.value)}});
+  }
+  return list;
+}
+
+const char* name_of(VerifyLevel level) {
+  switch (level) {
+    case VerifyLevel::None:
+      return "none";
+    case VerifyLevel::Local:
+      return "local";
+    case VerifyLevel::Full:
+      break;
+  }
+  return "full";
+}
+
+Json stored_json(const std::string& format, const Growth& growth, std::size_t violations) {
+  return {{"format", format},
+          {"push", growth.push},
+          {"volume_ratio", growth.volume_ratio},
+          {"violations", violations}};
+}
+
+std::string format_name(Precision precision, const char* what) {
+  return std::string(what) + (precision == Precision::Binary64 ? " in binary64" : " in binary32");
+}
+
+// The most derived form that was asked for; the exact integers if none was.
+Json stored_json(const StoredSolid& solid) {
+  if (const auto& mesh = solid.mesh) {
+    return stored_json(format_name(mesh->precision, "mesh"), mesh->growth, mesh->violations);
+  }
+  if (const auto& planes = solid.planes) {
+    return stored_json(format_name(planes->precision, "planes"), planes->growth,
+                       planes->violations);
+  }
+  return stored_json("planes in integers", Growth{}, 0);
+}
+
+Json planes_json(const std::vector<Halfspace>& halfspaces) {
+  Json planes = Json::array();
+  for (const Halfspace& plane : halfspaces) planes.push_back(plane_json(plane));
+  return planes;
+}
+
+Json input_json(std::size_t points, std::size_t vertices, std::size_t halfspaces,
+                const std::vector<RedundantHalfspace>& redundant) {
+  Json input = {{"points", points}, {"hull_vertices", vertices}, {"halfspaces", halfspaces}};
+  if (points > 0) return input;
+  input["redundant"] = Json::array();
+  for (const RedundantHalfspace& row : redundant) input["redundant"].push_back(row.row);
+  return input;
+}
+
+struct ProofJson {
+  Json operator()(const FlatInput& flat) const {
+    Json basis = Json::array(), equations = Json::array();
+    for (const PointId id : flat.basis) basis.push_back(id.index());
+    for (const Halfspace& plane : flat.equations) equations.push_back(plane_json(plane));
+    return {{"kind", "flat-points"},
+            {"dimension", flat.dimension},
+            {"basis", basis},
+            {"equations", equations}};
+  }
+  Json operator()(const EmptyProof& proof) const {
+    return {{"kind", "empty"}, {"farkas", multipliers_json(proof.farkas)}};
+  }
+  Json operator()(const FlatProof& proof) const {
+    return {{"kind", "flat-halfspaces"},
+            {"point", vector_json(proof.point)},
+            {"multipliers", multipliers_json(proof.multipliers)}};
+  }
+  Json operator()(const RecessionRay& ray) const {
+    return {{"kind", "unbounded"}, {"ray", vector_json(ray.direction)}};
+  }
+};
+
+}  // namespace
+
+Json stages_json(const std::vector<Stage>& stages) {
+  Json list = Json::array();
+  for (const Stage& stage : stages) {
+    if (!stage.skipped.empty()) {
+      list.push_back({{"name", stage.name}, {"skipped", stage.skipped}});
+    } else {
+      const char* kind = stage.kind == StageKind::Io ? "io" : "compute";
+      list.push_back({{"name", stage.name}, {"kind", kind}, {"seconds", stage.seconds}});
+    }
+  }
+  return list;
+}
+
+namespace {
+
+Json stop_json(const SimplifyResult& result) {
+  // What doubles cannot prove to be bounded need not be unbounded.
+  const bool is_doubt = result.stop == StopReason::AllUnbounded && result.float_bound &&
+                        !result.float_bound->is_end_proven;
+  return is_doubt ? "none-certain" : words::name_of(result.stop);
+}
+
+Json float_bound_json(const FloatBound& bound) {
+  return {
+      {"vouched", bound.is_vouched()}, {"cost", bound.cost}, {"regret", bound.regret},
+      {"doubtful", bound.doubtful},    {"ties", bound.ties}, {"end_proven", bound.is_end_proven}};
+}
+
+}  // namespace
+
+Json result_json(const SimplifyResult& result) {
+  Json json;
+  json["input"] = input_json(result.input_points, result.hull_vertices, result.input_halfspaces,
+                             result.redundant);
+  json["output"] = {{"halfspaces", result.solid.exact.planes.size()},
+                    {"reached", result.stop != StopReason::AllUnbounded},
+                    {"stop", stop_json(result)},
+                    {"planes", planes_json(result.solid.exact.planes)},
+                    {"stored", stored_json(result.solid)}};
+  // An upper bound, so that it never reads as less than 1.
+  const Enclosure ratio = result.output_volume.bounds / result.input_volume.bounds;
+  json["volume"] = {{"input", measured_json(result.input_volume, kDigits)},
+                    {"output", measured_json(result.output_volume, kDigits)},
+                    {"ratio", ratio.high_double()}};
+  json["engine"] = words::name_of(result.engine);
+  if (result.float_bound) json["float_bound"] = float_bound_json(*result.float_bound);
+  json["verified"] = {
+      {"level", name_of(result.verified)}, {"steps", result.steps}, {"violations", 0}};
+  return json;
+}
+
+Json hull_json(const HullResult& result, int digits) {
+  const Polytope& hull = result.solid.exact;
+  Json vertices = Json::array(), facets = Json::array();
+  for (const RationalPoint& vertex : hull.vertices) vertices.push_back(vector_json(vertex));
+  for (const auto& facet : hull.facets) facets.push_back(facet);
+  Json json = {
+      {"input",
+       input_json(result.input_points, hull.vertices.size(), hull.planes.size(), result.redundant)},
+      {"edges", result.edges},
+      {"box", {{"low", vector_json(result.box.low)}, {"high", vector_json(result.box.high)}}},
+      {"diameter", measured_json(result.diameter, digits)}};
+  if (result.volume) json["volume"] = measured_json(*result.volume, digits);
+  if (result.area) json["area"] = measured_json(*result.area, digits);
+  if (result.mean_width) json["mean_width"] = measured_json(*result.mean_width, digits);
+  json["planes"] = planes_json(hull.planes);
+  json["vertices"] = vertices;
+  json["facets"] = facets;
+  json["stored"] = stored_json(result.solid);
+  return json;
+}
+
+Json proof_json(const NotSolid& reason) { return std::visit(ProofJson{}, reason); }
+
+}  // namespace convexact

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/simplify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "convexact/error.hpp"
+#include "convexact/linear_program.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/stored.hpp"
+#include "fast/check_surface.hpp"
+#include "fast/filtered_engine.hpp"
+#include "fast/float_engine.hpp"
+#include "simplify/exact_engine.hpp"
+#include "simplify/replay.hpp"
+
+namespace convexact {
+namespace {
+
+void require_sensible(const SimplifyRequest& request) {
+  if (!request.faces && !request.max_growth) {
+    throw Error(ErrorCode::InvalidArgument,
+                "say where to stop: a number of faces, a growth of volume, or both");
+  }
+  if (request.faces && *request.faces < 4) {
+    throw Error(ErrorCode::InvalidArgument, "no bounded solid has fewer than 4 faces");
+  }
+  if (request.max_growth && *request.max_growth < 0) {
+    throw Error(ErrorCode::InvalidArgument, "the growth of volume cannot be negative");
+  }
+  if (request.engine == Engine::Float && (request.trace || request.verify == VerifyLevel::Full)) {
+    throw Error(ErrorCode::InvalidArgument,
+                "the float engine keeps no record of its steps: no trace, no full verification");
+  }
+}
+
+SimplifyOptions options_of(const SimplifyRequest& request, std::size_t at_start) {
+  SimplifyOptions options;
+  options.faces = request.faces.value_or(4);
+  options.max_growth = request.max_growth;
+  options.seed = request.seed;
+  options.verify = request.verify;
+  options.keep_evaluations = request.record;
+  options.stop = request.stop;
+  if (request.progress) {
+    options.progress = [&request, at_start](std::size_t left) { request.progress(left, at_start); };
+  }
+  return options;
+}
+
+// Where a run led, whichever engine made it.
+struct Run {
+  std::size_t halfspaces, steps;
+  StopReason stop;
+  Polytope polytope;
+  std::vector<HalfspaceId> removed;
+  std::optional<Trace> trace;
+  std::vector<Evaluation> evaluations;
+  std::optional<FloatBound> bound;
+  long volume_exponent = 0;  // of costs in `bound`
+};
+
+// What the result is measured against.
+struct Reference {
+  PointSet points;
+  std::vector<PointId> extreme;
+  std::size_t input_points;
+  std::vector<RedundantHalfspace> redundant;
+  Measured volume;
+};
+
+RationalPoint chebyshev_stage(const std::vector<Halfspace>& halfspaces, std::uint64_t seed,
+                              StageLog& log) {
+  return log.run("Chebyshev center", [&] {
+    const auto outcome = chebyshev_center(halfspaces, LpOptions{.seed = seed});
+    const auto* center = std::get_if<ChebyshevCenter>(&outcome);
+    if (center == nullptr || !check(halfspaces, *center)) {
+      throw Error(ErrorCode::Internal, "the certificate fails: a largest ball in the hull");
+    }
+    return center->center;
+  });
+}
+
+RationalPoint find_center(const Solid& solid, const SimplifyRequest& request, StageLog& log) {
+  const std::vector<Halfspace>& halfspaces = solid.dual.halfspaces;
+  if (request.center) {
+    log.skip("Chebyshev center", "the caller gave a center");
+    if (!is_strictly_inside(halfspaces, *request.center)) {
+      throw Error(ErrorCode::InvalidArgument, "the center is not strictly inside the input's hull");
+    }
+    return *request.center;
+  }
+  if (request.engine != Engine::Exact && solid.interior) {
+    log.skip("Chebyshev center", "any interior point serves this engine, and one is known");
+    return *solid.interior;
+  }
+  return chebyshev_stage(halfspaces, request.seed, log);
+}
+
+// The exact planes of the survivors alone, and their solid.
+Polytope polytope_of(const FastResult& result, const FastDual& dual, Engine engine) {
+  std::vector<HalfspaceId> survivors = result.survivors;  // ids of a FastDual need not be canonical
+  std::sort(survivors.begin(), survivors.end(),
+            [&](HalfspaceId a, HalfspaceId b) { return dual.precedes(a, b); });
+  std::vector<Halfspace> halfspaces;
+  std::unordered_map<HalfspaceId, HalfspaceId> position;
+  for (const HalfspaceId id : survivors) {
+    position.emplace(id, HalfspaceId(halfspaces.size()));
+    halfspaces.push_back(dual.exact(id));
+  }
+  if (engine == Engine::Float && !is_dual_hull(dual, result.triangles)) {
+    // Doubles made this topology, and got it wrong: the solid comes from the planes alone.
+    const DualHull exact = dual_of(halfspaces, dual.center()).dual;
+    return to_polytope(exact.halfspaces, exact.triangles);
+  }
+  std::vector<DualTriangle> triangles;
+  for (const DualTriangle& t : result.triangles) {
+    triangles.push_back({position.at(t[0]), position.at(t[1]), position.at(t[2])});
+  }
+  return to_polytope(halfspaces, triangles);
+}
+
+Run run_lean(const FastDual& dual, const SimplifyRequest& request, StageLog& log) {
+  const FastResult result = log.run("simplify", [&] {
+    const SimplifyOptions options = options_of(request, dual.size());
+    return request.engine == Engine::Float ? simplify_float(dual, options)
+                                           : simplify_filtered(dual, options);
+  });
+  Polytope polytope =
+      log.run("polytope", [&] { return polytope_of(result, dual, request.engine); });
+  Run run{dual.size(), result.steps.size(), result.stop,           std::move(polytope), {}, {},
+          {},          result.bound,        dual.volume_exponent()};
+  for (const FastStep& step : result.steps) run.removed.push_back(step.removed);
+  return run;
+}
+
+Run run_with_record(const Solid& solid, const RationalPoint& center, const SimplifyRequest& request,
+                    StageLog& log) {
+  Simplification result = log.run("simplify", [&] {
+    const SimplifyOptions options = options_of(request, solid.dual.halfspaces.size());
+    return request.engine == Engine::Exact ? simplify_exact(solid.dual, center, options)
+                                           : simplify_filtered(solid.dual, center, options);
+  });
+  Trace& trace = result.trace;
+  Polytope polytope =
+      log.run("polytope", [&] { return to_polytope(trace.halfspaces, result.triangles); });
+  return {trace.halfspaces.size(),
+          trace.steps.size(),
+          trace.stop,
+          std::move(polytope),
+          {},
+          std::move(trace),
+          std::move(result.evaluations),
+          {}};
+}
+
+// What the proof of a run needs. The float engine keeps no record: its removals are made again.
+RunRecord record_of(const Shape& shape, const Solid& solid, const RationalPoint& center, Run& run,
+                    std::uint64_t seed, StageLog& log) {
+  RunRecord record;
+  if (const auto* halfspaces = std::get_if<std::vector<Halfspace>>(&shape)) {
+    record.input_halfspaces = *halfspaces;
+  }
+  record.solid = solid.dual;
+  record.inside = solid.certificate.inside;
+  record.extreme = solid.extreme;
+  if (solid.interior) {
+    record.interior = *solid.interior;
+  } else {
+    RationalPoint sum = RationalPoint::Zero();
+    for (const PointId corner : solid.certificate.simplex) sum += solid.points[corner];
+    record.interior = sum / Rational(4);
+  }
+  record.is_greedy = run.trace.has_value();
+  if (run.trace) {
+    record.steps = run.trace->steps;
+    record.evaluations = std::move(run.evaluations);
+  } else {
+    Simplification again =
+        log.run("replay", [&] { return replay(solid.dual, center, run.removed, seed); });
+    record.steps = std::move(again.trace.steps);
+    record.evaluations = std::move(again.evaluations);
+  }
+  return record;
+}
+
+Measured measure_volume(const Polytope& polytope, bool exact) {
+  if (!exact) return {enclose_volume(polytope, kVolumeBits), std::nullopt};
+  const Rational value = volume(polytope);
+  return {Enclosure(value, kVolumeBits), value};
+}
+
+// The last word, by the definition of containment alone. Returns how many points were tested.
+std::size_t verify_containment(const PointSet& points, const Polytope& result, VerifyLevel level,
+                               StageLog& log) {
+  if (level == VerifyLevel::None) {
+    log.skip("containment", "nothing is to be verified");
+    return 0;
+  }
+  const std::size_t outside =
+      log.run("containment", [&] { return count_outside(result.planes, points); });
+  if (outside != 0) {
+    throw Error(ErrorCode::Internal,
+                fmt::format("{} input points lie outside the result", outside));
+  }
+  return points.size();
+}
+
+// A growth limit is compared in doubles while the float engine runs; here are exact volumes.
+bool is_growth_proven(const Run& run, const Enclosure& before, const Enclosure& after,
+                      const Rational& max_growth) {
+  const Rational most = 1 + max_growth;
+  const bool is_kept = run.steps == 0 || after.high() <= most * before.low();
+  if (!is_kept || run.stop != StopReason::GrowthLimit) return is_kept;
+  if (std::isinf(run.bound->least_next)) return true;
+  const Rational next =
+      scale_by_power_of_two(to_rational(run.bound->least_next), run.volume_exponent);
+  return after.low() + next > most * before.high();
+}
+
+SimplifyResult finish(Reference reference, Run run, const SimplifyRequest& request, StageLog& log) {
+  Measured output_volume =
+      log.run("volume", [&] { return measure_volume(run.polytope, request.exact_volumes); });
+  if (!request.exact_volumes) log.skip("exact volume", "nobody asked for the fraction");
+  if (run.bound && request.max_growth) {
+    run.bound->is_end_proven &=
+        is_growth_proven(run, reference.volume.bounds, output_volume.bounds, *request.max_growth);
+  }
+  log.skip("area and mean width", "simplify does not report them; hull does");
+  const std::size_t tested =
+      verify_containment(reference.points, run.polytope, request.verify, log);
+  StoredSolid stored =
+      store(std::move(run.polytope), reference.points, reference.extreme, request.store, log);
+  return SimplifyResult{reference.input_points,
+                        reference.extreme.size(),
+                        std::move(reference.redundant),
+                        run.halfspaces,
+                        run.steps,
+                        run.stop,
+                        std::move(run.trace),
+                        {},
+                        std::move(stored),
+                        std::move(reference.volume),
+                        std::move(output_volume),
+                        tested,
+                        request.engine,
+                        request.verify,
+                        run.bound};
+}
+
+// Points, and nobody wants to see the steps: exact planes are formed of what is left only.
+SimplifyOutcome simplify_lean(const PointSet& points, const SimplifyRequest& request,
+                              StageLog& log) {
+  auto outcome = make_hull(points, request.seed, false, log);
+  if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
+  const auto& hull = std::get<Hull>(outcome);
+  log.skip("Chebyshev center", "any interior point serves this engine");
+  log.skip("exact planes", "formed for what is left, and where doubles cannot decide");
+  const FastDual dual = log.run("dual", [&] { return FastDual::of(hull, points); });
+  Run run = run_lean(dual, request, log);
+  Measured input_volume = log.run("volume", [&] {
+    const Rational exact = volume(hull, points);
+    return Measured{Enclosure(exact, kVolumeBits), exact};
+  });
+  if (!request.exact_volumes) input_volume.exact.reset();
+  Reference reference{points, hull.vertices, points.size(), {}, std::move(input_volume)};
+  return finish(std::move(reference), std::move(run), request, log);
+}
+
+SimplifyOutcome simplify_solid(const Shape& shape, const SimplifyRequest& request, bool record,
+                               StageLog& log) {
+  SolidOutcome outcome = make_solid(shape, request.seed, request.verify != VerifyLevel::None, log);
+  if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
+  auto& solid = std::get<Solid>(outcome);
+  const RationalPoint center = find_center(solid, request, log);
+  Run run = record ? run_with_record(solid, center, request, log)
+                   : run_lean(FastDual::of(solid.dual, center), request, log);
+  Measured input_volume =
+      log.run("volume", [&] { return measure_volume(solid.polytope, request.exact_volumes); });
+  std::optional<RunRecord> run_record;
+  if (request.record) run_record = record_of(shape, solid, center, run, request.seed, log);
+  Reference reference{std::move(solid.points), std::move(solid.extreme), solid.input_points,
+                      std::move(solid.redundant), std::move(input_volume)};
+  SimplifyResult result = finish(std::move(reference), std::move(run), request, log);
+  result.record = std::move(run_record);
+  return result;
+}
+
+}  // namespace
+
+SimplifyOutcome simplify(const Shape& shape, const SimplifyRequest& request, StageLog& log) {
+  require_sensible(request);
+  const bool record = request.engine == Engine::Exact || request.trace ||
+                      request.verify == VerifyLevel::Full ||
+                      (request.record && request.engine != Engine::Float);
+  const auto* points = std::get_if<PointSet>(&shape);
+  if (points != nullptr && !record && !request.record && !request.center) {
+    return simplify_lean(*points, request, log);
+  }
+  return simplify_solid(shape, request, record, log);
+}
+
+}  // namespace convexact

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "scene/summary.hpp"
+
+#include <fmt/format.h>
+
+#include "convexact/number.hpp"
+
+namespace convexact {
+namespace {
+
+constexpr int kSummaryDigits = 6;
+
+std::string summary_line(const char* label, const std::string& text) {
+  return fmt::format("  {:<12}{}\n", label, text);
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return with_separators(count) + " " + (count == 1 ? one : many);
+}
+
+std::string input_line(std::size_t points, std::size_t vertices, std::size_t halfspaces,
+                       std::size_t redundant) {
+  std::string hull = counted(vertices, "vertex", "vertices") + " and " +
+                     counted(halfspaces, "halfspace", "halfspaces");
+  if (points > 0) return counted(points, "point", "points") + "; their hull has " + hull;
+  if (redundant == 0) return hull;
+  return hull + "; " + counted(redundant, "redundant one", "redundant ones") + " left out";
+}
+
+std::string output_line(const SimplifyResult& result) {
+  std::string text = counted(result.solid.exact.planes.size(), "halfspace", "halfspaces");
+  switch (result.stop) {
+    case StopReason::Reached:
+      return text + (result.steps == 0 ? ": as many as the input has" : "");
+    case StopReason::GrowthLimit:
+      return text + ": removing one more would exceed the growth allowed";
+    case StopReason::AllUnbounded:
+      break;
+  }
+  return text + (result.float_bound && !result.float_bound->is_end_proven
+                     ? ": doubles are certain of no further removal; --engine filtered decides"
+                     : ": removing any one more would leave the solid unbounded");
+}
+
+// As many certain digits as the bounds give, up to `digits`.
+std::string certain(const Enclosure& bounds, int digits) {
+  for (; digits > 0; --digits) {
+    if (const auto text = to_decimal(bounds, digits)) return *text;
+  }
+  return "less than " + to_decimal(bounds.high(), 2);
+}
+
+std::string volume_line(const SimplifyResult& result) {
+  const Enclosure &before = result.input_volume.bounds, &after = result.output_volume.bounds;
+  const std::string text =
+      certain(before, kSummaryDigits) + " -> " + certain(after, kSummaryDigits);
+  if (result.steps == 0) return text + ", unchanged";
+  const Enclosure hundred(Integer(100), kVolumeBits);
+  return text + ", +" + certain(hundred * (after - before) / before, 4) + "%";
+}
+
+std::string verified_line(const SimplifyResult& result) {
+  if (result.verified == VerifyLevel::None) return "nothing, as asked";
+  const std::string points = counted(result.tested_points, "point", "points") +
+                             " tested exactly against every halfspace: none outside";
+  if (result.engine == Engine::Float) return points + "; the steps are those of doubles";
+  return fmt::format("{} proven again, exactly ({}); {}", counted(result.steps, "step", "steps"),
+                     result.verified == VerifyLevel::Local ? "local" : "full", points);
+}
+
+std::string push_text(const Growth& growth) {
+  if (growth.push == 0) return "without any change";
+  return fmt::format("within {:.2g} of the diameter, volume times at most 1 + {:.2g}", growth.push,
+                     std::max(0.0, growth.volume_ratio - 1));
+}
+
+std::string tie_line(const SimplifyResult& result) {
+  const std::size_t ties = result.float_bound->ties;
+  if (ties == 0) return "";
+  return summary_line("ties",
+                      fmt::format("in {} of {} several removals cost the same up to rounding; the "
+                                  "canonical order chose, and another order may end elsewhere",
+                                  with_separators(ties), counted(result.steps, "step", "steps")));
+}
+
+std::string float_lines(const SimplifyResult& result) {
+  const FloatBound& bound = *result.float_bound;
+  if (bound.is_vouched()) {
+    const std::string greedy =
+        bound.regret == 0
+            ? "every step was the cheapest"
+            : fmt::format("every step cost at most 1 + {:.1g} times the cheapest", bound.regret);
+    return summary_line(
+        "doubles",
+        fmt::format("{}, and what they took it for within {:.1g}: proven", greedy, bound.cost));
+  }
+  std::string doubts;
+  if (bound.doubtful > 0) {
+    doubts = fmt::format("{} of {} not proven to be nearly the cheapest",
+                         with_separators(bound.doubtful), counted(result.steps, "step", "steps"));
+  }
+  if (!bound.is_end_proven)
+    doubts += std::string(doubts.empty() ? "" : ", ") + "the end is not proven";
+  return summary_line("doubtful", doubts + "; --engine filtered decides");
+}
+
+const char* name_of(Precision precision) {
+  return precision == Precision::Binary64 ? "binary64" : "binary32";
+}
+
+std::string stored_lines(const StoredSolid& solid) {
+  std::string text;
+  if (const auto& planes = solid.planes) {
+    text +=
+        summary_line("stored", fmt::format("planes in {}, {}; no point outside",
+                                           name_of(planes->precision), push_text(planes->growth)));
+  }
+  if (const auto& mesh = solid.mesh) {
+    text += summary_line("stored", fmt::format("mesh in {}, {}; no point outside",
+                                               name_of(mesh->precision), push_text(mesh->growth)));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string summary(const SimplifyResult& result) {
+  std::string text =
+      summary_line("input", input_line(result.input_points, result.hull_vertices,
+                                       result.input_halfspaces, result.redundant.size()));
+  text += summary_line("output", output_line(result));
+  text += summary_line("volume", volume_line(result));
+  if (result.float_bound) text += float_lines(result) + tie_line(result);
+  text += summary_line("verified", verified_line(result));
+  return text + stored_lines(result.solid);
+}
+
+std::string summary(const HullResult& result, int digits) {
+  const Polytope& hull = result.solid.exact;
+  std::string text = summary_line("input", input_line(result.input_points, hull.vertices.size(),
+                                                      hull.planes.size(), result.redundant.size()));
+  text += summary_line("edges", with_separators(result.edges));
+  const char* const axes[] = {"x", "y", "z"};
+  for (int k = 0; k < 3; ++k) {
+    text += summary_line(axes[k], to_decimal(result.box.low[k], digits) + " to " +
+                                      to_decimal(result.box.high[k], digits));
+  }
+  text += summary_line("diameter", certain(result.diameter.bounds, digits) + " (of the box)");
+  const auto add = [&](const char* name, const std::optional<Measured>& measured) {
+    if (measured) text += summary_line(name, certain(measured->bounds, digits));
+  };
+  add("volume", result.volume);
+  add("area", result.area);
+  add("mean width", result.mean_width);
+  return text + stored_lines(result.solid);
+}
+
+std::string stage_table(const std::vector<Stage>& stages) {
+  std::string ran, skipped;
+  for (const Stage& stage : stages) {
+    if (stage.skipped.empty()) {
+      ran += fmt::format("  {:<24}{:>9.3f} s\n", stage.name, stage.seconds);
+    } else {
+      skipped += fmt::format("  {:<24}not needed: {}\n", stage.name, stage.skipped);
+    }
+  }
+  return ran + skipped;
+}
+
+}  // namespace convexact

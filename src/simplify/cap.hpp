@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// cap.hpp - the region that one removal adds, as an explicit polytope.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "convexact/dual.hpp"
+#include "convexact/point_set.hpp"
+#include "simplify/ring_triangulation.hpp"
+
+namespace convexact {
+
+/// The cap of halfspace i: bounded by plane i (its base) and by the planes of the ring of i. Where
+/// planes share a point some vertices coincide and some facets have no area.
+struct Cap {
+  /// Relative to the center. First the k vertices of the base: base vertex t is where planes i,
+  /// ring[t] and ring[t + 1] meet. Then one for each triangle of T_i.
+  std::vector<DualPlane> vertices;
+  /// Side t lies in the plane of ring[t]: the cycle of its corners, the base vertices t - 1 and t
+  /// last.
+  std::vector<std::vector<std::uint32_t>> sides;
+};
+
+/// @param base  The k old dual planes: base[t] holds i, ring[t] and ring[t + 1].
+/// @param roof  T_i of the same ring, bounded.
+/// @par Cost    O(k).
+[[nodiscard]] Cap make_cap(std::span<const HalfspaceId> ring, std::span<const DualPlane> base,
+                           const RingTriangulation& roof);
+
+/// The same from the dual points of all halfspaces, by id.
+[[nodiscard]] Cap make_cap(std::span<const DualPoint> points, HalfspaceId i,
+                           std::span<const HalfspaceId> ring, const RingTriangulation& roof);
+
+/// Exact volume by tetrahedra from base vertex 0; every one counts positive or zero.
+/// @par Cost  O(k) determinants, and a balanced sum of that many rationals.
+[[nodiscard]] Rational volume(const Cap& cap);
+
+}  // namespace convexact

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// exact_engine.hpp - the greedy simplification in exact arithmetic: the reference engine.
+#pragma once
+#include <vector>
+
+#include "convexact/dual.hpp"
+#include "convexact/run.hpp"
+
+namespace convexact {
+
+/// Removes one halfspace after another, each time the one whose removal adds the least volume; of
+/// equal ones the first in canonical order. Every sign is exact and every cost a rational.
+/// @param solid   The dual hull of the input.
+/// @param center  Strictly inside the solid. The trace's costs and ties do not depend on it.
+/// @throws Error  InvalidArgument if options.faces < 4, options.max_growth < 0, or the center is
+///                not strictly inside; Stopped when asked to; Internal if a verification fails.
+/// @par Cost      Expected O(k) exact operations per evaluated cap of a ring of k; each step
+///                evaluates the caps of one ring.
+/// @par Source    [Jacobson2026]
+[[nodiscard]] Simplification simplify_exact(const DualHull& solid, const RationalPoint& center,
+                                            const SimplifyOptions& options = {});
+
+}  // namespace convexact

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// ring_triangulation.hpp - what closes the dual hull after a dual point is removed.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "convexact/dual.hpp"
+#include "convexact/point_set.hpp"
+#include "number/random.hpp"
+
+namespace convexact {
+
+/// T_i: the part of the hull of the ring that the removed dual point was beyond (or level with).
+struct RingTriangulation {
+  std::vector<DualTriangle> triangles;  ///< k - 2 for a ring of k, counter-clockwise from outside.
+  std::vector<DualPlane> planes;        ///< planes[t] holds triangles[t].
+
+  /// Whether every triangle has a primal vertex; if not, the removal opens a gap to infinity.
+  bool is_bounded() const;
+};
+
+/// Triangulates the hole that dual point i leaves. Any valence, any degeneracy: four dual points
+/// in a plane only mean that the choice among equal triangulations is the generator's.
+/// @param points  The dual points of all halfspaces, by id.
+/// @param ring    The one-ring of i in a convex dual hull, counter-clockwise, at least three.
+/// @param random  Draws the insertion order.
+/// @par Cost      Expected O(k) exact signs, whatever the ring.
+/// @par Source    [Chew1990]: insertion in random order into a polygon in convex position, here
+/// with
+///                "beyond the dual plane" in place of "inside the circumcircle".
+[[nodiscard]] RingTriangulation triangulate_ring(std::span<const DualPoint> points,
+                                                 std::span<const HalfspaceId> ring, Random& random);
+
+}  // namespace convexact

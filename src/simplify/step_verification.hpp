@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// step_verification.hpp - proves each step of a run again, from plain lists and original planes.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "convexact/dual.hpp"
+#include "convexact/run.hpp"
+
+namespace convexact {
+
+/// Replays steps on its own copy of the dual's directed edges. It shares no code with any engine:
+/// it knows no center, computes with the planes (n, d) themselves, and trusts nothing in a step.
+/// docs/verification.md says what each check proves.
+class StepVerification {
+ public:
+  /// @param solid  What the run starts from; must outlive this object.
+  /// @param seed   Draws the two primes of the volume check.
+  StepVerification(const DualHull& solid, VerifyLevel level, std::uint64_t seed = 1);
+  ~StepVerification();
+
+  /// Checks the next step. @throws Error Internal, naming the step (counted from 1) and the check.
+  /// @par Cost  Local: O(k^2) signs for a ring of k. Full: all vertices against all halfspaces.
+  void check(const Step& step);
+  /// The last checks of a run: the witness of every survivor and, at level full, every hull vertex
+  /// and the volume as a rational. That the planes that are written hold every input point is for
+  /// the writer to prove, from what it writes.
+  void finish();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace convexact

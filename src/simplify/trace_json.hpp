@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// trace_json.hpp - a trace as JSON text and back: enough for another program to replay every step.
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "convexact/run.hpp"
+
+namespace convexact {
+
+/// One object as docs/schema/trace.schema.json describes it: integers of any size are strings, a
+/// cost is {"value": nearest double, or null beyond the largest one, "exact": "p/q"}. The reason
+/// of the stop is not part of it.
+[[nodiscard]] std::string write_trace_json(const Trace& trace);
+
+/// Reads what write_trace_json() wrote, or anybody else's trace; `value` is ignored. The steps are
+/// not verified here, but every index is within range.
+/// @throws Error Malformed, with the line if the text is no JSON, else with the place in it.
+[[nodiscard]] Trace read_trace_json(std::string_view text);
+
+}  // namespace convexact

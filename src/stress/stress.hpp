@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// stress.hpp - a sweep: every engine on every input, each in a process of its own, all judged.
+#pragma once
+#include <atomic>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "stress/judge.hpp"
+
+namespace convexact {
+
+/// Of each process: one engine on one input, or the judge of their answers.
+struct StressLimits {
+  /// Of processor time, more than 0; whole ones. A process that only waits gets 20 times as long.
+  double seconds = 120;
+  std::uint64_t memory = 0;  ///< Bytes of address space; 0 for no limit.
+};
+
+struct StressRequest {
+  std::vector<Engine> engines = {Engine::Exact, Engine::Filtered, Engine::Float};
+  StressLimits limits;
+  std::size_t processes = 1;  ///< At the same time, >= 1.
+  /// The exact engine evaluates long rings again and again, which takes about 10 microseconds times
+  /// the number of halfspaces and (the largest valence + 140). Above this product it makes only so
+  /// many removals, which are compared with the filtered engine's.
+  std::size_t exact_work = 3000000, exact_steps = 20;
+  std::size_t most_stored = 4000;  ///< Solids of more halfspaces are not stored.
+  JudgeLimits judge;
+  /// What is put to the test; replaced where the judge itself is tested.
+  std::function<EngineAnswer(const Shape&, const Question&)> answer = answer_of;
+  /// Called when inputs are done, with their number and the number of all.
+  std::function<void(std::size_t done, std::size_t total)> progress;
+  const std::atomic<bool>* stop = nullptr;  ///< When it becomes true: Error Stopped.
+};
+
+/// The runs in the order of the inputs and, of each, of the engines. Whatever happens to an engine
+/// or to the judge is a run with a fault. Forks: a process of its own has no other thread of the
+/// caller's, and must not need one.
+/// @throws Error InvalidArgument for a request that makes no sense; Stopped.
+[[nodiscard]] StressReport stress(std::span<const StressInput> inputs,
+                                  const StressRequest& request);
+
+}  // namespace convexact

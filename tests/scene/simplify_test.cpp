@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+// The facade: what is refused, what is skipped, and that every way through it gives one answer.
+// Expected volumes are closed forms of boxes; the engines are judged in their own rooms.
+#include "convexact/simplify.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "convexact/error.hpp"
+#include "convexact/shapes.hpp"
+#include "halfspace_arrangement.hpp"
+#include "shapes/boxes.hpp"
+#include "shapes/random_points.hpp"
+
+using namespace convexact;
+
+namespace {
+
+SimplifyRequest request_for(std::size_t faces, Engine engine) {
+  SimplifyRequest request;
+  request.faces = faces;
+  request.engine = engine;
+  return request;
+}
+
+SimplifyResult run(const Shape& shape, const SimplifyRequest& request) {
+  StageLog log;
+  SimplifyOutcome outcome = simplify(shape, request, log);
+  REQUIRE(std::holds_alternative<SimplifyResult>(outcome));
+  return std::get<SimplifyResult>(std::move(outcome));
+}
+
+template <class Reason>
+void check_not_solid(const Shape& shape) {
+  StageLog log;
+  const SimplifyOutcome outcome = simplify(shape, request_for(4, Engine::Filtered), log);
+  REQUIRE(std::holds_alternative<NotSolid>(outcome));
+  const NotSolid& reason = std::get<NotSolid>(outcome);
+  CHECK(std::holds_alternative<Reason>(reason));
+  CHECK_FALSE(describe(reason).empty());
+}
+
+Halfspace halfspace(int a, int b, int c, int d) { return {IntegerVector3(a, b, c), Integer(d)}; }
+
+std::string skipped(const StageLog& log, const std::string& name) {
+  for (const Stage& stage : log.stages()) {
+    if (stage.name == name) return stage.skipped;
+  }
+  return "no such stage";
+}
+
+}  // namespace
+
+TEST_CASE("simplify: requests that make no sense are refused") {
+  const Shape cube = PointSet(shapes::box({1, 1, 1}));
+  StageLog log;
+  SimplifyRequest nothing;
+  CHECK_THROWS_AS((void)simplify(cube, nothing, log), Error);
+  CHECK_THROWS_AS((void)simplify(cube, request_for(3, Engine::Filtered), log), Error);
+  SimplifyRequest negative;
+  negative.max_growth = Rational(-1);
+  CHECK_THROWS_AS((void)simplify(cube, negative, log), Error);
+  SimplifyRequest outside = request_for(4, Engine::Exact);
+  outside.center = RationalPoint(Rational(1), Rational(0), Rational(0));  // on the boundary
+  CHECK_THROWS_AS((void)simplify(cube, outside, log), Error);
+  SimplifyRequest traced = request_for(4, Engine::Float);
+  traced.trace = true;
+  CHECK_THROWS_AS((void)simplify(cube, traced, log), Error);
+}
+
+TEST_CASE("simplify: inputs without a bounded volume come back with their proof") {
+  check_not_solid<FlatInput>(PointSet());
+  check_not_solid<FlatInput>(PointSet(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  check_not_solid<EmptyProof>(std::vector{halfspace(1, 0, 0, 1), halfspace(-1, 0, 0, 1)});
+  check_not_solid<FlatProof>(std::vector{halfspace(1, 0, 0, 0), halfspace(-1, 0, 0, 0),
+                                         halfspace(0, 1, 0, -1), halfspace(0, -1, 0, -1),
+                                         halfspace(0, 0, 1, -1), halfspace(0, 0, -1, -1)});
+  check_not_solid<RecessionRay>(std::vector{halfspace(1, 0, 0, -1), halfspace(-1, 0, 0, -1)});
+  check_not_solid<RecessionRay>(std::vector<Halfspace>());
+}
+
+TEST_CASE("simplify: a box keeps its sides, with each engine, and its volume is exact") {
+  const Shape box = PointSet(shapes::box({1, 2, 3}));
+  for (const Engine engine : {Engine::Exact, Engine::Filtered, Engine::Float}) {
+    SimplifyRequest request = request_for(4, engine);
+    request.exact_volumes = true;
+    const SimplifyResult result = run(box, request);
+    CHECK(result.stop == StopReason::AllUnbounded);
+    CHECK(result.solid.exact.planes.size() == 6);
+    CHECK(result.input_volume.exact == Rational(48));
+    CHECK(result.output_volume.exact == Rational(48));
+    CHECK(result.output_volume.bounds.contains(48));
+  }
+}
+
+TEST_CASE("simplify: a cube with one corner cut grows by the corner") {
+  // The cut tetrahedron has legs 1/2: volume 1/48.
+  const Shape cube = PointSet(shapes::cut_cube(1, 0.5));
+  for (const Engine engine : {Engine::Exact, Engine::Filtered, Engine::Float}) {
+    SimplifyRequest request = request_for(6, engine);
+    request.exact_volumes = true;
+    const SimplifyResult result = run(cube, request);
+    CHECK(result.steps == 1);
+    CHECK(result.input_volume.exact == Rational(47, 48));
+    CHECK(result.output_volume.exact == Rational(1));
+    // Growth is 1/47: just allowed, and just not.
+    request.faces.reset();
+    request.max_growth = Rational(1, 47);
+    if (engine != Engine::Float) CHECK(run(cube, request).steps == 1);
+    request.max_growth = Rational(1, 48);
+    CHECK(run(cube, request).steps == 0);
+  }
+}
+
+TEST_CASE("simplify: with or without a record, from points or halfspaces: the same planes") {
+  const std::vector<Point> points = shapes::on_sphere(60, 5);
+  const SimplifyResult exact = run(PointSet(points), request_for(12, Engine::Exact));
+  REQUIRE(exact.trace.has_value());
+  const std::vector<Halfspace>& planes = exact.solid.exact.planes;
+  CHECK(planes.size() == 12);
+  SimplifyRequest filtered = request_for(12, Engine::Filtered);
+  CHECK(run(PointSet(points), filtered).solid.exact.planes == planes);
+  CHECK(run(exact.trace->halfspaces, filtered).solid.exact.planes == planes);
+  filtered.trace = true;
+  const SimplifyResult traced = run(PointSet(points), filtered);
+  CHECK(traced.solid.exact.planes == planes);
+  REQUIRE(traced.trace.has_value());
+  for (std::size_t k = 0; k < traced.trace->steps.size(); ++k) {
+    CHECK(traced.trace->steps[k].removed == exact.trace->steps[k].removed);
+    CHECK(traced.trace->steps[k].cost == exact.trace->steps[k].cost);
+  }
+  filtered.center = RationalPoint(Rational(1, 8), Rational(-1, 5), Rational(1, 9));
+  CHECK(run(PointSet(points), filtered).solid.exact.planes == planes);
+  filtered.verify = VerifyLevel::Full;
+  CHECK(run(PointSet(points), filtered).solid.exact.planes == planes);
+}
+
+TEST_CASE("simplify: what a scene does not need is skipped, with a reason") {
+  const std::vector<Point> points = shapes::on_sphere(60, 5);
+  StageLog lean, reference, planes;
+  const auto made = simplify(PointSet(points), request_for(12, Engine::Filtered), lean);
+  CHECK_FALSE(skipped(lean, "Chebyshev center").empty());
+  CHECK_FALSE(skipped(lean, "hull of dual points").empty());
+  CHECK_FALSE(skipped(lean, "store mesh").empty());
+  CHECK(skipped(lean, "simplify").empty());
+  (void)simplify(PointSet(points), request_for(12, Engine::Exact), reference);
+  CHECK(skipped(reference, "Chebyshev center").empty());
+  CHECK(skipped(reference, "hull certificate").empty());
+  (void)simplify(std::get<SimplifyResult>(made).solid.exact.planes,
+                 request_for(8, Engine::Filtered), planes);
+  CHECK_FALSE(skipped(planes, "hull").empty());
+  CHECK(skipped(planes, "hull of dual points").empty());
+}
+
+TEST_CASE("simplify: the float engine's end at a growth limit is judged by exact volumes") {
+  // A cube with a corner cut off at 1/2 lacks 1/48 of its volume, and grows by 1/47 to get it back.
+  const PointSet cut(shapes::cut_cube(1, 0.5));
+  SimplifyRequest request = request_for(4, Engine::Float);
+  for (const Rational& growth : {Rational(1, 47) - Rational(1, 1000), Rational(1, 40)}) {
+    CAPTURE(to_string(growth));
+    request.max_growth = growth;
+    const SimplifyResult result = run(cut, request);
+    REQUIRE(result.float_bound.has_value());
+    CHECK(result.float_bound->is_vouched());
+    CHECK(result.steps == (growth > Rational(1, 47) ? 1 : 0));
+  }
+  // Exactly met: doubles cannot tell, so nothing is vouched for, whatever they did.
+  request.max_growth = Rational(1, 47);
+  CHECK_FALSE(run(cut, request).float_bound->is_end_proven);
+  request.engine = Engine::Filtered;
+  CHECK_FALSE(run(cut, request).float_bound.has_value());
+}
+
+TEST_CASE(
+    "simplify: where doubles get the float engine's surface wrong, its planes still bound it") {
+  // Balls of sizes 1, 2^-500 and 2^-1000 in one shape: doubles see the small ones as points, so the
+  // triangles that the loop ends with are no hull. Volumes are by the definition.
+  const shapes::Family& family = shapes::family("mixed-scales");
+  for (const std::uint64_t seed : {1u, 2u}) {
+    CAPTURE(seed);
+    const PointSet points(shapes::generate(family, shapes::usual_values(family), seed));
+    SimplifyRequest request = request_for(6, Engine::Float);
+    request.exact_volumes = true;
+    const SimplifyResult result = run(points, request);
+    const std::vector<Halfspace>& planes = result.solid.exact.planes;
+    CHECK(planes.size() < result.input_halfspaces);
+    const definition::HalfspaceArrangement arrangement(planes);
+    CHECK(result.output_volume.exact == arrangement.volume(arrangement.all()));
+    for (const RationalPoint& vertex : result.solid.exact.vertices) {
+      for (const Halfspace& plane : planes) CHECK(plane(vertex) <= 0);
+    }
+    CHECK_FALSE(result.float_bound->is_vouched());
+  }
+}
+
+TEST_CASE("measure_hull: a box, by closed form, with as many digits as asked for") {
+  const PointSet box(shapes::box({1, 2, 3}));
+  StageLog log;
+  HullRequest request;
+  request.digits = 40;
+  request.exact_volume = true;
+  const HullReport report = measure_hull(box, request, log);
+  const auto& result = std::get<HullResult>(report);
+  CHECK(result.edges == 12);
+  REQUIRE((result.volume && result.area && result.mean_width));
+  CHECK(result.volume->exact == Rational(48));
+  CHECK(result.area->bounds.contains(88));       // 2 (2*4 + 4*6 + 6*2)
+  CHECK(result.mean_width->bounds.contains(6));  // (2 + 4 + 6) / 2
+  CHECK(result.box.squared_diameter() == 56);
+  request.digits = 0;
+  CHECK_THROWS_AS((void)measure_hull(box, request, log), Error);
+}
