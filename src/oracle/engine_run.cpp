@@ -4,6 +4,7 @@
 #include "fast/fast_dual.hpp"
 #include "fast/filtered_engine.hpp"
 #include "fast/float_engine.hpp"
+#include "simplify/exact_engine.hpp"
 
 namespace convexact {
 namespace {
