@@ -86,12 +86,12 @@ CONVEXACT_API void convexact_containment_free(convexact_containment* result);
 
 typedef struct convexact_verdict convexact_verdict;
 
-/* What `convexact verify` decides, with its claims and its tolerance; docs/verdicts has a page for
- * each claim. Budgets are not asked. CONVEXACT_NO_INTERIOR if the *points* lie in one plane;
- * whatever is wrong with the candidate is a violated claim.
+/* What `convexact verify` decides, with its claims and its tolerance; docs/verdicts.md#CODE
+ * describes each claim. Budgets are not asked. CONVEXACT_NO_INTERIOR if the *points* lie in one
+ * plane; any fault of the candidate is a violated claim.
+ *
  * tolerance: as the option of the program, "1e-6" for a length or "1e-9d" for a share of the
- * points' diameter, taken as spelled; NULL for none. Text that is none is
- * CONVEXACT_INVALID_ARGUMENT. */
+ * points' diameter, taken as spelled; NULL for none. Other text is CONVEXACT_INVALID_ARGUMENT. */
 
 /* The candidate is the intersection of halfspaces. */
 CONVEXACT_API convexact_status convexact_judge_planes(const double* points, size_t point_count,

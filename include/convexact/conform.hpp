@@ -136,7 +136,7 @@ struct TestVector {
   std::string id, title;
   int level = 1;  ///< 1 everyday, 2 hard, 3 cruel.
   bool required = true;
-  std::vector<std::string> flags;  ///< docs/flags has a page for each.
+  std::vector<std::string> flags;  ///< Headings of docs/flags.md.
   std::variant<PointSet, HalfspaceList, RawFile> input;
   std::variant<HullQuestion, SimplifyQuestion, VerifyQuestion, RefuseQuestion> question;
 };

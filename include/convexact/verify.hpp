@@ -50,7 +50,7 @@ struct Tolerance {
 /// intersection; or the error (Malformed or NotFinite) that reading it met.
 using Candidate = std::variant<Mesh, HalfspaceList, Error>;
 
-/// What can be claimed of a candidate; docs/verdicts has a page for each.
+/// What can be claimed of a candidate; docs/verdicts.md has a section for each.
 enum class ClaimCode {
   CandidateReadable,  ///< Its bytes spell a mesh or a list of halfspaces.
   CandidateFinite,    ///< No NaN, no infinity, no decimal beyond the largest double.
@@ -71,7 +71,7 @@ inline constexpr std::array kAllClaims = {
     ClaimCode::MeshPlanar,        ClaimCode::MeshConvex,      ClaimCode::ContainsInput,
     ClaimCode::MaxFacets,         ClaimCode::MaxVertices,     ClaimCode::MaxFacetVertices};
 
-/// "contains-input" and the like: stable, in messages, in JSON and as the names of the pages.
+/// "contains-input" and the like: stable, in messages, in JSON and as headings of docs/verdicts.md.
 [[nodiscard]] const char* name_of(ClaimCode code);
 /// The claim of that name, if there is one.
 [[nodiscard]] std::optional<ClaimCode> claim_of_name(const std::string& name);
@@ -84,7 +84,7 @@ enum class Status {
 };
 [[nodiscard]] const char* name_of(Status status);
 
-/// What refutes a claim. Which fields are set depends on the claim, see docs/verdicts; ids count
+/// What refutes a claim. Which fields are set depends on the claim, see docs/verdicts.md; ids count
 /// from 0, faces and rows in the order of the candidate's file.
 struct Witness {
   std::optional<std::size_t> input_point;    ///< A point of the input.

@@ -83,7 +83,7 @@ struct TraceWitness {
   std::string found, expected;      ///< Exact numbers, ids in canonical order.
 };
 
-/// A claim with its code, which names a page of docs/verdicts/.
+/// A claim with its code, which is a heading of docs/verdicts.md.
 struct TraceClaim {
   const char* code;
   Status status = Status::Holds;

@@ -133,7 +133,7 @@ void add_conform_command(CLI::App& program, int& exit_code) {
   command.add_option("--vectors", options->vectors, "a folder of vectors (default: the shipped)");
   add_count(command, "--level", options->level, {1, 3},
             "vectors up to this: 1 everyday, 2 hard, 3 cruel");
-  command.add_option("--flag", options->flag, "vectors with this flag only, see docs/flags");
+  command.add_option("--flag", options->flag, "vectors with this flag only, see docs/flags.md");
   add_asking_options(command, options->promise);
   add_promise_options(command, options->promise);
   add_count(command, "--jobs", options->run.jobs, {1, 256}, "how many vectors at the same time");

@@ -33,7 +33,7 @@ constexpr const char* kVerifyFooter =
     "intersection.\n"
     "Every claim is decided exactly, on the numbers as they are stored; each violation comes with "
     "a\n"
-    "witness. docs/verdicts has a page for each claim.\n"
+    "witness. docs/verdicts.md#CODE describes the claim CODE.\n"
     "Exit code 0: every claim holds. 1: one is violated, or the CANDIDATE is malformed.\n"
     "3: a file is not there, or INPUT is malformed. 4: INPUT has no volume.";
 
