@@ -6,8 +6,9 @@ const char* convexact_status_text(int status) {
     case CONVEXACT_OK:
       return "done";
     case CONVEXACT_INVALID_ARGUMENT:
-      return "an argument makes no sense: a null pointer, a count of 0, fewer than 4 planes, "
-             "a face of fewer than 3 corners, a corner of no vertex, a tolerance that is none";
+      return "an argument is invalid: a null pointer, a count of 0, fewer than 4 planes, a face of "
+             "fewer than 3 corners, a corner that is not the index of a vertex, or a malformed "
+             "tolerance";
     case CONVEXACT_NOT_FINITE:
       return "a number is NaN or infinite";
     case CONVEXACT_NO_INTERIOR:

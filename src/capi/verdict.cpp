@@ -21,10 +21,10 @@ std::vector<std::vector<std::uint32_t>> to_faces(const std::uint32_t* corners,
   }
   std::vector<std::vector<std::uint32_t>> faces;
   for (std::size_t f = 0; f < count; ++f) {
-    if (sizes[f] < 3) throw Error(ErrorCode::InvalidArgument, "a face has less than 3 corners");
+    if (sizes[f] < 3) throw Error(ErrorCode::InvalidArgument, "a face has fewer than 3 corners");
     for (const std::uint32_t corner : faces.emplace_back(corners, corners + sizes[f])) {
       if (corner >= vertices) {
-        throw Error(ErrorCode::InvalidArgument, "a corner is the index of no vertex");
+        throw Error(ErrorCode::InvalidArgument, "a corner is not the index of a vertex");
       }
     }
     corners += sizes[f];

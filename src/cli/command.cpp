@@ -105,9 +105,9 @@ std::optional<std::string> unknown_option(const CLI::App& program,
 void add_global_options(CLI::App& command, GlobalOptions& options) {
   command.add_flag("--json", options.json, "print one JSON object, also on failure");
   add_count(command, "--seed", options.seed, {},
-            "of the random orders; the answer does not depend on it");
+            "seed of the random orders; the answer does not depend on it");
   add_bytes(command, "--max-memory", options.max_memory,
-            "stop with exit code 6 beyond this, e.g. 1.5GB");
+            "stop with exit code 6 rather than use more heap, e.g. 1.5GB");
 }
 
 void remember_command_line(int argc, char** argv) {
@@ -165,7 +165,8 @@ void print(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) {
     return;
   }
-  if (errno == EPIPE) throw Error(ErrorCode::Stopped, "nobody reads standard output any more");
+  if (errno == EPIPE)
+    throw Error(ErrorCode::Stopped, "the reader of standard output has closed the pipe");
   throw Error(ErrorCode::Unwritable,
               std::string("standard output cannot be written: ") + std::strerror(errno));
 }

@@ -29,10 +29,10 @@ constexpr const char* kConformFooter =
     "  convexact conform --profile jolt -- my_jolt_cooker {input} {output}\n"
     "\n"
     "{input}, {faces} and {output} are replaced in each word; no shell is involved. A program\n"
-    "passes if what it writes is what --asks says, every claim of verify holds, its volume is\n"
-    "sensible, and it refuses inputs without volume and malformed files with an exit code other\n"
-    "than 0; docs/conform.md has the details. Exit code 0: every required vector passed. 1: one\n"
-    "failed.";
+    "passes if its output is of the kind that --asks names, every claim of verify holds, its\n"
+    "volume is not too large, and it refuses inputs without volume and malformed files with an\n"
+    "exit code other than 0; docs/conform.md has the details. Exit code 0: every required vector\n"
+    "passed. 1: one failed.";
 
 struct ConformArguments {
   GlobalOptions global;
@@ -55,7 +55,7 @@ bool holds_json(const fs::path& folder) {
 std::string find_vectors(const std::string& given) {
   if (!given.empty()) return given;
   if (const auto found = find_shipped("vectors", holds_json)) return *found;
-  throw Error(ErrorCode::Unreadable, "the conformance vectors are not to be found: use --vectors");
+  throw Error(ErrorCode::Unreadable, "the conformance vectors were not found: use --vectors");
 }
 
 bool is_chosen(const TestVector& vector, const ConformArguments& options) {
@@ -105,8 +105,7 @@ int run_conform(ConformArguments options) {
   report.profile = options.promise.profile;
   if (report.entries.empty()) {
     throw Error(ErrorCode::InvalidArgument,
-                "no vector is put to the program by this --level, --flag, --input-format and what "
-                "it promises");
+                "no vector is left with this --level, --flag, --input-format and these promises");
   }
   AtomicOutput files;
   for (const std::string& path : options.reports) files.add(path, report_bytes(report, path));
@@ -125,19 +124,20 @@ int run_conform(ConformArguments options) {
 void add_conform_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<ConformArguments>();
   CLI::App& command = *program.add_subcommand(
-      "conform", "run somebody's program over inputs whose answers are known, and judge it");
+      "conform", "run a program over inputs with known answers, and judge its outputs");
   command.footer(kConformFooter);
   command.add_option("PROGRAM", options->run.program, "the program and its arguments, after --")
       ->required()
       ->expected(-1);
-  command.add_option("--vectors", options->vectors, "a folder of vectors (default: the shipped)");
+  command.add_option("--vectors", options->vectors,
+                     "a folder of vectors (default: the shipped ones)");
   add_count(command, "--level", options->level, {1, 3},
-            "vectors up to this: 1 everyday, 2 hard, 3 cruel");
+            "hardest level of vectors: 1 everyday, 2 hard, 3 cruel");
   command.add_option("--flag", options->flag, "vectors with this flag only, see docs/flags.md");
   add_asking_options(command, options->promise);
   add_promise_options(command, options->promise);
   add_count(command, "--jobs", options->run.jobs, {1, 256}, "how many vectors at the same time");
-  add_seconds(command, "--time-limit", options->run.limits.seconds, "for each vector");
+  add_seconds(command, "--time-limit", options->run.limits.seconds, "time for each vector");
   add_bytes(command, "--memory-limit", options->run.limits.memory,
             "address space for each vector, e.g. 2GB; no limit by default");
   command.add_option("--input-format", options->run.input_format, "what the program reads")

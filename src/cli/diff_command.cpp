@@ -22,7 +22,7 @@ constexpr const char* kDiffFooter =
     "  convexact diff bunny.obj --faces 18\n"
     "  convexact diff meshes/*.obj --engines filtered,float --json\n"
     "\n"
-    "Where two runs part, both costs are computed from scratch: the halfspaces that are left are\n"
+    "Where two runs differ, both costs are computed from scratch: the remaining halfspaces are\n"
     "intersected with and without each plane. A run of the float engine is followed to its end.\n"
     "Exit code 0: the engines agree, or the float engine chose between costs that are equal up to\n"
     "rounding. Exit code 1: anything else.";
@@ -102,7 +102,7 @@ int run_diff(const DiffArguments& options) {
 void add_diff_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<DiffArguments>();
   CLI::App& command = *program.add_subcommand(
-      "diff", "run engines against each other and explain the steps where they differ");
+      "diff", "compare engines step by step, and explain the steps where they differ");
   command.footer(kDiffFooter);
   add_input_argument(command, options->inputs);
   add_faces(command, options->faces, "how many halfspaces to keep, at least 4");

@@ -27,8 +27,8 @@ constexpr const char* kGenerateFooter =
     "  convexact generate cospherical --squared-radius 89 --facets -o sphere.ply\n"
     "  convexact generate malformed-off-count-too-large -o broken.off\n"
     "\n"
-    "One family, one seed, the same values: the same bytes on every machine. Coordinates are\n"
-    "written so that the same doubles are read. convexact generate FAMILY --help shows the\n"
+    "The same family, seed and values give the same bytes on every machine. Coordinates are\n"
+    "written so that the same doubles are read back. convexact generate FAMILY --help shows the\n"
     "parameters of a family.";
 
 struct GenerateArguments {
@@ -234,7 +234,7 @@ void add_generate_command(CLI::App& program, int& exit_code) {
       "the file, by its extension .obj .off .ply .stl .xyz; without it OBJ on standard "
       "output");
   command.add_flag("--facets", options->facets,
-                   "write the facets of the exact hull too, for programs that want a closed mesh");
+                   "write the facets of the exact hull too, for programs that need a closed mesh");
   add_global_options(command, options->global);
   for (const Family& family : shapes::families()) add_family(command, family, *options);
   for (const MalformedFile& file : shapes::malformed_files()) {

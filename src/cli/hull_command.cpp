@@ -21,7 +21,7 @@ constexpr const char* kHullFooter =
     "  convexact hull bunny.obj\n"
     "  convexact hull bunny.obj --digits 50 -o hull.obj -o planes.ine\n"
     "  convexact hull planes.json --json\n"
-    "  convexact hull scan.ply --measures volume     no area, no mean width: these take longest\n"
+    "  convexact hull scan.ply --measures volume     without the slow area and mean width\n"
     "\n"
     "Every digit printed is certain: off by less than one unit of the last one.\n"
     "Planes are written as exact integers unless --precision is given.";
@@ -137,8 +137,7 @@ void add_hull_command(CLI::App& program, int& exit_code) {
   add_scene_options(command, options->scene);
   add_count(command, "--digits", options->request.digits, {1, 10000},
             "certain digits of each measure");
-  add_text(command, "--measures",
-           "out of volume,area,mean-width, or none: what is left out takes no time",
+  add_text(command, "--measures", "compute only these, out of volume,area,mean-width, or none",
            [&request = options->request](const auto& option, const auto& text) {
              take_measures(option, text, request);
            })

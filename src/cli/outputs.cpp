@@ -153,14 +153,14 @@ void OutputOptions::require_sensible() const {
     other_mesh = other_mesh || (mesh_format_of_path(path) && !is_stl(path));
   }
   if (stl && (precision == 64 || (other_mesh && precision == 0))) {
-    reject("STL holds binary32 only: ask for --precision 32, or write the STL in a run of its own");
+    reject("STL holds binary32 only: use --precision 32, or write the STL in a run of its own");
   }
 }
 
 void OutputOptions::require_room_for(std::size_t objects) const {
   if (objects < 2) return;
-  if (!trace.empty()) reject("--trace: a trace tells of one object, and there are several");
-  if (!proof.empty()) reject("--proof: a proof tells of one object, and there are several");
+  if (!trace.empty()) reject("--trace: a trace describes one object, but there are several");
+  if (!proof.empty()) reject("--proof: a proof describes one object, but there are several");
   for (const std::string& path : results) {
     if (mesh_format_of_path(path) != MeshFormat::Obj) {
       reject("-o " + path + ": only .obj holds several objects");
@@ -174,7 +174,7 @@ void require_other_files(const std::vector<std::string>& outputs,
     for (const std::string& input : inputs) {
       std::error_code missing;  // a file that does not exist is none of the inputs
       if (std::filesystem::equivalent(output, input, missing)) {
-        reject("-o " + output + ": is the input, which would be lost; name another file");
+        reject("-o " + output + ": this file is an input, which would be lost; name another file");
       }
     }
   }
@@ -190,10 +190,9 @@ void add_input_argument(CLI::App& command, std::vector<std::string>& inputs) {
 
 void add_output_options(CLI::App& command, OutputOptions& options) {
   command
-      .add_option(
-          "-o,--output", options.results,
-          "where the result goes, by extension: .obj .off .ply .stl .xyz or .json .ine .txt; "
-          "may be repeated")
+      .add_option("-o,--output", options.results,
+                  "file for the result, by extension: .obj .off .ply .stl .xyz or .json .ine .txt; "
+                  "may be repeated")
       ->expected(1)
       ->take_all();
   command.add_option("--picture", options.picture, "a page (.html) that shows input and result");
@@ -205,7 +204,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
   command.add_flag("--parts", options.parts, "each object (o or g line, STL solid) on its own");
   add_choice<Decimal>(command, "--decimal", options.decimal,
                       {{"nearest", Decimal::Nearest}, {"exact", Decimal::Exact}},
-                      "decimals in text mean the nearest double, or what they spell");
+                      "decimals in text mean the nearest double, or the number they spell");
 }
 
 OutputFiles output_files(const std::vector<OutputObject>& objects, const OutputOptions& options) {

@@ -16,7 +16,7 @@ namespace {
 Profile find_profile(const std::string& name) {
   const auto path = find_shipped("profiles.json",
                                  [](const auto& place) { return std::filesystem::exists(place); });
-  if (!path) throw Error(ErrorCode::Unreadable, "the shipped profiles.json is not to be found");
+  if (!path) throw Error(ErrorCode::Unreadable, "the shipped profiles.json was not found");
   try {
     return profile_of_name(read_profiles_bytes(read_bytes(*path)), name);
   } catch (const Error& error) {
@@ -64,20 +64,21 @@ Promise PromiseOptions::promise(Asks asks_by_default) const {
 
 void add_promise_options(CLI::App& command, PromiseOptions& options) {
   command.add_option("--profile", options.profile,
-                     "what a known engine promises, by its name: docs/conform.md has the list; "
+                     "the promises of a known engine, by its name: docs/conform.md has the list; "
                      "other options override it");
   command.add_option("--tolerance", options.tolerance,
                      "let violations up to this distance pass: 1e-6, or 1e-9d of the diameter");
   add_word<Precision>(
       command, "--numbers", options.numbers,
       {{"binary64", Precision::Binary64}, {"binary32", Precision::Binary32}},
-      "the numbers of input and output are doubles, or binary32: each is rounded to the nearest "
+      "the numbers of input and output are doubles, or each is rounded to the nearest binary32 "
       "(default: binary64)");
-  add_count(command, "--max-facets", options.max_facets, {},
-            "coplanar faces count as one; those of a mesh also if only rounding bent them");
-  add_count(command, "--max-vertices", options.max_vertices, {}, "corners of the solid");
+  add_count(
+      command, "--max-facets", options.max_facets, {},
+      "most facets; coplanar faces count as one, in a mesh also faces that only rounding bent");
+  add_count(command, "--max-vertices", options.max_vertices, {}, "most corners of the solid");
   add_count(command, "--max-facet-vertices", options.max_facet_vertices, {},
-            "corners of its largest facet");
+            "most corners of a facet");
 }
 
 void add_asking_options(CLI::App& command, PromiseOptions& options) {
@@ -89,7 +90,7 @@ void add_asking_options(CLI::App& command, PromiseOptions& options) {
                  "what the program writes: an enclosure, the hull, a solid inside it, or an "
                  "enclosure of {faces} facets (default: simplify with {faces}, else enclosure)");
   command.add_flag("--allow-flat", options.allow_flat,
-                   "accepting points without volume does not count against the program");
+                   "accepting points without volume is not a failure");
 }
 
 }  // namespace convexact::cli

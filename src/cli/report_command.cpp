@@ -139,22 +139,24 @@ int run_report(const ReportArguments& options) {
 void add_report_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<ReportArguments>();
   CLI::App& command = *program.add_subcommand(
-      "report", "measure error against run time and draw it: report.html, .json, .csv");
+      "report", "measure error against run time; writes report.html, .json and .csv");
   command.footer(kReportFooter);
   command.add_option("INPUT", options->inputs,
-                     "meshes or halfspaces; none: only what does not depend on an input");
+                     "meshes or halfspaces; without any, only the sections that need no input");
   command.add_option("-o,--output", options->folder, "the folder for the files; made if missing")
       ->capture_default_str();
   command.add_option("--sections", options->sections, "what to measure")->capture_default_str();
   ReportRequest& request = options->request;
   add_faces(command, request.faces, "halfspaces at which runs end, at least 4");
-  add_count(command, "--repetitions", request.effort.repetitions, {1, 1000}, "of every timed run");
+  add_count(command, "--repetitions", request.effort.repetitions, {1, 1000},
+            "repetitions of every timed run");
   add_seconds(command, "--budget", request.effort.budget,
-              "for the repetitions of one run; a first run that takes longer is left out, and the "
-              "page says so");
+              "time for the repetitions of one run; a first run that takes longer is left out, and "
+              "the page says so");
   command
-      .add_option("--family", request.families,
-                  "of shapes, for the stability; default: every one that can be swept")
+      .add_option(
+          "--family", request.families,
+          "family of shapes for the section stability; default: every one that can be swept")
       ->check(CLI::IsMember(breakdown_families()));
   add_scene_options(command, options->scene);
   add_global_options(command, options->global);

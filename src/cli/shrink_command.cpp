@@ -32,16 +32,11 @@ constexpr const char* kShrinkFooter =
     "{output}\n"
     "  convexact shrink planes.ine -o minimal.ine -- ./my_clipper {input} {output}\n"
     "\n"
-    "PROGRAM is run directly, not by a shell. It fails if it does not exit with 0 in time, or if "
-    "it does\n"
-    "and what it writes to {output} violates a claim (docs/verdicts.md). The result fails in the "
-    "same "
-    "way:\n"
-    "with the same exit code, signal or first violated claim. An input with a volume keeps one "
-    "unless\n"
-    "--allow-flat is given. Ctrl-C ends with exit code 6, and leaves the smallest input so far "
-    "that fails\n"
-    "in the output file.";
+    "PROGRAM is run directly, not by a shell. It fails if it does not exit with 0 in time, or\n"
+    "if it exits with 0 and its {output} violates a claim (docs/verdicts.md). On the result it\n"
+    "fails in the same way: with the same exit code, signal or first violated claim. An input\n"
+    "with a volume keeps one unless --allow-flat is given. Ctrl-C ends with exit code 6, and\n"
+    "leaves the smallest failing input so far in the output file.";
 
 struct ShrinkArguments {
   GlobalOptions global;
@@ -238,8 +233,8 @@ int run_shrink(const ShrinkArguments& options) {
 
 void add_shrink_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<ShrinkArguments>();
-  CLI::App& command =
-      *program.add_subcommand("shrink", "make an input minimal on which a program fails");
+  CLI::App& command = *program.add_subcommand(
+      "shrink", "reduce an input on which a program fails to a minimal one");
   command.footer(kShrinkFooter);
   command
       .add_option("INPUT", options->input,
@@ -254,23 +249,24 @@ void add_shrink_command(CLI::App& program, int& exit_code) {
                   "the minimal input: .obj, .off, .ply or .xyz, of halfspaces .json, .ine or .txt; "
                   "{input} has this format")
       ->required();
-  add_faces(command, options->program.faces, "what {faces} stands for");
+  add_faces(command, options->program.faces, "the number that replaces {faces}");
   add_choice<FailsIf>(
       command, "--fails-if", options->program.fails_if,
       {{"either", FailsIf::Either}, {"exit", FailsIf::Exit}, {"verdict", FailsIf::Verdict}},
-      "what counts as failing: how it ends, the verdict on {output}, or whichever comes first");
+      "what counts as a failure: how the program ends, the verdict on {output}, or either of them");
   command.add_option("--claims", options->claims,
-                     "of the verdict decide these claims only, separated by commas");
+                     "in the verdict, decide these claims only, separated by commas");
   command.add_option("--tolerance", options->tolerance,
-                     "of the verdict let violations up to this distance pass: 1e-6, or 1e-9d of "
+                     "in the verdict, let violations up to this distance pass: 1e-6, or 1e-9d of "
                      "the diameter");
   command.add_flag("--allow-flat", options->allow_flat,
-                   "shrink an input with a volume to one without, too, if that fails");
+                   "allow an input with a volume to be reduced to one without");
   command
-      .add_option("--output-format", options->output_format, "of {output}, as PROGRAM writes it")
+      .add_option("--output-format", options->output_format,
+                  "the format in which PROGRAM writes {output}")
       ->check(CLI::IsMember({"obj", "off", "ply", "stl", "json", "ine", "txt"}))
       ->capture_default_str();
-  add_seconds(command, "--time-limit", options->program.limits.seconds, "for each run");
+  add_seconds(command, "--time-limit", options->program.limits.seconds, "time for each run");
   add_bytes(command, "--memory-limit", options->program.limits.memory,
             "address space for each run, e.g. 2GB; no limit by default");
   add_global_options(command, options->global);

@@ -25,7 +25,7 @@ constexpr const char* kSimplifyFooter =
     "  convexact simplify planes.ine --faces 6 --json --trace steps.json\n"
     "\n"
     "Without --precision, planes are written as exact integers and meshes in binary64 (STL: 32).\n"
-    "Whatever is written was tested, on the stored numbers, to hold every input point.";
+    "Every result that is written was tested, on the stored numbers, to hold every input point.";
 
 struct SimplifyArguments {
   GlobalOptions global;
@@ -180,12 +180,13 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
   command.add_option("--trace", options->output.trace,
                      "every step as JSON, for a program that replays it");
   command.add_option("--proof", options->output.proof,
-                     "what convexact-check needs to prove the run again, without trusting us");
+                     "the run as a text that convexact-check proves again, independently");
   add_scene_options(command, options->scene);
   add_choice<Engine>(
       command, "--engine", options->engine,
       {{"exact", Engine::Exact}, {"filtered", Engine::Filtered}, {"float", Engine::Float}},
-      "rationals everywhere; the same answer, faster; doubles choose, the result is proven");
+      "rationals everywhere; the same answer, faster; or doubles that choose, the result still "
+      "proven");
   add_choice<VerifyLevel>(
       command, "--verify", options->verify,
       {{"local", VerifyLevel::Local}, {"full", VerifyLevel::Full}, {"none", VerifyLevel::None}},

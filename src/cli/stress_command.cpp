@@ -29,12 +29,11 @@ constexpr const char* kStressFooter =
     "  convexact stress my_mesh.obj                 scaled and moved\n"
     "  convexact stress --json > stress.json\n"
     "\n"
-    "Columns: early: runs that end above the wanted number; diff: runs that once removed one that\n"
-    "was not among the cheapest; cost, regret, volume: largest relative errors; vouched, own: "
-    "runs\n"
-    "that the float engine vouches for; refuse: results that a format cannot hold; miss: input\n"
-    "points outside of what was written; push: largest, of binary64; secs: longest, of processor\n"
-    "time. Exit code 0: all as promised. 1: not.";
+    "Columns: early: runs that end above the wanted number; diff: runs that removed a halfspace\n"
+    "that was not among the cheapest; cost, regret, volume: largest relative errors; vouched,\n"
+    "own: runs that the float engine vouches for; refuse: results that a format cannot hold;\n"
+    "miss: input points outside of what was written; push: largest, of binary64; secs: longest,\n"
+    "of processor time. Exit code 0: every promise was kept. 1: one was not.";
 
 struct StressArguments {
   GlobalOptions global;
@@ -58,7 +57,7 @@ StressFamily family_of_mesh(const std::string& path) {
 StressFamily shipped_mesh(const std::string& name) {
   const auto path = find_shipped(fs::path("data") / (name + ".obj"),
                                  [](const fs::path& place) { return fs::exists(place); });
-  if (!path) throw Error(ErrorCode::Unreadable, "the shipped meshes are not to be found");
+  if (!path) throw Error(ErrorCode::Unreadable, "the shipped meshes were not found");
   return family_of_mesh(*path);
 }
 
@@ -136,7 +135,7 @@ void add_sweep_options(CLI::App& command, StressArguments& options) {
   command.add_option("FAMILY", options.families,
                      "families by name, or mesh files to be scaled and moved (default: all)");
   command.add_flag("--list", options.list, "name every family, what is varied and its values");
-  add_text(command, "--values", "instead of the family's own: 1e3,1e17",
+  add_text(command, "--values", "values instead of the family's own, e.g. 1e3,1e17",
            [&options](const auto& option, const auto& text) {
              for (const std::string& word : CLI::detail::split(text, ',')) {
                options.sweep.values.push_back(parse_decimal(option, word));
@@ -154,7 +153,7 @@ void add_sweep_options(CLI::App& command, StressArguments& options) {
 void add_run_options(CLI::App& command, StressArguments& options) {
   command.add_option("--engines", options.engines, "which to run")->capture_default_str();
   add_seconds(command, "--time-limit", options.limits.seconds,
-              "of processor time for each engine on each input, and for the judge");
+              "processor time of each engine on each input, and of the judge");
   add_bytes(command, "--memory-limit", options.limits.memory,
             "address space for each of these, e.g. 2GB; 0 for none (default: 4GB)");
   add_count(command, "--jobs", options.jobs, {1, 256}, "how many of these run at the same time");
@@ -165,7 +164,7 @@ void add_run_options(CLI::App& command, StressArguments& options) {
 void add_stress_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<StressArguments>();
   CLI::App& command = *program.add_subcommand(
-      "stress", "run every engine on ever harder inputs, and judge what they say");
+      "stress", "run every engine on ever harder inputs, and judge every answer");
   command.footer(kStressFooter);
   add_sweep_options(command, *options);
   add_run_options(command, *options);

@@ -29,13 +29,12 @@ constexpr const char* kVerifyFooter =
     "  convexact verify bunny.obj --trace steps.json --max-regret 1%\n"
     "  convexact verify --stdio <requests.jsonl\n"
     "\n"
-    "A mesh stands for the convex hull of its points, a list of halfspaces for their "
+    "A mesh stands for the convex hull of its points, a list of halfspaces for their\n"
     "intersection.\n"
-    "Every claim is decided exactly, on the numbers as they are stored; each violation comes with "
-    "a\n"
-    "witness. docs/verdicts.md#CODE describes the claim CODE.\n"
-    "Exit code 0: every claim holds. 1: one is violated, or the CANDIDATE is malformed.\n"
-    "3: a file is not there, or INPUT is malformed. 4: INPUT has no volume.";
+    "Every claim is decided exactly, on the numbers as they are stored; each violation comes\n"
+    "with a witness. docs/verdicts.md#CODE describes the claim CODE.\n"
+    "Exit code 0: every claim holds. 1: one is violated, or the CANDIDATE is malformed. 3: a\n"
+    "file is missing, or INPUT is malformed. 4: INPUT has no volume.";
 
 struct VerifyArguments {
   GlobalOptions global;
@@ -142,27 +141,29 @@ int run_verify(const VerifyArguments& options) {
 void add_verify_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<VerifyArguments>();
   CLI::App& command = *program.add_subcommand(
-      "verify", "is somebody's output a convex solid that contains its input? exactly");
+      "verify", "decide exactly whether an output is a convex solid that contains its input");
   command.footer(kVerifyFooter);
   command.add_option(
       "INPUT", options->input,
-      "what is to be enclosed: a mesh or points (OBJ, OFF, PLY, STL, XYZ), or halfspaces");
-  command.add_option("CANDIDATE", options->candidate,
-                     "what should enclose it: a mesh, or halfspaces (JSON, .ine, rows n1 n2 n3 d)");
+      "the shape to be enclosed: a mesh or points (OBJ, OFF, PLY, STL, XYZ), or halfspaces");
+  command.add_option(
+      "CANDIDATE", options->candidate,
+      "the output to be judged: a mesh, or halfspaces (JSON, .ine, rows n1 n2 n3 d)");
   command.add_option("--claims", options->claims, "decide these claims only, separated by commas");
   add_promise_options(command, options->promise);
   command.add_flag("--exact-facets", options->exact_facets,
-                   "let --max-facets count as one only what is coplanar exactly");
+                   "let --max-facets merge exactly coplanar faces only");
   command.add_flag("--no-tightness", options->no_tightness,
                    "do not measure volume, area, mean width and distance");
   add_choice<Decimal>(command, "--decimal", options->decimal,
                       {{"nearest", Decimal::Nearest}, {"exact", Decimal::Exact}},
-                      "decimals in text mean the nearest double, or what they spell");
+                      "decimals in text mean the nearest double, or the number they spell");
   add_trace_options(command, options->trace);
   command.add_flag("--stdio", options->stdio,
                    "answer requests on standard input, one JSON object per line, with one verdict "
                    "per line; takes no other option but --time-limit and --max-memory");
-  add_text(command, "--time-limit", "with --stdio: for each request; then its answer is an error",
+  add_text(command, "--time-limit",
+           "with --stdio: time for each request; beyond it the answer is an error",
            [options](const auto& name, const auto& text) {
              options->time_limit = parse_seconds(name, text);
            })

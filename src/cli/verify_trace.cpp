@@ -90,13 +90,13 @@ void add_trace_options(CLI::App& command, TraceOptions& options) {
   CLI::Option* trace =
       command.add_option("--trace", options.trace,
                          "judge a removal order: a trace, rows nx ny nz d, or rows of facet ids");
-  command.add_option(
-      "--facets", options.facets,
-      "with --trace: what its ids refer to, counted from 0: rows nx ny nz d, JSON or "
-      ".ine; without: the input's facets in canonical order");
+  command.add_option("--facets", options.facets,
+                     "with --trace: the facets that its ids refer to, counted from 0: rows nx ny "
+                     "nz d, JSON or .ine (default: the input's facets in canonical order)");
   command
-      .add_option("--max-regret", options.max_regret,
-                  "with --trace: how much dearer than the cheapest a removal may be, e.g. 1%")
+      .add_option(
+          "--max-regret", options.max_regret,
+          "with --trace: the share by which a removal may cost more than the cheapest, e.g. 1%")
       ->capture_default_str();
   add_text(
       command, "--left-out",

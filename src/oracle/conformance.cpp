@@ -57,7 +57,7 @@ Conformance judge_acceptance(const RefuseQuestion& question, const Promise& prom
     return passed("accepted an input without volume, which the program may");
   }
   if (!question.points || !output) {
-    return failed(Outcome::AcceptedUnusable, "exit code 0 for an input that is to be refused");
+    return failed(Outcome::AcceptedUnusable, "exit code 0 for an input that must be refused");
   }
   TestVector sound;
   sound.input = *question.points;

@@ -50,7 +50,7 @@ void judge_tolerance(const Rational& rounding, Docket& docket) {
   const SmallestTolerance least{least_tolerance(worst), worst <= rounding * rounding};
   verdict.smallest_tolerance = least;
   verdict.notes.push_back((least.is_rounding
-                               ? "all that is violated is so by no more than rounding explains, " +
+                               ? "every violation is no larger than rounding explains, " +
                                      std::to_string(kRoundingUlps) +
                                      " units in the last place of the largest coordinate; "
                                : std::string()) +

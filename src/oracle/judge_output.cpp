@@ -223,7 +223,7 @@ Conformance judge_output(const TestVector& vector, const Promise& promise, const
                          const std::atomic<bool>* stop) {
   std::optional<Given> given = given_by(vector);
   if (!given)
-    throw Error(ErrorCode::InvalidArgument, "a vector asks to enclose what has no volume");
+    throw Error(ErrorCode::InvalidArgument, "a vector asks to enclose an input without volume");
   const auto* points = std::get_if<PointSet>(&vector.input);
   const Shape input =
       points != nullptr ? Shape(*points) : Shape(std::get<HalfspaceList>(vector.input).halfspaces);

@@ -141,7 +141,7 @@ CandidateSet judge_halfspace_set(const HalfspaceList& list, Docket& docket, Stag
     return set;
   }
   if (!needs_polytope(docket) && !docket.asks(CandidateSolid) && !docket.asks(CandidateBounded)) {
-    log.skip("candidate's vertices", "only asked about its planes");
+    log.skip("candidate's vertices", "only its planes were asked about");
     return set;
   }
   StageLog within(StageWatch{.begins = {}, .stop = log.watch().stop});

@@ -26,7 +26,8 @@ struct Pipe {
   std::array<int, 2> ends{-1, -1};
 
   Pipe() {
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw Error(ErrorCode::Stopped, "no pipe to be had");
+    if (pipe2(ends.data(), O_CLOEXEC) != 0)
+      throw Error(ErrorCode::Stopped, "the system cannot make a pipe");
   }
   ~Pipe() {
     close_end(0);
@@ -152,7 +153,8 @@ std::string describe(const ProgramRun& run) {
 ProgramRun run_program(const std::vector<std::string>& words, const ProgramLimits& limits,
                        const std::atomic<bool>* stop) {
   if (words.empty()) throw Error(ErrorCode::InvalidArgument, "no program to run");
-  if (!(limits.seconds > 0)) throw Error(ErrorCode::InvalidArgument, "no time to run a program");
+  if (!(limits.seconds > 0))
+    throw Error(ErrorCode::InvalidArgument, "the time limit of a program must be above 0");
   const auto start = Clock::now();
   const auto seconds = [start] {
     return std::chrono::duration<double>(Clock::now() - start).count();

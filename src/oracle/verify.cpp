@@ -67,7 +67,7 @@ void judge(const Input& input, const Candidate& candidate, Docket& docket, Stage
   if (!docket.verdict.holds()) judge_tolerance(rounding_of(input, candidate), docket);
   Verdict& verdict = docket.verdict;
   if (!docket.request.tightness) {
-    log.skip("tightness", "not asked for");
+    log.skip("tightness", "not requested");
   } else if (!set.polytope) {
     log.skip("tightness", "the candidate is no bounded solid");
   } else {

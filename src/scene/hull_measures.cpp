@@ -64,7 +64,7 @@ void add_measures(HullResult& result, const HullRequest& request, StageLog& log)
   if (result.volume && request.exact_volume) {
     result.volume->exact = log.run("exact volume", [&] { return volume(hull); });
   } else {
-    log.skip("exact volume", "the fraction is not asked for");
+    log.skip("exact volume", "the fraction was not requested");
   }
   result.area = run("area", request.area,
                     [&](long bits, const Watch& watch) { return surface_area(hull, bits, watch); });

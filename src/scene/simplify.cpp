@@ -22,8 +22,7 @@ namespace {
 
 void require_sensible(const SimplifyRequest& request) {
   if (!request.faces && !request.max_growth) {
-    throw Error(ErrorCode::InvalidArgument,
-                "say where to stop: a number of faces, a growth of volume, or both");
+    throw Error(ErrorCode::InvalidArgument, "give a number of faces, a growth of volume, or both");
   }
   if (request.faces && *request.faces < 4) {
     throw Error(ErrorCode::InvalidArgument, "no bounded solid has fewer than 4 faces");
@@ -197,7 +196,7 @@ Measured measure_volume(const Polytope& polytope, bool exact) {
 std::size_t verify_containment(const PointSet& points, const Polytope& result, VerifyLevel level,
                                StageLog& log) {
   if (level == VerifyLevel::None) {
-    log.skip("containment", "nothing is to be verified");
+    log.skip("containment", "no verification was requested");
     return 0;
   }
   const std::size_t outside =
@@ -224,7 +223,7 @@ bool is_growth_proven(const Run& run, const Enclosure& before, const Enclosure& 
 SimplifyResult finish(Reference reference, Run run, const SimplifyRequest& request, StageLog& log) {
   Measured output_volume =
       log.run("volume", [&] { return measure_volume(run.polytope, request.exact_volumes); });
-  if (!request.exact_volumes) log.skip("exact volume", "nobody asked for the fraction");
+  if (!request.exact_volumes) log.skip("exact volume", "the fraction was not requested");
   if (run.bound && request.max_growth) {
     run.bound->is_end_proven &=
         is_growth_proven(run, reference.volume.bounds, output_volume.bounds, *request.max_growth);
@@ -258,7 +257,7 @@ SimplifyOutcome simplify_lean(const PointSet& points, const SimplifyRequest& req
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   const auto& hull = std::get<Hull>(outcome);
   log.skip("Chebyshev center", "any interior point serves this engine");
-  log.skip("exact planes", "formed for what is left, and where doubles cannot decide");
+  log.skip("exact planes", "formed for the remaining halfspaces, and where doubles cannot decide");
   const FastDual dual = log.run("dual", [&] { return FastDual::of(hull, points); });
   Run run = run_lean(dual, request, log);
   Measured input_volume = log.run("volume", [&] {

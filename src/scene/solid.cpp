@@ -97,7 +97,7 @@ std::variant<Hull, NotSolid> make_hull(const PointSet& points, std::uint64_t see
     log.run("hull certificate",
             [&] { require(check_hull(hull, points), "the hull is convex and holds every point"); });
   } else {
-    log.skip("hull certificate", "not asked for: the result itself is tested against every point");
+    log.skip("hull certificate", "not requested: the result itself is tested against every point");
   }
   log.skip("empty, flat, bounded", "the hull of points that span a volume is none of these");
   log.skip("hull of dual points", "the input is points: the dual is read off its hull");

@@ -17,7 +17,7 @@ StoredSolid store(Polytope exact, const PointSet& points, std::span<const PointI
     solid.mesh = log.run("store mesh",
                          [&] { return store_mesh(solid.exact, points, extreme, *request.mesh); });
   } else {
-    log.skip("store mesh", "no mesh is asked for");
+    log.skip("store mesh", "no mesh was requested");
   }
   return solid;
 }

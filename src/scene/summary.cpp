@@ -38,7 +38,8 @@ std::string output_line(const SimplifyResult& result) {
       break;
   }
   return text + (result.float_bound && !result.float_bound->is_end_proven
-                     ? ": doubles are certain of no further removal; --engine filtered decides"
+                     ? ": doubles cannot prove that any further removal is bounded; --engine "
+                       "filtered decides"
                      : ": removing any one more would leave the solid unbounded");
 }
 
@@ -60,7 +61,7 @@ std::string volume_line(const SimplifyResult& result) {
 }
 
 std::string verified_line(const SimplifyResult& result) {
-  if (result.verified == VerifyLevel::None) return "nothing, as asked";
+  if (result.verified == VerifyLevel::None) return "nothing, as requested";
   const std::string points = counted(result.tested_points, "point", "points") +
                              " tested exactly against every halfspace: none outside";
   if (result.engine == Engine::Float) return points + "; the steps are those of doubles";
@@ -90,9 +91,9 @@ std::string float_lines(const SimplifyResult& result) {
         bound.regret == 0
             ? "every step was the cheapest"
             : fmt::format("every step cost at most 1 + {:.1g} times the cheapest", bound.regret);
-    return summary_line(
-        "doubles",
-        fmt::format("{}, and what they took it for within {:.1g}: proven", greedy, bound.cost));
+    return summary_line("doubles",
+                        fmt::format("{}, and its cost as computed is right within {:.1g}: proven",
+                                    greedy, bound.cost));
   }
   std::string doubts;
   if (bound.doubtful > 0) {
