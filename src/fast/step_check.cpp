@@ -18,10 +18,7 @@ void require(bool holds, const char* claim) {
 }  // namespace
 
 void StepCheck::check(const ClaimedStep& step) {
-  for (std::uint32_t m = 0; m < step.ring.size(); ++m) {
-    require(position_[step.ring[m].index()] == kNotInRing, "a ring visits a halfspace once");
-    position_[step.ring[m].index()] = m;
-  }
+  for (std::uint32_t m = 0; m < step.ring.size(); ++m) position_[step.ring[m].index()] = m;
   check_disk(step);
   measure(step);
   check_triangles(step);
@@ -29,36 +26,36 @@ void StepCheck::check(const ClaimedStep& step) {
   for (const HalfspaceId r : step.ring) position_[r.index()] = kNotInRing;
 }
 
-// k - 2 triangles on the k ring vertices, whose directed edges are the ring's, once each, and pairs
-// of opposites. Then the triangles form a disk: the component that the ring bounds has F triangles
-// and Euler characteristic (k - F) / 2 <= 1, so F = k - 2 and there is no other component.
+// k - 2 triangles on the k ring vertices. Their directed edges, and those of the ring turned round,
+// are pairs of opposites, each edge there once. Then the triangles form a disk: the component that
+// the ring bounds has F triangles, at least k vertices and an Euler characteristic of at most 1, so
+// F >= k - 2. Hence F = k - 2, and there is no other component.
+// Degenerate: in a ring that visits a halfspace twice, no edge starts at the first of the two
+// places, so that place has no new triangle.
 void StepCheck::check_disk(const ClaimedStep& step) {
   const std::size_t k = step.ring.size();
-  require(step.triangles.size() == k - 2, "a ring of k is closed by k - 2 triangles");
+  require(step.triangles.size() + 2 == k, "a ring of k is closed by k - 2 triangles");
   edges_.clear();
+  // Both directions of an edge share a key but for the lowest bit.
+  const auto add_edge = [&](std::uint64_t a, std::uint64_t b) {
+    edges_.push_back(a < b ? a << 33 | b << 1 : b << 33 | a << 1 | 1);
+  };
   rim_owner_.assign(k, step.removed);
+  for (std::uint32_t m = 0; m < k; ++m) add_edge(m + 1 == k ? 0 : m + 1, m);
   for (const DualTriangle& t : step.triangles) {
     for (int c = 0; c < 3; ++c) {
       const std::uint32_t a = position_[t[c].index()], b = position_[t[(c + 1) % 3].index()];
-      require(a != kNotInRing && b != kNotInRing, "new triangles have their corners on the ring");
-      if (b == (a + 1 == k ? 0 : a + 1)) {
-        require(rim_owner_[a] == step.removed, "one new triangle lies at each edge of the ring");
-        rim_owner_[a] = t[(c + 2) % 3];
-      } else {
-        // Both directions of an inner edge share a key but for the lowest bit.
-        edges_.push_back(a < b ? (std::uint64_t{a} << 33 | std::uint64_t{b} << 1)
-                               : (std::uint64_t{b} << 33 | std::uint64_t{a} << 1 | 1));
-      }
+      require(a != kNotInRing, "new triangles have their corners on the ring");
+      add_edge(a, b);
+      if (b == (a + 1 == k ? 0 : a + 1)) rim_owner_[a] = t[(c + 2) % 3];
     }
   }
   require(std::find(rim_owner_.begin(), rim_owner_.end(), step.removed) == rim_owner_.end(),
           "the ring bounds the new triangles");
+  // k + 3 (k - 2) edges: an even number. Sorted, the two directions of an edge are neighbours.
   std::sort(edges_.begin(), edges_.end());
-  require(edges_.size() % 2 == 0, "every inner edge has two sides");
   for (std::size_t e = 0; e < edges_.size(); e += 2) {
-    require((edges_[e] & 1) == 0 && edges_[e + 1] == edges_[e] + 1 &&
-                (e + 2 == edges_.size() || edges_[e + 2] != edges_[e]),
-            "every inner edge has two sides");
+    require((edges_[e] ^ edges_[e + 1]) == 1, "every edge has two sides");
   }
 }
 

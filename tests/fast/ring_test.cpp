@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Ring triangulation, by wrapping and by insertion, with true answers and with lies; and the check
-// of a step refuses what is not one.
+// Ring triangulation, by wrapping and by insertion, with true answers and with lies.
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <set>
-#include <variant>
 
-#include "convexact/error.hpp"
-#include "convexact/hull.hpp"
-#include "fast/half_edge_mesh.hpp"
-#include "fast/step_check.hpp"
 #include "fast/triangulate_ring.hpp"
-#include "shapes/random_points.hpp"
+#include "number/random.hpp"
 
 using namespace convexact;
 
@@ -110,54 +104,4 @@ TEST_CASE("RingTriangulator: ends with a triangulation whatever it is told") {
     triangulator.run(k, liar, k, triangles);
     check_polygon(k, triangles);
   }
-}
-
-TEST_CASE("StepCheck: accepts a removal and refuses what is not one") {
-  const PointSet set(shapes::in_ball(40, 9));
-  const Hull hull = std::get<Hull>(convex_hull(set));
-  const FastDual dual = FastDual::of(hull, set);
-  const DualSigns signs(dual);
-  const HalfEdgeMesh mesh(dual.size(), dual.triangles());
-  StepCheck check(dual);
-  int steps = 0, refused = 0;
-  for (std::size_t i = 0; i < dual.size(); ++i) {
-    OneRing ring;
-    mesh.one_ring(HalfspaceId(i), ring);
-    const auto& v = ring.vertices;
-    if (v.size() != 4) continue;
-    std::vector<HalfspaceId> across;
-    for (const std::uint32_t h : ring.outer) across.push_back(mesh.apex(h));
-    // The two triangulations of a quadrilateral: at least one is convex.
-    const std::vector<std::vector<DualTriangle>> both{{{v[0], v[1], v[2]}, {v[0], v[2], v[3]}},
-                                                      {{v[0], v[1], v[3]}, {v[1], v[2], v[3]}}};
-    for (const auto& triangles : both) {
-      bool valid = true;
-      for (const DualTriangle& t : triangles) {
-        valid = valid && signs.determinant(t[0], t[1], t[2]) == Sign::Positive;
-        for (const HalfspaceId r : v) {
-          if (r == t[0] || r == t[1] || r == t[2]) continue;
-          valid = valid && signs.height(t[0], t[1], t[2], r) != Sign::Positive;
-        }
-      }
-      const ClaimedStep step{HalfspaceId(i), v, across, triangles};
-      if (!valid) {
-        CHECK_THROWS_AS(StepCheck(dual).check(step), Error);
-        ++refused;
-        continue;
-      }
-      check.check(step);
-      ++steps;
-      // Each of these is not a disk, or lies on the wrong side.
-      const std::vector<DualTriangle> missing{triangles[0]}, twice{triangles[0], triangles[0]};
-      const std::vector<DualTriangle> turned{triangles[0],
-                                             {triangles[1][1], triangles[1][0], triangles[1][2]}};
-      for (const auto& wrong : {missing, twice, turned}) {
-        CHECK_THROWS_AS(StepCheck(dual).check({HalfspaceId(i), v, across, wrong}), Error);
-      }
-      const std::vector<HalfspaceId> few(across.begin(), across.end() - 1);
-      CHECK_THROWS_AS(StepCheck(dual).check({HalfspaceId(i), v, few, triangles}), Error);
-    }
-  }
-  CHECK(steps > 3);
-  CHECK(refused > 3);
 }

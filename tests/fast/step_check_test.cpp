@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+// The check of a step accepts removals and refuses what is none: each condition is met by a claim
+// that nothing else refuses.
+#include "fast/step_check.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+#include <variant>
+
+#include "convexact/error.hpp"
+#include "convexact/hull.hpp"
+#include "fast/half_edge_mesh.hpp"
+#include "shapes/random_points.hpp"
+#include "shapes/solids.hpp"
+
+using namespace convexact;
+
+namespace {
+
+struct Claim {
+  HalfspaceId removed;
+  std::vector<HalfspaceId> ring, across;
+  std::vector<DualTriangle> triangles;
+};
+
+// A solid's dual, and the removals of halfspaces whose ring has four.
+struct DualOfPoints {
+  PointSet points;
+  Hull hull;
+  FastDual dual;
+  DualSigns signs;
+
+  explicit DualOfPoints(const std::vector<Point>& list)
+      : points(list),
+        hull(std::get<Hull>(convex_hull(points))),
+        dual(FastDual::of(hull, points)),
+        signs(dual) {}
+
+  // Why a removal is refused; empty if it is accepted.
+  std::string refusal(const Claim& r) const {
+    try {
+      StepCheck(dual).check({r.removed, r.ring, r.across, r.triangles});
+      return "";
+    } catch (const Error& error) {
+      return error.what();
+    }
+  }
+
+  // By the definition: the new vertices exist and are inside the ring's planes.
+  bool is_right(const Claim& r) const {
+    for (const DualTriangle& t : r.triangles) {
+      if (signs.determinant(t[0], t[1], t[2]) != Sign::Positive) return false;
+      for (const HalfspaceId p : r.ring) {
+        if (signs.height(t[0], t[1], t[2], p) == Sign::Positive) return false;
+      }
+    }
+    return true;
+  }
+
+  // Each ring of four with both triangulations of its quadrilateral.
+  std::vector<Claim> both_of_four() const {
+    const HalfEdgeMesh mesh(dual.size(), dual.triangles());
+    std::vector<Claim> list;
+    for (std::size_t i = 0; i < dual.size(); ++i) {
+      OneRing ring;
+      mesh.one_ring(HalfspaceId(i), ring);
+      const auto& v = ring.vertices;
+      if (v.size() != 4) continue;
+      Claim removal{HalfspaceId(i), v, {}, {{v[0], v[1], v[2]}, {v[0], v[2], v[3]}}};
+      for (const std::uint32_t h : ring.outer) removal.across.push_back(mesh.apex(h));
+      list.push_back(removal);
+      removal.triangles = {{v[0], v[1], v[3]}, {v[1], v[2], v[3]}};
+      list.push_back(removal);
+    }
+    return list;
+  }
+  std::vector<Claim> right_ones() const {
+    std::vector<Claim> list = both_of_four();
+    std::erase_if(list, [&](const Claim& r) { return !is_right(r); });
+    REQUIRE(list.size() > 3);
+    return list;
+  }
+};
+
+DualOfPoints round_solid() { return DualOfPoints(shapes::in_ball(40, 9)); }
+
+bool says(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("StepCheck: accepts a removal and refuses what is not one") {
+  const DualOfPoints solid = round_solid();
+  int steps = 0, refused = 0;
+  for (const Claim& removal : solid.both_of_four()) {
+    if (!solid.is_right(removal)) {
+      CHECK_FALSE(solid.refusal(removal).empty());
+      ++refused;
+      continue;
+    }
+    CHECK(solid.refusal(removal) == "");
+    ++steps;
+    // Each of these is not a disk, or lies on the wrong side.
+    Claim wrong = removal;
+    wrong.triangles = {removal.triangles[0]};
+    CHECK(says(solid.refusal(wrong), "k - 2 triangles"));
+    wrong.triangles = {removal.triangles[0], removal.triangles[0]};
+    CHECK_FALSE(solid.refusal(wrong).empty());
+    wrong.triangles[1] = removal.triangles[1];
+    std::swap(wrong.triangles[1][0], wrong.triangles[1][1]);
+    CHECK_FALSE(solid.refusal(wrong).empty());
+  }
+  CHECK(steps > 3);
+  CHECK(refused > 3);
+}
+
+TEST_CASE("StepCheck: rings of nothing, of two, with a stranger, with a repeat") {
+  const DualOfPoints solid = round_solid();
+  for (const Claim& removal : solid.right_ones()) {
+    const auto& v = removal.ring;
+    CHECK(says(solid.refusal({removal.removed, {}, {}, {}}), "k - 2 triangles"));
+    // What lies across is named so that no edge looks dented.
+    CHECK(says(solid.refusal({removal.removed, {v[0], v[1]}, {v[0], v[1]}, {}}),
+               "the ring bounds the new triangles"));
+    Claim wrong = removal;
+    wrong.triangles[0] = {removal.across[0], v[0], v[1]};
+    CHECK(says(solid.refusal(wrong), "corners on the ring"));
+    wrong = removal;
+    wrong.ring[2] = v[0];
+    CHECK_FALSE(solid.refusal(wrong).empty());
+  }
+}
+
+TEST_CASE("StepCheck: triangles that own every edge of the ring, and are no disk") {
+  const DualOfPoints solid = round_solid();
+  const HalfEdgeMesh mesh(solid.dual.size(), solid.dual.triangles());
+  int tried = 0;
+  for (std::size_t i = 0; i < solid.dual.size(); ++i) {
+    OneRing ring;
+    mesh.one_ring(HalfspaceId(i), ring);
+    const auto& v = ring.vertices;
+    if (v.size() != 6) continue;
+    Claim removal{HalfspaceId(i), v, {}, {}};
+    for (const std::uint32_t h : ring.outer) removal.across.push_back(mesh.apex(h));
+    // Three ears own all six edges; the fourth triangle is one of them again, not the middle.
+    removal.triangles = {
+        {v[0], v[1], v[2]}, {v[2], v[3], v[4]}, {v[4], v[5], v[0]}, {v[0], v[1], v[2]}};
+    CHECK(says(solid.refusal(removal), "every edge has two sides"));
+    ++tried;
+  }
+  CHECK(tried > 3);
+}
+
+TEST_CASE("StepCheck: a cap that is open to infinity") {
+  // Without a face of the cube the four around it are parallel in pairs: det = 0.
+  const DualOfPoints cube(shapes::cube());
+  for (const Claim& removal : cube.both_of_four()) {
+    CHECK(says(cube.refusal(removal), "every new triangle has a vertex"));
+  }
+}
+
+TEST_CASE("StepCheck: new vertices that lie strictly inside the plane that is removed") {
+  // A right cap under a plane elsewhere, of which the new vertices stay clear.
+  const DualOfPoints solid = round_solid();
+  int tried = 0;
+  for (const Claim& removal : solid.right_ones()) {
+    for (std::size_t j = 0; j < solid.dual.size(); ++j) {
+      const HalfspaceId other(j);
+      const auto cuts = [&](const DualTriangle& t) {
+        return solid.signs.height(t[0], t[1], t[2], other) != Sign::Negative;
+      };
+      if (std::any_of(removal.triangles.begin(), removal.triangles.end(), cuts)) continue;
+      if (std::count(removal.ring.begin(), removal.ring.end(), other) > 0) continue;
+      Claim wrong = removal;
+      wrong.removed = other;
+      CHECK(says(solid.refusal(wrong), "on or beyond the removed plane"));
+      ++tried;
+    }
+  }
+  CHECK(tried > 3);
+}
+
+TEST_CASE("StepCheck: the triangulation whose inner edge is a dent") {
+  const DualOfPoints solid = round_solid();
+  int tried = 0;
+  for (const Claim& removal : solid.both_of_four()) {
+    bool exists = true;
+    for (const DualTriangle& t : removal.triangles) {
+      exists = exists && solid.signs.determinant(t[0], t[1], t[2]) == Sign::Positive &&
+               solid.signs.height(t[0], t[1], t[2], removal.removed) != Sign::Negative;
+    }
+    if (!exists || solid.is_right(removal)) continue;
+    CHECK(says(solid.refusal(removal), "inside the ring's planes"));
+    ++tried;
+  }
+  CHECK(tried > 0);
+}
+
+TEST_CASE("StepCheck: what is said to lie across an edge of the ring") {
+  const DualOfPoints solid = round_solid();
+  int dents = 0;
+  for (const Claim& removal : solid.right_ones()) {
+    const auto& v = removal.ring;
+    Claim wrong = removal;
+    wrong.across.push_back(wrong.across[0]);
+    CHECK(says(solid.refusal(wrong), "every edge of the ring has an outside"));
+    for (std::size_t m = 0; m < 4; ++m) {
+      const auto owner =
+          std::find_if(removal.triangles.begin(), removal.triangles.end(), [&](const auto& t) {
+            return std::count(t.begin(), t.end(), v[m]) +
+                       std::count(t.begin(), t.end(), v[(m + 1) % 4]) ==
+                   2;
+          });
+      REQUIRE(owner != removal.triangles.end());
+      const auto& [a, b, c] = *owner;
+      // The removed plane itself, as if the new vertex stood where it cuts: a dent.
+      wrong = removal;
+      wrong.across[m] = removal.removed;
+      if (solid.signs.height(a, b, c, removal.removed) == Sign::Positive) {
+        CHECK(says(solid.refusal(wrong), "every edge of the ring is convex"));
+        ++dents;
+      }
+      // The third corner of the new triangle: the same triangle on both sides.
+      wrong.across[m] = a != v[m] && a != v[(m + 1) % 4]   ? a
+                        : b != v[m] && b != v[(m + 1) % 4] ? b
+                                                           : c;
+      CHECK(says(solid.refusal(wrong), "no edge is there twice"));
+    }
+  }
+  CHECK(dents > 3);
+}
