@@ -92,7 +92,7 @@ struct DualHull {
   std::vector<std::uint32_t> witness;
 };
 
-/// Reads the dual off a primal hull: no second hull is computed. `vertices` are hull.vertices.
+/// Reads the dual off a primal hull, without computing a second hull. `vertices` are hull.vertices.
 /// @par Cost  Linear, after sorting the halfspaces.
 [[nodiscard]] DualHull dual_of(const Hull& hull, const PointSet& points);
 
@@ -117,7 +117,7 @@ struct HalfspaceDual {
 
 /// The dual of the intersection of `halfspaces`, by the incremental hull of their dual points.
 /// @param center  Strictly inside every halfspace. The result does not depend on it.
-/// @param seed    Of the hull's insertion order; only the choice among triangulations of equal
+/// @param seed    Seed of the hull's insertion order; only the choice among triangulations of equal
 ///                faces may depend on it.
 /// @throws Error  InvalidArgument if the center is not strictly inside or the intersection is
 ///                unbounded.

@@ -45,13 +45,13 @@ struct InsideProof {
   std::array<PointId, 3> triangle;
 };
 
-/// What check_hull() needs besides the surface; see docs/design/hull.md.
+/// The data that check_hull() needs besides the surface; see docs/design/hull.md.
 struct HullCertificate {
   /// Four input points that span a volume; their centroid is the interior point.
   std::array<PointId, 4> simplex;
-  /// One entry for each input point that is not extreme, in the order in which the points were
-  /// given up: a triangle's corners are extreme or given up later. A repeat of an extreme point
-  /// names it in all three corners.
+  /// One entry for each input point that is not extreme, in the order in which the construction
+  /// discarded the points: a triangle's corners are extreme or discarded later. A repeat of an
+  /// extreme point names it in all three corners.
   std::vector<InsideProof> inside;
 };
 
@@ -73,7 +73,7 @@ struct FlatInput {
 using HullOutcome = std::variant<Hull, FlatInput>;
 
 struct HullOptions {
-  /// Of the insertion order; the hull does not depend on it.
+  /// Seed of the insertion order; the hull does not depend on it.
   std::uint64_t seed = 1;
   /// Points are inserted furthest first until e n log2(n) steps are spent, the rest in random
   /// order. At least 0; 0 is random order from the start.
@@ -86,7 +86,8 @@ struct HullOptions {
 /// @par Source  [ClarksonShor1989], [deBerg2008, sec. 11.2]
 [[nodiscard]] HullOutcome convex_hull(const PointSet& points, const HullOptions& options = {});
 
-/// Checks a hull against its points in linear time; shares no code with convex_hull().
+/// Checks a hull against its points in linear time. It shares the points, their exact predicates
+/// and the filters of these with convex_hull(), and no code of the construction.
 /// @par Source  [Mehlhorn1999]
 [[nodiscard]] bool check_hull(const Hull& hull, const PointSet& points);
 [[nodiscard]] bool check_flat(const FlatInput& flat, const PointSet& points);
@@ -97,8 +98,8 @@ struct HullOptions {
 /// The hull as a polytope: vertices in the order of hull.vertices, facets in canonical order.
 [[nodiscard]] Polytope to_polytope(const Hull& hull, const PointSet& points);
 
-/// The hull of rational points n / w in homogeneous integers; ids are indices. Of use for dual
-/// points above all, of which the extreme ones are the halfspaces that are not redundant.
+/// The hull of rational points n / w in homogeneous integers; ids are indices. Mainly for dual
+/// points, whose extreme ones are the halfspaces that are not redundant.
 /// @throws Error InvalidArgument if some w <= 0.
 [[nodiscard]] HullOutcome convex_hull(std::span<const HomogeneousPoint> points,
                                       const HullOptions& options = {});

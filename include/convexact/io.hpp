@@ -23,9 +23,9 @@ namespace convexact {
 [[nodiscard]] std::string display_name(const std::string& path);
 
 struct ReadOptions {
-  /// What the decimals of text formats mean; Nearest32 rounds the numbers of binary formats too.
+  /// The meaning of decimals in text formats; Nearest32 rounds the numbers of binary formats too.
   Decimal decimal = Decimal::Nearest;
-  /// Unset: by the path's extension if it is a known one, else by content.
+  /// Unset: by the path's extension if it is a known one, otherwise by content.
   std::optional<MeshFormat> format = {};
 };
 
@@ -65,16 +65,16 @@ struct MeshWriteOptions {
 using BinaryHalfspace = std::array<double, 4>;
 
 enum class HalfspaceFormat {
-  Json,  ///< {"halfspaces": [[n1, n2, n3, d], ...]}, see halfspace_json.hpp
-  Ine,   ///< cdd and lrs, see ine.hpp
-  Rows,  ///< Lines "n1 n2 n3 d", see halfspace_rows.hpp
+  Json,  ///< {"halfspaces": [[n1, n2, n3, d], ...]}, docs/formats.md
+  Ine,   ///< The format of cdd and lrs.
+  Rows,  ///< Lines "n1 n2 n3 d".
 };
 
 /// By the extension .json, .ine or .txt in any case; nothing for any other path.
 [[nodiscard]] std::optional<HalfspaceFormat> halfspace_format_of_path(const std::string& path);
 
 /// JSON if the first character opens an object or array; .ine if a line says so; rows if the first
-/// line that is not a comment has four numbers; else no halfspaces.
+/// line that is not a comment has four numbers; otherwise nothing.
 [[nodiscard]] std::optional<HalfspaceFormat> halfspace_format_of_content(std::string_view bytes);
 
 /// @throws Error as read_halfspaces_json, read_ine and read_halfspace_rows.
@@ -93,7 +93,7 @@ enum class HalfspaceFormat {
                                            HalfspaceFormat format);
 
 /// Each file is written beside its target under another name; commit() moves all into place.
-/// Unless that succeeds, every target stays as it was and nothing new is left behind.
+/// Unless that succeeds, every target stays as it was and no new file remains.
 class AtomicOutput {
  public:
   AtomicOutput() = default;
@@ -109,8 +109,8 @@ class AtomicOutput {
   ///               InvalidArgument if `path` was added before.
   void add(const std::string& path, std::string_view bytes);
 
-  /// Moves all files into place and then calls `last`, if there is one: the step of the run that
-  /// must succeed with them, such as telling of them.
+  /// Moves all files into place and then calls `last`, if there is one: a step that must succeed
+  /// together with them, such as printing the summary.
   /// @throws Error Unwritable, or what `last` throws, after undoing the moves made so far.
   void commit(const std::function<void()>& last = {});
 

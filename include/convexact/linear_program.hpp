@@ -98,26 +98,26 @@ struct RecessionRay {
 using InteriorOutcome = std::variant<InteriorPoint, FlatProof, EmptyProof>;
 using BoundedOutcome = std::variant<BoundedProof, RecessionRay>;
 
-/// Whether P is empty, flat or has an interior. Bounded or not plays no part.
+/// Whether P is empty, flat or has an interior, bounded or not.
 /// @par Cost  One LP in 4 variables, so expected O(m).
 [[nodiscard]] InteriorOutcome find_interior(std::span<const Halfspace> halfspaces,
                                             const LpOptions& options = {});
 
-/// Whether {u : N u <= 0} is {0}. For a nonempty P that means: whether P is bounded. (An empty P
-/// is bounded whatever the answer; ask find_interior() first.)
+/// Whether {u : N u <= 0} is {0}. A nonempty P is bounded iff it is. (An empty P is always bounded;
+/// call find_interior() first.)
 /// @par Cost  One LP in 3 variables, so expected O(m).
 [[nodiscard]] BoundedOutcome find_recession(std::span<const Halfspace> halfspaces,
                                             const LpOptions& options = {});
 
-/// Whether a certificate proves its claim, from the definition; shares nothing with the solver.
+/// Whether a certificate proves its claim, by the definition; shares no code with the solver.
 [[nodiscard]] bool check(std::span<const Halfspace> halfspaces, const EmptyProof& claim);
 [[nodiscard]] bool check(std::span<const Halfspace> halfspaces, const FlatProof& claim);
 [[nodiscard]] bool check(std::span<const Halfspace> halfspaces, const InteriorPoint& claim);
 [[nodiscard]] bool check(std::span<const Halfspace> halfspaces, const BoundedProof& claim);
 [[nodiscard]] bool check(std::span<const Halfspace> halfspaces, const RecessionRay& claim);
 
-/// Rationals with lower <= |n| <= upper. Equal if |n| is a rational of at most 64 bits; else they
-/// are 64-bit integers times a power of two and differ in the last bit.
+/// Rationals with lower <= |n| <= upper. They are equal if |n| is a rational of at most 64 bits.
+/// Otherwise they are 64-bit integers times a power of two and differ in the last bit.
 struct NormEnclosure {
   Rational lower;
   Rational upper;
@@ -127,7 +127,7 @@ struct NormEnclosure {
 [[nodiscard]] NormEnclosure enclose_norm(const IntegerVector3& n);
 
 /// A ball that is almost the largest one. Let r* be the largest radius of a Euclidean ball in the
-/// (not necessarily bounded) intersection P of the halfspaces. What is proven, exactly:
+/// (not necessarily bounded) intersection P of the halfspaces. Proven exactly:
 /// - the ball of radius `radius_low` about `center` lies in P, and so does the ball of radius
 ///   `optimum_radius` about `optimum`;
 /// - optimum_radius <= r* <= radius_high <= (1 + 2^-63) optimum_radius, all equal if
@@ -158,8 +158,8 @@ using ChebyshevOutcome = std::variant<ChebyshevCenter, UnboundedRadius, FlatProo
 [[nodiscard]] ChebyshevOutcome chebyshev_center(std::span<const Halfspace> halfspaces,
                                                 const LpOptions& options = {});
 
-/// Whether the two balls lie in P and none is larger than radius_high, from the definition; shares
-/// nothing with the solver.
+/// Whether the two balls lie in P and no ball is larger than radius_high, by the definition; shares
+/// no code with the solver.
 [[nodiscard]] bool check(std::span<const Halfspace> halfspaces, const ChebyshevCenter& claim);
 [[nodiscard]] bool check(std::span<const Halfspace> halfspaces, const UnboundedRadius& claim);
 
@@ -171,10 +171,10 @@ using ChebyshevOutcome = std::variant<ChebyshevCenter, UnboundedRadius, FlatProo
                                       const RationalPoint& x);
 
 /// The first strictly interior point among `inside` rounded to ever finer grids 2^k: the coarsest
-/// power of two that serves, starting with the one on which `inside` becomes the origin. How deep
-/// it lies is not promised.
-/// @param inside  A strictly interior point: any rational, or a good guess such as a centroid of
-///                doubles; it is tested.
+/// power of two that serves, starting with the one on which `inside` becomes the origin. Its depth
+/// in P is not bounded from below.
+/// @param inside  A strictly interior point: any rational, also a guess such as a centroid of
+///                doubles. The function tests it.
 /// @return Nothing if `inside` is not strictly interior.
 /// @par Cost  Few exact evaluations per grid that fails, m for the one that serves.
 [[nodiscard]] std::optional<RationalPoint> short_dyadic_interior_point(

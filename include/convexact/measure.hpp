@@ -19,7 +19,7 @@ struct BoundingBox {
   RationalPoint low, high;
 
   RationalVector3 size() const { return high - low; }
-  /// Square of the diagonal: what the project calls the diameter of an input.
+  /// Square of the diagonal, which the project calls the diameter of an input.
   Rational squared_diameter() const { return size().squaredNorm(); }
 };
 

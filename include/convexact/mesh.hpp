@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesh.hpp - what a mesh file holds, and the formats that there are.
+// mesh.hpp - the contents of a mesh file, and the formats.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -37,7 +37,7 @@ enum class MeshFormat {
 /// By the extension .obj, .off, .ply, .stl or .xyz in any case; nothing for any other path.
 [[nodiscard]] std::optional<MeshFormat> mesh_format_of_path(const std::string& path);
 
-/// By the first bytes, and for a binary STL by its size; what nothing else claims is OBJ.
+/// By the first bytes, and for a binary STL by its size; OBJ if no other format matches.
 [[nodiscard]] MeshFormat mesh_format_of_content(std::string_view bytes);
 
 }  // namespace convexact

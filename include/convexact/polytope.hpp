@@ -8,7 +8,7 @@
 
 namespace convexact {
 
-/// A convex polytope of dimension 3, the one primal type. `facets[f]` lists the corners of facet f
+/// A convex polytope of dimension 3, the only primal type. `facets[f]` lists the corners of facet f
 /// as indices into `vertices`, counter-clockwise from outside, at least three, no repeats;
 /// `planes[f]` bounds it. Facets are maximal and stand in canonical order of their planes.
 struct Polytope {

@@ -22,8 +22,8 @@ namespace convexact {
   return orient3d(a, b, c, p) == Sign::Negative;
 }
 
-/// What decided a sign: A doubles; B the rounded differences, exactly; C these and a correction;
-/// D everything exactly; Rationals where a coordinate is outside [2^-306, 2^338].
+/// The stage that decided a sign: A doubles; B the rounded differences, exactly; C these and a
+/// correction; D all terms exactly; Rationals if a coordinate is outside [2^-306, 2^338].
 enum class Orient3dStage { A, B, C, D, Rationals };
 struct StagedSign {
   Sign sign;

@@ -50,7 +50,7 @@ struct Family {
 namespace convexact::shapes {
 
 struct MalformedFile {
-  std::string name;         ///< "malformed-", the format, "-", what is wrong.
+  std::string name;         ///< "malformed-", the format, "-", the mistake.
   std::string description;  ///< One line.
   std::string bytes;        ///< The whole file.
   bool not_finite;          ///< Spelled right, but NaN, infinite or beyond the largest double.
@@ -61,7 +61,7 @@ struct MalformedFile {
 };
 
 /// All of them, in a fixed order. Each is a small valid file with one mistake in it (or empty, or
-/// noise), so that what refuses it has found that very mistake. OBJ and XYZ have no header and no
+/// noise), so a reader that refuses it has found that mistake. OBJ and XYZ have no header and no
 /// counts: their truncated files end within a line, and an empty one is valid, but without points.
 [[nodiscard]] std::span<const MalformedFile> malformed_files();
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shrink.hpp - a failing input made minimal: fewer points or halfspaces, then simpler numbers.
+// shrink.hpp - reduces a failing input to a minimal one: fewer points or halfspaces, then simpler
+// numbers.
 #pragma once
 #include <functional>
 #include <span>
@@ -10,7 +11,7 @@
 
 namespace convexact {
 
-/// Whether points still fail as the first ones did. It must answer alike when asked alike.
+/// Whether points still fail as the first ones did. Equal arguments must give equal answers.
 /// @param origin  origin[k]: which of the first points points[k] came from. Ascending.
 using StillFails = std::function<bool(const PointSet& points, std::span<const PointId> origin)>;
 
@@ -27,17 +28,17 @@ using HalfspacesStillFail = std::function<bool(std::span<const Halfspace> halfsp
 struct Shrunk {
   PointSet points;
   std::vector<PointId> origin;
-  std::size_t tries = 0;  ///< How often it was asked whether points fail.
+  std::size_t tries = 0;  ///< How often `fails` was called.
 };
 
-/// Makes a failing point set smaller for as long as it fails. Of the result holds:
+/// Makes a failing point set smaller for as long as it fails. For the result:
 /// - leaving out any one point makes it pass;
 /// - so does replacing any one coordinate by 0 or by its sign (if that has fewer bits), an integer
 ///   by half of it, a fraction by the nearest one with a binary digit less.
 /// Before single coordinates, all are rounded to one grid, moved to the origin and scaled by powers
 /// of two together, so that equal ones stay equal. Deterministic. Binary point sets stay binary.
-/// @param progress  Called whenever it has become smaller.
-/// @throws Error    InvalidArgument if `points` do not fail; and what `fails` throws.
+/// @param progress  Called each time the input has become smaller.
+/// @throws Error    InvalidArgument if `points` do not fail; and any error of `fails`.
 /// @par Cost        About c log n questions to go from n points to c, c^2 at worst per round; then
 ///                  some ten per coordinate and round.
 /// @par Source      [ZellerHildebrandt2002] for the points.

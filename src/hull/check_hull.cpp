@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The checker of hulls, after [Mehlhorn1999]. It shares the exact points with the construction
-// and nothing else. Why these checks suffice: docs/design/hull.md.
+// The checker of hulls, after [Mehlhorn1999]. It shares the points, their predicates and filters
+// (exact_points.hpp) with the construction, and no other code. docs/design/hull.md proves that
+// these checks suffice.
 #include <algorithm>
 #include <numeric>
 
@@ -85,7 +86,7 @@ class HullCheck {
     return sorted;
   }
 
-  // Every directed edge is there once and once in the other direction (closed), and the facet over
+  // Every directed edge occurs once and once in the other direction (closed), and the facet across
   // it falls off strictly. Sorted by (from, to) and by (to, from), an edge stands where its
   // opposite does.
   bool ridges_are_convex() const {

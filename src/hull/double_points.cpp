@@ -50,9 +50,9 @@ void DoublePoints::compute_near(const RationalPoint& center) {
       continue;
     }
     // The center as a sum of two doubles, off by u^2 |center|. The box has doubles on both sides of
-    // the center, so its extent is at least u |center|, and what matters is the error against
-    // the extent: u from `low`, 1u from each subtraction. Scaling by a power of two is exact, or
-    // an underflow far below kNearError.
+    // the center, so its extent is at least u |center|. The error relative to the extent is u from
+    // `low`, 1u from each subtraction. Scaling by a power of two is exact, or an underflow far
+    // below kNearError.
     const double high = to_double(center[axis], Rounding::Nearest);
     const double low = to_double(center[axis] - to_rational(high), Rounding::Nearest);
     const double scale = std::ldexp(1.0, -exponent);

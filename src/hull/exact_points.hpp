@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// exact_points.hpp - what the hull asks of its points: doubles near them, and exact signs.
+// exact_points.hpp - what the hull needs of its points: doubles near them, and exact signs.
 #pragma once
 #include <array>
 #include <concepts>
@@ -10,7 +10,7 @@
 
 namespace convexact {
 
-/// Points that a hull can be built of, however they are stored. `near()` are their NearPoints about
+/// Points of which a hull can be built, in any representation. `near()` are their NearPoints about
 /// a center that lies strictly inside the hull (near_geometry.hpp); the other members are exact:
 ///   side(a, b, c, p)       Positive if p is strictly beyond the plane of a, b, c, which look
 ///                          counter-clockwise from beyond; Zero on it.
@@ -25,7 +25,8 @@ concept ExactPoints = requires(const Points& points, PointId p) {
   { points.equal(p, p) } -> std::same_as<bool>;
 };
 
-/// The side of p from the plane of a triangle: by its near plane, else exactly.
+/// The side of p from the plane of a triangle: by its near plane if that is certain, otherwise
+/// exactly.
 template <ExactPoints Points>
 Sign side_of(const Points& points, const NearPlane& plane, const std::array<PointId, 3>& triangle,
              PointId p) {

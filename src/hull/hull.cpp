@@ -20,7 +20,7 @@ Halfspace plane_at(const RationalVector3& normal, const RationalPoint& p) {
 std::vector<Halfspace> equations_of(const std::vector<RationalPoint>& basis) {
   const IntegerVector3 unit[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   std::vector<Halfspace> planes;
-  if (basis.empty()) {  // nothing satisfies x = y = z = 0 and x = 1
+  if (basis.empty()) {  // no point satisfies x = y = z = 0 and x = 1
     for (const IntegerVector3& axis : unit) planes.push_back(plane(axis, 0));
     planes.push_back(plane(unit[0], -1));
   } else if (basis.size() == 1) {

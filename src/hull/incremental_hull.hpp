@@ -28,12 +28,12 @@ inline std::size_t edge_towards(const SurfaceTriangle& triangle, std::uint32_t n
   return triangle.neighbors[0] == neighbor ? 0 : triangle.neighbors[1] == neighbor ? 1 : 2;
 }
 
-/// What the insertion of all points ends with. Coplanar triangles are not merged, and vertices may
-/// lie inside a facet or an edge of the hull.
+/// The result of inserting all points. Coplanar triangles are not merged, and vertices may lie
+/// inside a facet or an edge of the hull.
 struct TriangulatedHull {
   std::vector<SurfaceTriangle> triangles;
-  std::vector<InsideProof> inside;  ///< In the order of giving up.
-  /// (p, v): p was given up because it equals the vertex v.
+  std::vector<InsideProof> inside;  ///< In the order in which points were discarded.
+  /// (p, v): p was discarded because it equals the vertex v.
   std::vector<std::pair<PointId, PointId>> repeats;
 };
 
@@ -61,8 +61,8 @@ class IncrementalHull {
 
   TriangulatedHull build(const HullOptions& options) && {
     // Furthest first finds extreme points early, but has no bound on its work: an adversary makes
-    // it quadratic. A budget of O(n log n) moves and triangles keeps it honest; what is then left
-    // goes in random order, whose expected bound holds after any start.
+    // it quadratic. So it has a budget of O(n log n) moves and triangles. The points left after
+    // that are inserted in random order, whose expected bound holds after any start.
     const double n = static_cast<double>(near_.size());
     stop_ = options.stop;
     insert_furthest_first(options.furthest_first_effort * n * std::log2(n));
@@ -74,7 +74,7 @@ class IncrementalHull {
  private:
   static constexpr std::uint32_t kNone = 0xffffffff;
 
-  // What an insertion needs of a triangle besides its geometry.
+  // The data of a triangle, besides its geometry, that an insertion needs.
   struct Conflicts {
     std::uint32_t first = kNone;  // point list, its highest point in front
     double highest = 0;
@@ -139,7 +139,7 @@ class IncrementalHull {
     }
   }
 
-  // Lists p with triangle t, whose cone from the center holds it, or gives it up.
+  // Lists p with triangle t, whose cone from the center holds it, or discards p.
   void file(PointId p, std::uint32_t t) {
     const SurfaceTriangle& s = triangle(t);
     const double height = s.plane.height(near_[p.index()]);
@@ -165,7 +165,7 @@ class IncrementalHull {
     }
   }
 
-  // p lies in the cone of triangle t and not beyond it: that is its proof.
+  // p lies in the cone of triangle t and not beyond it; t is its proof.
   void give_up(PointId p, std::uint32_t t) {
     conflict_[p.index()] = kNone;
     std::array<PointId, 3> proof = triangle(t).corners;
@@ -210,7 +210,7 @@ class IncrementalHull {
     collect_visible(apex, seed);
     // (2) Its rim is one simple cycle.
     order_horizon();
-    // (3) Points that lose their triangle, and vertices that the new cone swallows.
+    // (3) Collect the points that lose their triangle, and the vertices that the new cone covers.
     collect_orphans(apex);
     // (4) Join apex to the horizon. Degenerate: were apex collinear with a ridge, it would be
     //     coplanar with both triangles there and see neither; so no new triangle is flat.

@@ -53,7 +53,7 @@ class FacetMerging {
     }
   }
 
-  // Of equal points the lowest id is the vertex, whichever was inserted.
+  // Of equal points the lowest id is the vertex, even if another one was inserted.
   void choose_among_equal_points() {
     if (surface_.repeats.empty()) return;
     chosen_.resize(points_.near().size());
@@ -63,7 +63,7 @@ class FacetMerging {
       chosen_[vertex.index()] = std::min(chosen_[vertex.index()], p);
     }
     for (auto& [point, corners] : surface_.inside) {
-      // The one chosen instead of a vertex was given up as its repeat, and now they swap roles.
+      // The point chosen instead of a vertex was discarded as its repeat; now they swap roles.
       if (corners[0] == corners[1] && chosen(corners[0]) == point) point = corners[0];
       for (PointId& corner : corners) corner = chosen(corner);
     }

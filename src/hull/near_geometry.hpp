@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// near_geometry.hpp - doubles near the exact points, and what can be decided from them for certain.
+// near_geometry.hpp - doubles near the exact points, and the signs that they decide with certainty.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -17,8 +17,8 @@ inline constexpr double kNearError = 8 * kRoundoff;
 
 /// A point in coordinates that put the center of a hull at the origin and, by one power of two for
 /// each axis, every point into the cube [-1, 1]^3. Both keep every orientation. Each coordinate is
-/// within kNearError of the true one; the bounds below pay for that, so it does not matter how
-/// the exact point is stored.
+/// within kNearError of the true one; the bounds below include that error, so the representation of
+/// the exact point does not matter.
 struct NearPoint {
   double x, y, z;
 };

@@ -50,7 +50,7 @@ class TriangleFan {
   }
 
  private:
-  // On which side of the half plane from the axis through rim[i] p lies; Positive is ahead.
+  // The side of the half plane from the axis through rim[i] on which p lies; Positive is ahead.
   Sign side(std::size_t i, PointId p) const {
     return center_side_of(points_, normals_[i], apex_, rim_[i], p);
   }

@@ -31,7 +31,7 @@ std::string resolve(const std::string& path) {
   return failed ? path : resolved.string();
 }
 
-// A name beside the target that nothing has; `attempt` tells one from the next.
+// An unused name beside the target; `attempt` makes the next one different.
 std::string name_beside(const std::string& target, const char* suffix, int attempt) {
   const std::filesystem::path path(target);
   const std::string name = "." + path.filename().string() + "." + std::to_string(::getpid()) + "-" +
@@ -62,7 +62,8 @@ int write_all(int file, std::string_view bytes) {
   return ::fsync(file) == 0 ? 0 : errno;
 }
 
-// Makes the renames in a folder last; some file systems cannot, and lose nothing but durability.
+// Flushes the renames in a folder to the disk. Some file systems cannot; only durability is lost
+// then.
 void sync_folder(const std::string& target) {
   const int folder = ::open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder < 0) return;
@@ -106,7 +107,7 @@ void AtomicOutput::write_temporary(File& file, std::string_view bytes) {
 void AtomicOutput::commit(const std::function<void()>& last) {
   try {
     for (File& file : files_) {
-      // The last step of all is never undone: what it replaces needs no second name.
+      // The last step is never undone, so the file that it replaces needs no second name.
       if (last || &file != &files_.back()) keep_replaced(file);
       if (std::rename(file.temporary.c_str(), file.target.c_str()) != 0) fail(file.path, errno);
       file.moved = true;
@@ -129,12 +130,12 @@ void AtomicOutput::keep_replaced(File& file) {
     if (::link(file.target.c_str(), file.backup.c_str()) == 0) return;
     const int reason = errno;
     if (reason == EEXIST) continue;
-    // A file system without hard links, where the file can be moved away for the moment.
+    // On a file system without hard links the file is moved away instead.
     if (reason != ENOENT && ::access(file.backup.c_str(), F_OK) != 0 &&
         std::rename(file.target.c_str(), file.backup.c_str()) == 0) {
       return;
     }
-    file.backup.clear();  // nothing has this name
+    file.backup.clear();  // no file has this name
     if (reason == ENOENT) return;
     fail(file.path, reason);
   }
@@ -146,7 +147,7 @@ void AtomicOutput::undo() noexcept {
   for (const File& file : files_) {
     if (!file.moved && !file.temporary.empty()) (void)::unlink(file.temporary.c_str());
     if (!file.backup.empty()) {
-      // To rename one name of a file to another one of it does nothing and leaves both.
+      // Renaming one name of a file to another name of the same file does nothing and leaves both.
       (void)std::rename(file.backup.c_str(), file.target.c_str());
       (void)::unlink(file.backup.c_str());
     } else if (file.moved) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// binary_cursor.hpp - takes numbers of either byte order out of bytes, whatever the machine's
+// binary_cursor.hpp - reads numbers of either byte order from bytes, on machines of either byte
 // order.
 #pragma once
 #include <bit>

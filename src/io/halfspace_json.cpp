@@ -8,7 +8,7 @@
 namespace convexact {
 namespace {
 
-// Takes the events of the parser, which hands on numbers as they are spelled.
+// Receives the events of the parser, which passes on numbers as they are spelled.
 class HalfspaceEvents : public JsonEvents {
  public:
   explicit HalfspaceEvents(Decimal decimal) : decimal_(decimal) {}

@@ -29,8 +29,8 @@ class IneReader {
   }
 
  private:
-  // Lines outside begin ... end: names, what to compute. Only what changes the meaning of rows
-  // counts.
+  // Lines outside of begin ... end: names and requests. Only those that change the meaning of rows
+  // matter.
   void check_option(std::string_view option) {
     if (option == "V-representation") {
       cursor_.fail_expected("H-representation", option);

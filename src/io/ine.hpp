@@ -6,9 +6,9 @@
 namespace convexact {
 
 /// Reads a file of dimension three. A row (b, a1, a2, a3) means b + a.x >= 0, so n = -a and d = -b.
-/// Integers and fractions are exact; decimals (type real only) go by `decimal`. Options before
-/// `begin` and behind `end` are passed over, but for those that turn rows into equations or strict
-/// inequalities.
+/// Integers and fractions are exact; decimals (type real only) are read by `decimal`. Options
+/// before `begin` and behind `end` are ignored, except for those that turn rows into equations or
+/// strict inequalities.
 /// @throws Error Malformed with the line, also for a V-representation, another dimension or
 ///               linearity; NotFinite for decimals beyond the largest double.
 /// @par Source   [Fukuda-cddlib, sec. 2], [Avis-lrs]

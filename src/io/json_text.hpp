@@ -9,8 +9,8 @@
 
 namespace convexact {
 
-/// How deep lists and objects of a JSON text may lie within each other. Our formats need 6; what
-/// the JSON library does with a document afterwards (copy, compare, print) takes stack per level.
+/// How deep lists and objects of a JSON text may lie within each other. Our formats need 6; the
+/// JSON library copies, compares and prints documents with stack for each level.
 inline constexpr std::size_t kMaxJsonDepth = 64;
 
 /// Walks over bytes and counts the lines begun.
@@ -33,7 +33,7 @@ struct LineCounter {
   bool operator==(const LineCounter& other) const { return position == other.position; }
 };
 
-/// What every receiver of the parser's events has in common: the line, the depth, what is wrong.
+/// The common part of all receivers of the parser's events: the line, the depth, and the errors.
 class JsonEvents {
  public:
   /// @throws Error Malformed with the line; NotFinite for a number beyond the largest double.
@@ -62,8 +62,8 @@ void parse_json_events(std::string_view bytes, Events& events) {
                                   LineCounter{first + bytes.size(), &events.line_}, &events);
 }
 
-/// Builds the document of a JSON text. Where the parser throws, `document` holds what came before.
-/// A key that one object has twice is malformed: its meaning would depend on the reader.
+/// Builds the document of a JSON text. If the parser throws, `document` holds the part before the
+/// error. A key that one object has twice is malformed: its meaning would depend on the reader.
 class JsonDocument : public JsonEvents {
  public:
   /// @param spelled  Keys below which a number is kept as its text, see spelling_of().

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The polygonal part of Wavefront OBJ; statements of the format that say nothing about points,
-// polygons and groups are passed over, words that are none of its statements are errors.
+// The polygonal part of Wavefront OBJ; statements of the format about anything but points, polygons
+// and groups are ignored, and words that are not statements of the format are errors.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -66,7 +66,7 @@ class ObjReader {
     }
   }
 
-  // f v v v ..., where each v may drag texture and normal along: v/vt, v//vn, v/vt/vn
+  // f v v v ..., where each v may have a texture and a normal: v/vt, v//vn, v/vt/vn
   void read_face() {
     corners_.clear();
     for (auto token = cursor_.token(); !token.empty(); token = cursor_.token()) {

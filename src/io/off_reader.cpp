@@ -18,7 +18,7 @@ class OffReader {
     const std::uint32_t point_count = cursor_.to_count(token, "the number of points");
     const std::uint32_t polygon_count =
         cursor_.to_count(cursor_.expect_token("the number of polygons"), "the number of polygons");
-    // Nobody needs the number of edges; some writers leave it out.
+    // The number of edges is not used, and some writers leave it out.
     if (const auto edges = cursor_.token(); !edges.empty()) {
       (void)cursor_.to_count(edges, "the number of edges");
     }
@@ -52,8 +52,8 @@ class OffReader {
   }
 
   void check_counts(std::size_t points, std::size_t polygons) const {
-    // Lines of one digit are wrong, but a sentence about the line says more than one about the
-    // size.
+    // A line of a single digit is wrong, but a message about that line is more helpful than one
+    // about the size of the file.
     constexpr std::size_t kShortestLine = 2;
     if ((points + polygons) * kShortestLine > cursor_.remaining() + 1) {
       cursor_.fail("expected " + std::to_string(points) + " points and " +

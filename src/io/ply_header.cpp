@@ -66,8 +66,8 @@ PlyProperty read_property(TextCursor& cursor, const PlyElement& element) {
   return property;
 }
 
-// The body starts behind the line end that the first line has: what looks like "\r\n" is "\r" and
-// a byte of data in a file whose lines end with "\r".
+// The body starts behind a line end of the kind that the first line has: in a file whose lines end
+// with "\r", the bytes "\r\n" are a line end and a byte of data.
 std::size_t body_offset(std::string_view bytes, std::size_t header_end) {
   const std::size_t first = bytes.find_first_of("\r\n");
   const bool two = bytes.substr(first, 2) == "\r\n" && bytes.substr(header_end, 2) == "\r\n";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // PLY, as text and binary of either byte order: the points and polygons are read, every other
-// element and property is stepped over by the size that its declaration gives it.
+// element and property is skipped by its declared size.
 #include <cmath>
 
 #include "io/mesh_readers.hpp"
@@ -147,7 +147,7 @@ class PlyReader {
 
  private:
   void check_count(const PlyElement& element) const {
-    // The shortest row: empty lists. Types of different size are summed up in single bytes.
+    // The shortest row has empty lists. Its size is a sum of bytes, since types differ in size.
     bool fits = true;
     std::uint64_t shortest = 0;
     for (const PlyProperty& property : element.properties) {
@@ -213,7 +213,7 @@ class PlyReader {
   Mesh mesh_;
 };
 
-// What the readers above take for granted about the two elements that they look at.
+// Requires what the readers above assume about the two elements that they read.
 const PlyElement& check_declarations(const PlyHeader& header, const TextCursor& cursor) {
   const PlyElement* vertex = header.find("vertex");
   int coordinates = 0;

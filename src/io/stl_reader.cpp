@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // STL, as text and binary. The format repeats a point in every triangle that has it; here points
-// that are exactly equal become one. Normals and attribute bytes are passed over.
+// that are exactly equal become one. Normals and attribute bytes are ignored.
 #include <algorithm>
 #include <unordered_set>
 
@@ -137,8 +137,8 @@ class TextStlReader {
   Mesh mesh_;
 };
 
-// Says of a file that is no text what is wrong with it as a binary one, whatever it begins with: it
-// is cut off, or longer than it announces. Text has no byte 0.
+// Reports what is wrong with a file that is not text, as a binary STL: it is cut off, or longer
+// than it announces. Its first word does not matter. Text has no byte 0.
 void reject_wrong_size(std::string_view bytes) {
   if (bytes.size() < kHeaderSize || bytes.find('\0') == bytes.npos) return;
   const std::size_t count = BinaryCursor(bytes, 80, ByteOrder::Little).take<std::uint32_t>();
@@ -151,7 +151,7 @@ void reject_wrong_size(std::string_view bytes) {
 
 }  // namespace
 
-// Many binary files start with "solid" as text files do: only the size tells them apart.
+// Many binary files start with "solid", as text files do; only the size distinguishes them.
 bool is_binary_stl(std::string_view bytes) {
   if (bytes.size() < kHeaderSize) return false;
   const std::size_t count = BinaryCursor(bytes, 80, ByteOrder::Little).take<std::uint32_t>();

@@ -17,7 +17,7 @@ struct TextRules {
   bool continuation = false;  ///< A backslash before a line end joins two lines.
 };
 
-/// Lines end at "\n", "\r\n" or "\r". Tokens are what stands between blanks. Views point into the
+/// Lines end at "\n", "\r\n" or "\r". Tokens are separated by blanks. Views point into the
 /// text. Every error carries the 1-based number of the line that the cursor is in.
 class TextCursor {
  public:

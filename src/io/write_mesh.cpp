@@ -38,7 +38,7 @@ void check_names(const Mesh& mesh) {
   }
 }
 
-// The parts as they are, or the one that holds everything.
+// The parts as they are, or a single part that holds all polygons.
 std::vector<MeshPart> parts_of(const Mesh& mesh) {
   return mesh.parts.empty() ? std::vector<MeshPart>{{"", 0, mesh.polygons.size()}} : mesh.parts;
 }
@@ -131,7 +131,7 @@ std::string write_ply(const Mesh& mesh, const MeshWriteOptions& options) {
   return out.finish();
 }
 
-// Unit normal for the eye only, by plain doubles; zero, which STL allows, where these give none.
+// Unit normal for display only, in plain doubles; zero, which STL allows, if it cannot be computed.
 Point display_normal(const Point& a, const Point& b, const Point& c) {
   const Point u = b - a, v = c - a;
   const Point normal =

@@ -5,8 +5,8 @@
 
 namespace convexact {
 
-/// Whether the certificate proves the claim. It is judged on N, d and c alone and shares nothing
-/// with the solver: a true answer stands whoever found the certificate.
+/// Whether the certificate proves the claim. The check uses N, d and c alone and shares no code
+/// with the solver.
 /// @par Cost  O(k n) rational operations for k coordinates and n rows.
 [[nodiscard]] bool check(const LinearProgram& lp, const LpOutcome& outcome);
 [[nodiscard]] bool check(const LinearProgram& lp, const Optimal& claim);

@@ -4,7 +4,7 @@
 namespace convexact::detail {
 namespace {
 
-// GMP's own calls avoid a temporary per operation in the loops that all the time goes to.
+// Calls of GMP itself avoid a temporary per operation in these loops, which take most of the time.
 auto* raw(Integer& x) { return x.backend().data(); }
 const auto* raw(const Integer& x) { return x.backend().data(); }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The checkers of feasibility.hpp and chebyshev_center.hpp: definitions only, no solver.
+// Checks of emptiness, flatness, boundedness and the Chebyshev center, by definition and without a
+// solver.
 #include "convexact/linear_program.hpp"
 
 namespace convexact {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Randomised incremental linear programming [Seidel1991]. Infinity is a symbol M: each variable
-// starts in the box -M <= x_j <= M, so that every subproblem has an optimal vertex, and what the
-// box holds at the end tells the three outcomes apart (docs/design/lp.md).
+// starts in the box -M <= x_j <= M, so that every subproblem has an optimal vertex. The box rows in
+// the final basis decide which of the three outcomes it is (docs/design/lp.md).
 #include <numeric>
 
 #include "convexact/error.hpp"
@@ -131,16 +131,16 @@ Solution Solver::corner(const Flat& flat) const {
 }
 
 // The lexicographic maximum of (objective, x_1, x_2, ...) on `flat`, under the rows `order` and the
-// box rows of the free coordinates. The maximum is one point, a function of the set of rows: that
-// is what the expected time rests on, also where rows or optima are tied.
+// box rows of the free coordinates. The maximum is one point, a function of the set of rows, also
+// where rows or optima are tied. The expected time depends on this.
 std::variant<Solution, Conflict> Solver::maximise_on(const Flat& flat, const RowIds& order) {
   // (1) Without rows, the maximum is a corner of the box.
   Solution best = corner(flat);
   for (std::size_t i = 0; i < order.size(); ++i) {
     // (2) The maximum stays while it satisfies the next row.
     if (!is_violated(row(order[i]), best.vertex)) continue;
-    // (3) Else the new maximum lies on the hyperplane of that row. Degenerate: on the flat the
-    //     row may be a constant; then it is positive and nothing satisfies it.
+    // (3) Otherwise the new maximum lies on the hyperplane of that row. Degenerate: on the flat the
+    //     row may be a constant; then it is positive and no point satisfies it.
     const std::optional<Flat> wall = flat.cut_by(row(order[i]));
     tight_.push_back(order[i]);
     if (!wall) return Conflict{tight_};
@@ -173,7 +173,7 @@ std::vector<Multiplier> Solver::multipliers(const RowIds& basis,
   for (std::size_t i = 0; i < basis.size(); ++i) {
     CONVEXACT_ASSERT(y[i] >= 0);
     if (y[i] == 0) continue;
-    CONVEXACT_ASSERT(basis[i] < count_);  // the box is no part of any proof
+    CONVEXACT_ASSERT(basis[i] < count_);  // no proof uses a box row
     positive.push_back({basis[i], y[i]});
   }
   return positive;
@@ -203,7 +203,7 @@ RationalVector Solver::feasible_point(const Vertex& vertex) const {
 }
 
 // c = sum of y_i n_i over the basis, y >= 0. The maximum is -sum of y_i d_i, whose part in M is the
-// sum of y_i over the box rows: zero, or the direction in which the maximum runs off is a ray.
+// sum of y_i over the box rows: zero, or the direction of growth is a ray.
 LpOutcome Solver::certify(const Solution& solution) const {
   std::vector<RationalVector> normals;
   for (const RowId id : solution.basis) normals.push_back(normal(id));

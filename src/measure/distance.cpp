@@ -211,7 +211,7 @@ HausdorffDistance hausdorff_distance(const Polytope& outer, const Polytope& inne
   for (std::uint32_t v = 0; v < outer.vertices.size(); ++v) {
     if (stop != nullptr && *stop) throw Error(ErrorCode::Stopped, "interrupted");
     const RationalPoint& vertex = outer.vertices[v];
-    // A vertex of both needs no look at the facets.
+    // For a vertex of both, the facets do not matter.
     const bool is_shared = std::binary_search(shared.begin(), shared.end(), vertex, comes_before);
     if (!is_shared && !nearest_point) nearest_point.emplace(inner);
     RationalPoint nearest = is_shared ? vertex : (*nearest_point)(vertex);

@@ -66,8 +66,8 @@ RoundedArms rounded_arms(const Polytope& polytope, long shift) {
   return result;
 }
 
-// By tetrahedra from vertex 0 in integers of about `bits` bits. That is cheap, but what the
-// rounding costs in digits depends on how far from the origin the polytope lies.
+// By tetrahedra from vertex 0 in integers of about `bits` bits. This is cheap, but the number of
+// digits lost to rounding depends on how far from the origin the polytope lies.
 //
 // Where no entry of a 3 x 3 determinant is larger than L, and each is off by less than 1, each of
 // its six products is off by less than (L + 1)^3 - L^3 <= 3 (L + 1)^2.
@@ -107,7 +107,7 @@ Enclosure enclose_by_heights(const Polytope& polytope, long precision) {
 }  // namespace
 
 Enclosure enclose_volume(const Polytope& polytope, long precision) {
-  constexpr long kSpareBits = 96;  // for what cancels in an ordinary scene
+  constexpr long kSpareBits = 96;  // lost to cancellation in an ordinary scene
   const Enclosure rounded = enclose_by_rounding(polytope, precision + kSpareBits);
   const bool is_narrow = scale_by_power_of_two(rounded.width(), precision) <= rounded.low();
   return is_narrow ? rounded : enclose_by_heights(polytope, precision);

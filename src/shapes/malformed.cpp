@@ -74,7 +74,7 @@ std::string stl(const std::string& last) {
          "\nendloop\nendfacet\nendsolid s\n";
 }
 
-// One triangle, as many announced as told.
+// One triangle, with a count that may be another one.
 std::string binary_stl(std::uint32_t count, float last) {
   std::string bytes(80, ' ');
   bytes += little_endian(count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mixture.hpp - shapes that nobody thought of: random families, squeezed, moved, put together.
+// mixture.hpp - random families, squeezed, moved and put together.
 #pragma once
 #include <cstdint>
 #include <vector>

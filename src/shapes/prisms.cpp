@@ -47,7 +47,7 @@ std::vector<Point> cylinder(std::uint32_t k, std::uint32_t rings) {
   const std::vector<CirclePoint> corners = polygon(k);
   std::vector<Point> points;
   for (std::uint32_t j = 0; j < rings; ++j) {
-    // Wherever rounding puts a ring, its points stay straight above those of the lowest one.
+    // Rounding may move a ring, but its points stay straight above those of the lowest ring.
     add_ring(points, corners, 1, static_cast<double>(j) / (rings - 1) - 0.5);
   }
   return points;
