@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Property of trace: whatever somebody's removal order and its claims say about a small solid, the
+// Property of trace: for any removal order and any claims about a small solid, the
 // judge's verdict is the one by definition: the halfspaces are intersected from scratch without
 // each candidate, at each step, in the state that the order has reached. Without the facets that it
 // blames for never being removed, the order does as the verdict says.

@@ -10,7 +10,7 @@
  * lives as long. Functions of a result do not fail; freeing NULL does nothing.
  *
  * Threads: there is no global state. Any functions may run at the same time, also on one result,
- * as long as nobody frees it meanwhile.
+ * as long as no thread frees it meanwhile.
  *
  * Errors: a function that can fail returns a status and sets its result to NULL unless it succeeds.
  * No exception passes. Only if GMP, which the numbers are made of, finds no memory does it end the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// conform.hpp - another program's answers to inputs whose answers are known, judged.
+// conform.hpp - judges the outputs of another program for inputs with known answers.
 #pragma once
 #include <array>
 #include <atomic>
@@ -21,7 +21,7 @@
 namespace convexact {
 
 struct ProgramLimits {
-  double seconds = 10;       ///< Of wall time, more than 0; then it is killed.
+  double seconds = 10;       ///< Wall time, more than 0; then it is killed.
   std::uint64_t memory = 0;  ///< Bytes of address space of each of its processes; 0 for no limit.
 };
 
@@ -46,9 +46,9 @@ struct ProgramRun {
 /// "exit code 3", "killed by signal 11", "no end within 10 s", "cannot be started".
 [[nodiscard]] std::string describe(const ProgramRun& run);
 
-/// Runs a program and waits for its end; what it started in the background is ended with it. No
-/// shell: the words are its arguments as they are. Its standard input is empty, and it may leave no
-/// core dump.
+/// Runs a program and waits for its end; processes that it started in the background end with it.
+/// No shell is involved: the words are its arguments as they are. Its standard input is empty, and
+/// it leaves no core dump.
 /// @param words  The program, looked up in PATH unless it has a slash, and its arguments.
 /// @param stop   When it becomes true, the program is killed: Error Stopped.
 /// @throws Error InvalidArgument if there are no words or the time is not positive; Stopped also if
@@ -61,7 +61,7 @@ struct ProgramRun {
 [[nodiscard]] std::vector<std::string> fill_in(const std::vector<std::string>& words,
                                                const std::map<std::string, std::string>& values);
 
-/// What is asked of a program.
+/// What a program is asked for.
 enum class Asks {
   Enclosure,  ///< A convex solid that contains the input.
   Hull,       ///< The same, and each of its corners is a point of the input.
@@ -73,7 +73,7 @@ enum class Asks {
 
 struct Promise {
   Asks asks = Asks::Simplify;
-  /// What the numbers of inputs and outputs are. Inputs are rounded to them before they are
+  /// The numbers of inputs and outputs. Inputs are rounded to them before they are
   /// written; a decimal in an output means the nearest one.
   Precision numbers = Precision::Binary64;
   Tolerance tolerance = {};  ///< Violations up to this distance pass.
@@ -93,13 +93,13 @@ struct RawFile {
   std::string extension;  ///< Without a dot.
 };
 
-/// What is the hull?
+/// The question: what is the hull?
 struct HullQuestion {
   std::size_t facets, vertices;
   Rational volume;
 };
 
-/// What does the greedy removal of halfspaces lead to?
+/// The question: what is the result of the greedy removal of halfspaces?
 struct SimplifyQuestion {
   std::size_t faces;               ///< How many to keep.
   std::size_t facets;              ///< How many are left; more than `faces` if not `reached`.
@@ -109,7 +109,7 @@ struct SimplifyQuestion {
   std::vector<std::vector<Halfspace>> ties;  ///< For each step the tied halfspaces; none if one.
 };
 
-/// What is to be said of a candidate?
+/// The question: which claims hold of a candidate?
 struct VerifyQuestion {
   Candidate candidate;
   std::optional<std::size_t> max_facets, max_vertices, max_facet_vertices;
@@ -121,15 +121,15 @@ struct VerifyQuestion {
   std::optional<Outside> outside;
 };
 
-/// Is the input refused, and why?
+/// The question: is the input refused, and why?
 struct RefuseQuestion {
   ErrorCode error;               ///< Malformed, NotFinite or NoInterior.
   std::optional<int> dimension;  ///< Of points that span no volume.
-  /// The points of a malformed file whose points are sound: of its faces a program that reads
-  /// points only knows nothing.
+  /// The points of a malformed file if they are sound: a program that reads points only does not
+  /// see its faces.
   std::optional<PointSet> points = {};
 };
-/// What {faces} stands for in a run on an input that is to be refused.
+/// The value of {faces} in a run on an input that is to be refused.
 inline constexpr std::size_t kFacesOfRefusals = 8;
 
 struct TestVector {
@@ -146,7 +146,7 @@ struct TestVector {
 enum class Outcome {
   NotStarted,            ///< There is no such program.
   TimedOut,              ///< It did not end in time.
-  OutOfMemory,           ///< It failed for want of memory.
+  OutOfMemory,           ///< It ran out of memory.
   Crashed,               ///< A signal ended it.
   AcceptedUnusable,      ///< Exit code 0 for an input that encloses no volume or cannot be read.
   WrongExit,             ///< Another exit code for a usable input.
@@ -181,8 +181,8 @@ struct Failure {
   Outcome outcome;
   std::string sentence;      ///< What was found, for people.
   bool is_rounding = false;  ///< Explained by the rounding of the output's numbers.
-  /// How bad it is among failures of its kind: a squared distance over the squared diameter, or
-  /// how many times the allowed volume or number.
+  /// Its rank among failures of its kind: a squared distance over the squared diameter, or the
+  /// ratio to the allowed volume or number.
   Rational size = 0;
 };
 /// Gross failures come before those by rounding, graver outcomes before others, larger before
@@ -192,13 +192,14 @@ struct Failure {
 struct Conformance {
   std::vector<Failure> failures;   ///< The gravest first; none if the vector is passed.
   std::string sentence;            ///< That of the first failure, or how it passed.
-  std::vector<std::string> notes;  ///< What rounding explains, or the promise allows.
+  std::vector<std::string> notes;  ///< Facts that rounding explains, or the promise allows.
   std::optional<Outside> outside;  ///< Of the input's points, if there is a solid.
   /// How many corners of the input's hull are outside by more than 10^(k-1) and up to 10^k times
   /// the diameter, by k.
   std::map<int, std::size_t> outside_by_decade;
   /// Volume of the output over that of the exact greedy result if a simplification is asked for and
-  /// the vector knows it, else over that of the input's hull. 1 is as tight as that, less tighter.
+  /// the vector knows it, otherwise over that of the input's hull. 1 is as tight as that, and less
+  /// is tighter.
   std::optional<Rational> tightness;
   /// The square of the Hausdorff distance to the input's hull over the square of the diameter.
   std::optional<Rational> relative_squared_hausdorff;
@@ -206,9 +207,10 @@ struct Conformance {
   Outcome outcome() const { return failures.empty() ? Outcome::Passed : failures.front().outcome; }
 };
 
-/// Why a vector is not put to a program.
+/// Why a program is not run on a vector.
 enum class NotRun {
-  AsksOtherwise,     ///< It asks what the program does not answer, or the same input comes twice.
+  AsksOtherwise,     ///< It asks a question that the program does not answer, or its input occurs
+                     ///< twice.
   OtherFormat,       ///< The input format cannot hold it.
   OtherNumbers,      ///< In binary32 it would overflow, become flat or cease to be flat.
   BeyondTheProgram,  ///< Its hull has more facets or corners than the program handles by promise.
@@ -218,30 +220,29 @@ inline constexpr std::array kAllNotRun = {NotRun::AsksOtherwise, NotRun::OtherFo
 [[nodiscard]] const char* name_of(NotRun reason);
 
 /// Whether another of the vectors asks for the hull of the same points. One of the two is enough
-/// for a program of which no simplification is asked.
+/// for a program that does not simplify.
 [[nodiscard]] bool repeats_hull_vector(const TestVector& vector,
                                        std::span<const TestVector> vectors);
 
-/// The vector as it is put to a program that promises this: the input in the program's numbers.
-/// Where that changes the input, the known counts of a hull are computed anew and other known
-/// answers left out.
+/// The vector as a program with this promise receives it: the input in the program's numbers. If
+/// that changes the input, the known counts of a hull are computed anew and other known answers are
+/// left out.
 [[nodiscard]] std::variant<TestVector, NotRun> as_put(const TestVector& vector,
                                                       const Promise& promise);
 
 /// Judges a run.
 ///
 /// A vector that asks `refuse` is passed by ending in time with an exit code other than 0. If only
-/// the faces of its file are malformed, also by an output that is right for its points: a program
-/// that reads points only does not see them.
+/// the faces of its file are malformed, it is also passed by an output that is right for its
+/// points, since a program that reads points only does not see the faces.
 ///
-/// Other vectors are passed by an output of which every claim of verify() holds that applies, and
-/// what the promise asks; docs/conform.md has the whole list. Two things are forgiven. A face may
-/// be bent, or off the surface of the hull, by what 16 units in the last place of the largest
-/// coordinate explain (is_explained()); and an output of which no facet can go without leaving it
-/// unbounded does not have too many: which of tied removals comes first decides where a greedy run
-/// ends.
+/// Other vectors are passed by an output for which every applicable claim of verify() and of the
+/// promise holds; docs/conform.md has the whole list. There are two exceptions. A face may be bent,
+/// or off the surface of the hull, as far as 16 units in the last place of the largest coordinate
+/// explain it (is_explained()). An output does not have too many facets if no facet can be removed
+/// without leaving it unbounded: the order of tied removals decides where a greedy run ends.
 /// @param vector  As as_put() gives it.
-/// @param output  What the program wrote, if there is a file.
+/// @param output  The program's output, if there is a file.
 /// @param stop    When it becomes true: Error Stopped.
 [[nodiscard]] Conformance judge_run(const TestVector& vector, const Promise& promise,
                                     const ProgramRun& run, const ProgramLimits& limits,

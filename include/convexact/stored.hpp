@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// stored.hpp - solids rounded outward to doubles, with the proof that nothing is lost.
+// stored.hpp - solids rounded outward to doubles, with the proof that no input point is lost.
 #pragma once
 #include <array>
 #include <atomic>
@@ -38,16 +38,16 @@ struct Growth {
                             const RationalPoint& center, const Rational& squared_diameter);
 
 /// The points that lie strictly outside at least one of the halfspaces, ascending. By the
-/// definition of containment alone: nothing is taken from a hull, a dual or a certificate.
+/// definition of containment alone, without a hull, a dual or a certificate.
 /// @throws Error Stopped when `stop` becomes true.
 /// @par Cost  One product n.x in doubles for each halfspace and block of 128 points, if its proven
-///            error bound settles the block's box; else one for each pair; exact arithmetic only
-///            where that leaves the sign open.
+/// error bound decides the block's box; otherwise one for each pair; exact arithmetic only where
+/// that leaves the sign open.
 [[nodiscard]] std::vector<PointId> find_outside(std::span<const Halfspace> halfspaces,
                                                 const PointSet& points,
                                                 const std::atomic<bool>* stop = nullptr);
 
-/// How many these are.
+/// The number of these points.
 [[nodiscard]] std::size_t count_outside(std::span<const Halfspace> halfspaces,
                                         const PointSet& points);
 
@@ -109,7 +109,7 @@ struct StoredMesh {
                                     std::span<const PointId> witnesses, Precision precision);
 
 /// How many input points lie strictly outside the hull of a mesh's points; all of them if these
-/// span no volume. Of what is read back from a file it proves the bytes.
+/// span no volume. Applied to a mesh that is read back from a file, it proves the bytes.
 [[nodiscard]] std::size_t count_outside_hull(const PointSet& mesh_points, const PointSet& input);
 
 }  // namespace convexact

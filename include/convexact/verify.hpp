@@ -79,7 +79,7 @@ inline constexpr std::array kAllClaims = {
 enum class Status {
   Holds,
   Violated,
-  NotAsked,       ///< Nobody wants to know.
+  NotAsked,       ///< Not among the claims to decide.
   NotApplicable,  ///< It has no meaning for this candidate; the sentence says why.
 };
 [[nodiscard]] const char* name_of(Status status);

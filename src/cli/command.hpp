@@ -76,7 +76,7 @@ int run_guarded(const GlobalOptions& options, const std::function<int()>& work);
 int report_not_solid(const GlobalOptions& options, const std::string& name, const NotSolid& reason);
 
 /// Prints to standard output.
-/// @throws Error Stopped if nobody reads it any more; Unwritable if it cannot be written.
+/// @throws Error Stopped if its reader has closed the pipe; Unwritable if it cannot be written.
 void print(const std::string& text);
 void print(const nlohmann::ordered_json& document);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// convexact conform: somebody's program over the conformance vectors.
+// convexact conform: runs a program over the conformance vectors.
 #include <algorithm>
 #include <filesystem>
 #include <memory>

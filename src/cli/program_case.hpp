@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// program_case.hpp - somebody's program on one input after another: whether and how it fails.
+// program_case.hpp - runs a program on one input after another: whether and how it fails.
 #pragma once
 #include <optional>
 #include <string>

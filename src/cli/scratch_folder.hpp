@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// scratch_folder.hpp - a folder for the files that somebody's program is given and writes.
+// scratch_folder.hpp - a folder for the files that a program reads and writes.
 #pragma once
 #include <string>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// verify_trace.hpp - verify INPUT --trace FILE: somebody's removal order, judged.
+// verify_trace.hpp - verify INPUT --trace FILE: judges a removal order.
 #pragma once
 #include <string>
 #include <vector>

@@ -9,8 +9,8 @@
 
 namespace convexact {
 
-/// lower <= x <= upper for some x >= 0. Operations on the ends are rounded to nearest: whoever has
-/// used n of them in a row widens the result by n roundings.
+/// lower <= x <= upper for some x >= 0. Operations on the ends are rounded to nearest: after n of
+/// them in a row, the caller widens the result by n roundings.
 template <class Scalar>
 struct Range {
   Scalar lower, upper;

@@ -12,7 +12,7 @@
 
 namespace convexact {
 
-/// One removal, without the numbers that no one asked for.
+/// One removal, without the numbers of the full record.
 struct FastStep {
   HalfspaceId removed;
   /// How many halfspaces have this exact cost, `removed` included; in the float engine, how many

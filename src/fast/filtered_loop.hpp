@@ -26,7 +26,8 @@ class FilteredLoop {
   /// @param steps  If not null, the full record of every step is appended.
   FastResult run(std::vector<Step>* steps = nullptr);
 
-  /// The loop step by step, for who may remove something else than the cheapest. First:
+  /// The loop step by step, for callers that may remove another halfspace than the cheapest. Call
+  /// first:
   void evaluate_all();
   /// The cheapest, first in canonical order; none if every removal is unbounded.
   std::optional<HalfspaceId> choose();

@@ -44,7 +44,7 @@ class LawrenceSum {
   CapRange<Scalar> run(const RingGeometry<Scalar>& ring, std::span<const RingTriangle> triangles,
                        double unit);
 
-  /// The sum as run() computed it, for whoever asks for no bound. *Stable*: what D being rounded
+  /// The sum as run() computed it, for callers that need no bound. *Stable*: what D being rounded
   /// may do to it is within kAcceptableShare, so no two terms cancel. How far H is off is not
   /// asked.
   const Scalar& value() const { return value_; }

@@ -37,7 +37,7 @@ class RingCap {
     triangulator_.run(static_cast<std::uint32_t>(ring.vertices.size()), beyond, seed, triangles);
     is_right_ = !beyond.is_wrong;
   }
-  /// Whether T, as it was made last, has only right signs; true where nobody can tell.
+  /// Whether T, as it was made last, has only right signs; true if that is uncertain.
   bool is_right() const { return is_right_; }
   /// Of the cap read last, with T as it was made.
   CapEstimate<Scalar> estimate(const std::vector<RingTriangle>& triangles) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// candidate_file.hpp - somebody's output as a candidate for the oracle, whatever is in it.
+// candidate_file.hpp - reads the output of a program as a candidate for the oracle, with any
+// content.
 #pragma once
 #include <string>
 #include <string_view>

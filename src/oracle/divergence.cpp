@@ -99,9 +99,9 @@ Divergence judge_choices(std::span<const Halfspace> halfspaces, const RationalPo
   if (first.cost && second.cost) {
     judge_costs(found, first, second);
   } else {
-    // Without a cost a run ended or removed what it must not. Both without one: whoever removed
-    // something is wrong; if both did, both are, and so the reference is no reference. To end is no
-    // more than rounding explains if the removal left would be unbounded for planes a little off.
+    // A run without a cost ended, or removed a halfspace that it must not. If both have none, the
+    // one that removed something is wrong; if both did, both are wrong. Rounding explains an end if
+    // the remaining removal would be unbounded for planes a little off.
     const bool has_ended = !found.reference.removed || !found.other.removed;
     const RemovalCost& left = first.cost ? first : second;
     found.kind = has_ended && left.cost && !left.rounding ? DivergenceKind::BelowRounding

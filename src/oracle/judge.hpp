@@ -21,7 +21,7 @@ struct CandidateSet {
   std::vector<Halfspace> planes;
   bool is_empty = false;             ///< No point at all: a mesh without points, or 0 <= -1.
   std::optional<Hull> hull;          ///< Of a mesh that spans a volume.
-  std::optional<Polytope> polytope;  ///< If it is a bounded solid, and somebody needs it.
+  std::optional<Polytope> polytope;  ///< If it is a bounded solid, and a claim needs it.
   std::vector<std::vector<std::uint32_t>> patches;  ///< Of a mesh: planar_patches() of that.
   bool is_examined = false;                         ///< Whether it is known if it is one.
 };
@@ -32,7 +32,7 @@ class Docket {
   Docket(const VerifyRequest& request, Verdict& verdict);
 
   bool asks(ClaimCode code) const;
-  /// Each is ignored if nobody asked.
+  /// Each is ignored if the claim was not asked for.
   void holds(ClaimCode code, std::string sentence, Witness witness = {});
   void violated(ClaimCode code, std::string sentence, Witness witness);
   void not_applicable(ClaimCode code, std::string sentence);

@@ -172,7 +172,7 @@ ProgramRun run_program(const std::vector<std::string>& words, const ProgramLimit
     }
     (void)process.listen(run.printed, 20);
   }
-  process.kill_all();  // whoever is left could go on printing
+  process.kill_all();  // remaining processes could go on printing
   while (process.listen(run.printed, 0)) {
   }
   run.seconds = seconds();

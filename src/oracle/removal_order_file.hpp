@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// removal_order_file.hpp - reads somebody's removal order: a trace, a list of planes or of ids.
+// removal_order_file.hpp - reads a removal order: a trace, a list of planes or of ids.
 #pragma once
 #include <optional>
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// trace_verdict.hpp - how somebody's removal order was judged, for machines
+// trace_verdict.hpp - the verdict on a removal order, for machines
 // (docs/schema/trace_verdict.schema.json) and for people.
 #pragma once
 #include <nlohmann/json_fwd.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// machine.hpp - what a measurement ran on: enough to compare, nothing that names anybody.
+// machine.hpp - the machine of a measurement: enough to compare, and no names of hosts or users.
 #pragma once
 #include <cstdint>
 #include <string>

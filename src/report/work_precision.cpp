@@ -20,7 +20,7 @@ std::vector<HalfspaceId> removed_in(const Trace& trace) {
   return removed;
 }
 
-// Whoever measures on one solid.
+// Runs every arithmetic on one solid and collects its errors and times.
 class Workbench {
  public:
   Workbench(const Solid& solid, std::size_t faces, const Effort& effort)
@@ -72,7 +72,7 @@ std::optional<Spread> Workbench::time_filtered() {
       effort_, [&](Deadline& deadline) { (void)simplify_filtered(dual_, options(deadline)); });
 }
 
-// What an engine that decides exactly says of its own run is judged like everybody's.
+// The run of an engine that decides exactly is judged like all others.
 WayResult Workbench::engine(const char* way, std::optional<Spread> seconds,
                             const Simplification& run) {
   WayResult result;

@@ -250,7 +250,7 @@ SimplifyResult finish(Reference reference, Run run, const SimplifyRequest& reque
                         run.bound};
 }
 
-// Points, and nobody wants to see the steps: exact planes are formed of what is left only.
+// Points, without a record of the steps: exact planes are formed for the remaining halfspaces only.
 SimplifyOutcome simplify_lean(const PointSet& points, const SimplifyRequest& request,
                               StageLog& log) {
   auto outcome = make_hull(points, request.seed, false, log);

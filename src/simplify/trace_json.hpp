@@ -13,7 +13,7 @@ namespace convexact {
 /// of the stop is not part of it.
 [[nodiscard]] std::string write_trace_json(const Trace& trace);
 
-/// Reads what write_trace_json() wrote, or anybody else's trace; `value` is ignored. The steps are
+/// Reads a trace of write_trace_json() or of another program; `value` is ignored. The steps are
 /// not verified here, but every index is within range.
 /// @throws Error Malformed, with the line if the text is no JSON, else with the place in it.
 [[nodiscard]] Trace read_trace_json(std::string_view text);

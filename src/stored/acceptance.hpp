@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// acceptance.hpp - what a stored solid must pass before it may be written, planes and meshes alike.
+// acceptance.hpp - the tests that a stored solid must pass before it is written, planes and meshes
+// alike.
 #pragma once
 #include <span>
 #include <string>

@@ -105,7 +105,7 @@ class OneSidedBound {
     return squared_norm(from_.vertices[i]) * part * part;
   }
 
-  // The largest polar.v, exactly; doubles only tell which planes need not be asked.
+  // The largest polar.v, exactly; doubles only exclude planes.
   Rational gauge(std::size_t i) const {
     std::vector<double> upper(polars_.size());
     double best_lower = -std::numeric_limits<double>::infinity();

@@ -9,7 +9,8 @@
 namespace convexact::stored {
 
 /// The mean of `witnesses`, rounded to doubles if it is still strictly inside all of `halfspaces`,
-/// else exactly: points that span a volume have their mean strictly inside whatever holds them.
+/// otherwise exactly: the mean of points that span a volume is strictly inside every halfspace that
+/// holds them.
 [[nodiscard]] RationalPoint interior_point(const PointSet& points,
                                            std::span<const PointId> witnesses,
                                            std::span<const Halfspace> halfspaces);

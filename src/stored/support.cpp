@@ -20,7 +20,7 @@ Rational WitnessSupport::operator()(const Point& n) {
     values_[j] = n[0] * doubles_.x[j] + n[1] * doubles_.y[j] + n[2] * doubles_.z[j];
     top = std::max(top, values_[j]);
   }
-  const double limit = top - error - error;  // what lies below it is below the true maximum
+  const double limit = top - error - error;  // values below it are below the true maximum
   const RationalVector3 exact_normal = to_rational(n);
   std::optional<Rational> maximum;
   for (std::size_t j = 0; j < values_.size(); ++j) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// support.hpp - the exact maximum of n.x over points, with the doubles asked first.
+// support.hpp - the exact maximum of n.x over points, by doubles first.
 #pragma once
 #include "stored/coordinates.hpp"
 

@@ -14,7 +14,7 @@
 namespace convexact {
 namespace {
 
-// Of this process: what else the machine does is nobody's merit.
+// Processor time of this process, not wall time: other load must not count.
 double processor_time() {
   timespec now{};
   (void)clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// answer.hpp - everything that an engine says about one input, for a judge who was not there.
+// answer.hpp - everything that an engine says about one input, for the judge.
 #pragma once
 #include <string>
 #include <vector>
@@ -45,7 +45,7 @@ struct EngineAnswer {
   std::optional<StressClaim> claim;   ///< Of the float engine.
   std::vector<StoredBytes> stored;
   double seconds = 0;        ///< Of processor time: the pipeline with the exact result, not stored.
-  std::uint64_t memory = 0;  ///< Filled in by whoever started the process.
+  std::uint64_t memory = 0;  ///< Filled in by the process that started this one.
 };
 
 struct Question {

@@ -5,8 +5,9 @@
 
 namespace convexact {
 
-/// Reads the bytes as anybody would and decides whether they are a bounded solid that holds every
-/// point of the input (or every vertex of the halfspaces' solid), all its numbers of the precision.
+/// Reads the bytes by the usual readers and decides whether they are a bounded solid that holds
+/// every point of the input (or every vertex of the halfspaces' solid), all its numbers of the
+/// precision.
 [[nodiscard]] StressStored judge_stored(const Shape& shape, const StoredBytes& stored);
 
 }  // namespace convexact

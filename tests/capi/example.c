@@ -58,7 +58,7 @@ static int enclose(void) {
   return holds;
 }
 
-/* A box that somebody's program wrote: its top is at 3.75. */
+/* A box that another program wrote: its top is at 3.75. */
 static int verify_box(void) {
   const double box[][3] = {{0, 0, 0},    {4, 0, 0},    {0, 4, 0},    {4, 4, 0},
                            {0, 0, 3.75}, {4, 0, 3.75}, {0, 4, 3.75}, {4, 4, 3.75}};

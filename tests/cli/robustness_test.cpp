@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What may happen to a program: no memory, no room, nobody who reads, an impatient user. The
+// What may happen to a program: no memory, no room, a closed pipe, an interrupt. The
 // documented exit code, one sentence, and nothing half-written. Codes are those of docs/usage.md.
 #include <doctest/doctest.h>
 

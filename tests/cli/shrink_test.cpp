@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // convexact shrink: programs that fail in a known way, so the minimal input is known in closed
-// form. The programs are shell scripts around awk, run as anybody's program would be.
+// form. The programs are shell scripts around awk, run as any program would be.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -118,7 +118,8 @@ TEST_CASE(
 TEST_CASE("verify --stdio: a closed pipe is exit 6, other arguments are wrong usage") {
   const ScratchFolder scratch;
   const std::string requests = scratch.write("requests", std::string("{") + kQuestion + "}\n");
-  // The reader is gone before the first answer: standard output is a pipe that nobody reads.
+  // The reader is gone before the first answer: standard output is a pipe that is closed at the
+  // other end.
   const std::string script = scratch.write(
       "script", std::string("'") + std::getenv("CONVEXACT_PROGRAM") + "' verify --stdio <" +
                     requests + "; echo $? >" + scratch.file("exit") + "\n");

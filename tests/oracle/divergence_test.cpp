@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs doctored by hand on a cube with cut corners: what parts them, and who is at fault. A cut of
-// depth t costs t^3 / 6, which gives every regret in closed form.
+// Runs doctored by hand on a cube with cut corners: where they differ, and which is at fault. A cut
+// of depth t costs t^3 / 6, which gives every regret in closed form.
 #include "oracle/divergence.hpp"
 
 #include <doctest/doctest.h>

@@ -7,7 +7,7 @@
   faults.py --check             only that every fault still finds its place, once, in the tree
 
 A static_assert that a fault breaks catches it; it is taken out then, and the tests are asked too.
-Exit 1 if nobody catches some fault, or if it does not apply."""
+Exit 1 if no test catches some fault, or if a fault does not apply."""
 import argparse
 import json
 import pathlib
@@ -20,7 +20,7 @@ LIMIT = 180  # seconds for one test program
 
 
 def caught_by(scratch, fault):
-    """Who caught a fault: (what of the compiler or '', the test or '', its case)."""
+    """What caught a fault: (the compiler's message or '', the test or '', its case)."""
     _, name, old, new, tests = fault
     compiler = ''
     for test in tests.split():
@@ -71,7 +71,7 @@ def main():
         compiler, test, case = caught_by(scratch, fault)
         rows.append({'kind': kind, 'file': name, 'from': fault[2], 'to': new, 'compiler': compiler,
                      'test': test, 'case': case})
-        who = ', '.join(filter(None, [compiler, test and f'{test}: {case}'])) or 'NOBODY'
+        who = ', '.join(filter(None, [compiler, test and f'{test}: {case}'])) or 'NO TEST'
         print(f'{number}/{len(faults)} {kind} | {pathlib.Path(name).name} | '
               f'{" ".join(new.split())[:70] or "- " + " ".join(fault[2].split())[:66]} | {who}', flush=True)
         if arguments.json:
@@ -79,7 +79,7 @@ def main():
     missed = sum(not row['test'] for row in rows)
     print(f'{len(rows)} faults: {len(rows) - missed} caught by a test, '
           f'{sum(bool(row["compiler"]) for row in rows)} by the compiler, '
-          f'{sum(not row["test"] and not row["compiler"] for row in rows)} by nobody')
+          f'{sum(not row["test"] and not row["compiler"] for row in rows)} by no test')
     return 1 if any(not row['test'] and not row['compiler'] for row in rows) else 0
 
 

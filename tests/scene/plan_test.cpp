@@ -100,7 +100,7 @@ TEST_CASE("plan: simplify skips what neither the engine nor the input needs") {
   CHECK(lean.counter["hull"] == 1);
 }
 
-TEST_CASE("plan: simplify skips what nobody asked for") {
+TEST_CASE("plan: simplify skips what was not requested") {
   Plan bare, rich;
   SimplifyRequest request = request_for(Engine::Filtered);
   request.verify = VerifyLevel::None;

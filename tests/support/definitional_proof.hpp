@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // definitional_proof.hpp - what a proof claims, and whether it is true by the definition. Witnesses
-// (the interior point, who shows a point inside, rays) are no claims; whether they convince is the
-// checker's business.
+// (the interior point, the tetrahedra that show points inside, rays) are no claims; judging them is
+// the checker's business.
 #pragma once
 #include <set>
 #include <sstream>
