@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // exact.hpp - what the checker computes with: GMP's numbers, planes, points, and failures.
 //
-// A plane (n, d) is the halfspace {x : n.x + d <= 0}; a point is (x, y, z, w), w > 0, in
+// A plane (n, d) is the halfspace {x : n.x + d <= 0}. A point is (x, y, z, w), w > 0, in
 // homogeneous integers. dot() of the two is negative inside, zero on the plane, positive outside.
 #pragma once
 #include <gmpxx.h>
@@ -22,7 +22,7 @@ using Row = std::array<Integer, 4>;
 struct Failure {
   int exit_code;
   std::string what;
-  std::string where = {};  // in the mesh file; empty: in the proof, at its line
+  std::string where = {};  // a line of the proof, or a place in the mesh file
 };
 inline void require(bool holds, const std::string& otherwise) {
   if (!holds) throw Failure{1, "not proven: " + otherwise};
@@ -31,7 +31,7 @@ inline void expect(bool holds, const std::string& what) {
   if (!holds) throw Failure{3, "malformed: expected " + what};
 }
 
-// GMP ends the process by abort() where memory is short, and no exception may pass through it.
+// GMP ends the process by abort() if memory is short, and no exception may pass through it.
 [[noreturn]] inline void end_out_of_memory() {
   std::fputs("convexact-check: out of memory: nothing is decided\n", stderr);
   std::_Exit(6);
@@ -40,7 +40,7 @@ inline void* or_end(void* block) {
   if (block == nullptr) end_out_of_memory();
   return block;
 }
-inline void end_where_memory_is_short() {
+inline void end_if_memory_is_short() {
   std::set_new_handler(end_out_of_memory);
   mp_set_memory_functions(
       [](std::size_t size) { return or_end(std::malloc(size)); },
@@ -51,6 +51,7 @@ inline void end_where_memory_is_short() {
 inline Integer dot(const Row& a, const Row& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
 }
+// The determinant of three columns of three rows: by default of three normals.
 inline Integer det(const Row& a, const Row& b, const Row& c, int i = 0, int j = 1, int k = 2) {
   return a[i] * (b[j] * c[k] - b[k] * c[j]) - a[j] * (b[i] * c[k] - b[k] * c[i]) +
          a[k] * (b[i] * c[j] - b[j] * c[i]);
@@ -59,7 +60,18 @@ inline Integer det(const Row& a, const Row& b, const Row& c, int i = 0, int j = 
 inline Row meet(const Row& a, const Row& b, const Row& c) {
   return {-det(a, b, c, 1, 2, 3), det(a, b, c, 0, 2, 3), -det(a, b, c, 0, 1, 3), det(a, b, c)};
 }
-// Numbers times their common denominator: of a point its only such form.
+
+inline Rational quotient(const Integer& above, const Integer& below) {
+  Rational value(above, below);
+  value.canonicalize();
+  return value;
+}
+inline Rational power_of_two(long e) {
+  Integer power = 1;
+  power <<= static_cast<unsigned long>(std::labs(e));
+  return e < 0 ? quotient(1, power) : Rational(power);
+}
+// Numbers times their common denominator: a point has only one such form.
 inline Row scaled(const Numbers& x) {
   const Integer w = lcm(lcm(x[0].get_den(), x[1].get_den()), lcm(x[2].get_den(), x[3].get_den()));
   return {Integer(x[0] * w), Integer(x[1] * w), Integer(x[2] * w), Integer(x[3] * w)};
@@ -70,16 +82,7 @@ inline Row primitive(Row plane) {
   for (Integer& x : plane) x /= common;
   return plane;
 }
-inline Rational power_of_two(long e) {
-  return e < 0 ? Rational(Rational(1) >> static_cast<unsigned long>(-e))
-               : Rational(Rational(1) << static_cast<unsigned long>(e));
-}
 
-inline Rational quotient(const Integer& above, const Integer& below) {
-  Rational value(above, below);
-  value.canonicalize();
-  return value;
-}
 inline Rational squared_distance(const Row& p, const Row& q) {
   Rational sum = 0;
   for (int k = 0; k < 3; ++k) {
@@ -88,24 +91,20 @@ inline Rational squared_distance(const Row& p, const Row& q) {
   }
   return sum;
 }
-// The least m with two digits and e such that m.m * 10^e is at least the root, which is not 0.
+// The square root of a positive number, rounded up to two digits: "1.5e-3".
 inline std::string root_from_above(const Rational& square) {
   const auto digits = [](const Integer& x) { return long(mpz_sizeinbase(x.get_mpz_t(), 10)); };
   long e = (digits(square.get_num()) - digits(square.get_den())) / 2 - 3;
-  for (;; ++e) {
+  for (;; ++e) {  // the first e for which the root is at most 99 units of 10^(e - 1)
     Integer power;
     mpz_ui_pow_ui(power.get_mpz_t(), 100, static_cast<unsigned long>(std::labs(e - 1)));
-    const Rational steps = e > 1 ? Rational(square / power) : Rational(square * power);
-    Integer whole = sqrt(Integer(steps.get_num() / steps.get_den()));
-    if (whole * whole < steps) ++whole;
-    if (whole >= 100) continue;
-    const std::string text = whole.get_str();
+    const Rational square_in_units = e > 1 ? Rational(square / power) : Rational(square * power);
+    Integer units = sqrt(Integer(square_in_units.get_num() / square_in_units.get_den()));
+    if (units * units < square_in_units) ++units;
+    if (units >= 100) continue;
+    const std::string text = units.get_str();
     return text.substr(0, 1) + "." + text.substr(1) + "e" + std::to_string(e);
   }
-}
-inline std::string text_of(const Row& row) {
-  return row[0].get_str() + " " + row[1].get_str() + " " + row[2].get_str() + " " +
-         row[3].get_str();
 }
 
 }  // namespace check

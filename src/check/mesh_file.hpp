@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
-// mesh_file.hpp - the points of a mesh, or the rows of a list of halfspaces, for comparison.
+// mesh_file.hpp - the points of a mesh, or the rows of a list of halfspaces, as docs/formats.md has
+// them. Faces, colours and normals are passed over: a point that is misread is a difference to the
+// proof, and so is a point that is missed.
 #pragma once
-#include <string>
-#include <vector>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <map>
 
-#include "words.hpp"
+#include "text.hpp"
 
 namespace check {
 
@@ -14,10 +20,288 @@ struct MeshFile {
   std::vector<Row> rows{};  // points as scaled(), halfspaces as primitive()
 };
 
-// Reads a file, told by its name: .obj, .off, .ply, .stl, .xyz; halfspaces as .ine or as rows n1 n2
-// n3 d (.txt). Only what says where points are is looked at. @throws Failure of exit code 3, with
-// the place.
-MeshFile read_mesh_file(const std::string& path, Decimals decimals);
-MeshFile parse_mesh_file(const std::string& bytes, const std::string& path, Decimals decimals);
+// How a binary file stores a number.
+struct BinaryType {
+  std::size_t size;  // in bytes
+  enum Kind { Real, Signed, Unsigned } kind;
+};
+inline BinaryType ply_type(const std::string& name) {
+  if (is_one_of(name, {"float", "float32"})) return {4, BinaryType::Real};
+  if (is_one_of(name, {"double", "float64"})) return {8, BinaryType::Real};
+  if (is_one_of(name, {"char", "int8"})) return {1, BinaryType::Signed};
+  if (is_one_of(name, {"uchar", "uint8"})) return {1, BinaryType::Unsigned};
+  if (is_one_of(name, {"short", "int16"})) return {2, BinaryType::Signed};
+  if (is_one_of(name, {"ushort", "uint16"})) return {2, BinaryType::Unsigned};
+  if (is_one_of(name, {"int", "int32"})) return {4, BinaryType::Signed};
+  expect(is_one_of(name, {"uint", "uint32"}), "a type such as float, found '" + name + "'");
+  return {4, BinaryType::Unsigned};
+}
+
+class Binary {
+ public:
+  Binary(const std::string& bytes, std::size_t offset, bool is_big_endian)
+      : bytes_(bytes), offset_(offset), is_big_endian_(is_big_endian) {}
+
+  bool at_end() const { return offset_ == bytes_.size(); }
+  std::string take(std::size_t size) {
+    expect(size <= bytes_.size() - offset_, "more bytes");
+    offset_ += size;
+    return bytes_.substr(offset_ - size, size);
+  }
+  Rational number(const BinaryType& type) {
+    std::string word = take(type.size);
+    if (!is_big_endian_) std::reverse(word.begin(), word.end());
+    std::uint64_t bits = 0;
+    for (const char byte : word) bits = bits << 8 | static_cast<unsigned char>(byte);
+    if (type.kind == BinaryType::Real) {
+      const double value = type.size == 4 ? std::bit_cast<float>(static_cast<std::uint32_t>(bits))
+                                          : std::bit_cast<double>(bits);
+      expect(std::isfinite(value), "a finite number");
+      return value;
+    }
+    const Rational value(Integer(static_cast<unsigned long>(bits)));
+    const Rational range = power_of_two(8 * long(type.size));
+    const bool is_negative = type.kind == BinaryType::Signed && 2 * value >= range;
+    return is_negative ? Rational(value - range) : value;
+  }
+
+ private:
+  const std::string& bytes_;
+  std::size_t offset_;
+  const bool is_big_endian_;
+};
+
+struct PlyElement {
+  std::string name;
+  std::size_t count;
+  std::vector<WordList> properties;  // type name, or list type type name
+};
+
+class MeshReader {
+ public:
+  MeshReader(const std::string& bytes, Decimals decimals) : bytes_(bytes), decimals_(decimals) {}
+
+  MeshFile read(const std::string& extension) {
+    file_.is_mesh = !is_one_of(extension, {".txt", ".ine"});
+    if (extension == ".obj") return read_obj();
+    if (extension == ".off") return read_off();
+    if (extension == ".ply") return read_ply();
+    if (extension == ".stl") return read_stl();
+    if (extension == ".xyz") return read_xyz();
+    if (extension == ".txt") return read_rows();
+    expect(extension == ".ine", "a name that ends in .obj, .off, .ply, .stl, .xyz, .ine or .txt");
+    return read_ine();
+  }
+  std::string where = "";  // the place of a failure
+
+ private:
+  WordList next(Lines& lines) {
+    const WordList words = lines.next();
+    where = "line " + std::to_string(lines.number());
+    return words;
+  }
+  void add_point(const Rational& x, const Rational& y, const Rational& z) {
+    file_.rows.push_back(scaled({x, y, z, 1}));
+  }
+  void add_point(const WordList& words, std::size_t first) {
+    expect(words.size() >= first + 3, "three coordinates");
+    const auto x = [&](std::size_t k) { return decimal(words[first + k], decimals_); };
+    add_point(x(0), x(1), x(2));
+  }
+
+  // v x y z, with a weight (4 numbers), a colour (6) or both (7), which are not looked at.
+  MeshFile read_obj() {
+    const WordList others = {"f",  "fo", "o",  "g",      "s",      "l", "p",
+                             "vt", "vn", "vp", "usemtl", "mtllib", "mg"};
+    Lines lines(bytes_, '#', true);
+    for (WordList words; !(words = next(lines)).empty();) {
+      if (words[0] == "v") {
+        expect(words.size() != 6 && words.size() <= 8, "x y z and a colour");
+        add_point(words, 1);
+      } else {
+        expect(is_one_of(words[0], others), "a statement such as v or f, found '" + words[0] + "'");
+      }
+    }
+    return file_;
+  }
+
+  // A header such as OFF or COFF, the counts behind it or on the next line, a point on each line.
+  MeshFile read_off() {
+    Lines lines(bytes_, '#');
+    WordList words = next(lines);
+    expect(!words.empty() && words[0].ends_with("OFF") && has_only(words[0], "STCNOF"),
+           "a header such as OFF");
+    words.erase(words.begin());
+    if (words.empty()) words = next(lines);
+    expect(!words.empty() && is_count(words[0]), "the number of points");
+    for (std::size_t count = std::stoul(words[0]); count > 0; --count) add_point(next(lines), 0);
+    return file_;
+  }
+
+  // x y z on each line; further numbers are not looked at.
+  MeshFile read_xyz() {
+    Lines lines(bytes_, '#');
+    for (WordList words; !(words = next(lines)).empty();) add_point(words, 0);
+    return file_;
+  }
+
+  // Binary if and only if it has 84 + 50 n bytes, where bytes 80 to 83 hold n.
+  MeshFile read_stl() {
+    const BinaryType real{4, BinaryType::Real}, count{4, BinaryType::Unsigned};
+    const bool is_binary = bytes_.size() >= 84 && (bytes_.size() - 84) % 50 == 0 &&
+                           Binary(bytes_, 80, false).number(count) == (bytes_.size() - 84) / 50;
+    if (!is_binary) return read_text_stl();
+    for (Binary in(bytes_, 84, false); !in.at_end(); in.take(2)) {
+      where = "triangle " + std::to_string(file_.rows.size() / 3 + 1);
+      in.take(12);
+      for (int corner = 0; corner < 3; ++corner) {
+        const Rational x = in.number(real), y = in.number(real), z = in.number(real);
+        add_point(x, y, z);
+      }
+    }
+    return file_;
+  }
+  MeshFile read_text_stl() {
+    const std::string text = lower_case(bytes_);
+    Lines lines(text);
+    for (WordList words; !(words = next(lines)).empty();) {
+      if (words[0] == "vertex") add_point(words, 1);
+    }
+    return file_;
+  }
+
+  MeshFile read_ply() {
+    Lines lines(bytes_);
+    expect(next(lines) == WordList{"ply"}, "ply");
+    const WordList format = next(lines);
+    const bool is_text = format == WordList{"format", "ascii", "1.0"};
+    const bool is_big_endian = format == WordList{"format", "binary_big_endian", "1.0"};
+    expect(is_text || is_big_endian || format == WordList{"format", "binary_little_endian", "1.0"},
+           "ascii or a byte order");
+    const std::vector<PlyElement> elements = read_ply_header(lines);
+    // If lines end with CR alone, an LF behind the header is the first byte of the body.
+    const bool is_dos = bytes_.compare(bytes_.find_first_of("\r\n"), 2, "\r\n") == 0;
+    const bool ends_so = bytes_.compare(lines.offset() - 2, 2, "\r\n") == 0;
+    Binary binary(bytes_, lines.offset() - (ends_so && !is_dos), is_big_endian);
+    for (const PlyElement& element : elements) {
+      for (std::size_t k = 0; k < element.count && !element.properties.empty(); ++k) {
+        const WordList words = is_text ? next(lines) : WordList{};
+        where = element.name + " " + std::to_string(k + 1);
+        read_ply_row(element, is_text ? nullptr : &binary, words);
+      }
+    }
+    expect(is_text ? next(lines).empty() : binary.at_end(), "the end of the file");
+    return file_;
+  }
+  std::vector<PlyElement> read_ply_header(Lines& lines) {
+    std::vector<PlyElement> elements;
+    for (WordList words; (words = next(lines)) != WordList{"end_header"};) {
+      expect(!words.empty(), "end_header");
+      if (words.size() == 3 && words[0] == "element" && is_count(words[2])) {
+        elements.push_back({words[1], std::stoul(words[2]), {}});
+      } else if (words[0] == "property" && !elements.empty()) {
+        expect(words.size() == 3 || (words.size() == 5 && words[1] == "list"), "a property");
+        elements.back().properties.emplace_back(words.begin() + 1, words.end());
+      } else {
+        expect(words[0] == "comment" || words[0] == "obj_info", "an element or a property");
+      }
+    }
+    return elements;
+  }
+  // One value after another: words of a line, or bytes. Only the coordinates of a vertex are kept.
+  void read_ply_row(const PlyElement& element, Binary* binary, const WordList& words) {
+    std::size_t place = 0;
+    const auto word = [&] {
+      expect(place < words.size(), "a value per property");
+      return words[place++];
+    };
+    const auto number = [&](const std::string& type) {
+      return binary != nullptr ? binary->number(ply_type(type)) : decimal(word(), decimals_);
+    };
+    const auto skip = [&](const std::string& type) {
+      return binary != nullptr ? binary->take(ply_type(type).size) : word();
+    };
+    std::map<std::string, Rational> axes;
+    for (const WordList& property : element.properties) {
+      if (property[0] == "list") {
+        const Rational length = number(property[1]);
+        expect(length >= 0 && length.get_den() == 1, "the length of a list");
+        for (Rational k = 0; k < length; k += 1) skip(property[2]);
+      } else if (element.name == "vertex" && is_one_of(property[1], {"x", "y", "z"})) {
+        axes[property[1]] = number(property[0]);
+      } else {
+        skip(property[0]);
+      }
+    }
+    expect(place == words.size(), "no value without a property");
+    if (element.name != "vertex") return;
+    expect(axes.size() == 3, "a vertex with x, y and z");
+    add_point(axes["x"], axes["y"], axes["z"]);
+  }
+
+  // n1 n2 n3 d on each line.
+  MeshFile read_rows() {
+    Lines lines(bytes_, '#');
+    for (WordList words; !(words = next(lines)).empty();) add_halfspace(words, 1);
+    return file_;
+  }
+
+  // begin, m 4 type, m rows b a1 a2 a3 that mean b + a.x >= 0, and end.
+  MeshFile read_ine() {
+    const WordList refused = {"V-representation", "linearity", "equality", "strict_inequality",
+                              "partial_enumeration"};
+    Lines lines(bytes_, '*');
+    WordList words;
+    while ((words = next(lines)) != WordList{"begin"}) {
+      expect(!words.empty() && !is_one_of(words[0], refused), "begin, and inequalities only");
+    }
+    words = next(lines);
+    expect(words.size() == 3 && is_count(words[0]) && words[1] == "4",
+           "the number of rows, 4 and their type");
+    for (std::size_t count = std::stoul(words[0]); count > 0; --count) {
+      words = next(lines);
+      if (!words.empty()) std::rotate(words.begin(), words.begin() + 1, words.end());
+      add_halfspace(words, -1);
+    }
+    expect(next(lines) == WordList{"end"}, "end");
+    while (!(words = next(lines)).empty()) {
+      expect(!is_one_of(words[0], refused), "inequalities only");
+    }
+    return file_;
+  }
+  // A row without a normal that holds everywhere is none.
+  void add_halfspace(const WordList& words, int sign) {
+    expect(words.size() == 4, "a row of four numbers");
+    Numbers row;
+    for (std::size_t k = 0; k < 4; ++k) row[k] = sign * number_of_row(words[k], decimals_);
+    const bool has_normal = row[0] != 0 || row[1] != 0 || row[2] != 0;
+    expect(has_normal || row[3] <= 0, "halfspaces that hold somewhere");
+    if (has_normal) file_.rows.push_back(primitive(scaled(row)));
+  }
+
+  const std::string& bytes_;
+  const Decimals decimals_;
+  MeshFile file_;
+};
+
+// The end of the file's name tells its format.
+// @throws Failure of exit code 3, with the place.
+inline MeshFile parse_mesh_file(const std::string& bytes, const std::string& path,
+                                Decimals decimals) {
+  MeshReader reader(bytes, decimals);
+  try {
+    return reader.read(lower_case(path.substr(std::min(path.rfind('.'), path.size()))));
+  } catch (Failure failure) {
+    failure.where = path + (reader.where.empty() ? "" : ": " + reader.where);
+    throw failure;
+  }
+}
+
+inline std::string bytes_of_file(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (!in.is_open() || in.bad()) throw Failure{3, "expected a file that can be read", path};
+  return bytes;
+}
 
 }  // namespace check

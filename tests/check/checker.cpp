@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "checker.hpp"
 
-#include <sstream>
-
 #define main convexact_check_main
 #include "../../src/check/convexact_check.cpp"
-#include "../../src/check/mesh_file.cpp"
 #undef main
 
 CheckerVerdict check_proof(const std::string& text, const std::string& mesh) {
-  std::istringstream in(text);
-  Proof proof(in);
   try {
+    Proof proof(text);
     std::string said = proof.check();
     if (!mesh.empty()) said += proof.require_same(mesh);
     return {0, said};
   } catch (const Failure& failure) {
-    return {failure.exit_code, "line " + std::to_string(proof.line) + ": " + failure.what};
+    return {failure.exit_code, failure.where + ": " + failure.what};
   }
 }
 

@@ -24,8 +24,8 @@ _LOOP = ['src/fast/filtered_engine.cpp', 'src/oracle/judge_trace.cpp']
 _HULL = ['tests/hull/near_geometry_test.cpp', 'src/hull/hull.cpp', 'src/hull/check_hull.cpp']
 UNITS = {
     'src/check/convexact_check.cpp': ['tests/check/checker.cpp'],
-    'src/check/mesh_file.cpp': ['tests/check/checker.cpp'],
-    'src/check/words.hpp': ['tests/check/checker.cpp'],
+    'src/check/mesh_file.hpp': ['tests/check/checker.cpp'],
+    'src/check/text.hpp': ['tests/check/checker.cpp'],
     'src/check/exact.hpp': ['tests/check/checker.cpp'],
     'src/stored/coordinates.hpp': ['src/stored/containment.cpp', 'src/stored/support.cpp', 'src/stored/growth.cpp',
                                    'tests/stored/containment_test.cpp'],
