@@ -3,7 +3,7 @@
 // Laplace's expansion; where doubles are certain they are right, and the doubles are
 // as near to the coefficients as promised. Property of dual_signs: the same of a solid's dual
 // points, at every stage; the rounded dual points are as near to the true ones as promised.
-#include "fast/dual_signs.hpp"
+#include "fast/signs.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
 #include "geometry/plane_determinants.hpp"

@@ -1,13 +1,143 @@
 // SPDX-License-Identifier: MIT
-// cap_volume.hpp - the volume of a cap as a sum of products without a single subtraction.
+// cap_volume.hpp - the volume of a cap in any arithmetic, as two formulas; and how far it can be
+// off.
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
-#include "fast/ring_triangles.hpp"
+#include "fast/mesh.hpp"
+#include "fast/ring.hpp"
+#include "fast/signs.hpp"
 
 namespace convexact {
+
+
+/// lower <= x <= upper for some x >= 0. Operations on the ends are rounded to nearest: after n of
+/// them in a row, the caller widens the result by n roundings.
+template <class Scalar>
+struct Range {
+  Scalar lower, upper;
+
+  friend Range operator*(const Range& a, const Range& b) {
+    return {a.lower * b.lower, a.upper * b.upper};
+  }
+  friend Range operator/(const Range& a, const Range& b) {
+    return {a.lower / b.upper, a.upper / b.lower};
+  }
+};
+
+/// What one stage of arithmetic says about a cap.
+template <class Scalar>
+struct CapRange {
+  enum class Kind : unsigned char {
+    Bounded,    ///< 0 <= lower <= six times its volume <= upper.
+    Unbounded,  ///< Proven: some triangle of T has D < 0.
+    Doubtful,   ///< Some D is too small for this arithmetic to tell; `lower` is true all the same.
+  };
+  Kind kind;
+  Scalar lower, upper;
+
+  static CapRange doubtful() {
+    return {Kind::Doubtful, Scalar(0.0), Scalar(std::numeric_limits<double>::infinity())};
+  }
+};
+
+/// Determinants of a RingGeometry as ranges, for CapVolume.
+///
+/// Rounding: below any term of the sum lie 5 factors, each of whose ends is rounded once, 3
+/// products and 4 quotients; then up to 2 k additions. So 13 + 2 k units bound the relative error
+/// of an end, and twice (16 + 2 k) leaves room for higher orders.
+template <class Scalar>
+class RangeSource {
+ public:
+  using Number = Range<Scalar>;
+  struct Sum {
+    Number total{Scalar(0.0), Scalar(0.0)};
+    void add(const Number& x) {
+      total.lower += x.lower;
+      total.upper += x.upper;
+    }
+    Number scaled_down(const Number& x) const { return total / x; }
+  };
+
+  RangeSource(const RingGeometry<Scalar>& ring, double unit)
+      : ring_(ring),
+        unit_(unit),
+        arm_error_(ring.arm_filter(unit).height),
+        error_(ring.filter(unit).height) {}
+
+  // D by the bounds of their triangles alone: in a long ring a small one would drown in that of
+  // all.
+  Number base(std::uint32_t m) {
+    const std::size_t next = m + 1 == ring_.arm.size() ? 0 : m + 1;
+    return positive(dot(ring_.side[m], ring_.center), ring_.arm[m], ring_.arm[next]);
+  }
+  Number slack(std::uint32_t m) const {
+    return lift(-dot(ring_.side[0], ring_.arm[m]), arm_error_);
+  }
+  Number leg(std::uint32_t m, std::uint32_t q) const {
+    return lift(-dot(ring_.side[m], ring_.arm[q]), arm_error_);
+  }
+  void set_triangle(std::uint32_t low, std::uint32_t middle, std::uint32_t high) {
+    low_ = low;
+    first_ = ring_.point[middle] - ring_.point[low];
+    second_ = ring_.point[high] - ring_.point[low];
+    normal_ = cross(first_, second_);
+  }
+  Number vertex() { return positive(dot(normal_, ring_.point[low_]), first_, second_); }
+  Number to_center() const { return lift(-dot(normal_, ring_.arm[low_]), error_); }
+  Number to(std::uint32_t q) const {
+    return lift(-dot(normal_, ring_.point[q] - ring_.point[low_]), error_);
+  }
+
+  /// What six_times() returned, with everything that was rounded away.
+  CapRange<Scalar> widened(const Number& six_times) const {
+    using Kind = typename CapRange<Scalar>::Kind;
+    if (negative_) return {Kind::Unbounded, Scalar(0.0), Scalar(0.0)};
+    const double n = 16 + 2 * static_cast<double>(ring_.arm.size());
+    const Scalar slop = Scalar(2 * n * unit_);
+    const Scalar tiny = Scalar(ExponentRange<Scalar>::kVolumeUnderflow);
+    const Scalar lower = six_times.lower * (Scalar(1.0) - slop) - tiny;
+    return {doubtful_ ? Kind::Doubtful : Kind::Bounded, is_positive(lower) ? lower : Scalar(0.0),
+            doubtful_ ? CapRange<Scalar>::doubtful().upper
+                      : six_times.upper * (Scalar(1.0) + slop) + tiny};
+  }
+  /// Whether every D asked for so far is proven positive.
+  bool is_certain() const { return !doubtful_; }
+
+ private:
+  Number lift(const Scalar& value, double error) const {
+    const Scalar lower = value - Scalar(error);
+    return {is_positive(lower) ? lower : Scalar(0.0), value + Scalar(error)};
+  }
+  // Of D as computed from a point and the differences f and g of the two others to it.
+  Number positive(const Scalar& value, const Triple<Scalar>& f, const Triple<Scalar>& g) {
+    Extent sides;
+    sides.include(f);
+    sides.include(g);
+    const Scalar error = Scalar(filter_for<Scalar>(sides.size, unit_).determinant);
+    Number range{value - error, value + error};
+    negative_ |= range.upper < Scalar(0.0);
+    const Scalar smallest = Scalar(ExponentRange<Scalar>::kSmallestDeterminant);
+    if (range.lower > smallest) return range;
+    // The upper end of the sum is void now. Its lower end has no use for this one, and is true for
+    // any larger D.
+    doubtful_ = true;
+    if (range.upper < smallest) range.upper = smallest;
+    return range;
+  }
+
+  const RingGeometry<Scalar>& ring_;
+  double unit_;
+  double arm_error_, error_;  // of heights: of arms alone, and of any points
+  Triple<Scalar> first_{}, second_{}, normal_{};
+  std::uint32_t low_ = 0;
+  bool negative_ = false, doubtful_ = false;
+};
 
 /// Six times the volume of the cap of a dual point i with ring 0 .. k-1 and triangulation T, from
 /// determinants of dual points P (all w = 1). Write D(abc) = det(P_a, P_b, P_c) and H(abc,p) as in
@@ -78,6 +208,254 @@ typename Source::Number CapVolume<Source>::six_times(std::uint32_t k,
     sum.add(legs(high, low) * segment);
   }
   return sum.scaled_down(base_[0]);
+}
+
+/// Six times the volume of a cap as the sum, over the triangles abc of T, of
+///   H^3 / (D(abc) D(iab) D(ibc) D(ica)),   H = |H(abc,i)|,
+/// each term the signed simplex of four planes. Only about half as many operations as CapVolume;
+/// but D of an inner diagonal has any sign, and close to zero the terms cancel.
+/// @par Source  [Lawrence1991]
+///
+/// With e the arms and S(ab) = e_a x e_b: D(iab) = P_i.S(ab), H = -S(ab).e_c, and by expanding
+/// det(P_i + e_a, P_i + e_b, P_i + e_c), D(abc) = D(iab) + D(ibc) + D(ica) - H.
+///
+/// Error, with h and d the bounds of PlaneFilter for heights and determinants of arms (h <= 2 d):
+/// - H is off by h, D(iab) by d, D(abc) by 3 d + h from its parts and by 3 u (4 * 4 B) < d from
+///   rounding, the parts being at most 4 B in size: by 6 d.
+/// - If all |D| are at least M >= kMargin d, a term is off by 3 h (H + h)^2 / |D D D D| from H and
+/// by
+///   a relative (6 + 1 + 1 + 1) d / M from the D, each times less than 1.1 for what the
+///   others do to it; rounding adds less than 16 u, and adding up k terms k u.
+/// - Twice that allows for the computation of the error itself.
+/// Underflow is as in RangeSource.
+template <class Scalar>
+class LawrenceSum {
+ public:
+  static constexpr double kMargin = 1024, kVertexError = 6, kRelativeErrors = kVertexError + 3;
+  static_assert(3 + 2 + 1 <= kVertexError);  // D of a triangle: three D, an H <= 2 d, rounding
+  static_assert(kRelativeErrors / kMargin < 0.05);
+  static_assert(3 * 4 * 4 < PlaneFilter::kDeterminantFactor);
+  /// A sum whose relative error is more than this many units, or than this share, is worth the
+  /// slower way.
+  static constexpr double kAcceptable = 0x1p37, kAcceptableShare = 0x1p-8;
+
+  /// Doubtful where another way must decide.
+  CapRange<Scalar> run(const RingGeometry<Scalar>& ring, std::span<const RingTriangle> triangles,
+                       double unit);
+
+  /// The sum as run() computed it, for callers that need no bound. *Stable*: what D being rounded
+  /// may do to it is within kAcceptableShare, so no two terms cancel. How far H is off is not
+  /// asked.
+  const Scalar& value() const { return value_; }
+  bool is_stable() const { return stable_; }
+
+ private:
+  void start(const RingGeometry<Scalar>& ring);
+  Scalar height_and_edges(const RingGeometry<Scalar>& ring, const RingTriangle& triangle,
+                          std::size_t t);
+  void note(const Scalar& determinant) {
+    smallest_ = std::min(smallest_, std::abs(leading(determinant)));
+  }
+
+  std::vector<Scalar> base_;            // D(i, m, m + 1)
+  std::vector<Scalar> first_, second_;  // of each triangle D(i, low, middle), D(i, middle, high)
+  double smallest_ = 0;                 // of all |D|
+  Scalar value_{0.0};
+  bool stable_ = false;
+};
+
+template <class Scalar>
+void LawrenceSum<Scalar>::start(const RingGeometry<Scalar>& ring) {
+  const std::size_t k = ring.arm.size();
+  base_.resize(k);
+  first_.resize(k);
+  second_.resize(k);
+  smallest_ = std::numeric_limits<double>::infinity();
+  for (std::size_t m = 0; m < k; ++m) {
+    base_[m] = dot(ring.side[m], ring.center);
+    note(base_[m]);
+  }
+}
+
+// H of a triangle; D of its two lower edges, which are edges of the ring or inner diagonals.
+template <class Scalar>
+inline Scalar LawrenceSum<Scalar>::height_and_edges(const RingGeometry<Scalar>& ring,
+                                                    const RingTriangle& triangle, std::size_t t) {
+  const auto& [low, middle, high, parent] = triangle;
+  Scalar height;
+  if (middle == low + 1) {
+    first_[t] = base_[low];
+    height = -dot(ring.side[low], ring.arm[high]);
+  } else {
+    const Triple<Scalar> side = cross(ring.arm[low], ring.arm[middle]);
+    first_[t] = dot(side, ring.center);
+    note(first_[t]);
+    height = -dot(side, ring.arm[high]);
+  }
+  if (high == middle + 1) {
+    second_[t] = base_[middle];
+  } else {
+    second_[t] = dot(cross(ring.arm[middle], ring.arm[high]), ring.center);
+    note(second_[t]);
+  }
+  return is_positive(height) ? height : Scalar(0.0);
+}
+
+template <class Scalar>
+CapRange<Scalar> LawrenceSum<Scalar>::run(const RingGeometry<Scalar>& ring,
+                                          std::span<const RingTriangle> triangles, double unit) {
+  using Kind = typename CapRange<Scalar>::Kind;
+  const PlaneFilter filter = ring.arm_filter(unit);
+  start(ring);
+  stable_ = false;
+  Scalar sum(0.0);
+  double from_heights = 0, total = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const Scalar height = height_and_edges(ring, triangles[t], t);
+    const auto [low, middle, high, parent] = triangles[t];
+    const Scalar above = parent == kNone                ? base_.back()
+                         : triangles[parent].low == low ? -first_[parent]
+                                                        : -second_[parent];
+    const Scalar vertex = first_[t] + second_[t] + above - height;
+    if (vertex < Scalar(-kVertexError * filter.determinant)) {
+      return {Kind::Unbounded, Scalar(0.0), Scalar(0.0)};
+    }
+    if (!is_positive(vertex)) return CapRange<Scalar>::doubtful();
+    note(vertex);
+    const Scalar weight = Scalar(1.0) / ((vertex * first_[t]) * (second_[t] * above));
+    const Scalar term = height * height * height * weight;
+    sum += term;
+    const double raised = leading(height) + filter.height;
+    from_heights += raised * raised * std::abs(leading(weight));
+    total += std::abs(leading(term));
+  }
+  using Exponents = ExponentRange<Scalar>;
+  if (!(smallest_ > std::max(kMargin * filter.determinant, Exponents::kSmallestDeterminant))) {
+    return CapRange<Scalar>::doubtful();
+  }
+  const double relative = kRelativeErrors * filter.determinant / smallest_ +
+                          (16 + static_cast<double>(triangles.size())) * unit;
+  value_ = sum;
+  stable_ = 2 * total * relative <= kAcceptableShare * leading(sum);
+  const double error =
+      2 * (3 * filter.height * from_heights + total * relative) + Exponents::kVolumeUnderflow;
+  const double acceptable = std::min(kAcceptable * unit, kAcceptableShare);
+  if (!(error <= acceptable * leading(sum))) return CapRange<Scalar>::doubtful();
+  return {Kind::Bounded, sum - Scalar(error), sum + Scalar(error)};
+}
+
+template <class Scalar>
+class CapEnclosure {
+ public:
+  /// Six times the volume of the cap of ring.center, T given. T is taken as it is: the enclosure is
+  /// as true as the signs that T was made with.
+  /// @param unit  As of Roundoff.
+  CapRange<Scalar> run(const RingGeometry<Scalar>& ring, std::span<const RingTriangle> triangles,
+                       double unit) {
+    const CapRange<Scalar> quick = lawrence_.run(ring, triangles, unit);
+    if (quick.kind != CapRange<Scalar>::Kind::Doubtful) return quick;
+    RangeSource<Scalar> source(ring, unit);
+    const auto k = static_cast<std::uint32_t>(ring.arm.size());
+    return source.widened(volume_.six_times(k, triangles, source));
+  }
+
+ private:
+  LawrenceSum<Scalar> lawrence_;
+  CapVolume<RangeSource<Scalar>> volume_;
+};
+
+/// Six times the volume of a cap.
+template <class Scalar>
+struct CapEstimate {
+  typename CapRange<Scalar>::Kind kind;
+  Scalar lower;  ///< Proven, if T is right; also where it is not found bounded.
+  Scalar value;  ///< As computed. *Not* the middle of a range: where H is near zero, its bound is
+                 ///< often 10^6 times its error, and a range may reach up to any size.
+  Scalar upper;  ///< Proven, if T is right.
+};
+
+/// Determinants of a RingGeometry as they come out, for CapVolume.
+template <class Scalar>
+class PlainSource {
+ public:
+  using Number = Scalar;
+  struct Sum {
+    Number total{0.0};
+    void add(const Number& x) { total += x; }
+    Number scaled_down(const Number& x) const { return total / x; }
+  };
+
+  explicit PlainSource(const RingGeometry<Scalar>& ring) : ring_(ring) {}
+
+  Number base(std::uint32_t m) const { return dot(ring_.side[m], ring_.center); }
+  Number slack(std::uint32_t m) const { return lift(-dot(ring_.side[0], ring_.arm[m])); }
+  Number leg(std::uint32_t m, std::uint32_t q) const {
+    return lift(-dot(ring_.side[m], ring_.arm[q]));
+  }
+  void set_triangle(std::uint32_t low, std::uint32_t middle, std::uint32_t high) {
+    low_ = low;
+    normal_ = cross(ring_.point[middle] - ring_.point[low], ring_.point[high] - ring_.point[low]);
+  }
+  Number vertex() const { return dot(normal_, ring_.point[low_]); }
+  Number to_center() const { return lift(-dot(normal_, ring_.arm[low_])); }
+  Number to(std::uint32_t q) const {
+    return lift(-dot(normal_, ring_.point[q] - ring_.point[low_]));
+  }
+
+ private:
+  // What is negative only by rounding.
+  static Number lift(const Scalar& value) { return is_positive(value) ? value : Scalar(0.0); }
+
+  const RingGeometry<Scalar>& ring_;
+  Triple<Scalar> normal_{};
+  std::uint32_t low_ = 0;
+};
+
+/// Estimates caps, each by the formula that suits it: the sum of [Lawrence1991], which needs no H
+/// but those of the removed plane, as long as no D is near zero; else CapVolume.
+template <class Scalar>
+class CapEstimator {
+ public:
+  /// T is taken as it is.
+  /// @param unit  As of Roundoff.
+  CapEstimate<Scalar> run(const RingGeometry<Scalar>& ring, std::span<const RingTriangle> triangles,
+                          double unit) {
+    using Kind = typename CapRange<Scalar>::Kind;
+    const CapRange<Scalar> quick = lawrence_.run(ring, triangles, unit);
+    if (quick.kind != Kind::Doubtful) {
+      return {quick.kind, quick.lower, lawrence_.value(), quick.upper};
+    }
+    RangeSource<Scalar> ends(ring, unit);
+    const auto k = static_cast<std::uint32_t>(ring.arm.size());
+    const CapRange<Scalar> range = ends.widened(ranges_.six_times(k, triangles, ends));
+    if (range.kind != Kind::Bounded || lawrence_.is_stable()) {
+      return {range.kind, range.lower, lawrence_.value(), range.upper};
+    }
+    PlainSource<Scalar> source(ring);
+    return {Kind::Bounded, range.lower, plain_.six_times(k, triangles, source), range.upper};
+  }
+
+ private:
+  LawrenceSum<Scalar> lawrence_;
+  CapVolume<RangeSource<Scalar>> ranges_;
+  CapVolume<PlainSource<Scalar>> plain_;
+};
+
+/// Adds six times the volume of the cone from the center over facet i, whose ring has k members, to
+/// `sum`. The facet is cut in a fan from its vertex v = (i, 0, 1); a triangle of it stands on the
+/// edge that ring plane q cuts out, between q - 1 and q + 1. As in CapVolume, with the center
+/// (where every slack is 1) as the apex, six times the tetrahedron is
+///   slack(q, v) |H(i q-1 q, q+1)| / (D(i, q-1, q) D(i, q, q+1)).
+/// @param source  As for CapVolume.
+template <class Source>
+void add_cone(std::uint32_t k, Source& source, typename Source::Sum& sum) {
+  using Number = typename Source::Number;
+  const Number first = source.base(0);
+  for (std::uint32_t q = 2; q < k; ++q) {
+    const Number opening = source.slack(q) / first;
+    const Number edge = source.leg(q - 1, q + 1 == k ? 0 : q + 1) / source.base(q - 1);
+    sum.add(opening * edge / source.base(q));
+  }
 }
 
 }  // namespace convexact

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Walks around the vertices of a hull and cuts the polygons found there into triangles.
-#include "fast/dual_faces.hpp"
-
 #include "convexact/error.hpp"
-#include "fast/half_edge_mesh.hpp"
+#include "fast/dual.hpp"
+#include "fast/mesh.hpp"
 
 namespace convexact {
 namespace {

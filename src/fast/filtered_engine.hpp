@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "convexact/run.hpp"
-#include "fast/dual_signs.hpp"
-#include "fast/fast_dual.hpp"
-#include "fast/float_bound.hpp"
+#include "fast/dual.hpp"
+#include "fast/signs.hpp"
 
 namespace convexact {
 

@@ -7,11 +7,11 @@
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
+#include "fast/checks.hpp"
 #include "fast/filtered_engine.hpp"
 #include "fast/growth_watch.hpp"
-#include "fast/lazy_queue.hpp"
-#include "fast/step_check.hpp"
-#include "fast/tie_breaker.hpp"
+#include "fast/queue.hpp"
+#include "fast/ties.hpp"
 
 namespace convexact {
 

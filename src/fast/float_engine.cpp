@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fast/float_engine.hpp"
 
-#include "fast/double_arithmetic.hpp"
+#include "fast/float_cap.hpp"
 #include "fast/float_loop.hpp"
 
 namespace convexact {

@@ -6,11 +6,10 @@
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
-#include "fast/cap_range.hpp"
-#include "fast/exact_cap.hpp"
-#include "fast/half_edge_mesh.hpp"
-#include "fast/outward.hpp"
-#include "fast/solid_volume.hpp"
+#include "fast/cap.hpp"
+#include "fast/cap_volume.hpp"
+#include "fast/mesh.hpp"
+#include "fast/signs.hpp"
 
 namespace convexact {
 namespace {

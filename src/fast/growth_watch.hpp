@@ -6,7 +6,7 @@
 #include <span>
 
 #include "convexact/number.hpp"
-#include "fast/fast_dual.hpp"
+#include "fast/dual.hpp"
 
 namespace convexact {
 

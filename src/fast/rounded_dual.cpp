@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "fast/double_arithmetic.hpp"
+#include "fast/float_cap.hpp"
 #include "fast/float_loop.hpp"
 #include "number/mpfr_scalar.hpp"
 

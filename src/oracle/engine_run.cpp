@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "oracle/engine_run.hpp"
 
-#include "fast/fast_dual.hpp"
+#include "fast/dual.hpp"
 #include "fast/filtered_engine.hpp"
 #include "fast/float_engine.hpp"
 #include "simplify/exact_engine.hpp"

@@ -11,7 +11,7 @@
 #include "convexact/linear_program.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/stored.hpp"
-#include "fast/check_surface.hpp"
+#include "fast/checks.hpp"
 #include "fast/filtered_engine.hpp"
 #include "fast/float_engine.hpp"
 #include "simplify/exact_engine.hpp"

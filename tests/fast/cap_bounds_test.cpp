@@ -3,7 +3,7 @@
 // in rationals, and so close to it that one of a sixteenth of their size would be.
 #include <doctest/doctest.h>
 
-#include "fast/cap_enclosure.hpp"
+#include "fast/cap_volume.hpp"
 #include "hill_climb.hpp"
 
 using namespace convexact;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The checker of dual surfaces: true surfaces pass, and each way of being wrong is found.
-#include "fast/check_surface.hpp"
-
 #include <doctest/doctest.h>
 
 #include "convexact/error.hpp"
 #include "convexact/hull.hpp"
+#include "fast/checks.hpp"
 #include "fast/filtered_engine.hpp"
 #include "shapes/prisms.hpp"
 #include "shapes/random_points.hpp"

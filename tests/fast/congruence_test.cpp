@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Caps that a symmetry of the axes carries to each other, expected from the definition: the plane
 // of one facet is the other's image.
-#include "fast/congruence.hpp"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
 #include "convexact/hull.hpp"
-#include "fast/cap_evaluator.hpp"
+#include "fast/cap.hpp"
 #include "fast/filtered_engine.hpp"
+#include "fast/ties.hpp"
 #include "oracle/removal_cost.hpp"
 #include "same_run.hpp"
 #include "shapes/random_points.hpp"

@@ -9,6 +9,7 @@
 #include "check_float_bound.hpp"
 #include "convexact/io.hpp"
 #include "convexact/shapes.hpp"
+#include "fast/float_loop.hpp"
 #include "shipped_meshes.hpp"
 
 using namespace convexact;

@@ -9,7 +9,7 @@
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
 #include "convexact/simplify.hpp"
-#include "fast/cap_evaluator.hpp"
+#include "fast/cap.hpp"
 #include "fast/float_engine.hpp"
 #include "hard_inputs.hpp"
 #include "oracle/removal_cost.hpp"

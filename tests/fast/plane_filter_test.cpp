@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The error bounds of PlaneFilter at the worst inputs that a search finds: never broken, by
 // determinants of rationals, and not so wide that they would be of no use.
-#include "fast/plane_filter.hpp"
-
 #include <doctest/doctest.h>
 
+#include "fast/signs.hpp"
 #include "hill_climb.hpp"
 
 using namespace convexact;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Ring triangulation, by wrapping and by insertion, with true answers and with lies.
+#include "fast/ring.hpp"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "fast/triangulate_ring.hpp"
 #include "number/random.hpp"
 
 using namespace convexact;

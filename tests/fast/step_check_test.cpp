@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The check of a step accepts removals and refuses what is none: each condition is met by a claim
 // that nothing else refuses.
-#include "fast/step_check.hpp"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -11,7 +9,8 @@
 
 #include "convexact/error.hpp"
 #include "convexact/hull.hpp"
-#include "fast/half_edge_mesh.hpp"
+#include "fast/checks.hpp"
+#include "fast/mesh.hpp"
 #include "shapes/random_points.hpp"
 #include "shapes/solids.hpp"
 

@@ -21,20 +21,19 @@ from scratch import ROOT, Scratch
 
 # A room by what its files are called: the first that fits.
 ROOMS = {
-    'predicates': r'(src|include/convexact)/(geometry/|number/(expansion|double_double|rounding)|'
-                  r'fast/(dual_signs|plane_filter|triple)|hull/(near_geometry|exact_points))',
-    'lp': r'(src|include/convexact)/lp/',
-    'dual': r'(src|include/convexact)/dual/',
-    'greedy, exact': r'(src|include/convexact)/simplify/',
-    'greedy, fast': r'(src|include/convexact)/fast/',
-    'oracle': r'(src|include/convexact)/oracle/',
+    'predicates': r'src/(geometry/|number/(expansion|double_double|rounding)|fast/signs|hull/(near_geometry|exact_points))',
+    'lp': r'src/lp/',
+    'dual': r'src/dual/',
+    'greedy, exact': r'src/simplify/',
+    'greedy, fast': r'src/fast/',
+    'oracle': r'src/oracle/',
     'checker': r'src/check/.*',
 }
 UNITS = (r'^src/(geometry/|lp/|dual/|simplify/|fast/|oracle/|number/rounding)|^tests/(check/checker|hull/near_geometry_test|'
          r'number/(expansion|double_double)_test|fast/(cap_bounds|plane_filter|audit|float_scalar)_test)')
 TESTS = ['number', 'geometry', 'lp', 'hull', 'dual', 'measure', 'simplify', 'definition', 'fast', 'fast_plane_filter',
          'fast_cap_bounds', 'fast_audit', 'fast_float_scalar', 'fast_agreement_sample', 'fast_float_sample',
-         'fast_audit_sample', 'growth', 'pipeline', 'oracle', 'oracle_programs', 'oracle_corrupted_sample',
+         'fast_audit_sample', 'growth', 'scene', 'oracle', 'oracle_programs', 'oracle_corrupted_sample',
          'oracle_metamorphic', 'report', 'check', 'check_mutated']
 
 

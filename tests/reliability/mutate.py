@@ -22,8 +22,7 @@ import mutants
 from scratch import ROOT, Scratch
 
 LIMIT = 60  # seconds for one test program; the slowest of these takes a few
-_GEO, _NUMBER, _FAST, _HULL = ('src/geometry/', 'include/convexact/number/', 'include/convexact/fast/',
-                               'include/convexact/hull/')
+_GEO, _NUMBER, _FAST, _HULL = 'src/geometry/', 'src/number/', 'src/fast/', 'src/hull/'
 _SIGNS = ['fast_plane_filter', 'fast', 'fast_audit', 'fast_agreement_sample', 'fast_audit_sample']
 # Sources of a group, and the tests that are asked about each, cheapest first.
 GROUPS = {
@@ -33,11 +32,10 @@ GROUPS = {
         _GEO + 'orient3d.cpp': ['geometry', 'hull'],
         _GEO + 'plane_side.cpp': ['geometry', 'containment'],
         _GEO + 'plane_determinants.cpp': ['geometry', 'dual'],
-        'src/number/rounding.cpp': ['number', 'stored_planes'],
-        'src/fast/dual_signs.cpp': _SIGNS[1:],
+        _NUMBER + 'rounding.cpp': ['number', 'stored_planes'],
+        _FAST + 'signs.cpp': _SIGNS[1:],
         _NUMBER + 'expansion.hpp': ['number', 'geometry'],
-        _FAST + 'plane_filter.hpp': _SIGNS,
-        _FAST + 'dual_signs.hpp': _SIGNS[1:],
+        _FAST + 'signs.hpp': _SIGNS,
         _HULL + 'near_geometry.hpp': ['hull'],
         _HULL + 'exact_points.hpp': ['hull'],
         _NUMBER + 'double_double.hpp': ['number', *_SIGNS],

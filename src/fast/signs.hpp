@@ -1,15 +1,47 @@
 // SPDX-License-Identifier: MIT
-// plane_filter.hpp - how far determinants of dual points, computed from rounded coordinates, can be
-// from the true ones.
+// signs.hpp - signs of determinants of dual points: bounds for what rounding takes away, and four
+// stages from cheap to sure.
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
-#include "fast/exponent_range.hpp"
-#include "fast/fast_dual.hpp"
-#include "fast/triple.hpp"
+#include "convexact/number.hpp"
+#include "fast/dual.hpp"
 
 namespace convexact {
+
+[[nodiscard]] inline double next_below(double x) {
+  return std::nextafter(x, -std::numeric_limits<double>::infinity());
+}
+[[nodiscard]] inline double next_above(double x) {
+  return std::nextafter(x, std::numeric_limits<double>::infinity());
+}
+
+/// Of a Scalar with the exponents of double, or more.
+template <class Scalar>
+struct ExponentRange {
+  /// More than a determinant of dual points loses to underflow (PlaneFilter).
+  static constexpr double kUnderflow = 0x1p-1000;
+  /// No D below this enters a quotient, so that nothing overflows: below any product stand at most
+  /// four D, and sizes are at most 48.
+  static constexpr double kSmallestDeterminant = 0x1p-150;
+  /// More than a volume loses to underflow then, at 2^-1018 per operation: less than 2^-300 in a
+  /// sum of 2^32 terms.
+  static constexpr double kVolumeUnderflow = 0x1p-250;
+};
+
+/// Of binary32. A product loses 2^-150, and at most a factor of 48 follows it in a determinant.
+/// Three sizes over four D are below 48^3 2^72 < 2^89. Of a product that underflowed, at most 2^89
+/// times as much enters a sum, less than 2^-57 per operation; 16 operations make a term, and
+/// memory does not hold a ring of 2^32.
+template <>
+struct ExponentRange<float> {
+  static constexpr double kUnderflow = 0x1p-140;
+  static constexpr double kSmallestDeterminant = 0x1p-18;
+  static constexpr double kVolumeUnderflow = 0x1p-20;
+};
 
 /// The rounding that an arithmetic works with: every operation is off by at most a relative kUnit,
 /// every coordinate of a dual point by 2 kUnit.
@@ -92,5 +124,52 @@ template <class Scalar>
 inline PlaneFilter filter_for(const Triple<double>& extent, double unit) {
   return PlaneFilter::within(extent, unit, ExponentRange<Scalar>::kUnderflow);
 }
+
+/// How far signs had to go.
+struct SignCounts {
+  std::uint64_t filtered = 0;  ///< Decided by doubles.
+  std::uint64_t incident = 0;  ///< Zero: the planes share a vertex of the input, or a direction.
+  std::uint64_t extended = 0;  ///< Decided by DoubleDouble.
+  std::uint64_t exact = 0;     ///< Decided by integers.
+};
+
+/// A sign that `value`, off by at most `bound`, proves; NaN proves nothing.
+enum class FilterSign : signed char { Negative = -1, Unknown = 0, Positive = 1 };
+[[nodiscard]] inline FilterSign filter_sign(double value, double bound) {
+  return value > bound    ? FilterSign::Positive
+         : value < -bound ? FilterSign::Negative
+                          : FilterSign::Unknown;
+}
+
+/// The two predicates of the dual hull on halfspaces of a FastDual. Always exact.
+class DualSigns {
+ public:
+  explicit DualSigns(const FastDual& dual) : dual_(&dual) {}
+
+  /// Sign of H(a, b, c, p), the determinant of the rows (n, d): Positive iff dual point p lies
+  /// strictly beyond triangle abc, counter-clockwise from outside. For the planes x = 1, y = 1,
+  /// z = 1 of a cube, p = x + y + z <= 2 gives Positive: it cuts the corner off.
+  [[nodiscard]] Sign height(HalfspaceId a, HalfspaceId b, HalfspaceId c, HalfspaceId p) const;
+  /// Sign of det(n_a, n_b, n_c): Positive iff the three planes of a dual triangle meet in a vertex.
+  [[nodiscard]] Sign determinant(HalfspaceId a, HalfspaceId b, HalfspaceId c) const;
+
+  /// The same where doubles have failed already.
+  [[nodiscard]] Sign height_beyond_doubles(HalfspaceId a, HalfspaceId b, HalfspaceId c,
+                                           HalfspaceId p) const;
+  [[nodiscard]] Sign determinant_beyond_doubles(HalfspaceId a, HalfspaceId b, HalfspaceId c) const;
+
+  /// Notes a sign that the caller has decided by doubles itself.
+  void count_filtered() const { ++counts_.filtered; }
+  const SignCounts& counts() const { return counts_; }
+
+ private:
+  const FastDual* dual_;
+  mutable SignCounts counts_;
+};
+
+/// The determinants themselves, of the integer rows; for costs, which are ratios of them.
+[[nodiscard]] Integer exact_height(const Halfspace& a, const Halfspace& b, const Halfspace& c,
+                                   const Halfspace& p);
+[[nodiscard]] Integer exact_determinant(const Halfspace& a, const Halfspace& b, const Halfspace& c);
 
 }  // namespace convexact

@@ -1,17 +1,39 @@
 // SPDX-License-Identifier: MIT
-// ring_cap.hpp - the cap of one dual point, in one floating-point arithmetic.
+// float_cap.hpp - what the float engine computes with, and one cap in it.
 #pragma once
 #include <cmath>
 #include <concepts>
 #include <vector>
 
-#include "fast/cap_estimate.hpp"
-#include "fast/dual_signs.hpp"
-#include "fast/half_edge_mesh.hpp"
-#include "fast/ring_geometry.hpp"
-#include "fast/triangulate_ring.hpp"
+#include "fast/cap_volume.hpp"
+#include "fast/dual.hpp"
+#include "fast/mesh.hpp"
+#include "fast/ring.hpp"
+#include "fast/signs.hpp"
 
 namespace convexact {
+
+struct DoubleDoubles {
+  using Scalar = DoubleDouble;
+  const FastDual& dual;
+  DualSigns exact{dual};
+
+  Triple<DoubleDouble> point(HalfspaceId i) const { return dual.long_point(i); }
+  static constexpr double unit() { return Roundoff<DoubleDouble>::kUnit; }
+  const DualSigns& signs() const { return exact; }
+};
+
+struct Doubles {
+  using Scalar = double;
+  using Longer = DoubleDoubles;
+  const FastDual& dual;
+  DoubleDoubles long_ones;
+
+  const Triple<double>& point(HalfspaceId i) const { return dual.near(i); }
+  static constexpr double unit() { return Roundoff<double>::kUnit; }
+  const DualSigns& signs() const { return long_ones.exact; }
+  const DoubleDoubles& longer() const { return long_ones; }
+};
 
 /// An arithmetic that can ask exact numbers whether it was right.
 template <class Arithmetic>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Dual points in doubles: from the corners of facets where that is certain, else from exact planes.
-#include "fast/fast_dual.hpp"
+#include "fast/dual.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,9 +10,8 @@
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
-#include "fast/dual_faces.hpp"
-#include "fast/dual_signs.hpp"
-#include "fast/half_edge_mesh.hpp"
+#include "fast/mesh.hpp"
+#include "fast/signs.hpp"
 
 namespace convexact {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fast_dual.hpp - the dual hull as the fast engines take it: dual points in doubles with a proven
+// dual.hpp - the dual hull as the fast engines take it: dual points in doubles with a proven
 // error, exact planes only on demand.
 #pragma once
 #include <array>
@@ -9,10 +9,43 @@
 
 #include "convexact/dual.hpp"
 #include "convexact/hull.hpp"
-#include "fast/triple.hpp"
 #include "number/double_double.hpp"
 
 namespace convexact {
+
+template <class Scalar>
+struct Triple {
+  Scalar x, y, z;
+};
+
+template <class Scalar>
+inline Triple<Scalar> operator-(const Triple<Scalar>& a, const Triple<Scalar>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+template <class Scalar>
+inline Triple<Scalar> cross(const Triple<Scalar>& a, const Triple<Scalar>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class Scalar>
+inline Scalar dot(const Triple<Scalar>& a, const Triple<Scalar>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// The dual hull of a primal hull, triangulated. Ids are positions in the list of facets.
+struct DualFaces {
+  std::vector<DualTriangle> triangles;
+  /// Of half-edge 3 t + c, which leaves corner c of triangle t, the opposite one.
+  std::vector<std::uint32_t> twins;
+};
+
+/// A dual face, the convex polygon of the facets around a vertex, is cut in a zigzag: no dual point
+/// gets more than two diagonals of it, so rings stay short where hundreds of facets meet, as a fan
+/// would not keep them.
+/// @param facets  Closed and manifold; corners below point_count.
+/// @par Cost      Linear.
+[[nodiscard]] DualFaces triangulate_dual_faces(const FacetList& facets, std::size_t point_count);
 
 /// A bounded solid as dual points. With c the center and w_i = -(n_i.c + d_i) > 0, dual point i is
 /// P_i = n_i / w_i, each axis scaled by a power of two so that the largest coordinate is in

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tie_breaker.hpp - ranks the caps that doubles cannot tell apart.
+// ties.hpp - ranks the caps that doubles cannot tell apart.
 #pragma once
 #include <algorithm>
 #include <memory>
@@ -8,10 +8,17 @@
 #include <vector>
 
 #include "convexact/number.hpp"
-#include "fast/cap_evaluator.hpp"
-#include "fast/outward.hpp"
+#include "fast/cap.hpp"
+#include "fast/dual.hpp"
+#include "fast/signs.hpp"
 
 namespace convexact {
+
+/// Whether some isometry x -> S x + t, S one of the 48 signed permutations of the axes, carries the
+/// planes of `a` to those of `b`. True proves that both caps have the same volume, as it is with
+/// mirror images in modelled shapes; false proves nothing.
+/// @par Cost  Comparisons of integers, mostly of the first few; k - 2 determinants if t != 0.
+[[nodiscard]] bool are_congruent(const FastDual& dual, const CapOutline& a, const CapOutline& b);
 
 /// Knows more about a few caps than their ranges in doubles: ranges in DoubleDouble, which of them
 /// are congruent, and of what is still undecided the exact costs.

@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: MIT
-// half_edge_mesh.hpp - the triangulated dual hull in flat arrays; removals reuse their own slots.
+// mesh.hpp - the triangulated dual hull in flat arrays; removals reuse their own slots.
 #pragma once
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "convexact/point_set.hpp"
-#include "fast/ring_triangles.hpp"
 
 namespace convexact {
+
+inline constexpr std::uint32_t kNone = 0xffffffff;
+
+/// A triangle of the polygon 0, 1, ..., k - 1 (positions in a one-ring): low < middle < high,
+/// counter-clockwise. It hangs below its edge (low, high) on the triangle `parent`, an earlier
+/// position in the list, whose (low, middle) or (middle, high) that edge is; for the first
+/// triangle that edge is (0, k - 1) and `parent` is kNone.
+struct RingTriangle {
+  std::uint32_t low, middle, high;
+  std::uint32_t parent;
+};
 
 /// For each half-edge the one in the opposite direction.
 /// @param tail, head  Of each half-edge, below vertex_count; each directed edge occurs once.

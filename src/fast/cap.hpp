@@ -1,19 +1,67 @@
 // SPDX-License-Identifier: MIT
-// cap_evaluator.hpp - one cap of a shrinking dual hull: its triangulation, and its volume in three
+// cap.hpp - one cap of a shrinking dual hull: its triangulation, and its volume in three
 // arithmetics.
 #pragma once
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
-#include "fast/cap_enclosure.hpp"
-#include "fast/congruence.hpp"
-#include "fast/exact_cap.hpp"
-#include "fast/half_edge_mesh.hpp"
-#include "fast/triangulate_ring.hpp"
+#include "fast/cap_volume.hpp"
+#include "fast/dual.hpp"
+#include "fast/mesh.hpp"
+#include "fast/ring.hpp"
+#include "fast/signs.hpp"
 
 namespace convexact {
+
+/// For CapVolume. The integer rows (n, d) stand for the dual points: a factor of a row appears as
+/// often above as below in every term, so the volume is that of the cap in the caller's units.
+class ExactCapSource {
+ public:
+  using Number = Rational;
+  /// Adds in pairs of equal depth: the denominators differ, so partial sums grow.
+  class Sum {
+   public:
+    void add(const Rational& x) { terms_.push_back(x); }
+    Rational scaled_down(const Rational& divisor) { return Rational(total() / divisor); }
+    Rational total();
+
+   private:
+    std::vector<Rational> terms_;
+  };
+
+  ExactCapSource(const FastDual& dual, HalfspaceId i, std::span<const HalfspaceId> ring)
+      : dual_(dual), center_(i), ring_(ring) {}
+
+  Rational base(std::uint32_t m) const;
+  Rational slack(std::uint32_t m) const;
+  Rational leg(std::uint32_t m, std::uint32_t q) const;
+  void set_triangle(std::uint32_t low, std::uint32_t middle, std::uint32_t high) {
+    low_ = ring_[low], middle_ = ring_[middle], high_ = ring_[high];
+  }
+  Rational vertex() const;
+  Rational to_center() const;
+  Rational to(std::uint32_t q) const;
+
+ private:
+  HalfspaceId after(std::uint32_t m) const { return ring_[m + 1 == ring_.size() ? 0 : m + 1]; }
+  Rational height(HalfspaceId a, HalfspaceId b, HalfspaceId c, HalfspaceId p) const;
+
+  const FastDual& dual_;
+  HalfspaceId center_;
+  std::span<const HalfspaceId> ring_;
+  HalfspaceId low_, middle_, high_;
+};
+
+/// What a cap depends on: the plane of its facet and those of all facets that share an edge with
+/// it, counter-clockwise from outside. Planes that only pass through a vertex of the facet bound
+/// nothing beyond it: without dual point i, the dual face they share with i keeps its other points.
+struct CapOutline {
+  HalfspaceId facet;
+  std::vector<HalfspaceId> neighbours;
+};
 
 /// Hears of everything that was decided without exact numbers, so that a test can decide it again.
 /// The engine runs with this one, which compiles to nothing.

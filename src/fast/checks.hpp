@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// step_check.hpp - proves one removal again, from plain lists and exact signs.
+// checks.hpp - proves a removal, and a whole surface, again: from plain lists and exact signs.
 #pragma once
 #include <span>
 #include <vector>
 
-#include "fast/dual_signs.hpp"
+#include "fast/dual.hpp"
+#include "fast/signs.hpp"
 
 namespace convexact {
 
@@ -44,5 +45,12 @@ class StepCheck {
   std::vector<HalfspaceId> rim_owner_;   // the third corner of the new triangle at each ring edge
   std::vector<std::uint64_t> edges_;
 };
+
+/// Whether the triangles, counter-clockwise from outside, are the surface of the convex hull of
+/// their corners, and the center is strictly inside: then the planes of the corners bound a solid
+/// whose vertices and edges they describe. Trusts nothing about where the triangles come from.
+/// @par Cost    O(n log n) for n triangles; exact numbers only where doubles cannot decide.
+/// @par Source  [Mehlhorn1999]; the argument is that of docs/design/hull.md
+[[nodiscard]] bool is_dual_hull(const FastDual& dual, std::span<const DualTriangle> triangles);
 
 }  // namespace convexact

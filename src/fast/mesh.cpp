@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fast/half_edge_mesh.hpp"
+#include "fast/mesh.hpp"
 
 #include "convexact/error.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Doubles, incidence, DoubleDouble, integers: each stage asked only when the one before is silent.
-#include "fast/dual_signs.hpp"
+#include "fast/signs.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lazy_queue.hpp - a heap of lower bounds that are only ever raised.
+// queue.hpp - a heap of halfspaces by their costs.
 #pragma once
 #include <cstdint>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fast/exact_cap.hpp"
+#include "fast/cap.hpp"
 
 namespace convexact {
 

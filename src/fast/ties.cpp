@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "fast/congruence.hpp"
+#include "fast/ties.hpp"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "fast/dual_signs.hpp"
+#include "fast/signs.hpp"
 
 namespace convexact {
 namespace {
