@@ -210,8 +210,8 @@ function precisionFigure(parent, input, base) {
   const {ways, reference, commands} = input.precision;
   figure(parent, {
     title: `Error against time: ${input.name}`, short: "Error against time",
-    how: "Each mark is one way of computing: the further right, the more bits are right; the lower, the faster. " +
-      (reference === "exact" ? "Errors are against the rationals of the exact engine." : "Errors are against the exact rationals of the filtered engine, as the exact one took longer than the budget."),
+    how: "Each mark is one way of computing: marks further right have more correct bits, and lower marks are faster. " +
+      (reference === "exact" ? "Errors are against the rationals of the exact engine." : "Errors are against the exact rationals of the filtered engine, because the exact one took longer than the budget."),
     made: commands, wide: true, tables: wayTables(ways, `${base}/precision/ways`),
     configure: () => ({
       type: "scatter",
@@ -232,9 +232,9 @@ function orderSummary(input) {
   for (const way of input.precision.ways) {
     let words = "removes what exact removes, step by step";
     if (!way.seconds) words = "took longer than the budget";
-    else if (way.first_wrong) words = `removes one that is not the cheapest for the first time in step ${way.first_wrong.step + 1}, with a regret of ${text(way.first_wrong.regret)}; its result is ${text(way.excess * 100)}% larger than that of exact`;
+    else if (way.first_wrong) words = `first removes a halfspace that is not the cheapest in step ${way.first_wrong.step + 1}, with a regret of ${text(way.first_wrong.regret)}; its result is ${text(way.excess * 100)}% larger than that of exact`;
     else if (way.first_other !== null) words = `chooses among equal costs differently from step ${way.first_other + 1} on; each choice is one of the cheapest`;
-    if (way.seconds && way.left > data.request.faces) words += `; ends with ${way.left} halfspaces, as it finds every further removal unbounded or in doubt`;
+    if (way.seconds && way.left > data.request.faces) words += `; ends with ${way.left} halfspaces, because every further removal is unbounded or uncertain`;
     if (way.agrees_with_c !== undefined) words += `; ${way.agrees_with_c ? "agrees bit for bit" : "DOES NOT AGREE"} with the same loop in C's ${way.bits === 24 ? "float" : "double"}`;
     list.append(element("li", {}, element("b", {}, way.way), `: ${words}.`));
   }
@@ -252,7 +252,7 @@ function tightnessFigures(parent, input, base) {
   const lines = point => [`k = ${point.faces}`, `growth ${text(point.growth)}`, `Hausdorff ${text(point.hausdorff)} diameters`, spread(point.seconds)];
   figure(parent, {
     title: `Tightness against the number of halfspaces: ${input.name}`, short: "Tightness against the number of halfspaces",
-    how: "The lower, the tighter: how much volume k halfspaces add, and how far out they reach; both are 0 with all planes.",
+    how: "Lower is tighter: the volume that k halfspaces add, and how far out they reach; both are 0 with all planes.",
     made: commands, tables: tables(),
     configure: () => ({
       type: "scatter",
@@ -264,13 +264,13 @@ function tightnessFigures(parent, input, base) {
   });
   figure(parent, {
     title: `Tightness against time: ${input.name}`, short: "Tightness against time",
-    how: "One run passes every k on its way from all planes to few: where it is after how long. Names tell k.",
+    how: "One run passes every k on its way from all planes to few; each mark is the tightness reached after a time. Labels give k.",
     made: commands, tables: tables(),
     configure: () => ({
       type: "scatter",
       data: {datasets: [series("growth of volume", 0, points.flatMap((point, i) => mark(i, point.seconds.median, point.growth,
         {name: String(point.faces), spread: {axis: "x", ...point.seconds}, pointer: `${p}/${i}/growth`})), {named: true, showLine: true})]},
-      options: options({x: axis("time since the dual hull was there", {type: "linear", min: 0, max: 1.02 * Math.max(...points.map(point => point.seconds.most)), ticks: {callback: x => x === 0 ? "0" : seconds(x), maxTicksLimit: 6}}), y: axis("growth of volume")}, m => lines(m.point))
+      options: options({x: axis("time since the dual hull was complete", {type: "linear", min: 0, max: 1.02 * Math.max(...points.map(point => point.seconds.most)), ticks: {callback: x => x === 0 ? "0" : seconds(x), maxTicksLimit: 6}}), y: axis("growth of volume")}, m => lines(m.point))
     })
   });
 }
@@ -288,7 +288,7 @@ function stagesFigure(parent, input, base) {
       : [stage.name, ...spreadHeads.map(() => wordsCell("")), wordsCell(stage.skipped)])]));
   figure(parent, {
     title: `Time by stage: ${input.name}`, short: "Time by stage",
-    how: `A bar for each stage of each run, on a logarithmic scale; a stage without a bar was left out. ${saved(runs)}`,
+    how: `A bar for each stage of each run, on a logarithmic scale; a stage without a bar was skipped. ${saved(runs)}`,
     made: commands, wide: true, tables,
     configure: () => ({
       type: "bar",
@@ -308,7 +308,7 @@ function stagesFigure(parent, input, base) {
 function saved(runs) {
   const [planned, everything] = ["filtered", "everything"].map(name => (runs.find(run => run.run === name) || {}).seconds);
   if (!planned || !everything) return "";
-  return `Only what is needed takes ${seconds(planned.median)}; everything, ${seconds(everything.median)}: ${text(Number((everything.median / planned.median).toPrecision(3)))} times as long.`;
+  return `The needed stages take ${seconds(planned.median)}; all stages take ${seconds(everything.median)}, ${text(Number((everything.median / planned.median).toPrecision(3)))} times as long.`;
 }
 
 function scalingFigure(parent, title, {series: list, commands}, base) {
@@ -359,7 +359,7 @@ function stabilityFigures(parent, family, base) {
   const note = missing.length ? ` No solid at ${missing.join(", ")}.` : "";
   figure(parent, {
     title: `Stability: ${family.family}, error`, short: `${family.family}: error`, made: family.commands, tables,
-    how: `The higher, the more bits of the worst cost are right; a filled mark removed a halfspace that was not the cheapest, or ended early; at the bottom, none was made or no bit is right.${note}`,
+    how: `Higher marks have more correct bits of the worst cost. A filled mark means a removal that was not the cheapest, or an early end; a mark at the bottom means no removal, or no correct bit.${note}`,
     configure: () => ({
       type: "scatter",
       data: {datasets: ways.map((name, k) => {
@@ -373,7 +373,7 @@ function stabilityFigures(parent, family, base) {
   });
   figure(parent, {
     title: `Stability: ${family.family}, time`, short: `${family.family}: time`, made: family.commands, tables: [],
-    how: "The lower, the faster: what stiffness costs each way of computing.",
+    how: "Lower is faster: the time that stiffness costs each way of computing.",
     configure: () => ({
       type: "scatter",
       data: {datasets: ways.map((name, k) => marks(name, k, way => way.seconds.median, (way, p) => ({spread: {axis: "y", ...way.seconds}, pointer: `${p}/seconds/median`})))},
@@ -419,7 +419,7 @@ function build() {
     scalingFigure(grid(section("Spheres", [])), "Time by size: points on a sphere", data.spheres, "/spheres");
   }
   if (data.stability) {
-    const figures = grid(section("Stability", [element("p", {}, "Families of shapes that become stiff or extreme: where each arithmetic loses its bits, and that filtered and exact do not.")]));
+    const figures = grid(section("Stability", [element("p", {}, "Families of shapes that become stiff or extreme, and the loss of correct bits in each arithmetic. The engines filtered and exact lose none.")]));
     data.stability.forEach((family, i) => stabilityFigures(figures, family, `/stability/${i}`));
   }
   contents();
