@@ -9,7 +9,7 @@ namespace convexact::cli {
 
 std::vector<ClaimCode> parse_claims(const std::string& text) {
   std::vector<ClaimCode> claims;
-  // A comma behind each word: the splitter passes over an empty last word.
+  // A comma behind each word, since the splitter ignores an empty last word.
   for (const std::string& word : CLI::detail::split(text + ",", ',')) {
     const auto code = claim_of_name(word);
     if (!code) {

@@ -25,7 +25,7 @@ namespace {
 std::atomic<bool> interrupt_flag = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler");
 
-// The first interrupt asks the work to end by itself, so that nothing half-written stays; the
+// The first interrupt makes the work end by itself, so that no half-written file remains; the
 // second one, with the default action restored, ends the process.
 extern "C" void on_interrupt(int signal) {
   interrupt_flag = true;
@@ -46,7 +46,7 @@ Error with_reproducer(const Error& error) {
   return {ErrorCode::Internal, std::string(error.what()) + "; this is a bug in convexact: " + hint};
 }
 
-// Tells an error, with further facts for --json, and returns its exit code.
+// Reports an error, with further facts for --json, and returns its exit code.
 int report(const GlobalOptions& options, const Error& error,
            const nlohmann::ordered_json& proof = {}) {
   const int code = exit_code(error.code());
@@ -80,8 +80,8 @@ std::vector<std::string> own_words() {
   return {all.begin() + 1, std::find(all.begin() + 1, all.end(), "--")};
 }
 
-// The first word that looks like an option and is none of its subcommand: the parser would speak of
-// the words behind it, too.
+// The first word that looks like an option and is none of its subcommand. The message of the parser
+// would name the words behind it, too.
 std::optional<std::string> unknown_option(const CLI::App& program,
                                           const std::vector<std::string>& words) {
   std::vector<const CLI::App*> commands = {&program};

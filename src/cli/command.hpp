@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// command.hpp - what the subcommands share: global options, how a run ends, how errors are told.
+// command.hpp - what the subcommands share: global options, the end of a run, the report of errors.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <atomic>
@@ -63,8 +63,8 @@ void add_verify_command(CLI::App& program, int& exit_code);
 void remember_command_line(int argc, char** argv);
 void remember_input(const std::string& name, const std::string& bytes);
 
-/// Tells what is wrong with the command line, naming an unknown option before all else, or prints
-/// the help that was asked for; returns the exit code.
+/// Reports an error of the command line, an unknown option before any other, or prints the
+/// requested help; returns the exit code.
 int end_of_parsing(const CLI::App& program, const CLI::ParseError& error);
 
 /// Runs a subcommand's work and turns each Error into its sentence on standard error (or, with
@@ -72,7 +72,7 @@ int end_of_parsing(const CLI::App& program, const CLI::ParseError& error);
 /// reproducer in the current folder.
 int run_guarded(const GlobalOptions& options, const std::function<int()>& work);
 
-/// Tells that an input encloses no volume, with the proof, and returns the exit code.
+/// Reports that an input encloses no volume, with the proof, and returns the exit code.
 int report_not_solid(const GlobalOptions& options, const std::string& name, const NotSolid& reason);
 
 /// Prints to standard output.
@@ -80,7 +80,8 @@ int report_not_solid(const GlobalOptions& options, const std::string& name, cons
 void print(const std::string& text);
 void print(const nlohmann::ordered_json& document);
 
-/// Becomes true when an interrupt (Ctrl-C, SIGTERM) arrives; long loops ask and end with Stopped.
+/// Becomes true when an interrupt (Ctrl-C, SIGTERM) arrives; long loops check it and end with
+/// Stopped.
 const std::atomic<bool>& interrupted() noexcept;
 
 }  // namespace convexact::cli

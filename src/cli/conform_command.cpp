@@ -85,7 +85,7 @@ void require_sensible(const ConformArguments& options) {
   }
 }
 
-// The whole of what the program promises.
+// All promises of the program.
 Promise promise_of(const ConformArguments& options) {
   const bool has_faces = mentions(options.run.program, "{faces}");
   const Promise promise = options.promise.promise(has_faces ? Asks::Simplify : Asks::Enclosure);
@@ -151,7 +151,7 @@ void add_conform_command(CLI::App& program, int& exit_code) {
   command
       .add_option("-o,--output", options->reports,
                   "the report, by its extension: .json, .md, or .svg for a badge; may be repeated")
-      ->allow_extra_args(false);  // else it takes the -- away
+      ->allow_extra_args(false);  // otherwise it removes the --
 
   add_global_options(command, options->global);
   command.callback([options, &exit_code] {

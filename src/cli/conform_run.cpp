@@ -22,8 +22,8 @@ namespace {
 
 using RunResult = std::variant<ConformanceEntry, NotRun>;
 
-// The points and the facets of their hull, so that programs that want a closed surface are served
-// as well as those that read points only; nothing if the format cannot hold them.
+// The points and the facets of their hull, for programs that need a closed surface as well as for
+// those that read points only; nothing if the format cannot hold them.
 std::optional<std::string> mesh_bytes(const PointSet& points, MeshFormat format,
                                       Precision precision) {
   Mesh mesh;
@@ -40,7 +40,7 @@ std::optional<std::string> mesh_bytes(const PointSet& points, MeshFormat format,
   return write_mesh(mesh, format, {.precision = precision});
 }
 
-// The input as the program gets it; nothing if the format cannot hold it.
+// The input as the program receives it; nothing if the format cannot hold it.
 std::optional<std::string> input_bytes(const TestVector& vector, const ConformRun& options) {
   const std::string name = "input." + options.input_format;
   const auto mesh_format = mesh_format_of_path(name);
@@ -64,7 +64,7 @@ std::size_t faces_of(const TestVector& vector) {
   return hull == nullptr ? kFacesOfRefusals : hull->facets;
 }
 
-// A file of no bytes, or of blanks, is no solid whatever its format; only some formats call it
+// A file without bytes, or with blanks only, is no solid in every format; only some formats call it
 // malformed.
 std::optional<Candidate> candidate_in(const std::string& path, Precision numbers) {
   if (!std::filesystem::is_regular_file(path)) return std::nullopt;
@@ -98,8 +98,8 @@ RunResult run_vector(const TestVector& vector, const ConformRun& options) {
       run.seconds};
 }
 
-// Calls work(i) for each i below count, in `jobs` threads, and finished(count) after each. What is
-// thrown for the lowest i is thrown on.
+// Calls work(i) for each i below count, in `jobs` threads, and finished(count) after each. The
+// exception of the lowest i is thrown again.
 void for_each_in_parallel(std::size_t count, std::size_t jobs,
                           const std::function<void(std::size_t)>& work,
                           const std::function<void(std::size_t)>& finished) {

@@ -18,8 +18,8 @@ struct ConformRun {
   Promise promise;
 };
 
-/// Runs the program over those of the vectors that are chosen, and judges what it writes. Nothing
-/// in the result but the seconds depends on the number of jobs. An interrupt ends it.
+/// Runs the program over the chosen vectors, and judges its outputs. Only the seconds of the result
+/// depend on the number of jobs. An interrupt ends it.
 /// @throws Error InvalidArgument if the program cannot be started; Stopped.
 [[nodiscard]] ConformanceReport run_vectors(std::span<const TestVector> vectors,
                                             const std::function<bool(const TestVector&)>& is_chosen,

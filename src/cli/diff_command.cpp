@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// convexact diff: engines against each other, step by step.
+// convexact diff: compares engines step by step.
 #include <algorithm>
 #include <memory>
 #include <optional>

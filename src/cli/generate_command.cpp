@@ -80,8 +80,8 @@ void print_list() {
   print(text);
 }
 
-// STL knows triangles only. Which ones makes no difference to a hull: the points three by three,
-// the last one again where they run out.
+// STL has triangles only, and which ones does not matter for a hull: the points three by three, the
+// last one repeated at the end.
 void add_triangles_over_points(Mesh& mesh) {
   const auto size = static_cast<std::uint32_t>(mesh.points.size());
   for (std::uint32_t k = 0; k < size; k += 3) {
@@ -101,8 +101,8 @@ void add_hull_facets(Mesh& mesh, const std::string& family) {
   }
 }
 
-// The bytes go to the file, and what is to be told to standard output; without a file and without
-// anything to tell, the bytes themselves do.
+// The bytes go to the file, and messages to standard output; without a file and messages, the bytes
+// go to standard output.
 void write(const GenerateArguments& options, const std::string& bytes, const std::string& told) {
   if (options.output.empty()) return print(told.empty() ? bytes : told);
   write_together({{options.output, bytes}}, told);

@@ -20,7 +20,7 @@ namespace {
 
 // 0: no limit, and nothing is counted.
 std::atomic<std::uint64_t> most_bytes = 0;
-// Signed: what was taken before the count began is given back later.
+// Signed, since memory allocated before the count began is freed later.
 std::atomic<std::int64_t> bytes_in_use = 0;
 std::function<void()>& last_words() {
   static std::function<void()> words;
@@ -82,7 +82,7 @@ void install_memory_functions() { mp_set_memory_functions(allocate, reallocate, 
 void limit_memory(std::uint64_t bytes, std::function<void()> words) {
   last_words() = std::move(words);
   bytes_in_use = 0;
-  // As much as a signed count goes up to, which is more than any machine has.
+  // The largest signed count, which is more than any machine has.
   most_bytes = std::min<std::uint64_t>(bytes, std::numeric_limits<std::int64_t>::max());
 }
 
@@ -109,8 +109,8 @@ void release_for_cpp(void* block) noexcept {
 }  // namespace
 }  // namespace convexact::cli
 
-// Those for arrays end in these. Those that do not throw would, too, but a sanitizer brings its own
-// while it takes ours for the rest.
+// The operators for arrays call these. The ones that do not throw would, too, but a sanitizer
+// replaces them with its own while it uses ours for the rest.
 void* operator new(std::size_t size) { return convexact::cli::allocate_for_cpp(size, 0); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return convexact::cli::allocate_for_cpp(size, static_cast<std::size_t>(alignment));

@@ -45,7 +45,7 @@ PointSet points_of_part(const Mesh& mesh, const MeshPart& part) {
   return PointSet(std::move(points));
 }
 
-// Proves the bytes themselves, as a reader of the file would take them.
+// Proves the bytes themselves, as a reader of the file understands them.
 void prove_bytes(const std::string& bytes, const std::string& path,
                  const std::vector<OutputObject>& objects) {
   if (const auto format = halfspace_format_of_path(path)) {
@@ -137,7 +137,7 @@ StoreRequest OutputOptions::store_request() const {
       request.planes = precision_of(precision);
     }
   }
-  // A proof of planes in a format, wherever else these go.
+  // A proof has planes in a format, whether or not they are written to a file.
   if (!proof.empty() && precision != 0) request.planes = precision_of(precision);
   return request;
 }

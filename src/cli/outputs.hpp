@@ -32,8 +32,8 @@ struct OutputOptions {
   void require_room_for(std::size_t objects) const;
 };
 
-/// @throws Error InvalidArgument if an output is one of the inputs, by whatever name: it would be
-/// lost.
+/// @throws Error InvalidArgument if an output is one of the inputs, under any name: the input would
+/// be lost.
 void require_other_files(const std::vector<std::string>& outputs,
                          const std::vector<std::string>& inputs);
 
@@ -52,8 +52,8 @@ struct OutputObject {
 /// Path and bytes of each output.
 using OutputFiles = std::vector<std::pair<std::string, std::string>>;
 
-/// Every output, after reading each mesh and plane file back from its bytes and testing that what
-/// they spell holds every input point.
+/// Every output, after reading each mesh and plane file back from its bytes and testing that the
+/// result holds every input point.
 /// @throws Error Unrepresentable; Internal if that test fails.
 [[nodiscard]] OutputFiles output_files(const std::vector<OutputObject>& objects,
                                        const OutputOptions& options);

@@ -18,7 +18,7 @@ std::optional<std::string> violation_of(const ProgramCase& program, const Shape&
   StageLog log(StageWatch{.begins = {}, .stop = &interrupted()});
   const VerifyOutcome outcome = verify(input, read_candidate(output), program.verify, log);
   const auto* verdict = std::get_if<Verdict>(&outcome);
-  if (verdict == nullptr) return std::nullopt;  // flat: nothing can be said of an enclosure
+  if (verdict == nullptr) return std::nullopt;  // flat: there is nothing to enclose
   for (const Claim& claim : verdict->claims) {
     if (claim.status == Status::Violated) return std::string("violates ") + name_of(claim.code);
   }
@@ -47,7 +47,8 @@ void ProgramCase::require_sensible() const {
 
 std::optional<std::string> failure_of(const ProgramCase& program, const std::string& bytes,
                                       const Shape& input, const ScratchFolder& folder) {
-  // A program that is started after an interrupt may send another one, which ends the process.
+  // After an interrupt no program is started: it might send another interrupt, which ends the
+  // process.
   if (interrupted()) throw Error(ErrorCode::Stopped, "interrupted");
   const std::string output = folder.file("output" + program.output_extension);
   std::filesystem::remove_all(output);

@@ -13,7 +13,7 @@
 namespace convexact::cli {
 
 /// One line of standard error, painted anew five times a second by a thread of its own, once the
-/// work takes over a second; nothing where that is no terminal. The line goes with the object.
+/// work takes over a second; nothing if that is no terminal. The destructor removes the line.
 class Progress {
  public:
   Progress();
@@ -23,7 +23,7 @@ class Progress {
 
   /// `done` of `total` in what began with the first such call under that name.
   void operator()(const char* what, std::size_t done, std::size_t total);
-  /// Takes the line away, for good.
+  /// Removes the line for good.
   void clear();
   /// Stages show as they begin; an interrupt ends them. Must not outlive this.
   [[nodiscard]] StageWatch watch();

@@ -9,7 +9,7 @@
 
 namespace convexact::cli {
 
-/// Options as they were given; what is not given comes from the profile, or is as in Promise.
+/// Options as they were given; missing ones come from the profile, or are as in Promise.
 struct PromiseOptions {
   std::string profile, tolerance;
   std::optional<Asks> asks;
@@ -18,7 +18,7 @@ struct PromiseOptions {
   std::optional<std::size_t> max_facets, max_vertices, max_facet_vertices;
 
   /// @param asks_by_default  If neither the options nor a profile say.
-  /// @throws Error InvalidArgument for an unknown profile or a tolerance that is none.
+  /// @throws Error InvalidArgument for an unknown profile or a malformed tolerance.
   Promise promise(Asks asks_by_default) const;
 };
 

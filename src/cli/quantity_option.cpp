@@ -57,7 +57,7 @@ std::string in_words(const CountRange& range) {
 std::uint64_t parse_count(const std::string& option, const std::string& text,
                           const CountRange& range) {
   std::uint64_t count = 0;
-  // from_chars knows neither blanks nor octal numbers, but a minus sign.
+  // from_chars accepts neither blanks nor octal numbers, but it accepts a minus sign.
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), count);
   if (!is_digits(text) || failure != std::errc() || end != text.data() + text.size() ||
       count < range.least || count > range.most) {

@@ -27,7 +27,7 @@ struct CountRange {
                                         const CountRange& range);
 
 /// A size in bytes: digits, with a fraction if wanted, then nothing, B, KB, MB, GB or TB (powers of
-/// 1024; KiB or K mean the same), in either case. What is left of a byte is dropped.
+/// 1024; KiB or K mean the same), in either case. A fraction of a byte is dropped.
 /// @throws Error InvalidArgument for anything else, and from 2^64 on.
 [[nodiscard]] std::uint64_t parse_bytes(const std::string& option, const std::string& text);
 
@@ -42,9 +42,9 @@ CLI::Option* add_text(
     CLI::App& command, const std::string& names, const std::string& meaning,
     const std::function<void(const std::string& option, const std::string& text)>& take);
 
-/// An option that takes a count. The help shows the range unless its end means nothing, and the
-/// default unless it lies outside of the range, as 0 does where it stands for "not given".
-/// `Number` holds every number of the range.
+/// An option that takes a count. The help shows the range unless its end is arbitrary, and the
+/// default unless it lies outside of the range, like a 0 that stands for "not given". `Number`
+/// holds every number of the range.
 template <class Number>
 CLI::Option* add_count(CLI::App& command, const std::string& names, Number& value,
                        const CountRange& range, const std::string& meaning) {

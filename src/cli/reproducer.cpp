@@ -34,7 +34,7 @@ std::string write_reproducer(const Reproducer& reproducer, const std::string& fo
       output.commit();
       return path;
     }
-  } catch (const std::exception&) {  // the failure itself is told in any case
+  } catch (const std::exception&) {  // the failure itself is reported in any case
   }
   return {};
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// reproducer.hpp - what a bug report needs, kept when a verification of convexact itself fails.
+// reproducer.hpp - the data for a bug report, kept when a verification of convexact itself fails.
 #pragma once
 #include <string>
 #include <vector>
 
 namespace convexact::cli {
 
-/// What was run, on which bytes, and what failed.
+/// The command, the bytes of its inputs, and the failure.
 struct Reproducer {
   std::vector<std::string> command_line;
   std::string failure;
@@ -15,7 +15,7 @@ struct Reproducer {
 };
 
 /// Writes a text file "convexact-reproducer.txt" (or "-2", "-3", ... where that exists) into
-/// `folder` and returns its path; empty if it cannot be written, since an error is being told
+/// `folder` and returns its path; empty if it cannot be written, since an error is being reported
 /// anyway.
 std::string write_reproducer(const Reproducer& reproducer, const std::string& folder) noexcept;
 

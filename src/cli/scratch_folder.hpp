@@ -5,7 +5,7 @@
 
 namespace convexact::cli {
 
-/// A folder of its own, gone afterwards.
+/// A new folder, removed by the destructor.
 class ScratchFolder {
  public:
   /// @throws Error Unwritable.
@@ -22,7 +22,7 @@ class ScratchFolder {
   std::string path_;
 };
 
-/// Removes all that there are, for an end of the process without destructors.
+/// Removes all of these folders, for an end of the process without destructors.
 void remove_scratch_folders() noexcept;
 
 }  // namespace convexact::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shipped_files.hpp - where the files that come with the program are.
+// shipped_files.hpp - finds the files that come with the program.
 #pragma once
 #include <filesystem>
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// convexact shrink: a failing input made minimal.
+// convexact shrink: reduces a failing input to a minimal one.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -62,7 +62,7 @@ bool is_solid(std::span<const Halfspace> halfspaces) {
          std::holds_alternative<BoundedProof>(find_recession(halfspaces));
 }
 
-// Of a mesh what is left with some of its points, moved: the polygons that keep all their corners.
+// A mesh with some of its points, moved: the polygons that keep all their corners.
 Mesh part_of(const SceneObject& mesh, const PointSet& points, std::span<const PointId> origin) {
   constexpr std::uint32_t kGone = 0xffffffff;
   std::vector<std::uint32_t> place(std::get<PointSet>(mesh.shape).size(), kGone);
@@ -81,7 +81,7 @@ Mesh part_of(const SceneObject& mesh, const PointSet& points, std::span<const Po
   return part;
 }
 
-// An input on its way down: how it fails, and the smallest one so far that does so.
+// An input that is being reduced: how it fails, and the smallest one so far that fails in this way.
 class Shrinking {
  public:
   Shrinking(const ShrinkArguments& options, const SceneObject& input)
@@ -218,7 +218,7 @@ int run_shrink(const ShrinkArguments& options) {
                   fmt::format("{}; nothing is written, as nothing smaller that fails was found",
                               error.what()));
     }
-    // An interrupt costs only what would have come: what fails already is written.
+    // After an interrupt the smallest failing input so far is written.
     write_together({{options.output, shrinking.smallest()}}, "");
     throw Error(
         ErrorCode::Stopped,

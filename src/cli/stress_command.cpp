@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// convexact stress: sweeps of hard inputs, every engine on each, everything judged.
+// convexact stress: sweeps of hard inputs, every engine on each, every answer judged.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -45,7 +45,7 @@ struct StressArguments {
   bool list = false, cases = false;
 };
 
-// The meshes that a sweep takes without being asked.
+// The meshes of the default sweep.
 constexpr const char* kMeshes[] = {"spot", "teapot", "bunny"};
 
 StressFamily family_of_mesh(const std::string& path) {

@@ -48,7 +48,7 @@ struct VerifyArguments {
   std::optional<double> time_limit;
 };
 
-// What --numbers, or the profile, and --decimal together say about the numbers of both files.
+// The meaning of the numbers of both files, from --numbers, or the profile, and --decimal.
 Decimal meaning_of_numbers(const Promise& promise, Decimal decimal) {
   if (promise.numbers == Precision::Binary64) return decimal;
   if (decimal == Decimal::Exact) {
@@ -58,7 +58,7 @@ Decimal meaning_of_numbers(const Promise& promise, Decimal decimal) {
   return Decimal::Nearest32;
 }
 
-// As promised; an enclosure unless a profile says more.
+// The promise of the profile; an enclosure without one.
 Promise promise_of(const VerifyArguments& options) {
   const Promise promise = options.promise.promise(Asks::Enclosure);
   if (promise.asks != Asks::Inner) return promise;

@@ -18,7 +18,7 @@ bool is_blank(const std::string& line) {
 }  // namespace
 
 int run_verify_stdio(std::optional<double> time_limit) {
-  // Most of the time it waits for a line, and nothing half-written could stay.
+  // The process mostly waits for a line, and it writes no files that could remain half-written.
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
   std::ios::sync_with_stdio(false);

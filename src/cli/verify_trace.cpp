@@ -75,7 +75,7 @@ TraceVerdict judge(const Solid& solid, const OrderFiles& files, const TraceOptio
     order = log.run("parse the trace", StageKind::Io,
                     [&] { return parse_files(files, options, solid.dual, decimal); });
   } catch (const Error& error) {
-    // What is wrong with its content is a verdict, not a failure.
+    // A fault of its content is a verdict, not a failure.
     if (error.code() == ErrorCode::InvalidArgument) throw;
     return unreadable_trace(solid.dual, error.what(), error.line());
   }

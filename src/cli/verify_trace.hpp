@@ -11,8 +11,8 @@
 namespace convexact::cli {
 
 struct TraceOptions {
-  std::string trace;   ///< The file; empty if this is not asked for.
-  std::string facets;  ///< What ids in it refer to; empty for canonical order.
+  std::string trace;   ///< The file; empty without --trace.
+  std::string facets;  ///< The file of the list that ids refer to; empty for canonical order.
   std::string max_regret = "0";
   std::vector<HalfspaceId> left_out;  ///< In canonical order of the input's facets.
 };

@@ -10,8 +10,8 @@
 
 namespace convexact {
 
-/// A mesh or halfspaces: by the extension of `path` if it is a known one, else by content. What is
-/// wrong with the bytes becomes the candidate's error.
+/// A mesh or halfspaces: by the extension of `path` if it is a known one, otherwise by content. An
+/// error in the bytes becomes the candidate's error.
 [[nodiscard]] Candidate read_candidate_bytes(std::string_view bytes, const std::string& path,
                                              Decimal decimal = Decimal::Nearest);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// confirm_costs.hpp - costs of removals once more, from the definition.
+// confirm_costs.hpp - computes costs of removals once more, from the definition.
 #pragma once
 #include "convexact/verify_run.hpp"
 
@@ -8,7 +8,8 @@ namespace convexact {
 /// The halfspaces that are left before step `step`, in canonical order.
 [[nodiscard]] std::vector<Halfspace> left_before(const TraceVerdict& verdict, std::size_t step);
 
-/// Costs and boundedness of what one step removed and of what it should have removed.
+/// Checks cost and boundedness of the removal that a step made and of the one that it should have
+/// made.
 /// @throws Error Internal if they are not what the step says.
 void confirm_step(const TraceVerdict& verdict, const RationalPoint& center, std::size_t step);
 

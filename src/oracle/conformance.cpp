@@ -9,8 +9,8 @@
 namespace convexact {
 namespace {
 
-// A program that runs out of memory ends as it likes. It is told by what it says, by the kernel's
-// SIGKILL, or by having used most of what it was allowed.
+// A program that runs out of memory may end in any way. It is recognised by its message, by the
+// kernel's SIGKILL, or because it used most of its limit.
 bool ran_out_of_memory(const ProgramRun& run, const ProgramLimits& limits) {
   if (run.end == ProgramEnd::Crashed && run.signal == SIGKILL) return true;
   if (limits.memory != 0 && run.peak_memory > limits.memory / 4 * 3) return true;

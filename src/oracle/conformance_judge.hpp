@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// conformance_judge.hpp - the parts of judge_run(): what is right of an output.
+// conformance_judge.hpp - the parts of judge_run(), which judges an output.
 #pragma once
 #include "convexact/conform.hpp"
 
@@ -13,7 +13,7 @@ struct Given {
 /// Nothing if it has no volume.
 [[nodiscard]] std::optional<Given> given_by(const TestVector& vector);
 
-/// What all parts of the judgement need.
+/// The data that all parts of the judgement need.
 struct Case {
   const TestVector& vector;
   const Promise& promise;

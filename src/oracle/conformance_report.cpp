@@ -47,7 +47,7 @@ std::string title_of(const KindOfFailure& kind, std::size_t count) {
                      kind.is_rounding ? ", by no more than rounding" : "", count);
 }
 
-// The first sentence, then the names of what else failed, each once.
+// The first sentence, then the names of the other failures, each once.
 std::string failure_text(const ConformanceEntry& entry) {
   const std::vector<Failure>& failures = entry.result.failures;
   std::string others;

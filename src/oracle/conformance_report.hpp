@@ -10,7 +10,7 @@
 
 namespace convexact {
 
-/// One vector and what a program made of it. The vector outlives this.
+/// One vector and the result of a program on it. The vector outlives this.
 struct ConformanceEntry {
   const TestVector* vector;
   Conformance result;
@@ -22,7 +22,7 @@ struct ConformanceReport {
   std::string profile;  ///< Its name, or empty.
   Promise promise;
   std::vector<ConformanceEntry> entries;       ///< In the order of the vectors.
-  std::map<NotRun, std::size_t> not_run = {};  ///< How many vectors were not put to it, and why.
+  std::map<NotRun, std::size_t> not_run = {};  ///< How many vectors were not run, and why.
 
   std::size_t passed() const;
   /// Whether every required vector passed.

@@ -74,7 +74,7 @@ void swap_sides(std::vector<Divergence>& divergences) {
   }
 }
 
-// Where the run is not greedy after step `first`, the one where it parts from another.
+// Where the run is not greedy after step `first`, the one at which it differs from another run.
 std::vector<Divergence> later_divergences(const DualHull& solid, const RationalPoint& center,
                                           const EngineRun& run, std::size_t first,
                                           const DiffRequest& request) {

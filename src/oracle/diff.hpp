@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// diff.hpp - engines against each other on one shape.
+// diff.hpp - compares engines on one shape.
 #pragma once
 #include <atomic>
 #include <functional>
@@ -15,7 +15,7 @@ namespace convexact {
 
 struct DiffRequest {
   std::size_t faces = 4;  ///< Halfspaces at which each run ends, >= 4.
-  /// At least two, all different; the first is what the others are compared with.
+  /// At least two, all different; the others are compared with the first.
   std::vector<Engine> engines = {Engine::Exact, Engine::Filtered, Engine::Float};
   std::uint64_t seed = 1;  ///< Of every random order. The answer is the same.
   /// Called after each removal with the engine and the number of halfspaces left and at the start.
@@ -31,8 +31,8 @@ struct DiffRequest {
 struct Comparison {
   Engine reference, other;
   /// Ascending by step; empty if the runs are the same, step by step. The first is where the runs
-  /// part. In the later ones the choice of the engine that is not `float` is what the filtered
-  /// engine would remove there, as its own run is elsewhere by then.
+  /// differ. In the later ones, the choice of the engine that is not `float` is the removal of the
+  /// filtered engine in that state, since its own run has reached another one.
   std::vector<Divergence> divergences;
   bool explained = true;      ///< Whether each of them is (is_explained()).
   std::size_t judged = 0;     ///< Steps that were compared or judged, from the first one on.
@@ -52,10 +52,10 @@ struct DiffReport {
 
 using DiffOutcome = std::variant<DiffReport, NotSolid>;
 
-/// Runs the engines on one dual hull, from one center, and judges where they differ. Nothing is
-/// verified on the way: the comparison is the verification. The filtered engine keeps its record,
+/// Runs the engines on one dual hull, from one center, and judges where they differ. Steps are not
+/// verified in addition: the comparison is the verification. The filtered engine keeps its record,
 /// costs and tie lists, only if the exact one runs too: no other engine has one to compare it with.
-/// @throws Error InvalidArgument for a request that makes no sense; Stopped; Internal.
+/// @throws Error InvalidArgument for an invalid request; Stopped; Internal.
 [[nodiscard]] DiffOutcome diff_engines(const Shape& shape, const DiffRequest& request,
                                        StageLog& log);
 

@@ -8,8 +8,8 @@
 
 namespace convexact {
 
-/// One object's report without its name and stages. Where two runs part and where they differ
-/// worst, costs are exact, whatever their length.
+/// One object's report without its name and stages. Where two runs differ first and worst, costs
+/// are exact, of any length.
 [[nodiscard]] nlohmann::ordered_json diff_json(const DiffReport& report);
 
 struct NamedDiff {
@@ -17,7 +17,7 @@ struct NamedDiff {
   const DiffReport* report;
 };
 
-/// A table with a row per object and comparison, then where each pair parts and differs worst, with
+/// A table with a row per object and comparison, then where each pair differs first and worst, with
 /// planes and costs.
 [[nodiscard]] std::string diff_table(const std::vector<NamedDiff>& objects);
 

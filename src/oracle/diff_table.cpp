@@ -43,7 +43,7 @@ struct DiffRow {
   const Comparison* comparison;
 };
 
-// What parted them worst, where first, and how often they differ.
+// The worst difference, the first one, and how often they differ.
 std::string difference_text(const Comparison& comparison) {
   const std::vector<Divergence>& all = comparison.divergences;
   if (all.empty()) return "same";
@@ -75,7 +75,7 @@ std::string divergence_text(const DiffRow& row, const Divergence& found, const c
          choice_line(row.comparison->other, found.other, row.report->halfspaces);
 }
 
-// Where they part and, if it is another step, where they differ worst.
+// Where they differ first and, if it is another step, where they differ worst.
 std::string witness_text(const DiffRow& row) {
   const std::vector<Divergence>& all = row.comparison->divergences;
   if (all.empty()) return "";

@@ -37,7 +37,7 @@ bool is_true_record(const EngineRun& run, std::size_t step, const Rational& cost
   });
 }
 
-// The same removal, recorded differently: the definition says by whom wrongly.
+// The same removal, recorded differently: the definition decides which record is wrong.
 void judge_record(Divergence& found, const EngineRun& reference, const EngineRun& other,
                   std::span<const Halfspace> halfspaces, const RemovalOracle& oracle) {
   found.kind = DivergenceKind::WrongRecord;
@@ -72,7 +72,7 @@ void judge_costs(Divergence& found, const RemovalCost& reference, const RemovalC
   if (rounding) found.rounding = *rounding / lower;
 }
 
-// What a removal costs; ending costs nothing that could be stated.
+// The cost of a removal; an end has none.
 RemovalCost cost_of(const Choice& choice, std::span<const Halfspace> halfspaces,
                     const RemovalOracle& oracle) {
   return choice.removed ? oracle.without(halfspaces[choice.removed->index()]) : RemovalCost{};

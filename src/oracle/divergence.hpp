@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// divergence.hpp - where two greedy runs on the same solid part, and which of them was right.
+// divergence.hpp - where two greedy runs on the same solid differ, and which of them was right.
 #pragma once
 #include <optional>
 #include <vector>
@@ -9,17 +9,17 @@
 
 namespace convexact {
 
-/// What parted two runs, judged by exact costs from the definition.
+/// The kind of a difference between two runs, judged by exact costs from the definition.
 enum class DivergenceKind {
   Tie,               ///< Equal costs; the canonical order should have decided.
   BelowRounding,     ///< Costs so close that planes rounded to doubles cannot tell them apart; or
                      ///< the end where such planes may not bound the cheapest cap.
-  WrongTopology,     ///< Costs further apart: what it acted on cannot come from the right cap.
+  WrongTopology,     ///< Costs further apart: its cost cannot come from the right cap.
   WrongBoundedness,  ///< An unbounded removal, or the end although a bounded one existed.
   WrongRecord,       ///< The same removal, but another cost, tie list or reason to end.
 };
 
-/// What one run did at the step where they part.
+/// The choice of one run at the step where they differ.
 struct Choice {
   std::optional<HalfspaceId> removed;  ///< None: it ended here.
   std::optional<Rational> cost;  ///< Exact, in cubed length units; none if unbounded or it ended.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// engine_run.hpp - what an engine did, in the form in which engines can be compared.
+// engine_run.hpp - the run of an engine, in a form in which engines can be compared.
 #pragma once
 #include <span>
 #include <vector>

@@ -35,8 +35,8 @@ struct RemovalCost {
   std::optional<Rational> rounding;
 };
 
-/// A set of halfspaces with a bounded intersection, and what each removal from it costs. Everything
-/// is intersected from scratch: nothing is taken from an engine.
+/// A set of halfspaces with a bounded intersection, and what each removal from it costs. All
+/// intersections are computed from scratch, without an engine.
 class RemovalOracle {
  public:
   /// @param halfspaces  None redundant. @param center  Strictly inside.

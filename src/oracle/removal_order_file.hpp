@@ -15,20 +15,20 @@ namespace convexact {
 /// Facets by id: position 0 first. None where the row has normal 0.
 using ListedFacets = std::vector<std::optional<Halfspace>>;
 
-/// Reads what ids refer to: a list of halfspaces in any of its formats, told by the extension of
-/// `path`, else by content. Ids count the rows, those with normal 0 too, from 0.
+/// Reads the list that ids refer to: halfspaces in any of their formats, by the extension of
+/// `path`, otherwise by content. Ids count the rows, those with normal 0 too, from 0.
 /// @throws Error As read_halfspaces_bytes(); Malformed if it is none of the formats.
 [[nodiscard]] ListedFacets read_facet_list(std::string_view bytes, const std::string& path,
                                            Decimal decimal = Decimal::Nearest);
 
-/// Reads an order of one of three kinds, told apart by the first character and the first row:
-/// - JSON, an object with `steps`: our trace (docs/schema/trace.schema.json), or as much of it as
-///   there is: of a step only `removed` is needed; `cost.exact`, `tie` and `left` are claims; ids
+/// Reads an order of one of three kinds, distinguished by the first character and the first row:
+/// - JSON, an object with `steps`: our trace (docs/schema/trace.schema.json), or a part of one: a
+/// step needs only `removed`; `cost.exact`, `tie` and `left` are claims; ids
 ///   are positions in `halfspaces` if that is there;
 /// - text with four numbers per row: the planes n.x + d = 0 in order of removal;
 /// - text with an integer per row: ids in order of removal. Any integer: one that is out of range
 ///   becomes an id that names no facet.
-/// @param facets     What ids refer to; none: `canonical`, the input's own halfspaces.
+/// @param facets     The list that ids refer to; none: `canonical`, the input's own halfspaces.
 /// @throws Error     Malformed or NotFinite with the line or, in JSON, the place; InvalidArgument
 /// if
 ///                   `facets` are given to an order that spells out its planes.

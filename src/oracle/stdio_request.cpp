@@ -41,7 +41,8 @@ void require_known_keys(const json& object, std::initializer_list<const char*> k
   }
 }
 
-// A number of a JSON text or a string: both mean what their text does, whatever stands beside them.
+// A number of a JSON text or a string: both mean what their text means, independently of the other
+// entries.
 std::string_view text_of(const json& value) {
   const std::string_view text = spelling_of(value);
   if (text.empty()) reject("a number, or a string that holds one");
@@ -122,7 +123,7 @@ std::vector<std::vector<std::uint32_t>> faces(const json& rows, std::size_t poin
   return polygons;
 }
 
-// What is wrong with the numbers of a candidate is for the oracle to tell.
+// The oracle reports errors in the numbers of a candidate.
 Candidate candidate(const json& object, Decimal decimal) {
   require_known_keys(object, {"planes", "vertices", "faces"}, "the candidate");
   if (object.contains("planes") == object.contains("vertices")) {
@@ -202,7 +203,7 @@ std::optional<double> time_limit_of(const json& request, std::optional<double> l
   return std::min(seconds.get<double>(), limit.value_or(kLongest));
 }
 
-// Raises a flag when some seconds are over, unless it ends before.
+// Sets a flag when some seconds are over, unless it is destroyed before.
 class TimeLimit {
  public:
   explicit TimeLimit(std::optional<double> seconds) {

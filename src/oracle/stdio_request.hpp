@@ -9,15 +9,15 @@ namespace convexact {
 
 /// Answers a request (docs/schema/stdio_request.schema.json) with one line of JSON, without a line
 /// end: the request's `id` and either what verdict_json() writes, without the
-/// claims that were not asked, or `error`. Whatever is wrong with
-/// the request is such an error, and whatever is wrong with the candidate is a verdict; nothing is
-/// thrown but std::bad_alloc.
+/// claims that were not asked, or `error`. Any fault of the request is such an error, and any fault
+/// of the candidate is a verdict; only std::bad_alloc is thrown.
 ///
-/// A number means what the same text means in a file, as a JSON number or as a string, whatever
-/// stands beside it: a coordinate of a point or vertex goes by the request's `decimal`; of a plane,
-/// integers and fractions are exact and other decimals go by `decimal`. Strings may also hold
-/// fractions (for coordinates as well) and hexadecimal floats, which are exact. The id is a number,
-/// a string, true, false or null, and a number comes back digit by digit.
+/// A number means what the same text means in a file, as a JSON number or as a string,
+/// independently of the other entries: a coordinate of a point or vertex is read by the request's
+/// `decimal`; in a plane, integers and fractions are exact and other decimals are read by
+/// `decimal`. Strings may also hold fractions (for coordinates as well) and hexadecimal floats,
+/// which are exact. The id is a number, a string, true, false or null, and a number comes back
+/// digit by digit.
 /// @param time_limit  Seconds that the verdict may take; a request may ask for fewer. Beyond them
 ///                    the answer is the error `stopped`, some milliseconds later.
 /// @par Cost  Reading, about 20 ns a byte, and verify() for the claims asked.

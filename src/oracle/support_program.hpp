@@ -9,9 +9,9 @@
 namespace convexact {
 
 /// Maximises linear functionals over a polytope, given by its facets, by the simplex method: from
-/// vertex to better neighbour, in doubles as far as these tell, then exactly. The vertex where it
-/// ends is proven optimal by duality: the functional is a nonnegative combination of the normals of
-/// three facets there.
+/// vertex to better neighbour, in doubles while these are certain, then exactly. The vertex where
+/// it ends is proven optimal by duality: the functional is a nonnegative combination of the normals
+/// of three facets there.
 /// @par Source  [Schrijver1986, ch. 11 and cor. 7.1g]
 class SupportProgram {
  public:

@@ -19,7 +19,7 @@ using nlohmann::json;
 
 [[noreturn]] void fail(const std::string& message) { throw Error(ErrorCode::Malformed, message); }
 
-// An integer of JSON within bounds. Asked for one, the JSON library converts any number: -1 becomes
+// An integer of JSON within bounds. The JSON library converts any number to one: -1 becomes
 // a huge count, and 1e99 is undefined behaviour.
 std::int64_t to_integer(const json& number, std::int64_t least, std::int64_t most) {
   const bool is_beyond =

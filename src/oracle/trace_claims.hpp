@@ -28,7 +28,7 @@ class TraceClaims {
   void violate(TraceCode code, TraceWitness witness);
   /// A claim that only some files make: it holds unless it is violated.
   void ask(TraceCode code);
-  /// Nothing about the steps can be told.
+  /// The steps cannot be judged.
   void give_up();
   std::vector<TraceClaim> list() && { return std::move(claims_); }
 

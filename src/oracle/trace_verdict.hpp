@@ -13,18 +13,18 @@ namespace convexact {
 /// 7", "cannot be followed from step 7" or "unreadable"; " without facet 12" if it is left out.
 /// Steps are counted from 0.
 [[nodiscard]] std::string verdict_line(const TraceVerdict& verdict);
-/// The same of the order among the other facets.
+/// The same for the order among the other facets.
 [[nodiscard]] std::string verdict_line(const LeftOut& left_out);
 
-/// Which facets are to blame, and how the order does without them.
+/// Which facets cause the violation, and the rating of the order without them.
 [[nodiscard]] std::string sentence(const LeftOut& left_out, const TraceVerdict& verdict);
 /// Which planes of the list are facet planes up to rounding only; empty if all are exactly.
 [[nodiscard]] std::string sentence(const ListedPlanes& listed);
 
-/// All steps with exact costs, whatever their length; without the stages.
+/// All steps with exact costs, of any length; without the stages.
 [[nodiscard]] nlohmann::ordered_json trace_verdict_json(const TraceVerdict& verdict);
 
-/// The verdict, what is violated and with what witness, the worst steps, totals.
+/// The verdict, the violated claims with their witnesses, the worst steps, totals.
 [[nodiscard]] std::string trace_verdict_text(const TraceVerdict& verdict);
 
 }  // namespace convexact
