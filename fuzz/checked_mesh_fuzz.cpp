@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Property of checked_mesh: of the bytes of a mesh file or of a list of halfspaces, convexact-check
 // reads the same exact points and rows as the library, which shares no code with it, or refuses
-// them. Both read what both understand: only statements of OBJ that it does not know, and
-// "linearity 0", are the checker's alone to refuse.
+// them. Only the checker refuses statements of OBJ that it does not know, and "linearity 0".
 #include "../tests/check/checker.hpp"
 #include "convexact/io.hpp"
 #include "convexact/point_set.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What libFuzzer and AFL++ call; the environment's FUZZ_TARGET says which target they fuzz.
+// The entry point of libFuzzer and AFL++; the environment variable FUZZ_TARGET names the target.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Property of hull: on small grids (repeats, coplanar and flat points) the hull has exactly the
 // vertices and facets of the hull by definition, and check_hull() accepts its certificate; points
-// that span no volume are said to, with their dimension and a proof. Neither seed nor insertion
-// order matters, nor does an image of the grid in last bits or in thirds.
+// that span no volume are reported as flat, with their dimension and a proof. The same holds for
+// every seed and insertion order, and for images of the grid in last bits and in thirds.
 #include <limits>
 
 #include "convexact/hull.hpp"

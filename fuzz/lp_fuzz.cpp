@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Property of lp: a small linear program's outcome is the one that Fourier-Motzkin elimination
-// finds, with a certificate that check() accepts, whatever the seed.
+// finds, with a certificate that check() accepts, for every seed.
 // Property of feasibility: of a few halfspaces, empty, flat, bounded and the largest ball are
 // answered with certificates that check() accepts, and as the volume of the intersection by
 // definition says.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Property of obj, off, ply, stl, xyz: the reader takes any bytes and either reads them or refuses
-// them with an Error of exit code 3. What was read can be written and is then read as the same;
-// decimals taken as spelled round to the doubles, or binary32 numbers, that they are read as
+// them with an Error of exit code 3. A mesh that was read can be written and is read back as the
+// same; decimals taken as spelled round to the doubles, or binary32 numbers, that they are read as
 // otherwise.
 #include "convexact/io.hpp"
 #include "convexact/number.hpp"

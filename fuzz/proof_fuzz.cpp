@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Property of proof: convexact-check accepts the proof of every run; changed in a few words or
-// lines, a proof is refused, or what it claims is true by the definition all the same.
-// Property of proof_text: whatever bytes stand in a proof, the checker ends with a documented exit
-// code, and what it accepts is true by the definition.
+// Property of proof: convexact-check accepts the proof of every run; a proof that is changed in a
+// few words or lines is refused, or its claims are still true by the definition. Property of
+// proof_text: for any bytes of a proof, the checker ends with a documented exit code, and any proof
+// that it accepts is true by the definition.
 #include "../tests/check/checker.hpp"
 #include "../tests/check/proof_text.hpp"
 #include "convexact/simplify.hpp"

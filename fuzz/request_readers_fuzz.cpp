@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Property of stdio: whatever a line says, the answer is one line of JSON, an object with either a
+// Property of stdio: for any line, the answer is one line of JSON, an object with either a
 // verdict or an error of a documented kind (6 beyond its time limit); a verdict has the request's
 // id; the oracle's two ways agree. Property of test_vectors: every text is read, or refused with an
 // Error of exit code 3.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Property of stored: whatever an engine leaves of a few points' hull, planes and meshes stored in
+// Property of stored: for the result of any engine on a few points, planes and meshes stored in
 // binary64 and binary32 consist of numbers of the format, are bounded and hold every point, all in
 // rationals and from the definition; or they are refused because the format cannot hold them.
 #include "convexact/error.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Property of trace: for any removal order and any claims about a small solid, the
 // judge's verdict is the one by definition: the halfspaces are intersected from scratch without
-// each candidate, at each step, in the state that the order has reached. Without the facets that it
-// blames for never being removed, the order does as the verdict says.
+// each candidate, at each step, in the state that the order has reached. Without the facets that
+// the verdict names as never removed, the order has the rating that the verdict states.
 #include <cstring>
 
 #include "cheapest_removals.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Property of trace_json and removal_order: the reader takes any bytes and either reads them or
 // refuses them with an Error of exit code 3. A trace that was read can be written and is then read
-// as the same; every index in it names a halfspace. The rows of an order ascend, whatever its ids.
+// as the same; every index in it names a halfspace. The rows of an order ascend.
 #include "fuzz_target.hpp"
 #include "oracle/removal_order_file.hpp"
 #include "simplify/trace_json.hpp"

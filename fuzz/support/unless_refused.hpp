@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// unless_refused.hpp - what a reader made of some bytes, or nothing if it refused them as
+// unless_refused.hpp - the result of a reader on some bytes, or nothing if it refused them as
 // documented.
 #pragma once
 #include <optional>

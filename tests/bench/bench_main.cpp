@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// convexact-bench: everything in one run, so that ratios mean something.
+// convexact-bench: everything in one run, so that ratios are meaningful.
 #include <benchmark/benchmark.h>
 
 #include "benches.hpp"

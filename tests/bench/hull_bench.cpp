@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The hull against CGAL (exact predicates, inexact constructions) and Qhull, in one run. Reading
-// and converting the points is not timed; the certificate is part of ours, checking it is on its
-// own.
+// and converting the points is not timed; the time of our hull includes the certificate; checking
+// it is timed separately.
 #include <benchmark/benchmark.h>
 
 #include "benches.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What convexact-check accepts: the proofs of every engine, of solids full of ties, of every kind
-// of input and of every format. That an accepted run is right is for the mutations to show, and for
-// the other tests, which judge the same engines by the definition.
+// of input and of every format. The mutations show that an accepted run is right, and so do the
+// other tests, which judge the same engines by the definition.
 #include <algorithm>
 
 #include "checker.hpp"

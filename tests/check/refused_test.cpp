@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What convexact-check refuses: proofs of right runs with anything in them changed. Where a change
+// convexact-check refuses proofs of right runs with any change in them. Where a change
 // may leave a valid proof (of another point set, with another ray), the rule that says so is below,
 // and the change must still end in a verdict.
 #include <algorithm>

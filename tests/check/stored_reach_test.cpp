@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What convexact-check says of stored planes: whether there are any, and how far they reach.
+// The report of convexact-check on stored planes: whether there are any, and how far they reach.
 #include "checker.hpp"
 #include "proof_text.hpp"
 #include "proofs.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Proofs of what is not so, written out by hand: each has a single mistake, which no other line
-// gives away. Figures are closed forms, derived beside them.
+// Proofs of false claims, written out by hand: each has a single mistake, which no other line
+// reveals. Figures are closed forms, derived beside them.
 #include <algorithm>
 #include <array>
 #include <vector>

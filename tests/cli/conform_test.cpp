@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // convexact conform: our engines conform; a program that is wrong on purpose fails in each of the
-// ways, which are told apart.
+// ways, and the outcomes distinguish them.
 #include <doctest/doctest.h>
 
 #include <map>

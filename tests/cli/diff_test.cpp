@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // convexact diff: exit codes, what --json prints (docs/schema/diff.schema.json, validated by
-// valijson), and that the engines agree on what is shipped.
+// valijson), and that the engines agree on the shipped meshes.
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>

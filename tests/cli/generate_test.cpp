@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// convexact generate: what is written is what the family's header promises, to the bit, in every
-// format; malformed files end the program with exit 3.
+// convexact generate: the written points are those that the family's header promises, to the bit,
+// in every format; malformed files end the program with exit 3.
 #include <doctest/doctest.h>
 
 #include <algorithm>

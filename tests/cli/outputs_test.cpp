@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a run writes appears together, and only with exit code 0: not if standard output cannot be
-// written, nor whatever bytes the names of files and objects consist of.
+// The files of a run appear together, and only with exit code 0. None appears if standard output
+// cannot be written. Names of files and objects may consist of any bytes.
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>

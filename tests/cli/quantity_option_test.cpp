@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Counts, sizes and durations on the command line: what is no such number, or lies outside of its
-// range, is wrong usage, told by the option's name; no number wraps, saturates or is octal.
+// Counts, sizes and durations on the command line: text that is no such number, or a number outside
+// of its range, is wrong usage and the message names the option; no number wraps, saturates or is
+// octal.
 #include <doctest/doctest.h>
 
 #include <algorithm>

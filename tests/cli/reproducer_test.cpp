@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The file that a failed verification leaves: expected contents are what was put in.
+// The file that a failed verification leaves: expected contents are the inputs of the test.
 #include "cli/reproducer.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What --json prints, against docs/schema/result.schema.json (validated by valijson), and against
-// what a run must say by arithmetic alone.
+// facts of a run that follow by arithmetic alone.
 #include <doctest/doctest.h>
 
 #include <chrono>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What may happen to a program: no memory, no room, a closed pipe, an interrupt. The
-// documented exit code, one sentence, and nothing half-written. Codes are those of docs/usage.md.
+// What may happen to a program: no memory, no room, a closed pipe, an interrupt. The expected
+// behaviour is the documented exit code, one sentence, and no half-written file. Codes are those of
+// docs/usage.md.
 #include <doctest/doctest.h>
 
 #include <algorithm>

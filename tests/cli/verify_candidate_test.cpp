@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// convexact verify INPUT CANDIDATE: exit codes, what people read, and what --json prints
+// convexact verify INPUT CANDIDATE: exit codes, the text for people, and the output of --json
 // (docs/schema/verdict.schema.json, validated by valijson).
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The oracle decides twice, in ways that share no predicate. Here the two are given different
-// things, so that the second way must object.
+// The oracle decides twice, in ways that share no predicate. Here the two receive different data,
+// so the second way must disagree.
 #include <doctest/doctest.h>
 
 #include "convexact/error.hpp"

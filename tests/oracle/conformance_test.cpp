@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Judging a run: how many planes a rounded mesh has, which ends count as which failure, and that a
-// solid of which nothing can go is no failure. Expected counts are closed forms.
+// solid from which no facet can be removed is no failure. Expected counts are closed forms.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Thousands of candidates, each a good one with something broken: bits of the file, vertices off by
-// an ulp, faces lost, turned or doubled, planes tilted. Whatever comes out, the verdict must be the
-// one that the definitions give (tests/support/verdict_check.hpp), and nothing may crash.
+// an ulp, faces lost, turned or doubled, planes tilted. The verdict must always be the one that the
+// definitions give (tests/support/verdict_check.hpp), without a crash.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Runs doctored by hand on a cube with cut corners, followed to their ends: a cut of depth t costs
-// t^3 / 6, whatever else has been removed.
+// t^3 / 6, independently of the other cuts.
 #include "oracle/greedy_check.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Orders that never remove some cheap facet: on a cube with cut corners, where a cut of depth t
-// costs t^3 / 6 whatever else is gone, and on small shapes by the definition.
+// costs t^3 / 6 independently of the others, and on small shapes by the definition.
 #include <doctest/doctest.h>
 
 #include <algorithm>

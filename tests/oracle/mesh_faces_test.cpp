@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Faces that a surface may have without being another one, and faces that no surface may have. The
-// solids are cubes and tetrahedra, so that what holds is known by looking.
+// solids are cubes and tetrahedra, so the claims that hold are evident.
 #include <doctest/doctest.h>
 
 #include <algorithm>

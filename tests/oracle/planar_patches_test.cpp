@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How many facets a solid of rounded vertices was meant to have. Expected counts are those of the
-// solids before they were rounded, or of points that nothing explains.
+// solids before they were rounded, or of points whose position no rounding explains.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Named promises as texts: what is read, and what is refused by the name of the profile.
+// Named promises as texts: valid ones are read, and invalid ones are refused with the name of the
+// profile.
 #include "oracle/profiles.hpp"
 
 #include <doctest/doctest.h>

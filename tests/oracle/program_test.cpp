@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Running a program: every way to end is told apart, and nothing of it is left. The programs are
-// the system's own, so what they do is known.
+// Running a program: every way to end is distinguished, and no process of it remains. The programs
+// are the system's own, so their behaviour is known.
 #include <doctest/doctest.h>
 #include <unistd.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Removal orders as files: three kinds, and what is wrong with each told with its place.
+// Removal orders as files: three kinds, and errors in each with their place.
 #include "oracle/removal_order_file.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// removal_orders.hpp - removal orders for tests, and what a verdict on one says.
+// removal_orders.hpp - removal orders for tests, and their verdicts.
 #pragma once
 #include <cstring>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Shrinking: predicates whose minimum is known in closed form, and the promises of shrink.hpp asked
-// of the result by the definition.
+// Shrinking: predicates whose minimum is known in closed form, and the promises of shrink.hpp
+// tested on the result by the definition.
 #include "convexact/shrink.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Conformance vectors as texts: numbers that are none of the schema's are refused. What the shipped
-// vectors say is tested where they are run.
+// Conformance vectors as texts: numbers that are none of the schema's are refused. The contents of
+// the shipped vectors are tested where they are run.
 #include "oracle/test_vector_json.hpp"
 
 #include <doctest/doctest.h>

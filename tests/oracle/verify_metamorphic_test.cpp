@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What must not change a verdict: scaling by a power of two, the order of points, repeats, interior
-// points, seeds. On thousands of hard inputs, each enclosed by its own hull, whole and with one
-// vertex taken away.
+// Changes that must not change a verdict: scaling by a power of two, the order of points, repeats,
+// interior points, seeds. On thousands of hard inputs, each enclosed by its own hull, whole and
+// with one vertex taken away.
 #include <doctest/doctest.h>
 
 #include <cmath>

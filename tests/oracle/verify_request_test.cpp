@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a request asks of the oracle, and what it cannot ask. Expected values are closed forms of
+// Requests to the oracle, and requests that it refuses. Expected values are closed forms of
 // the cube [-1, 1]^3, and the definition of a maximum.
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Line and branch coverage of the rooms that everything rests on, by their tests.
+"""Line and branch coverage of the central rooms, by their tests.
 
   coverage.py              a table, from a build in build/faults
   coverage.py --missing    and every line that no test runs, every branch that none takes

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The faults of faults.py: (kind, file, what stands there once, what replaces it, tests to ask in order)."""
+"""The faults of faults.py: (kind, file, the text that occurs once, its replacement, tests to run in order)."""
 
 CONSTANT, FORGOTTEN, TIE, SIGN = 'constant / 16', 'underflow forgotten', 'tie rule dropped', 'sign flipped'
 PUSH, SKIP, STALE = 'push too small', 'verification skipped', 'stale value trusted'

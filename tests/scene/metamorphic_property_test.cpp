@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What must not change an answer, on inputs that shrink: the order of points, repeats, inner
-// points, seed and center, translations, powers of two, and (up to the first tie, whose order is
-// canonical) reflections and exchanges of axes. For the hull, both exact ways to simplify, and the
-// oracle.
+// Changes that must not change an answer, on inputs that shrink: the order of points, repeats,
+// inner points, seed and center, translations, powers of two, and (up to the first tie, whose order
+// is canonical) reflections and exchanges of axes. For the hull, both exact ways to simplify, and
+// the oracle.
 #include "convexact/dual.hpp"
 #include "fast/filtered_engine.hpp"
 #include "motion.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What must not change a verdict, on inputs that shrink: the order of points, repeats, inner
-// points, the seed, and any motion of input and candidate together.
+// Changes that must not change a verdict, on inputs that shrink: the order of points, repeats,
+// inner points, the seed, and any motion of input and candidate together.
 #include "convexact/verify.hpp"
 #include "motion.hpp"
 #include "property.hpp"

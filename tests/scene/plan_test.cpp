@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Only what a scene needs is computed: for each stage a request that needs it and one that does
-// not, told apart by counting how often it began.
+// Only the stages that a scene needs run: for each stage there are a request that needs it and one
+// that does not, and the test counts how often the stage began.
 #include <doctest/doctest.h>
 
 #include <atomic>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The facade: what is refused, what is skipped, and that every way through it gives one answer.
-// Expected volumes are closed forms of boxes; the engines are judged in their own rooms.
+// The facade: requests that it refuses, stages that it skips, and one answer by every way through
+// it. Expected volumes are closed forms of boxes; the engines are judged in their own rooms.
 #include "convexact/simplify.hpp"
 
 #include <doctest/doctest.h>

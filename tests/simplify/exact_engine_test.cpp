@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a run stops, and that nothing changes its answer that must not. Truth is the input's own
-// symmetry: the run on the transformed input must be the transformed run.
+// How a run stops, and changes of the input that must not change its answer. The expected values
+// come from the input's own symmetry: the run on the transformed input must be the transformed run.
 #include "simplify/exact_engine.hpp"
 
 #include <doctest/doctest.h>

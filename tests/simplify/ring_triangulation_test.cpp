@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// T_i is judged by what it must be: k - 2 triangles with no ring point beyond any of them and the
+// T_i is judged by its definition: k - 2 triangles with no ring point beyond any of them and the
 // removed point beyond or level with all. Valences up to 10,000.
 #include "simplify/ring_triangulation.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Mutation tests of the verifier: every way of corrupting a true step is caught, by the check that
-// is there for it.
+// Mutation tests of the verifier: every way of corrupting a true step is caught, by the check for
+// it.
 #include "simplify/step_verification.hpp"
 
 #include <doctest/doctest.h>

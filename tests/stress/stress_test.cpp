@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sweep and its judge. Honest engines pass on inputs of every kind; and a run that is wrong in
-// one thing, injected here, is a fault of that run, in whatever way it is wrong.
+// The sweep and its judge. Correct engines pass on inputs of every kind. A run with one error,
+// injected here, is reported as a fault of that run, for every kind of error.
 #include "stress/stress.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// auditor.hpp - decides again whatever the filtered engine decides without exact numbers: signs by
-// a determinant of rationals, caps by the exact engine's explicit polytopes.
+// auditor.hpp - decides again everything that the filtered engine decides without exact numbers:
+// signs by a determinant of rationals, caps by the exact engine's explicit polytopes.
 #pragma once
 #include <doctest/doctest.h>
 

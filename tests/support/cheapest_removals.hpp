@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cheapest_removals.hpp - what is cheapest to remove, by the definition: the halfspaces are
+// cheapest_removals.hpp - the cheapest removals, by the definition: the halfspaces are
 // intersected from scratch without each candidate.
 #pragma once
 #include "convexact/point_set.hpp"

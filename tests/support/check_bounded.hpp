@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// check_bounded.hpp - whether what a fast engine leaves is a bounded solid.
+// check_bounded.hpp - whether the result of a fast engine is a bounded solid.
 #pragma once
 #include <doctest/doctest.h>
 

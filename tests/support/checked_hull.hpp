@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// checked_hull.hpp - a hull whose certificate holds and that no order of insertion changes.
+// checked_hull.hpp - a hull whose certificate holds and that does not depend on the order of
+// insertion.
 #pragma once
 #include <doctest/doctest.h>
 
