@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The smallest program that uses the installed library: the hull of a cube and its center.
-#include <convexact/hull/hull.hpp>
+#include <convexact/hull.hpp>
 #include <iostream>
 
 int main() {
