@@ -46,8 +46,7 @@ std::string some_proof(FuzzInput& in) {
   const std::size_t precision = in.below(3);
   if (precision == 1) request.store.planes = Precision::Binary64;
   if (precision == 2) request.store.planes = Precision::Binary32;
-  StageLog log;
-  const SimplifyOutcome outcome = simplify(shape_of(in), request, log);
+  const SimplifyOutcome outcome = simplify(shape_of(in), request);
   const auto* result = std::get_if<SimplifyResult>(&outcome);
   if (result == nullptr) return "";
   return write_proof(result->record.value(), result->solid.points, result->solid.planes);

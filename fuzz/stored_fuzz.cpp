@@ -68,8 +68,7 @@ void hold(FuzzInput& in) {
   (wants_mesh ? request.store.mesh : request.store.planes) = precision;
   const PointSet points = points_of(in);
   try {
-    StageLog log;
-    const SimplifyOutcome outcome = simplify(points, request, log);
+    const SimplifyOutcome outcome = simplify(points, request);
     const auto* result = std::get_if<SimplifyResult>(&outcome);
     if (result == nullptr) return;
     const auto input = stored_cases::to_homogeneous(points);

@@ -20,8 +20,7 @@ constexpr std::size_t kMostRows = 7, kMostRowsRarely = 12;
 void check_verdict(const PointSet& input, const Candidate& candidate, bool tightness) {
   VerifyRequest request;
   request.tightness = tightness;
-  StageLog log;
-  const VerifyOutcome outcome = verify(input, candidate, request, log);
+  const VerifyOutcome outcome = verify(input, candidate, request);
   const auto* verdict = std::get_if<Verdict>(&outcome);
   if (verdict == nullptr) {  // of the input, not of the candidate
     FUZZ_CHECK(affine_dimension(input.doubles()) < 3);

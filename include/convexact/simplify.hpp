@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // simplify.hpp - the main job: enclose a shape in few halfspaces and prove that they hold it.
 #pragma once
-#include <atomic>
-#include <functional>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -12,6 +10,7 @@
 #include "convexact/measure.hpp"
 #include "convexact/run.hpp"
 #include "convexact/scene.hpp"
+#include "convexact/watch.hpp"
 
 namespace convexact {
 
@@ -46,9 +45,7 @@ struct SimplifyRequest {
   std::uint64_t seed = 1;               ///< Of every random order. The answer is the same.
   StoreRequest store;
   bool exact_volumes = false;  ///< As rationals too, not only their certain digits.
-  /// Called after each removal with the number of halfspaces left and at the start.
-  std::function<void(std::size_t left, std::size_t at_start)> progress;
-  const std::atomic<bool>* stop = nullptr;  ///< When it becomes true: Error Stopped.
+  StageWatch watch = {};       ///< Removals are told as the progress of stage "simplify".
 };
 
 struct SimplifyResult {
@@ -67,17 +64,16 @@ struct SimplifyResult {
   Engine engine = Engine::Filtered;
   VerifyLevel verified = VerifyLevel::Local;
   std::optional<FloatBound> float_bound;  ///< Of the float engine: what it proves of its errors.
+  std::vector<Stage> stages;  ///< Each with its time, or the reason why it was left out.
 };
 
 using SimplifyOutcome = std::variant<SimplifyResult, NotSolid>;
 
-/// Runs the stages that the request and the shape need; `log` gets each with its time, or the
-/// reason why it was left out.
+/// Runs the stages that the request and the shape need.
 /// @throws Error InvalidArgument for a request that makes no sense or a center that is not strictly
 ///         inside; Unrepresentable if a stored format cannot hold the result; Stopped; Internal if
 ///         a verification fails.
-[[nodiscard]] SimplifyOutcome simplify(const Shape& shape, const SimplifyRequest& request,
-                                       StageLog& log);
+[[nodiscard]] SimplifyOutcome simplify(const Shape& shape, const SimplifyRequest& request);
 
 struct HullRequest {
   bool volume = true, area = true, mean_width = true;  ///< Which measures are asked for.
@@ -85,8 +81,7 @@ struct HullRequest {
   bool exact_volume = false;  ///< The volume as a rational too.
   std::uint64_t seed = 1;     ///< Of every random order. The answer is the same.
   StoreRequest store;
-  /// Told how many of how many facets or edges a measure has been through.
-  std::function<void(const char* stage, std::size_t done, std::size_t total)> progress = {};
+  StageWatch watch = {};  ///< Facets or edges are told as the progress of each measure.
 };
 
 struct HullResult {
@@ -98,12 +93,12 @@ struct HullResult {
   Measured diameter;  ///< Diagonal of the box, in length units.
   // In cubed, squared and plain length units; each if asked for.
   std::optional<Measured> volume, area, mean_width;
+  std::vector<Stage> stages;  ///< Each with its time, or the reason why it was left out.
 };
 
 using HullReport = std::variant<HullResult, NotSolid>;
 
 /// The hull of points, or the solid that halfspaces bound, measured. @throws Error as simplify().
-[[nodiscard]] HullReport measure_hull(const Shape& shape, const HullRequest& request,
-                                      StageLog& log);
+[[nodiscard]] HullReport measure_hull(const Shape& shape, const HullRequest& request = {});
 
 }  // namespace convexact

@@ -182,6 +182,7 @@ struct VerifyRequest {
   unsigned slack_ulps = 0;
   bool tightness = true;   ///< Whether to measure volume, area, mean width and distance.
   std::uint64_t seed = 1;  ///< Of every random order. The verdict does not depend on it.
+  StageWatch watch = {};
 };
 
 /// The input points that lie outside a candidate.
@@ -224,6 +225,7 @@ struct Verdict {
   /// If some claim is violated, and all that are by a distance only.
   std::optional<SmallestTolerance> smallest_tolerance;
   std::vector<std::string> notes;  ///< What else people should know; decides nothing.
+  std::vector<Stage> stages;       ///< Each with its time, or the reason why it was left out.
 
   const Claim& operator[](ClaimCode code) const;
   /// Whether no claim is violated, and each that was named is decided.
@@ -241,6 +243,6 @@ using VerifyOutcome = std::variant<Verdict, NotSolid>;
 ///               without a number; Internal if the two ways disagree or a certificate fails.
 /// @par Cost    Points times planes in doubles, the two hulls, and the measures asked for.
 [[nodiscard]] VerifyOutcome verify(const Shape& input, const Candidate& candidate,
-                                   const VerifyRequest& request, StageLog& log);
+                                   const VerifyRequest& request = {});
 
 }  // namespace convexact

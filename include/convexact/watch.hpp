@@ -4,11 +4,22 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <utility>
 
 #include "convexact/error.hpp"
 
 namespace convexact {
+
+/// How a caller watches a request while its stages run, and ends it.
+struct StageWatch {
+  /// Called as a stage begins.
+  std::function<void(const std::string& stage)> begins = {};
+  /// Called now and then with how many of how many steps of a long stage are done.
+  std::function<void(const std::string& stage, std::size_t done, std::size_t total)> progress = {};
+  /// When it becomes true, the request ends with Error Stopped. A signal handler may set it.
+  const std::atomic<bool>* stop = nullptr;
+};
 
 /// What a loop that may take seconds asks at each of its steps; without arguments it asks nothing.
 class Watch {

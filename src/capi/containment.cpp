@@ -8,6 +8,7 @@
 #include "convexact/scene.hpp"
 #include "convexact/stored.hpp"
 #include "oracle/excess.hpp"
+#include "scene/solid.hpp"
 
 struct convexact_containment {
   std::size_t outside = 0, point = 0, plane = 0;

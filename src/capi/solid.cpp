@@ -17,8 +17,7 @@ convexact_solid simplify_points(PointSet points, std::size_t plane_count) {
   SimplifyRequest request;
   request.faces = plane_count;
   request.store.planes = Precision::Binary64;
-  StageLog log;
-  const SimplifyOutcome outcome = simplify(std::move(points), request, log);
+  const SimplifyOutcome outcome = simplify(std::move(points), request);
   const auto* result = std::get_if<SimplifyResult>(&outcome);
   if (result == nullptr) throw Error(ErrorCode::NoInterior, "the points lie in one plane");
   convexact_solid solid{result->solid.planes->planes, {}};

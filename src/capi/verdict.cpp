@@ -36,8 +36,7 @@ convexact_verdict judge(const PointSet& points, const Candidate& candidate, cons
   VerifyRequest request;
   request.tightness = false;
   if (tolerance != nullptr) request.tolerance = parse_tolerance(tolerance);
-  StageLog log;
-  VerifyOutcome outcome = verify(points, candidate, request, log);
+  VerifyOutcome outcome = verify(points, candidate, request);
   if (auto* verdict = std::get_if<Verdict>(&outcome)) return {std::move(*verdict)};
   throw Error(ErrorCode::NoInterior, "the points lie in one plane");
 }

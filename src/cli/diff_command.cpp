@@ -12,6 +12,7 @@
 #include "cli/scene.hpp"
 #include "oracle/diff_json.hpp"
 #include "scene/result_json.hpp"
+#include "scene/stage_log.hpp"
 #include "scene/summary.hpp"
 
 namespace convexact::cli {
@@ -38,7 +39,6 @@ struct DiffArguments {
 struct DiffedObject {
   std::string name;
   DiffReport report;
-  StageLog log;
 };
 
 nlohmann::ordered_json document_of(const std::vector<DiffedObject>& objects, std::size_t faces,
@@ -47,7 +47,7 @@ nlohmann::ordered_json document_of(const std::vector<DiffedObject>& objects, std
   for (const DiffedObject& object : objects) {
     nlohmann::ordered_json entry = {{"name", object.name}};
     entry.update(diff_json(object.report));
-    entry["stages"] = stages_json(object.log.stages());
+    entry["stages"] = stages_json(object.report.stages);
     list.push_back(entry);
   }
   return {{"faces", faces},
@@ -69,22 +69,19 @@ int run_diff(const DiffArguments& options) {
   request.faces = options.faces;
   request.engines = parse_engines(options.engines, "--engines");
   request.seed = options.global.seed;
-  request.stop = &interrupted();
-  request.progress = [&](Engine, std::size_t left, std::size_t at_start) {
-    progress("removing halfspaces", at_start - left, at_start - options.faces);
-  };
+  request.watch = progress.watch();
   const std::vector<SceneObject> scene =
       log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
   std::vector<DiffedObject> objects;
   for (const SceneObject& source : scene) {
-    StageLog own(progress.watch());
-    DiffOutcome outcome = diff_engines(source.shape, request, own);
+    DiffOutcome outcome = diff_engines(source.shape, request);
     if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
       progress.clear();
       return report_not_solid(options.global, source.name, of_typed_rows(*reason, source.rows));
     }
-    log.add(own);
-    objects.push_back({source.name, std::get<DiffReport>(std::move(outcome)), own});
+    auto& report = std::get<DiffReport>(outcome);
+    log.add(report.stages);
+    objects.push_back({source.name, std::move(report)});
   }
   progress.clear();
   const bool explained = std::all_of(objects.begin(), objects.end(),

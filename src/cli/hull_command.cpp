@@ -11,6 +11,7 @@
 #include "cli/scene.hpp"
 #include "io/json.hpp"
 #include "scene/result_json.hpp"
+#include "scene/stage_log.hpp"
 #include "scene/summary.hpp"
 
 namespace convexact::cli {
@@ -37,7 +38,6 @@ struct HullArguments {
 struct MeasuredObject {
   SceneObject source;
   HullResult result;
-  StageLog log;
 };
 
 nlohmann::ordered_json document_of(const std::vector<MeasuredObject>& objects, int digits) {
@@ -45,7 +45,7 @@ nlohmann::ordered_json document_of(const std::vector<MeasuredObject>& objects, i
   for (const MeasuredObject& object : objects) {
     nlohmann::ordered_json entry = {{"name", object.source.name}};
     entry.update(hull_json(object.result, digits));
-    entry["stages"] = stages_json(object.log.stages());
+    entry["stages"] = stages_json(object.result.stages);
     list.push_back(entry);
   }
   return objects.size() == 1 ? list[0] : nlohmann::ordered_json{{"objects", list}};
@@ -94,22 +94,19 @@ int run_hull(const HullArguments& options) {
     throw Error(ErrorCode::InvalidArgument, "--exact-values: --measures leaves the volume out");
   }
   request.seed = options.global.seed;
-  request.progress = [&progress](const char* stage, std::size_t done, std::size_t total) {
-    progress(stage, done, total);
-  };
+  request.watch = progress.watch();
   request.store = options.output.store_request();
   std::vector<MeasuredObject> objects;
   for (SceneObject& source : scene) {
-    StageLog own(progress.watch());
-    HullReport outcome = measure_hull(source.shape, request, own);
+    HullReport outcome = measure_hull(source.shape, request);
     if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
       progress.clear();
       return report_not_solid(options.global, source.name, of_typed_rows(*reason, source.rows));
     }
-    log.add(own);
     auto& result = std::get<HullResult>(outcome);
+    log.add(result.stages);
     to_typed_rows(result.redundant, source.rows);
-    objects.push_back({std::move(source), std::move(result), own});
+    objects.push_back({std::move(source), std::move(result)});
   }
   std::vector<OutputObject> outputs;
   for (const MeasuredObject& object : objects) {

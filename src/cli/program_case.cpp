@@ -15,8 +15,9 @@ namespace {
 std::optional<std::string> violation_of(const ProgramCase& program, const Shape& input,
                                         const std::string& output) {
   if (!std::filesystem::exists(output)) return "no output";
-  StageLog log(StageWatch{.begins = {}, .stop = &interrupted()});
-  const VerifyOutcome outcome = verify(input, read_candidate(output), program.verify, log);
+  VerifyRequest request = program.verify;
+  request.watch.stop = &interrupted();
+  const VerifyOutcome outcome = verify(input, read_candidate(output), request);
   const auto* verdict = std::get_if<Verdict>(&outcome);
   if (verdict == nullptr) return std::nullopt;  // flat: there is nothing to enclose
   for (const Claim& claim : verdict->claims) {

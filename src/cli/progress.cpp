@@ -45,22 +45,17 @@ void Progress::clear() {
   painter_.join();
 }
 
-void Progress::operator()(const char* what, std::size_t done, std::size_t total) {
+void Progress::operator()(const std::string& what, std::size_t done, std::size_t total) {
   if (!is_shown_) return;
-  if (counted_ != what) {
-    counted_ = what;
-    begin(what);
-  }
+  if (what_ != what) begin(what);
   total_ = total;
   done_ = done;
 }
 
 StageWatch Progress::watch() {
-  return {.begins =
-              [this](const std::string& name) {
-                counted_ = nullptr;
-                begin(name);
-              },
+  return {.begins = [this](const std::string& stage) { begin(stage); },
+          .progress = [this](const std::string& stage, std::size_t done,
+                             std::size_t total) { (*this)(stage, done, total); },
           .stop = &interrupted()};
 }
 

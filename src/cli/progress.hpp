@@ -22,7 +22,7 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   /// `done` of `total` in what began with the first such call under that name.
-  void operator()(const char* what, std::size_t done, std::size_t total);
+  void operator()(const std::string& what, std::size_t done, std::size_t total);
   /// Removes the line for good.
   void clear();
   /// Stages show as they begin; an interrupt ends them. Must not outlive this.
@@ -42,7 +42,6 @@ class Progress {
   std::string what_;
   Clock::time_point began_ = Clock::now();
   std::atomic<std::size_t> done_ = 0, total_ = 0;  // set far more often than they are read
-  const char* counted_ = nullptr;
   std::thread painter_;
 };
 

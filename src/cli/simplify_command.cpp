@@ -12,6 +12,7 @@
 #include "cli/scene.hpp"
 #include "io/json.hpp"
 #include "scene/result_json.hpp"
+#include "scene/stage_log.hpp"
 #include "scene/summary.hpp"
 
 namespace convexact::cli {
@@ -80,14 +81,12 @@ SimplifyRequest request_of(const SimplifyArguments& options) {
   request.seed = options.global.seed;
   request.store = options.output.store_request();
   request.exact_volumes = options.exact_values;
-  request.stop = &interrupted();
   return request;
 }
 
 struct SimplifiedObject {
   SceneObject source;
   SimplifyResult result;
-  StageLog log;
 };
 
 nlohmann::ordered_json document_of(const std::vector<SimplifiedObject>& objects,
@@ -101,7 +100,7 @@ nlohmann::ordered_json document_of(const std::vector<SimplifiedObject>& objects,
   for (const SimplifiedObject& object : objects) {
     nlohmann::ordered_json entry = {{"name", object.source.name}};
     entry.update(result_json(object.result));
-    entry["stages"] = stages_json(object.log.stages());
+    entry["stages"] = stages_json(object.result.stages);
     list.push_back(entry);
   }
   return {{"objects", list}, {"stages", stages_json(log.stages())}};
@@ -140,21 +139,18 @@ int run_simplify(const SimplifyArguments& options) {
   std::vector<SceneObject> scene =
       log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
   options.output.require_room_for(scene.size());
-  request.progress = [&](std::size_t left, std::size_t at_start) {
-    progress("removing halfspaces", at_start - left, at_start - request.faces.value_or(4));
-  };
+  request.watch = progress.watch();
   std::vector<SimplifiedObject> objects;
   for (SceneObject& source : scene) {
-    StageLog own(progress.watch());
-    SimplifyOutcome outcome = simplify(source.shape, request, own);
+    SimplifyOutcome outcome = simplify(source.shape, request);
     if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
       progress.clear();
       return report_not_solid(options.global, source.name, of_typed_rows(*reason, source.rows));
     }
-    log.add(own);
     auto& result = std::get<SimplifyResult>(outcome);
+    log.add(result.stages);
     to_typed_rows(result.redundant, source.rows);
-    objects.push_back({std::move(source), std::move(result), own});
+    objects.push_back({std::move(source), std::move(result)});
   }
   const OutputFiles files =
       log.run("write", StageKind::Io, [&] { return files_of(objects, options.output); });

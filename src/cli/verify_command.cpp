@@ -16,6 +16,7 @@
 #include "oracle/verdict_json.hpp"
 #include "oracle/verdict_table.hpp"
 #include "scene/result_json.hpp"
+#include "scene/stage_log.hpp"
 #include "scene/summary.hpp"
 
 namespace convexact::cli {
@@ -86,7 +87,7 @@ VerifyRequest verify_request(const VerifyArguments& options, const Promise& prom
 
 int run_verify_candidate(const VerifyArguments& options) {
   const Promise promise = promise_of(options);
-  const VerifyRequest request = verify_request(options, promise);
+  VerifyRequest request = verify_request(options, promise);
   if (options.input == "-" && options.candidate == "-") {
     throw Error(ErrorCode::InvalidArgument, "standard input, -, can be read only once");
   }
@@ -98,12 +99,14 @@ int run_verify_candidate(const VerifyArguments& options) {
   });
   const Candidate candidate = log.run("read candidate", StageKind::Io,
                                       [&] { return read_candidate(options.candidate, decimal); });
-  const VerifyOutcome outcome = verify(input.shape, candidate, request, log);
+  request.watch = progress.watch();
+  const VerifyOutcome outcome = verify(input.shape, candidate, request);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
     progress.clear();
     return report_not_solid(options.global, input.name, of_typed_rows(*reason, input.rows));
   }
   const auto& verdict = std::get<Verdict>(outcome);
+  log.add(verdict.stages);
   progress.clear();
   if (options.global.json) {
     nlohmann::ordered_json document = {{"input", input.name}, {"file", options.candidate}};

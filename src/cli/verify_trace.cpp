@@ -9,6 +9,7 @@
 #include "oracle/removal_order_file.hpp"
 #include "oracle/trace_verdict.hpp"
 #include "scene/result_json.hpp"
+#include "scene/solid.hpp"
 #include "scene/summary.hpp"
 
 namespace convexact::cli {

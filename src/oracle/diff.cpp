@@ -6,6 +6,7 @@
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
 #include "oracle/greedy_check.hpp"
+#include "scene/solid.hpp"
 
 namespace convexact {
 namespace {
@@ -43,10 +44,11 @@ std::vector<EngineRun> run_engines(const DualHull& solid, const RationalPoint& c
     options.faces = request.faces;
     options.seed = request.seed;
     options.verify = VerifyLevel::None;
-    options.stop = request.stop;
-    if (request.progress) {
+    options.stop = request.watch.stop;
+    if (request.watch.progress) {
       options.progress = [&, engine](std::size_t left) {
-        request.progress(engine, left, solid.halfspaces.size());
+        const std::size_t at_start = solid.halfspaces.size();
+        request.watch.progress(stage_name(engine), at_start - left, at_start - request.faces);
       };
     }
     runs.push_back(log.run(stage_name(engine),
@@ -78,7 +80,7 @@ void swap_sides(std::vector<Divergence>& divergences) {
 std::vector<Divergence> later_divergences(const DualHull& solid, const RationalPoint& center,
                                           const EngineRun& run, std::size_t first,
                                           const DiffRequest& request) {
-  std::vector<Divergence> found = check_greedy(solid, center, run, request.stop);
+  std::vector<Divergence> found = check_greedy(solid, center, run, request.watch.stop);
   std::erase_if(found, [&](const Divergence& divergence) { return divergence.step <= first; });
   return found;
 }
@@ -123,8 +125,9 @@ bool DiffReport::holds() const {
                      [](const Comparison& comparison) { return comparison.explained; });
 }
 
-DiffOutcome diff_engines(const Shape& shape, const DiffRequest& request, StageLog& log) {
+DiffOutcome diff_engines(const Shape& shape, const DiffRequest& request) {
   require_sensible(request);
+  StageLog log(request.watch);
   SolidOutcome outcome = make_solid(shape, request.seed, true, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   auto& solid = std::get<Solid>(outcome);
@@ -138,6 +141,7 @@ DiffOutcome diff_engines(const Shape& shape, const DiffRequest& request, StageLo
         compare(solid.dual, center, report.runs[0], report.runs[k], request, log));
   }
   report.halfspaces = std::move(solid.dual.halfspaces);
+  report.stages = log.stages();
   return report;
 }
 

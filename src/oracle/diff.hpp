@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // diff.hpp - compares engines on one shape.
 #pragma once
-#include <atomic>
-#include <functional>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -18,9 +16,7 @@ struct DiffRequest {
   /// At least two, all different; the others are compared with the first.
   std::vector<Engine> engines = {Engine::Exact, Engine::Filtered, Engine::Float};
   std::uint64_t seed = 1;  ///< Of every random order. The answer is the same.
-  /// Called after each removal with the engine and the number of halfspaces left and at the start.
-  std::function<void(Engine engine, std::size_t left, std::size_t at_start)> progress;
-  const std::atomic<bool>* stop = nullptr;  ///< When it becomes true: Error Stopped.
+  StageWatch watch = {};   ///< Removals are told as the progress of each engine's stage.
 };
 
 /// One engine against the reference.
@@ -45,6 +41,7 @@ struct DiffReport {
   std::vector<Halfspace> halfspaces;  ///< Of the input, in canonical order; ids are positions.
   std::vector<EngineRun> runs;        ///< In the order asked for.
   std::vector<Comparison> comparisons;
+  std::vector<Stage> stages;
 
   /// Whether every difference is explained.
   bool holds() const;
@@ -56,7 +53,6 @@ using DiffOutcome = std::variant<DiffReport, NotSolid>;
 /// verified in addition: the comparison is the verification. The filtered engine keeps its record,
 /// costs and tie lists, only if the exact one runs too: no other engine has one to compare it with.
 /// @throws Error InvalidArgument for an invalid request; Stopped; Internal.
-[[nodiscard]] DiffOutcome diff_engines(const Shape& shape, const DiffRequest& request,
-                                       StageLog& log);
+[[nodiscard]] DiffOutcome diff_engines(const Shape& shape, const DiffRequest& request);
 
 }  // namespace convexact

@@ -4,6 +4,7 @@
 #include "convexact/verify.hpp"
 #include "convexact/watch.hpp"
 #include "oracle/mesh_surface.hpp"
+#include "scene/stage_log.hpp"
 
 namespace convexact::oracle {
 

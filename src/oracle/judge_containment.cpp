@@ -12,6 +12,7 @@
 #include "oracle/excess.hpp"
 #include "oracle/judge.hpp"
 #include "oracle/support_program.hpp"
+#include "scene/solid.hpp"
 
 namespace convexact::oracle {
 namespace {
@@ -142,7 +143,7 @@ void find_solid(const Candidate& candidate, CandidateSet& set, const Docket& doc
     if (set.hull) set.polytope = to_polytope(*set.hull, mesh->points);
     return;
   }
-  StageLog within(StageWatch{.begins = {}, .stop = log.watch().stop});
+  StageLog within(StageWatch{.stop = log.watch().stop});
   auto outcome = log.run("candidate's vertices",
                          [&] { return make_polytope(set.planes, docket.request.seed, within); });
   if (auto* solid = std::get_if<Polytope>(&outcome)) set.polytope = std::move(*solid);

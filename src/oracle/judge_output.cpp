@@ -10,6 +10,7 @@
 #include "convexact/simplify.hpp"
 #include "convexact/verify.hpp"
 #include "oracle/conformance_judge.hpp"
+#include "scene/solid.hpp"
 
 namespace convexact::oracle {
 namespace {
@@ -70,8 +71,7 @@ Rational greedy_volume(const Case& c, std::size_t faces) {
   SimplifyRequest request;
   request.faces = faces;
   request.exact_volumes = true;
-  StageLog log;
-  const SimplifyOutcome outcome = simplify(c.given.points, request, log);
+  const SimplifyOutcome outcome = simplify(c.given.points, request);
   return std::get<SimplifyResult>(outcome).output_volume.exact.value();
 }
 
@@ -227,8 +227,9 @@ Conformance judge_output(const TestVector& vector, const Promise& promise, const
   const auto* points = std::get_if<PointSet>(&vector.input);
   const Shape input =
       points != nullptr ? Shape(*points) : Shape(std::get<HalfspaceList>(vector.input).halfspaces);
-  StageLog log(StageWatch{.begins = {}, .stop = stop});
-  VerifyOutcome outcome = verify(input, output, request_of(vector, promise), log);
+  VerifyRequest request = request_of(vector, promise);
+  request.watch.stop = stop;
+  VerifyOutcome outcome = verify(input, output, request);
   Case c{
       vector,           promise, output, std::move(*given), std::get<Verdict>(std::move(outcome)),
       solid_of(output), {}};

@@ -4,6 +4,7 @@
 
 #include "convexact/number.hpp"
 #include "oracle/judge.hpp"
+#include "scene/solid.hpp"
 #include "stored/double_halfspace.hpp"
 
 namespace convexact::oracle {
@@ -106,7 +107,7 @@ CandidateSet judge_mesh_set(const Mesh& mesh, Docket& docket, StageLog& log) {
   CandidateSize& size = docket.verdict.size;
   size.stored_faces = mesh.polygons.size();
   size.stored_vertices = mesh.points.size();
-  StageLog within(StageWatch{.begins = {}, .stop = log.watch().stop});
+  StageLog within(StageWatch{.stop = log.watch().stop});
   auto outcome = log.run("candidate's hull",
                          [&] { return make_hull(mesh.points, docket.request.seed, true, within); });
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
@@ -144,7 +145,7 @@ CandidateSet judge_halfspace_set(const HalfspaceList& list, Docket& docket, Stag
     log.skip("candidate's vertices", "only its planes were asked about");
     return set;
   }
-  StageLog within(StageWatch{.begins = {}, .stop = log.watch().stop});
+  StageLog within(StageWatch{.stop = log.watch().stop});
   auto outcome = log.run("candidate's vertices", [&] {
     return make_polytope(list.halfspaces, docket.request.seed, within);
   });

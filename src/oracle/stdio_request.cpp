@@ -234,12 +234,12 @@ class TimeLimit {
   std::thread waiter_;
 };
 
-VerifyOutcome verify_in_time(const PointSet& input, const Candidate& candidate,
-                             const VerifyRequest& asked, std::optional<double> seconds) {
+VerifyOutcome verify_in_time(const PointSet& input, const Candidate& candidate, VerifyRequest asked,
+                             std::optional<double> seconds) {
   const TimeLimit limit(seconds);
-  StageLog log(StageWatch{.begins = {}, .stop = &limit.is_over()});
+  asked.watch.stop = &limit.is_over();
   try {
-    return verify(input, candidate, asked, log);
+    return verify(input, candidate, asked);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::Stopped) throw;
     throw Error(ErrorCode::Stopped,

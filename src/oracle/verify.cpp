@@ -6,6 +6,7 @@
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
 #include "oracle/judge.hpp"
+#include "scene/solid.hpp"
 
 namespace convexact {
 namespace {
@@ -14,7 +15,7 @@ using namespace oracle;
 
 std::variant<Input, NotSolid> input_of_points(const PointSet& points, std::uint64_t seed,
                                               StageLog& log) {
-  StageLog within(StageWatch{.begins = {}, .stop = log.watch().stop});
+  StageLog within(StageWatch{.stop = log.watch().stop});
   auto outcome = log.run("input's hull", [&] { return make_hull(points, seed, true, within); });
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   const auto& hull = std::get<Hull>(outcome);
@@ -26,7 +27,7 @@ std::variant<Input, NotSolid> input_of(const Shape& shape, std::uint64_t seed, S
   if (const auto* points = std::get_if<PointSet>(&shape)) {
     return input_of_points(*points, seed, log);
   }
-  StageLog within(StageWatch{.begins = {}, .stop = log.watch().stop});
+  StageLog within(StageWatch{.stop = log.watch().stop});
   SolidOutcome outcome =
       log.run("input's vertices", [&] { return make_solid(shape, seed, true, within); });
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
@@ -91,12 +92,12 @@ bool Verdict::holds() const {
   });
 }
 
-VerifyOutcome verify(const Shape& shape, const Candidate& candidate, const VerifyRequest& request,
-                     StageLog& log) {
+VerifyOutcome verify(const Shape& shape, const Candidate& candidate, const VerifyRequest& request) {
   if (request.tolerance.value < 0) {
     throw Error(ErrorCode::InvalidArgument, "a tolerance cannot be negative");
   }
   require_numbers(request);
+  StageLog log(request.watch);
   auto made = input_of(shape, request.seed, log);
   if (const auto* reason = std::get_if<NotSolid>(&made)) return *reason;
   const auto& input = std::get<Input>(made);
@@ -104,6 +105,7 @@ VerifyOutcome verify(const Shape& shape, const Candidate& candidate, const Verif
   verdict.squared_diameter = input.squared_diameter;
   Docket docket(request, verdict);
   judge(input, candidate, docket, log);
+  verdict.stages = log.stages();
   return verdict;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "convexact/shapes.hpp"
+#include "scene/solid.hpp"
 
 namespace convexact {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/run.hpp"
+#include "convexact/watch.hpp"
 #include "report/statistics.hpp"
 
 namespace convexact {
@@ -42,16 +43,24 @@ class Deadline {
 
   bool has_passed() const { return watch_.seconds() > effort_.budget; }
   bool is_interrupted() const { return effort_.stop != nullptr && *effort_.stop; }
-  /// Makes a run end with Error Stopped soon after the time is up.
+  /// Makes a request end with Error Stopped soon after the time is up.
+  StageWatch watch() {
+    return {.progress = [this](const std::string&, std::size_t done,
+                               std::size_t) { look_at_the_clock(done); },
+            .stop = &ring_};
+  }
+  /// The same for an engine.
   void apply_to(SimplifyOptions& options) {
     options.stop = &ring_;
-    // The clock is read too seldom to be seen in the times of the quickest engine.
-    options.progress = [this](std::size_t left) {
-      if (left % 64 == 0 && (has_passed() || is_interrupted())) ring_ = true;
-    };
+    options.progress = [this](std::size_t left) { look_at_the_clock(left); };
   }
 
  private:
+  // Read too seldom to be seen in the times of the quickest engine.
+  void look_at_the_clock(std::size_t step) {
+    if (step % 64 == 0 && (has_passed() || is_interrupted())) ring_ = true;
+  }
+
   const Effort& effort_;
   Stopwatch watch_;
   std::atomic<bool> ring_ = false;

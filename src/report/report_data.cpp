@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "report/report_data.hpp"
 
+#include "scene/solid.hpp"
+
 namespace convexact {
 namespace {
 

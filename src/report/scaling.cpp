@@ -16,8 +16,8 @@ struct Sample {
   Spread hull, simplify;
 };
 
-double seconds_of(const StageLog& log, const std::string& name) {
-  for (const Stage& stage : log.stages()) {
+double seconds_of(const std::vector<Stage>& stages, const std::string& name) {
+  for (const Stage& stage : stages) {
     if (stage.name == name && stage.skipped.empty()) return stage.seconds;
   }
   return 0;
@@ -28,21 +28,17 @@ std::optional<Sample> sample(const PointSet& points, Engine engine, const Effort
   std::vector<double> hull, removals;
   Sample result;
   const auto whole = time_repeatedly(effort, [&](Deadline& deadline) {
-    SimplifyOptions options;
-    deadline.apply_to(options);
     SimplifyRequest request;
     request.faces = 4;
     request.engine = engine;
     request.seed = effort.seed;
-    request.stop = options.stop;
-    request.progress = [&](std::size_t left, std::size_t) { options.progress(left); };
-    StageLog log;
-    const SimplifyOutcome outcome = simplify(points, request, log);
+    request.watch = deadline.watch();
+    const SimplifyOutcome outcome = simplify(points, request);
     const auto* solid = std::get_if<SimplifyResult>(&outcome);
     if (solid == nullptr) return;
     result.halfspaces = solid->input_halfspaces;
-    hull.push_back(seconds_of(log, "hull"));
-    removals.push_back(seconds_of(log, "simplify"));
+    hull.push_back(seconds_of(solid->stages, "hull"));
+    removals.push_back(seconds_of(solid->stages, "simplify"));
   });
   if (!whole || hull.empty()) return std::nullopt;
   result.points = points.size();

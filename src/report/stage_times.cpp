@@ -5,6 +5,7 @@
 #include <map>
 
 #include "convexact/measure.hpp"
+#include "scene/solid.hpp"
 
 namespace convexact {
 namespace {
@@ -37,29 +38,25 @@ class Collected {
   std::map<std::string, std::vector<double>> times_;
 };
 
-// Times one kind of run; `work` runs it and fills the log.
+// Times one kind of run; `work` runs it and returns its stages.
 template <class Work>
 RunTimes measure(const std::string& run, const Effort& effort, Work&& work) {
   if (effort.progress) effort.progress("stages of " + run);
   Collected collected;
   RunTimes times{run, {}, {}};
-  times.seconds = time_repeatedly(effort, [&](Deadline& deadline) {
-    StageLog log;
-    work(deadline, log);
-    collected.add(log.stages());
-  });
+  times.seconds =
+      time_repeatedly(effort, [&](Deadline& deadline) { collected.add(work(deadline)); });
   if (times.seconds) times.stages = collected.result();
   return times;
 }
 
 SimplifyRequest request_for(Engine engine, std::size_t faces, const Effort& effort,
-                            const SimplifyOptions& options) {
+                            Deadline& deadline) {
   SimplifyRequest request;
   request.faces = faces;
   request.engine = engine;
   request.seed = effort.seed;
-  request.stop = options.stop;
-  request.progress = [&options](std::size_t left, std::size_t) { options.progress(left); };
+  request.watch = deadline.watch();
   return request;
 }
 
@@ -75,14 +72,17 @@ void run_the_rest(const Shape& shape, const SimplifyResult& result, const Effort
   });
 }
 
-void run_everything(const Shape& shape, SimplifyRequest request, const Effort& effort,
-                    StageLog& log) {
+std::vector<Stage> run_everything(const Shape& shape, SimplifyRequest request,
+                                  const Effort& effort) {
   request.trace = request.record = request.exact_volumes = true;
   request.store = {Precision::Binary64, Precision::Binary64};
-  const SimplifyOutcome outcome = simplify(shape, request, log);
+  const SimplifyOutcome outcome = simplify(shape, request);
+  StageLog log;
   if (const auto* result = std::get_if<SimplifyResult>(&outcome)) {
+    log.add(result->stages);
     run_the_rest(shape, *result, effort, log);
   }
+  return log.stages();
 }
 
 }  // namespace
@@ -93,16 +93,14 @@ std::vector<RunTimes> measure_stage_times(const Shape& shape, std::size_t faces,
   const std::pair<const char*, Engine> engines[] = {
       {"float", Engine::Float}, {"filtered", Engine::Filtered}, {"exact", Engine::Exact}};
   for (const auto& [name, engine] : engines) {
-    list.push_back(measure(name, effort, [&, engine = engine](Deadline& deadline, StageLog& log) {
-      SimplifyOptions options;
-      deadline.apply_to(options);
-      (void)simplify(shape, request_for(engine, faces, effort, options), log);
+    list.push_back(measure(name, effort, [&, engine = engine](Deadline& deadline) {
+      const auto outcome = simplify(shape, request_for(engine, faces, effort, deadline));
+      const auto* result = std::get_if<SimplifyResult>(&outcome);
+      return result == nullptr ? std::vector<Stage>() : result->stages;
     }));
   }
-  list.push_back(measure("everything", effort, [&](Deadline& deadline, StageLog& log) {
-    SimplifyOptions options;
-    deadline.apply_to(options);
-    run_everything(shape, request_for(Engine::Filtered, faces, effort, options), effort, log);
+  list.push_back(measure("everything", effort, [&](Deadline& deadline) {
+    return run_everything(shape, request_for(Engine::Filtered, faces, effort, deadline), effort);
   }));
   return list;
 }

@@ -9,6 +9,7 @@
 #include "convexact/scene.hpp"
 #include "fast/filtered_engine.hpp"
 #include "report/error_size.hpp"
+#include "scene/solid.hpp"
 
 namespace convexact {
 namespace {

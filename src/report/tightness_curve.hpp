@@ -6,6 +6,7 @@
 
 #include "convexact/scene.hpp"
 #include "report/effort.hpp"
+#include "scene/solid.hpp"
 
 namespace convexact {
 

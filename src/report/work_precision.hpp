@@ -9,6 +9,7 @@
 #include "fast/rounded_dual.hpp"
 #include "report/effort.hpp"
 #include "report/error_size.hpp"
+#include "scene/solid.hpp"
 
 namespace convexact {
 

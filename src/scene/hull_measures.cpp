@@ -4,6 +4,7 @@
 #include "convexact/number.hpp"
 #include "convexact/simplify.hpp"
 #include "number/refine.hpp"
+#include "scene/solid.hpp"
 
 namespace convexact {
 namespace {
@@ -41,17 +42,11 @@ SolidOutcome solid_to_measure(const Shape& shape, std::uint64_t seed, StageLog& 
 // Each measure that is asked for, as a stage of its own.
 void add_measures(HullResult& result, const HullRequest& request, StageLog& log) {
   const Polytope& hull = result.solid.exact;
-  const auto watch_of = [&](const char* name) {
-    if (!request.progress) return Watch(log.watch().stop);
-    return Watch(log.watch().stop, [&request, name](std::size_t done, std::size_t total) {
-      request.progress(name, done, total);
-    });
-  };
   const auto run = [&](const char* name, bool is_asked, const auto& compute) {
     std::optional<Measured> measured;
     if (is_asked) {
       measured = log.run(name, [&] {
-        const Watch watch = watch_of(name);
+        const Watch watch = log.watch(name);
         return measure([&](long bits) { return compute(bits, watch); }, request.digits);
       });
     } else {
@@ -75,10 +70,11 @@ void add_measures(HullResult& result, const HullRequest& request, StageLog& log)
 
 }  // namespace
 
-HullReport measure_hull(const Shape& shape, const HullRequest& request, StageLog& log) {
+HullReport measure_hull(const Shape& shape, const HullRequest& request) {
   if (request.digits < 1 || request.digits > kMostDigits) {
     throw Error(ErrorCode::InvalidArgument, "digits: expected 1 to " + std::to_string(kMostDigits));
   }
+  StageLog log(request.watch);
   SolidOutcome outcome = solid_to_measure(shape, request.seed, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   auto& made = std::get<Solid>(outcome);
@@ -89,16 +85,18 @@ HullReport measure_hull(const Shape& shape, const HullRequest& request, StageLog
   for (const auto& facet : made.polytope.facets) corners += facet.size();
   StoredSolid stored =
       store(std::move(made.polytope), made.points, made.extreme, request.store, log);
-  HullResult result{made.input_points,
-                    std::move(made.redundant),
-                    std::move(stored),
-                    corners / 2,
-                    box,
-                    diameter,
-                    {},
-                    {},
-                    {}};
+  HullResult result{.input_points = made.input_points,
+                    .redundant = std::move(made.redundant),
+                    .solid = std::move(stored),
+                    .edges = corners / 2,
+                    .box = box,
+                    .diameter = diameter,
+                    .volume = {},
+                    .area = {},
+                    .mean_width = {},
+                    .stages = {}};
   add_measures(result, request, log);
+  result.stages = log.stages();
   return result;
 }
 

@@ -14,6 +14,7 @@
 #include "fast/checks.hpp"
 #include "fast/filtered_engine.hpp"
 #include "fast/float_engine.hpp"
+#include "scene/solid.hpp"
 #include "simplify/exact_engine.hpp"
 #include "simplify/replay.hpp"
 
@@ -43,9 +44,11 @@ SimplifyOptions options_of(const SimplifyRequest& request, std::size_t at_start)
   options.seed = request.seed;
   options.verify = request.verify;
   options.keep_evaluations = request.record;
-  options.stop = request.stop;
-  if (request.progress) {
-    options.progress = [&request, at_start](std::size_t left) { request.progress(left, at_start); };
+  options.stop = request.watch.stop;
+  if (request.watch.progress) {
+    options.progress = [&request, at_start, faces = options.faces](std::size_t left) {
+      request.watch.progress("simplify", at_start - left, at_start - faces);
+    };
   }
   return options;
 }
@@ -233,21 +236,22 @@ SimplifyResult finish(Reference reference, Run run, const SimplifyRequest& reque
       verify_containment(reference.points, run.polytope, request.verify, log);
   StoredSolid stored =
       store(std::move(run.polytope), reference.points, reference.extreme, request.store, log);
-  return SimplifyResult{reference.input_points,
-                        reference.extreme.size(),
-                        std::move(reference.redundant),
-                        run.halfspaces,
-                        run.steps,
-                        run.stop,
-                        std::move(run.trace),
-                        {},
-                        std::move(stored),
-                        std::move(reference.volume),
-                        std::move(output_volume),
-                        tested,
-                        request.engine,
-                        request.verify,
-                        run.bound};
+  return SimplifyResult{.input_points = reference.input_points,
+                        .hull_vertices = reference.extreme.size(),
+                        .redundant = std::move(reference.redundant),
+                        .input_halfspaces = run.halfspaces,
+                        .steps = run.steps,
+                        .stop = run.stop,
+                        .trace = std::move(run.trace),
+                        .record = {},
+                        .solid = std::move(stored),
+                        .input_volume = std::move(reference.volume),
+                        .output_volume = std::move(output_volume),
+                        .tested_points = tested,
+                        .engine = request.engine,
+                        .verified = request.verify,
+                        .float_bound = run.bound,
+                        .stages = log.stages()};
 }
 
 // Points, without a record of the steps: exact planes are formed for the remaining halfspaces only.
@@ -290,8 +294,9 @@ SimplifyOutcome simplify_solid(const Shape& shape, const SimplifyRequest& reques
 
 }  // namespace
 
-SimplifyOutcome simplify(const Shape& shape, const SimplifyRequest& request, StageLog& log) {
+SimplifyOutcome simplify(const Shape& shape, const SimplifyRequest& request) {
   require_sensible(request);
+  StageLog log(request.watch);
   const bool record = request.engine == Engine::Exact || request.trace ||
                       request.verify == VerifyLevel::Full ||
                       (request.record && request.engine != Engine::Float);

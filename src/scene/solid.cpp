@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "scene/solid.hpp"
+
 #include <numeric>
 
 #include "convexact/error.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "convexact/scene.hpp"
+#include "scene/solid.hpp"
 
 namespace convexact {
 

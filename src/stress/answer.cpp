@@ -10,6 +10,7 @@
 #include "convexact/io.hpp"
 #include "fast/filtered_engine.hpp"
 #include "fast/float_engine.hpp"
+#include "scene/solid.hpp"
 
 namespace convexact {
 namespace {
@@ -60,9 +61,8 @@ void take_trace(const Trace& trace, EngineAnswer& answer) {
 
 // The pipeline as users run it; the only part whose time is taken.
 Polytope run_pipeline(const Shape& shape, const SimplifyRequest& request, EngineAnswer& answer) {
-  StageLog log;
   const double start = processor_time();
-  SimplifyOutcome outcome = simplify(shape, request, log);
+  SimplifyOutcome outcome = simplify(shape, request);
   answer.seconds = processor_time() - start;
   auto* result = std::get_if<SimplifyResult>(&outcome);
   if (result == nullptr) {

@@ -8,6 +8,7 @@
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
 #include "oracle/removal_cost.hpp"
+#include "scene/solid.hpp"
 #include "stress/judge_float.hpp"
 #include "stress/judge_order.hpp"
 #include "stress/judge_stored.hpp"

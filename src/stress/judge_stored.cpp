@@ -53,8 +53,7 @@ StressStored judge_stored(const Shape& shape, const StoredBytes& stored) {
   const Candidate candidate = read_candidate_bytes(stored.bytes, planes ? "a.json" : "a.obj");
   VerifyRequest request;
   request.tightness = false;
-  StageLog log;
-  const VerifyOutcome outcome = verify(shape, candidate, request, log);
+  const VerifyOutcome outcome = verify(shape, candidate, request);
   const auto* verdict = std::get_if<Verdict>(&outcome);
   if (verdict == nullptr) {
     found.outcome = StressStored::Outcome::Wrong;

@@ -7,6 +7,7 @@
 #include "benches.hpp"
 #include "convexact/simplify.hpp"
 #include "peak_memory.hpp"
+#include "scene/stage_log.hpp"
 
 using namespace convexact;
 
@@ -22,7 +23,7 @@ void pipeline(benchmark::State& state, const std::vector<Point>& points, Engine 
   double facets = 1;
   for (auto _ : state) {
     log = StageLog();
-    const SimplifyOutcome outcome = simplify(shape, request, log);
+    const SimplifyOutcome outcome = simplify(shape, request);
     const auto& result = std::get<SimplifyResult>(outcome);
     state.counters["planes"] = static_cast<double>(result.solid.exact.planes.size());
     facets = static_cast<double>(result.input_halfspaces);

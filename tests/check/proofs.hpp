@@ -19,8 +19,7 @@ inline std::string proof_of(const convexact::Shape& shape, convexact::Engine eng
   request.faces = faces;
   request.record = true;
   request.store.planes = precision;
-  convexact::StageLog log;
-  const convexact::SimplifyOutcome outcome = convexact::simplify(shape, request, log);
+  const convexact::SimplifyOutcome outcome = convexact::simplify(shape, request);
   REQUIRE(std::holds_alternative<convexact::SimplifyResult>(outcome));
   const auto& result = std::get<convexact::SimplifyResult>(outcome);
   REQUIRE(result.record);

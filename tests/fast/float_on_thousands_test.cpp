@@ -34,9 +34,8 @@ std::optional<SimplifyResult> run_pipeline(const PointSet& points, std::size_t f
   request.engine = Engine::Float;
   request.seed = seed;
   request.store = store;
-  StageLog log;
   try {
-    return std::get<SimplifyResult>(simplify(points, request, log));
+    return std::get<SimplifyResult>(simplify(points, request));
   } catch (const Error& error) {
     REQUIRE_MESSAGE(error.code() == ErrorCode::Unrepresentable, error.what());
     return {};

@@ -9,6 +9,7 @@
 #include "oracle/confirm_costs.hpp"
 #include "oracle/judge.hpp"
 #include "polytope_by_definition.hpp"
+#include "scene/stage_log.hpp"
 #include "shapes/boxes.hpp"
 #include "simplify_points.hpp"
 

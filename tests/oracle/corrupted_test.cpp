@@ -108,8 +108,7 @@ void flip_bits(std::string& bytes, Random& random) {
 void check(const std::string& bytes, const std::string& path, const Points& input) {
   const Candidate candidate = read_candidate_bytes(bytes, path);
   const PointSet points(input);
-  StageLog log;
-  const VerifyOutcome outcome = verify(points, candidate, {}, log);
+  const VerifyOutcome outcome = verify(points, candidate, {});
   const auto& verdict = std::get<Verdict>(outcome);
   CHECK(definition::disagreement(verdict, candidate, points) == "");
 }

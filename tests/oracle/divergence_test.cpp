@@ -193,9 +193,8 @@ TEST_CASE("divergence: records are compared, and the definition says which one i
 }
 
 TEST_CASE("diff: engines agree on random points; a request must make sense") {
-  StageLog log;
   const Shape shape = PointSet(shapes::in_ball(60, 3));
-  const DiffOutcome outcome = diff_engines(shape, {}, log);
+  const DiffOutcome outcome = diff_engines(shape, {});
   const auto* report = std::get_if<DiffReport>(&outcome);
   REQUIRE(report != nullptr);
   CHECK(report->holds());
@@ -209,10 +208,10 @@ TEST_CASE("diff: engines agree on random points; a request must make sense") {
 
   DiffRequest request;
   request.faces = 3;
-  CHECK_THROWS((void)diff_engines(shape, request, log));
+  CHECK_THROWS((void)diff_engines(shape, request));
   request = {};
   request.engines = {Engine::Exact};
-  CHECK_THROWS((void)diff_engines(shape, request, log));
+  CHECK_THROWS((void)diff_engines(shape, request));
   request.engines = {Engine::Exact, Engine::Exact};
-  CHECK_THROWS((void)diff_engines(shape, request, log));
+  CHECK_THROWS((void)diff_engines(shape, request));
 }

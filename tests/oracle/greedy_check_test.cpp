@@ -120,8 +120,7 @@ TEST_CASE("diff: float runs on solids beyond doubles are explained") {
   for (const std::vector<Point>& points : inputs) {
     DiffRequest request;
     request.engines = {Engine::Filtered, Engine::Float};
-    StageLog log;
-    const DiffOutcome outcome = diff_engines(PointSet(points), request, log);
+    const DiffOutcome outcome = diff_engines(PointSet(points), request);
     CHECK(std::get<DiffReport>(outcome).holds());
   }
 }
@@ -134,8 +133,7 @@ TEST_CASE("diff: a float run is judged to its end on either side of a comparison
     DiffRequest request;
     request.engines = {Engine::Exact, Engine::Float};
     if (float_first) std::swap(request.engines[0], request.engines[1]);
-    StageLog log;
-    const DiffOutcome outcome = diff_engines(shape, request, log);
+    const DiffOutcome outcome = diff_engines(shape, request);
     const Comparison& comparison = std::get<DiffReport>(outcome).comparisons.at(0);
     CHECK(comparison.explained);
     CHECK_FALSE(comparison.with_records);

@@ -28,8 +28,7 @@ Verdict judge(const std::vector<Point>& input, const Candidate& candidate,
   VerifyRequest request;
   request.tightness = false;
   request.tolerance = parse_tolerance(tolerance);
-  StageLog log;
-  return std::get<Verdict>(verify(PointSet(input), candidate, request, log));
+  return std::get<Verdict>(verify(PointSet(input), candidate, request));
 }
 
 Verdict judge(const std::vector<Point>& input, const std::string& bytes,

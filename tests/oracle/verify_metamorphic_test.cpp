@@ -19,8 +19,7 @@ using Points = std::vector<Point>;
 Verdict judge(const Points& input, const Mesh& candidate, std::uint64_t seed = 1) {
   VerifyRequest request;
   request.seed = seed;
-  StageLog log;
-  return std::get<Verdict>(verify(PointSet(input), candidate, request, log));
+  return std::get<Verdict>(verify(PointSet(input), candidate, request));
 }
 
 Mesh cloud(Points points) {

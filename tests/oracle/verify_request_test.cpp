@@ -20,15 +20,9 @@ namespace {
 
 const std::string kCubeRows = "1 0 0 -1\n-1 0 0 -1\n0 1 0 -1\n0 -1 0 -1\n0 0 1 -1\n0 0 -1 -1\n";
 
-Verdict verdict_of(const std::string& bytes, const char* name, const VerifyRequest& request,
-                   StageLog& log) {
-  return std::get<Verdict>(
-      verify(PointSet(shapes::cube()), read_candidate_bytes(bytes, name), request, log));
-}
-
 Verdict verdict_of(const std::string& bytes, const char* name, const VerifyRequest& request = {}) {
-  StageLog log;
-  return verdict_of(bytes, name, request, log);
+  return std::get<Verdict>(
+      verify(PointSet(shapes::cube()), read_candidate_bytes(bytes, name), request));
 }
 
 }  // namespace
@@ -61,11 +55,10 @@ TEST_CASE("verify: whether halfspaces contain the input does not need their vert
   for (const ClaimCode also : {ContainsInput, CandidateSolid, CandidateBounded}) {
     CAPTURE(name_of(also));
     request.claims = {ContainsInput, also};
-    StageLog log;
-    const Verdict verdict = verdict_of(kCubeRows, "c.txt", request, log);
+    const Verdict verdict = verdict_of(kCubeRows, "c.txt", request);
     CHECK(verdict.holds());
     CHECK(verdict[ContainsInput].status == Status::Holds);
-    const auto skipped = std::any_of(log.stages().begin(), log.stages().end(), [](const auto& s) {
+    const auto skipped = std::any_of(verdict.stages.begin(), verdict.stages.end(), [](const auto& s) {
       return s.name == "candidate's vertices" && !s.skipped.empty();
     });
     CHECK(skipped == (also == ContainsInput));

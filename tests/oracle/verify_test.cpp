@@ -37,8 +37,7 @@ std::string corners(const std::string& a) {
 Verdict judge(const std::string& bytes, const std::string& name, VerifyRequest request = {},
               Decimal decimal = Decimal::Nearest) {
   const Candidate candidate = read_candidate_bytes(bytes, name, decimal);
-  StageLog log;
-  return std::get<Verdict>(verify(PointSet(shapes::cube()), candidate, request, log));
+  return std::get<Verdict>(verify(PointSet(shapes::cube()), candidate, request));
 }
 
 Verdict judge_obj(const std::string& bytes, VerifyRequest request = {}) {
@@ -124,9 +123,8 @@ TEST_CASE("verify: a tolerance bounds the distance to the solid, not to a plane 
         request.tolerance = parse_tolerance(tolerance);
         if (!all) request.claims = {ContainsInput};
         request.tightness = all;
-        StageLog log;
         const Candidate candidate = read_candidate_bytes(bytes, name);
-        return std::get<Verdict>(verify(PointSet(input), candidate, request, log));
+        return std::get<Verdict>(verify(PointSet(input), candidate, request));
       };
       const Verdict verdict = with("1e-6");
       const Claim& claim = verdict[ContainsInput];
@@ -323,13 +321,11 @@ TEST_CASE("verify: decimals by one rule for both files") {
     return std::get<Mesh>(read_candidate_bytes(corners("0.1"), "i.obj", decimal)).points;
   };
   for (const Decimal decimal : {Decimal::Nearest, Decimal::Exact}) {
-    StageLog log;
     const Candidate same = read_candidate_bytes(bytes + kQuads, "c.obj", decimal);
-    CHECK(std::get<Verdict>(verify(input(decimal), same, {}, log)).holds());
+    CHECK(std::get<Verdict>(verify(input(decimal), same, {})).holds());
   }
-  StageLog log;
   const Candidate spelled = read_candidate_bytes(bytes + kQuads, "c.obj", Decimal::Exact);
-  const VerifyOutcome mixed = verify(input(Decimal::Nearest), spelled, {}, log);
+  const VerifyOutcome mixed = verify(input(Decimal::Nearest), spelled, {});
   CHECK(is_only_violation(std::get<Verdict>(mixed), ContainsInput));
 }
 
@@ -338,9 +334,8 @@ TEST_CASE("verify: the input may be halfspaces, with vertices that are no double
   const HalfspaceList input = std::get<HalfspaceList>(
       read_candidate_bytes("-1 0 0 0\n0 -1 0 0\n0 0 -1 0\n3 3 3 -1\n", "i.txt"));
   const auto judge_it = [&](const std::string& bytes, const char* name, Decimal decimal) {
-    StageLog log;
     const Candidate candidate = read_candidate_bytes(bytes, name, decimal);
-    return std::get<Verdict>(verify(input.halfspaces, candidate, {}, log));
+    return std::get<Verdict>(verify(input.halfspaces, candidate, {}));
   };
   const std::string rows = "-1 0 0 0\n0 -1 0 0\n0 0 -1 0\n";
   CHECK(judge_it(rows + "3 3 3 -1\n", "c.txt", Decimal::Nearest).holds());
@@ -357,9 +352,8 @@ TEST_CASE("verify: the input may be halfspaces, with vertices that are no double
 
 TEST_CASE("verify: an input without volume is no verdict") {
   const Candidate candidate = read_candidate_bytes(corners("1") + kQuads, "c.obj");
-  StageLog log;
   const PointSet flat(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}});
-  CHECK(std::holds_alternative<NotSolid>(verify(flat, candidate, {}, log)));
+  CHECK(std::holds_alternative<NotSolid>(verify(flat, candidate, {})));
 }
 
 TEST_CASE("find_excess: the farthest pair, as the definition finds it") {

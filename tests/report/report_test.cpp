@@ -14,6 +14,7 @@
 #include "report/report_json.hpp"
 #include "report/report_page.hpp"
 #include "report/rounded_planes.hpp"
+#include "scene/solid.hpp"
 #include "shapes/extreme.hpp"
 #include "shapes/random_points.hpp"
 #include "shapes/solids.hpp"

@@ -28,8 +28,7 @@ std::optional<Verdict> verdict_of(const Points& points, const Candidate& candida
   VerifyRequest request;
   request.tightness = false;
   request.seed = seed;
-  StageLog log;
-  VerifyOutcome outcome = verify(PointSet(points), candidate, request, log);
+  VerifyOutcome outcome = verify(PointSet(points), candidate, request);
   if (!std::holds_alternative<Verdict>(outcome)) return {};
   return std::get<Verdict>(std::move(outcome));
 }

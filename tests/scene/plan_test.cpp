@@ -13,6 +13,7 @@
 #include "convexact/verify.hpp"
 #include "fast/filtered_engine.hpp"
 #include "fast/float_engine.hpp"
+#include "scene/solid.hpp"
 #include "shapes/boxes.hpp"
 #include "shapes/random_points.hpp"
 
@@ -23,8 +24,8 @@ namespace {
 /// How often each stage began.
 class Counter {
  public:
-  StageLog log() {
-    return StageLog(StageWatch{.begins = [this](const std::string& name) { ++begun_[name]; }});
+  StageWatch watch() {
+    return {.begins = [this](const std::string& name) { ++begun_[name]; }};
   }
   std::size_t operator[](const std::string& name) const {
     const auto found = begun_.find(name);
@@ -35,8 +36,8 @@ class Counter {
   std::map<std::string, std::size_t> begun_;
 };
 
-std::string reason_to_skip(const StageLog& log, const std::string& name) {
-  for (const Stage& stage : log.stages()) {
+std::string reason_to_skip(const std::vector<Stage>& stages, const std::string& name) {
+  for (const Stage& stage : stages) {
     if (stage.name == name) return stage.skipped;
   }
   return {};
@@ -45,7 +46,7 @@ std::string reason_to_skip(const StageLog& log, const std::string& name) {
 /// What a run needed.
 struct Plan {
   Counter counter;
-  StageLog log = counter.log();
+  std::vector<Stage> stages = {};
 };
 
 const PointSet& ball() {
@@ -60,9 +61,11 @@ SimplifyRequest request_for(Engine engine) {
   return request;
 }
 
-void simplify_in(Plan& plan, const Shape& shape, const SimplifyRequest& request) {
-  const SimplifyOutcome outcome = simplify(shape, request, plan.log);
+void simplify_in(Plan& plan, const Shape& shape, SimplifyRequest request) {
+  request.watch = plan.counter.watch();
+  const SimplifyOutcome outcome = simplify(shape, request);
   REQUIRE(std::holds_alternative<SimplifyResult>(outcome));
+  plan.stages = std::get<SimplifyResult>(outcome).stages;
 }
 
 std::vector<Halfspace> halfspaces_of_ball() {
@@ -75,7 +78,7 @@ void check_only(const std::string& stage, const Plan& needs, const Plan& needs_n
   CAPTURE(stage);
   CHECK(needs.counter[stage] > 0);
   CHECK(needs_not.counter[stage] == 0);
-  CHECK_FALSE(reason_to_skip(needs_not.log, stage).empty());
+  CHECK_FALSE(reason_to_skip(needs_not.stages, stage).empty());
 }
 
 }  // namespace
@@ -113,11 +116,12 @@ TEST_CASE("plan: simplify skips what was not requested") {
   check_only("store mesh", rich, bare);
 
   Plan hull;
-  REQUIRE(std::holds_alternative<HullResult>(measure_hull(ball(), {}, hull.log)));
+  REQUIRE(
+      std::holds_alternative<HullResult>(measure_hull(ball(), {.watch = hull.counter.watch()})));
   CHECK(hull.counter["area"] == 1);
   CHECK(hull.counter["mean width"] == 1);
   CHECK(bare.counter["area"] + bare.counter["mean width"] == 0);
-  CHECK_FALSE(reason_to_skip(bare.log, "area and mean width").empty());
+  CHECK_FALSE(reason_to_skip(bare.stages, "area and mean width").empty());
   CHECK(hull.counter["simplify"] + hull.counter["dual"] <= 1);
 }
 
@@ -142,10 +146,15 @@ TEST_CASE("plan: verify skips what its claims do not ask for") {
   }();
   Plan all, one;
   VerifyRequest request;
-  REQUIRE(std::holds_alternative<Verdict>(verify(ball(), candidate, request, all.log)));
+  const auto verify_in = [&](Plan& plan) {
+    request.watch = plan.counter.watch();
+    const VerifyOutcome outcome = verify(ball(), candidate, request);
+    plan.stages = std::get<Verdict>(outcome).stages;
+  };
+  verify_in(all);
   request.claims = {ClaimCode::ContainsInput};
   request.tightness = false;
-  REQUIRE(std::holds_alternative<Verdict>(verify(ball(), candidate, request, one.log)));
+  verify_in(one);
   check_only("tightness", all, one);
   check_only("candidate's vertices", all, one);
   CHECK(one.counter["containment"] == 1);

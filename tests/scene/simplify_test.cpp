@@ -25,16 +25,14 @@ SimplifyRequest request_for(std::size_t faces, Engine engine) {
 }
 
 SimplifyResult run(const Shape& shape, const SimplifyRequest& request) {
-  StageLog log;
-  SimplifyOutcome outcome = simplify(shape, request, log);
+  SimplifyOutcome outcome = simplify(shape, request);
   REQUIRE(std::holds_alternative<SimplifyResult>(outcome));
   return std::get<SimplifyResult>(std::move(outcome));
 }
 
 template <class Reason>
 void check_not_solid(const Shape& shape) {
-  StageLog log;
-  const SimplifyOutcome outcome = simplify(shape, request_for(4, Engine::Filtered), log);
+  const SimplifyOutcome outcome = simplify(shape, request_for(4, Engine::Filtered));
   REQUIRE(std::holds_alternative<NotSolid>(outcome));
   const NotSolid& reason = std::get<NotSolid>(outcome);
   CHECK(std::holds_alternative<Reason>(reason));
@@ -43,8 +41,8 @@ void check_not_solid(const Shape& shape) {
 
 Halfspace halfspace(int a, int b, int c, int d) { return {IntegerVector3(a, b, c), Integer(d)}; }
 
-std::string skipped(const StageLog& log, const std::string& name) {
-  for (const Stage& stage : log.stages()) {
+std::string skipped(const SimplifyResult& result, const std::string& name) {
+  for (const Stage& stage : result.stages) {
     if (stage.name == name) return stage.skipped;
   }
   return "no such stage";
@@ -54,19 +52,18 @@ std::string skipped(const StageLog& log, const std::string& name) {
 
 TEST_CASE("simplify: requests that make no sense are refused") {
   const Shape cube = PointSet(shapes::box({1, 1, 1}));
-  StageLog log;
   SimplifyRequest nothing;
-  CHECK_THROWS_AS((void)simplify(cube, nothing, log), Error);
-  CHECK_THROWS_AS((void)simplify(cube, request_for(3, Engine::Filtered), log), Error);
+  CHECK_THROWS_AS((void)simplify(cube, nothing), Error);
+  CHECK_THROWS_AS((void)simplify(cube, request_for(3, Engine::Filtered)), Error);
   SimplifyRequest negative;
   negative.max_growth = Rational(-1);
-  CHECK_THROWS_AS((void)simplify(cube, negative, log), Error);
+  CHECK_THROWS_AS((void)simplify(cube, negative), Error);
   SimplifyRequest outside = request_for(4, Engine::Exact);
   outside.center = RationalPoint(Rational(1), Rational(0), Rational(0));  // on the boundary
-  CHECK_THROWS_AS((void)simplify(cube, outside, log), Error);
+  CHECK_THROWS_AS((void)simplify(cube, outside), Error);
   SimplifyRequest traced = request_for(4, Engine::Float);
   traced.trace = true;
-  CHECK_THROWS_AS((void)simplify(cube, traced, log), Error);
+  CHECK_THROWS_AS((void)simplify(cube, traced), Error);
 }
 
 TEST_CASE("simplify: inputs without a bounded volume come back with their proof") {
@@ -138,17 +135,15 @@ TEST_CASE("simplify: with or without a record, from points or halfspaces: the sa
 
 TEST_CASE("simplify: what a scene does not need is skipped, with a reason") {
   const std::vector<Point> points = shapes::on_sphere(60, 5);
-  StageLog lean, reference, planes;
-  const auto made = simplify(PointSet(points), request_for(12, Engine::Filtered), lean);
+  const SimplifyResult lean = run(PointSet(points), request_for(12, Engine::Filtered));
   CHECK_FALSE(skipped(lean, "Chebyshev center").empty());
   CHECK_FALSE(skipped(lean, "hull of dual points").empty());
   CHECK_FALSE(skipped(lean, "store mesh").empty());
   CHECK(skipped(lean, "simplify").empty());
-  (void)simplify(PointSet(points), request_for(12, Engine::Exact), reference);
+  const SimplifyResult reference = run(PointSet(points), request_for(12, Engine::Exact));
   CHECK(skipped(reference, "Chebyshev center").empty());
   CHECK(skipped(reference, "hull certificate").empty());
-  (void)simplify(std::get<SimplifyResult>(made).solid.exact.planes,
-                 request_for(8, Engine::Filtered), planes);
+  const SimplifyResult planes = run(lean.solid.exact.planes, request_for(8, Engine::Filtered));
   CHECK_FALSE(skipped(planes, "hull").empty());
   CHECK(skipped(planes, "hull of dual points").empty());
 }
@@ -196,11 +191,10 @@ TEST_CASE(
 
 TEST_CASE("measure_hull: a box, by closed form, with as many digits as asked for") {
   const PointSet box(shapes::box({1, 2, 3}));
-  StageLog log;
   HullRequest request;
   request.digits = 40;
   request.exact_volume = true;
-  const HullReport report = measure_hull(box, request, log);
+  const HullReport report = measure_hull(box, request);
   const auto& result = std::get<HullResult>(report);
   CHECK(result.edges == 12);
   REQUIRE((result.volume && result.area && result.mean_width));
@@ -209,5 +203,5 @@ TEST_CASE("measure_hull: a box, by closed form, with as many digits as asked for
   CHECK(result.mean_width->bounds.contains(6));  // (2 + 4 + 6) / 2
   CHECK(result.box.squared_diameter() == 56);
   request.digits = 0;
-  CHECK_THROWS_AS((void)measure_hull(box, request, log), Error);
+  CHECK_THROWS_AS((void)measure_hull(box, request), Error);
 }

@@ -8,6 +8,7 @@
 #include "convexact/stored.hpp"
 #include "expect_error.hpp"
 #include "property.hpp"
+#include "scene/solid.hpp"
 #include "shapes/extreme.hpp"
 #include "shapes/random_points.hpp"
 #include "shapes/solids.hpp"

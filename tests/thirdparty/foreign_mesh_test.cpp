@@ -102,8 +102,7 @@ TEST_CASE("verify: hulls by CGAL, as CGAL itself judges them exactly") {
       const std::string off = hull_as_off(points, digits);
       VerifyRequest request;
       request.tightness = false;
-      StageLog log;
-      const auto outcome = verify(points, read_candidate_bytes(off, "hull.off"), request, log);
+      const auto outcome = verify(points, read_candidate_bytes(off, "hull.off"), request);
       const auto& verdict = std::get<Verdict>(outcome);
       const Truth truth = by_cgal(off, points);
       REQUIRE(verdict.outside.has_value());

@@ -49,8 +49,7 @@ void check_run(const TestVector& vector, const SimplifyQuestion& question, Engin
   request.faces = question.faces;
   request.engine = engine;
   request.trace = request.exact_volumes = question.volume.has_value();
-  StageLog log;
-  const SimplifyOutcome outcome = simplify(shape_of(vector), request, log);
+  const SimplifyOutcome outcome = simplify(shape_of(vector), request);
   REQUIRE(std::holds_alternative<SimplifyResult>(outcome));
   const auto& result = std::get<SimplifyResult>(outcome);
   CHECK(result.input_halfspaces - result.steps == question.facets);
@@ -90,10 +89,9 @@ std::optional<ErrorCode> refusal(const RawFile& file) {
 
 TEST_CASE("vectors: hulls have the counts and the volume that are known") {
   for_each<HullQuestion>([](const TestVector& vector, const HullQuestion& question) {
-    StageLog log;
     HullRequest request;
     request.exact_volume = true;
-    const HullReport report = measure_hull(shape_of(vector), request, log);
+    const HullReport report = measure_hull(shape_of(vector), request);
     REQUIRE(std::holds_alternative<HullResult>(report));
     const auto& result = std::get<HullResult>(report);
     CHECK(result.solid.exact.planes.size() == question.facets);
@@ -118,8 +116,7 @@ TEST_CASE("vectors: candidates get the known verdict, with the exact distance") 
     request.max_vertices = question.max_vertices;
     request.max_facet_vertices = question.max_facet_vertices;
     request.tightness = false;
-    StageLog log;
-    const VerifyOutcome outcome = verify(shape_of(vector), question.candidate, request, log);
+    const VerifyOutcome outcome = verify(shape_of(vector), question.candidate, request);
     REQUIRE(std::holds_alternative<Verdict>(outcome));
     const auto& verdict = std::get<Verdict>(outcome);
     for (const auto& claim : question.claims) {
@@ -146,8 +143,7 @@ TEST_CASE("vectors: unusable inputs are refused for the known reason") {
     CHECK(question.error == ErrorCode::NoInterior);
     const auto* list = std::get_if<HalfspaceList>(&vector.input);
     if (list != nullptr && list->impossible_row) return;
-    StageLog log;
-    const HullReport report = measure_hull(shape_of(vector), {}, log);
+    const HullReport report = measure_hull(shape_of(vector), {});
     REQUIRE(std::holds_alternative<NotSolid>(report));
     if (!question.dimension) return;
     const auto* flat = std::get_if<FlatInput>(&std::get<NotSolid>(report));
