@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 // scene.hpp - from a shape to its solid, in stages that are timed or skipped.
 #pragma once
-#include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
-#include <type_traits>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -18,6 +13,7 @@
 #include "convexact/halfspace.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/linear_program.hpp"
+#include "convexact/mesh.hpp"
 #include "convexact/number.hpp"
 #include "convexact/stored.hpp"
 #include "convexact/watch.hpp"
@@ -61,5 +57,41 @@ struct StoredSolid {
   std::optional<StoredPlanes> planes;
   std::optional<StoredMesh> mesh;
 };
+
+/// One object, to be enclosed on its own.
+struct SceneObject {
+  std::string name;  ///< The file, or "file: part".
+  std::string part;  ///< The part's name; the file's stem without parts.
+  Shape shape;
+  std::vector<std::vector<std::uint32_t>> polygons;  ///< Of point input, for its picture.
+  TypedRows rows = {};                               ///< Of halfspace input.
+};
+
+struct SceneOptions {
+  Decimal decimal = Decimal::Nearest;
+  bool parts = false;  ///< Each object of a file on its own.
+  /// Called with the name and the bytes of each file before it is parsed.
+  std::function<void(const std::string& name, const std::string& bytes)> on_read = {};
+};
+
+/// Names redundant halfspaces by their rows in the file, counted from 0.
+void to_typed_rows(std::vector<RedundantHalfspace>& redundant, const TypedRows& rows);
+
+/// Reads files one after another: meshes, or halfspaces (.json, .ine, or by content).
+/// @throws Error as the readers; NoInterior if a halfspace list has a row that nothing satisfies;
+///         InvalidArgument for parts of a file that has none, or standard input twice.
+[[nodiscard]] std::vector<SceneObject> read_scene(const std::vector<std::string>& paths,
+                                                  const SceneOptions& options = {});
+
+/// What encloses an object, under the name that it gets in a file of several.
+struct NamedSolid {
+  std::string name;
+  const StoredSolid* solid;  ///< With a mesh, if the file is one.
+};
+
+/// The bytes of a mesh or halfspace file, by the extension of `path`: read back from them, every
+/// solid holds the points that it must hold. Only an OBJ holds several solids, a part for each.
+/// @throws Error Internal if the bytes miss a point.
+[[nodiscard]] std::string proven_bytes(std::span<const NamedSolid> solids, const std::string& path);
 
 }  // namespace convexact

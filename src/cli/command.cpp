@@ -110,6 +110,11 @@ void add_global_options(CLI::App& command, GlobalOptions& options) {
             "stop with exit code 6 rather than use more heap, e.g. 1.5GB");
 }
 
+void add_stages_option(CLI::App& command, GlobalOptions& options) {
+  command.add_flag("--stages", options.stages,
+                   "list every stage with its time, or why it was not needed (--json always does)");
+}
+
 void remember_command_line(int argc, char** argv) {
   reproducer().command_line.assign(argv, argv + argc);
 }

@@ -20,10 +20,14 @@ struct GlobalOptions {
   bool json = false;             ///< One JSON object on standard output, also on failure.
   std::uint64_t seed = 1;        ///< Of every random order; no answer depends on it.
   std::uint64_t max_memory = 0;  ///< Bytes of heap; 0 for no limit.
+  bool stages = false;           ///< List every stage in the text for people.
 };
 
 /// Adds --json, --seed and --max-memory to a subcommand.
 void add_global_options(CLI::App& command, GlobalOptions& options);
+
+/// Adds --stages to a subcommand whose summary ends with the time of its stages.
+void add_stages_option(CLI::App& command, GlobalOptions& options);
 
 /// An option that takes one of a few words, in upper or lower case; the help shows them and the
 /// default.

@@ -9,7 +9,7 @@
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/quantity_option.hpp"
-#include "cli/scene.hpp"
+#include "convexact/scene.hpp"
 #include "oracle/diff_json.hpp"
 #include "scene/result_json.hpp"
 #include "scene/stage_log.hpp"
@@ -56,10 +56,10 @@ nlohmann::ordered_json document_of(const std::vector<DiffedObject>& objects, std
           {"stages", stages_json(log.stages())}};
 }
 
-void print_table(const std::vector<DiffedObject>& objects, const StageLog& log) {
+void print_table(const std::vector<DiffedObject>& objects, const StageLog& log, bool lists_stages) {
   std::vector<NamedDiff> named;
   for (const DiffedObject& object : objects) named.push_back({object.name, &object.report});
-  print(diff_table(named) + "\n" + stage_table(log.stages()));
+  print(diff_table(named) + "\n" + stage_text(log.stages(), lists_stages));
 }
 
 int run_diff(const DiffArguments& options) {
@@ -89,7 +89,7 @@ int run_diff(const DiffArguments& options) {
   if (options.global.json) {
     print(document_of(objects, options.faces, explained, log));
   } else {
-    print_table(objects, log);
+    print_table(objects, log, options.global.stages);
   }
   return explained ? 0 : 1;
 }
@@ -109,6 +109,7 @@ void add_diff_command(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   add_scene_options(command, options->scene);
   add_global_options(command, options->global);
+  add_stages_option(command, options->global);
   command.callback([options, &exit_code] {
     exit_code = run_guarded(options->global, [&] { return run_diff(*options); });
   });

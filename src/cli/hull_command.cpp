@@ -8,7 +8,7 @@
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/quantity_option.hpp"
-#include "cli/scene.hpp"
+#include "convexact/scene.hpp"
 #include "io/json.hpp"
 #include "scene/result_json.hpp"
 #include "scene/stage_log.hpp"
@@ -52,7 +52,7 @@ nlohmann::ordered_json document_of(const std::vector<MeasuredObject>& objects, i
 }
 
 std::string summary_of(const std::vector<MeasuredObject>& objects, int digits,
-                       const OutputOptions& output, const StageLog& log) {
+                       const OutputOptions& output, const StageLog& log, bool lists_stages) {
   std::string text;
   for (const MeasuredObject& object : objects) {
     text += object.source.name + "\n" + summary(object.result, digits);
@@ -60,7 +60,7 @@ std::string summary_of(const std::vector<MeasuredObject>& objects, int digits,
   for (const std::string& path : output.all_paths()) {
     text += fmt::format("  written     {}\n", path);
   }
-  return text + "\n" + stage_table(log.stages());
+  return text + stage_text(log.stages(), lists_stages);
 }
 
 // "volume,area" and the like, or none.
@@ -115,9 +115,10 @@ int run_hull(const HullArguments& options) {
   const OutputFiles files =
       log.run("write", StageKind::Io, [&] { return output_files(outputs, options.output); });
   progress.clear();
-  const std::string text = options.global.json
-                               ? write_json(document_of(objects, request.digits), 2) + "\n"
-                               : summary_of(objects, request.digits, options.output, log);
+  const std::string text =
+      options.global.json
+          ? write_json(document_of(objects, request.digits), 2) + "\n"
+          : summary_of(objects, request.digits, options.output, log, options.global.stages);
   write_together(files, text);
   return 0;
 }
@@ -142,6 +143,7 @@ void add_hull_command(CLI::App& program, int& exit_code) {
   command.add_flag("--exact-values", options->request.exact_volume,
                    "with --json: the volume as a fraction too");
   add_global_options(command, options->global);
+  add_stages_option(command, options->global);
   command.callback([options, &exit_code] {
     exit_code = run_guarded(options->global, [&] { return run_hull(*options); });
   });

@@ -28,74 +28,6 @@ const PointSet* points_of(const SceneObject& object) {
   return std::get_if<PointSet>(&object.shape);
 }
 
-void require_inside(std::size_t outside, const std::string& path) {
-  if (outside == 0) return;
-  throw Error(ErrorCode::Internal, "read back from its bytes, " + path + " misses " +
-                                       std::to_string(outside) + " input points");
-}
-
-// The points that one part of a mesh uses.
-PointSet points_of_part(const Mesh& mesh, const MeshPart& part) {
-  std::vector<Point> points;
-  for (std::size_t k = part.first_polygon; k < part.last_polygon; ++k) {
-    for (const std::uint32_t corner : mesh.polygons[k]) {
-      points.push_back(mesh.points.doubles()[corner]);
-    }
-  }
-  return PointSet(std::move(points));
-}
-
-// Proves the bytes themselves, as a reader of the file understands them.
-void prove_bytes(const std::string& bytes, const std::string& path,
-                 const std::vector<OutputObject>& objects) {
-  if (const auto format = halfspace_format_of_path(path)) {
-    const HalfspaceList read = read_halfspaces_bytes(bytes, *format);
-    require_inside(count_outside(read.halfspaces, objects[0].solid.points), path);
-    return;
-  }
-  const Mesh mesh = read_mesh_bytes(bytes, {.format = mesh_format_of_path(path)});
-  if (objects.size() == 1) {
-    require_inside(count_outside_hull(mesh.points, objects[0].solid.points), path);
-    return;
-  }
-  CONVEXACT_ASSERT(mesh.parts.size() == objects.size());
-  for (std::size_t k = 0; k < objects.size(); ++k) {
-    const PointSet corners = points_of_part(mesh, mesh.parts[k]);
-    require_inside(count_outside_hull(corners, objects[k].solid.points), path);
-  }
-}
-
-// Several solids in one mesh: points and polygons one after another, a part for each.
-Mesh joined(const std::vector<OutputObject>& objects) {
-  if (objects.size() == 1) return objects[0].solid.mesh->mesh;
-  Mesh all;
-  std::vector<Point> points;
-  for (const OutputObject& object : objects) {
-    const Mesh& mesh = object.solid.mesh->mesh;
-    const auto first_point = static_cast<std::uint32_t>(points.size());
-    const std::size_t first_polygon = all.polygons.size();
-    points.insert(points.end(), mesh.points.doubles().begin(), mesh.points.doubles().end());
-    for (std::vector<std::uint32_t> polygon : mesh.polygons) {
-      for (std::uint32_t& corner : polygon) corner += first_point;
-      all.polygons.push_back(std::move(polygon));
-    }
-    all.parts.push_back({object.source.part, first_polygon, all.polygons.size()});
-  }
-  all.points = PointSet(std::move(points));
-  return all;
-}
-
-std::string mesh_bytes(const std::vector<OutputObject>& objects, MeshFormat format,
-                       Precision precision) {
-  const Encoding encoding = format == MeshFormat::Stl ? Encoding::Binary : Encoding::Text;
-  return write_mesh(joined(objects), format, {.precision = precision, .encoding = encoding});
-}
-
-std::string plane_bytes(const StoredSolid& solid, HalfspaceFormat format) {
-  if (!solid.planes) return write_halfspaces(solid.exact.planes, format);
-  return write_halfspaces(solid.planes->planes, format);
-}
-
 std::string picture_bytes(const std::vector<OutputObject>& objects) {
   Picture picture;
   picture.title = objects.size() == 1 ? as_utf8(objects[0].source.name) : "Several objects";
@@ -201,6 +133,7 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
 }
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
+  options.on_read = remember_input;
   command.add_flag("--parts", options.parts, "each object (o or g line, STL solid) on its own");
   add_choice<Decimal>(command, "--decimal", options.decimal,
                       {{"nearest", Decimal::Nearest}, {"exact", Decimal::Exact}},
@@ -209,13 +142,10 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
 
 OutputFiles output_files(const std::vector<OutputObject>& objects, const OutputOptions& options) {
   OutputFiles files;
+  std::vector<NamedSolid> solids;
+  for (const OutputObject& object : objects) solids.push_back({object.source.part, &object.solid});
   for (const std::string& path : options.results) {
-    const auto mesh_format = mesh_format_of_path(path);
-    std::string bytes = mesh_format
-                            ? mesh_bytes(objects, *mesh_format, objects[0].solid.mesh->precision)
-                            : plane_bytes(objects[0].solid, *halfspace_format_of_path(path));
-    prove_bytes(bytes, path, objects);
-    files.emplace_back(path, std::move(bytes));
+    files.emplace_back(path, proven_bytes(solids, path));
   }
   if (!options.picture.empty()) files.emplace_back(options.picture, picture_bytes(objects));
   if (!options.trace.empty()) {

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "cli/scene.hpp"
 #include "convexact/run.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/simplify.hpp"

@@ -11,7 +11,7 @@
 #include "cli/command.hpp"
 #include "cli/outputs.hpp"
 #include "cli/quantity_option.hpp"
-#include "cli/scene.hpp"
+#include "convexact/scene.hpp"
 #include "io/json.hpp"
 #include "report/report_json.hpp"
 #include "report/report_page.hpp"

@@ -12,10 +12,10 @@
 #include "cli/outputs.hpp"
 #include "cli/program_case.hpp"
 #include "cli/progress.hpp"
-#include "cli/scene.hpp"
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
 #include "convexact/linear_program.hpp"
+#include "convexact/scene.hpp"
 #include "convexact/shrink.hpp"
 #include "hull/double_points.hpp"
 #include "hull/initial_simplex.hpp"
@@ -207,7 +207,7 @@ std::string Shrinking::summary() const {
 
 int run_shrink(const ShrinkArguments& options) {
   require_other_files({options.output}, {options.input});
-  const std::vector<SceneObject> scene = read_scene({options.input}, {});
+  const std::vector<SceneObject> scene = read_scene({options.input}, {.on_read = remember_input});
   Shrinking shrinking(options, scene.front());
   try {
     shrinking.run();

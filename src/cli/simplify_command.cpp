@@ -9,7 +9,7 @@
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/quantity_option.hpp"
-#include "cli/scene.hpp"
+#include "convexact/scene.hpp"
 #include "io/json.hpp"
 #include "scene/result_json.hpp"
 #include "scene/stage_log.hpp"
@@ -107,7 +107,7 @@ nlohmann::ordered_json document_of(const std::vector<SimplifiedObject>& objects,
 }
 
 std::string summary_of(const std::vector<SimplifiedObject>& objects, const StageLog& log,
-                       const OutputOptions& output) {
+                       const OutputOptions& output, bool lists_stages) {
   std::string text;
   for (const SimplifiedObject& object : objects) {
     text += object.source.name + "\n" + summary(object.result);
@@ -117,7 +117,7 @@ std::string summary_of(const std::vector<SimplifiedObject>& objects, const Stage
   if (output.all_paths().empty()) {
     text += "  written     nothing; -o proxy.obj keeps the solid, --picture proxy.html shows it\n";
   }
-  return text + "\n" + stage_table(log.stages());
+  return text + stage_text(log.stages(), lists_stages);
 }
 
 OutputFiles files_of(const std::vector<SimplifiedObject>& objects, const OutputOptions& options) {
@@ -155,8 +155,9 @@ int run_simplify(const SimplifyArguments& options) {
   const OutputFiles files =
       log.run("write", StageKind::Io, [&] { return files_of(objects, options.output); });
   progress.clear();
-  const std::string text = options.global.json ? write_json(document_of(objects, log), 2) + "\n"
-                                               : summary_of(objects, log, options.output);
+  const std::string text = options.global.json
+                               ? write_json(document_of(objects, log), 2) + "\n"
+                               : summary_of(objects, log, options.output, options.global.stages);
   write_together(files, text);
   return 0;
 }
@@ -195,6 +196,7 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
   command.add_flag("--exact-values", options->exact_values,
                    "with --json: volumes as fractions too");
   add_global_options(command, options->global);
+  add_stages_option(command, options->global);
   command.callback([options, &exit_code] {
     exit_code = run_guarded(options->global, [&] { return run_simplify(*options); });
   });

@@ -8,10 +8,10 @@
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/promise_options.hpp"
-#include "cli/scene.hpp"
 #include "cli/verify_stdio.hpp"
 #include "cli/verify_trace.hpp"
 #include "convexact/error.hpp"
+#include "convexact/scene.hpp"
 #include "oracle/candidate_file.hpp"
 #include "oracle/verdict_json.hpp"
 #include "oracle/verdict_table.hpp"
@@ -95,7 +95,8 @@ int run_verify_candidate(const VerifyArguments& options) {
   Progress progress;
   StageLog log(progress.watch());
   const SceneObject input = log.run("read input", StageKind::Io, [&] {
-    return std::move(read_scene({options.input}, {.decimal = decimal}).front());
+    return std::move(
+        read_scene({options.input}, {.decimal = decimal, .on_read = remember_input}).front());
   });
   const Candidate candidate = log.run("read candidate", StageKind::Io,
                                       [&] { return read_candidate(options.candidate, decimal); });
@@ -115,7 +116,7 @@ int run_verify_candidate(const VerifyArguments& options) {
     print(document);
   } else {
     print(options.candidate + " as an enclosure of " + input.name + "\n" + verdict_table(verdict) +
-          "\n" + stage_table(log.stages()));
+          "\n" + stage_text(log.stages(), options.global.stages));
   }
   return verdict.holds() ? 0 : 1;
 }
@@ -172,6 +173,7 @@ void add_verify_command(CLI::App& program, int& exit_code) {
            })
       ->type_name("SECONDS");
   add_global_options(command, options->global);
+  add_stages_option(command, options->global);
   command.callback([options, &exit_code] {
     exit_code = run_guarded(options->global, [&] { return run_verify(*options); });
   });

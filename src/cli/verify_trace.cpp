@@ -126,7 +126,7 @@ int run_verify_trace(const GlobalOptions& global, const std::string& input, Deci
   const OrderFiles files =
       log.run("read the trace", StageKind::Io, [&] { return read_files(options); });
   const std::vector<SceneObject> scene = log.run("read", StageKind::Io, [&] {
-    return read_scene({input}, {.decimal = decimal, .parts = false});
+    return read_scene({input}, {.decimal = decimal, .on_read = remember_input});
   });
   const SolidOutcome outcome = make_solid(scene[0].shape, global.seed, true, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
@@ -146,7 +146,7 @@ int run_verify_trace(const GlobalOptions& global, const std::string& input, Deci
     print(document);
   } else {
     print(scene[0].name + " against " + display_name(options.trace) + "\n" +
-          trace_verdict_text(verdict) + "\n" + stage_table(log.stages()));
+          trace_verdict_text(verdict) + "\n" + stage_text(log.stages(), global.stages));
   }
   return verdict.holds() ? 0 : 1;
 }

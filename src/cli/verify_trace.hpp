@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "cli/command.hpp"
-#include "cli/scene.hpp"
 #include "convexact/point_set.hpp"
+#include "convexact/scene.hpp"
 
 namespace convexact::cli {
 

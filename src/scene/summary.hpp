@@ -12,7 +12,8 @@ namespace convexact {
 /// Counts, box, and each measure with `digits` certain digits.
 [[nodiscard]] std::string summary(const HullResult& result, int digits);
 
-/// A table of the stages with their times, then the stages that were not needed and why.
-[[nodiscard]] std::string stage_table(const std::vector<Stage>& stages);
+/// One line: the time of all stages, the longest of them, and how many were not needed. Or a table
+/// of all stages, those that were not needed with their reasons.
+[[nodiscard]] std::string stage_text(const std::vector<Stage>& stages, bool list_all);
 
 }  // namespace convexact

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "cli/scene.hpp"
-
 #include <algorithm>
 #include <filesystem>
 #include <unordered_map>
 
-#include "cli/command.hpp"
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
+#include "convexact/scene.hpp"
 
-namespace convexact::cli {
+namespace convexact {
 namespace {
 
 std::string stem_of(const std::string& path) {
@@ -80,7 +78,7 @@ std::vector<SceneObject> read_scene(const std::vector<std::string>& paths,
   std::vector<SceneObject> objects;
   for (const std::string& path : paths) {
     const std::string bytes = read_bytes(path);
-    remember_input(display_name(path), bytes);
+    if (options.on_read) options.on_read(display_name(path), bytes);
     try {
       std::optional<HalfspaceFormat> halfspaces = halfspace_format_of_path(path);
       if (!halfspaces && !mesh_format_of_path(path)) {
@@ -99,4 +97,4 @@ std::vector<SceneObject> read_scene(const std::vector<std::string>& paths,
   return objects;
 }
 
-}  // namespace convexact::cli
+}  // namespace convexact
