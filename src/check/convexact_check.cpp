@@ -195,10 +195,10 @@ class Proof {
       const std::size_t p = words_.id(points_.size());
       const Ids by = words_.ids(points_.size());
       for (const std::size_t q : by) require(known_[q], "it rests on a point not yet known inside");
-      const bool is_shown = by.size() == 1   ? points_[p] == points_[by[0]]
-                            : by.size() == 3 ? is_in_tetrahedron(points_[p], by)
-                                             : false;
-      require(is_shown && !known_[p], "this does not show another point inside");
+      const bool is_repeat = by.size() == 1 && points_[p] == points_[by[0]];
+      require(is_repeat || (by.size() == 3 && is_in_tetrahedron(points_[p], by)),
+              "this does not show another point inside");
+      require(!known_[p], "this does not show another point inside");
       known_[p] = true;
     }
     for (const bool is_known : known_) require(is_known, "some point is not proven inside");
@@ -392,8 +392,8 @@ class Proof {
     for (const Row& b : stored) {
       for (const Row& c : stored) spans = spans || det(stored[0], b, c) != 0;
     }
-    spans = spans && total == std::array<Rational, 3>{} && stored.size() == left_.size();
-    require(spans, "the stored planes are not bounded");
+    require(spans && total == std::array<Rational, 3>{} && stored.size() == left_.size(),
+            "the stored planes are not bounded");
     return "proven: the " + std::to_string(stored.size()) +
            " planes stored are bounded, hold every point and " + reach(stored) + "\n";
   }

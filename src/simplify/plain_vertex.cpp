@@ -30,17 +30,4 @@ Integer value_at(const PlainVertex& vertex, const Halfspace& halfspace) {
   return sum;
 }
 
-Integer determinant(const Halfspace& a, const Halfspace& b, const Halfspace& c,
-                    const Halfspace& p) {
-  // Columns 1, 2 of two rows against columns 3, 4 of the other two.
-  const auto left = [](const Halfspace& u, const Halfspace& v) {
-    return Integer(u.normal()[0] * v.normal()[1] - u.normal()[1] * v.normal()[0]);
-  };
-  const auto right = [](const Halfspace& u, const Halfspace& v) {
-    return Integer(u.normal()[2] * v.offset() - u.offset() * v.normal()[2]);
-  };
-  return left(a, b) * right(c, p) - left(a, c) * right(b, p) + left(a, p) * right(b, c) +
-         left(b, c) * right(a, p) - left(b, p) * right(a, c) + left(c, p) * right(a, b);
-}
-
 }  // namespace convexact

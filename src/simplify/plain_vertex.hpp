@@ -17,8 +17,5 @@ struct PlainVertex {
 /// d times the value n.x + d_h of the halfspace at the vertex. For the vertex of planes a, b, c it
 /// is H(a, b, c, h), the determinant of the four rows (n, d).
 [[nodiscard]] Integer value_at(const PlainVertex& vertex, const Halfspace& halfspace);
-/// H(a, b, c, p) again, by Laplace's expansion in 2x2 minors instead of the vertex.
-[[nodiscard]] Integer determinant(const Halfspace& a, const Halfspace& b, const Halfspace& c,
-                                  const Halfspace& p);
 
 }  // namespace convexact

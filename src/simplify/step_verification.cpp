@@ -3,7 +3,7 @@
 #include "simplify/step_verification.hpp"
 
 #include <algorithm>
-#include <set>
+#include <string>
 
 #include "convexact/error.hpp"
 #include "simplify/plain_surface.hpp"
@@ -16,12 +16,9 @@ struct StepVerification::State {
   State(const DualHull& input, VerifyLevel wanted, std::uint64_t seed);
 
   void check_ring(const Step& step) const;
-  void check_disk(const Step& step) const;
-  void check_beyond(const Step& step) const;
-  void check_bounded(const Step& step) const;
-  void check_convex(const Step& step) const;
+  PlainSurface checked_disk(const Step& step) const;
   void check_cap(const Step& step) const;
-  void check_witnesses(const Step& step) const;
+  void check_rim(const Step& step, const PlainSurface& disk) const;
   void replace(const Step& step);
 
   const Halfspace& plane(HalfspaceId i) const { return solid.halfspaces[i.index()]; }
@@ -52,93 +49,68 @@ StepVerification::State::State(const DualHull& input, VerifyLevel wanted, std::u
   if (level == VerifyLevel::Full) whole.emplace(input.halfspaces, vertices, surface, seed);
 }
 
-// The ring in the step is the ring of the removed dual point, turning the right way.
+// The ring in the step is the ring of the removed dual point, turning the right way. A halfspace
+// that is gone has no edge, so neither it nor a ring that names it passes. (A ring that goes around
+// twice does, but then no new triangle has each corner on it once.)
 void StepVerification::State::check_ring(const Step& step) const {
+  const std::string name = "the ring is the one-ring of the removed dual point";
   const std::size_t k = step.ring.size();
-  const auto known = [&](HalfspaceId i) {
-    return i.index() < present.size() && present[i.index()];
-  };
-  bool holds =
-      known(step.removed) && k >= 3 && std::all_of(step.ring.begin(), step.ring.end(), known);
-  for (std::size_t t = 0; holds && t < k; ++t) {
-    holds = surface.third(step.removed, step.ring[t]) == step.ring[(t + 1) % k];
+  require(k >= 3, name);
+  for (std::size_t t = 0; t < k; ++t) {
+    require(surface.third(step.removed, step.ring[t]) == step.ring[(t + 1) % k], name);
   }
-  holds = holds && std::set(step.ring.begin(), step.ring.end()).size() == k;
-  require(holds, "the ring is the one-ring of the removed dual point");
 }
 
 // T_i is a disk: around each ring vertex its triangles form one fan from the ring edge that leaves
-// to the one that enters, all triangles are in those fans, and no new edge exists elsewhere.
-void StepVerification::State::check_disk(const Step& step) const {
+// to the one that enters, all triangles are in those fans, and no new edge exists elsewhere. (A fan
+// that closes instead comes back to the edge that leaves, which exists already.)
+PlainSurface StepVerification::State::checked_disk(const Step& step) const {
   const std::string name = "the new triangles form a disk with the ring as its rim";
   const std::size_t k = step.ring.size();
   require(step.triangles.size() == k - 2, name);
-  std::set<HalfspaceId> corners;
-  for (const DualTriangle& t : step.triangles) corners.insert(t.begin(), t.end());
-  require(std::set(step.ring.begin(), step.ring.end()) == corners, name);
   PlainSurface disk(surface.size(), {});
-  for (const DualTriangle& t : step.triangles) require(disk.add(t), name);
+  for (const DualTriangle& t : step.triangles) {
+    for (const HalfspaceId i : t) require(std::ranges::count(step.ring, i) == 1, name);
+    require(disk.add(t), name);
+  }
   std::size_t visited = 0;
   for (std::size_t t = 0; t < k; ++t) {
     const HalfspaceId i = step.ring[t], enter = step.ring[(t + k - 1) % k];
     for (std::optional<HalfspaceId> next = step.ring[(t + 1) % k]; next != enter; ++visited) {
-      require(visited < disk.directed_edges(), name);
       next = disk.third(i, *next);
       require(next.has_value() && (next == enter || !surface.third(i, *next)), name);
     }
   }
   require(visited == disk.directed_edges(), name);
+  return disk;
 }
 
-void StepVerification::State::check_beyond(const Step& step) const {
-  for (const auto& [a, b, c] : step.triangles) {
-    require(determinant(plane(a), plane(b), plane(c), plane(step.removed)) >= 0,
-            "the removed dual point lies on or beyond every new triangle");
-  }
-}
-
-void StepVerification::State::check_bounded(const Step& step) const {
-  for (const DualTriangle& t : step.triangles) {
-    require(vertex_of(t).d > 0, "every new triangle is bounded (D > 0)");
-  }
-}
-
-// Across every edge of a new triangle, inner or of the ring, lies a dual point on or below it.
-void StepVerification::State::check_convex(const Step& step) const {
-  PlainSurface disk(surface.size(), step.triangles);
-  for (const DualTriangle& t : step.triangles) {
-    const PlainVertex vertex = vertex_of(t);
-    for (int e = 0; e < 3; ++e) {
-      const HalfspaceId from = t[e], to = t[(e + 1) % 3];
-      const auto inner = disk.third(to, from);
-      const auto apex = inner ? inner : surface.third(to, from);
-      require(apex.has_value() && value_at(vertex, plane(*apex)) <= 0,
-              inner ? "every inner edge is convex" : "every ring edge is convex");
-    }
-  }
-}
-
+// Each new vertex exists, and it is one of the cap: on or beyond the removed plane, and inside the
+// other planes of the ring. So every inner edge is convex, as the plane across it is one of these.
 void StepVerification::State::check_cap(const Step& step) const {
+  std::vector<PlainVertex> cap;
   for (const DualTriangle& t : step.triangles) {
-    const PlainVertex vertex = vertex_of(t);
-    for (const HalfspaceId j : t) {
-      require(value_at(vertex, plane(j)) == 0, "every new cap vertex lies on its three planes");
-    }
+    cap.push_back(vertex_of(t));
+    require(cap.back().d > 0, "every new triangle is bounded (D > 0)");
+  }
+  for (const PlainVertex& vertex : cap) {
+    require(value_at(vertex, plane(step.removed)) >= 0,
+            "every new cap vertex lies on or beyond the removed plane");
     for (const HalfspaceId j : step.ring) {
       require(value_at(vertex, plane(j)) <= 0,
               "every new cap vertex lies inside the other planes of the ring");
     }
-    require(value_at(vertex, plane(step.removed)) >= 0,
-            "every new cap vertex lies on or beyond the removed plane");
   }
 }
 
-// Planes never change, so the witnesses of halfspaces that the step does not touch stand as before;
-// finish() asks them all.
-void StepVerification::State::check_witnesses(const Step& step) const {
-  for (const HalfspaceId j : step.ring) {
-    require(value_at(vertices[solid.witness[j.index()]], plane(j)) == 0,
-            "the support witnesses of the survivors stand");
+// Across every edge of the ring lies a dual point on or below the new triangle.
+void StepVerification::State::check_rim(const Step& step, const PlainSurface& disk) const {
+  for (std::size_t t = 0, k = step.ring.size(); t < k; ++t) {
+    const HalfspaceId from = step.ring[t], to = step.ring[(t + 1) % k];
+    const auto apex = surface.third(to, from);
+    require(apex.has_value(), "every ring edge has an outside");
+    const PlainVertex vertex = vertex_of({from, to, *disk.third(from, to)});
+    require(value_at(vertex, plane(*apex)) <= 0, "every ring edge is convex");
   }
 }
 
@@ -148,7 +120,8 @@ void StepVerification::State::replace(const Step& step) {
     surface.remove({step.removed, step.ring[t], step.ring[(t + 1) % k]});
   }
   for (const DualTriangle& t : step.triangles) {
-    require(surface.add(t), "the dual stays a surface");
+    const bool is_new = surface.add(t);  // checked_disk() found no new edge elsewhere
+    CONVEXACT_ASSERT(is_new);
   }
   present[step.removed.index()] = false;
 }
@@ -161,12 +134,9 @@ void StepVerification::check(const Step& step) {
   if (!state_) return;
   ++state_->number;
   state_->check_ring(step);
-  state_->check_disk(step);
-  state_->check_beyond(step);
-  state_->check_bounded(step);
-  state_->check_convex(step);
+  const PlainSurface disk = state_->checked_disk(step);
   state_->check_cap(step);
-  state_->check_witnesses(step);
+  state_->check_rim(step, disk);
   state_->replace(step);
   if (!state_->whole) return;
   WholeDual& whole = *state_->whole;

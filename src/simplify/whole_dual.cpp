@@ -34,27 +34,18 @@ PlainVertex WholeDual::vertex_of(const DualTriangle& t) const {
 }
 
 bool WholeDual::is_certified(const PlainSurface& surface, const std::vector<bool>& present) const {
-  return is_closed(surface, present) && is_locally_convex(surface) && is_met_once_by_a_ray(surface);
+  return has_all(surface, present) && is_locally_convex(surface) && is_met_once_by_a_ray(surface);
 }
 
-bool WholeDual::is_closed(const PlainSurface& surface, const std::vector<bool>& present) const {
-  std::size_t in_rings = 0, vertex_count = 0;
+// The surface has the survivors and no other halfspace.
+bool WholeDual::has_all(const PlainSurface& surface, const std::vector<bool>& present) const {
   for (std::size_t i = 0; i < present.size(); ++i) {
-    const std::vector<HalfspaceId> ring = surface.ring(HalfspaceId(i));
-    if (present[i] != (ring.size() >= 3)) return false;
-    if (!present[i]) continue;
-    if (surface.third(HalfspaceId(i), ring.back()) != ring.front()) return false;
-    for (const HalfspaceId j : ring) {
-      if (!surface.third(j, HalfspaceId(i))) return false;  // an edge with one side only
-    }
-    in_rings += ring.size();
-    ++vertex_count;
+    if (present[i] == surface.ring(HalfspaceId(i)).empty()) return false;
   }
-  // Every directed edge is in the one fan of its start; V - E + F = 2 with E = 3/2 F.
-  const std::size_t directed = surface.directed_edges();
-  return in_rings == directed && 6 * vertex_count == directed + 12;
+  return true;
 }
 
+// Each edge has a triangle on both sides, so the surface is closed.
 bool WholeDual::is_locally_convex(const PlainSurface& surface) const {
   for (const DualTriangle& t : surface.triangles()) {
     const PlainVertex vertex = vertex_of(t);
@@ -68,7 +59,9 @@ bool WholeDual::is_locally_convex(const PlainSurface& surface) const {
 }
 
 // Local convexity alone is fooled by a surface that winds around twice. The ray through the inside
-// of one triangle must miss (the closed cones of) all others.
+// of one triangle must miss (the closed cones of) all others. The surface is closed and turns one
+// way everywhere, so every direction is then covered once: it is a sphere, with one fan around each
+// vertex.
 bool WholeDual::is_met_once_by_a_ray(const PlainSurface& surface) const {
   const std::vector<DualTriangle> triangles = surface.triangles();
   const auto normal = [&](HalfspaceId i) -> const IntegerVector3& {
@@ -96,14 +89,13 @@ bool WholeDual::holds_vertices(const std::vector<bool>& present) const {
 
 bool WholeDual::volume_grew_by(const Rational& cost, const PlainSurface& surface) {
   costs_.push_back(cost);
-  bool grew = true;
+  std::array<std::uint64_t, 2> expected;
   for (int p = 0; p < 2; ++p) {
     const std::uint64_t six_cost = modular_[p].product(6, modular_[p].residue(cost));
-    const std::uint64_t expected = modular_[p].sum(residues_[p], six_cost);
+    expected[p] = modular_[p].sum(residues_[p], six_cost);
     residues_[p] = modular_[p].six_volume(surface);
-    grew = grew && residues_[p] == expected;
   }
-  return grew;
+  return residues_ == expected;
 }
 
 bool WholeDual::volume_is_sum_of_costs(const PlainSurface& surface) const {

@@ -17,9 +17,8 @@ class WholeDual {
   WholeDual(std::span<const Halfspace> halfspaces, std::span<const PlainVertex> vertices,
             const PlainSurface& surface, std::uint64_t seed);
 
-  /// The hull certificate: a closed surface of Euler characteristic 2 with one fan around each
-  /// vertex, the origin strictly below every triangle, every edge convex, and a ray from the
-  /// origin that meets exactly one triangle.
+  /// The hull certificate: a closed surface of all survivors, the origin strictly below every
+  /// triangle, every edge convex, and a ray from the origin that meets exactly one triangle.
   /// @par Source  [Mehlhorn1999]
   [[nodiscard]] bool is_certified(const PlainSurface& surface,
                                   const std::vector<bool>& present) const;
@@ -29,7 +28,7 @@ class WholeDual {
   [[nodiscard]] bool volume_is_sum_of_costs(const PlainSurface& surface) const;
 
  private:
-  bool is_closed(const PlainSurface& surface, const std::vector<bool>& present) const;
+  bool has_all(const PlainSurface& surface, const std::vector<bool>& present) const;
   bool is_locally_convex(const PlainSurface& surface) const;
   bool is_met_once_by_a_ray(const PlainSurface& surface) const;
   Rational six_volume(const PlainSurface& surface) const;

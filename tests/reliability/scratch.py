@@ -53,7 +53,7 @@ class Outcome:
 
 
 class Scratch:
-    def __init__(self, folder):
+    def __init__(self, folder, options=OPTIONS):
         self.tree = pathlib.Path(folder).resolve() / 'tree'
         self.build_folder = self.tree / 'build'
         self.tree.mkdir(parents=True, exist_ok=True)
@@ -62,7 +62,7 @@ class Scratch:
         self.changed, self.compiled, self.links = {}, {}, {}
         self._copy()
         if not (self.build_folder / 'build.ninja').exists():
-            subprocess.run(['meson', 'setup', self.build_folder, self.tree, *OPTIONS], check=True,
+            subprocess.run(['meson', 'setup', self.build_folder, self.tree, *options], check=True,
                            stdout=subprocess.DEVNULL)
         else:  # the tests may be others than those of an earlier copy
             subprocess.run(['ninja', '-C', self.build_folder, 'build.ninja'], check=True, stdout=subprocess.DEVNULL)

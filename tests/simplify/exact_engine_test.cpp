@@ -226,18 +226,20 @@ TEST_CASE("simplify_exact: of a tie the first in canonical order is removed, and
   }
 }
 
-// A witness that does not touch its plane changes nothing about the run: only verification asks it.
+// A vertex that is none and a witness that does not touch its plane change nothing about the run:
+// only verification asks them, the one after each step at level full, the other at the end.
 TEST_CASE("simplify_exact: each step is verified as it is made, and the survivors at the end") {
   const DualHull solid = dual_of_doubles(shapes::in_ball(16, 1));
   const RationalPoint center = center_of(solid);
-  const HalfspaceId in_ring = simplify_exact(solid, center).trace.steps.at(0).ring.at(0);
+  DualHull outside = solid;
+  outside.vertices.push_back(RationalPoint(Rational(9), Rational(9), Rational(9)));
+  CHECK_THROWS_WITH_AS((void)simplify_exact(outside, center, {.verify = VerifyLevel::Full}),
+                       doctest::Contains("step 1 failed: every survivor holds"), Error);
+  CHECK_NOTHROW((void)simplify_exact(outside, center));
   DualHull wrong = solid;
-  const Halfspace& plane = solid.halfspaces[in_ring.index()];
   for (std::uint32_t v = 0; v < solid.vertices.size(); ++v) {
-    if (plane(solid.vertices[v]) != 0) wrong.witness[in_ring.index()] = v;
+    if (solid.halfspaces[0](solid.vertices[v]) != 0) wrong.witness[0] = v;
   }
-  CHECK_THROWS_WITH_AS((void)simplify_exact(wrong, center),
-                       doctest::Contains("the support witnesses of the survivors stand"), Error);
   CHECK_THROWS_WITH_AS((void)simplify_exact(wrong, center, {.faces = solid.halfspaces.size()}),
                        doctest::Contains("touches its support witness at the end"), Error);
   CHECK_NOTHROW((void)simplify_exact(wrong, center, {.verify = VerifyLevel::None}));
