@@ -20,6 +20,8 @@ read -ra cxx <<<"${CXX:-c++}"
 [ "$("$scratch/by_pkg_config")" = "$expected" ]
 echo "pkg-config: builds and runs"
 
+python3 "$here/examples.py" "$scratch/root"
+
 cmake -S "$here" -B "$scratch/cmake" -DCMAKE_PREFIX_PATH="$prefix" >"$scratch/log"
 cmake --build "$scratch/cmake" >"$scratch/log"
 [ "$("$scratch/cmake/consumer")" = "$expected" ]
