@@ -5,9 +5,9 @@
 // Error of exit code 3.
 #include <nlohmann/json.hpp>
 
+#include "convexact/conform.hpp"
 #include "fuzz_target.hpp"
 #include "oracle/stdio_request.hpp"
-#include "oracle/test_vector_json.hpp"
 #include "unless_refused.hpp"
 
 using namespace convexact;

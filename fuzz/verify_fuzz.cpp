@@ -3,9 +3,9 @@
 // definitions give: surfaces by counting edges, hulls by all triples of points, boundedness by all
 // meetings of three planes, distances by all pairs.
 // Property of candidates: the same for any bytes of a candidate's file.
+#include "convexact/verify.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
-#include "oracle/candidate_file.hpp"
 #include "shapes/solids.hpp"
 #include "verdict_check.hpp"
 

@@ -5,10 +5,12 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -248,5 +250,54 @@ inline constexpr std::array kAllNotRun = {NotRun::AsksOtherwise, NotRun::OtherFo
                                     const ProgramRun& run, const ProgramLimits& limits,
                                     const std::optional<Candidate>& output,
                                     const std::atomic<bool>* stop = nullptr);
+
+/// The vectors in a text. @param data  The folder of the meshes that vectors name.
+/// @throws Error Malformed for anything that the schema does not allow; NotFinite; Unreadable for a
+///         mesh that is not there.
+[[nodiscard]] std::vector<TestVector> read_test_vectors_bytes(std::string_view bytes,
+                                                              const std::string& data);
+
+/// The vectors of one file. @throws Error as read_test_vectors_bytes, with the path in front.
+[[nodiscard]] std::vector<TestVector> read_test_vectors_file(const std::string& path,
+                                                             const std::string& data);
+
+/// The vectors of all files NAME.json in a folder, by name; meshes come from `folder`/../data.
+/// @throws Error as read_test_vectors_file; Unreadable if there is no such folder or no vector.
+[[nodiscard]] std::vector<TestVector> read_test_vectors(const std::string& folder);
+
+/// One vector and the result of a program on it. The vector outlives this.
+struct ConformanceEntry {
+  const TestVector* vector;
+  Conformance result;
+  double seconds;  ///< Of the program.
+};
+
+struct ConformanceReport {
+  std::string program;  ///< The command as it was given.
+  std::string profile;  ///< Its name, or empty.
+  Promise promise;
+  std::vector<ConformanceEntry> entries;       ///< In the order of the vectors.
+  std::map<NotRun, std::size_t> not_run = {};  ///< How many vectors were not run, and why.
+
+  std::size_t passed() const;
+  /// Whether every required vector passed.
+  bool conforms() const;
+};
+
+struct ConformRun {
+  std::vector<std::string> program;  ///< Its words, with {input}, {output} and perhaps {faces}.
+  ProgramLimits limits{30, 0};
+  std::string input_format = "obj", output_format = "obj";  ///< Extensions.
+  std::size_t jobs = 1;                                     ///< Vectors at the same time.
+  Promise promise;
+  StageWatch watch = {};  ///< Vectors are told as the progress of "running vectors".
+};
+
+/// Runs the program over the chosen vectors, and judges its outputs. Only the seconds of the result
+/// depend on the number of jobs.
+/// @throws Error InvalidArgument if the program cannot be started; Stopped.
+[[nodiscard]] ConformanceReport run_vectors(std::span<const TestVector> vectors,
+                                            const std::function<bool(const TestVector&)>& is_chosen,
+                                            const ConformRun& options);
 
 }  // namespace convexact

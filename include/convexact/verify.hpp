@@ -245,4 +245,13 @@ using VerifyOutcome = std::variant<Verdict, NotSolid>;
 [[nodiscard]] VerifyOutcome verify(const Shape& input, const Candidate& candidate,
                                    const VerifyRequest& request = {});
 
+/// A mesh or halfspaces: by the extension of `path` if it is a known one, otherwise by content. An
+/// error in the bytes becomes the candidate's error.
+[[nodiscard]] Candidate read_candidate_bytes(std::string_view bytes, const std::string& path,
+                                             Decimal decimal = Decimal::Nearest);
+
+/// The candidate in a file; "-" is standard input.
+/// @throws Error Unreadable if there is no such file, as read_bytes.
+[[nodiscard]] Candidate read_candidate(const std::string& path, Decimal decimal = Decimal::Nearest);
+
 }  // namespace convexact

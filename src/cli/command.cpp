@@ -14,9 +14,9 @@
 #include "cli/memory.hpp"
 #include "cli/quantity_option.hpp"
 #include "cli/reproducer.hpp"
-#include "cli/scratch_folder.hpp"
 #include "convexact/number.hpp"
 #include "io/json.hpp"
+#include "oracle/scratch_folder.hpp"
 #include "scene/result_json.hpp"
 
 namespace convexact::cli {

@@ -5,15 +5,16 @@
 #include <memory>
 
 #include "cli/command.hpp"
-#include "cli/conform_run.hpp"
 #include "cli/program_case.hpp"
+#include "cli/progress.hpp"
 #include "cli/promise_options.hpp"
 #include "cli/quantity_option.hpp"
 #include "cli/shipped_files.hpp"
+#include "convexact/conform.hpp"
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
 #include "io/json.hpp"
-#include "oracle/test_vector_json.hpp"
+#include "oracle/conformance_report.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -100,8 +101,11 @@ int run_conform(ConformArguments options) {
   require_sensible(options);
   options.run.promise = promise_of(options);
   const std::vector<TestVector> vectors = read_test_vectors(find_vectors(options.vectors));
+  Progress progress;
+  options.run.watch = progress.watch();
   ConformanceReport report = run_vectors(
       vectors, [&](const TestVector& vector) { return is_chosen(vector, options); }, options.run);
+  progress.clear();
   report.profile = options.promise.profile;
   if (report.entries.empty()) {
     throw Error(ErrorCode::InvalidArgument,

@@ -10,7 +10,7 @@
 #include "cli/progress.hpp"
 #include "cli/quantity_option.hpp"
 #include "convexact/scene.hpp"
-#include "oracle/diff_json.hpp"
+#include "oracle/diff.hpp"
 #include "scene/result_json.hpp"
 #include "scene/stage_log.hpp"
 #include "scene/summary.hpp"

@@ -6,7 +6,7 @@
 
 #include "cli/command.hpp"
 #include "convexact/error.hpp"
-#include "oracle/candidate_file.hpp"
+#include "convexact/verify.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/scratch_folder.hpp"
 #include "convexact/conform.hpp"
 #include "convexact/verify.hpp"
+#include "oracle/scratch_folder.hpp"
 
 namespace convexact::cli {
 

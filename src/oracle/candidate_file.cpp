@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/candidate_file.hpp"
-
 #include "convexact/io.hpp"
+#include "convexact/verify.hpp"
 
 namespace convexact {
 

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "convexact/number.hpp"
-#include "oracle/conformance_summary.hpp"
+#include "oracle/conformance_report.hpp"
 
 namespace convexact {
 namespace {

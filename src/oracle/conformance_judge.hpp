@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // conformance_judge.hpp - the parts of judge_run(), which judges an output.
 #pragma once
+#include <span>
+
 #include "convexact/conform.hpp"
 
 namespace convexact::oracle {
@@ -52,5 +54,17 @@ void judge_inside(Case& c);
 /// Judges the output of a run that ended well over a vector whose input has a volume.
 [[nodiscard]] Conformance judge_output(const TestVector& vector, const Promise& promise,
                                        const Candidate& output, const std::atomic<bool>* stop);
+
+/// Whether a point is off the plane of a face by no more than this explains: each coordinate of a
+/// corner moves by up to `slack`, each of the point by up to `point_slack`.
+///
+/// Six times the volume between face and point is the sum of the determinants
+/// D_k = det(c_k - c_0, c_(k+1) - c_0, p - c_0). If each entry of a matrix moves by up to w, its
+/// determinant moves by at most perm(|D| + w) - perm(|D|), with the permanents of the absolute
+/// values. The distance is explained if |sum of D_k| is at most the sum of these bounds. Exact;
+/// on slivers, whose planes mean little, it allows long distances, on large faces only tiny ones.
+/// @param corners  Three or more, in cyclic order.
+[[nodiscard]] bool is_explained(std::span<const RationalPoint> corners, const Rational& slack,
+                                const RationalPoint& point, const Rational& point_slack);
 
 }  // namespace convexact::oracle

@@ -8,7 +8,6 @@
 
 #include "convexact/number.hpp"
 #include "io/json.hpp"
-#include "oracle/conformance_summary.hpp"
 
 namespace convexact {
 namespace {

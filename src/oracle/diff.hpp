@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // diff.hpp - compares engines on one shape.
 #pragma once
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -54,5 +56,18 @@ using DiffOutcome = std::variant<DiffReport, NotSolid>;
 /// costs and tie lists, only if the exact one runs too: no other engine has one to compare it with.
 /// @throws Error InvalidArgument for an invalid request; Stopped; Internal.
 [[nodiscard]] DiffOutcome diff_engines(const Shape& shape, const DiffRequest& request);
+
+/// One object's report without its name and stages. Where two runs differ first and worst, costs
+/// are exact, of any length.
+[[nodiscard]] nlohmann::ordered_json diff_json(const DiffReport& report);
+
+struct NamedDiff {
+  std::string name;
+  const DiffReport* report;
+};
+
+/// A table with a row per object and comparison, then where each pair differs first and worst, with
+/// planes and costs.
+[[nodiscard]] std::string diff_table(const std::vector<NamedDiff>& objects);
 
 }  // namespace convexact

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/diff_json.hpp"
-
 #include <nlohmann/json.hpp>
 
 #include "convexact/number.hpp"
 #include "io/json.hpp"
+#include "oracle/diff.hpp"
 #include "oracle/words.hpp"
 #include "scene/result_json.hpp"
 

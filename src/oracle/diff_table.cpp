@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "convexact/number.hpp"
-#include "oracle/diff_json.hpp"
+#include "oracle/diff.hpp"
 #include "oracle/words.hpp"
 
 namespace convexact {

@@ -12,7 +12,6 @@
 #include "oracle/conformance_judge.hpp"
 #include "oracle/excess.hpp"
 #include "oracle/mesh_surface.hpp"
-#include "oracle/rounding_slack.hpp"
 
 namespace convexact::oracle {
 namespace {

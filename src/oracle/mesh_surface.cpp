@@ -8,7 +8,6 @@
 
 #include "convexact/point_set.hpp"
 #include "number/balanced_sum.hpp"
-#include "oracle/simple_polygon.hpp"
 
 namespace convexact {
 namespace {

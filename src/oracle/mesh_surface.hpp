@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // mesh_surface.hpp - what is wrong with the faces of a mesh that should bound a convex solid.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "convexact/hull.hpp"
@@ -104,5 +106,15 @@ class MeshSurface {
   std::vector<DirectedEdge> edges_;  // sorted by their ends, whichever comes first
   Surplus surplus_;
 };
+
+using PlanarPoint = std::array<Rational, 2>;
+
+/// Two edges of a closed polygon that have a point in common which is not the corner between
+/// neighbours: the positions of their first corners, the lower one first; nothing if the polygon is
+/// simple. Exact.
+/// @param corners  At least three; no two neighbours are equal.
+/// @par Cost  Linear for convex polygons; for others a sweep, in the worst case quadratic.
+[[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> touching_edges(
+    std::span<const PlanarPoint> corners);
 
 }  // namespace convexact

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/rounding_slack.hpp"
-
 #include <array>
 
-namespace convexact {
+#include "oracle/conformance_judge.hpp"
+
+namespace convexact::oracle {
 namespace {
 
 using Magnitudes = std::array<Rational, 3>;
@@ -36,4 +36,4 @@ bool is_explained(std::span<const RationalPoint> corners, const Rational& slack,
   return abs(volume) <= explained;
 }
 
-}  // namespace convexact
+}  // namespace convexact::oracle

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/simple_polygon.hpp"
-
 #include <algorithm>
 #include <numeric>
 #include <vector>
+
+#include "oracle/mesh_surface.hpp"
 
 namespace convexact {
 namespace {

@@ -18,7 +18,7 @@
 #include "io/json.hpp"
 #include "io/json_text.hpp"
 #include "number/hex_float.hpp"
-#include "oracle/verdict_json.hpp"
+#include "oracle/verdict_text.hpp"
 #include "scene/result_json.hpp"
 
 namespace convexact {

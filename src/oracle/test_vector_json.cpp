@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/test_vector_json.hpp"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -8,9 +6,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "convexact/conform.hpp"
 #include "convexact/io.hpp"
+#include "convexact/verify.hpp"
 #include "io/json_text.hpp"
-#include "oracle/candidate_file.hpp"
 
 namespace convexact {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/verdict_json.hpp"
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "convexact/number.hpp"
 #include "io/json.hpp"
+#include "oracle/verdict_text.hpp"
 #include "scene/result_json.hpp"
 
 namespace convexact {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/verdict_table.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "convexact/number.hpp"
+#include "oracle/verdict_text.hpp"
 #include "scene/summary.hpp"
 
 namespace convexact {

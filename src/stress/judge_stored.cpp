@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "convexact/verify.hpp"
-#include "oracle/candidate_file.hpp"
 
 namespace convexact {
 namespace {

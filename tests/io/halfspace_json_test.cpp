@@ -6,11 +6,11 @@
 
 #include <cmath>
 
+#include "convexact/conform.hpp"
 #include "convexact/error.hpp"
 #include "expect_error.hpp"
 #include "integer_halfspace.hpp"
 #include "oracle/removal_order_file.hpp"
-#include "oracle/test_vector_json.hpp"
 #include "property.hpp"
 #include "simplify/trace_json.hpp"
 

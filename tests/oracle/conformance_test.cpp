@@ -10,7 +10,7 @@
 #include <string>
 
 #include "convexact/conform.hpp"
-#include "oracle/rounding_slack.hpp"
+#include "oracle/conformance_judge.hpp"
 #include "shapes/solids.hpp"
 using namespace convexact;
 
@@ -353,13 +353,13 @@ TEST_CASE("is_explained: moves of coordinates against determinants, by hand (#13
   // w = 2s: the bound is perm(|D| + w) - perm(|D|) = (1 + 2s)^2 (h + 2s) - h + smaller products.
   const std::vector<RationalPoint> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const Rational s(1, 1000);
-  CHECK(is_explained(corners, s, {0, 0, Rational(2, 1000)}, s));
-  CHECK_FALSE(is_explained(corners, s, {0, 0, Rational(1, 100)}, s));
-  CHECK(is_explained(corners, 0, {0, 0, 0}, 0));
-  CHECK_FALSE(is_explained(corners, 0, {0, 0, Rational(1, 1000000)}, 0));
+  CHECK(oracle::is_explained(corners, s, {0, 0, Rational(2, 1000)}, s));
+  CHECK_FALSE(oracle::is_explained(corners, s, {0, 0, Rational(1, 100)}, s));
+  CHECK(oracle::is_explained(corners, 0, {0, 0, 0}, 0));
+  CHECK_FALSE(oracle::is_explained(corners, 0, {0, 0, Rational(1, 1000000)}, 0));
   // Of a sliver the plane means little.
   const std::vector<RationalPoint> sliver = {{0, 0, 0}, {1, 0, 0}, {0, Rational(1, 10000), 0}};
-  CHECK(is_explained(sliver, s, {0, 0, 1}, s));
+  CHECK(oracle::is_explained(sliver, s, {0, 0, 1}, s));
 }
 
 TEST_CASE("outcomes have names of their own") {

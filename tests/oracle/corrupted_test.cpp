@@ -10,7 +10,6 @@
 #include "convexact/io.hpp"
 #include "convexact/verify.hpp"
 #include "hard_inputs.hpp"
-#include "oracle/candidate_file.hpp"
 #include "perturb.hpp"
 #include "shapes/boxes.hpp"
 #include "shapes/prisms.hpp"

@@ -8,7 +8,6 @@
 
 #include "convexact/verify.hpp"
 #include "number/random.hpp"
-#include "oracle/candidate_file.hpp"
 #include "shapes/solids.hpp"
 
 using namespace convexact;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Conformance vectors as texts: numbers that are none of the schema's are refused. The contents of
 // the shipped vectors are tested where they are run.
-#include "oracle/test_vector_json.hpp"
-
 #include <doctest/doctest.h>
 
+#include "convexact/conform.hpp"
 #include "expect_error.hpp"
 
 using namespace convexact;

@@ -7,7 +7,6 @@
 
 #include "convexact/verify.hpp"
 #include "expect_error.hpp"
-#include "oracle/candidate_file.hpp"
 #include "oracle/support_program.hpp"
 #include "polytope_by_definition.hpp"
 #include "shapes/prisms.hpp"
@@ -58,9 +57,9 @@ TEST_CASE("verify: whether halfspaces contain the input does not need their vert
     const Verdict verdict = verdict_of(kCubeRows, "c.txt", request);
     CHECK(verdict.holds());
     CHECK(verdict[ContainsInput].status == Status::Holds);
-    const auto skipped = std::any_of(verdict.stages.begin(), verdict.stages.end(), [](const auto& s) {
-      return s.name == "candidate's vertices" && !s.skipped.empty();
-    });
+    const auto skipped = std::any_of(
+        verdict.stages.begin(), verdict.stages.end(),
+        [](const auto& s) { return s.name == "candidate's vertices" && !s.skipped.empty(); });
     CHECK(skipped == (also == ContainsInput));
     CHECK(verdict.size.vertices.has_value() == (also != ContainsInput));
   }

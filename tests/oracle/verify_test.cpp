@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "expect_error.hpp"
-#include "oracle/candidate_file.hpp"
 #include "oracle/excess.hpp"
 #include "oracle/support_program.hpp"
 #include "polytope_by_definition.hpp"

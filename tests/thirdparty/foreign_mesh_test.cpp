@@ -27,7 +27,6 @@ int main() {
 
 #include "convexact/io.hpp"
 #include "convexact/verify.hpp"
-#include "oracle/candidate_file.hpp"
 #include "shipped_meshes.hpp"
 using namespace convexact;
 

@@ -7,12 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "convexact/conform.hpp"
 #include "convexact/io.hpp"
 #include "convexact/simplify.hpp"
 #include "convexact/verify.hpp"
 #include "json_schema.hpp"
-#include "oracle/candidate_file.hpp"
-#include "oracle/test_vector_json.hpp"
 #include "process.hpp"
 using namespace convexact;
 

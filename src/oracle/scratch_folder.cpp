@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/scratch_folder.hpp"
+#include "oracle/scratch_folder.hpp"
 
 #include <cstdlib>
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 #include "convexact/error.hpp"
 
-namespace convexact::cli {
+namespace convexact {
 namespace {
 
 std::mutex& paths_mutex() {
@@ -52,4 +52,4 @@ std::string ScratchFolder::write(const std::string& name, const std::string& byt
   return file(name);
 }
 
-}  // namespace convexact::cli
+}  // namespace convexact

@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-namespace convexact::cli {
+namespace convexact {
 
 /// A new folder, removed by the destructor.
 class ScratchFolder {
@@ -25,4 +25,4 @@ class ScratchFolder {
 /// Removes all of these folders, for an end of the process without destructors.
 void remove_scratch_folders() noexcept;
 
-}  // namespace convexact::cli
+}  // namespace convexact

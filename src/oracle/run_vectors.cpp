@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "cli/conform_run.hpp"
-
 #include <fmt/format.h>
 
 #include <atomic>
@@ -10,14 +8,14 @@
 #include <optional>
 #include <thread>
 
-#include "cli/command.hpp"
-#include "cli/progress.hpp"
-#include "cli/scratch_folder.hpp"
+#include "convexact/conform.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/io.hpp"
-#include "oracle/candidate_file.hpp"
+#include "convexact/verify.hpp"
+#include "convexact/watch.hpp"
+#include "oracle/scratch_folder.hpp"
 
-namespace convexact::cli {
+namespace convexact {
 namespace {
 
 using RunResult = std::variant<ConformanceEntry, NotRun>;
@@ -86,7 +84,7 @@ RunResult run_vector(const TestVector& vector, const ConformRun& options) {
   const std::vector<std::string> words =
       fill_in(options.program,
               {{"input", input}, {"faces", std::to_string(faces_of(given))}, {"output", output}});
-  const ProgramRun run = run_program(words, options.limits, &interrupted());
+  const ProgramRun run = run_program(words, options.limits, options.watch.stop);
   if (run.end == ProgramEnd::NotStarted) {
     throw Error(ErrorCode::InvalidArgument,
                 "the program '" + options.program.front() + "' cannot be started");
@@ -94,7 +92,8 @@ RunResult run_vector(const TestVector& vector, const ConformRun& options) {
   std::optional<Candidate> candidate;
   if (run.succeeded()) candidate = candidate_in(output, options.promise.numbers);
   return ConformanceEntry{
-      &vector, judge_run(given, options.promise, run, options.limits, candidate, &interrupted()),
+      &vector,
+      judge_run(given, options.promise, run, options.limits, candidate, options.watch.stop),
       run.seconds};
 }
 
@@ -147,15 +146,16 @@ ConformanceReport run_vectors(std::span<const TestVector> vectors,
       chosen.push_back(&vector);
     }
   }
-  Progress progress;
   std::vector<std::optional<RunResult>> results(chosen.size());
   for_each_in_parallel(
       chosen.size(), options.jobs,
       [&](std::size_t i) {
-        if (interrupted()) throw Error(ErrorCode::Stopped, "interrupted");
+        Watch(options.watch.stop).ask();
         results[i] = run_vector(*chosen[i], options);
       },
-      [&](std::size_t done) { progress("running vectors", done, chosen.size()); });
+      [&](std::size_t done) {
+        if (options.watch.progress) options.watch.progress("running vectors", done, chosen.size());
+      });
   for (std::optional<RunResult>& result : results) {
     if (const auto* reason = std::get_if<NotRun>(&*result)) {
       ++report.not_run[*reason];
@@ -166,4 +166,4 @@ ConformanceReport run_vectors(std::span<const TestVector> vectors,
   return report;
 }
 
-}  // namespace convexact::cli
+}  // namespace convexact

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// verdict_json.hpp - verdicts of the oracle as JSON; docs/schema/verdict.schema.json.
+// verdict_text.hpp - verdicts as JSON (docs/schema/verdict.schema.json) and as a table for people.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "convexact/verify.hpp"
 
@@ -14,5 +15,8 @@ namespace convexact {
 /// {"code", "status", "sentence", "witness"} of one claim.
 [[nodiscard]] nlohmann::ordered_json claim_json(const Claim& claim,
                                                 const Rational& squared_diameter);
+
+/// A line for each claim that was asked, then how tight the candidate is, then the verdict.
+[[nodiscard]] std::string verdict_table(const Verdict& verdict);
 
 }  // namespace convexact
