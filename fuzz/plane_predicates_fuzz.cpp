@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Property of plane_signs: the determinants of plane coefficients and their signs are those of
-// Laplace's expansion; where doubles are certain they are right, and the doubles are
-// as near to the coefficients as promised. Property of dual_signs: the same of a solid's dual
-// points, at every stage; the rounded dual points are as near to the true ones as promised.
+// Property of plane_signs: the determinants of plane coefficients are those of Laplace's expansion,
+// in each of the three places that compute them on their own: the fast engines', the dual's and the
+// verifier's. Property of dual_signs: the signs of a solid's dual points are exact at every stage;
+// the rounded dual points are as near to the true ones as promised.
+#include "convexact/dual.hpp"
 #include "fast/signs.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
 #include "geometry/plane_determinants.hpp"
 #include "hard_numbers.hpp"
+#include "simplify/plain_vertex.hpp"
 
 using namespace convexact;
 
@@ -48,24 +50,8 @@ long nearest_power_of_two(const Rational& x) {
   return exponent + (rest > Rational(3, 2) ? 1 : rest < Rational(3, 4) ? -1 : 0);
 }
 
-// Each entry is off by less than 2^-52 of itself, up to one power of two for all four.
-void check_row(const Halfspace& h) {
-  const PlaneRow row = plane_row(h);
-  const std::array<Rational, 4> exact{Rational(h.normal()[0]), Rational(h.normal()[1]),
-                                      Rational(h.normal()[2]), Rational(h.offset())};
-  std::size_t largest = 0;
-  for (std::size_t k = 1; k < 4; ++k) {
-    if (std::abs(row[k]) > std::abs(row[largest])) largest = k;
-  }
-  FUZZ_CHECK(std::abs(row[largest]) >= 0.5 && std::abs(row[largest]) < 1);
-  const long exponent = nearest_power_of_two(exact[largest] / to_rational(row[largest]));
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Rational scaled = scale_by_power_of_two(exact[k], -exponent);
-    const Rational off = abs(Rational(scaled - to_rational(row[k])));
-    const bool is_underflow = abs(scaled) < Rational(1) / (Integer(1) << 1000);
-    FUZZ_CHECK(is_underflow || off * (Integer(1) << 52) <= abs(scaled));
-  }
-}
+// The dual point about the origin, wherever that lies.
+DualPoint dual_point(const Halfspace& h) { return {h.normal(), Integer(-h.offset())}; }
 
 void hold_plane_signs(FuzzInput& in) {
   const std::size_t kind = in.below(3);
@@ -74,12 +60,13 @@ void hold_plane_signs(FuzzInput& in) {
   const Integer normals = true_normal_determinant(a, b, c), whole = true_determinant(a, b, c, p);
   FUZZ_CHECK(normal_determinant(a, b, c) == normals);
   FUZZ_CHECK(plane_determinant(a, b, c, p) == whole);
-  FUZZ_CHECK(normal_sign(a, b, c) == sign_of(normals));
-  FUZZ_CHECK(plane_sign(a, b, c, p) == sign_of(whole));
-  const PlaneRow ra = plane_row(a), rb = plane_row(b), rc = plane_row(c), rp = plane_row(p);
-  FUZZ_CHECK(certain_normal_sign(ra, rb, rc).value_or(sign_of(normals)) == sign_of(normals));
-  FUZZ_CHECK(certain_plane_sign(ra, rb, rc, rp).value_or(sign_of(whole)) == sign_of(whole));
-  for (const Halfspace* h : {&a, &b, &c, &p}) check_row(*h);
+  const DualPoint points[] = {dual_point(a), dual_point(b), dual_point(c), dual_point(p)};
+  const DualPlane plane = plane_through(points[0], points[1], points[2]);
+  FUZZ_CHECK(sign_of(plane.d) == sign_of(normals));
+  FUZZ_CHECK(sign_of(height(plane, points[3])) == sign_of(whole));
+  const PlainVertex vertex = plain_vertex(a, b, c);
+  FUZZ_CHECK(vertex.d == normals);
+  FUZZ_CHECK(value_at(vertex, p) == whole);
 }
 
 // Each axis is scaled by one power of two for all dual points.
@@ -88,10 +75,7 @@ void check_coordinates(const FastDual& dual) {
     std::optional<long> exponent;
     for (std::size_t i = 0; i < dual.size(); ++i) {
       const HalfspaceId id(i);
-      const auto pick = [&](const Triple<double>& t) {
-        return axis == 0 ? t.x : axis == 1 ? t.y : t.z;
-      };
-      const double near = pick(dual.near(id)), rest = pick(dual.rest(id));
+      const double near = dual.near(id)[axis], rest = dual.rest(id)[axis];
       const Halfspace& h = dual.exact(id);
       const Rational q = Rational(h.normal()[axis]) / -h(dual.center());
       if (std::abs(near) < 0x1p-900) continue;  // may have underflowed

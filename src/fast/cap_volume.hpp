@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// cap_volume.hpp - the volume of a cap in any arithmetic, as two formulas; and how far it can be
-// off.
+// cap_volume.hpp - the volume of a cap in any arithmetic: a formula that is always accurate, a
+// quicker one that is accurate mostly, and bounds for what rounding takes away from both.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -15,46 +15,181 @@
 
 namespace convexact {
 
+/// Six times the volume of the cap of a dual point i with ring 0 .. k-1 and triangulation T, from
+/// determinants of dual points P (all w = 1). Write D(abc) = det(P_a, P_b, P_c) and H(abc,p) as in
+/// DualSigns::height; the plane of p cuts the vertex of abc at slack |H(abc,p)| / D(abc).
+///
+/// The cap is cut into tetrahedra: from the base vertex v_0 = (i, 0, 1) over each facet in a ring
+/// plane r, that facet in a fan from its base vertex v_r = (i, r, r + 1). A triangle of the fan
+/// stands on the segment that plane q, a neighbour of r in T or in the ring, cuts out of the facet,
+/// between the vertices of (r, a, q) and (r, q, b). The segment is H(raq,b) / (D(raq) D(rqb)) times
+/// P_r x P_q long, and with det(u, v, p x q) = (u.p)(v.q) - (u.q)(v.p) six times the volume of the
+/// tetrahedron comes out as
+///
+///   slack(r, v_0) slack(q, v_r) |H(raq,b)| / (D(raq) D(rqb)).
+///
+/// No factor is ever negative, and the D are those of true vertices, all positive: nothing
+/// cancels, and there is no singular case. (In the sum over T of H^3 / (D D D D) [Lawrence1991] the
+/// D of an inner diagonal may vanish, and does on every prism.)
+///
+/// Determinants computes them, all of them >= 0, in numbers of its own:
+///   Number base(m)       D(i, m, m + 1)
+///   Number slack(m)      |H(i, 0, 1, m)|
+///   Number leg(m, q)     |H(i, m, m + 1, q)|
+///   void set_triangle(low, middle, high)      abc, which the next three refer to
+///   Number vertex()      D(abc)
+///   Number to_center()   |H(abc, i)|
+///   Number to(q)         |H(abc, q)|
+/// and Determinants::Sum has add(Number) and scaled_down(Number), the sum divided by its argument.
+template <class Determinants>
+class CapVolume {
+ public:
+  using Number = typename Determinants::Number;
 
-/// lower <= x <= upper for some x >= 0. Operations on the ends are rounded to nearest: after n of
-/// them in a row, the caller widens the result by n roundings.
+  Number six_times(std::uint32_t k, std::span<const RingTriangle> triangles, Determinants& of);
+
+ private:
+  std::vector<Number> base_, slack_, vertex_;
+};
+
+template <class Determinants>
+typename Determinants::Number CapVolume<Determinants>::six_times(
+    std::uint32_t k, std::span<const RingTriangle> triangles, Determinants& of) {
+  base_.clear();
+  slack_.clear();
+  vertex_.clear();
+  for (std::uint32_t m = 0; m < k; ++m) base_.push_back(of.base(m));
+  for (std::uint32_t m = 0; m < k; ++m) slack_.push_back(of.slack(m));
+  // slack(m, v_0) slack(q, v_m), less the common 1 / D(i, 0, 1). Zero for m = 0, 1: v_0 lies there.
+  const auto legs = [&](std::uint32_t m, std::uint32_t q) {
+    return slack_[m] * of.leg(m, q) / base_[m];
+  };
+  typename Determinants::Sum sum;
+  for (const auto& [low, middle, high, parent] : triangles) {
+    of.set_triangle(low, middle, high);
+    vertex_.push_back(of.vertex());
+    // A segment along an edge of the ring ends in the base: there b is i itself.
+    const bool first = middle == low + 1 && middle >= 2, second = high == middle + 1;
+    if (first || second) {
+      const Number to_base = of.to_center() / vertex_.back();
+      if (first) sum.add(legs(middle, low) * to_base / base_[low]);
+      if (second) sum.add(legs(high, middle) * to_base / base_[middle]);
+    }
+    if (parent == kNone) continue;
+    const RingTriangle& above = triangles[parent];
+    const Number segment =
+        of.to(above.low == low ? above.high : above.low) / (vertex_.back() * vertex_[parent]);
+    if (low >= 2) sum.add(legs(low, high) * segment);
+    sum.add(legs(high, low) * segment);
+  }
+  return sum.scaled_down(base_[0]);
+}
+
+/// Adds six times the volume of the cone from the center over facet i, whose ring has k members, to
+/// `sum`. The facet is cut in a fan from its vertex v = (i, 0, 1); a triangle of it stands on the
+/// edge that ring plane q cuts out, between q - 1 and q + 1. As in CapVolume, with the center
+/// (where every slack is 1) as the apex, six times the tetrahedron is
+///   slack(q, v) |H(i q-1 q, q+1)| / (D(i, q-1, q) D(i, q, q+1)).
+/// The cones over all facets make up the solid.
+/// @param of  As for CapVolume.
+template <class Determinants>
+void add_cone(std::uint32_t k, Determinants& of, typename Determinants::Sum& sum) {
+  using Number = typename Determinants::Number;
+  const Number first = of.base(0);
+  for (std::uint32_t q = 2; q < k; ++q) {
+    const Number opening = of.slack(q) / first;
+    const Number edge = of.leg(q - 1, q + 1 == k ? 0 : q + 1) / of.base(q - 1);
+    sum.add(opening * edge / of.base(q));
+  }
+}
+
+/// Whether every vertex of a cap exists.
+enum class Boundedness : unsigned char {
+  Bounded,    ///< Proven: every triangle of T has D > 0.
+  Unbounded,  ///< Proven: some triangle of T has D < 0.
+  Doubtful,   ///< Some D is too small for this arithmetic to tell its sign.
+};
+
+/// What one arithmetic proves of a cap, as long as T is right.
 template <class Scalar>
-struct Range {
+struct CostBounds {
+  Boundedness kind;
+  Scalar lower;  ///< At most six times the volume, >= 0; also where the kind is Doubtful.
+  Scalar upper;  ///< At least that, if the cap is bounded.
+
+  static CostBounds doubtful() {
+    return {Boundedness::Doubtful, Scalar(0.0), Scalar(std::numeric_limits<double>::infinity())};
+  }
+};
+
+/// The same with the volume as it is computed.
+template <class Scalar>
+struct CostEstimate : CostBounds<Scalar> {
+  /// Six times. *Not* the middle of the bounds: where H is near zero, its bound is often 10^6 times
+  /// its error, and the upper bound of a cap may be of any size.
+  Scalar value;
+};
+
+/// Determinants of a ring as they come out, for CapVolume.
+template <class Scalar>
+class RoundedDeterminants {
+ public:
+  using Number = Scalar;
+  struct Sum {
+    Number total{0.0};
+    void add(const Number& x) { total += x; }
+    Number scaled_down(const Number& x) const { return total / x; }
+  };
+
+  explicit RoundedDeterminants(const RingGeometry<Scalar>& ring) : ring_(ring) {}
+
+  Number base(std::uint32_t m) const { return dot(ring_.side[m], ring_.center); }
+  Number slack(std::uint32_t m) const { return lift(-dot(ring_.side[0], ring_.arm[m])); }
+  Number leg(std::uint32_t m, std::uint32_t q) const {
+    return lift(-dot(ring_.side[m], ring_.arm[q]));
+  }
+  void set_triangle(std::uint32_t low, std::uint32_t middle, std::uint32_t high) {
+    low_ = low;
+    normal_ = cross(ring_.point[middle] - ring_.point[low], ring_.point[high] - ring_.point[low]);
+  }
+  Number vertex() const { return dot(normal_, ring_.point[low_]); }
+  Number to_center() const { return lift(-dot(normal_, ring_.arm[low_])); }
+  Number to(std::uint32_t q) const {
+    return lift(-dot(normal_, ring_.point[q] - ring_.point[low_]));
+  }
+
+ private:
+  // A negative height is one only by rounding.
+  static Number lift(const Scalar& value) { return is_positive(value) ? value : Scalar(0.0); }
+
+  const RingGeometry<Scalar>& ring_;
+  Triple<Scalar> normal_{};
+  std::uint32_t low_ = 0;
+};
+
+/// lower <= x <= upper for some x >= 0. The ends of a product or quotient are rounded to nearest:
+/// after n operations in a row they have to be moved apart by n roundings.
+template <class Scalar>
+struct Interval {
   Scalar lower, upper;
 
-  friend Range operator*(const Range& a, const Range& b) {
+  friend Interval operator*(const Interval& a, const Interval& b) {
     return {a.lower * b.lower, a.upper * b.upper};
   }
-  friend Range operator/(const Range& a, const Range& b) {
+  friend Interval operator/(const Interval& a, const Interval& b) {
     return {a.lower / b.upper, a.upper / b.lower};
   }
 };
 
-/// What one stage of arithmetic says about a cap.
-template <class Scalar>
-struct CapRange {
-  enum class Kind : unsigned char {
-    Bounded,    ///< 0 <= lower <= six times its volume <= upper.
-    Unbounded,  ///< Proven: some triangle of T has D < 0.
-    Doubtful,   ///< Some D is too small for this arithmetic to tell; `lower` is true all the same.
-  };
-  Kind kind;
-  Scalar lower, upper;
-
-  static CapRange doubtful() {
-    return {Kind::Doubtful, Scalar(0.0), Scalar(std::numeric_limits<double>::infinity())};
-  }
-};
-
-/// Determinants of a RingGeometry as ranges, for CapVolume.
+/// Determinants of a ring as intervals that hold the true ones, for CapVolume.
 ///
 /// Rounding: below any term of the sum lie 5 factors, each of whose ends is rounded once, 3
 /// products and 4 quotients; then up to 2 k additions. So 13 + 2 k units bound the relative error
 /// of an end, and twice (16 + 2 k) leaves room for higher orders.
 template <class Scalar>
-class RangeSource {
+class IntervalDeterminants {
  public:
-  using Number = Range<Scalar>;
+  using Number = Interval<Scalar>;
   struct Sum {
     Number total{Scalar(0.0), Scalar(0.0)};
     void add(const Number& x) {
@@ -64,7 +199,8 @@ class RangeSource {
     Number scaled_down(const Number& x) const { return total / x; }
   };
 
-  RangeSource(const RingGeometry<Scalar>& ring, double unit)
+  /// @param unit  As of Roundoff.
+  IntervalDeterminants(const RingGeometry<Scalar>& ring, double unit)
       : ring_(ring),
         unit_(unit),
         arm_error_(ring.arm_filter(unit).height),
@@ -94,16 +230,16 @@ class RangeSource {
     return lift(-dot(normal_, ring_.point[q] - ring_.point[low_]), error_);
   }
 
-  /// What six_times() returned, with everything that was rounded away.
-  CapRange<Scalar> widened(const Number& six_times) const {
-    using Kind = typename CapRange<Scalar>::Kind;
-    if (negative_) return {Kind::Unbounded, Scalar(0.0), Scalar(0.0)};
+  /// What CapVolume computed from these determinants, with everything that was rounded away.
+  CostBounds<Scalar> widened(const Number& six_times) const {
+    if (negative_) return {Boundedness::Unbounded, Scalar(0.0), Scalar(0.0)};
     const double n = 16 + 2 * static_cast<double>(ring_.arm.size());
     const Scalar slop = Scalar(2 * n * unit_);
     const Scalar tiny = Scalar(ExponentRange<Scalar>::kVolumeUnderflow);
     const Scalar lower = six_times.lower * (Scalar(1.0) - slop) - tiny;
-    return {doubtful_ ? Kind::Doubtful : Kind::Bounded, is_positive(lower) ? lower : Scalar(0.0),
-            doubtful_ ? CapRange<Scalar>::doubtful().upper
+    return {doubtful_ ? Boundedness::Doubtful : Boundedness::Bounded,
+            is_positive(lower) ? lower : Scalar(0.0),
+            doubtful_ ? CostBounds<Scalar>::doubtful().upper
                       : six_times.upper * (Scalar(1.0) + slop) + tiny};
   }
   /// Whether every D asked for so far is proven positive.
@@ -124,7 +260,7 @@ class RangeSource {
     negative_ |= range.upper < Scalar(0.0);
     const Scalar smallest = Scalar(ExponentRange<Scalar>::kSmallestDeterminant);
     if (range.lower > smallest) return range;
-    // The upper end of the sum is void now. Its lower end has no use for this one, and is true for
+    // Now the sum has no upper end. Its lower end divides by range.upper only, and stays true for
     // any larger D.
     doubtful_ = true;
     if (range.upper < smallest) range.upper = smallest;
@@ -139,77 +275,6 @@ class RangeSource {
   bool negative_ = false, doubtful_ = false;
 };
 
-/// Six times the volume of the cap of a dual point i with ring 0 .. k-1 and triangulation T, from
-/// determinants of dual points P (all w = 1). Write D(abc) = det(P_a, P_b, P_c) and H(abc,p) as in
-/// DualSigns::height; the plane of p cuts the vertex of abc at slack |H(abc,p)| / D(abc).
-///
-/// The cap is cut into tetrahedra: from the base vertex v_0 = (i, 0, 1) over each facet in a ring
-/// plane r, that facet in a fan from its base vertex v_r = (i, r, r + 1). A triangle of the fan
-/// stands on the segment that plane q, a neighbour of r in T or in the ring, cuts out of the facet,
-/// between the vertices of (r, a, q) and (r, q, b). The segment is H(raq,b) / (D(raq) D(rqb)) times
-/// P_r x P_q long, and with det(u, v, p x q) = (u.p)(v.q) - (u.q)(v.p) six times the volume of the
-/// tetrahedron comes out as
-///
-///   slack(r, v_0) slack(q, v_r) |H(raq,b)| / (D(raq) D(rqb)).
-///
-/// No factor is ever negative, and the D are those of true vertices, all positive: nothing
-/// cancels, and there is no singular case. (In the sum over T of H^3 / (D D D D) [Lawrence1991] the
-/// D of an inner diagonal may vanish, and does on every prism.)
-///
-/// Source computes the determinants, all of them >= 0, in numbers of its own:
-///   Number base(m)       D(i, m, m + 1)
-///   Number slack(m)      |H(i, 0, 1, m)|
-///   Number leg(m, q)     |H(i, m, m + 1, q)|
-///   void set_triangle(low, middle, high)      abc, which the next three refer to
-///   Number vertex()      D(abc)
-///   Number to_center()   |H(abc, i)|
-///   Number to(q)         |H(abc, q)|
-/// and Source::Sum has add(Number) and scaled_down(Number), the sum divided by its argument.
-template <class Source>
-class CapVolume {
- public:
-  using Number = typename Source::Number;
-
-  Number six_times(std::uint32_t k, std::span<const RingTriangle> triangles, Source& source);
-
- private:
-  std::vector<Number> base_, slack_, vertex_;
-};
-
-template <class Source>
-typename Source::Number CapVolume<Source>::six_times(std::uint32_t k,
-                                                     std::span<const RingTriangle> triangles,
-                                                     Source& source) {
-  base_.clear();
-  slack_.clear();
-  vertex_.clear();
-  for (std::uint32_t m = 0; m < k; ++m) base_.push_back(source.base(m));
-  for (std::uint32_t m = 0; m < k; ++m) slack_.push_back(source.slack(m));
-  // slack(m, v_0) slack(q, v_m), less the common 1 / D(i, 0, 1). Zero for m = 0, 1: v_0 lies there.
-  const auto legs = [&](std::uint32_t m, std::uint32_t q) {
-    return slack_[m] * source.leg(m, q) / base_[m];
-  };
-  typename Source::Sum sum;
-  for (const auto& [low, middle, high, parent] : triangles) {
-    source.set_triangle(low, middle, high);
-    vertex_.push_back(source.vertex());
-    // A segment along an edge of the ring ends in the base: there b is i itself.
-    const bool first = middle == low + 1 && middle >= 2, second = high == middle + 1;
-    if (first || second) {
-      const Number to_base = source.to_center() / vertex_.back();
-      if (first) sum.add(legs(middle, low) * to_base / base_[low]);
-      if (second) sum.add(legs(high, middle) * to_base / base_[middle]);
-    }
-    if (parent == kNone) continue;
-    const RingTriangle& above = triangles[parent];
-    const Number segment =
-        source.to(above.low == low ? above.high : above.low) / (vertex_.back() * vertex_[parent]);
-    if (low >= 2) sum.add(legs(low, high) * segment);
-    sum.add(legs(high, low) * segment);
-  }
-  return sum.scaled_down(base_[0]);
-}
-
 /// Six times the volume of a cap as the sum, over the triangles abc of T, of
 ///   H^3 / (D(abc) D(iab) D(ibc) D(ica)),   H = |H(abc,i)|,
 /// each term the signed simplex of four planes. Only about half as many operations as CapVolume;
@@ -223,11 +288,10 @@ typename Source::Number CapVolume<Source>::six_times(std::uint32_t k,
 /// - H is off by h, D(iab) by d, D(abc) by 3 d + h from its parts and by 3 u (4 * 4 B) < d from
 ///   rounding, the parts being at most 4 B in size: by 6 d.
 /// - If all |D| are at least M >= kMargin d, a term is off by 3 h (H + h)^2 / |D D D D| from H and
-/// by
-///   a relative (6 + 1 + 1 + 1) d / M from the D, each times less than 1.1 for what the
-///   others do to it; rounding adds less than 16 u, and adding up k terms k u.
+///   by a relative (6 + 1 + 1 + 1) d / M from the D, each times less than 1.1 for what the others
+///   do to it; rounding adds less than 16 u, and adding up k terms k u.
 /// - Twice that allows for the computation of the error itself.
-/// Underflow is as in RangeSource.
+/// Underflow is as in IntervalDeterminants.
 template <class Scalar>
 class LawrenceSum {
  public:
@@ -240,12 +304,11 @@ class LawrenceSum {
   static constexpr double kAcceptable = 0x1p37, kAcceptableShare = 0x1p-8;
 
   /// Doubtful where another way must decide.
-  CapRange<Scalar> run(const RingGeometry<Scalar>& ring, std::span<const RingTriangle> triangles,
-                       double unit);
+  CostBounds<Scalar> run(const RingGeometry<Scalar>& ring, std::span<const RingTriangle> triangles,
+                         double unit);
 
-  /// The sum as run() computed it, for callers that need no bound. *Stable*: what D being rounded
-  /// may do to it is within kAcceptableShare, so no two terms cancel. How far H is off is not
-  /// asked.
+  /// The sum as run() computed it, without a bound. *Stable*: the rounding of D changes it by at
+  /// most kAcceptableShare, so no two terms cancel; how far H is off does not count here.
   const Scalar& value() const { return value_; }
   bool is_stable() const { return stable_; }
 
@@ -302,9 +365,8 @@ inline Scalar LawrenceSum<Scalar>::height_and_edges(const RingGeometry<Scalar>& 
 }
 
 template <class Scalar>
-CapRange<Scalar> LawrenceSum<Scalar>::run(const RingGeometry<Scalar>& ring,
-                                          std::span<const RingTriangle> triangles, double unit) {
-  using Kind = typename CapRange<Scalar>::Kind;
+CostBounds<Scalar> LawrenceSum<Scalar>::run(const RingGeometry<Scalar>& ring,
+                                            std::span<const RingTriangle> triangles, double unit) {
   const PlaneFilter filter = ring.arm_filter(unit);
   start(ring);
   stable_ = false;
@@ -318,20 +380,20 @@ CapRange<Scalar> LawrenceSum<Scalar>::run(const RingGeometry<Scalar>& ring,
                                                         : -second_[parent];
     const Scalar vertex = first_[t] + second_[t] + above - height;
     if (vertex < Scalar(-kVertexError * filter.determinant)) {
-      return {Kind::Unbounded, Scalar(0.0), Scalar(0.0)};
+      return {Boundedness::Unbounded, Scalar(0.0), Scalar(0.0)};
     }
-    if (!is_positive(vertex)) return CapRange<Scalar>::doubtful();
+    if (!is_positive(vertex)) return CostBounds<Scalar>::doubtful();
     note(vertex);
     const Scalar weight = Scalar(1.0) / ((vertex * first_[t]) * (second_[t] * above));
     const Scalar term = height * height * height * weight;
     sum += term;
-    const double raised = leading(height) + filter.height;
-    from_heights += raised * raised * std::abs(leading(weight));
+    const double highest = leading(height) + filter.height;
+    from_heights += highest * highest * std::abs(leading(weight));
     total += std::abs(leading(term));
   }
   using Exponents = ExponentRange<Scalar>;
   if (!(smallest_ > std::max(kMargin * filter.determinant, Exponents::kSmallestDeterminant))) {
-    return CapRange<Scalar>::doubtful();
+    return CostBounds<Scalar>::doubtful();
   }
   const double relative = kRelativeErrors * filter.determinant / smallest_ +
                           (16 + static_cast<double>(triangles.size())) * unit;
@@ -340,122 +402,41 @@ CapRange<Scalar> LawrenceSum<Scalar>::run(const RingGeometry<Scalar>& ring,
   const double error =
       2 * (3 * filter.height * from_heights + total * relative) + Exponents::kVolumeUnderflow;
   const double acceptable = std::min(kAcceptable * unit, kAcceptableShare);
-  if (!(error <= acceptable * leading(sum))) return CapRange<Scalar>::doubtful();
-  return {Kind::Bounded, sum - Scalar(error), sum + Scalar(error)};
+  if (!(error <= acceptable * leading(sum))) return CostBounds<Scalar>::doubtful();
+  return {Boundedness::Bounded, sum - Scalar(error), sum + Scalar(error)};
 }
 
+/// The cost of removals in one arithmetic: the quick sum of LawrenceSum, which needs no H but those
+/// of the removed plane, as long as no D is near zero; else CapVolume.
 template <class Scalar>
-class CapEnclosure {
- public:
-  /// Six times the volume of the cap of ring.center, T given. T is taken as it is: the enclosure is
-  /// as true as the signs that T was made with.
-  /// @param unit  As of Roundoff.
-  CapRange<Scalar> run(const RingGeometry<Scalar>& ring, std::span<const RingTriangle> triangles,
-                       double unit) {
-    const CapRange<Scalar> quick = lawrence_.run(ring, triangles, unit);
-    if (quick.kind != CapRange<Scalar>::Kind::Doubtful) return quick;
-    RangeSource<Scalar> source(ring, unit);
-    const auto k = static_cast<std::uint32_t>(ring.arm.size());
-    return source.widened(volume_.six_times(k, triangles, source));
-  }
-
- private:
-  LawrenceSum<Scalar> lawrence_;
-  CapVolume<RangeSource<Scalar>> volume_;
-};
-
-/// Six times the volume of a cap.
-template <class Scalar>
-struct CapEstimate {
-  typename CapRange<Scalar>::Kind kind;
-  Scalar lower;  ///< Proven, if T is right; also where it is not found bounded.
-  Scalar value;  ///< As computed. *Not* the middle of a range: where H is near zero, its bound is
-                 ///< often 10^6 times its error, and a range may reach up to any size.
-  Scalar upper;  ///< Proven, if T is right.
-};
-
-/// Determinants of a RingGeometry as they come out, for CapVolume.
-template <class Scalar>
-class PlainSource {
- public:
-  using Number = Scalar;
-  struct Sum {
-    Number total{0.0};
-    void add(const Number& x) { total += x; }
-    Number scaled_down(const Number& x) const { return total / x; }
-  };
-
-  explicit PlainSource(const RingGeometry<Scalar>& ring) : ring_(ring) {}
-
-  Number base(std::uint32_t m) const { return dot(ring_.side[m], ring_.center); }
-  Number slack(std::uint32_t m) const { return lift(-dot(ring_.side[0], ring_.arm[m])); }
-  Number leg(std::uint32_t m, std::uint32_t q) const {
-    return lift(-dot(ring_.side[m], ring_.arm[q]));
-  }
-  void set_triangle(std::uint32_t low, std::uint32_t middle, std::uint32_t high) {
-    low_ = low;
-    normal_ = cross(ring_.point[middle] - ring_.point[low], ring_.point[high] - ring_.point[low]);
-  }
-  Number vertex() const { return dot(normal_, ring_.point[low_]); }
-  Number to_center() const { return lift(-dot(normal_, ring_.arm[low_])); }
-  Number to(std::uint32_t q) const {
-    return lift(-dot(normal_, ring_.point[q] - ring_.point[low_]));
-  }
-
- private:
-  // What is negative only by rounding.
-  static Number lift(const Scalar& value) { return is_positive(value) ? value : Scalar(0.0); }
-
-  const RingGeometry<Scalar>& ring_;
-  Triple<Scalar> normal_{};
-  std::uint32_t low_ = 0;
-};
-
-/// Estimates caps, each by the formula that suits it: the sum of [Lawrence1991], which needs no H
-/// but those of the removed plane, as long as no D is near zero; else CapVolume.
-template <class Scalar>
-class CapEstimator {
+class CapCost {
  public:
   /// T is taken as it is.
   /// @param unit  As of Roundoff.
-  CapEstimate<Scalar> run(const RingGeometry<Scalar>& ring, std::span<const RingTriangle> triangles,
-                          double unit) {
-    using Kind = typename CapRange<Scalar>::Kind;
-    const CapRange<Scalar> quick = lawrence_.run(ring, triangles, unit);
-    if (quick.kind != Kind::Doubtful) {
-      return {quick.kind, quick.lower, lawrence_.value(), quick.upper};
-    }
-    RangeSource<Scalar> ends(ring, unit);
+  CostBounds<Scalar> bounds(const RingGeometry<Scalar>& ring,
+                            std::span<const RingTriangle> triangles, double unit) {
+    const CostBounds<Scalar> quick = quick_.run(ring, triangles, unit);
+    if (quick.kind != Boundedness::Doubtful) return quick;
+    IntervalDeterminants<Scalar> determinants(ring, unit);
     const auto k = static_cast<std::uint32_t>(ring.arm.size());
-    const CapRange<Scalar> range = ends.widened(ranges_.six_times(k, triangles, ends));
-    if (range.kind != Kind::Bounded || lawrence_.is_stable()) {
-      return {range.kind, range.lower, lawrence_.value(), range.upper};
+    return determinants.widened(sure_.six_times(k, triangles, determinants));
+  }
+  /// With the volume as computed, by the formula that suits it. A bounded quick sum is stable.
+  CostEstimate<Scalar> estimate(const RingGeometry<Scalar>& ring,
+                                std::span<const RingTriangle> triangles, double unit) {
+    const CostBounds<Scalar> proven = bounds(ring, triangles, unit);
+    if (proven.kind != Boundedness::Bounded || quick_.is_stable()) {
+      return {proven, quick_.value()};
     }
-    PlainSource<Scalar> source(ring);
-    return {Kind::Bounded, range.lower, plain_.six_times(k, triangles, source), range.upper};
+    RoundedDeterminants<Scalar> determinants(ring);
+    const auto k = static_cast<std::uint32_t>(ring.arm.size());
+    return {proven, rounded_.six_times(k, triangles, determinants)};
   }
 
  private:
-  LawrenceSum<Scalar> lawrence_;
-  CapVolume<RangeSource<Scalar>> ranges_;
-  CapVolume<PlainSource<Scalar>> plain_;
+  LawrenceSum<Scalar> quick_;
+  CapVolume<IntervalDeterminants<Scalar>> sure_;
+  CapVolume<RoundedDeterminants<Scalar>> rounded_;
 };
-
-/// Adds six times the volume of the cone from the center over facet i, whose ring has k members, to
-/// `sum`. The facet is cut in a fan from its vertex v = (i, 0, 1); a triangle of it stands on the
-/// edge that ring plane q cuts out, between q - 1 and q + 1. As in CapVolume, with the center
-/// (where every slack is 1) as the apex, six times the tetrahedron is
-///   slack(q, v) |H(i q-1 q, q+1)| / (D(i, q-1, q) D(i, q, q+1)).
-/// @param source  As for CapVolume.
-template <class Source>
-void add_cone(std::uint32_t k, Source& source, typename Source::Sum& sum) {
-  using Number = typename Source::Number;
-  const Number first = source.base(0);
-  for (std::uint32_t q = 2; q < k; ++q) {
-    const Number opening = source.slack(q) / first;
-    const Number edge = source.leg(q - 1, q + 1 == k ? 0 : q + 1) / source.base(q - 1);
-    sum.add(opening * edge / source.base(q));
-  }
-}
 
 }  // namespace convexact

@@ -89,8 +89,6 @@ namespace {
 
 using Long = Triple<DoubleDouble>;
 
-double& axis(Triple<double>& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; }
-
 // x = mantissa * 2^exponent, |mantissa| in [1/2, 1); a large negative exponent for zero.
 int exponent_of(double x) {
   if (x == 0) return -1100;
@@ -184,10 +182,9 @@ void FastDualBuilder::choose_center(const Hull& hull) {
   }
   const DoubleDouble n(static_cast<double>(hull.vertices.size()));
   center_ = {sum.x / n, sum.y / n, sum.z / n};
-  const DoubleDouble* const parts[] = {&center_.x, &center_.y, &center_.z};
   for (int k = 0; k < 3; ++k) {
     dual_.center_[k] = scale_by_power_of_two(
-        Rational(to_rational(parts[k]->hi()) + to_rational(parts[k]->lo())), exponent_[k]);
+        Rational(to_rational(center_[k].hi()) + to_rational(center_[k].lo())), exponent_[k]);
   }
 }
 
@@ -241,8 +238,8 @@ bool FastDualBuilder::add_from_plane(std::size_t i) {
   for (int k = 0; k < 3; ++k) {
     const DoubleDouble p =
         to_long(scale_by_power_of_two(Rational(plane.normal()[k]) / w, exponent_[k]));
-    axis(dual_.near_[i], k) = p.hi();
-    axis(dual_.rest_[i], k) = p.lo();
+    dual_.near_[i][k] = p.hi();
+    dual_.rest_[i][k] = p.lo();
   }
   return true;
 }
@@ -284,11 +281,11 @@ bool FastDualBuilder::is_finite() const {
 void FastDualBuilder::normalise() {
   for (int k = 0; k < 3; ++k) {
     double largest = 0;
-    for (Triple<double>& p : dual_.near_) largest = std::max(largest, std::abs(axis(p, k)));
+    for (Triple<double>& p : dual_.near_) largest = std::max(largest, std::abs(p[k]));
     const int down = exponent_of(largest);
     const PowerOfTwo factor(-down);
     for (std::vector<Triple<double>>* part : {&dual_.near_, &dual_.rest_}) {
-      for (Triple<double>& p : *part) axis(p, k) = factor.times(axis(p, k));
+      for (Triple<double>& p : *part) p[k] = factor.times(p[k]);
     }
     dual_.frame_[k] = exponent_[k] - down;
   }

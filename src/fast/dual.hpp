@@ -13,9 +13,13 @@
 
 namespace convexact {
 
+/// Three numbers of any kind, with the few vector operations of the fast engines.
 template <class Scalar>
 struct Triple {
   Scalar x, y, z;
+
+  Scalar& operator[](int k) { return k == 0 ? x : k == 1 ? y : z; }
+  const Scalar& operator[](int k) const { return k == 0 ? x : k == 1 ? y : z; }
 };
 
 template <class Scalar>

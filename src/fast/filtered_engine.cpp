@@ -6,15 +6,15 @@
 namespace convexact {
 namespace {
 
-// Keeps which caps the loop evaluates.
-class EvaluationRecorder : public NoAudit {
+// Keeps which caps the loop evaluates. Their bounds in DoubleDouble are of the same caps once more.
+class EvaluationRecorder : public CostObserver {
  public:
   /// @param steps  The record of the run: as long as the steps made so far.
   EvaluationRecorder(const std::vector<Step>& steps, std::vector<Evaluation>& evaluations)
       : steps_(steps), evaluations_(evaluations) {}
 
-  void cap(HalfspaceId i, const OneRing& ring, const std::vector<RingTriangle>& triangles,
-           const CapRange<double>&) {
+  void in_doubles(HalfspaceId i, const OneRing& ring, const std::vector<RingTriangle>& triangles,
+                  const CostBounds<double>&) override {
     const auto& v = ring.vertices;
     Evaluation evaluation{steps_.size(), i, v, {}};
     for (const RingTriangle& t : triangles) {
@@ -22,28 +22,16 @@ class EvaluationRecorder : public NoAudit {
     }
     evaluations_.push_back(std::move(evaluation));
   }
-  // The same cap once more.
-  void cap(HalfspaceId, const OneRing&, const std::vector<RingTriangle>&,
-           const CapRange<DoubleDouble>&) {}
 
  private:
   const std::vector<Step>& steps_;
   std::vector<Evaluation>& evaluations_;
 };
 
-template <class Audit>
-void run_with_record(const FastDual& dual, const SimplifyOptions& options, Audit& audit,
-                     Simplification& simplification) {
-  FastResult result = FilteredLoop<Audit>(dual, options, audit).run(&simplification.trace.steps);
-  simplification.trace.stop = result.stop;
-  simplification.triangles = std::move(result.triangles);
-}
-
 }  // namespace
 
 FastResult simplify_filtered(const FastDual& dual, const SimplifyOptions& options) {
-  NoAudit audit;
-  return FilteredLoop<>(dual, options, audit).run();
+  return FilteredLoop(dual, options).run();
 }
 
 Simplification simplify_filtered(const DualHull& solid, const RationalPoint& center,
@@ -51,13 +39,11 @@ Simplification simplify_filtered(const DualHull& solid, const RationalPoint& cen
   const FastDual dual = FastDual::of(solid, center);
   Simplification simplification;
   simplification.trace.halfspaces = solid.halfspaces;
-  if (options.keep_evaluations) {
-    EvaluationRecorder recorder(simplification.trace.steps, simplification.evaluations);
-    run_with_record(dual, options, recorder, simplification);
-  } else {
-    NoAudit audit;
-    run_with_record(dual, options, audit, simplification);
-  }
+  EvaluationRecorder recorder(simplification.trace.steps, simplification.evaluations);
+  FastResult result = FilteredLoop(dual, options, options.keep_evaluations ? &recorder : nullptr)
+                          .run(&simplification.trace.steps);
+  simplification.trace.stop = result.stop;
+  simplification.triangles = std::move(result.triangles);
   return simplification;
 }
 

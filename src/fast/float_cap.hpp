@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// float_cap.hpp - what the float engine computes with, and one cap in it.
+// float_cap.hpp - what one removal costs in the float engine: arithmetics, and a cap in one of
+// them.
 #pragma once
 #include <cmath>
 #include <concepts>
@@ -13,6 +14,16 @@
 
 namespace convexact {
 
+/// The float engine computes in an arithmetic, which provides
+///   Scalar                              + - * / < > <= and, by leading(), the nearest double
+///   Triple<Scalar> point(HalfspaceId)   the dual point, off by at most 2 unit() per coordinate
+///   double unit()                       the relative error of one operation, at most 2^-24
+/// and, if there is a longer arithmetic for the caps that this one does not find bounded,
+///   Longer                              such a type, without a Longer of its own
+///   const Longer& longer()
+/// and, if the run is to know its own error (FastResult::bound),
+///   const DualSigns& signs()            asked where this arithmetic is not sure of a sign of T
+/// These two are the engine's own.
 struct DoubleDoubles {
   using Scalar = DoubleDouble;
   const FastDual& dual;
@@ -35,20 +46,23 @@ struct Doubles {
   const DoubleDoubles& longer() const { return long_ones; }
 };
 
-/// An arithmetic that can ask exact numbers whether it was right.
+template <class Arithmetic>
+concept HasLonger = requires {
+  typename Arithmetic::Longer;
+};
 template <class Arithmetic>
 concept HasSigns = requires(const Arithmetic& arithmetic) {
   { arithmetic.signs() } -> std::convertible_to<const DualSigns&>;
 };
 
-/// Ring, triangulation T and volume. Signs of H are taken as they come out.
-/// @tparam Arithmetic  As for FloatLoop.
+/// The cap of one dual point: ring, triangulation T and volume. Signs of H are taken as they come
+/// out.
 template <class Arithmetic>
-class RingCap {
+class FloatCap {
  public:
   using Scalar = typename Arithmetic::Scalar;
 
-  explicit RingCap(const Arithmetic& arithmetic) : arithmetic_(arithmetic) {}
+  explicit FloatCap(const Arithmetic& arithmetic) : arithmetic_(arithmetic) {}
 
   /// Reads the coordinates of i and its ring, and triangulates it.
   void load(HalfspaceId i, const OneRing& ring, std::uint64_t seed,
@@ -59,11 +73,11 @@ class RingCap {
     triangulator_.run(static_cast<std::uint32_t>(ring.vertices.size()), beyond, seed, triangles);
     is_right_ = !beyond.is_wrong;
   }
-  /// Whether T, as it was made last, has only right signs; true if that is uncertain.
+  /// Whether T, as it was made last, has only right signs; true if the arithmetic has no signs().
   bool is_right() const { return is_right_; }
   /// Of the cap read last, with T as it was made.
-  CapEstimate<Scalar> estimate(const std::vector<RingTriangle>& triangles) {
-    return estimator_.run(geometry_, triangles, arithmetic_.unit());
+  CostEstimate<Scalar> estimate(const std::vector<RingTriangle>& triangles) {
+    return cost_.estimate(geometry_, triangles, arithmetic_.unit());
   }
   const RingGeometry<Scalar>& geometry() const { return geometry_; }
 
@@ -101,7 +115,7 @@ class RingCap {
   const Arithmetic& arithmetic_;
   RingGeometry<Scalar> geometry_;
   RingTriangulator triangulator_;
-  CapEstimator<Scalar> estimator_;
+  CapCost<Scalar> cost_;
   bool is_right_ = true;
 };
 

@@ -1,10 +1,40 @@
 // SPDX-License-Identifier: MIT
 #include "fast/float_engine.hpp"
 
-#include "fast/float_cap.hpp"
 #include "fast/float_loop.hpp"
 
 namespace convexact {
+
+FloatErrors::FloatErrors(std::size_t halfspaces)
+    : lower_(halfspaces), upper_(halfspaces, std::numeric_limits<double>::infinity()) {
+  for (std::size_t i = 0; i < halfspaces; ++i) lower_.append(HalfspaceId(i), 0);
+}
+
+void FloatErrors::remove(HalfspaceId i, double cost) {
+  const double upper = upper_[i.index()], lower = lower_.key(i);
+  lower_.erase(i);
+  // Off by the bounds of the enclosure, and by the division by six.
+  const double error =
+      next_above(next_above(std::max(upper - cost, cost - lower)) / lower) + 0x1p-52;
+  const double regret =
+      lower_.empty() ? 0 : next_above(next_above(upper / lower_.key(lower_.top())) - 1);
+  if (!(error <= FloatBound::kMost && regret <= FloatBound::kMost)) {
+    ++bound_.doubtful;
+    return;
+  }
+  bound_.cost = std::max(bound_.cost, error);
+  bound_.regret = std::max(bound_.regret, regret);
+}
+
+FloatBound FloatErrors::bound(bool is_stuck) const {
+  FloatBound bound = bound_;
+  const double least = lower_.key(lower_.top());
+  bound.least_next = std::isinf(least) ? least : next_below(least / 6);
+  bound.is_end_proven = !is_stuck || std::isinf(least);
+  return bound;
+}
+
+template class FloatLoop<Doubles>;
 
 FastResult simplify_float(const FastDual& dual, const SimplifyOptions& options) {
   const Doubles arithmetic{dual, {dual}};

@@ -16,56 +16,33 @@
 #include "fast/cap_volume.hpp"
 #include "fast/filtered_engine.hpp"
 #include "fast/float_cap.hpp"
+#include "fast/keyed_queue.hpp"
 #include "fast/mesh.hpp"
-#include "fast/queue.hpp"
 #include "fast/signs.hpp"
 
 namespace convexact {
 
-/// Keeps FloatBound during a run. All costs are times six, in units of the dual.
+/// Keeps the FloatBound of a run. All costs are times six, in units of the dual.
 ///
-/// A removal is judged by the upper end of its cost and by the least of all others' lower ends. The
-/// latter stay true when rings change, since costs never decrease; so each halfspace keeps the best
-/// lower end that was ever proven for it, 0 at first.
-class FloatWatch {
+/// A removal is judged by the upper bound of its cost and by the least of all others' lower bounds.
+/// The latter stay true when rings change, since costs never decrease; so each halfspace keeps the
+/// best lower bound that was ever proven for it, 0 at first.
+class FloatErrors {
  public:
-  explicit FloatWatch(std::size_t halfspaces)
-      : lower_(halfspaces), upper_(halfspaces, std::numeric_limits<double>::infinity()) {
-    for (std::size_t i = 0; i < halfspaces; ++i) lower_.append(HalfspaceId(i), 0);
-  }
+  explicit FloatErrors(std::size_t halfspaces);
 
   /// The cap of i has been looked at: its cost is enclosed. Unbounded caps are (inf, inf), caps of
   /// which nothing is proven (0, inf).
-  void note(HalfspaceId i, double lower, double upper) {
+  void enclose(HalfspaceId i, double lower, double upper) {
     upper_[i.index()] = upper;
     if (lower > lower_.key(i)) lower_.update(i, lower);
   }
   /// The canonical order decides a step.
-  void note_tie() { ++bound_.ties; }
-  /// i goes, at what is reported as its cost.
-  void remove(HalfspaceId i, double cost) {
-    const double upper = upper_[i.index()], lower = lower_.key(i);
-    lower_.erase(i);
-    // Off by the ends of the enclosure, and by the division by six.
-    const double error =
-        next_above(next_above(std::max(upper - cost, cost - lower)) / lower) + 0x1p-52;
-    const double regret =
-        lower_.empty() ? 0 : next_above(next_above(upper / lower_.key(lower_.top())) - 1);
-    if (!(error <= FloatBound::kMost && regret <= FloatBound::kMost)) {
-      ++bound_.doubtful;
-      return;
-    }
-    bound_.cost = std::max(bound_.cost, error);
-    bound_.regret = std::max(bound_.regret, regret);
-  }
+  void count_tie() { ++bound_.ties; }
+  /// i is removed, at what is reported as its cost.
+  void remove(HalfspaceId i, double cost);
   /// After the last step. @param is_stuck  Whether it was the last for want of bounded removals.
-  FloatBound finish(bool is_stuck) const {
-    FloatBound bound = bound_;
-    const double least = lower_.key(lower_.top());
-    bound.least_next = std::isinf(least) ? least : next_below(least / 6);
-    bound.is_end_proven = !is_stuck || std::isinf(least);
-    return bound;
-  }
+  FloatBound bound(bool is_stuck) const;
 
  private:
   KeyedQueue<double> lower_;
@@ -73,49 +50,32 @@ class FloatWatch {
   FloatBound bound_;
 };
 
-template <class Arithmetic>
-concept HasLonger = requires {
-  typename Arithmetic::Longer;
-};
-
-// RingCap<Arithmetic::Longer>, or nothing.
+// FloatCap<Arithmetic::Longer>, or nothing.
 template <class Arithmetic>
 struct LongerCapOf {
   using Type = std::monostate;
 };
 template <HasLonger Arithmetic>
 struct LongerCapOf<Arithmetic> {
-  using Type = RingCap<typename Arithmetic::Longer>;
+  using Type = FloatCap<typename Arithmetic::Longer>;
 };
-template <class Arithmetic>
-using LongerCap = typename LongerCapOf<Arithmetic>::Type;
 
-/// Whether the ends of a cap are too far apart to be worth much as a bound.
+/// Whether the bounds of a cap are too far apart to be worth much as a bound.
 template <class Scalar>
-bool is_loose(const CapEstimate<Scalar>& cap) {
+bool is_loose(const CostEstimate<Scalar>& cap) {
   constexpr double kLoose = 1 + FloatBound::kMost / 4;
   return !(cap.upper <= Scalar(kLoose) * cap.lower);
 }
 
-/// Arithmetic provides
-///   Scalar                              + - * / < > <= and, by leading(), the nearest double
-///   Triple<Scalar> point(HalfspaceId)   the dual point, off by at most 2 unit() per coordinate
-///   double unit()                       the relative error of one operation, at most 2^-24
-/// and, if there is a longer arithmetic for the caps that this one does not find bounded,
-///   Longer                              such a type, without a Longer of its own
-///   const Longer& longer()
-/// and, if the run is to know its own error (FastResult::bound),
-///   const DualSigns& signs()            asked where this arithmetic is not sure of a sign of T
-///
-/// Signs of H are taken as they come out, and costs as CapEstimator computes them. Three guards,
+/// Signs of H are taken as they come out, and costs as CapCost estimates them. Three guards,
 /// all relative to the size of what is computed (PlaneFilter), keep the result sound:
 /// - Existence: a halfspace is removed only if every D of its cap is beyond its error bound.
-/// - Laziness: a changed cap is looked at again when its *lower end* comes to the top, not its
-///   estimate, unless both are nearly the same; an ill-conditioned cap has a low one. (Without this
-///   guard an estimate that is too high would never be looked at again.)
+/// - Laziness: a changed cap is looked at again when its *lower bound* comes to the top, not
+///   its estimate, unless both are nearly the same; an ill-conditioned cap has a low one. (Without
+///   this guard an estimate that is too high would never be looked at again.)
 /// - Doubt: a cap that is not found bounded, be it that some D is too close to zero or that T is
-///   wrong, or its ends far apart, is looked at in the longer arithmetic. If that does not find it
-///   bounded either, it is put off until its ring changes. (Facets that would be one, had their
+///   wrong, or its bounds far apart, is looked at in the longer arithmetic. If that does not find
+///   it bounded either, it is put off until its ring changes. (Facets that would be one, had their
 ///   vertices not been rounded, have dual points a few roundings apart.)
 ///
 /// It ends: each pass removes a halfspace, evaluates a stale cap or stops, and RingTriangulator
@@ -140,9 +100,9 @@ class FloatLoop {
   void load(HalfspaceId i);
   const Scalar& evaluate(HalfspaceId i);
   template <class Number>
-  void keep(HalfspaceId i, const CapEstimate<Number>& cap);
+  void keep(HalfspaceId i, const CostEstimate<Number>& cap);
   template <class Number>
-  void watch(HalfspaceId i, const CapEstimate<Number>& cap, bool is_right);
+  void enclose(HalfspaceId i, const CostEstimate<Number>& cap, bool is_right);
   bool is_unbounded_by_signs() const;
   Scalar six_times_volume();
   std::optional<HalfspaceId> choose();
@@ -153,11 +113,12 @@ class FloatLoop {
   const Arithmetic& arithmetic_;
   const SimplifyOptions& options_;
   HalfEdgeMesh mesh_;
-  // Keys are estimates where fresh and lower ends where stale. Where these hardly differ, as
-  // mostly, the key stays as it is and State says so; and it says whether it took the longer way.
+  // Keys are estimates where fresh and lower bounds where stale. Where these hardly differ, which
+  // is the usual case, the key stays as it is. State tells, and whether the longer arithmetic was
+  // used.
   enum State : unsigned char { kFresh = 0, kStale = 1, kWide = 2, kLonger = 4 };
   const Scalar infinity_ = Scalar(std::numeric_limits<double>::infinity());
-  const Scalar narrow_;  // estimate over lower end, at most
+  const Scalar narrow_;  // estimate over lower bound, at most
   KeyedQueue<Scalar> queue_;
   std::vector<unsigned char> state_;
   std::vector<Scalar> lower_;     // of six times the cost, as last enclosed
@@ -168,9 +129,9 @@ class FloatLoop {
   std::vector<std::uint32_t> patience_;
   std::optional<HalfspaceId> prepared_;
   OneRing ring_;
-  RingCap<Arithmetic> cap_;
-  std::optional<LongerCap<Arithmetic>> longer_cap_;
-  std::optional<FloatWatch> watch_;
+  FloatCap<Arithmetic> cap_;
+  std::optional<typename LongerCapOf<Arithmetic>::Type> longer_cap_;
+  std::optional<FloatErrors> errors_;
   std::vector<RingTriangle> triangles_;
   std::vector<HalfspaceId> tied_;  // after choose(): the choice first, then its equals
   std::uint64_t evaluations_ = 0;
@@ -192,7 +153,7 @@ FloatLoop<Arithmetic>::FloatLoop(const FastDual& dual, const Arithmetic& arithme
       patience_(dual.size()),
       cap_(arithmetic) {
   if constexpr (HasLonger<Arithmetic>) longer_cap_.emplace(arithmetic.longer());
-  if constexpr (HasSigns<Arithmetic>) watch_.emplace(dual.size());
+  if constexpr (HasSigns<Arithmetic>) errors_.emplace(dual.size());
   if (options.faces < 4) throw Error(ErrorCode::InvalidArgument, "a solid has at least 4 faces");
   if (options.max_growth && *options.max_growth < 0) {
     throw Error(ErrorCode::InvalidArgument, "a growth limit is not negative");
@@ -226,8 +187,8 @@ FastResult FloatLoop<Arithmetic>::run() {
     allowance = allowance - cost;
     const auto tied = static_cast<std::uint32_t>(tied_.size());
     result.steps.push_back({*choice, tied, leading(cost) / 6, leading(cost) / 6});
-    if (watch_) watch_->remove(*choice, leading(cost));
-    if (watch_ && tied > 1) watch_->note_tie();
+    if (errors_) errors_->remove(*choice, leading(cost));
+    if (errors_ && tied > 1) errors_->count_tie();
     remove(*choice);
     --left;
     if (options_.progress) options_.progress(left);
@@ -235,7 +196,7 @@ FastResult FloatLoop<Arithmetic>::run() {
   result.triangles = mesh_.triangles();
   result.survivors = mesh_.vertices();
   result.counts.evaluations = evaluations_;
-  if (watch_) result.bound = watch_->finish(result.stop == StopReason::AllUnbounded);
+  if (errors_) result.bound = errors_->bound(result.stop == StopReason::AllUnbounded);
   return result;
 }
 
@@ -261,36 +222,35 @@ template <class Arithmetic>
 const typename FloatLoop<Arithmetic>::Scalar& FloatLoop<Arithmetic>::evaluate(HalfspaceId i) {
   load(i);
   ++evaluations_;
-  const CapEstimate<Scalar> cap = cap_.estimate(triangles_);
+  const CostEstimate<Scalar> cap = cap_.estimate(triangles_);
   keep(i, cap);
   if constexpr (HasLonger<Arithmetic>) {
-    if (cap.kind != CapRange<Scalar>::Kind::Bounded || !cap_.is_right() || is_loose(cap)) {
+    if (cap.kind != Boundedness::Bounded || !cap_.is_right() || is_loose(cap)) {
       longer_cap_->load(i, ring_, options_.seed, triangles_);
       const auto long_cap = longer_cap_->estimate(triangles_);
       keep(i, long_cap);
       state_[i.index()] |= kLonger;
-      watch(i, long_cap, longer_cap_->is_right());
+      enclose(i, long_cap, longer_cap_->is_right());
       return estimate_[i.index()];
     }
   }
-  watch(i, cap, cap_.is_right());
+  enclose(i, cap, cap_.is_right());
   return estimate_[i.index()];
 }
 
-// Tells what is proven of i, whose ring and triangles are there.
+// Notes what is proven of i, whose ring and triangles are there.
 template <class Arithmetic>
 template <class Number>
-void FloatLoop<Arithmetic>::watch(HalfspaceId i, const CapEstimate<Number>& cap, bool is_right) {
+void FloatLoop<Arithmetic>::enclose(HalfspaceId i, const CostEstimate<Number>& cap, bool is_right) {
   if constexpr (HasSigns<Arithmetic>) {
-    using Kind = typename CapRange<Number>::Kind;
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     if (!is_right) {
-      watch_->note(i, 0, kInfinity);
-    } else if (cap.kind == Kind::Unbounded ||
-               (cap.kind == Kind::Doubtful && is_unbounded_by_signs())) {
-      watch_->note(i, kInfinity, kInfinity);
+      errors_->enclose(i, 0, kInfinity);
+    } else if (cap.kind == Boundedness::Unbounded ||
+               (cap.kind == Boundedness::Doubtful && is_unbounded_by_signs())) {
+      errors_->enclose(i, kInfinity, kInfinity);
     } else {
-      watch_->note(i, next_below(leading(cap.lower)), next_above(leading(cap.upper)));
+      errors_->enclose(i, next_below(leading(cap.lower)), next_above(leading(cap.upper)));
     }
   }
 }
@@ -306,8 +266,7 @@ bool FloatLoop<Arithmetic>::is_unbounded_by_signs() const {
 
 template <class Arithmetic>
 template <class Number>
-void FloatLoop<Arithmetic>::keep(HalfspaceId i, const CapEstimate<Number>& cap) {
-  using Kind = typename CapRange<Number>::Kind;
+void FloatLoop<Arithmetic>::keep(HalfspaceId i, const CostEstimate<Number>& cap) {
   const auto shortened = [](const Number& x) {
     if constexpr (std::is_same_v<Number, Scalar>) {
       return x;
@@ -317,7 +276,7 @@ void FloatLoop<Arithmetic>::keep(HalfspaceId i, const CapEstimate<Number>& cap) 
   };
   Scalar& lower = lower_[i.index()];
   Scalar& estimate = estimate_[i.index()];
-  const bool is_bounded = cap.kind == Kind::Bounded;
+  const bool is_bounded = cap.kind == Boundedness::Bounded;
   lower = is_bounded ? shortened(cap.lower) : Scalar(0.0);
   estimate = is_bounded ? shortened(cap.value) : infinity_;
   upper_[i.index()] = is_bounded ? shortened(cap.upper) : infinity_;
@@ -326,8 +285,8 @@ void FloatLoop<Arithmetic>::keep(HalfspaceId i, const CapEstimate<Number>& cap) 
   patience_[i.index()] = is_bounded || k <= RingTriangulator::kShortRing ? 0 : k / 4;
 }
 
-// The cheapest estimate, once no stale lower end is below it; where others are as near as rounding,
-// the first of them in canonical order.
+// The cheapest estimate, once no stale lower bound is below it; where others are as near as
+// rounding, the first of them in canonical order.
 template <class Arithmetic>
 std::optional<HalfspaceId> FloatLoop<Arithmetic>::choose() {
   for (;;) {
@@ -342,7 +301,7 @@ std::optional<HalfspaceId> FloatLoop<Arithmetic>::choose() {
   }
 }
 
-// Of a fresh top: those whose estimates are next to its own and whose ends overlap, the first in
+// Of a fresh top: those whose estimates are next to its own and whose bounds overlap, the first in
 // canonical order in front. False if some of them were stale, which they are no longer.
 template <class Arithmetic>
 bool FloatLoop<Arithmetic>::collect_tie(HalfspaceId top) {
@@ -372,13 +331,13 @@ bool FloatLoop<Arithmetic>::collect_tie(HalfspaceId top) {
 // Of the initial solid. Where doubts remain, rather too small: the growth limit is kept.
 template <class Arithmetic>
 typename FloatLoop<Arithmetic>::Scalar FloatLoop<Arithmetic>::six_times_volume() {
-  typename RangeSource<Scalar>::Sum sum;
+  typename IntervalDeterminants<Scalar>::Sum sum;
   bool certain = true;
   for (std::size_t i = 0; i < dual_.size(); ++i) {
     prepare(HalfspaceId(i));
-    RangeSource<Scalar> source(cap_.geometry(), arithmetic_.unit());
-    add_cone(static_cast<std::uint32_t>(ring_.vertices.size()), source, sum);
-    certain = certain && source.is_certain();
+    IntervalDeterminants<Scalar> determinants(cap_.geometry(), arithmetic_.unit());
+    add_cone(static_cast<std::uint32_t>(ring_.vertices.size()), determinants, sum);
+    certain = certain && determinants.is_certain();
   }
   const auto& [lower, upper] = sum.total;
   return certain ? (lower + upper) / Scalar(2.0) : lower;
@@ -399,5 +358,7 @@ void FloatLoop<Arithmetic>::remove(HalfspaceId i) {
   }
   prepared_.reset();
 }
+
+extern template class FloatLoop<Doubles>;  // in float_engine.cpp
 
 }  // namespace convexact

@@ -46,10 +46,7 @@ long scale_between(const Rational& rounded, const Rational& exact) {
 std::array<long, 3> scales_of(const FastDual& dual, const std::vector<RationalVector3>& exact) {
   std::array<long, 3> scale{};
   for (int k = 0; k < 3; ++k) {
-    const auto coordinate = [&](std::size_t i) {
-      const Triple<double>& p = dual.near(HalfspaceId(i));
-      return k == 0 ? p.x : k == 1 ? p.y : p.z;
-    };
+    const auto coordinate = [&](std::size_t i) { return dual.near(HalfspaceId(i))[k]; };
     std::size_t largest = 0;
     for (std::size_t i = 1; i < dual.size(); ++i) {
       if (std::abs(coordinate(i)) > std::abs(coordinate(largest))) largest = i;
@@ -119,14 +116,14 @@ class LoopOn : public RoundedDual {
 
   std::optional<Rational> volume() const override {
     const HalfEdgeMesh mesh(dual_.size(), left_);
-    typename PlainSource<Scalar>::Sum six_times;
+    typename RoundedDeterminants<Scalar>::Sum six_times;
     OneRing ring;
     RingGeometry<Scalar> geometry;
     for (const HalfspaceId i : mesh.vertices()) {
       mesh.one_ring(i, ring);
       geometry.load(i, ring.vertices, [&](HalfspaceId v) { return arithmetic_.point(v); });
-      PlainSource<Scalar> source(geometry);
-      add_cone(static_cast<std::uint32_t>(ring.vertices.size()), source, six_times);
+      RoundedDeterminants<Scalar> determinants(geometry);
+      add_cone(static_cast<std::uint32_t>(ring.vertices.size()), determinants, six_times);
     }
     if (!std::isfinite(leading(six_times.total))) return std::nullopt;
     return in_units(six_times.total);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "geometry/plane_determinants.hpp"
+
 namespace convexact {
 namespace {
 
@@ -60,19 +62,13 @@ bool share_vertex(const FastDual& dual, HalfspaceId a, HalfspaceId b, HalfspaceI
 // Whether all three normals are known to lie in one coordinate plane, as along a prism; then they
 // are dependent. A coordinate that underflowed to zero is told from a true zero.
 bool share_axis(const FastDual& dual, HalfspaceId a, HalfspaceId b, HalfspaceId c) {
-  constexpr std::array<double Triple<double>::*, 3> kAxes{&Triple<double>::x, &Triple<double>::y,
-                                                          &Triple<double>::z};
   for (int k = 0; k < 3; ++k) {
     const auto is_zero = [&](HalfspaceId i) {
-      return dual.near(i).*kAxes[k] == 0 && dual.exact(i).normal()[k].is_zero();
+      return dual.near(i)[k] == 0 && dual.exact(i).normal()[k].is_zero();
     };
     if (is_zero(a) && is_zero(b) && is_zero(c)) return true;
   }
   return false;
-}
-
-Integer dot(const IntegerVector3& a, const IntegerVector3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 }  // namespace
@@ -97,7 +93,8 @@ Sign DualSigns::height_beyond_doubles(HalfspaceId a, HalfspaceId b, HalfspaceId 
     return to_sign(sure);
   }
   ++counts_.exact;
-  return sign_of(exact_height(dual_->exact(a), dual_->exact(b), dual_->exact(c), dual_->exact(p)));
+  return sign_of(
+      plane_determinant(dual_->exact(a), dual_->exact(b), dual_->exact(c), dual_->exact(p)));
 }
 
 Sign DualSigns::determinant(HalfspaceId a, HalfspaceId b, HalfspaceId c) const {
@@ -119,24 +116,7 @@ Sign DualSigns::determinant_beyond_doubles(HalfspaceId a, HalfspaceId b, Halfspa
     return to_sign(sure);
   }
   ++counts_.exact;
-  return sign_of(exact_determinant(dual_->exact(a), dual_->exact(b), dual_->exact(c)));
-}
-
-Integer exact_determinant(const Halfspace& a, const Halfspace& b, const Halfspace& c) {
-  const IntegerVector3 bc = b.normal().cross(c.normal());
-  return dot(a.normal(), bc);
-}
-
-Integer exact_height(const Halfspace& a, const Halfspace& b, const Halfspace& c,
-                     const Halfspace& p) {
-  // Laplace expansion along the first two rows: 2x2 minors of (a, b) with those of (c, p).
-  const IntegerVector3 ab = a.normal().cross(b.normal()), cp = c.normal().cross(p.normal());
-  IntegerVector3 ab_d, cp_d;
-  for (int k = 0; k < 3; ++k) {
-    ab_d[k] = a.normal()[k] * b.offset() - b.normal()[k] * a.offset();
-    cp_d[k] = c.normal()[k] * p.offset() - p.normal()[k] * c.offset();
-  }
-  return dot(ab, cp_d) + dot(ab_d, cp);
+  return sign_of(normal_determinant(dual_->exact(a), dual_->exact(b), dual_->exact(c)));
 }
 
 }  // namespace convexact

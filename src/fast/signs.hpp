@@ -12,6 +12,7 @@
 
 namespace convexact {
 
+/// One double further down or up: what a single rounding may have taken away.
 [[nodiscard]] inline double next_below(double x) {
   return std::nextafter(x, -std::numeric_limits<double>::infinity());
 }
@@ -19,7 +20,8 @@ namespace convexact {
   return std::nextafter(x, std::numeric_limits<double>::infinity());
 }
 
-/// Of a Scalar with the exponents of double, or more.
+/// What the fast engines allow for underflow, and how they avoid overflow, in a Scalar with the
+/// exponents of double, or more.
 template <class Scalar>
 struct ExponentRange {
   /// More than a determinant of dual points loses to underflow (PlaneFilter).
@@ -32,10 +34,10 @@ struct ExponentRange {
   static constexpr double kVolumeUnderflow = 0x1p-250;
 };
 
-/// Of binary32. A product loses 2^-150, and at most a factor of 48 follows it in a determinant.
-/// Three sizes over four D are below 48^3 2^72 < 2^89. Of a product that underflowed, at most 2^89
-/// times as much enters a sum, less than 2^-57 per operation; 16 operations make a term, and
-/// memory does not hold a ring of 2^32.
+/// The same for binary32. A product loses 2^-150, and at most a factor of 48 follows it in a
+/// determinant. Three sizes over four D are below 48^3 2^72 < 2^89. Of a product that underflowed,
+/// at most 2^89 times as much enters a sum, less than 2^-57 per operation; 16 operations make a
+/// term, and memory does not hold a ring of 2^32.
 template <>
 struct ExponentRange<float> {
   static constexpr double kUnderflow = 0x1p-140;
@@ -61,6 +63,7 @@ struct Roundoff<DoubleDouble> {
   static_assert(FastDual::kLongError <= 2 * kUnit && DoubleDouble::kUnit <= kUnit);
 };
 
+/// The nearest double.
 inline double leading(double x) { return x; }
 inline double leading(const DoubleDouble& x) { return x.hi(); }
 template <class Scalar>
@@ -166,10 +169,5 @@ class DualSigns {
   const FastDual* dual_;
   mutable SignCounts counts_;
 };
-
-/// The determinants themselves, of the integer rows; for costs, which are ratios of them.
-[[nodiscard]] Integer exact_height(const Halfspace& a, const Halfspace& b, const Halfspace& c,
-                                   const Halfspace& p);
-[[nodiscard]] Integer exact_determinant(const Halfspace& a, const Halfspace& b, const Halfspace& c);
 
 }  // namespace convexact

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fast/signs.hpp"
+#include "geometry/plane_determinants.hpp"
 
 namespace convexact {
 namespace {
@@ -59,14 +60,14 @@ bool differ_by_one_translation(const Pairs& pairs) {
   };
   const Halfspace a = row(0), b = row(1), c = row(2);
   for (std::size_t m = 3; m < pairs.size(); ++m) {
-    if (exact_height(a, b, c, row(m)) != 0) return false;
+    if (plane_determinant(a, b, c, row(m)) != 0) return false;
   }
   return true;
 }
 
 }  // namespace
 
-bool are_congruent(const FastDual& dual, const CapOutline& a, const CapOutline& b) {
+bool are_congruent(const FastDual& dual, const FacetOutline& a, const FacetOutline& b) {
   static const std::array<SignedPermutation, 48> kSymmetries = all_signed_permutations();
   const std::size_t k = a.neighbours.size();
   if (b.neighbours.size() != k) return false;
@@ -86,6 +87,84 @@ bool are_congruent(const FastDual& dual, const CapOutline& a, const CapOutline& 
     }
   }
   return false;
+}
+
+Interval<double> TieBreaker::refine(HalfspaceId i) {
+  if (is_refined(i)) {
+    (void)exact_cost(i);
+  } else {
+    cap_.prepare(i);
+    refined_[i].bounds = cap_.in_double_doubles();
+    ++counts_.extended;
+  }
+  const Refined& refined = refined_.at(i);
+  const double lower = refined.bounds.lower.hi(), upper = refined.bounds.upper.hi();
+  if (refined.is_exact) return {lower, upper};
+  return {next_below(lower), next_above(upper)};
+}
+
+bool TieBreaker::is_exact(HalfspaceId i) const {
+  const auto refined = refined_.find(i);
+  return refined != refined_.end() && refined->second.is_exact;
+}
+
+const Rational& TieBreaker::exact_cost(HalfspaceId i) {
+  Refined& refined = refined_[i];
+  if (refined.cost_class == nullptr) refined.cost_class = new_class(i);
+  std::optional<Rational>& cost = refined.cost_class->cost;
+  if (!cost) {
+    cap_.prepare(i);
+    cost = cap_.exactly();
+    ++counts_.exact;
+  }
+  if (!refined.is_exact) {
+    const Rational scaled = scale_by_power_of_two(*cost * 6, -dual_.volume_exponent());
+    refined.bounds = {Boundedness::Bounded, to_double(scaled, Rounding::Down),
+                      to_double(scaled, Rounding::Up)};
+    refined.is_exact = true;
+  }
+  return *cost;
+}
+
+std::shared_ptr<TieBreaker::CostClass> TieBreaker::new_class(HalfspaceId i) {
+  cap_.prepare(i);
+  return std::make_shared<CostClass>(CostClass{cap_.outline(), {}});
+}
+
+void TieBreaker::keep_cheapest(std::vector<HalfspaceId>& candidates) {
+  DoubleDouble best = refined_.at(candidates[0]).bounds.upper;
+  for (const HalfspaceId i : candidates) {
+    const DoubleDouble& upper = refined_.at(i).bounds.upper;
+    if (upper < best) best = upper;
+  }
+  std::erase_if(candidates, [&](HalfspaceId i) { return refined_.at(i).bounds.lower > best; });
+  if (candidates.size() == 1 || are_all_congruent(candidates)) return;
+
+  Rational least = exact_cost(candidates[0]);
+  for (const HalfspaceId i : candidates) least = std::min(least, exact_cost(i));
+  std::erase_if(candidates, [&](HalfspaceId i) { return exact_cost(i) != least; });
+}
+
+// Whether the tie is proven without computing a cost. Sorts all candidates into classes.
+bool TieBreaker::are_all_congruent(const std::vector<HalfspaceId>& candidates) {
+  std::vector<std::shared_ptr<CostClass>> classes;
+  for (const HalfspaceId i : candidates) {
+    std::shared_ptr<CostClass>& its_class = refined_.at(i).cost_class;
+    if (its_class == nullptr) {
+      its_class = new_class(i);
+      const auto same = std::find_if(classes.begin(), classes.end(), [&](const auto& known) {
+        return are_congruent(dual_, known->outline, its_class->outline);
+      });
+      if (same != classes.end()) {
+        its_class = *same;
+        ++counts_.congruent;
+      }
+    }
+    if (std::find(classes.begin(), classes.end(), its_class) == classes.end()) {
+      classes.push_back(its_class);
+    }
+  }
+  return classes.size() == 1;
 }
 
 }  // namespace convexact

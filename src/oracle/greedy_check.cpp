@@ -19,9 +19,8 @@ template <class Tell>
 void follow(const DualHull& solid, const RationalPoint& center, const EngineRun& run,
             const std::atomic<bool>* stop, Tell&& tell) {
   const FastDual dual = FastDual::of(solid, center);
-  NoAudit audit;
   const SimplifyOptions options;
-  FilteredLoop<NoAudit> loop(dual, options, audit);
+  FilteredLoop loop(dual, options);
   loop.evaluate_all();
   for (std::size_t step = 0; step < run.removed.size(); ++step) {
     if (stop != nullptr && *stop) throw Error(ErrorCode::Stopped, "interrupted");

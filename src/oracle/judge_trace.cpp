@@ -42,7 +42,7 @@ class TraceJudge {
         purpose_(purpose),
         facets_(solid, order, options.unit),
         dual_(FastDual::of(solid, center)),
-        loop_(dual_, engine_options_, audit_),
+        loop_(dual_, engine_options_),
         gone_at_(solid.halfspaces.size()),
         is_removed_(solid.halfspaces.size(), false) {}
 
@@ -82,9 +82,8 @@ class TraceJudge {
   const Purpose purpose_;
   const NamedFacets facets_;
   const FastDual dual_;
-  NoAudit audit_;
   const SimplifyOptions engine_options_;
-  FilteredLoop<NoAudit> loop_;
+  FilteredLoop loop_;
   std::vector<std::optional<std::size_t>> gone_at_;
   std::vector<bool> is_removed_;  // anywhere in the order
   TraceClaims claims_;

@@ -96,11 +96,11 @@ std::array<std::vector<Rational>, 2> worst_points(const Site& site, const std::v
 }
 
 // How far the worst caps are from the middle of the enclosure, in its half widths.
-double reached(const Site& site, const std::vector<double>& x, const CapRange<double>& range) {
-  if (range.kind != CapRange<double>::Kind::Bounded || range.lower <= 0) return 0;
+double reached(const Site& site, const std::vector<double>& x, const CostBounds<double>& bounds) {
+  if (bounds.kind != Boundedness::Bounded || bounds.lower <= 0) return 0;
   const auto [least, most] = worst_points(site, x);
   if (!site.is_convex(least) || !site.is_convex(most)) return 0;
-  const Rational lower = to_rational(range.lower), upper = to_rational(range.upper);
+  const Rational lower = to_rational(bounds.lower), upper = to_rational(bounds.upper);
   const Rational middle = (lower + upper) / 2;
   const Rational farthest =
       std::max(Rational(middle - site.cap(least)), Rational(site.cap(most) - middle));
@@ -115,14 +115,14 @@ RingGeometry<double> geometry_of(const Site& site, const std::vector<double>& x)
   return geometry;
 }
 
-CapRange<double> by_signed_sum(const RingGeometry<double>& ring, const Site& site) {
+CostBounds<double> by_signed_sum(const RingGeometry<double>& ring, const Site& site) {
   return LawrenceSum<double>().run(ring, site.triangles(), kUnit);
 }
-CapRange<double> by_products(const RingGeometry<double>& ring, const Site& site) {
-  RangeSource<double> source(ring, kUnit);
-  CapVolume<RangeSource<double>> volume;
+CostBounds<double> by_products(const RingGeometry<double>& ring, const Site& site) {
+  IntervalDeterminants<double> determinants(ring, kUnit);
+  CapVolume<IntervalDeterminants<double>> volume;
   const auto k = static_cast<std::uint32_t>(site.valence());
-  return source.widened(volume.six_times(k, site.triangles(), source));
+  return determinants.widened(volume.six_times(k, site.triangles(), determinants));
 }
 
 template <class Enclose>
@@ -157,7 +157,8 @@ TEST_CASE("LawrenceSum: the bound holds for the worst dual points found, and is 
   for (const double reached : {flat, steep, folded}) CHECK(reached <= 1);
 }
 
-TEST_CASE("RangeSource: the bounds hold for the worst dual points found, and are not vacuous") {
+TEST_CASE(
+    "IntervalDeterminants: the bounds hold for the worst dual points found, and are not vacuous") {
   const double flat = highest(kFlat, 4, 200, by_products),
                steep = highest(kSteep, 4, 200, by_products),
                folded = highest(kFolded, 4, 200, by_products);

@@ -52,7 +52,7 @@ std::vector<Isometry> isometries(const Point& shift) {
 // A solid, the outlines of all its caps, and what each costs by definition.
 struct Caps {
   std::vector<Halfspace> planes;
-  std::vector<CapOutline> outlines;
+  std::vector<FacetOutline> outlines;
   std::vector<std::optional<Rational>> costs;
   FastDual dual;
 
@@ -60,12 +60,11 @@ struct Caps {
   Caps(const DualHull& solid, const RationalPoint& center)
       : planes(solid.halfspaces), dual(FastDual::of(solid, center)) {
     const HalfEdgeMesh mesh(dual.size(), dual.triangles());
-    NoAudit nobody;
-    CapEvaluator<NoAudit> evaluator(dual, mesh, 1, nobody);
+    FilteredCap cap(dual, mesh, 1);
     const RemovalOracle oracle(planes, center);
     for (std::size_t i = 0; i < planes.size(); ++i) {
-      evaluator.prepare(HalfspaceId(i));
-      outlines.push_back(evaluator.outline());
+      cap.prepare(HalfspaceId(i));
+      outlines.push_back(cap.outline());
       costs.push_back(oracle.without(planes[i]).cost);
     }
   }
@@ -124,8 +123,8 @@ TEST_CASE("are_congruent: one offset that differs by one decides") {
     const DualHull solid = dual_of(planes, center).dual;
     const Caps caps(solid, center);
     std::size_t result = 0;
-    for (const CapOutline& a : caps.outlines) {
-      for (const CapOutline& b : caps.outlines) result += are_congruent(caps.dual, a, b);
+    for (const FacetOutline& a : caps.outlines) {
+      for (const FacetOutline& b : caps.outlines) result += are_congruent(caps.dual, a, b);
     }
     return result;
   };

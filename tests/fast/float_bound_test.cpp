@@ -29,39 +29,39 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
 TEST_CASE(
-    "FloatWatch: regret is the upper end of what goes over the least lower end of the others") {
-  FloatWatch watch(3);
-  watch.note(HalfspaceId(0), 4096, 4097);
-  watch.note(HalfspaceId(1), 4096, 5000);
-  watch.note(HalfspaceId(2), 8000, 9000);
-  watch.remove(HalfspaceId(0), 4096.5);
-  CHECK(watch.finish(false).regret >= 1.0 / 4096);
-  CHECK(watch.finish(false).regret <= 1.0 / 4096 + 0x1p-40);
-  CHECK(watch.finish(false).cost >= 0.5 / 4096);
-  CHECK(watch.finish(false).cost <= 0.5 / 4096 + 0x1p-40);
-  CHECK(watch.finish(false).least_next <= 4096.0 / 6);
-  CHECK(watch.finish(false).is_vouched());
-  CHECK_FALSE(watch.finish(true).is_vouched());  // bounded removals are left
-  // An old lower end is not forgotten, a better one not made worse.
-  watch.note(HalfspaceId(2), 0, kInfinity);
-  watch.note(HalfspaceId(1), kInfinity, kInfinity);
-  CHECK(watch.finish(false).least_next > 8000.0 / 6.001);
-  watch.note(HalfspaceId(2), kInfinity, kInfinity);
-  CHECK(watch.finish(true).is_vouched());
+    "FloatErrors: regret is the upper bound of a cost over the least lower bound of the others") {
+  FloatErrors errors(3);
+  errors.enclose(HalfspaceId(0), 4096, 4097);
+  errors.enclose(HalfspaceId(1), 4096, 5000);
+  errors.enclose(HalfspaceId(2), 8000, 9000);
+  errors.remove(HalfspaceId(0), 4096.5);
+  CHECK(errors.bound(false).regret >= 1.0 / 4096);
+  CHECK(errors.bound(false).regret <= 1.0 / 4096 + 0x1p-40);
+  CHECK(errors.bound(false).cost >= 0.5 / 4096);
+  CHECK(errors.bound(false).cost <= 0.5 / 4096 + 0x1p-40);
+  CHECK(errors.bound(false).least_next <= 4096.0 / 6);
+  CHECK(errors.bound(false).is_vouched());
+  CHECK_FALSE(errors.bound(true).is_vouched());  // bounded removals are left
+  // An old lower bound is not forgotten, a better one not made worse.
+  errors.enclose(HalfspaceId(2), 0, kInfinity);
+  errors.enclose(HalfspaceId(1), kInfinity, kInfinity);
+  CHECK(errors.bound(false).least_next > 8000.0 / 6.001);
+  errors.enclose(HalfspaceId(2), kInfinity, kInfinity);
+  CHECK(errors.bound(true).is_vouched());
 }
 
-TEST_CASE("FloatWatch: a step is doubtful if its cost or another's is open") {
-  FloatWatch open_upper(2), open_other(2), wide(2), zero(2);
-  open_upper.note(HalfspaceId(0), 1, kInfinity);
-  open_upper.note(HalfspaceId(1), 2, 2);
-  open_other.note(HalfspaceId(0), 1, 1);
-  wide.note(HalfspaceId(0), 1, 1 + 2 * FloatBound::kMost);
-  wide.note(HalfspaceId(1), 2, 2);
-  zero.note(HalfspaceId(0), 0, 0);
-  zero.note(HalfspaceId(1), 0, 0);
-  for (FloatWatch* watch : {&open_upper, &open_other, &wide, &zero}) {
-    watch->remove(HalfspaceId(0), watch == &zero ? 0 : 1);
-    CHECK(watch->finish(false).doubtful == 1);
+TEST_CASE("FloatErrors: a step is doubtful if its cost or another's is open") {
+  FloatErrors open_upper(2), open_other(2), wide(2), zero(2);
+  open_upper.enclose(HalfspaceId(0), 1, kInfinity);
+  open_upper.enclose(HalfspaceId(1), 2, 2);
+  open_other.enclose(HalfspaceId(0), 1, 1);
+  wide.enclose(HalfspaceId(0), 1, 1 + 2 * FloatBound::kMost);
+  wide.enclose(HalfspaceId(1), 2, 2);
+  zero.enclose(HalfspaceId(0), 0, 0);
+  zero.enclose(HalfspaceId(1), 0, 0);
+  for (FloatErrors* errors : {&open_upper, &open_other, &wide, &zero}) {
+    errors->remove(HalfspaceId(0), errors == &zero ? 0 : 1);
+    CHECK(errors->bound(false).doubtful == 1);
   }
 }
 

@@ -100,11 +100,10 @@ bool are_signs_certain(const FastDual& dual, HalfspaceId i, const OneRing& ring)
 // or doubles cannot tell the topology of what would be left.
 void check_reason_to_end(const FastDual& dual, const FastResult& result) {
   const HalfEdgeMesh mesh(dual.size(), result.triangles);
-  NoAudit audit;
-  CapEvaluator<NoAudit> cap(dual, mesh, 1, audit);
+  FilteredCap cap(dual, mesh, 1);
   for (const HalfspaceId i : result.survivors) {
     cap.prepare(i);
-    if (cap.in_doubles().kind == CapRange<double>::Kind::Unbounded) continue;
+    if (cap.in_doubles().kind == Boundedness::Unbounded) continue;
     CHECK_FALSE(are_signs_certain(dual, i, cap.ring()));
   }
 }

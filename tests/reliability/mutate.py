@@ -31,7 +31,9 @@ GROUPS = {
     'predicates': {
         _GEO + 'orient3d.cpp': ['geometry', 'hull'],
         _GEO + 'plane_side.cpp': ['geometry', 'containment'],
-        _GEO + 'plane_determinants.cpp': ['geometry', 'dual'],
+        _GEO + 'plane_determinants.cpp': ['geometry'],
+        'src/dual/polar.cpp': ['geometry', 'dual', 'simplify'],
+        'src/simplify/plain_vertex.cpp': ['geometry', 'simplify'],
         _NUMBER + 'rounding.cpp': ['number', 'stored_planes'],
         _FAST + 'signs.cpp': _SIGNS[1:],
         _NUMBER + 'expansion.hpp': ['number', 'geometry'],

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <variant>
 
+#include "convexact/dual.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/number.hpp"
 #include "convexact/predicates.hpp"
@@ -12,6 +13,7 @@
 #include "geometry/plane_determinants.hpp"
 #include "hard_inputs.hpp"
 #include "number/random.hpp"
+#include "simplify/plain_vertex.hpp"
 
 using namespace convexact;
 
@@ -24,7 +26,6 @@ class Hash {
     for (int byte = 0; byte < 8; ++byte) value_ = (value_ ^ (x >> 8 * byte & 255)) * 0x100000001b3;
   }
   void add(Sign sign) { add(static_cast<std::uint64_t>(static_cast<int>(sign) + 2)); }
-  void add(const std::optional<Sign>& sign) { add(sign ? *sign : Sign(2)); }
   unsigned long long value() const { return value_; }
 
  private:
@@ -53,10 +54,15 @@ struct Answers {
                       &hp = dual.exact(p);
       answers.add(signs.height(a, b, c, p));
       answers.add(signs.determinant(a, b, c));
-      answers.add(plane_sign(ha, hb, hc, hp));
-      answers.add(normal_sign(ha, hb, hc));
-      stages.add(certain_plane_sign(plane_row(ha), plane_row(hb), plane_row(hc), plane_row(hp)));
-      stages.add(certain_normal_sign(plane_row(ha), plane_row(hb), plane_row(hc)));
+      answers.add(sign_of(plane_determinant(ha, hb, hc, hp)));
+      answers.add(sign_of(normal_determinant(ha, hb, hc)));
+      const DualPlane plane = plane_through(polar(ha, dual.center()), polar(hb, dual.center()),
+                                            polar(hc, dual.center()));
+      answers.add(sign_of(convexact::height(plane, polar(hp, dual.center()))));
+      answers.add(sign_of(plane.d));
+      const PlainVertex vertex = plain_vertex(ha, hb, hc);
+      answers.add(sign_of(value_at(vertex, hp)));
+      answers.add(sign_of(vertex.d));
       const Point& x = points[uniform_below(random, points.size())];
       answers.add(side_of(ha, x));
       for (const Rounding rounding : {Rounding::Down, Rounding::Up, Rounding::Nearest}) {

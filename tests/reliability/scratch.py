@@ -20,7 +20,7 @@ OPTIONS = ['-Dassertions=true', '-Dbuildtype=plain', '-Db_ndebug=false', '-Dopti
            '-Dcpp_args=-g1 -fpch-preprocess']
 _AUDIT = ['tests/fast/audit_test.cpp', 'tests/fast/audit_on_thousands_test.cpp']
 _CAPS = 'tests/fast/cap_bounds_test.cpp'
-_LOOP = ['src/fast/filtered_engine.cpp', 'src/oracle/judge_trace.cpp']
+_ROUNDED = ['src/fast/' + name for name in ('dual.cpp', 'signs.cpp', 'cap.cpp', 'checks.cpp', 'float_engine.cpp')]
 _HULL = ['tests/hull/near_geometry_test.cpp', 'src/hull/hull.cpp', 'src/hull/check_hull.cpp']
 UNITS = {
     'src/check/convexact_check.cpp': ['tests/check/checker.cpp'],
@@ -30,13 +30,12 @@ UNITS = {
     'src/stored/coordinates.hpp': ['src/stored/containment.cpp', 'src/stored/support.cpp', 'src/stored/growth.cpp',
                                    'tests/stored/containment_test.cpp'],
     'src/number/expansion.hpp': ['tests/number/expansion_test.cpp', 'src/geometry/orient3d.cpp'],
-    'src/number/double_double.hpp': ['tests/number/double_double_test.cpp', 'src/fast/dual.cpp', *_AUDIT, *_LOOP],
+    'src/number/double_double.hpp': ['tests/number/double_double_test.cpp', *_ROUNDED, *_AUDIT],
     'src/fast/dual.hpp': ['src/fast/dual.cpp', *_AUDIT],
-    'src/fast/signs.hpp': ['tests/fast/plane_filter_test.cpp', *_AUDIT, 'src/fast/signs.cpp', *_LOOP],
-    'src/fast/cap_volume.hpp': [_CAPS, *_AUDIT, *_LOOP],
-    'src/fast/ties.hpp': _LOOP,
-    'src/fast/queue.hpp': _LOOP,
-    'src/fast/filtered_loop.hpp': _LOOP,
+    'src/fast/signs.hpp': ['tests/fast/plane_filter_test.cpp', *_ROUNDED, *_AUDIT],
+    'src/fast/cap_volume.hpp': [_CAPS, 'src/fast/cap.cpp'],
+    'src/fast/keyed_queue.hpp': ['src/fast/filtered_loop.cpp'],
+    'src/fast/filtered_loop.hpp': ['src/fast/filtered_loop.cpp', 'src/fast/filtered_engine.cpp'],
     'src/fast/float_loop.hpp': ['src/fast/float_engine.cpp'],
     'src/hull/near_geometry.hpp': _HULL,
     'src/hull/exact_points.hpp': _HULL,

@@ -25,11 +25,12 @@ struct Tally {
 };
 
 /// Decides again every `stride`-th sign and cap that it hears of.
-class Auditor : public Tally {
+class Auditor : public CostObserver, public Tally {
  public:
   Auditor(const FastDual& dual, std::size_t stride) : dual_(dual), stride_(stride) {}
 
-  void height(HalfspaceId a, HalfspaceId b, HalfspaceId c, HalfspaceId p, FilterSign sign) {
+  void height(HalfspaceId a, HalfspaceId b, HalfspaceId c, HalfspaceId p,
+              FilterSign sign) override {
     if (sign == FilterSign::Unknown) {
       ++unknown_signs;
       return;
@@ -45,12 +46,22 @@ class Auditor : public Tally {
     ++signs_checked;
   }
 
+  void in_doubles(HalfspaceId i, const OneRing& ring, const std::vector<RingTriangle>& triangles,
+                  const CostBounds<double>& bounds) override {
+    decide_again(i, ring, triangles, bounds);
+  }
+  void in_double_doubles(HalfspaceId i, const OneRing& ring,
+                         const std::vector<RingTriangle>& triangles,
+                         const CostBounds<DoubleDouble>& bounds) override {
+    decide_again(i, ring, triangles, bounds);
+  }
+
+ private:
   template <class Scalar>
-  void cap(HalfspaceId i, const OneRing& ring, const std::vector<RingTriangle>& triangles,
-           const CapRange<Scalar>& range) {
-    using Kind = typename CapRange<Scalar>::Kind;
-    unenclosed_caps += range.kind == Kind::Doubtful;
-    if (range.kind == Kind::Doubtful || ++caps % stride_ != 0) return;
+  void decide_again(HalfspaceId i, const OneRing& ring, const std::vector<RingTriangle>& triangles,
+                    const CostBounds<Scalar>& bounds) {
+    unenclosed_caps += bounds.kind == Boundedness::Doubtful;
+    if (bounds.kind == Boundedness::Doubtful || ++caps % stride_ != 0) return;
     const auto point = [&](HalfspaceId v) { return polar(dual_.exact(v), dual_.center()); };
     const std::size_t k = ring.vertices.size();
     std::vector<DualPlane> base;
@@ -65,17 +76,16 @@ class Auditor : public Tally {
       roof.triangles.push_back(corners);
       roof.planes.push_back(plane_through(point(corners[0]), point(corners[1]), point(corners[2])));
     }
-    REQUIRE(roof.is_bounded() == (range.kind == Kind::Bounded));
+    REQUIRE(roof.is_bounded() == (bounds.kind == Boundedness::Bounded));
     ++caps_checked;
-    if (range.kind != Kind::Bounded) return;
+    if (bounds.kind != Boundedness::Bounded) return;
     const Rational six_times = scale_by_power_of_two(
         volume(make_cap(ring.vertices, base, roof)) * 6, -dual_.volume_exponent());
-    CHECK(exactly(range.lower) <= six_times);
-    const bool is_beyond_doubles = std::isinf(leading(range.upper));
-    CHECK((is_beyond_doubles || six_times <= exactly(range.upper)));
+    CHECK(exactly(bounds.lower) <= six_times);
+    const bool is_beyond_doubles = std::isinf(leading(bounds.upper));
+    CHECK((is_beyond_doubles || six_times <= exactly(bounds.upper)));
   }
 
- private:
   static Rational exactly(double x) { return to_rational(x); }
   static Rational exactly(const DoubleDouble& x) {
     return to_rational(x.hi()) + to_rational(x.lo());
@@ -93,7 +103,7 @@ struct Audited {
 /// Runs the loop to `faces` halfspaces under an audit.
 inline Audited run(const FastDual& dual, std::size_t stride, const SimplifyOptions& options = {}) {
   Auditor auditor(dual, stride);
-  const FastResult result = FilteredLoop<Auditor>(dual, options, auditor).run();
+  const FastResult result = FilteredLoop(dual, options, &auditor).run();
   return {auditor, result.counts};
 }
 

@@ -16,9 +16,8 @@ inline void check_float_bound(const FastDual& dual, const FastResult& result) {
   REQUIRE(result.bound.has_value());
   const FloatBound& bound = *result.bound;
   CHECK(bound.doubtful <= result.steps.size());
-  NoAudit audit;
   const SimplifyOptions options;
-  FilteredLoop<NoAudit> loop(dual, options, audit);
+  FilteredLoop loop(dual, options);
   if (!result.steps.empty()) loop.evaluate_all();
   std::size_t worse = 0, wrong = 0;
   for (const FastStep& step : result.steps) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// queue.hpp - a heap of halfspaces by their costs.
+// keyed_queue.hpp - a heap of halfspaces, each with a key that may change.
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -86,7 +86,5 @@ class KeyedQueue {
   std::vector<std::uint32_t> place_;
   std::vector<std::size_t> pending_;
 };
-
-using LazyQueue = KeyedQueue<double>;
 
 }  // namespace convexact

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "fast/filtered_loop.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "convexact/error.hpp"
+
+namespace convexact {
+
+GrowthBudget::GrowthBudget(const FastDual& dual, const std::optional<Rational>& max_growth)
+    : dual_(dual), max_growth_(max_growth) {
+  if (!max_growth_) return;
+  if (*max_growth_ < 0) throw Error(ErrorCode::InvalidArgument, "a growth limit is not negative");
+  const CostBounds<double> six_times = six_times_volume(dual);
+  limit_ = {std::max(0.0, next_below(next_below(six_times.lower / 6) *
+                                     to_double(*max_growth_, Rounding::Down))),
+            next_above(next_above(six_times.upper / 6) * to_double(*max_growth_, Rounding::Up))};
+}
+
+std::optional<bool> GrowthBudget::allows(const Interval<double>& cost) const {
+  if (!max_growth_) return true;
+  const Interval<double> grown = grown_with(cost);
+  if (grown.lower > limit_.upper) return false;
+  if (grown.upper <= limit_.lower) return true;
+  return {};
+}
+
+bool GrowthBudget::allows_volume(const Rational& volume_after) {
+  if (!exact_limit_) exact_limit_ = (1 + *max_growth_) * exact_volume(dual_, dual_.triangles());
+  return volume_after <= *exact_limit_;
+}
+
+FilteredLoop::FilteredLoop(const FastDual& dual, const SimplifyOptions& options,
+                           CostObserver* observer)
+    : dual_(dual),
+      options_(options),
+      mesh_(dual.size(), dual.triangles(), dual.twins()),
+      cap_(dual, mesh_, options.seed, observer),
+      ties_(dual, cap_, counts_),
+      queue_(dual.size()),
+      upper_(dual.size()),
+      stale_(dual.size(), false),
+      check_(dual),
+      left_(dual.size()) {
+  if (options.faces < 4) throw Error(ErrorCode::InvalidArgument, "a solid has at least 4 faces");
+}
+
+FastResult FilteredLoop::run(std::vector<Step>* steps) {
+  FastResult result;
+  GrowthBudget growth(dual_, options_.max_growth);
+  if (left_ > options_.faces) evaluate_all();
+  while (left_ > options_.faces) {
+    if (options_.stop != nullptr && *options_.stop) throw Error(ErrorCode::Stopped, "interrupted");
+    const std::optional<HalfspaceId> choice = choose();
+    if (!choice) {
+      result.stop = StopReason::AllUnbounded;
+      break;
+    }
+    cap_.prepare(*choice);
+    const FastStep step = describe(*choice);
+    if (!is_within(growth, step)) {
+      result.stop = StopReason::GrowthLimit;
+      break;
+    }
+    result.steps.push_back(step);
+    if (steps != nullptr) steps->push_back(record(*choice));
+    if (options_.verify != VerifyLevel::None) verify(*choice);
+    remove(*choice);
+    if (options_.progress) options_.progress(left_);
+  }
+  result.triangles = mesh_.triangles();
+  result.survivors = mesh_.vertices();
+  counts_.signs = cap_.sign_counts();
+  result.counts = counts_;
+  return result;
+}
+
+void FilteredLoop::evaluate_all() {
+  for (std::size_t i = 0; i < dual_.size(); ++i) queue_.append(HalfspaceId(i), 0);
+  for (std::size_t i = 0; i < dual_.size(); ++i) evaluate(HalfspaceId(i));
+}
+
+bool FilteredLoop::is_bounded(HalfspaceId i) {
+  if (queue_.contains(i) && stale_[i.index()]) evaluate(i);
+  return queue_.contains(i);
+}
+
+// Of a fresh entry. An old lower bound is one still, and the higher of the two is better.
+void FilteredLoop::set_bounds(HalfspaceId i, double lower, double upper) {
+  upper_[i.index()] = upper;
+  if (lower > queue_.key(i)) queue_.update(i, lower);
+}
+
+void FilteredLoop::drop(HalfspaceId i) {
+  queue_.erase(i);
+  ties_.forget(i);
+}
+
+void FilteredLoop::evaluate(HalfspaceId i) {
+  cap_.prepare(i);
+  const CostBounds<double> bounds = cap_.in_doubles();
+  ++counts_.evaluations;
+  counts_.doubtful += bounds.kind == Boundedness::Doubtful;
+  stale_[i.index()] = false;
+  if (bounds.kind == Boundedness::Unbounded) {
+    drop(i);  // for ever: a larger cap is not bounded either
+  } else {
+    set_bounds(i, bounds.lower, bounds.upper);
+  }
+}
+
+void FilteredLoop::refine(HalfspaceId i) {
+  const auto [lower, upper] = ties_.refine(i);
+  set_bounds(i, lower, upper);
+}
+
+// The cheapest of all, first in canonical order where several are; candidates_ is the tie.
+std::optional<HalfspaceId> FilteredLoop::choose() {
+  for (;;) {
+    if (queue_.empty()) return {};
+    if (!tighten_top()) continue;
+    queue_.collect(upper_[queue_.top().index()], candidates_);
+    if (candidates_.size() == 1) return candidates_[0];
+    if (!refresh_candidates()) continue;
+    keep_lowest_bounds();
+    if (candidates_.size() == 1) return candidates_[0];
+    if (!refine_candidates()) continue;
+    keep_cheapest();
+    return candidates_[0];
+  }
+}
+
+// The exact cost is close enough, whatever its bounds are.
+bool FilteredLoop::are_bounds_close(HalfspaceId i) const {
+  constexpr double kClose = 1 + 0x1p-10;
+  return upper_[i.index()] <= kClose * queue_.key(i);
+}
+
+// Whether the top is fresh and its bounds are close; otherwise one step is made towards that.
+bool FilteredLoop::tighten_top() {
+  const HalfspaceId top = queue_.top();
+  if (stale_[top.index()]) {
+    evaluate(top);
+    return false;
+  }
+  // An upper bound far away would make candidates of too many.
+  if (are_bounds_close(top)) return true;
+  const bool is_exact = ties_.is_exact(top);
+  refine(top);
+  return is_exact && queue_.top() == top;  // its lower bound may have risen only now
+}
+
+// Whether all candidates are fresh already.
+bool FilteredLoop::refresh_candidates() {
+  bool all_fresh = true;
+  for (const HalfspaceId i : candidates_) {
+    if (!stale_[i.index()]) continue;
+    evaluate(i);
+    all_fresh = false;
+  }
+  return all_fresh;
+}
+
+void FilteredLoop::keep_lowest_bounds() {
+  double best = std::numeric_limits<double>::infinity();
+  for (const HalfspaceId i : candidates_) best = std::min(best, upper_[i.index()]);
+  std::erase_if(candidates_, [&](HalfspaceId i) { return queue_.key(i) > best; });
+}
+
+// Whether all candidates have bounds in DoubleDouble already.
+bool FilteredLoop::refine_candidates() {
+  bool all_refined = true;
+  for (const HalfspaceId i : candidates_) {
+    if (ties_.is_refined(i)) continue;
+    refine(i);
+    all_refined = false;
+  }
+  return all_refined;
+}
+
+// Reduces refined candidates to the tie, in canonical order.
+void FilteredLoop::keep_cheapest() {
+  ties_.keep_cheapest(candidates_);
+  std::sort(candidates_.begin(), candidates_.end(),
+            [&](HalfspaceId a, HalfspaceId b) { return dual_.precedes(a, b); });
+  if (!are_bounds_close(candidates_[0])) refine(candidates_[0]);
+}
+
+FastStep FilteredLoop::describe(HalfspaceId i) const {
+  return {i, static_cast<std::uint32_t>(candidates_.size()), next_below(queue_.key(i) / 6),
+          next_above(upper_[i.index()] / 6)};
+}
+
+// If so, the step counts from now on.
+bool FilteredLoop::is_within(GrowthBudget& growth, const FastStep& step) {
+  const Interval<double> cost{step.cost_lower, step.cost_upper};
+  std::optional<bool> allowed = growth.allows(cost);
+  if (!allowed) {
+    allowed = growth.allows_volume(exact_volume(dual_, mesh_.triangles()) +
+                                   ties_.exact_cost(step.removed));
+  }
+  if (*allowed) growth.add(cost);
+  return *allowed;
+}
+
+void FilteredLoop::list_new_triangles() {
+  new_triangles_.clear();
+  const auto& v = cap_.ring().vertices;
+  for (const RingTriangle& t : cap_.triangles()) {
+    new_triangles_.push_back({v[t.low], v[t.middle], v[t.high]});
+  }
+}
+
+Step FilteredLoop::record(HalfspaceId i) {
+  Step step;
+  step.removed = i;
+  step.cost = ties_.exact_cost(i);
+  step.tie = candidates_;
+  step.ring = cap_.ring().vertices;
+  list_new_triangles();
+  step.triangles = new_triangles_;
+  step.left = left_ - 1;
+  return step;
+}
+
+void FilteredLoop::verify(HalfspaceId i) {
+  across_.clear();
+  for (const std::uint32_t h : cap_.ring().outer) across_.push_back(mesh_.apex(h));
+  list_new_triangles();
+  check_.check({i, cap_.ring().vertices, across_, new_triangles_});
+}
+
+void FilteredLoop::remove(HalfspaceId i) {
+  cap_.prepare(i);
+  mesh_.remove(i, cap_.ring(), cap_.triangles());
+  --left_;
+  drop(i);
+  for (const HalfspaceId r : cap_.ring().vertices) {
+    stale_[r.index()] = true;
+    ties_.forget(r);
+  }
+  cap_.invalidate();
+}
+
+}  // namespace convexact
