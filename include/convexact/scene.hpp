@@ -32,17 +32,17 @@ struct Stage {
 /// Points that span no volume, or halfspaces whose intersection is empty, flat or unbounded.
 using NotSolid = std::variant<FlatInput, EmptyProof, FlatProof, RecessionRay>;
 
-/// A proof about the halfspaces of a list, told of its rows as typed: the multipliers are theirs,
-/// so that y'N = 0 holds with the numbers of the file, and rows count from 0, dropped ones
+/// A proof about the halfspaces of a list, in terms of its rows as typed: the multipliers are
+/// theirs, so that y'N = 0 holds with the numbers of the file, and rows count from 0, dropped ones
 /// included.
 /// @param rows  Of the list; without any, the proof stays as it is.
 [[nodiscard]] NotSolid of_typed_rows(NotSolid reason, const TypedRows& rows);
 
-/// One sentence for people: what the input is, and what the proof consists of. Points and
+/// One sentence for people: the kind of the input, and its proof. Points and
 /// halfspaces count from 0.
 [[nodiscard]] std::string describe(const NotSolid& reason);
 
-/// What is to be enclosed: the hull of points, or an intersection of halfspaces.
+/// A shape to be enclosed: the hull of points, or an intersection of halfspaces.
 using Shape = std::variant<PointSet, std::vector<Halfspace>>;
 
 /// Formats to store a solid in, beside the exact integers, which are always there.
@@ -53,7 +53,8 @@ struct StoreRequest {
 
 struct StoredSolid {
   Polytope exact;
-  PointSet points;  ///< What it holds: the input's points, or the vertices of the input's polytope.
+  PointSet points;  ///< The points that it holds: the input's points, or the vertices of the
+                    ///< input's polytope.
   std::optional<StoredPlanes> planes;
   std::optional<StoredMesh> mesh;
 };
@@ -78,12 +79,12 @@ struct SceneOptions {
 void to_typed_rows(std::vector<RedundantHalfspace>& redundant, const TypedRows& rows);
 
 /// Reads files one after another: meshes, or halfspaces (.json, .ine, or by content).
-/// @throws Error as the readers; NoInterior if a halfspace list has a row that nothing satisfies;
+/// @throws Error as the readers; NoInterior if a halfspace list has a row that no point satisfies;
 ///         InvalidArgument for parts of a file that has none, or standard input twice.
 [[nodiscard]] std::vector<SceneObject> read_scene(const std::vector<std::string>& paths,
                                                   const SceneOptions& options = {});
 
-/// What encloses an object, under the name that it gets in a file of several.
+/// The solid that encloses an object, under its name in a file of several.
 struct NamedSolid {
   std::string name;
   const StoredSolid* solid;  ///< With a mesh, if the file is one.

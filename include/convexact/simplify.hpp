@@ -28,16 +28,16 @@ struct RunRecord {
 enum class Engine {
   Exact,     ///< Rationals and integers everywhere: the reference.
   Filtered,  ///< The same answer; exact numbers only where doubles cannot decide.
-  Float,     ///< Doubles decide which halfspaces go. What is left is proven all the same.
+  Float,     ///< Doubles decide which halfspaces are removed. The result is proven all the same.
 };
 
-/// What is wanted. At least one of `faces` and `max_growth` must be given.
+/// A request. At least one of `faces` and `max_growth` must be given.
 struct SimplifyRequest {
   std::optional<std::size_t> faces;    ///< Halfspaces to keep, >= 4.
   std::optional<Rational> max_growth;  ///< Volume may grow to (1 + max_growth) times; >= 0.
   Engine engine = Engine::Filtered;
   bool trace = false;   ///< Keep the full record of every step. Not for the float engine.
-  bool record = false;  ///< Keep what a proof of the run needs. For every engine.
+  bool record = false;  ///< Keep the data for a proof of the run. For every engine.
   /// How much of each step is proven again. The float engine proves no steps, only the result; Full
   /// makes the filtered engine keep the record that it needs.
   VerifyLevel verify = VerifyLevel::Local;
@@ -45,7 +45,7 @@ struct SimplifyRequest {
   std::uint64_t seed = 1;               ///< Of every random order. The answer is the same.
   StoreRequest store;
   bool exact_volumes = false;  ///< As rationals too, not only their certain digits.
-  StageWatch watch = {};       ///< Removals are told as the progress of stage "simplify".
+  StageWatch watch = {};       ///< Reports removals as the progress of stage "simplify".
 };
 
 struct SimplifyResult {
@@ -55,33 +55,33 @@ struct SimplifyResult {
   std::size_t input_halfspaces = 0;           ///< Of the hull, redundant ones not counted.
   std::size_t steps = 0;                      ///< Halfspaces removed.
   StopReason stop = StopReason::Reached;
-  std::optional<Trace> trace;       ///< If it was asked for, and by the exact engine.
+  std::optional<Trace> trace;       ///< If it was requested, and always by the exact engine.
   std::optional<RunRecord> record;  ///< If it was asked for.
-  StoredSolid solid;                ///< What encloses the input.
+  StoredSolid solid;                ///< The solid that encloses the input.
   Measured input_volume;            ///< Of the input's hull, in cubed length units.
   Measured output_volume;
   std::size_t tested_points = 0;  ///< Points tested directly against every survivor.
   Engine engine = Engine::Filtered;
   VerifyLevel verified = VerifyLevel::Local;
-  std::optional<FloatBound> float_bound;  ///< Of the float engine: what it proves of its errors.
+  std::optional<FloatBound> float_bound;  ///< Of the float engine: the proven bounds on its errors.
   std::vector<Stage> stages;  ///< Each with its time, or the reason why it was left out.
 };
 
 using SimplifyOutcome = std::variant<SimplifyResult, NotSolid>;
 
 /// Runs the stages that the request and the shape need.
-/// @throws Error InvalidArgument for a request that makes no sense or a center that is not strictly
-///         inside; Unrepresentable if a stored format cannot hold the result; Stopped; Internal if
+/// @throws Error InvalidArgument for an invalid request or a center that is not strictly inside;
+/// Unrepresentable if a stored format cannot hold the result; Stopped; Internal if
 ///         a verification fails.
 [[nodiscard]] SimplifyOutcome simplify(const Shape& shape, const SimplifyRequest& request);
 
 struct HullRequest {
-  bool volume = true, area = true, mean_width = true;  ///< Which measures are asked for.
+  bool volume = true, area = true, mean_width = true;  ///< The measures to compute.
   int digits = 10;            ///< Certain decimal digits of each measure, 1 to 10000.
   bool exact_volume = false;  ///< The volume as a rational too.
   std::uint64_t seed = 1;     ///< Of every random order. The answer is the same.
   StoreRequest store;
-  StageWatch watch = {};  ///< Facets or edges are told as the progress of each measure.
+  StageWatch watch = {};  ///< Reports facets or edges as the progress of each measure.
 };
 
 struct HullResult {

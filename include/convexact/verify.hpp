@@ -50,7 +50,7 @@ struct Tolerance {
 /// intersection; or the error (Malformed or NotFinite) that reading it met.
 using Candidate = std::variant<Mesh, HalfspaceList, Error>;
 
-/// What can be claimed of a candidate; docs/verdicts.md has a section for each.
+/// The claims about a candidate; docs/verdicts.md has a section for each.
 enum class ClaimCode {
   CandidateReadable,  ///< Its bytes spell a mesh or a list of halfspaces.
   CandidateFinite,    ///< No NaN, no infinity, no decimal beyond the largest double.
@@ -84,27 +84,27 @@ enum class Status {
 };
 [[nodiscard]] const char* name_of(Status status);
 
-/// What refutes a claim. Which fields are set depends on the claim, see docs/verdicts.md; ids count
-/// from 0, faces and rows in the order of the candidate's file.
+/// The refutation of a claim. The claim decides which fields are set, see docs/verdicts.md; ids
+/// count from 0, faces and rows in the order of the candidate's file.
 struct Witness {
   std::optional<std::size_t> input_point;    ///< A point of the input.
   std::vector<std::size_t> vertices;         ///< Points of the candidate.
   std::vector<std::size_t> faces;            ///< Faces of the candidate's mesh.
   std::vector<std::size_t> rows;             ///< Rows of the candidate's list of halfspaces.
   std::optional<std::size_t> line;           ///< Of the candidate's file, from 1.
-  std::optional<Halfspace> plane;            ///< The plane that something is beyond.
-  std::optional<RationalPoint> point;        ///< The coordinates of what is beyond it.
+  std::optional<Halfspace> plane;            ///< The plane that a point or corner is beyond.
+  std::optional<RationalPoint> point;        ///< The coordinates of that point or corner.
   std::optional<RationalPoint> nearest;      ///< Of the candidate, the point nearest to `point`.
   std::optional<RationalVector3> direction;  ///< In which the candidate is unbounded.
   std::optional<Rational>
       squared_distance;              ///< Of `point` to `nearest`, else to `plane`; positive.
-  std::optional<std::size_t> count;  ///< How much was found where a budget allows less.
+  std::optional<std::size_t> count;  ///< The count that exceeds a budget.
 };
 
 struct Claim {
   ClaimCode code;
   Status status;
-  std::string sentence;  ///< What was found, for people.
+  std::string sentence;  ///< The finding, for people.
   Witness witness;       ///< Empty unless violated, or let pass by a tolerance.
   /// Whether the request named it, so that it is no success if it is not applicable.
   bool is_named = false;
@@ -139,11 +139,11 @@ struct Slack {
 /// "half a unit in the last place of each coordinate in binary64" and the like.
 [[nodiscard]] std::string describe(const Slack& slack);
 
-/// The format to whose numbers the coordinates were rounded, as far as they tell: binary32 if all
-/// are numbers of binary32 and one of them needs more than 16 of its 24 bits; else binary64.
+/// The format to whose numbers the coordinates were presumably rounded: binary32 if all are numbers
+/// of binary32 and one of them needs more than 16 of its 24 bits; otherwise binary64.
 [[nodiscard]] Precision precision_of(const PointSet& points);
 
-/// What rounding in a program may add up to: so many units in the last place of the largest
+/// The most that roundings in a program may add up to, in units in the last place of the largest
 /// coordinate.
 inline constexpr unsigned kRoundingUlps = 16;
 
@@ -194,7 +194,7 @@ struct Outside {
   std::optional<Rational> relative_squared_distance;
 };
 
-/// What a candidate consists of.
+/// The counts of a candidate.
 struct CandidateSize {
   std::size_t stored_faces = 0;     ///< Faces of the mesh, or rows of the list.
   std::size_t stored_vertices = 0;  ///< Points of the mesh; 0 for halfspaces.
@@ -221,10 +221,10 @@ struct Verdict {
   CandidateSize size;
   std::optional<Outside> outside;      ///< If containment was decided.
   std::optional<Tightness> tightness;  ///< If asked for, and the candidate is a bounded solid.
-  Rational squared_diameter;           ///< Of the input: what tolerances refer to.
+  Rational squared_diameter;           ///< Of the input: relative tolerances refer to it.
   /// If some claim is violated, and all that are by a distance only.
   std::optional<SmallestTolerance> smallest_tolerance;
-  std::vector<std::string> notes;  ///< What else people should know; decides nothing.
+  std::vector<std::string> notes;  ///< Further facts for people; they decide nothing.
   std::vector<Stage> stages;       ///< Each with its time, or the reason why it was left out.
 
   const Claim& operator[](ClaimCode code) const;
@@ -238,7 +238,7 @@ using VerifyOutcome = std::variant<Verdict, NotSolid>;
 /// predicate: every input point against every plane (find_outside()), and the vertices of the
 /// input's hull each against the candidate's triangle in its direction, or by a linear program for
 /// each of its planes.
-/// @return NotSolid if the *input* has no volume. Whatever is wrong with the candidate is a claim.
+/// @return NotSolid if the *input* has no volume. Any fault of the candidate is a violated claim.
 /// @throws Error InvalidArgument for a negative tolerance, and for a budget that `claims` names
 ///               without a number; Internal if the two ways disagree or a certificate fails.
 /// @par Cost    Points times planes in doubles, the two hulls, and the measures asked for.

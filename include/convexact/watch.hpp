@@ -15,13 +15,15 @@ namespace convexact {
 struct StageWatch {
   /// Called as a stage begins.
   std::function<void(const std::string& stage)> begins = {};
-  /// Called now and then with how many of how many steps of a long stage are done.
+  /// Called from time to time with the number of steps done and the number of all steps of a long
+  /// stage.
   std::function<void(const std::string& stage, std::size_t done, std::size_t total)> progress = {};
   /// When it becomes true, the request ends with Error Stopped. A signal handler may set it.
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// What a loop that may take seconds asks at each of its steps; without arguments it asks nothing.
+/// The check that a loop that may take seconds makes at each of its steps; without arguments it
+/// does nothing.
 class Watch {
  public:
   using Progress = std::function<void(std::size_t done, std::size_t total)>;
@@ -35,7 +37,7 @@ class Watch {
       throw Error(ErrorCode::Stopped, "interrupted");
     }
   }
-  /// Asks, and now and then tells how many of how many steps are done.
+  /// Calls ask(), and from time to time reports the number of steps done and of all steps.
   void at(std::size_t done, std::size_t total) const {
     ask();
     if (progress_ && done % 256 == 0) progress_(done, total);

@@ -9,7 +9,7 @@
 namespace convexact {
 namespace {
 
-// The parameter of a family that makes it stiff, and the values to look at.
+// The parameter of a family that makes it stiff, and the values to measure.
 struct Sweep {
   const char* family;
   const char* parameter;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// effort.hpp - how often and how long a report may measure, and the clock that sees to it.
+// effort.hpp - how often and how long a report may measure, and the clock that enforces it.
 #pragma once
 #include <atomic>
 #include <chrono>
@@ -66,8 +66,8 @@ class Deadline {
   std::atomic<bool> ring_ = false;
 };
 
-/// Times `work(deadline)` again and again, as the effort allows. None if not even the first run
-/// came to its end in time. @throws Error Stopped if the user wants it; else as work.
+/// Times `work(deadline)` again and again, as the effort allows. None if even the first run did not
+/// end in time. @throws Error Stopped after an interrupt; otherwise as work.
 template <class Work>
 std::optional<Spread> time_repeatedly(const Effort& effort, Work&& work) {
   std::vector<double> seconds;

@@ -8,7 +8,7 @@
 namespace convexact {
 namespace {
 
-// What follows "NAME :" in a file of such lines; empty if nothing does.
+// The text after "NAME :" in a file of such lines; empty if there is none.
 std::string entry_of(const char* file, const std::string& name) {
   std::ifstream stream(file);
   for (std::string line; std::getline(stream, line);) {

@@ -18,7 +18,7 @@ namespace convexact {
 struct ReportSections {
   bool precision = true;  ///< Error against time, for every way of computing.
   bool tightness = true;  ///< Against the number of halfspaces, and against time.
-  bool stages = true;     ///< Time by stage, and what leaving out stages saves.
+  bool stages = true;     ///< Time by stage, and the time that skipping stages saves.
   bool scaling = true;    ///< Time by size.
   bool stability = true;  ///< Error against stiffness.
 };
@@ -30,7 +30,7 @@ struct ReportRequest {
   Effort effort;
 };
 
-/// What is measured on one input; none where its section was not asked for.
+/// The measurements on one input; none if its section was not requested.
 struct InputReport {
   std::string name;
   std::size_t points = 0;  ///< 0 where the input is halfspaces.
@@ -52,10 +52,10 @@ struct NamedShape {
   const Shape* shape;
 };
 
-/// Measures one input. @throws Error InvalidArgument for a request that makes no sense; Stopped.
+/// Measures one input. @throws Error InvalidArgument for an invalid request; Stopped.
 [[nodiscard]] std::variant<InputReport, NotSolid> measure_input(const NamedShape& input,
                                                                 const ReportRequest& request);
-/// What does not depend on the inputs: spheres and stability.
+/// The measurements that do not depend on the inputs: spheres and stability.
 void measure_families(ReportData& report, const ReportRequest& request);
 
 }  // namespace convexact

@@ -8,7 +8,7 @@
 
 namespace convexact {
 
-/// What made a report.
+/// The build that made a report.
 struct ReportOrigin {
   std::string version;   ///< "convexact 0.1.0".
   std::string commit;    ///< Of the source; "unknown" outside of a repository.

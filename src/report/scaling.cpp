@@ -10,7 +10,7 @@
 namespace convexact {
 namespace {
 
-// What repeated runs on one input took.
+// The times of repeated runs on one input.
 struct Sample {
   std::size_t points = 0, halfspaces = 0;
   Spread hull, simplify;
@@ -47,7 +47,7 @@ std::optional<Sample> sample(const PointSet& points, Engine engine, const Effort
   return result;
 }
 
-// Through the least times: whatever else the machine does can only add to them.
+// Through the least times, since other work of the machine can only add to them.
 void fit(ScalingSeries& series) {
   std::vector<std::pair<double, double>> points;
   for (const auto& [size, seconds] : series.points) {
@@ -96,7 +96,7 @@ std::vector<ScalingSeries> measure_scaling(const std::vector<PointSet>& sets,
       const std::optional<Sample> found = sample(set, engine, effort);
       if (!found) continue;
       series.points.push_back({found->halfspaces, found->simplify});
-      // Every engine begins with the same hull: one of them tells.
+      // Every engine begins with the same hull, so the hull of one of them is timed.
       if (engine == Engine::Filtered) list.front().points.push_back({found->points, found->hull});
       if (found->simplify.median > effort.budget / 10) break;
     }

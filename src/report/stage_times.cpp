@@ -60,7 +60,7 @@ SimplifyRequest request_for(Engine engine, std::size_t faces, const Effort& effo
   return request;
 }
 
-// What simplify() leaves out for points and always, after it.
+// The stages that simplify() skips for points, and the ones that it always skips, after it.
 void run_the_rest(const Shape& shape, const SimplifyResult& result, const Effort& effort,
                   StageLog& log) {
   if (std::holds_alternative<PointSet>(shape)) {

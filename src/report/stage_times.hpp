@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// stage_times.hpp - where the time of a run goes, and what leaving out stages saves.
+// stage_times.hpp - where the time of a run goes, and the time that skipping stages saves.
 #pragma once
 #include <optional>
 #include <string>
@@ -28,8 +28,8 @@ struct RunTimes {
 /// Runs of simplify() by each engine, with the verification that is its default, and one of
 /// everything: exact planes, certificate and Chebyshev center; record and ties of each step; the
 /// result as planes and as a mesh in binary64; area, mean width and exact volumes; and the detour
-/// through the halfspaces, which points do not need. So "filtered" against "everything" shows what
-/// planning saves.
+/// through the halfspaces, which points do not need. So "filtered" against "everything" shows the
+/// time that planning saves.
 [[nodiscard]] std::vector<RunTimes> measure_stage_times(const Shape& shape, std::size_t faces,
                                                         const Effort& effort);
 

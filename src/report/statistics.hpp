@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// statistics.hpp - what repeated measurements say: their spread, and the power law behind a series.
+// statistics.hpp - statistics of repeated measurements: their spread, and the power law behind a
+// series.
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -24,7 +25,7 @@ struct Spread {
 /// y = factor x^exponent.
 struct PowerLaw {
   double exponent, factor;
-  double standard_error;  ///< Of the exponent, from what the law leaves unexplained; n - 2 degrees
+  double standard_error;  ///< Of the exponent, from the residuals; n - 2 degrees
                           ///< of freedom.
 };
 

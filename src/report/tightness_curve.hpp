@@ -10,7 +10,7 @@
 
 namespace convexact {
 
-/// What the greedy removals leave at k halfspaces.
+/// The solid of k halfspaces after the greedy removals.
 struct TightnessPoint {
   std::size_t faces = 0;
   double growth = 0;  ///< Volume over that of the solid, minus 1; the nearest double, about.

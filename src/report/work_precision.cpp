@@ -167,7 +167,7 @@ void Workbench::judge_order(WayResult& result, const std::vector<HalfspaceId>& r
   if (wrong->regret) result.first_wrong->regret = to_double(*wrong->regret, Rounding::Nearest);
 }
 
-// `left` is the exact volume of what the removals leave.
+// `left` is the exact volume of the remaining solid.
 double Workbench::excess(const std::vector<HalfspaceId>& removed, const Rational& left) const {
   const std::vector<Step>& steps = reference_.trace.steps;
   const std::size_t count = std::min(removed.size(), steps.size());
