@@ -15,15 +15,16 @@
 
 namespace convexact {
 
-/// What a cap depends on: the plane of its facet and those of all facets that share an edge with
-/// it, counter-clockwise from outside. Planes that only pass through a vertex of the facet bound
-/// nothing beyond it: without dual point i, the dual face they share with i keeps its other points.
+/// The planes that determine a cap: the plane of its facet and those of all facets that share an
+/// edge with it, counter-clockwise from outside. Planes that only pass through a vertex of the
+/// facet bound nothing beyond it: without dual point i, the dual face they share with i keeps its
+/// other points.
 struct FacetOutline {
   HalfspaceId facet;
   std::vector<HalfspaceId> neighbours;
 };
 
-/// Is told what is decided without exact numbers: a test decides it again, a proof records it.
+/// Receives every decision without exact numbers: a test decides it again, a proof records it.
 class CostObserver {
  public:
   virtual ~CostObserver() = default;

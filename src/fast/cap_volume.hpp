@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // cap_volume.hpp - the volume of a cap in any arithmetic: a formula that is always accurate, a
-// quicker one that is accurate mostly, and bounds for what rounding takes away from both.
+// quicker one that is mostly accurate, and bounds for the roundings of both.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -107,10 +107,10 @@ void add_cone(std::uint32_t k, Determinants& of, typename Determinants::Sum& sum
 enum class Boundedness : unsigned char {
   Bounded,    ///< Proven: every triangle of T has D > 0.
   Unbounded,  ///< Proven: some triangle of T has D < 0.
-  Doubtful,   ///< Some D is too small for this arithmetic to tell its sign.
+  Doubtful,   ///< Some D is too small for its sign to be certain in this arithmetic.
 };
 
-/// What one arithmetic proves of a cap, as long as T is right.
+/// The bounds that one arithmetic proves of a cap, as long as T is right.
 template <class Scalar>
 struct CostBounds {
   Boundedness kind;
@@ -407,7 +407,7 @@ CostBounds<Scalar> LawrenceSum<Scalar>::run(const RingGeometry<Scalar>& ring,
 }
 
 /// The cost of removals in one arithmetic: the quick sum of LawrenceSum, which needs no H but those
-/// of the removed plane, as long as no D is near zero; else CapVolume.
+/// of the removed plane, as long as no D is near zero; otherwise CapVolume.
 template <class Scalar>
 class CapCost {
  public:

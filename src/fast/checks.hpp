@@ -9,7 +9,7 @@
 
 namespace convexact {
 
-/// What a removal claims: the ring of `removed`, counter-clockwise from outside; for each edge
+/// The claim of a removal: the ring of `removed`, counter-clockwise from outside; for each edge
 /// ring[m] -> ring[m + 1] the third corner of the dual triangle across it; the ring's new
 /// triangles.
 struct ClaimedStep {
@@ -19,8 +19,8 @@ struct ClaimedStep {
   std::span<const DualTriangle> triangles;
 };
 
-/// The local checks of docs/verification.md, with filtered signs in place of integers. It knows no
-/// mesh, no queue and no volume, and shares nothing with the step but the predicates.
+/// The local checks of docs/verification.md, with filtered signs in place of integers. It uses no
+/// mesh, no queue and no volume, and shares only the predicates with the step.
 class StepCheck {
  public:
   explicit StepCheck(const FastDual& dual)

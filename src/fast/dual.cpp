@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Dual points in doubles: from the corners of facets where that is certain, else from exact planes.
+// Dual points in doubles: from the corners of facets where that is certain, otherwise from exact
+// planes.
 #include "fast/dual.hpp"
 
 #include <algorithm>
@@ -112,7 +113,7 @@ DoubleDouble to_long(const Rational& x) {
   return {hi, to_double(Rational(x - to_rational(hi)), Rounding::Nearest)};
 }
 
-// What is known to a relative error of about this is taken as it is; else rationals are asked.
+// Numbers known to a relative error of about this are used as they are; otherwise rationals decide.
 constexpr double kCertain = 0x1p-88;
 bool is_certain(const DoubleDouble& value, double error) {
   return error <= kCertain * std::abs(value.hi());

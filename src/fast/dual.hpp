@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// dual.hpp - the dual hull as the fast engines take it: dual points in doubles with a proven
+// dual.hpp - the dual hull for the fast engines: dual points in doubles with a proven
 // error, exact planes only on demand.
 #pragma once
 #include <array>

@@ -15,7 +15,7 @@ namespace convexact {
 struct FastStep {
   HalfspaceId removed;
   /// How many halfspaces have this exact cost, `removed` included; in the float engine, how many
-  /// have costs that doubles cannot tell apart, or 1 where they are more than it looks at.
+  /// have costs that doubles cannot distinguish, or 1 if they are more than it compares.
   std::uint32_t tied;
   /// The cost, enclosed by the filtered engine and estimated by the float engine (then both are
   /// equal), in units of 2^FastDual::volume_exponent() cubed length units. Where it is beyond the

@@ -131,7 +131,7 @@ std::optional<HalfspaceId> FilteredLoop::choose() {
   }
 }
 
-// The exact cost is close enough, whatever its bounds are.
+// The exact cost is close enough, even if its bounds are wide.
 bool FilteredLoop::are_bounds_close(HalfspaceId i) const {
   constexpr double kClose = 1 + 0x1p-10;
   return upper_[i.index()] <= kClose * queue_.key(i);

@@ -15,8 +15,8 @@
 
 namespace convexact {
 
-/// What max_growth still allows: the sum of costs stays within that share of the initial volume.
-/// Enclosures decide, and in doubt the exact volumes.
+/// The growth that max_growth still allows: the sum of costs stays within that share of the initial
+/// volume. Enclosures decide, and where they overlap the exact volumes.
 class GrowthBudget {
  public:
   /// @param max_growth  None: everything is allowed, and no volume is computed.
@@ -44,10 +44,10 @@ class GrowthBudget {
 
 /// The queue holds, for every halfspace whose removal may be bounded, a lower bound of six times
 /// its cost. The cost never decreases, so the bound stays true while the ring changes; the entry is
-/// *stale* then, and looked at again only when it comes near the top [Minoux1978].
+/// *stale* then, and evaluated again only when it comes near the top [Minoux1978].
 class FilteredLoop {
  public:
-  /// @param observer  Is told every sign and bound; null costs nothing.
+  /// @param observer  Receives every sign and bound; null costs nothing.
   FilteredLoop(const FastDual& dual, const SimplifyOptions& options,
                CostObserver* observer = nullptr);
 

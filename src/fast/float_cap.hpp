@@ -22,7 +22,7 @@ namespace convexact {
 ///   Longer                              such a type, without a Longer of its own
 ///   const Longer& longer()
 /// and, if the run is to know its own error (FastResult::bound),
-///   const DualSigns& signs()            asked where this arithmetic is not sure of a sign of T
+///   const DualSigns& signs()            decides where a sign of T is uncertain in this arithmetic
 /// These two are the engine's own.
 struct DoubleDoubles {
   using Scalar = DoubleDouble;

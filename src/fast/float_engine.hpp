@@ -7,17 +7,17 @@ namespace convexact {
 
 /// The removals that doubles find cheapest. Exact numbers decide none of them.
 ///
-/// What holds without any check of the result: the survivors are a subset of the input's
+/// These facts hold without any check of the result: the survivors are a subset of the input's
 /// halfspaces, so they contain the solid; and they are bounded, because a removal is made only if
 /// every new vertex is proven to exist (docs/design/filtered.md). What may differ from
 /// simplify_filtered(): the choice between costs that are equal up to rounding; and where not even
 /// DoubleDouble, which is asked where doubles are in doubt, can tell whether a vertex exists, the
 /// run may end early with AllUnbounded.
 ///
-/// How far it can have gone wrong is proven during the run and stands in FastResult::bound: costs
-/// are enclosed, T is right if every sign that doubles are not sure of agrees with the exact one,
-/// and what was never enclosed counts as free of cost.
-/// @param options  `verify` is not looked at: there is no claim to verify but the two above.
+/// A bound on its errors is proven during the run and stands in FastResult::bound: costs
+/// are enclosed, T is right if every sign that doubles leave uncertain agrees with the exact one,
+/// and a cap that was never enclosed counts as free of cost.
+/// @param options  `verify` is ignored: there is no claim to verify but the two above.
 ///                 `max_growth` is compared in doubles.
 /// @throws Error   As simplify_filtered(), but never Internal.
 /// @par Source     [Jacobson2026]

@@ -31,8 +31,8 @@ class FloatErrors {
  public:
   explicit FloatErrors(std::size_t halfspaces);
 
-  /// The cap of i has been looked at: its cost is enclosed. Unbounded caps are (inf, inf), caps of
-  /// which nothing is proven (0, inf).
+  /// The cap of i has been evaluated: its cost is enclosed. Unbounded caps are (inf, inf), caps
+  /// without a proven bound (0, inf).
   void enclose(HalfspaceId i, double lower, double upper) {
     upper_[i.index()] = upper;
     if (lower > lower_.key(i)) lower_.update(i, lower);
@@ -70,11 +70,11 @@ bool is_loose(const CostEstimate<Scalar>& cap) {
 /// Signs of H are taken as they come out, and costs as CapCost estimates them. Three guards,
 /// all relative to the size of what is computed (PlaneFilter), keep the result sound:
 /// - Existence: a halfspace is removed only if every D of its cap is beyond its error bound.
-/// - Laziness: a changed cap is looked at again when its *lower bound* comes to the top, not
+/// - Laziness: a changed cap is evaluated again when its *lower bound* comes to the top, not
 ///   its estimate, unless both are nearly the same; an ill-conditioned cap has a low one. (Without
-///   this guard an estimate that is too high would never be looked at again.)
+///   this guard a cap with too high an estimate would never be evaluated again.)
 /// - Doubt: a cap that is not found bounded, be it that some D is too close to zero or that T is
-///   wrong, or its bounds far apart, is looked at in the longer arithmetic. If that does not find
+///   wrong, or its bounds far apart, is evaluated in the longer arithmetic. If that does not find
 ///   it bounded either, it is put off until its ring changes. (Facets that would be one, had their
 ///   vertices not been rounded, have dual points a few roundings apart.)
 ///
@@ -200,7 +200,7 @@ FastResult FloatLoop<Arithmetic>::run() {
   return result;
 }
 
-// The ring of i, triangulated in the arithmetic that knows its cap.
+// The ring of i, triangulated in the arithmetic that holds its cap.
 template <class Arithmetic>
 void FloatLoop<Arithmetic>::prepare(HalfspaceId i) {
   if (prepared_ == i) return;
@@ -238,7 +238,7 @@ const typename FloatLoop<Arithmetic>::Scalar& FloatLoop<Arithmetic>::evaluate(Ha
   return estimate_[i.index()];
 }
 
-// Notes what is proven of i, whose ring and triangles are there.
+// Records the bounds proven of i, whose ring and triangles are known.
 template <class Arithmetic>
 template <class Number>
 void FloatLoop<Arithmetic>::enclose(HalfspaceId i, const CostEstimate<Number>& cap, bool is_right) {
@@ -306,7 +306,7 @@ std::optional<HalfspaceId> FloatLoop<Arithmetic>::choose() {
 template <class Arithmetic>
 bool FloatLoop<Arithmetic>::collect_tie(HalfspaceId top) {
   // Modelled symmetries tie in pairs, and the symmetries of the cube 48 at most. Long prisms tie
-  // all over, by the thousand; there the order among them means nothing.
+  // all over, by the thousand; there the order among them is arbitrary.
   constexpr std::size_t kMost = 48;
   queue_.collect(narrow_ * queue_.key(top), tied_, kMost);
   if (tied_.size() > kMost) tied_.assign(1, top);

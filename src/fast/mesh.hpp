@@ -28,8 +28,8 @@ struct RingTriangle {
                                                      std::span<const std::uint32_t> head,
                                                      std::size_t vertex_count);
 
-/// What surrounds a vertex: its neighbours, counter-clockwise from outside, and for each edge of
-/// the cycle (vertices[m] -> vertices[m + 1]) the half-edge across it.
+/// The surroundings of a vertex: its neighbours, counter-clockwise from outside, and for each edge
+/// of the cycle (vertices[m] -> vertices[m + 1]) the half-edge across it.
 struct OneRing {
   std::vector<HalfspaceId> vertices;
   std::vector<std::uint32_t> outer;
@@ -52,7 +52,7 @@ class HalfEdgeMesh {
   HalfspaceId apex(std::uint32_t half_edge) const {
     return HalfspaceId(edges_[previous(half_edge)].tail);
   }
-  /// Takes v out and closes the hole. `ring` is v's, `triangles` a triangulation of it.
+  /// Removes v and closes the hole. `ring` is v's, `triangles` a triangulation of it.
   void remove(HalfspaceId v, const OneRing& ring, std::span<const RingTriangle> triangles);
   /// Every triangle once; the ones freed are left out.
   std::vector<DualTriangle> triangles() const;

@@ -48,9 +48,9 @@ struct RingGeometry {
 /// Triangulates one-rings. Beyond is any type with
 ///   void set_triangle(low, middle, high)  positions in the ring, ascending
 ///   bool is_beyond(m)                     whether ring point m is strictly beyond that triangle
-/// The result is a triangulation of the polygon 0 .. k - 1 *whatever* is_beyond answers; with true
-/// answers it is the hull of the ring as the removed point saw it. So it ends in any arithmetic,
-/// which flipping does not.
+/// The result is a triangulation of the polygon 0 .. k - 1 for *any* answers of is_beyond; with
+/// true answers it is the hull of the ring as the removed point saw it. So it ends in any
+/// arithmetic, which flipping does not.
 class RingTriangulator {
  public:
   /// @par Cost  Up to kShortRing points: at most (k - 2)(k - 3) / 2 questions, fewer than by

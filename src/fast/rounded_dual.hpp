@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// rounded_dual.hpp - the float loop on numbers of a chosen length, with what it computed kept.
+// rounded_dual.hpp - the float loop on numbers of a chosen length, with a record of its numbers.
 #pragma once
 #include <memory>
 #include <optional>
@@ -43,8 +43,8 @@ class RoundedDual {
   /// Of the latest run: the cost of each removal as it was computed, in cubed length units, not
   /// rounded any further. Infinity never is among them.
   virtual std::vector<Rational> costs() const = 0;
-  /// The volume of what the latest run left, as these numbers compute it: cones over its facets,
-  /// from the center. None where they divide by zero.
+  /// The volume of the result of the latest run, as these numbers compute it: cones over its
+  /// facets, from the center. None where they divide by zero.
   virtual std::optional<Rational> volume() const = 0;
   /// The halfspace as these numbers hold it, P.(x - c) <= 1 with the dual point P.
   virtual RationalVector3 point(HalfspaceId i) const = 0;

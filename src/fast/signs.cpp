@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Doubles, incidence, DoubleDouble, integers: each stage asked only when the one before is silent.
+// Doubles, incidence, DoubleDouble, integers: each stage is used only if the one before is
+// uncertain.
 #include "fast/signs.hpp"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ bool share_vertex(const FastDual& dual, HalfspaceId a, HalfspaceId b, HalfspaceI
 }
 
 // Whether all three normals are known to lie in one coordinate plane, as along a prism; then they
-// are dependent. A coordinate that underflowed to zero is told from a true zero.
+// are dependent. A coordinate that underflowed to zero is distinguished from a true zero.
 bool share_axis(const FastDual& dual, HalfspaceId a, HalfspaceId b, HalfspaceId c) {
   for (int k = 0; k < 3; ++k) {
     const auto is_zero = [&](HalfspaceId i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// signs.hpp - signs of determinants of dual points: bounds for what rounding takes away, and four
-// stages from cheap to sure.
+// signs.hpp - signs of determinants of dual points: bounds for the roundings, and four stages from
+// cheap to exact.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace convexact {
 
-/// One double further down or up: what a single rounding may have taken away.
+/// One double further down or up: the most that a single rounding may have changed.
 [[nodiscard]] inline double next_below(double x) {
   return std::nextafter(x, -std::numeric_limits<double>::infinity());
 }
@@ -20,7 +20,7 @@ namespace convexact {
   return std::nextafter(x, std::numeric_limits<double>::infinity());
 }
 
-/// What the fast engines allow for underflow, and how they avoid overflow, in a Scalar with the
+/// How the fast engines bound underflow, and how they avoid overflow, in a Scalar with the
 /// exponents of double, or more.
 template <class Scalar>
 struct ExponentRange {
@@ -58,7 +58,7 @@ struct Roundoff<double> {
 
 template <>
 struct Roundoff<DoubleDouble> {
-  // The coordinates are what limits this stage, not the operations.
+  // The coordinates limit this stage, not the operations.
   static constexpr double kUnit = 0x1p-86;
   static_assert(FastDual::kLongError <= 2 * kUnit && DoubleDouble::kUnit <= kUnit);
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ties.hpp - ranks the caps that doubles cannot tell apart.
+// ties.hpp - ranks the caps that doubles cannot distinguish.
 #pragma once
 #include <memory>
 #include <optional>
@@ -20,8 +20,8 @@ namespace convexact {
 [[nodiscard]] bool are_congruent(const FastDual& dual, const FacetOutline& a,
                                  const FacetOutline& b);
 
-/// Knows more about a few caps than their bounds in doubles: bounds in DoubleDouble, which of them
-/// are congruent, and of what is still undecided the exact costs.
+/// More about a few caps than their bounds in doubles: bounds in DoubleDouble, which of them are
+/// congruent, and the exact costs of those that are still undecided.
 class TieBreaker {
  public:
   TieBreaker(const FastDual& dual, FilteredCap& cap, FastCounts& counts)
@@ -46,7 +46,7 @@ class TieBreaker {
   };
   struct Refined {
     CostBounds<DoubleDouble> bounds;
-    std::shared_ptr<CostClass> cost_class;  // null: not asked yet
+    std::shared_ptr<CostClass> cost_class;  // null: not computed yet
     bool is_exact = false;                  // the bounds are the exact cost, rounded
   };
 
