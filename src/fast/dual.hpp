@@ -57,7 +57,7 @@ struct DualFaces {
 /// no comparison of volumes depends on it.
 ///
 /// Two roundings are kept: near(i), a double per coordinate, and near(i) + rest(i), twice as long.
-/// Each coordinate q of P_i, wherever it does not underflow (see plane_filter.hpp), satisfies
+/// Each coordinate q of P_i, wherever it does not underflow (see PlaneFilter), satisfies
 ///   |near - q| <= kNearError |near|   and   |near + rest - q| <= kLongError |near|.
 class FastDual {
  public:

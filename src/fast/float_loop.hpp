@@ -328,7 +328,7 @@ bool FloatLoop<Arithmetic>::collect_tie(HalfspaceId top) {
   return true;
 }
 
-// Of the initial solid. Where doubts remain, rather too small: the growth limit is kept.
+// Of the initial solid; its lower bound if some D is doubtful, so that the growth limit is kept.
 template <class Arithmetic>
 typename FloatLoop<Arithmetic>::Scalar FloatLoop<Arithmetic>::six_times_volume() {
   typename IntervalDeterminants<Scalar>::Sum sum;
