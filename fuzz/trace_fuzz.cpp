@@ -92,7 +92,7 @@ bool OrderMaker::step() {
       definition::cheapest_removals(expected_.arrangement, expected_.left);
   std::size_t facet = in_.below(count_ + 2);
   if (in_.below(2) == 0 && !best.tie.empty()) facet = best.tie[facet % best.tie.size()].index();
-  order_.removals.push_back({order_.removals.size() + 1, "somebody's", facet, {}});
+  order_.removals.push_back({order_.removals.size() + 1, "a facet", facet, {}});
   if (facet == count_) return name_nothing("trace-plane-unknown");
   if (facet > count_) return name_nothing("trace-id-out-of-range");
   if (!expected_.has(facet)) return name_nothing("trace-removed-twice");
