@@ -98,4 +98,60 @@ std::string_view spelling_of(const json& value) {
   return {reinterpret_cast<const char*>(text.data()), text.size()};
 }
 
+namespace {
+
+[[noreturn]] void reject_row(const std::string& expected) {
+  throw Error(ErrorCode::Malformed, "expected " + expected);
+}
+
+const json& row_of(const json& rows, std::size_t row, std::size_t length, const char* what) {
+  const json& numbers = rows[row];
+  if (!numbers.is_array() || numbers.size() != length) {
+    reject_row(std::string(what) + " " + std::to_string(row) + " as an array of " +
+               std::to_string(length));
+  }
+  return numbers;
+}
+
+}  // namespace
+
+PointSet points_of_json(const json& rows, const char* what, const JsonNumber& number) {
+  if (!rows.is_array()) reject_row(std::string("an array with a row for each ") + what);
+  std::vector<RationalPoint> list;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const json& x = row_of(rows, r, 3, what);
+    list.emplace_back(number(x[0]), number(x[1]), number(x[2]));
+  }
+  return PointSet(std::move(list));
+}
+
+HalfspaceList halfspaces_of_json(const json& rows, const JsonNumber& number) {
+  if (!rows.is_array()) reject_row("an array with a row for each plane");
+  HalfspaceList list;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const json& x = row_of(rows, r, 4, "plane");
+    list.add({number(x[0]), number(x[1]), number(x[2])}, number(x[3]));
+  }
+  return list;
+}
+
+std::vector<std::vector<std::uint32_t>> polygons_of_json(const json& rows, std::size_t points) {
+  if (!rows.is_array()) reject_row("an array with a row for each face");
+  std::vector<std::vector<std::uint32_t>> polygons;
+  for (const json& row : rows) {
+    if (!row.is_array() || row.size() < 3) {
+      reject_row("a face as an array of three corners or more");
+    }
+    std::vector<std::uint32_t>& polygon = polygons.emplace_back();
+    for (const json& corner : row) {
+      if (!corner.is_number_unsigned() || corner.get<std::uint64_t>() >= points) {
+        reject_row("the index of one of " + std::to_string(points) + " vertices, found " +
+                   in_quotes(corner.dump()));
+      }
+      polygon.push_back(corner.get<std::uint32_t>());
+    }
+  }
+  return polygons;
+}
+
 }  // namespace convexact

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
-// json_text.hpp - the one place that parses JSON text, with a limit to its depth.
+// json_text.hpp - the one place that parses JSON text, with a limit to its depth; points, planes
+// and polygons in its rows.
 #pragma once
+#include <functional>
 #include <initializer_list>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <vector>
+
+#include "convexact/halfspace.hpp"
+#include "convexact/point_set.hpp"
 
 namespace convexact {
 
@@ -103,5 +108,20 @@ class JsonDocument : public JsonEvents {
 /// The text of a number below a spelled key of JsonDocument, or of a string; empty for any other
 /// value (and for the empty string).
 [[nodiscard]] std::string_view spelling_of(const nlohmann::json& value);
+
+/// What a number in a row means: each format has its own rules.
+using JsonNumber = std::function<Rational(const nlohmann::json&)>;
+
+/// Points from rows of three numbers. @param what  What errors call a row: "point".
+/// @throws Error Malformed for other rows; as `number`.
+[[nodiscard]] PointSet points_of_json(const nlohmann::json& rows, const char* what,
+                                      const JsonNumber& number);
+/// Halfspaces from rows of four numbers. @throws Error as points_of_json().
+[[nodiscard]] HalfspaceList halfspaces_of_json(const nlohmann::json& rows,
+                                               const JsonNumber& number);
+/// Polygons from rows of three or more indices below `points`.
+/// @throws Error Malformed for other rows.
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> polygons_of_json(const nlohmann::json& rows,
+                                                                       std::size_t points);
 
 }  // namespace convexact

@@ -55,15 +55,6 @@ Rational coefficient(const json& value, Decimal decimal) {
   return is_hex_float(text) ? parse_hex_float(text) : parse_number(text, decimal);
 }
 
-const json& row_of(const json& rows, std::size_t row, std::size_t length, const char* what) {
-  const json& numbers = rows[row];
-  if (!numbers.is_array() || numbers.size() != length) {
-    reject(std::string(what) + " " + std::to_string(row) + " as an array of " +
-           std::to_string(length));
-  }
-  return numbers;
-}
-
 // As in a mesh: every decimal is the nearest double or binary32 number, also one without a point or
 // an exponent. Fractions and hexadecimal floats are what they spell; where the numbers are
 // binary32, they are rounded too.
@@ -84,45 +75,6 @@ Rational coordinate(const json& value, Decimal decimal) {
   return to_rational(rounded);
 }
 
-PointSet points(const json& rows, Decimal decimal, const char* what) {
-  if (!rows.is_array()) reject(std::string("an array with a row for each ") + what);
-  std::vector<RationalPoint> list;
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    const json& x = row_of(rows, r, 3, what);
-    list.emplace_back(coordinate(x[0], decimal), coordinate(x[1], decimal),
-                      coordinate(x[2], decimal));
-  }
-  return PointSet(std::move(list));
-}
-
-HalfspaceList halfspaces(const json& rows, Decimal decimal) {
-  if (!rows.is_array()) reject("an array with a row for each plane");
-  HalfspaceList list;
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    const json& x = row_of(rows, r, 4, "plane");
-    list.add({coefficient(x[0], decimal), coefficient(x[1], decimal), coefficient(x[2], decimal)},
-             coefficient(x[3], decimal));
-  }
-  return list;
-}
-
-std::vector<std::vector<std::uint32_t>> faces(const json& rows, std::size_t points) {
-  if (!rows.is_array()) reject("an array with a row for each face");
-  std::vector<std::vector<std::uint32_t>> polygons;
-  for (const json& row : rows) {
-    if (!row.is_array() || row.size() < 3) reject("a face as an array of three corners or more");
-    std::vector<std::uint32_t>& polygon = polygons.emplace_back();
-    for (const json& corner : row) {
-      if (!corner.is_number_unsigned() || corner.get<std::uint64_t>() >= points) {
-        reject("the index of one of " + std::to_string(points) + " vertices, found " +
-               in_quotes(corner.dump()));
-      }
-      polygon.push_back(corner.get<std::uint32_t>());
-    }
-  }
-  return polygons;
-}
-
 // The oracle reports errors in the numbers of a candidate.
 Candidate candidate(const json& object, Decimal decimal) {
   require_known_keys(object, {"planes", "vertices", "faces"}, "the candidate");
@@ -130,11 +82,17 @@ Candidate candidate(const json& object, Decimal decimal) {
     reject("a candidate with 'planes' or with 'vertices'");
   }
   if (object.contains("planes") && object.contains("faces")) reject("faces with 'vertices' only");
+  const auto coordinates = [&](const json& x) { return coordinate(x, decimal); };
   try {
-    if (object.contains("planes")) return halfspaces(object["planes"], decimal);
+    if (object.contains("planes")) {
+      return halfspaces_of_json(object["planes"],
+                                [&](const json& x) { return coefficient(x, decimal); });
+    }
     Mesh mesh;
-    mesh.points = points(object["vertices"], decimal, "vertex");
-    if (object.contains("faces")) mesh.polygons = faces(object["faces"], mesh.points.size());
+    mesh.points = points_of_json(object["vertices"], "vertex", coordinates);
+    if (object.contains("faces")) {
+      mesh.polygons = polygons_of_json(object["faces"], mesh.points.size());
+    }
     return mesh;
   } catch (const Error& error) {
     return error;
@@ -261,7 +219,8 @@ ordered_json answer(const json& request, std::optional<double> time_limit) {
   }
   const Decimal decimal = decimal_of(request);
   const VerifyRequest asked = questions(request);
-  const PointSet input = points(request["points"], decimal, "point");
+  const PointSet input = points_of_json(request["points"], "point",
+                                        [&](const json& x) { return coordinate(x, decimal); });
   VerifyOutcome outcome = verify_in_time(input, candidate(request["candidate"], decimal), asked,
                                          time_limit_of(request, time_limit));
   if (auto* verdict = std::get_if<Verdict>(&outcome)) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <filesystem>
 #include <limits>
@@ -10,6 +9,7 @@
 #include "convexact/io.hpp"
 #include "convexact/verify.hpp"
 #include "io/json_text.hpp"
+#include "number/hex_float.hpp"
 
 namespace convexact {
 namespace {
@@ -36,22 +36,6 @@ std::size_t to_count(const json& number) {
   return static_cast<std::size_t>(to_integer(number, 0, kMost));
 }
 
-// "-0x1.8p-3", as Python and C print doubles.
-double to_double(const std::string& text) {
-  std::string_view digits = text;
-  const bool negative = digits.starts_with('-');
-  if (negative) digits.remove_prefix(1);
-  if (!digits.starts_with("0x")) fail("expected a hexadecimal float, found " + in_quotes(text));
-  digits.remove_prefix(2);
-  double value = 0;
-  const char* end = digits.data() + digits.size();
-  const auto result = std::from_chars(digits.data(), end, value, std::chars_format::hex);
-  if (result.ec != std::errc() || result.ptr != end) {
-    fail("expected a hexadecimal float, found " + in_quotes(text));
-  }
-  return negative ? -value : value;
-}
-
 // "p", "p/q" or either with "*2^e" behind.
 Rational to_exact(const std::string& text) {
   const std::size_t star = text.find("*2^");
@@ -65,26 +49,17 @@ Rational to_exact(const std::string& text) {
   return scale_by_power_of_two(parse_rational(text.substr(0, star)), exponent);
 }
 
-std::vector<Point> to_points(const json& list) {
-  std::vector<Point> points;
-  for (const json& row : list) {
-    Point& p = points.emplace_back();
-    for (int k = 0; k < 3; ++k) {
-      const json& x = row.at(k);
-      p[k] = x.is_string() ? to_double(x.get<std::string>()) : x.get<double>();
-    }
-  }
-  return points;
+// A double, or one in hexadecimal as Python and C print it: "-0x1.8p-3".
+Rational to_coordinate(const json& x) {
+  return x.is_string() ? parse_hex_float(x.get_ref<const std::string&>())
+                       : to_rational(x.get<double>());
 }
 
+PointSet to_points(const json& list) { return points_of_json(list, "point", to_coordinate); }
+
 HalfspaceList to_halfspaces(const json& list) {
-  HalfspaceList halfspaces;
-  for (const json& row : list) {
-    std::array<Rational, 4> numbers;
-    for (int k = 0; k < 4; ++k) numbers[k] = to_exact(row.at(k).get<std::string>());
-    halfspaces.add({numbers[0], numbers[1], numbers[2]}, numbers[3]);
-  }
-  return halfspaces;
+  return halfspaces_of_json(
+      list, [](const json& x) { return to_exact(x.get_ref<const std::string&>()); });
 }
 
 std::string from_base64(const std::string& text) {
@@ -119,31 +94,18 @@ PointSet scaled_mesh(const json& input, const std::string& data) {
 }
 
 decltype(TestVector::input) to_input(const json& input, const std::string& data) {
-  if (input.contains("points")) return PointSet(to_points(input["points"]));
+  if (input.contains("points")) return to_points(input["points"]);
   if (input.contains("halfspaces")) return to_halfspaces(input["halfspaces"]);
   if (input.contains("file")) return scaled_mesh(input, data);
   return to_file(input);
-}
-
-std::vector<std::vector<std::uint32_t>> to_polygons(const json& faces, std::size_t points) {
-  std::vector<std::vector<std::uint32_t>> polygons;
-  for (const json& face : faces) {
-    if (!face.is_array() || face.size() < 3) fail("expected a face of three corners or more");
-    std::vector<std::uint32_t>& polygon = polygons.emplace_back();
-    for (const json& corner : face) {
-      const auto last = static_cast<std::int64_t>(points) - 1;
-      polygon.push_back(static_cast<std::uint32_t>(to_integer(corner, 0, last)));
-    }
-  }
-  return polygons;
 }
 
 Candidate to_candidate(const json& candidate) {
   if (candidate.contains("halfspaces")) return to_halfspaces(candidate["halfspaces"]);
   if (candidate.contains("points")) {
     Mesh mesh;
-    mesh.points = PointSet(to_points(candidate["points"]));
-    mesh.polygons = to_polygons(candidate.at("faces"), mesh.points.size());
+    mesh.points = to_points(candidate["points"]);
+    mesh.polygons = polygons_of_json(candidate.at("faces"), mesh.points.size());
     return mesh;
   }
   const RawFile file = to_file(candidate);
@@ -208,7 +170,7 @@ RefuseQuestion to_refuse_question(const json& expected) {
   if (expected.contains("dimension")) {
     result.dimension = static_cast<int>(to_integer(expected["dimension"], -1, 2));
   }
-  if (expected.contains("points")) result.points = PointSet(to_points(expected["points"]));
+  if (expected.contains("points")) result.points = to_points(expected["points"]);
   return result;
 }
 
