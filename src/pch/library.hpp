@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // library.hpp - what nearly every source includes, compiled once (-Db_pch=false does without).
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <functional>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
