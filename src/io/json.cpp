@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "io/names.hpp"
+
 namespace convexact {
 
 using nlohmann::ordered_json;
@@ -17,34 +19,21 @@ std::string as_utf8(const std::string& text) {
 
 namespace {
 
-const char* name_of(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::InvalidArgument:
-      return "invalid-argument";
-    case ErrorCode::Unreadable:
-      return "unreadable";
-    case ErrorCode::Malformed:
-      return "malformed";
-    case ErrorCode::NotFinite:
-      return "not-finite";
-    case ErrorCode::NoInterior:
-      return "no-interior";
-    case ErrorCode::Unwritable:
-      return "unwritable";
-    case ErrorCode::Unrepresentable:
-      return "unrepresentable";
-    case ErrorCode::Stopped:
-      return "stopped";
-    case ErrorCode::Internal:
-      break;
-  }
-  return "internal";
-}
+constexpr auto kErrorNames =
+    name_table<ErrorCode>({{ErrorCode::InvalidArgument, "invalid-argument"},
+                           {ErrorCode::Unreadable, "unreadable"},
+                           {ErrorCode::Malformed, "malformed"},
+                           {ErrorCode::NotFinite, "not-finite"},
+                           {ErrorCode::NoInterior, "no-interior"},
+                           {ErrorCode::Unwritable, "unwritable"},
+                           {ErrorCode::Unrepresentable, "unrepresentable"},
+                           {ErrorCode::Stopped, "stopped"},
+                           {ErrorCode::Internal, "internal"}});
 
 }  // namespace
 
 nlohmann::ordered_json error_json(const Error& error) {
-  nlohmann::ordered_json json = {{"code", name_of(error.code())},
+  nlohmann::ordered_json json = {{"code", name_in(kErrorNames, error.code())},
                                  {"message", error.what()},
                                  {"exit", exit_code(error.code())}};
   if (error.line()) json["line"] = *error.line();

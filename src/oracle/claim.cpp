@@ -1,57 +1,36 @@
 // SPDX-License-Identifier: MIT
 #include "convexact/verify.hpp"
+#include "io/names.hpp"
 
 namespace convexact {
+namespace {
 
-const char* name_of(ClaimCode code) {
-  switch (code) {
-    case ClaimCode::CandidateReadable:
-      return "candidate-readable";
-    case ClaimCode::CandidateFinite:
-      return "candidate-finite";
-    case ClaimCode::CandidateSolid:
-      return "candidate-solid";
-    case ClaimCode::CandidateBounded:
-      return "candidate-bounded";
-    case ClaimCode::MeshClosed:
-      return "mesh-closed";
-    case ClaimCode::MeshOriented:
-      return "mesh-oriented";
-    case ClaimCode::MeshPlanar:
-      return "mesh-planar";
-    case ClaimCode::MeshConvex:
-      return "mesh-convex";
-    case ClaimCode::ContainsInput:
-      return "contains-input";
-    case ClaimCode::MaxFacets:
-      return "max-facets";
-    case ClaimCode::MaxVertices:
-      return "max-vertices";
-    case ClaimCode::MaxFacetVertices:
-      break;
-  }
-  return "max-facet-vertices";
-}
+constexpr auto kClaimNames =
+    name_table<ClaimCode>({{ClaimCode::CandidateReadable, "candidate-readable"},
+                           {ClaimCode::CandidateFinite, "candidate-finite"},
+                           {ClaimCode::CandidateSolid, "candidate-solid"},
+                           {ClaimCode::CandidateBounded, "candidate-bounded"},
+                           {ClaimCode::MeshClosed, "mesh-closed"},
+                           {ClaimCode::MeshOriented, "mesh-oriented"},
+                           {ClaimCode::MeshPlanar, "mesh-planar"},
+                           {ClaimCode::MeshConvex, "mesh-convex"},
+                           {ClaimCode::ContainsInput, "contains-input"},
+                           {ClaimCode::MaxFacets, "max-facets"},
+                           {ClaimCode::MaxVertices, "max-vertices"},
+                           {ClaimCode::MaxFacetVertices, "max-facet-vertices"}});
+static_assert(kClaimNames.size() == kAllClaims.size());
 
+constexpr auto kStatusNames = name_table<Status>({{Status::Holds, "holds"},
+                                                  {Status::Violated, "violated"},
+                                                  {Status::NotAsked, "not-asked"},
+                                                  {Status::NotApplicable, "not-applicable"}});
+
+}  // namespace
+
+const char* name_of(ClaimCode code) { return name_in(kClaimNames, code); }
 std::optional<ClaimCode> claim_of_name(const std::string& name) {
-  for (const ClaimCode code : kAllClaims) {
-    if (name == name_of(code)) return code;
-  }
-  return {};
+  return value_in(kClaimNames, name);
 }
-
-const char* name_of(Status status) {
-  switch (status) {
-    case Status::Holds:
-      return "holds";
-    case Status::Violated:
-      return "violated";
-    case Status::NotAsked:
-      return "not-asked";
-    case Status::NotApplicable:
-      break;
-  }
-  return "not-applicable";
-}
+const char* name_of(Status status) { return name_in(kStatusNames, status); }
 
 }  // namespace convexact

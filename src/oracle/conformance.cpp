@@ -5,6 +5,7 @@
 
 #include "convexact/conform.hpp"
 #include "oracle/conformance_judge.hpp"
+#include "oracle/profiles.hpp"
 
 namespace convexact {
 namespace {
@@ -78,44 +79,40 @@ Conformance judge_acceptance(const RefuseQuestion& question, const Promise& prom
 
 }  // namespace
 
-const char* name_of(Asks asks) {
-  switch (asks) {
-    case Asks::Enclosure:
-      return "enclosure";
-    case Asks::Hull:
-      return "hull";
-    case Asks::Inner:
-      return "inner";
-    case Asks::Simplify:
-      break;
-  }
-  return "simplify";
-}
+const char* name_of(Asks asks) { return name_in(kAsksNames, asks); }
 
 const char* name_of(NotRun reason) {
-  switch (reason) {
-    case NotRun::AsksOtherwise:
-      return "asks-otherwise";
-    case NotRun::OtherFormat:
-      return "other-format";
-    case NotRun::OtherNumbers:
-      return "other-numbers";
-    case NotRun::BeyondTheProgram:
-      break;
-  }
-  return "beyond-the-program";
+  constexpr auto kNames = name_table<NotRun>({{NotRun::AsksOtherwise, "asks-otherwise"},
+                                              {NotRun::OtherFormat, "other-format"},
+                                              {NotRun::OtherNumbers, "other-numbers"},
+                                              {NotRun::BeyondTheProgram, "beyond-the-program"}});
+  static_assert(kNames.size() == kAllNotRun.size());
+  return name_in(kNames, reason);
 }
 
 const char* name_of(Outcome outcome) {
-  constexpr std::array kNames = {"not-started",     "timed-out",         "out-of-memory",
-                                 "crashed",         "accepted-unusable", "wrong-exit",
-                                 "missing-output",  "unreadable-output", "no-solid",
-                                 "not-enclosing",   "not-inside",        "too-loose",
-                                 "broken-mesh",     "not-convex",        "not-the-hull",
-                                 "too-many-facets", "too-many-vertices", "too-many-facet-vertices",
-                                 "passed"};
+  constexpr auto kNames =
+      name_table<Outcome>({{Outcome::NotStarted, "not-started"},
+                           {Outcome::TimedOut, "timed-out"},
+                           {Outcome::OutOfMemory, "out-of-memory"},
+                           {Outcome::Crashed, "crashed"},
+                           {Outcome::AcceptedUnusable, "accepted-unusable"},
+                           {Outcome::WrongExit, "wrong-exit"},
+                           {Outcome::MissingOutput, "missing-output"},
+                           {Outcome::UnreadableOutput, "unreadable-output"},
+                           {Outcome::NoSolid, "no-solid"},
+                           {Outcome::NotEnclosing, "not-enclosing"},
+                           {Outcome::NotInside, "not-inside"},
+                           {Outcome::TooLoose, "too-loose"},
+                           {Outcome::BrokenMesh, "broken-mesh"},
+                           {Outcome::NotConvex, "not-convex"},
+                           {Outcome::NotTheHull, "not-the-hull"},
+                           {Outcome::TooManyFacets, "too-many-facets"},
+                           {Outcome::TooManyVertices, "too-many-vertices"},
+                           {Outcome::TooManyFacetVertices, "too-many-facet-vertices"},
+                           {Outcome::Passed, "passed"}});
   static_assert(kNames.size() == kAllOutcomes.size());
-  return kNames[static_cast<std::size_t>(outcome)];
+  return name_in(kNames, outcome);
 }
 
 bool is_graver(const Failure& a, const Failure& b) {

@@ -4,8 +4,8 @@
 #include "convexact/number.hpp"
 #include "io/json.hpp"
 #include "oracle/diff.hpp"
-#include "oracle/words.hpp"
 #include "scene/result_json.hpp"
+#include "simplify/trace_json.hpp"
 
 namespace convexact {
 namespace {
@@ -25,14 +25,14 @@ Json shortened(const std::optional<Rational>& x) {
 }
 
 const char* at_fault(const Comparison& comparison, const Divergence& found) {
-  return words::name_of(found.reference_at_fault ? comparison.reference : comparison.other);
+  return name_of(found.reference_at_fault ? comparison.reference : comparison.other);
 }
 
 Json divergence_json(const Comparison& comparison, const Divergence& found,
                      const std::vector<Halfspace>& halfspaces) {
   return {{"step", found.step},
           {"left", found.left},
-          {"class", words::name_of(found.kind)},
+          {"class", name_of(found.kind)},
           {"at_fault", at_fault(comparison, found)},
           {"reference", choice_json(found.reference, halfspaces)},
           {"other", choice_json(found.other, halfspaces)},
@@ -46,7 +46,7 @@ Json brief_json(const Comparison& comparison, const Divergence& found) {
     return choice.removed ? Json(choice.removed->index()) : Json(nullptr);
   };
   return {{"step", found.step},
-          {"class", words::name_of(found.kind)},
+          {"class", name_of(found.kind)},
           {"at_fault", at_fault(comparison, found)},
           {"reference", id(found.reference)},
           {"other", id(found.other)},
@@ -55,8 +55,8 @@ Json brief_json(const Comparison& comparison, const Divergence& found) {
 
 Json comparison_json(const Comparison& comparison, const std::vector<Halfspace>& halfspaces) {
   const std::vector<Divergence>& all = comparison.divergences;
-  Json json = {{"reference", words::name_of(comparison.reference)},
-               {"other", words::name_of(comparison.other)},
+  Json json = {{"reference", name_of(comparison.reference)},
+               {"other", name_of(comparison.other)},
                {"same", all.empty()},
                {"explained", comparison.explained},
                {"compared", {"removals"}},
@@ -79,9 +79,9 @@ Json comparison_json(const Comparison& comparison, const std::vector<Halfspace>&
 Json diff_json(const DiffReport& report) {
   Json engines = Json::array(), comparisons = Json::array();
   for (const EngineRun& run : report.runs) {
-    engines.push_back({{"engine", words::name_of(run.engine)},
+    engines.push_back({{"engine", name_of(run.engine)},
                        {"steps", run.removed.size()},
-                       {"stop", words::name_of(run.stop)}});
+                       {"stop", name_of(run.stop)}});
   }
   for (const Comparison& comparison : report.comparisons) {
     comparisons.push_back(comparison_json(comparison, report.halfspaces));

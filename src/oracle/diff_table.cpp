@@ -5,7 +5,7 @@
 
 #include "convexact/number.hpp"
 #include "oracle/diff.hpp"
-#include "oracle/words.hpp"
+#include "scene/result_json.hpp"
 
 namespace convexact {
 namespace {
@@ -30,8 +30,8 @@ std::string plane_text(const Halfspace& plane) {
 
 std::string choice_line(Engine engine, const Choice& choice,
                         const std::vector<Halfspace>& halfspaces) {
-  if (!choice.removed) return fmt::format("    {:<9} ended\n", words::name_of(engine));
-  return fmt::format("    {:<9} removed {}, cost {}\n              {}\n", words::name_of(engine),
+  if (!choice.removed) return fmt::format("    {:<9} ended\n", name_of(engine));
+  return fmt::format("    {:<9} removed {}, cost {}\n              {}\n", name_of(engine),
                      choice.removed->index(),
                      choice.cost ? to_decimal(*choice.cost, kCostDigits) : "infinite: unbounded",
                      plane_text(halfspaces[choice.removed->index()]));
@@ -48,7 +48,7 @@ std::string difference_text(const Comparison& comparison) {
   const std::vector<Divergence>& all = comparison.divergences;
   if (all.empty()) return "same";
   const Divergence& worst = worst_of(all);
-  const std::string text = fmt::format("{} at step {}", words::name_of(worst.kind), worst.step);
+  const std::string text = fmt::format("{} at step {}", name_of(worst.kind), worst.step);
   return all.size() == 1 ? text : fmt::format("{}, {} in all", text, with_separators(all.size()));
 }
 
@@ -58,9 +58,8 @@ std::string row_text(const DiffRow& row, std::size_t name_width) {
       comparison.divergences.empty() ? nullptr : &worst_of(comparison.divergences);
   return fmt::format(
       "{:<{}}  {:>10}  {:>8} {:<8}  {:<21}  {:>6}  {:<42}  {:>9}  {:>9}  {:>12}  {}\n", row.name,
-      name_width, with_separators(row.report->halfspaces.size()),
-      words::name_of(comparison.reference), words::name_of(comparison.other),
-      comparison.with_records ? "removals, costs, ties" : "removals",
+      name_width, with_separators(row.report->halfspaces.size()), name_of(comparison.reference),
+      name_of(comparison.other), comparison.with_records ? "removals, costs, ties" : "removals",
       with_separators(comparison.judged), difference_text(comparison),
       worst ? share_text(worst->regret) : "", worst ? share_text(worst->rounding) : "",
       ratio_text(comparison.volume_ratio), comparison.explained ? "ok" : "DIFFERENT");
@@ -68,9 +67,8 @@ std::string row_text(const DiffRow& row, std::size_t name_width) {
 
 std::string divergence_text(const DiffRow& row, const Divergence& found, const char* what) {
   return fmt::format("\n  {}: {} and {} {} at step {}, {} halfspaces left: {}\n", row.name,
-                     words::name_of(row.comparison->reference),
-                     words::name_of(row.comparison->other), what, found.step,
-                     with_separators(found.left), words::name_of(found.kind)) +
+                     name_of(row.comparison->reference), name_of(row.comparison->other), what,
+                     found.step, with_separators(found.left), name_of(found.kind)) +
          choice_line(row.comparison->reference, found.reference, row.report->halfspaces) +
          choice_line(row.comparison->other, found.other, row.report->halfspaces);
 }

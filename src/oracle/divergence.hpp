@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "io/names.hpp"
 #include "oracle/engine_run.hpp"
 #include "oracle/removal_cost.hpp"
 
@@ -18,6 +19,14 @@ enum class DivergenceKind {
   WrongBoundedness,  ///< An unbounded removal, or the end although a bounded one existed.
   WrongRecord,       ///< The same removal, but another cost, tie list or reason to end.
 };
+
+inline constexpr auto kDivergenceKindNames =
+    name_table<DivergenceKind>({{DivergenceKind::Tie, "tie"},
+                                {DivergenceKind::BelowRounding, "gap-below-rounding"},
+                                {DivergenceKind::WrongTopology, "wrong-topology"},
+                                {DivergenceKind::WrongBoundedness, "wrong-boundedness"},
+                                {DivergenceKind::WrongRecord, "wrong-record"}});
+inline const char* name_of(DivergenceKind kind) { return name_in(kDivergenceKindNames, kind); }
 
 /// The choice of one run at the step where they differ.
 struct Choice {

@@ -9,6 +9,7 @@
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "io/json_text.hpp"
+#include "scene/result_json.hpp"
 
 namespace convexact {
 namespace {
@@ -20,15 +21,12 @@ using nlohmann::json;
 }
 
 Asks to_asks(const std::string& word) {
-  for (const Asks asks : {Asks::Enclosure, Asks::Hull, Asks::Inner, Asks::Simplify}) {
-    if (word == name_of(asks)) return asks;
-  }
+  if (const auto asks = value_in(kAsksNames, word)) return *asks;
   fail_profile("asks: expected enclosure, hull, inner or simplify, found " + in_quotes(word));
 }
 
 Precision to_precision(const std::string& word) {
-  if (word == "binary64") return Precision::Binary64;
-  if (word == "binary32") return Precision::Binary32;
+  if (const auto precision = value_in(kPrecisionNames, word)) return *precision;
   fail_profile("numbers: expected binary64 or binary32, found " + in_quotes(word));
 }
 

@@ -6,8 +6,14 @@
 #include <vector>
 
 #include "convexact/conform.hpp"
+#include "io/names.hpp"
 
 namespace convexact {
+
+inline constexpr auto kAsksNames = name_table<Asks>({{Asks::Enclosure, "enclosure"},
+                                                     {Asks::Hull, "hull"},
+                                                     {Asks::Inner, "inner"},
+                                                     {Asks::Simplify, "simplify"}});
 
 /// The profiles of a file, by name.
 /// @throws Error Malformed, naming the profile.

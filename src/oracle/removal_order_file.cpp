@@ -10,7 +10,7 @@
 #include "io/halfspace_rows.hpp"
 #include "io/json_text.hpp"
 #include "io/text_cursor.hpp"
-#include "oracle/words.hpp"
+#include "simplify/trace_json.hpp"
 
 namespace convexact {
 namespace {
@@ -87,9 +87,8 @@ StepClaim StepReader::claim(const json& step) const {
 }
 
 StopReason StepReader::stop_reason(const json& name) const {
-  for (const StopReason reason :
-       {StopReason::Reached, StopReason::GrowthLimit, StopReason::AllUnbounded}) {
-    if (name == words::name_of(reason)) return reason;
+  if (name.is_string()) {
+    if (const auto reason = value_in(kStopReasonNames, name.get<std::string>())) return *reason;
   }
   reject("reached, growth-limit or all-unbounded");
 }

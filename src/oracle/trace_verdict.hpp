@@ -6,8 +6,17 @@
 #include <string>
 
 #include "convexact/verify_run.hpp"
+#include "io/names.hpp"
 
 namespace convexact {
+
+inline constexpr auto kTraceRatingNames =
+    name_table<TraceRating>({{TraceRating::Greedy, "greedy"},
+                             {TraceRating::UpToRegret, "up-to-regret"},
+                             {TraceRating::NotGreedy, "not-greedy"},
+                             {TraceRating::Unbounded, "unbounded"},
+                             {TraceRating::Meaningless, "meaningless"}});
+inline const char* name_of(TraceRating rating) { return name_in(kTraceRatingNames, rating); }
 
 /// "greedy", "greedy up to regret 0.0123 (step 5)", "not greedy from step 7", "unbounded at step
 /// 7", "cannot be followed from step 7" or "unreadable"; " without facet 12" if it is left out.

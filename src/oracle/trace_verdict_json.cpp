@@ -4,7 +4,6 @@
 
 #include "io/json.hpp"
 #include "oracle/trace_verdict.hpp"
-#include "oracle/words.hpp"
 
 namespace convexact {
 namespace {
@@ -54,7 +53,7 @@ Json notes_json(const TraceVerdict& verdict) {
                      {"unlisted", left_out->unlisted},
                      {"steps", left_out->steps},
                      {"verdict", verdict_line(*left_out)},
-                     {"rating", words::name_of(left_out->rating)},
+                     {"rating", name_of(left_out->rating)},
                      {"at", optional_json(left_out->at)},
                      {"worst", worst_json(left_out->worst, left_out->worst_regret)}});
   }
@@ -81,7 +80,7 @@ Json trace_verdict_json(const TraceVerdict& verdict) {
   for (const JudgedStep& step : verdict.steps) steps.push_back(step_json(step, steps.size()));
   const auto regret = verdict.worst ? verdict.steps[*verdict.worst].regret : std::nullopt;
   return {{"verdict", verdict_line(verdict)},
-          {"rating", words::name_of(verdict.rating)},
+          {"rating", name_of(verdict.rating)},
           {"at", optional_json(verdict.at)},
           {"holds", verdict.holds()},
           {"max_regret", quantity_json(verdict.max_regret)},

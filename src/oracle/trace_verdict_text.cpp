@@ -6,7 +6,6 @@
 #include "convexact/number.hpp"
 #include "convexact/scene.hpp"
 #include "oracle/trace_verdict.hpp"
-#include "oracle/words.hpp"
 #include "scene/summary.hpp"
 
 namespace convexact {

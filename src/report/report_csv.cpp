@@ -4,7 +4,7 @@
 
 #include "io/json.hpp"
 #include "report/report_json.hpp"
-#include "scene/words.hpp"
+#include "simplify/trace_json.hpp"
 
 namespace convexact {
 namespace {
@@ -65,7 +65,7 @@ void add_ways(Rows& rows, const std::string& parameter, const WorkPrecision& pre
     rows.add(way.seconds);
     if (!way.seconds) continue;
     rows.add("left", way.left, "1");
-    rows.add("stop", std::string(words::name_of(way.stop)), "");
+    rows.add("stop", std::string(name_of(way.stop)), "");
     rows.add("error of planes", way.planes.value, "relative");
     const bool has_costs = way.left < precision.halfspaces;  // else no removal was made
     rows.add("error of costs, worst",

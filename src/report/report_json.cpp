@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "scene/words.hpp"
+#include "simplify/trace_json.hpp"
 
 namespace convexact {
 namespace {
@@ -41,7 +41,7 @@ Json way_json(const WayResult& way, std::size_t at_start) {
                {"seconds", spread_json(way.seconds)}};
   if (!way.seconds) return json;
   json["left"] = way.left;
-  json["stop"] = words::name_of(way.stop);
+  json["stop"] = name_of(way.stop);
   json["planes"] = error_json(way.planes);
   // Where no removal was made, no cost is right, either.
   const bool has_costs = way.left < at_start;

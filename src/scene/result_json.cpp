@@ -7,7 +7,7 @@
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "io/json.hpp"
-#include "scene/words.hpp"
+#include "simplify/trace_json.hpp"
 
 namespace convexact {
 namespace {
@@ -22,17 +22,8 @@ Json multipliers_json(const std::vector<Multiplier>& multipliers) {
   return list;
 }
 
-const char* name_of(VerifyLevel level) {
-  switch (level) {
-    case VerifyLevel::None:
-      return "none";
-    case VerifyLevel::Local:
-      return "local";
-    case VerifyLevel::Full:
-      break;
-  }
-  return "full";
-}
+constexpr auto kVerifyLevelNames = name_table<VerifyLevel>(
+    {{VerifyLevel::None, "none"}, {VerifyLevel::Local, "local"}, {VerifyLevel::Full, "full"}});
 
 Json stored_json(const std::string& format, const Growth& growth, std::size_t violations) {
   return {{"format", format},
@@ -42,7 +33,7 @@ Json stored_json(const std::string& format, const Growth& growth, std::size_t vi
 }
 
 std::string format_name(Precision precision, const char* what) {
-  return std::string(what) + (precision == Precision::Binary64 ? " in binary64" : " in binary32");
+  return std::string(what) + " in " + name_in(kPrecisionNames, precision);
 }
 
 // The most derived form that was asked for; the exact integers if none was.
@@ -116,7 +107,7 @@ Json stop_json(const SimplifyResult& result) {
   // What doubles cannot prove to be bounded need not be unbounded.
   const bool is_doubt = result.stop == StopReason::AllUnbounded && result.float_bound &&
                         !result.float_bound->is_end_proven;
-  return is_doubt ? "none-certain" : words::name_of(result.stop);
+  return is_doubt ? "none-certain" : name_of(result.stop);
 }
 
 Json float_bound_json(const FloatBound& bound) {
@@ -141,10 +132,11 @@ Json result_json(const SimplifyResult& result) {
   json["volume"] = {{"input", measured_json(result.input_volume, kDigits)},
                     {"output", measured_json(result.output_volume, kDigits)},
                     {"ratio", ratio.high_double()}};
-  json["engine"] = words::name_of(result.engine);
+  json["engine"] = name_of(result.engine);
   if (result.float_bound) json["float_bound"] = float_bound_json(*result.float_bound);
-  json["verified"] = {
-      {"level", name_of(result.verified)}, {"steps", result.steps}, {"violations", 0}};
+  json["verified"] = {{"level", name_in(kVerifyLevelNames, result.verified)},
+                      {"steps", result.steps},
+                      {"violations", 0}};
   return json;
 }
 

@@ -4,8 +4,16 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "convexact/simplify.hpp"
+#include "io/names.hpp"
 
 namespace convexact {
+
+inline constexpr auto kEngineNames = name_table<Engine>(
+    {{Engine::Exact, "exact"}, {Engine::Filtered, "filtered"}, {Engine::Float, "float"}});
+inline const char* name_of(Engine engine) { return name_in(kEngineNames, engine); }
+
+inline constexpr auto kPrecisionNames =
+    name_table<Precision>({{Precision::Binary64, "binary64"}, {Precision::Binary32, "binary32"}});
 
 [[nodiscard]] nlohmann::ordered_json stages_json(const std::vector<Stage>& stages);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "convexact/number.hpp"
+#include "scene/result_json.hpp"
 
 namespace convexact {
 namespace {
@@ -105,20 +106,17 @@ std::string float_lines(const SimplifyResult& result) {
   return summary_line("doubtful", doubts + "; --engine filtered decides");
 }
 
-const char* name_of(Precision precision) {
-  return precision == Precision::Binary64 ? "binary64" : "binary32";
-}
-
 std::string stored_lines(const StoredSolid& solid) {
   std::string text;
   if (const auto& planes = solid.planes) {
-    text +=
-        summary_line("stored", fmt::format("planes in {}, {}; no point outside",
-                                           name_of(planes->precision), push_text(planes->growth)));
+    text += summary_line("stored", fmt::format("planes in {}, {}; no point outside",
+                                               name_in(kPrecisionNames, planes->precision),
+                                               push_text(planes->growth)));
   }
   if (const auto& mesh = solid.mesh) {
-    text += summary_line("stored", fmt::format("mesh in {}, {}; no point outside",
-                                               name_of(mesh->precision), push_text(mesh->growth)));
+    text += summary_line(
+        "stored", fmt::format("mesh in {}, {}; no point outside",
+                              name_in(kPrecisionNames, mesh->precision), push_text(mesh->growth)));
   }
   return text;
 }

@@ -8,7 +8,6 @@
 #include "convexact/number.hpp"
 #include "io/json.hpp"
 #include "io/json_text.hpp"
-#include "simplify/words.hpp"
 
 namespace convexact {
 namespace {
@@ -110,10 +109,7 @@ Step TraceReader::step(const json& object) const {
 }
 
 StopReason TraceReader::stop_reason(const std::string& name) const {
-  for (const StopReason reason :
-       {StopReason::Reached, StopReason::GrowthLimit, StopReason::AllUnbounded}) {
-    if (name == words::name_of(reason)) return reason;
-  }
+  if (const auto reason = value_in(kStopReasonNames, name)) return *reason;
   reject("reached, growth-limit or all-unbounded");
 }
 
@@ -134,8 +130,7 @@ Trace TraceReader::read(const json& document) {
     trace.steps.push_back(step(object));
   }
   place_ = "stop";
-  trace.stop =
-      stop_reason(document.value<std::string>("stop", words::name_of(StopReason::Reached)));
+  trace.stop = stop_reason(document.value<std::string>("stop", name_of(StopReason::Reached)));
   return trace;
 }
 
@@ -147,7 +142,7 @@ std::string write_trace_json(const Trace& trace) {
   for (const Step& step : trace.steps) steps.push_back(to_json(step));
   const ordered_json document = {{"halfspaces", std::move(halfspaces)},
                                  {"steps", std::move(steps)},
-                                 {"stop", words::name_of(trace.stop)}};
+                                 {"stop", name_of(trace.stop)}};
   return write_json(document) + "\n";
 }
 

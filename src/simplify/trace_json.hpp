@@ -5,8 +5,15 @@
 #include <string_view>
 
 #include "convexact/run.hpp"
+#include "io/names.hpp"
 
 namespace convexact {
+
+inline constexpr auto kStopReasonNames =
+    name_table<StopReason>({{StopReason::Reached, "reached"},
+                            {StopReason::GrowthLimit, "growth-limit"},
+                            {StopReason::AllUnbounded, "all-unbounded"}});
+inline const char* name_of(StopReason reason) { return name_in(kStopReasonNames, reason); }
 
 /// One object as docs/schema/trace.schema.json describes it: integers of any size are strings, a
 /// cost is {"value": nearest double, or null beyond the largest one, "exact": "p/q"}. The reason

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // words.hpp - what the ends and forms of a stress run are called, in JSON and in tables.
 #pragma once
-#include "scene/words.hpp"
+#include "scene/result_json.hpp"
 #include "stress/stress_result.hpp"
 
 namespace convexact::words {
+
+using convexact::name_of;
 
 inline const char* name_of(StressEnd end) {
   switch (end) {
