@@ -22,7 +22,9 @@ double processor_time() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-Range range_of(const Measured& measured) { return {measured.bounds.low(), measured.bounds.high()}; }
+ReportedVolume reported(const Measured& measured) {
+  return {measured.bounds.low(), measured.bounds.high()};
+}
 
 HalfspaceId canonical_id(const std::vector<Halfspace>& halfspaces, const Halfspace& plane) {
   const auto found = std::lower_bound(halfspaces.begin(), halfspaces.end(), plane);
@@ -51,14 +53,6 @@ std::size_t faces_for(const Question& question, const Polytope& polytope) {
   return std::max(question.faces, size - question.most_steps);
 }
 
-void take_trace(const Trace& trace, EngineAnswer& answer) {
-  for (const Step& step : trace.steps) {
-    answer.removed.push_back(step.removed);
-    answer.costs.push_back(step.cost);
-    answer.ties.push_back(step.tie);
-  }
-}
-
 // The pipeline as users run it; the only part whose time is taken.
 Polytope run_pipeline(const Shape& shape, const SimplifyRequest& request, EngineAnswer& answer) {
   const double start = processor_time();
@@ -70,14 +64,14 @@ Polytope run_pipeline(const Shape& shape, const SimplifyRequest& request, Engine
   }
   answer.end =
       result->stop == StopReason::AllUnbounded ? StressEnd::AllUnbounded : StressEnd::Reached;
-  answer.input_volume = range_of(result->input_volume);
-  answer.output_volume = range_of(result->output_volume);
+  answer.input_volume = reported(result->input_volume);
+  answer.output_volume = reported(result->output_volume);
   answer.left = result->solid.exact.planes;
   if (const auto& bound = result->float_bound) {
     answer.claim = {bound->cost, bound->regret, bound->doubtful, bound->is_end_proven,
                     bound->is_vouched()};
   }
-  if (result->trace) take_trace(*result->trace, answer);
+  if (result->trace) answer.run.steps = std::move(result->trace->steps);
   return std::move(result->solid.exact);
 }
 
@@ -89,14 +83,14 @@ void take_lean_run(const FastDual& dual, const Question& question, std::size_t f
   options.seed = question.seed;
   const FastResult result = question.engine == Engine::Float ? simplify_float(dual, options)
                                                              : simplify_filtered(dual, options);
+  const auto exact = [&](double x) -> std::optional<Rational> {
+    if (!std::isfinite(x)) return std::nullopt;
+    return scale_by_power_of_two(to_rational(x), dual.volume_exponent());
+  };
   for (const FastStep& step : result.steps) {
-    answer.lean_removed.push_back(canonical_id(answer.halfspaces, dual.exact(step.removed)));
-    answer.lean_tied.push_back(step.tied);
-    const auto exact = [&](double x) {  // an infinite end encloses nothing: any number will do
-      return std::isfinite(x) ? scale_by_power_of_two(to_rational(x), dual.volume_exponent())
-                              : Rational(-1);
-    };
-    answer.lean_costs.push_back({exact(step.cost_lower), exact(step.cost_upper)});
+    answer.lean.push_back({.removed = canonical_id(answer.run.halfspaces, dual.exact(step.removed)),
+                           .cost = {exact(step.cost_lower), exact(step.cost_upper)},
+                           .tied = step.tied});
   }
 }
 
@@ -111,33 +105,37 @@ void take_lean_run(const Shape& shape, const Solid& solid, const Question& quest
   take_lean_run(FastDual::of(std::get<Hull>(outcome), *points), question, faces, answer);
 }
 
-// One form and precision. Refusing is an answer.
-void store_one(const Polytope& result, const Solid& solid, StoredBytes stored,
-               EngineAnswer& answer) {
+// In one form and precision. Refusing is an answer.
+StoredBytes store_as(StressStored::Form form, Precision precision, bool whole,
+                     const Polytope& result, const Solid& solid) {
+  StoredBytes kept;
+  kept.stored.form = form;
+  kept.stored.precision = precision;
+  kept.stored.whole = whole;
   StageLog log;
   StoreRequest request;
-  const bool planes = stored.form == StressStored::Form::Planes;
-  (planes ? request.planes : request.mesh) = stored.precision;
+  const bool planes = form == StressStored::Form::Planes;
+  (planes ? request.planes : request.mesh) = precision;
   try {
-    const StoredSolid kept = store(result, solid.points, solid.extreme, request, log);
-    stored.bytes =
-        planes ? write_halfspaces(kept.planes->planes, HalfspaceFormat::Json)
-               : write_mesh(kept.mesh->mesh, MeshFormat::Obj, {.precision = stored.precision});
-    const Growth& growth = planes ? kept.planes->growth : kept.mesh->growth;
-    stored.push = growth.push;
-    stored.volume_ratio = growth.volume_ratio;
+    const StoredSolid made = store(result, solid.points, solid.extreme, request, log);
+    kept.bytes = planes ? write_halfspaces(made.planes->planes, HalfspaceFormat::Json)
+                        : write_mesh(made.mesh->mesh, MeshFormat::Obj, {.precision = precision});
+    const Growth& growth = planes ? made.planes->growth : made.mesh->growth;
+    kept.stored.outcome = StressStored::Outcome::Holds;
+    kept.stored.push = growth.push;
+    kept.stored.volume_ratio = growth.volume_ratio;
   } catch (const Error& error) {
     if (error.code() != ErrorCode::Unrepresentable) throw;
-    stored.refused = true;
-    stored.why = error.what();
+    kept.stored.outcome = StressStored::Outcome::Refused;
+    kept.stored.why = error.what();
   }
-  answer.stored.push_back(std::move(stored));
+  return kept;
 }
 
 void store_all(const Polytope& result, const Solid& solid, bool whole, EngineAnswer& answer) {
   for (const auto form : {StressStored::Form::Planes, StressStored::Form::Mesh}) {
     for (const Precision precision : {Precision::Binary64, Precision::Binary32}) {
-      store_one(result, solid, {form, precision, whole, false, {}, {}, 0, 1}, answer);
+      answer.stored.push_back(store_as(form, precision, whole, result, solid));
     }
   }
 }
@@ -151,7 +149,7 @@ void answer_for(const Shape& shape, const Question& question, EngineAnswer& answ
     return;
   }
   const Solid& solid = std::get<Solid>(outcome);
-  answer.halfspaces = solid.dual.halfspaces;
+  answer.run.halfspaces = solid.dual.halfspaces;
   SimplifyRequest request;
   const std::size_t faces = faces_for(question, solid.polytope);
   request.faces = faces;
@@ -170,7 +168,9 @@ void answer_for(const Shape& shape, const Question& question, EngineAnswer& answ
       throw Error(ErrorCode::Internal, "with a record the filtered engine ends elsewhere");
     }
   }
-  if (question.engine == Engine::Float) answer.removed = answer.lean_removed;
+  if (question.engine == Engine::Float) {
+    for (const LeanStep& step : answer.lean) answer.run.steps.emplace_back().removed = step.removed;
+  }
   if (result.planes.size() <= question.most_stored) store_all(result, solid, false, answer);
   if (question.engine == Engine::Filtered && solid.polytope.planes.size() <= question.most_stored) {
     store_all(solid.polytope, solid, true, answer);

@@ -1,28 +1,34 @@
 // SPDX-License-Identifier: MIT
-// answer.hpp - everything that an engine says about one input, for the judge.
+// answer.hpp - everything that an engine says about one input, for a judge in another process.
 #pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "convexact/halfspace.hpp"
-#include "stress/stress_result.hpp"
+#include "convexact/run.hpp"
+#include "convexact/scene.hpp"
+#include "stress/stress_report.hpp"
 
 namespace convexact {
 
 /// A result as bytes, as a file would hold it.
 struct StoredBytes {
-  StressStored::Form form = StressStored::Form::Planes;
-  Precision precision = Precision::Binary64;
-  bool whole = false;  ///< Of the input's hull itself, nothing removed.
-  bool refused = false;
-  std::string why;    ///< If refused.
-  std::string bytes;  ///< JSON for planes, OBJ for a mesh.
-  double push = 0, volume_ratio = 1;
+  StressStored stored;  ///< As the engine claims it: it holds, or is refused.
+  std::string bytes;    ///< JSON for planes, OBJ for a mesh; empty if refused.
 };
 
-/// A closed interval of rationals.
-struct Range {
-  Rational low, high;
+/// A volume as an engine reports it: somewhere in this interval, whose ends may be infinite.
+struct ReportedVolume {
+  std::optional<Rational> low, high;
+};
+
+/// A step of the engine's run that keeps no record.
+struct LeanStep {
+  HalfspaceId removed;
+  ReportedVolume cost;  ///< Of the float engine an estimate, so a point.
+  std::uint64_t tied = 0;
 };
 
 struct EngineAnswer {
@@ -30,22 +36,17 @@ struct EngineAnswer {
   StressEnd end = StressEnd::Failed;
   std::string why;  ///< Of an end with an error, and of NoVolume.
 
-  std::vector<Halfspace> halfspaces;  ///< Of the solid, in canonical order; ids are positions.
-  std::vector<HalfspaceId> removed;
-  /// Of each step; empty for the float engine, which keeps no such record.
-  std::vector<Rational> costs;
-  std::vector<std::vector<HalfspaceId>> ties;
-  /// What the run without a record says of each step; empty for the exact engine.
-  std::vector<HalfspaceId> lean_removed;
-  std::vector<Range> lean_costs;  ///< An estimate, so a point, of the float engine.
-  std::vector<std::uint64_t> lean_tied;
+  /// Of the solid and the run; each step with cost and tie, of the float engine, which keeps no
+  /// such record, with the removal only.
+  Trace run;
+  std::vector<LeanStep> lean;  ///< Empty for the exact engine.
 
-  std::vector<Halfspace> left;        ///< What the pipeline returns.
-  Range input_volume, output_volume;  ///< What it says about volumes.
-  std::optional<StressClaim> claim;   ///< Of the float engine.
+  std::vector<Halfspace> left;                 ///< What the pipeline returns.
+  ReportedVolume input_volume, output_volume;  ///< What it says about volumes.
+  std::optional<StressClaim> claim;            ///< Of the float engine.
   std::vector<StoredBytes> stored;
   double seconds = 0;        ///< Of processor time: the pipeline with the exact result, not stored.
-  std::uint64_t memory = 0;  ///< Filled in by the process that started this one.
+  std::uint64_t memory = 0;  ///< Peak of its process, known to the parent only.
 };
 
 struct Question {
@@ -62,10 +63,9 @@ struct Question {
 /// steps; and stores the result in every format. The errors of convexact become part of the answer.
 [[nodiscard]] EngineAnswer answer_of(const Shape& shape, const Question& question);
 
-/// For the way from one process to another.
-[[nodiscard]] std::string to_bytes(const EngineAnswer& answer);
-[[nodiscard]] EngineAnswer answer_from_bytes(const std::string& bytes);
-[[nodiscard]] std::string to_bytes(const std::vector<StressRun>& runs);
-[[nodiscard]] std::vector<StressRun> runs_from_bytes(const std::string& bytes);
+/// From one process to another. Numbers stay exact; of each step only removal, cost and tie are
+/// kept.
+[[nodiscard]] nlohmann::ordered_json answer_json(const EngineAnswer& answer);
+[[nodiscard]] EngineAnswer answer_in(const nlohmann::ordered_json& json);
 
 }  // namespace convexact

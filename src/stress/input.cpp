@@ -8,7 +8,6 @@
 
 #include "convexact/error.hpp"
 #include "convexact/shapes.hpp"
-#include "stress/mixed_halfspaces.hpp"
 
 namespace convexact {
 namespace {

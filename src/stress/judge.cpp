@@ -9,9 +9,6 @@
 #include "convexact/number.hpp"
 #include "oracle/removal_cost.hpp"
 #include "scene/solid.hpp"
-#include "stress/judge_float.hpp"
-#include "stress/judge_order.hpp"
-#include "stress/judge_stored.hpp"
 
 namespace convexact {
 namespace {
@@ -29,13 +26,9 @@ void append(std::vector<std::string>& faults, const std::vector<std::string>& mo
   faults.insert(faults.end(), more.begin(), more.end());
 }
 
-// Whether every list is as long as that of the removals.
+// Whether the run without a record, where there is one, made as many steps.
 bool is_complete(const EngineAnswer& answer) {
-  const std::size_t steps = answer.removed.size();
-  const bool has_record = answer.engine != Engine::Float, is_lean = answer.engine != Engine::Exact;
-  return (!has_record || (answer.costs.size() == steps && answer.ties.size() == steps)) &&
-         (!is_lean || (answer.lean_removed.size() == steps && answer.lean_costs.size() == steps &&
-                       answer.lean_tied.size() == steps));
+  return answer.engine == Engine::Exact || answer.lean.size() == answer.run.steps.size();
 }
 
 StressRun begin_run(const StressInput& input, const EngineAnswer& answer) {
@@ -47,8 +40,8 @@ StressRun begin_run(const StressInput& input, const EngineAnswer& answer) {
   run.engine = answer.engine;
   run.end = answer.end;
   run.why = answer.why;
-  run.at_start = answer.halfspaces.size();
-  run.steps = answer.removed.size();
+  run.at_start = answer.run.halfspaces.size();
+  run.steps = answer.run.steps.size();
   run.seconds = answer.seconds;
   run.memory = answer.memory;
   run.claim = answer.claim;
@@ -78,7 +71,7 @@ class Judge {
 };
 
 void Judge::judge(const EngineAnswer& answer, StressRun& run) {
-  if (answer.halfspaces != solid_.dual.halfspaces) {
+  if (answer.run.halfspaces != solid_.dual.halfspaces) {
     run.faults.push_back("the facets of the hull are wrong");
     return;
   }
@@ -95,8 +88,8 @@ void Judge::judge(const EngineAnswer& answer, StressRun& run) {
   }
   compare_with_others(answer, run);
   measure_volume_error(answer, run);
-  for (const StoredBytes& stored : answer.stored) {
-    run.stored.push_back(judge_stored(shape_, stored));
+  for (const StoredBytes& kept : answer.stored) {
+    run.stored.push_back(judge_stored(shape_, kept));
     const StressStored& found = run.stored.back();
     if (found.outcome == StressStored::Outcome::Wrong) run.faults.push_back(found.why);
   }
@@ -122,18 +115,18 @@ void Judge::judge_lean_run(const EngineAnswer& answer, StressRun& run) const {
     run.cost_error = 0;
     return;
   }
-  if (answer.lean_removed != answer.removed) {
+  const std::vector<Step>& steps = answer.run.steps;
+  const auto same_removal = [](const Step& a, const LeanStep& b) { return a.removed == b.removed; };
+  if (!std::equal(steps.begin(), steps.end(), answer.lean.begin(), same_removal)) {
     run.faults.push_back("with a record it removes others than without");
     return;
   }
   double largest = 0;
-  for (std::size_t s = 0; s < answer.removed.size(); ++s) {
-    const Range& range = answer.lean_costs[s];
-    const Rational& cost = answer.costs[s];
-    largest = std::max(largest, error_of_cost(range, cost));
-    const bool is_open = range.high < 0;  // at infinity
-    if (range.low > cost || (!is_open && range.high < cost) ||
-        answer.lean_tied[s] != answer.ties[s].size()) {
+  for (std::size_t s = 0; s < steps.size(); ++s) {
+    const ReportedVolume& reported = answer.lean[s].cost;
+    const Rational& cost = steps[s].cost;
+    largest = std::max(largest, error_of_cost(reported, cost));
+    if (!holds(reported, cost) || answer.lean[s].tied != steps[s].tie.size()) {
       run.faults.push_back(
           fmt::format("the range of the cost of step {} or its ties are wrong", s));
       break;
@@ -146,20 +139,18 @@ void Judge::judge_lean_run(const EngineAnswer& answer, StressRun& run) const {
 void Judge::compare_with_others(const EngineAnswer& answer, StressRun& run) const {
   for (const EngineAnswer& other : answers_) {
     if (!has_result(other) || other.engine == answer.engine) continue;
-    const std::size_t common = std::min(answer.removed.size(), other.removed.size());
+    const std::size_t common = std::min(answer.run.steps.size(), other.run.steps.size());
     if (other.engine == Engine::Exact) run.compared = common;
     if (other.engine == Engine::Float || answer.engine == Engine::Float) continue;
     for (std::size_t s = 0; s < common; ++s) {
-      if (answer.removed[s] == other.removed[s] && answer.costs[s] == other.costs[s] &&
-          answer.ties[s] == other.ties[s]) {
-        continue;
-      }
+      const Step &a = answer.run.steps[s], &b = other.run.steps[s];
+      if (a.removed == b.removed && a.cost == b.cost && a.tie == b.tie) continue;
       run.faults.push_back(fmt::format("exact and filtered differ at step {}", s));
       return;
     }
-    const EngineAnswer& shorter = answer.removed.size() == common ? answer : other;
+    const EngineAnswer& shorter = answer.run.steps.size() == common ? answer : other;
     if (shorter.end == StressEnd::AllUnbounded &&
-        (answer.removed.size() != other.removed.size() || answer.end != other.end)) {
+        (answer.run.steps.size() != other.run.steps.size() || answer.end != other.end)) {
       run.faults.push_back("one of exact and filtered ends before the other");
     }
   }
@@ -170,7 +161,8 @@ void Judge::compare_with_others(const EngineAnswer& answer, StressRun& run) cons
 const EngineAnswer* Judge::reference(std::size_t steps) const {
   for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
     for (const EngineAnswer& answer : answers_) {
-      if (answer.engine == engine && has_result(answer) && answer.removed.size() >= steps) {
+      if (answer.engine == engine && has_result(answer) && answer.run.steps.size() >= steps &&
+          is_valid_order(answer.run)) {
         return &answer;
       }
     }
@@ -179,23 +171,11 @@ const EngineAnswer* Judge::reference(std::size_t steps) const {
 }
 
 void Judge::measure_volume_error(const EngineAnswer& answer, StressRun& run) const {
-  const EngineAnswer* right = reference(answer.removed.size());
-  if (right == nullptr) return;
-  const auto ids_after = [&](const EngineAnswer& a) {
-    std::vector<HalfspaceId> ids(a.removed.begin(),
-                                 a.removed.begin() + static_cast<std::ptrdiff_t>(run.steps));
-    std::sort(ids.begin(), ids.end());
-    return ids;
-  };
-  const std::vector<HalfspaceId> gone = ids_after(*right);
+  const EngineAnswer* right = reference(answer.run.steps.size());
+  if (right == nullptr || !is_valid_order(answer.run)) return;
   run.volume_error = 0;
-  if (gone == ids_after(answer)) return;
-  std::vector<Halfspace> left;
-  for (std::size_t i = 0; i < answer.halfspaces.size(); ++i) {
-    if (!std::binary_search(gone.begin(), gone.end(), HalfspaceId(i))) {
-      left.push_back(answer.halfspaces[i]);
-    }
-  }
+  const std::vector<Halfspace> left = left_after(right->run, run.steps);
+  if (left == left_after(answer.run, run.steps)) return;
   const auto ours = intersect(answer.left, solid_.center), best = intersect(left, solid_.center);
   if (!ours || !best) {
     run.volume_error.reset();

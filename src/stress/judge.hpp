@@ -3,8 +3,10 @@
 // them.
 #pragma once
 #include <span>
+#include <string>
 #include <vector>
 
+#include "convexact/verify_run.hpp"
 #include "stress/answer.hpp"
 #include "stress/input.hpp"
 
@@ -29,5 +31,58 @@ struct JudgeLimits {
 [[nodiscard]] std::vector<StressRun> unjudged(const StressInput& input,
                                               std::span<const EngineAnswer> answers,
                                               const std::string& why);
+
+// The parts of judge_answers().
+
+/// What is judged against: the judge's own dual hull.
+struct JudgedSolid {
+  const DualHull& dual;
+  RationalPoint center;  ///< Strictly inside.
+};
+
+/// Whether the value is in the interval.
+[[nodiscard]] bool holds(const ReportedVolume& reported, const Rational& value);
+
+/// Whether the removals are different halfspaces of the run's, and leave at least four.
+[[nodiscard]] bool is_valid_order(const Trace& run);
+
+/// The halfspaces that are left after the first `count` steps. Precondition: is_valid_order().
+[[nodiscard]] std::vector<Halfspace> left_after(const Trace& run, std::size_t count);
+
+/// Follows the removals, as far as the limits say, with whatever the answer claims of them.
+[[nodiscard]] TraceVerdict follow(const JudgedSolid& solid, const EngineAnswer& answer,
+                                  const JudgeLimits& limits);
+
+/// Of an engine that promises the greedy order: what is wrong with it. @param verdict  Of follow().
+[[nodiscard]] std::vector<std::string> faults_of_order(const EngineAnswer& answer,
+                                                       const TraceVerdict& verdict);
+
+/// By the definition: from where at most `limits.definition` halfspaces are left, each removal must
+/// be the cheapest of all, at the recorded cost, with all ties; and an end above the wanted number
+/// must have nothing bounded left to remove.
+[[nodiscard]] std::vector<std::string> faults_by_definition(const JudgedSolid& solid,
+                                                            const EngineAnswer& answer,
+                                                            const JudgeLimits& limits);
+
+/// Whether the volumes that the pipeline reports are those of what it started from and of what it
+/// ended with, both intersected from scratch, and differ by the sum of the costs.
+/// Of large solids only what they end with.
+[[nodiscard]] std::vector<std::string> faults_of_volume(const JudgedSolid& solid,
+                                                        const EngineAnswer& answer,
+                                                        const JudgeLimits& limits);
+
+/// Of the float engine: adds to the run its errors against exact costs and minima in its own
+/// states, and what is wrong. To be wrong is no fault; to be more wrong than it says it can be is
+/// one, and so is an unbounded solid. @param verdict  Of follow().
+void judge_float(const EngineAnswer& answer, const TraceVerdict& verdict, StressRun& run);
+
+/// How far the ends of a reported cost are from the true one at most, relative to that; rounded up,
+/// infinite if one of them is.
+[[nodiscard]] double error_of_cost(const ReportedVolume& reported, const Rational& cost);
+
+/// Reads the bytes as any reader would and decides whether they are a bounded solid that holds
+/// every point of the input (or every vertex of the halfspaces' solid), all its numbers of the
+/// precision.
+[[nodiscard]] StressStored judge_stored(const Shape& shape, const StoredBytes& kept);
 
 }  // namespace convexact

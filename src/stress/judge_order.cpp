@@ -1,27 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "stress/judge_order.hpp"
-
+// Removals, costs and ties of one run, judged step by step and by the definition.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <string_view>
 
 #include "convexact/measure.hpp"
 #include "number/balanced_sum.hpp"
 #include "oracle/removal_cost.hpp"
+#include "stress/judge.hpp"
 
 namespace convexact {
 namespace {
-
-std::vector<Halfspace> left_after(const std::vector<Halfspace>& halfspaces,
-                                  std::span<const HalfspaceId> removed) {
-  std::vector<char> is_gone(halfspaces.size(), false);
-  for (const HalfspaceId id : removed) is_gone[id.index()] = true;
-  std::vector<Halfspace> left;
-  for (std::size_t i = 0; i < halfspaces.size(); ++i) {
-    if (!is_gone[i]) left.push_back(halfspaces[i]);
-  }
-  return left;
-}
 
 bool has_record(const EngineAnswer& answer) { return answer.engine != Engine::Float; }
 
@@ -31,9 +22,9 @@ struct Cheapest {
   std::vector<HalfspaceId> tie;
 };
 
-Cheapest cheapest_of(const JudgedSolid& solid, std::span<const HalfspaceId> removed) {
+Cheapest cheapest_of(const JudgedSolid& solid, const Trace& run, std::size_t steps) {
   const std::vector<Halfspace>& all = solid.dual.halfspaces;
-  const std::vector<Halfspace> left = left_after(all, removed);
+  const std::vector<Halfspace> left = left_after(run, steps);
   const RemovalOracle oracle(left, solid.center);
   Cheapest found;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -47,36 +38,62 @@ Cheapest cheapest_of(const JudgedSolid& solid, std::span<const HalfspaceId> remo
   return found;
 }
 
-bool is_valid_order(const EngineAnswer& answer, std::size_t halfspaces) {
-  std::vector<HalfspaceId> ids = answer.removed;
-  std::sort(ids.begin(), ids.end());
-  const bool is_unique = std::adjacent_find(ids.begin(), ids.end()) == ids.end();
-  return is_unique && (ids.empty() || ids.back().index() < halfspaces) &&
-         ids.size() + 4 <= halfspaces;
+void check_reported(const char* what, const Rational& value, const ReportedVolume& reported,
+                    std::vector<std::string>& faults) {
+  if (holds(reported, value)) return;
+  faults.push_back(fmt::format("the reported volume of the {} does not hold the true one", what));
 }
 
-void check_range(const char* what, const Rational& value, const Range& range,
-                 std::vector<std::string>& faults) {
-  if (range.low <= value && value <= range.high) return;
-  faults.push_back(fmt::format("the reported volume of the {} does not hold the true one", what));
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Whether the run ends for want of bounded removals where there is one.
+bool ends_early(const TraceVerdict& verdict) {
+  return std::any_of(verdict.claims.begin(), verdict.claims.end(), [](const TraceClaim& claim) {
+    return std::string_view(claim.code) == "trace-stop" && claim.status == Status::Violated;
+  });
+}
+
+// Whether the step is within what the engine says of its steps.
+bool is_as_claimed(const StressClaim& claim, double cost_error, double regret) {
+  return cost_error <= claim.cost && regret <= claim.regret;
 }
 
 }  // namespace
 
+bool holds(const ReportedVolume& reported, const Rational& value) {
+  return (!reported.low || *reported.low <= value) && (!reported.high || value <= *reported.high);
+}
+
+bool is_valid_order(const Trace& run) {
+  std::vector<HalfspaceId> ids;
+  for (const Step& step : run.steps) ids.push_back(step.removed);
+  std::sort(ids.begin(), ids.end());
+  const bool is_unique = std::adjacent_find(ids.begin(), ids.end()) == ids.end();
+  return is_unique && (ids.empty() || ids.back().index() < run.halfspaces.size()) &&
+         ids.size() + 4 <= run.halfspaces.size();
+}
+
+std::vector<Halfspace> left_after(const Trace& run, std::size_t count) {
+  std::vector<Halfspace> left;
+  for (const HalfspaceId id : run.survivors(count)) left.push_back(run.halfspaces[id.index()]);
+  return left;
+}
+
 TraceVerdict follow(const JudgedSolid& solid, const EngineAnswer& answer,
                     const JudgeLimits& limits) {
   RemovalOrder order;
-  for (const Halfspace& h : answer.halfspaces) order.facets.emplace_back(h);
-  const bool is_large = answer.halfspaces.size() > limits.whole;
-  const std::size_t all = answer.removed.size();
+  for (const Halfspace& h : answer.run.halfspaces) order.facets.emplace_back(h);
+  const bool is_large = answer.run.halfspaces.size() > limits.whole;
+  const std::size_t all = answer.run.steps.size();
   const std::size_t count = is_large ? std::min(limits.steps, all) : all;
   for (std::size_t s = 0; s < count; ++s) {
+    const Step& step = answer.run.steps[s];
     OrderedRemoval& removal = order.removals.emplace_back(OrderedRemoval{
-        s, std::to_string(answer.removed[s].index()), answer.removed[s].index(), {}});
+        .row = s, .text = std::to_string(step.removed.index()), .facet = step.removed.index()});
     if (!has_record(answer)) continue;
-    removal.claim.cost = answer.costs[s];
+    removal.claim.cost = step.cost;
     removal.claim.tie.emplace();
-    for (const HalfspaceId id : answer.ties[s]) removal.claim.tie->push_back(id.index());
+    for (const HalfspaceId id : step.tie) removal.claim.tie->push_back(id.index());
   }
   if (count == all && answer.end == StressEnd::AllUnbounded) {
     order.stop = StopReason::AllUnbounded;
@@ -98,8 +115,9 @@ std::vector<std::string> faults_of_order(const EngineAnswer& answer, const Trace
     faults.push_back(
         fmt::format("{} steps break a tie against the canonical order", verdict.other_ties));
   }
-  for (std::size_t s = 0; s < answer.ties.size(); ++s) {
-    if (answer.ties[s].empty() || answer.ties[s].front() != answer.removed[s]) {
+  for (std::size_t s = 0; s < answer.run.steps.size(); ++s) {
+    const Step& step = answer.run.steps[s];
+    if (step.tie.empty() || step.tie.front() != step.removed) {
       faults.push_back(fmt::format("step {} does not remove the first of its tie", s));
       break;
     }
@@ -110,18 +128,18 @@ std::vector<std::string> faults_of_order(const EngineAnswer& answer, const Trace
 std::vector<std::string> faults_by_definition(const JudgedSolid& solid, const EngineAnswer& answer,
                                               const JudgeLimits& limits) {
   const std::size_t size = solid.dual.halfspaces.size();
-  if (!is_valid_order(answer, size)) return {"the removals are not different halfspaces"};
-  const std::span<const HalfspaceId> removed = answer.removed;
-  std::size_t step = size > limits.definition ? size - limits.definition : 0;
-  for (; step < removed.size(); ++step) {
-    const Cheapest cheapest = cheapest_of(solid, removed.first(step));
-    if (cheapest.cost != answer.costs[step] || cheapest.tie != answer.ties[step] ||
-        cheapest.tie.front() != removed[step]) {
-      return {fmt::format("step {} is not what the definition says", step)};
+  if (!is_valid_order(answer.run)) return {"the removals are not different halfspaces"};
+  const std::vector<Step>& steps = answer.run.steps;
+  std::size_t s = size > limits.definition ? size - limits.definition : 0;
+  for (; s < steps.size(); ++s) {
+    const Cheapest cheapest = cheapest_of(solid, answer.run, s);
+    if (cheapest.cost != steps[s].cost || cheapest.tie != steps[s].tie ||
+        cheapest.tie.front() != steps[s].removed) {
+      return {fmt::format("step {} is not what the definition says", s)};
     }
   }
-  if (answer.end == StressEnd::AllUnbounded && size - removed.size() <= limits.definition &&
-      cheapest_of(solid, removed).cost) {
+  if (answer.end == StressEnd::AllUnbounded && size - steps.size() <= limits.definition &&
+      cheapest_of(solid, answer.run, steps.size()).cost) {
     return {"it ends although a bounded removal is left, by the definition"};
   }
   return {};
@@ -129,11 +147,11 @@ std::vector<std::string> faults_by_definition(const JudgedSolid& solid, const En
 
 std::vector<std::string> faults_of_volume(const JudgedSolid& solid, const EngineAnswer& answer,
                                           const JudgeLimits& limits) {
-  if (!is_valid_order(answer, solid.dual.halfspaces.size())) {
+  if (!is_valid_order(answer.run)) {
     return {"the removals are not different halfspaces"};
   }
   std::vector<std::string> faults;
-  if (left_after(solid.dual.halfspaces, answer.removed) != answer.left) {
+  if (left_after(answer.run, answer.run.steps.size()) != answer.left) {
     faults.push_back("what is left is not what the removals leave");
   }
   if (answer.left.size() > limits.whole) return faults;
@@ -143,14 +161,53 @@ std::vector<std::string> faults_of_volume(const JudgedSolid& solid, const Engine
     return faults;
   }
   const Rational last = volume(*after);
-  check_range("result", last, answer.output_volume, faults);
-  if (answer.halfspaces.size() > limits.whole) return faults;
+  check_reported("result", last, answer.output_volume, faults);
+  if (answer.run.halfspaces.size() > limits.whole) return faults;
   const Rational first = volume(intersect(solid.dual.halfspaces, solid.center).value());
-  check_range("input", first, answer.input_volume, faults);
-  if (has_record(answer) && first + balanced_sum(answer.costs) != last) {
+  check_reported("input", first, answer.input_volume, faults);
+  std::vector<Rational> costs;
+  for (const Step& step : answer.run.steps) costs.push_back(step.cost);
+  if (has_record(answer) && first + balanced_sum(std::move(costs)) != last) {
     faults.push_back("the costs do not add up to the growth of the volume");
   }
   return faults;
+}
+
+double error_of_cost(const ReportedVolume& reported, const Rational& cost) {
+  if (!reported.low || !reported.high) return kInfinity;
+  const Rational error =
+      std::max<Rational>(abs(Rational(*reported.low - cost)), abs(Rational(*reported.high - cost)));
+  if (error == 0) return 0;
+  return cost == 0 ? kInfinity : to_double(Rational(error / cost), Rounding::Up);
+}
+
+void judge_float(const EngineAnswer& answer, const TraceVerdict& verdict, StressRun& run) {
+  std::size_t beyond_claim = 0;
+  double cost_error = 0, regret = 0;
+  for (std::size_t s = 0; s < verdict.steps.size(); ++s) {
+    const JudgedStep& step = verdict.steps[s];
+    if (!step.cost) {
+      run.faults.push_back(fmt::format("step {} leaves an unbounded solid", s));
+      return;
+    }
+    if (!run.first_difference && !step.is_greedy()) run.first_difference = s;
+    const double step_error = error_of_cost(answer.lean[s].cost, *step.cost);
+    const double step_regret = step.regret ? to_double(*step.regret, Rounding::Up) : kInfinity;
+    cost_error = std::max(cost_error, step_error);
+    regret = std::max(regret, step_regret);
+    if (answer.claim) beyond_claim += !is_as_claimed(*answer.claim, step_error, step_regret);
+  }
+  run.other_ties = verdict.other_ties;
+  run.cost_error = cost_error;
+  run.regret = regret;
+  if (!answer.claim) return;
+  if (beyond_claim > answer.claim->doubtful) {
+    run.faults.push_back(fmt::format("{} steps are worse than it says, and it doubts {}",
+                                     beyond_claim, answer.claim->doubtful));
+  }
+  if (ends_early(verdict) && answer.claim->end_proven) {
+    run.faults.push_back("it ends although a bounded removal is left, and vouches for the end");
+  }
 }
 
 }  // namespace convexact

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "stress/judge_stored.hpp"
-
+// Results as bytes: read back, then judged by the oracle.
 #include <fmt/format.h>
 
 #include "convexact/verify.hpp"
+#include "stress/judge.hpp"
 
 namespace convexact {
 namespace {
@@ -40,16 +40,11 @@ void find_fault(const Verdict& verdict, StressStored& found) {
 
 }  // namespace
 
-StressStored judge_stored(const Shape& shape, const StoredBytes& stored) {
-  StressStored found{
-      stored.form, stored.precision, stored.whole,        StressStored::Outcome::Holds,
-      0,           stored.push,      stored.volume_ratio, stored.why};
-  if (stored.refused) {
-    found.outcome = StressStored::Outcome::Refused;
-    return found;
-  }
-  const bool planes = stored.form == StressStored::Form::Planes;
-  const Candidate candidate = read_candidate_bytes(stored.bytes, planes ? "a.json" : "a.obj");
+StressStored judge_stored(const Shape& shape, const StoredBytes& kept) {
+  StressStored found = kept.stored;
+  if (found.outcome == StressStored::Outcome::Refused) return found;
+  const bool planes = found.form == StressStored::Form::Planes;
+  const Candidate candidate = read_candidate_bytes(kept.bytes, planes ? "a.json" : "a.obj");
   VerifyRequest request;
   request.tightness = false;
   const VerifyOutcome outcome = verify(shape, candidate, request);
@@ -62,7 +57,7 @@ StressStored judge_stored(const Shape& shape, const StoredBytes& stored) {
   find_fault(*verdict, found);
   if (verdict->outside) found.violations = verdict->outside->points;
   if (found.outcome == StressStored::Outcome::Holds &&
-      !is_of_precision(candidate, stored.precision)) {
+      !is_of_precision(candidate, found.precision)) {
     found.outcome = StressStored::Outcome::Wrong;
     found.why = "a coordinate is no number of the format";
   }

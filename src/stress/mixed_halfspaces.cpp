@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "stress/mixed_halfspaces.hpp"
-
 #include <array>
 
 #include "number/random.hpp"
+#include "stress/input.hpp"
 
 namespace convexact {
 namespace {

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "stress/stress.hpp"
 
+#include <fmt/format.h>
 #include <poll.h>
+#include <sys/resource.h>
 
 #include <chrono>
+#include <cmath>
+#include <csignal>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "convexact/error.hpp"
-#include "stress/child.hpp"
+#include "io/json.hpp"
+#include "oracle/child_process.hpp"
 
 namespace convexact {
 namespace {
@@ -24,7 +30,48 @@ void require_sensible(const StressRequest& request) {
   }
 }
 
-// An input on its way: its engines answer one by one, then the judge speaks.
+// How a process ended that was to answer: its answer, or why there is none.
+struct ChildEnd {
+  std::optional<nlohmann::ordered_json> answer;
+  StressEnd end = StressEnd::Reached;
+  std::string why;
+  std::uint64_t memory = 0;
+};
+
+ChildEnd end_of(const ProgramRun& run, const ChildProcess& process, const StressLimits& limits) {
+  ChildEnd end;
+  end.memory = run.peak_memory;
+  if (run.succeeded()) {
+    end.answer = nlohmann::ordered_json::parse(process.result());
+    return end;
+  }
+  constexpr std::size_t kMost = 500;
+  const std::string said =
+      run.printed.substr(run.printed.size() - std::min(kMost, run.printed.size()));
+  const bool has_crashed = run.end == ProgramEnd::Crashed;
+  if (run.end == ProgramEnd::TimedOut || (has_crashed && run.signal == SIGXCPU)) {
+    end.end = StressEnd::TimedOut;
+    end.why = fmt::format("no end within {:g} s", limits.seconds);
+  } else if (has_crashed) {
+    const bool no_memory = said.find("annot allocate memory") != std::string::npos;
+    end.end = no_memory ? StressEnd::OutOfMemory : StressEnd::Crashed;
+    end.why = describe(run) + ": " + said;
+  } else if (run.exit_code == exit_code(ErrorCode::Stopped)) {
+    end.end = StressEnd::OutOfMemory;
+    end.why = "out of memory";
+  } else {
+    end.end = StressEnd::Failed;
+    end.why = said;
+  }
+  return end;
+}
+
+// A busy machine may give a process a small share of its time; beyond this, it waits for something.
+constexpr double kWallPerProcessorTime = 20;
+
+using Children = std::map<std::size_t, std::unique_ptr<ChildProcess>>;
+
+// An input in progress: its engines answer one by one, then the judge decides.
 struct Progress {
   std::vector<EngineAnswer> answers;  // of the engines so far
   std::vector<StressRun> runs;        // of the judge, at the end
@@ -39,9 +86,10 @@ class Sweep {
   std::vector<StressRun> run();
 
  private:
-  Child start(std::size_t i) const;
-  void finish(std::size_t i, ChildEnd end);
-  void finish_engine(std::size_t i, ChildEnd end);
+  std::unique_ptr<ChildProcess> start(std::size_t i) const;
+  std::unique_ptr<ChildProcess> start(const std::function<nlohmann::ordered_json()>& work) const;
+  void finish(std::size_t i, const ChildEnd& end);
+  void finish_engine(std::size_t i, const ChildEnd& end);
   void finish_judge(std::size_t i, const ChildEnd& end);
 
   std::span<const StressInput> inputs_;
@@ -51,7 +99,7 @@ class Sweep {
 };
 
 std::vector<StressRun> Sweep::run() {
-  std::map<std::size_t, Child> children;
+  Children children;
   for (std::size_t next = 0; done_ < inputs_.size();) {
     if (request_.stop != nullptr && *request_.stop) throw Error(ErrorCode::Stopped, "interrupted");
     while (children.size() < std::max<std::size_t>(request_.processes, 1) &&
@@ -62,13 +110,14 @@ std::vector<StressRun> Sweep::run() {
     (void)::poll(nullptr, 0, 1);  // a millisecond
     for (auto child = children.begin(); child != children.end();) {
       const std::size_t i = child->first;
-      std::optional<ChildEnd> end = child->second.poll();
-      if (!end) {
+      const std::optional<ProgramRun> run = child->second->poll(0);
+      if (!run) {
         ++child;
         continue;
       }
+      const ChildEnd end = end_of(*run, *child->second, request_.limits);
       child = children.erase(child);
-      finish(i, std::move(*end));
+      finish(i, end);
       if (!progress_[i].done) children.emplace(i, start(i));
     }
   }
@@ -79,28 +128,44 @@ std::vector<StressRun> Sweep::run() {
   return runs;
 }
 
+std::unique_ptr<ChildProcess> Sweep::start(
+    const std::function<nlohmann::ordered_json()>& work) const {
+  const double seconds = request_.limits.seconds;
+  const ProgramLimits limits{.seconds = kWallPerProcessorTime * seconds,
+                             .memory = request_.limits.memory};
+  const auto limited = [seconds, &work] {
+    const auto whole = static_cast<rlim_t>(std::ceil(seconds));
+    const rlimit processor{whole, whole + 1};
+    (void)setrlimit(RLIMIT_CPU, &processor);
+    return write_json(work());
+  };
+  return std::make_unique<ChildProcess>(limited, limits);
+}
+
 // The next engine, or the judge when all have answered.
-Child Sweep::start(std::size_t i) const {
+std::unique_ptr<ChildProcess> Sweep::start(std::size_t i) const {
   const StressInput& input = inputs_[i];
   const std::vector<EngineAnswer>& answers = progress_[i].answers;
   if (answers.size() == request_.engines.size()) {
-    return Child(
-        [&] { return to_bytes(judge_answers(input, input.make(), answers, request_.judge)); },
-        request_.limits);
+    return start([&] {
+      return stress_json({judge_answers(input, input.make(), answers, request_.judge), 0});
+    });
   }
   const Engine engine = request_.engines[answers.size()];
-  Question question{engine, input.faces, input.seed, SIZE_MAX, SIZE_MAX, request_.most_stored};
+  Question question{.engine = engine,
+                    .faces = input.faces,
+                    .seed = input.seed,
+                    .most_stored = request_.most_stored};
   if (engine == Engine::Exact) {
     question.most_work = request_.exact_work;
     question.most_steps = request_.exact_steps;
   }
-  return Child([&, question] { return to_bytes(request_.answer(input.make(), question)); },
-               request_.limits);
+  return start([&] { return answer_json(request_.answer(input.make(), question)); });
 }
 
-void Sweep::finish(std::size_t i, ChildEnd end) {
+void Sweep::finish(std::size_t i, const ChildEnd& end) {
   if (progress_[i].answers.size() < request_.engines.size()) {
-    finish_engine(i, std::move(end));
+    finish_engine(i, end);
   } else {
     finish_judge(i, end);
     progress_[i].done = true;
@@ -109,11 +174,11 @@ void Sweep::finish(std::size_t i, ChildEnd end) {
   }
 }
 
-void Sweep::finish_engine(std::size_t i, ChildEnd end) {
+void Sweep::finish_engine(std::size_t i, const ChildEnd& end) {
   std::vector<EngineAnswer>& answers = progress_[i].answers;
   EngineAnswer answer;
-  if (end.result) {
-    answer = answer_from_bytes(*end.result);
+  if (end.answer) {
+    answer = answer_in(*end.answer);
   } else {
     answer.end = end.end;
     answer.why = end.why;
@@ -125,8 +190,8 @@ void Sweep::finish_engine(std::size_t i, ChildEnd end) {
 
 void Sweep::finish_judge(std::size_t i, const ChildEnd& end) {
   Progress& progress = progress_[i];
-  if (end.result) {
-    progress.runs = runs_from_bytes(*end.result);
+  if (end.answer) {
+    progress.runs = stress_runs_in(*end.answer);
   } else {
     progress.runs = unjudged(inputs_[i], progress.answers, "the judge: " + end.why);
   }

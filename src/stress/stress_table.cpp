@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/result_json.hpp"
 #include "stress/stress_report.hpp"
-#include "stress/words.hpp"
 
 namespace convexact {
 namespace {
@@ -82,7 +82,7 @@ const char* short_end(StressEnd end) {
     case StressEnd::OutOfMemory:
       return "memory";
     default:
-      return words::name_of(end);
+      return name_of(end);
   }
 }
 
@@ -90,8 +90,8 @@ std::string faults_of(const StressReport& report) {
   std::string text;
   for (const StressRun& run : report.runs) {
     for (const std::string& fault : run.faults) {
-      text += fmt::format("\n{} (seed {}), {}: {}", label_of(run), run.seed,
-                          words::name_of(run.engine), fault);
+      text += fmt::format("\n{} (seed {}), {}: {}", label_of(run), run.seed, name_of(run.engine),
+                          fault);
     }
   }
   return text.empty() ? text : text + "\n";
@@ -119,8 +119,8 @@ std::string stress_table(const StressReport& report) {
     });
     Worst worst;
     std::for_each(rest.begin(), other, [&](const StressRun* run) { add(worst, *run); });
-    text += fmt::format("{:<20} {:<8} {:>4} {:>5} {:>4}", first.family,
-                        words::name_of(first.engine), worst.runs, worst.early, worst.other_order) +
+    text += fmt::format("{:<20} {:<8} {:>4} {:>5} {:>4}", first.family, name_of(first.engine),
+                        worst.runs, worst.early, worst.other_order) +
             numbers_of(worst, kOfMany);
     rest.erase(rest.begin(), other);
   }
@@ -133,7 +133,7 @@ std::string stress_case_table(const StressReport& report) {
   for (const StressRun& run : report.runs) {
     Worst worst;
     add(worst, run);
-    text += fmt::format("{:<24} {:<8} {:<9} {:>5}", short_label(run), words::name_of(run.engine),
+    text += fmt::format("{:<24} {:<8} {:<9} {:>5}", short_label(run), name_of(run.engine),
                         short_end(run.end), run.steps) +
             numbers_of(worst, kOfOne);
   }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
@@ -59,6 +60,11 @@ void check_caught(Engine engine, const Corruption& corrupt,
   CHECK(stress_table(report).find(report.runs[0].faults[0]) != std::string::npos);
 }
 
+// As if the run without a record, where there is one, had made the same removals.
+void make_lean_removals_equal(EngineAnswer& a) {
+  for (std::size_t s = 0; s < a.lean.size(); ++s) a.lean[s].removed = a.run.steps[s].removed;
+}
+
 void check_caught_of_both(const Corruption& corrupt,
                           const std::vector<StressInput>& input = one_input()) {
   check_caught(Engine::Exact, corrupt, input);
@@ -98,6 +104,33 @@ TEST_CASE("stress: honest engines pass on inputs of every kind") {
   }
 }
 
+TEST_CASE("stress: answers and findings are the same on the other side of a process") {
+  for (const Engine engine : {Engine::Exact, Engine::Filtered, Engine::Float}) {
+    const StressInput input = inputs_at("needle", {1e17})[0];
+    EngineAnswer answer = answer_of(input.make(), {.engine = engine});
+    answer.why = "a \"reason\"\n";
+    if (answer.claim) answer.claim->regret = std::numeric_limits<double>::infinity();
+    if (!answer.lean.empty()) answer.lean[0].cost.high.reset();
+    answer.seconds = 0.1 + 0.2;
+    const EngineAnswer read = answer_in(nlohmann::ordered_json::parse(answer_json(answer).dump()));
+    CHECK(answer_json(read) == answer_json(answer));
+    CHECK(read.why == answer.why);
+    CHECK(read.seconds == answer.seconds);
+    CHECK(read.left == answer.left);
+    REQUIRE(read.run.steps.size() == answer.run.steps.size());
+    for (std::size_t s = 0; s < read.run.steps.size(); ++s) {
+      CHECK(read.run.steps[s].removed == answer.run.steps[s].removed);
+      CHECK(read.run.steps[s].cost == answer.run.steps[s].cost);
+      CHECK(read.run.steps[s].tie == answer.run.steps[s].tie);
+    }
+    if (!read.lean.empty()) CHECK_FALSE(read.lean[0].cost.high.has_value());
+    if (read.claim) CHECK(read.claim->regret == std::numeric_limits<double>::infinity());
+    const StressReport report{judge_answers(input, input.make(), std::span(&answer, 1)), 0};
+    const auto json = stress_json(report);
+    CHECK(stress_json({stress_runs_in(nlohmann::ordered_json::parse(json.dump())), 0}) == json);
+  }
+}
+
 TEST_CASE("stress: a family does not take every value") {
   CHECK_THROWS_AS((void)inputs_at("needle", {0.5}), Error);
   CHECK_THROWS_AS((void)inputs_at("mixed-halfspaces", {-1}), Error);
@@ -105,24 +138,23 @@ TEST_CASE("stress: a family does not take every value") {
 }
 
 TEST_CASE("stress: a removal too dear is a fault, recorded honestly or not") {
-  check_caught_of_both([](EngineAnswer& a) { std::swap(a.removed[0], a.removed.back()); });
+  check_caught_of_both(
+      [](EngineAnswer& a) { std::swap(a.run.steps[0].removed, a.run.steps.back().removed); });
   check_caught_of_both([](EngineAnswer& a) {
-    std::swap(a.removed[0], a.removed.back());
-    std::swap(a.costs[0], a.costs.back());
-    std::swap(a.ties[0], a.ties.back());
-    a.lean_removed = a.removed;
+    std::swap(a.run.steps[0], a.run.steps.back());
+    make_lean_removals_equal(a);
   });
 }
 
 TEST_CASE("stress: a tie broken the wrong way, or listed wrongly, is a fault") {
   check_caught_of_both(
       [](EngineAnswer& a) {
-        REQUIRE(a.ties[0].size() > 1);  // the first two of four equal cuts change places
-        std::swap(a.removed[0], a.removed[1]);
-        if (!a.lean_removed.empty()) a.lean_removed = a.removed;
+        REQUIRE(a.run.steps[0].tie.size() > 1);  // the first two of four equal cuts change places
+        std::swap(a.run.steps[0].removed, a.run.steps[1].removed);
+        make_lean_removals_equal(a);
       },
       tied_input());
-  check_caught_of_both([](EngineAnswer& a) { a.ties[0].pop_back(); }, tied_input());
+  check_caught_of_both([](EngineAnswer& a) { a.run.steps[0].tie.pop_back(); }, tied_input());
 }
 
 TEST_CASE("stress: engines that promise the same and differ are at fault") {
@@ -130,7 +162,7 @@ TEST_CASE("stress: engines that promise the same and differ are at fault") {
   request.engines = {Engine::Exact, Engine::Filtered};
   request.answer = [](const Shape& shape, const Question& question) {
     EngineAnswer answer = answer_of(shape, question);
-    if (question.engine == Engine::Exact) answer.costs[1] *= 2;
+    if (question.engine == Engine::Exact) answer.run.steps[1].cost *= 2;
     return answer;
   };
   const StressReport report = stress(one_input(), request);
@@ -142,30 +174,25 @@ TEST_CASE("stress: engines that promise the same and differ are at fault") {
 }
 
 TEST_CASE("stress: a wrong cost, volume or enclosure is a fault") {
-  check_caught_of_both([](EngineAnswer& a) { a.costs[1] += Rational(1, 1000000007); });
+  check_caught_of_both([](EngineAnswer& a) { a.run.steps[1].cost += Rational(1, 1000000007); });
   for (const Engine engine : {Engine::Exact, Engine::Filtered, Engine::Float}) {
-    check_caught(engine, [](EngineAnswer& a) { a.output_volume.low = a.output_volume.high * 2; });
+    check_caught(engine, [](EngineAnswer& a) { a.output_volume.low = *a.output_volume.high * 2; });
     check_caught(engine, [](EngineAnswer& a) { a.input_volume.high = 0; });
   }
-  check_caught(Engine::Filtered, [](EngineAnswer& a) { a.lean_costs[0].high = 0; });
-  check_caught(Engine::Filtered, [](EngineAnswer& a) { ++a.lean_tied[0]; });
+  check_caught(Engine::Filtered, [](EngineAnswer& a) { a.lean[0].cost.high = 0; });
+  check_caught(Engine::Filtered, [](EngineAnswer& a) { ++a.lean[0].tied; });
 }
 
 TEST_CASE("stress: a run that stops too early, or removes something twice, is a fault") {
   check_caught_of_both([](EngineAnswer& a) {
-    for (auto* ids : {&a.removed, &a.lean_removed}) {
-      if (!ids->empty()) ids->pop_back();
-    }
-    a.costs.pop_back();
-    a.ties.pop_back();
-    if (!a.lean_costs.empty()) a.lean_costs.pop_back();
-    if (!a.lean_tied.empty()) a.lean_tied.pop_back();
+    a.run.steps.pop_back();
+    if (!a.lean.empty()) a.lean.pop_back();
     a.end = StressEnd::AllUnbounded;
   });
   for (const Engine engine : {Engine::Exact, Engine::Filtered, Engine::Float}) {
-    check_caught(engine, [](EngineAnswer& a) { a.removed[1] = a.removed[0]; });
+    check_caught(engine, [](EngineAnswer& a) { a.run.steps[1].removed = a.run.steps[0].removed; });
     check_caught(engine, [](EngineAnswer& a) { a.left.pop_back(); });
-    check_caught(engine, [](EngineAnswer& a) { a.halfspaces.pop_back(); });
+    check_caught(engine, [](EngineAnswer& a) { a.run.halfspaces.pop_back(); });
     check_caught(engine, [](EngineAnswer& a) { a.end = StressEnd::NoVolume; });
   }
 }
@@ -195,21 +222,21 @@ TEST_CASE("stress: the float engine may be wrong, but not more than it says") {
     return StressClaim{cost, regret, doubtful, true, doubtful == 0};
   };
   const auto dear = [](EngineAnswer& a) {  // the dearest first
-    std::swap(a.removed[0], a.removed.back());
-    std::swap(a.lean_removed[0], a.lean_removed.back());
-    std::swap(a.lean_costs[0], a.lean_costs.back());
+    std::swap(a.run.steps[0], a.run.steps.back());
+    std::swap(a.lean[0], a.lean.back());
   };
   check_caught(Engine::Float, [&](EngineAnswer& a) {
     dear(a);
     a.claim = claim(0.001, 0.001, 0);
   });
   check_caught(Engine::Float, [&](EngineAnswer& a) {  // an estimate that is off by half
-    a.lean_costs[0].low = a.lean_costs[0].high = a.lean_costs[0].low / 2;
+    *a.lean[0].cost.low /= 2;
+    a.lean[0].cost.high = a.lean[0].cost.low;
     a.claim = claim(0.001, 0.001, 0);
   });
   const StressReport doubted = with_corrupted(Engine::Float, [&](EngineAnswer& a) {
     dear(a);
-    a.claim = claim(0.001, 0.001, a.removed.size());
+    a.claim = claim(0.001, 0.001, a.run.steps.size());
   });
   CHECK(doubted.passes());
   const StressRun& run = doubted.runs[0];
@@ -219,12 +246,10 @@ TEST_CASE("stress: the float engine may be wrong, but not more than it says") {
 
 TEST_CASE("stress: an end that the float engine vouches for is the end") {
   const auto shorten = [](EngineAnswer& a) {
-    const std::size_t all = a.halfspaces.size();
-    a.removed.clear();
-    a.lean_removed.clear();
-    a.lean_costs.clear();
-    a.lean_tied.clear();
-    a.left = a.halfspaces;
+    const std::size_t all = a.run.halfspaces.size();
+    a.run.steps.clear();
+    a.lean.clear();
+    a.left = a.run.halfspaces;
     a.output_volume = a.input_volume;
     a.end = StressEnd::AllUnbounded;
     REQUIRE(all > 4);

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// child_process.hpp - work in a process of its own: limited, its output and its result captured.
+#pragma once
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "convexact/conform.hpp"
+
+namespace convexact {
+
+/// A file descriptor, closed at the end.
+class Descriptor {
+ public:
+  explicit Descriptor(int id = -1) : id_(id) {}
+  ~Descriptor() { reset(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  int id() const { return id_; }
+  /// Closes it, and takes another.
+  void reset(int id = -1);
+
+ private:
+  int id_;
+};
+
+/// A fork of this process that does one piece of work, in a process group of its own. It is killed
+/// with all that it started when this object goes, and dies with its parent. Its standard input is
+/// empty, and it leaves no core dump.
+class ChildProcess {
+ public:
+  /// @param work  Its bytes are the result. If it throws, the child prints the message and ends
+  ///              with the exit code of Internal, for want of memory with that of Stopped. It may
+  ///              also become another program, by exec.
+  /// @throws Error Stopped if the system cannot make a process.
+  ChildProcess(const std::function<std::string()>& work, const ProgramLimits& limits);
+  ~ChildProcess();
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+
+  /// The run, once it has ended or taken too long; then this is not to be called again. Else waits
+  /// for output, at most so long.
+  [[nodiscard]] std::optional<ProgramRun> poll(int milliseconds);
+  /// Of a child that has ended: what its work returned; empty if it did not.
+  [[nodiscard]] std::string result() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  [[noreturn]] void become_child(const std::function<std::string()>& work, int output) const;
+  bool listen(int milliseconds);
+  void kill_group() const;
+
+  ProgramLimits limits_;
+  Clock::time_point start_ = Clock::now();
+  Descriptor output_, result_;
+  int id_ = -1;
+  bool has_ended_ = false;
+  ProgramRun run_;
+};
+
+}  // namespace convexact
