@@ -13,7 +13,7 @@
 #include "cli/quantity_option.hpp"
 #include "convexact/scene.hpp"
 #include "io/json.hpp"
-#include "report/report_json.hpp"
+#include "report/report.hpp"
 #include "report/report_page.hpp"
 
 namespace convexact::cli {
@@ -38,7 +38,11 @@ struct ReportArguments {
 };
 
 ReportSections parse_sections(const std::string& text) {
-  ReportSections sections{false, false, false, false, false};
+  ReportSections sections{.precision = false,
+                          .tightness = false,
+                          .stages = false,
+                          .scaling = false,
+                          .stability = false};
   const std::map<std::string, bool*> named = {{"precision", &sections.precision},
                                               {"tightness", &sections.tightness},
                                               {"stages", &sections.stages},
@@ -126,7 +130,11 @@ int run_report(const ReportArguments& options) {
   }
   measure_families(report, request);
   status.show("");
-  const ReportOrigin origin{CONVEXACT_VERSION, kCommit, kCompiler, kFlags, this_machine()};
+  const ReportOrigin origin{.version = CONVEXACT_VERSION,
+                            .commit = kCommit,
+                            .compiler = kCompiler,
+                            .flags = kFlags,
+                            .machine = this_machine()};
   const nlohmann::ordered_json document = report_json(report, request, origin);
   write_together(
       files_of(options.folder, document, report),

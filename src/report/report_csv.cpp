@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "io/json.hpp"
-#include "report/report_json.hpp"
+#include "report/report.hpp"
 #include "simplify/trace_json.hpp"
 
 namespace convexact {

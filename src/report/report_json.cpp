@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/report_json.hpp"
+#include "report/report.hpp"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include "convexact/number.hpp"
 #include "convexact/scene.hpp"
 #include "fast/filtered_engine.hpp"
-#include "report/error_size.hpp"
+#include "report/errors.hpp"
 #include "scene/solid.hpp"
 
 namespace convexact {
@@ -103,8 +103,10 @@ TightnessCurve measure_tightness_curve(const Solid& solid, std::size_t least,
     options.stop = effort.stop;
     const FastResult result = simplify_filtered(dual, options);
     const Polytope left = to_polytope(dual_hull.halfspaces, result.triangles);
-    TightnessPoint point{
-        faces[i], growth_of(enclose_volume(left, kVolumeBits), whole), {}, *seconds};
+    TightnessPoint point{.faces = faces[i],
+                         .growth = growth_of(enclose_volume(left, kVolumeBits), whole),
+                         .hausdorff = {},
+                         .seconds = *seconds};
     if (!deadline.has_passed()) {
       point.hausdorff =
           root_size(hausdorff_distance(left, solid.polytope).squared / squared_diameter).value;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "convexact/scene.hpp"
-#include "report/effort.hpp"
+#include "report/timing.hpp"
 #include "scene/solid.hpp"
 
 namespace convexact {

@@ -7,7 +7,6 @@
 #include "convexact/number.hpp"
 #include "number/balanced_sum.hpp"
 #include "oracle/greedy_check.hpp"
-#include "report/rounded_planes.hpp"
 #include "scene/solid.hpp"
 #include "simplify/exact_engine.hpp"
 #include "simplify/replay.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// work_precision.hpp - the error that each way of computing makes, and the time that it takes.
+// work_precision.hpp - the error that each way of computing makes, the time that it takes, and
+// where it breaks down as shapes become stiff or extreme.
 #pragma once
 #include <optional>
 #include <string>
@@ -7,8 +8,8 @@
 
 #include "convexact/scene.hpp"
 #include "fast/rounded_dual.hpp"
-#include "report/effort.hpp"
-#include "report/error_size.hpp"
+#include "report/errors.hpp"
+#include "report/timing.hpp"
 #include "scene/solid.hpp"
 
 namespace convexact {
@@ -66,5 +67,25 @@ struct LoopWay {
 [[nodiscard]] WorkPrecision measure_work_precision(const Solid& solid, std::size_t faces,
                                                    const std::vector<std::string>& ways,
                                                    const Effort& effort);
+
+/// Every way of computing at one value of a family's parameter.
+struct BreakdownPoint {
+  double value = 0;
+  std::string why_not;  ///< Why there is no solid to measure on; empty if there is.
+  std::optional<WorkPrecision> precision;
+};
+
+/// A family of shapes, swept over the parameter that makes it stiff.
+struct Breakdown {
+  std::string family, parameter;  ///< As `convexact generate` names them.
+  std::vector<BreakdownPoint> points;
+};
+
+/// The families that can be swept, by name.
+[[nodiscard]] std::vector<std::string> breakdown_families();
+
+/// A few dozen points per shape, down to four halfspaces.
+/// @param family  One of breakdown_families(). @throws Error InvalidArgument if it is not.
+[[nodiscard]] Breakdown measure_breakdown(const std::string& family, const Effort& effort);
 
 }  // namespace convexact

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a report measures on small inputs: errors by their definitions, and the files' formats.
+#include "report/report.hpp"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -10,10 +12,7 @@
 #include "convexact/number.hpp"
 #include "convexact/shapes.hpp"
 #include "json_schema.hpp"
-#include "report/report_data.hpp"
-#include "report/report_json.hpp"
 #include "report/report_page.hpp"
-#include "report/rounded_planes.hpp"
 #include "scene/solid.hpp"
 #include "shapes/extreme.hpp"
 #include "shapes/random_points.hpp"
@@ -204,8 +203,12 @@ TEST_CASE("report: the files conform, and the page carries the JSON") {
   report.inputs.push_back(
       std::get<InputReport>(measure_input({"a </script>, \"b\".obj", &shape}, request)));
   measure_families(report, request);
-  const nlohmann::ordered_json json =
-      report_json(report, request, {"convexact", "unknown", "GCC", "-O2", this_machine()});
+  const nlohmann::ordered_json json = report_json(report, request,
+                                                  {.version = "convexact",
+                                                   .commit = "unknown",
+                                                   .compiler = "GCC",
+                                                   .flags = "-O2",
+                                                   .machine = this_machine()});
   CHECK(schema_complaint("report", json) == "");
   CHECK(json["inputs"][0]["precision"]["commands"][0] ==
         "convexact report 'a </script>, \"b\".obj' --sections precision --faces 4 "

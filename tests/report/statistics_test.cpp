@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Statistics of repeated measurements and sizes of errors, against closed forms.
-#include "report/statistics.hpp"
-
 #include <doctest/doctest.h>
 
 #include <array>
 #include <cmath>
 
-#include "report/error_size.hpp"
+#include "report/errors.hpp"
 #include "report/tightness_curve.hpp"
+#include "report/timing.hpp"
 
 using namespace convexact;
 

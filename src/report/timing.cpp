@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/statistics.hpp"
+#include "report/timing.hpp"
 
 #include <algorithm>
 #include <cmath>

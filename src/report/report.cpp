@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "report/report_data.hpp"
+#include "report/report.hpp"
+
+#include <fstream>
+#include <sstream>
+#include <thread>
 
 #include "scene/solid.hpp"
 
@@ -15,6 +19,17 @@ void require_sensible(const ReportRequest& request) {
   if (request.effort.repetitions < 1 || !(request.effort.budget > 0)) {
     throw Error(ErrorCode::InvalidArgument, "at least one repetition, and some time for it");
   }
+}
+
+// The text after "NAME :" in a file of such lines; empty if there is none.
+std::string entry_of(const char* file, const std::string& name) {
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    if (line.rfind(name, 0) != 0) continue;
+    const std::size_t start = line.find_first_not_of(" \t", line.find(':') + 1);
+    if (start != std::string::npos) return line.substr(start);
+  }
+  return {};
 }
 
 }  // namespace
@@ -65,6 +80,17 @@ void measure_families(ReportData& report, const ReportRequest& request) {
        request.families.empty() ? breakdown_families() : request.families) {
     report.stability.push_back(measure_breakdown(family, effort));
   }
+}
+
+Machine this_machine() {
+  Machine machine;
+  machine.processor = entry_of("/proc/cpuinfo", "model name");
+  if (machine.processor.empty()) machine.processor = "unknown";
+  machine.cores = std::thread::hardware_concurrency();
+  std::uint64_t kibibytes = 0;
+  std::istringstream(entry_of("/proc/meminfo", "MemTotal")) >> kibibytes;
+  machine.memory = 1024 * kibibytes;
+  return machine;
 }
 
 }  // namespace convexact

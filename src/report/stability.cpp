@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
-#include "report/breakdown.hpp"
-
+// Where each arithmetic breaks down: families of shapes, swept.
 #include <algorithm>
 
 #include "convexact/shapes.hpp"
+#include "report/work_precision.hpp"
 #include "scene/solid.hpp"
 
 namespace convexact {
 namespace {
 
 // The parameter of a family that makes it stiff, and the values to measure.
-struct Sweep {
+struct SweptFamily {
   const char* family;
   const char* parameter;
   std::vector<double> values;  // from tame to extreme
 };
 
-const std::vector<Sweep>& sweeps() {
-  static const std::vector<Sweep> list = {
+const std::vector<SweptFamily>& sweeps() {
+  static const std::vector<SweptFamily> list = {
       {"needle", "aspect", {1, 1e2, 1e4, 1e6, 1e8, 1e10, 1e12, 1e14, 1e16, 1e20, 1e40, 1e300}},
       {"slab", "aspect", {1, 1e2, 1e4, 1e6, 1e8, 1e10, 1e12, 1e14, 1e16, 1e20, 1e40, 1e300}},
       {"tilted-lid",
@@ -35,14 +35,14 @@ const std::vector<Sweep>& sweeps() {
   return list;
 }
 
-const Sweep& sweep_of(const std::string& family) {
-  for (const Sweep& sweep : sweeps()) {
+const SweptFamily& sweep_of(const std::string& family) {
+  for (const SweptFamily& sweep : sweeps()) {
     if (family == sweep.family) return sweep;
   }
   throw Error(ErrorCode::InvalidArgument, "no sweep of a family named '" + family + "'");
 }
 
-PointSet points_of(const Sweep& sweep, double value, std::uint64_t seed) {
+PointSet points_of(const SweptFamily& sweep, double value, std::uint64_t seed) {
   const shapes::Family& family = shapes::family(sweep.family);
   std::vector<double> values = shapes::usual_values(family);
   for (std::size_t i = 0; i < family.parameters.size(); ++i) {
@@ -55,13 +55,15 @@ PointSet points_of(const Sweep& sweep, double value, std::uint64_t seed) {
 
 std::vector<std::string> breakdown_families() {
   std::vector<std::string> names;
-  for (const Sweep& sweep : sweeps()) names.emplace_back(sweep.family);
+  for (const SweptFamily& sweep : sweeps()) names.emplace_back(sweep.family);
   return names;
 }
 
 Breakdown measure_breakdown(const std::string& family, const Effort& effort) {
-  const Sweep& sweep = sweep_of(family);
-  Breakdown result{sweep.family, sweep.parameter, {}};
+  const SweptFamily& sweep = sweep_of(family);
+  Breakdown result;
+  result.family = sweep.family;
+  result.parameter = sweep.parameter;
   Effort quiet = effort;
   quiet.progress = {};
   for (const double value : sweep.values) {

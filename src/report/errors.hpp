@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// error_size.hpp - how large an exactly known error is, also where doubles would underflow.
+// errors.hpp - how large exactly known errors are, also where doubles would underflow, and those of
+// rounded planes.
 #pragma once
 #include <limits>
 
+#include "convexact/dual.hpp"
 #include "convexact/number.hpp"
+#include "fast/rounded_dual.hpp"
 
 namespace convexact {
 
@@ -27,5 +30,14 @@ struct ErrorSize {
 [[nodiscard]] ErrorSize root_size(const Rational& x);
 /// |computed - exact| / |exact|; if both are 0 no error. Precondition: exact != 0 or both are 0.
 [[nodiscard]] ErrorSize relative_error(const Rational& computed, const Rational& exact);
+
+/// The largest relative error of a coordinate of a dual point.
+[[nodiscard]] ErrorSize worst_coordinate(const RoundedDual& rounded, std::size_t halfspaces);
+
+/// How far a vertex of the solid lies outside one of the rounded planes, at most; relative to the
+/// diameter of the solid's box. Exactly the worst one: doubles only exclude pairs of a plane and a
+/// vertex that are proven not to be it.
+[[nodiscard]] ErrorSize worst_outside(const RoundedDual& rounded, const DualHull& solid,
+                                      const RationalPoint& center);
 
 }  // namespace convexact

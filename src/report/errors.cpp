@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/rounded_planes.hpp"
+#include "report/errors.hpp"
 
 #include <algorithm>
 #include <array>
@@ -64,6 +64,30 @@ class ScaledVertices {
 };
 
 }  // namespace
+
+double log2_of(const Rational& x) {
+  const long s =
+      static_cast<long>(bit_length(numerator(x))) - static_cast<long>(bit_length(denominator(x)));
+  return std::log2(to_double(scale_by_power_of_two(x, -s), Rounding::Nearest)) +
+         static_cast<double>(s);
+}
+
+ErrorSize error_size(const Rational& error) {
+  if (error == 0) return {};
+  const Rational size = abs(error);
+  return {to_double(size, Rounding::Nearest), -log2_of(size)};
+}
+
+ErrorSize root_size(const Rational& x) {
+  if (x == 0) return {};
+  const double bits = -log2_of(x) / 2;
+  return {std::exp2(-bits), bits};
+}
+
+ErrorSize relative_error(const Rational& computed, const Rational& exact) {
+  if (computed == exact) return {};
+  return error_size((computed - exact) / exact);
+}
 
 ErrorSize worst_coordinate(const RoundedDual& rounded, std::size_t halfspaces) {
   ErrorSize worst;

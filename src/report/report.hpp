@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// report_data.hpp - everything that a report measures.
+// report.hpp - everything that a report measures, on which machine, for machines to read.
 #pragma once
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "report/breakdown.hpp"
-#include "report/machine.hpp"
-#include "report/scaling.hpp"
-#include "report/stage_times.hpp"
+#include "report/run_times.hpp"
 #include "report/tightness_curve.hpp"
 #include "report/work_precision.hpp"
 
@@ -57,5 +56,34 @@ struct NamedShape {
                                                                 const ReportRequest& request);
 /// The measurements that do not depend on the inputs: spheres and stability.
 void measure_families(ReportData& report, const ReportRequest& request);
+
+/// A machine: enough to compare, and no names of hosts or users.
+struct Machine {
+  std::string processor;     ///< As the system calls it; "unknown" where it does not say.
+  unsigned cores = 0;        ///< That the process may use; 0 if unknown.
+  std::uint64_t memory = 0;  ///< Bytes; 0 if unknown.
+};
+
+/// Of Linux, from /proc.
+[[nodiscard]] Machine this_machine();
+
+/// The build that made a report.
+struct ReportOrigin {
+  std::string version;   ///< "convexact 0.1.0".
+  std::string commit;    ///< Of the source; "unknown" outside of a repository.
+  std::string compiler;  ///< With its version.
+  std::string flags;     ///< That the program was built with.
+  Machine machine;
+};
+
+/// The whole report. Each figure has the command that makes it, where inputs are named without
+/// their folders.
+[[nodiscard]] nlohmann::ordered_json report_json(const ReportData& report,
+                                                 const ReportRequest& request,
+                                                 const ReportOrigin& origin);
+
+/// Every number of report_json() in a row of its own: section, subject, parameter, way, quantity,
+/// value, unit. With a heading; a value that is not known is empty. RFC 4180.
+[[nodiscard]] std::string report_csv(const ReportData& report);
 
 }  // namespace convexact
