@@ -22,6 +22,12 @@ namespace convexact {
 
 enum class StageKind { Io, Compute };
 
+/// The names of the stages that a caller may look for.
+namespace stage {
+inline constexpr const char* kHull = "hull";          ///< From points to the facets of their hull.
+inline constexpr const char* kSimplify = "simplify";  ///< The removals.
+}  // namespace stage
+
 struct Stage {
   std::string name;
   StageKind kind = StageKind::Compute;

@@ -45,7 +45,7 @@ struct SimplifyRequest {
   std::uint64_t seed = 1;               ///< Of every random order. The answer is the same.
   StoreRequest store;
   bool exact_volumes = false;  ///< As rationals too, not only their certain digits.
-  StageWatch watch = {};       ///< Reports removals as the progress of stage "simplify".
+  StageWatch watch = {};       ///< Reports removals as the progress of stage::kSimplify.
 };
 
 struct SimplifyResult {

@@ -118,8 +118,8 @@ std::optional<Sample> sample(const PointSet& points, Engine engine, const Effort
     const auto* solid = std::get_if<SimplifyResult>(&outcome);
     if (solid == nullptr) return;
     result.halfspaces = solid->input_halfspaces;
-    hull.push_back(seconds_of(solid->stages, "hull"));
-    removals.push_back(seconds_of(solid->stages, "simplify"));
+    hull.push_back(seconds_of(solid->stages, stage::kHull));
+    removals.push_back(seconds_of(solid->stages, stage::kSimplify));
   });
   if (!whole || hull.empty()) return std::nullopt;
   result.points = points.size();
@@ -182,10 +182,10 @@ std::vector<PointSet> growing_spheres(std::size_t least, std::size_t most, std::
 std::vector<ScalingSeries> measure_scaling(const std::vector<PointSet>& sets,
                                            const Effort& effort) {
   std::vector<ScalingSeries> list{
-      {.stage = "hull", .run = "hull", .counts = "points", .points = {}, .law = {}}};
+      {.stage = stage::kHull, .run = "hull", .counts = "points", .points = {}, .law = {}}};
   for (const auto& [name, engine] : kQuickestFirst) {
     ScalingSeries series{
-        .stage = "simplify", .run = name, .counts = "halfspaces", .points = {}, .law = {}};
+        .stage = stage::kSimplify, .run = name, .counts = "halfspaces", .points = {}, .law = {}};
     for (const PointSet& set : sets) {
       if (effort.progress) {
         effort.progress("size " + std::to_string(set.size()) + " by " + name);

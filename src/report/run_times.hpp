@@ -42,7 +42,7 @@ struct ScalingPoint {
 
 /// One stage of simplify(), on inputs of growing size.
 struct ScalingSeries {
-  std::string stage;   ///< "hull", "simplify".
+  std::string stage;   ///< stage::kHull or stage::kSimplify.
   std::string run;     ///< The engine: "float", "filtered", "exact"; of the hull, "hull".
   std::string counts;  ///< What `size` counts: "points" for the hull, else its "halfspaces".
   std::vector<ScalingPoint> points;  ///< Ascending by size.

@@ -47,7 +47,7 @@ SimplifyOptions options_of(const SimplifyRequest& request, std::size_t at_start)
   options.stop = request.watch.stop;
   if (request.watch.progress) {
     options.progress = [&request, at_start, faces = options.faces](std::size_t left) {
-      request.watch.progress("simplify", at_start - left, at_start - faces);
+      request.watch.progress(stage::kSimplify, at_start - left, at_start - faces);
     };
   }
   return options;
@@ -126,7 +126,7 @@ Polytope polytope_of(const FastResult& result, const FastDual& dual, Engine engi
 }
 
 Run run_lean(const FastDual& dual, const SimplifyRequest& request, StageLog& log) {
-  const FastResult result = log.run("simplify", [&] {
+  const FastResult result = log.run(stage::kSimplify, [&] {
     const SimplifyOptions options = options_of(request, dual.size());
     return request.engine == Engine::Float ? simplify_float(dual, options)
                                            : simplify_filtered(dual, options);
@@ -141,7 +141,7 @@ Run run_lean(const FastDual& dual, const SimplifyRequest& request, StageLog& log
 
 Run run_with_record(const Solid& solid, const RationalPoint& center, const SimplifyRequest& request,
                     StageLog& log) {
-  Simplification result = log.run("simplify", [&] {
+  Simplification result = log.run(stage::kSimplify, [&] {
     const SimplifyOptions options = options_of(request, solid.dual.halfspaces.size());
     return request.engine == Engine::Exact ? simplify_exact(solid.dual, center, options)
                                            : simplify_filtered(solid.dual, center, options);

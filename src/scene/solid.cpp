@@ -72,7 +72,7 @@ SolidOutcome bounded_solid(std::span<const Halfspace> halfspaces, std::uint64_t 
 
 SolidOutcome solid_of_halfspaces(std::span<const Halfspace> halfspaces, std::uint64_t seed,
                                  StageLog& log) {
-  log.skip("hull", "the input is halfspaces");
+  log.skip(stage::kHull, "the input is halfspaces");
   SolidOutcome outcome = bounded_solid(halfspaces, seed, log);
   auto* made = std::get_if<Solid>(&outcome);
   if (made == nullptr) return outcome;
@@ -87,7 +87,7 @@ SolidOutcome solid_of_halfspaces(std::span<const Halfspace> halfspaces, std::uin
 
 std::variant<Hull, NotSolid> make_hull(const PointSet& points, std::uint64_t seed, bool check,
                                        StageLog& log) {
-  HullOutcome outcome = log.run("hull", [&] {
+  HullOutcome outcome = log.run(stage::kHull, [&] {
     return convex_hull(points, HullOptions{.seed = seed, .stop = log.watch().stop});
   });
   if (const auto* flat = std::get_if<FlatInput>(&outcome)) {
