@@ -236,6 +236,7 @@ void add_generate_command(CLI::App& program, int& exit_code) {
   command.add_flag("--facets", options->facets,
                    "write the facets of the exact hull too, for programs that need a closed mesh");
   add_global_options(command, options->global);
+  command.get_option("--seed")->description("seed of the random families");
   for (const Family& family : shapes::families()) add_family(command, family, *options);
   for (const MalformedFile& file : shapes::malformed_files()) {
     add_malformed(command, file, *options);

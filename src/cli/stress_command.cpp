@@ -169,6 +169,7 @@ void add_stress_command(CLI::App& program, int& exit_code) {
   add_sweep_options(command, *options);
   add_run_options(command, *options);
   add_global_options(command, options->global);
+  command.get_option("--seed")->description("the first seed of shapes and random orders");
   command.callback([options, &exit_code] {
     exit_code = run_guarded(options->global, [&] { return run_stress(*options); });
   });
