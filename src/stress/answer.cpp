@@ -48,7 +48,7 @@ std::size_t largest_valence(const Polytope& polytope) {
 std::size_t faces_for(const Question& question, const Polytope& polytope) {
   const std::size_t size = polytope.planes.size();
   if (question.most_steps >= size) return question.faces;
-  constexpr std::size_t kShort = 140;  // what takes as long with rings of any ordinary length
+  constexpr std::size_t kShort = 140;  // for the work that does not depend on the longest ring
   if (size * (largest_valence(polytope) + kShort) <= question.most_work) return question.faces;
   return std::max(question.faces, size - question.most_steps);
 }

@@ -41,8 +41,8 @@ struct EngineAnswer {
   Trace run;
   std::vector<LeanStep> lean;  ///< Empty for the exact engine.
 
-  std::vector<Halfspace> left;                 ///< What the pipeline returns.
-  ReportedVolume input_volume, output_volume;  ///< What it says about volumes.
+  std::vector<Halfspace> left;                 ///< The result of the pipeline.
+  ReportedVolume input_volume, output_volume;  ///< The volumes that it reports.
   std::optional<StressClaim> claim;            ///< Of the float engine.
   std::vector<StoredBytes> stored;
   double seconds = 0;        ///< Of processor time: the pipeline with the exact result, not stored.

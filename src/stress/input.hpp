@@ -35,14 +35,14 @@ struct SweepOptions {
 struct StressFamily {
   std::string name;
   std::string description;  ///< One line.
-  std::string parameter;    ///< What is varied; empty if there is nothing to vary.
+  std::string parameter;    ///< The parameter that is varied; empty if there is none.
   std::vector<double> values;
   std::vector<double> large_values;  ///< Only with SweepOptions::large.
   std::function<Shape(double value, std::uint32_t points, std::uint64_t seed)> make;
 };
 
-/// Every family, in a fixed order: the families of shapes, each with a sweep over its most telling
-/// parameter, and those that only stress has.
+/// Every family, in a fixed order: the families of shapes, each with a sweep over its most
+/// significant parameter, and those that only stress has.
 [[nodiscard]] std::span<const StressFamily> stress_families();
 
 /// @throws Error InvalidArgument if there is none of that name.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// judge.hpp - whether engines told the truth about one input; nothing that they say is taken from
-// them.
+// judge.hpp - decides whether the answers of engines about one input are right, without relying on
+// any part of them.
 #pragma once
 #include <span>
 #include <string>
@@ -22,7 +22,7 @@ struct JudgeLimits {
   std::size_t steps = 200;
 };
 
-/// One run for each answer, with what is wrong with it. docs/stress.md has the list of checks.
+/// One run for each answer, with its faults. docs/stress.md has the list of checks.
 [[nodiscard]] std::vector<StressRun> judge_answers(const StressInput& input, const Shape& shape,
                                                    std::span<const EngineAnswer> answers,
                                                    const JudgeLimits& limits = {});
@@ -34,7 +34,7 @@ struct JudgeLimits {
 
 // The parts of judge_answers().
 
-/// What is judged against: the judge's own dual hull.
+/// The reference of the judge: its own dual hull.
 struct JudgedSolid {
   const DualHull& dual;
   RationalPoint center;  ///< Strictly inside.
@@ -49,17 +49,17 @@ struct JudgedSolid {
 /// The halfspaces that are left after the first `count` steps. Precondition: is_valid_order().
 [[nodiscard]] std::vector<Halfspace> left_after(const Trace& run, std::size_t count);
 
-/// Follows the removals, as far as the limits say, with whatever the answer claims of them.
+/// Follows the removals up to the limits, with all claims of the answer about them.
 [[nodiscard]] TraceVerdict follow(const JudgedSolid& solid, const EngineAnswer& answer,
                                   const JudgeLimits& limits);
 
-/// Of an engine that promises the greedy order: what is wrong with it. @param verdict  Of follow().
+/// The faults of an engine that promises the greedy order. @param verdict  Of follow().
 [[nodiscard]] std::vector<std::string> faults_of_order(const EngineAnswer& answer,
                                                        const TraceVerdict& verdict);
 
 /// By the definition: from where at most `limits.definition` halfspaces are left, each removal must
 /// be the cheapest of all, at the recorded cost, with all ties; and an end above the wanted number
-/// must have nothing bounded left to remove.
+/// must have no bounded removal left.
 [[nodiscard]] std::vector<std::string> faults_by_definition(const JudgedSolid& solid,
                                                             const EngineAnswer& answer,
                                                             const JudgeLimits& limits);
@@ -72,8 +72,8 @@ struct JudgedSolid {
                                                         const JudgeLimits& limits);
 
 /// Of the float engine: adds to the run its errors against exact costs and minima in its own
-/// states, and what is wrong. To be wrong is no fault; to be more wrong than it says it can be is
-/// one, and so is an unbounded solid. @param verdict  Of follow().
+/// states, and what is wrong. An error is no fault; an error beyond its own bound is one, and so is
+/// an unbounded solid. @param verdict  Of follow().
 void judge_float(const EngineAnswer& answer, const TraceVerdict& verdict, StressRun& run);
 
 /// How far the ends of a reported cost are from the true one at most, relative to that; rounded up,

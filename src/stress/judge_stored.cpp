@@ -13,7 +13,7 @@ bool is_of(Precision precision, const Rational& x) {
 }
 
 // Whether every number is of the precision. Planes are read as primitive integers, so only their
-// directions and offsets up to a common factor are left of the numbers: a mesh tells more.
+// directions and offsets up to a common factor are left of the numbers: a mesh contains more.
 bool is_of_precision(const Candidate& candidate, Precision precision) {
   const auto* mesh = std::get_if<Mesh>(&candidate);
   if (mesh == nullptr) return true;

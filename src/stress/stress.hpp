@@ -27,7 +27,7 @@ struct StressRequest {
   std::size_t exact_work = 3000000, exact_steps = 20;
   std::size_t most_stored = 4000;  ///< Solids of more halfspaces are not stored.
   JudgeLimits judge;
-  /// What is put to the test; replaced where the judge itself is tested.
+  /// The engines under test; replaced where the judge itself is tested.
   std::function<EngineAnswer(const Shape&, const Question&)> answer = answer_of;
   /// Called when inputs are done, with their number and the number of all.
   std::function<void(std::size_t done, std::size_t total)> progress;

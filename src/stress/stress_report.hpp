@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// stress_report.hpp - what each engine did on each hard input and what the judge found, for people
-// and for machines.
+// stress_report.hpp - the run of each engine on each hard input and the findings of the judge, for
+// people and for machines.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -54,7 +54,7 @@ struct StressStored {
   std::string why;             ///< If it does not hold: why not.
 };
 
-/// What the float engine says about its own error (FloatBound).
+/// The bounds of the float engine on its own error (FloatBound).
 struct StressClaim {
   double cost = 0;           ///< Relative error of each reported cost, at most.
   double regret = 0;         ///< Each removal costs at most (1 + regret) times the cheapest.
@@ -66,7 +66,7 @@ struct StressClaim {
 /// One engine on one input. Relative errors are rounded up to doubles; none where not judged.
 struct StressRun {
   std::string family;     ///< Of the sweep, see `convexact stress --list`.
-  std::string parameter;  ///< What is varied: "aspect", "points", "exponent", ...
+  std::string parameter;  ///< The parameter that is varied: "aspect", "points", "exponent", ...
   double value = 0;       ///< Its value.
   std::uint64_t seed = 1;
   Engine engine = Engine::Exact;
@@ -93,7 +93,7 @@ struct StressRun {
   /// Planes and mesh in binary64 and binary32, in that order; empty if there is no result. The
   /// filtered engine's run has the input's hull in the same four forms after that.
   std::vector<StressStored> stored;
-  /// What is wrong, a sentence each. Empty: passed.
+  /// The faults, a sentence each. Empty: passed.
   std::vector<std::string> faults;
 
   bool passes() const { return faults.empty(); }
