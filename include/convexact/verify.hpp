@@ -164,7 +164,7 @@ inline constexpr unsigned kRoundingUlps = 16;
 /// smallest up), so that there may be fewer. There are at most as many as facets.
 /// @par Cost  Doubles for each edge; for each that may lie inside a patch linear programs with the
 ///            patch's corners as rows.
-[[nodiscard]] std::vector<std::vector<std::uint32_t>> planar_patches(const Polytope& solid,
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> planar_patches(const Polytope& polytope,
                                                                      const Slack& slack);
 
 struct VerifyRequest {

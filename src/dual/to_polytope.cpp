@@ -50,8 +50,8 @@ Polytope to_polytope(std::span<const Halfspace> halfspaces,
       star[triangles[t][e].index()].push_back({triangles[t][(e + 1) % 3], vertex_of[t]});
     }
   }
-  Polytope solid;
-  solid.vertices = std::move(vertices);
+  Polytope polytope;
+  polytope.vertices = std::move(vertices);
   for (std::size_t i = 0; i < halfspaces.size(); ++i) {
     std::sort(star[i].begin(), star[i].end());
     std::vector<std::uint32_t> facet;
@@ -63,10 +63,10 @@ Polytope to_polytope(std::span<const Halfspace> halfspaces,
     if (facet.empty()) continue;
     if (facet.front() == facet.back()) facet.pop_back();
     std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
-    solid.facets.push_back(std::move(facet));
-    solid.planes.push_back(halfspaces[i]);
+    polytope.facets.push_back(std::move(facet));
+    polytope.planes.push_back(halfspaces[i]);
   }
-  return solid;
+  return polytope;
 }
 
 }  // namespace convexact

@@ -70,9 +70,9 @@ std::optional<Excess> find_excess(std::span<const Halfspace> halfspaces, const P
   return worst;
 }
 
-std::optional<Farthest> find_farthest(const Polytope& solid, const PointSet& points,
+std::optional<Farthest> find_farthest(const Polytope& polytope, const PointSet& points,
                                       std::span<const PointId> ids, const std::atomic<bool>* stop) {
-  const NearestPoint nearest_point(solid);
+  const NearestPoint nearest_point(polytope);
   std::optional<Farthest> farthest;
   for (const PointId id : ids) {
     if (stop != nullptr && *stop) throw Error(ErrorCode::Stopped, "interrupted");

@@ -37,7 +37,8 @@ struct Farthest {
 /// may be close to every plane and far from the solid.
 /// @throws Error Stopped when `stop` becomes true.
 /// @par Cost  NearestPoint for each of them.
-[[nodiscard]] std::optional<Farthest> find_farthest(const Polytope& solid, const PointSet& points,
+[[nodiscard]] std::optional<Farthest> find_farthest(const Polytope& polytope,
+                                                    const PointSet& points,
                                                     std::span<const PointId> ids,
                                                     const std::atomic<bool>* stop = nullptr);
 

@@ -17,9 +17,9 @@ using Corners = std::span<const Corner>;
 /// Decides in doubles which pairs of neighbouring facets can never be in one patch.
 class HardEdges {
  public:
-  HardEdges(const Polytope& solid, std::span<const RationalVector3> slack) {
+  HardEdges(const Polytope& polytope, std::span<const RationalVector3> slack) {
     Rational largest = 0;
-    for (const RationalPoint& v : solid.vertices) {
+    for (const RationalPoint& v : polytope.vertices) {
       for (const Rational& x : v) largest = std::max<Rational>(largest, abs(x));
     }
     // By a power of two into [-1, 1], where products do not overflow.
@@ -31,7 +31,7 @@ class HardEdges {
       Point& p = points_.emplace_back();
       Point& u = errors_.emplace_back();
       for (int k = 0; k < 3; ++k) {
-        p[k] = scaled(solid.vertices[v][k]);
+        p[k] = scaled(polytope.vertices[v][k]);
         u[k] = scaled(slack[v][k]) + kUnit * std::abs(p[k]) + kTiny;
       }
     }

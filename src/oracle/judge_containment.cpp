@@ -79,12 +79,12 @@ void confirm(bool is_outside, const Input& input, const Candidate& candidate,
 // By the projection theorem: q belongs to the solid, and none of its vertices lies on x's side of
 // the plane through q perpendicular to x - q.
 // @throws Error Internal if q is not the nearest point.
-void confirm_nearest(const RationalPoint& q, const RationalPoint& x, const Polytope& solid) {
+void confirm_nearest(const RationalPoint& q, const RationalPoint& x, const Polytope& polytope) {
   const RationalVector3 away = x - q;
   const Rational at_q = away.dot(q);
-  const bool is_inside = std::all_of(solid.planes.begin(), solid.planes.end(),
+  const bool is_inside = std::all_of(polytope.planes.begin(), polytope.planes.end(),
                                      [&](const Halfspace& plane) { return plane(q) <= 0; });
-  const bool is_nearest = std::all_of(solid.vertices.begin(), solid.vertices.end(),
+  const bool is_nearest = std::all_of(polytope.vertices.begin(), polytope.vertices.end(),
                                       [&](const RationalPoint& v) { return away.dot(v) <= at_q; });
   if (!is_inside || !is_nearest) {
     throw Error(ErrorCode::Internal, "a point of a solid is not the nearest one");
@@ -146,18 +146,18 @@ void find_solid(const Candidate& candidate, CandidateSet& set, const Docket& doc
   StageLog within(StageWatch{.stop = log.watch().stop});
   auto outcome = log.run("candidate's vertices",
                          [&] { return make_polytope(set.planes, docket.request.seed, within); });
-  if (auto* solid = std::get_if<Polytope>(&outcome)) set.polytope = std::move(*solid);
+  if (auto* polytope = std::get_if<Polytope>(&outcome)) set.polytope = std::move(*polytope);
 }
 
 // The distance to a convex set is a convex function: of the input it is largest at a corner.
-Farthest farthest_of(const std::vector<PointId>& outside, const Input& input, const Polytope& solid,
-                     StopFlag stop) {
+Farthest farthest_of(const std::vector<PointId>& outside, const Input& input,
+                     const Polytope& polytope, StopFlag stop) {
   std::vector<PointId> corners;
   std::copy_if(input.extreme.begin(), input.extreme.end(), std::back_inserter(corners),
                [&](PointId p) { return std::binary_search(outside.begin(), outside.end(), p); });
-  std::optional<Farthest> farthest = find_farthest(solid, input.points, corners, stop);
+  std::optional<Farthest> farthest = find_farthest(polytope, input.points, corners, stop);
   if (!farthest) throw Error(ErrorCode::Internal, "points are outside, but no corner is");
-  confirm_nearest(farthest->nearest, input.points[farthest->point], solid);
+  confirm_nearest(farthest->nearest, input.points[farthest->point], polytope);
   return std::move(*farthest);
 }
 

@@ -68,11 +68,11 @@ void judge_no_solid(const NotSolid& reason, Docket& docket) {
   docket.not_applicable(CandidateBounded, "there is no solid");
 }
 
-void measure_size(const Polytope& solid, CandidateSize& size) {
-  size.facets = solid.planes.size();
-  size.vertices = solid.vertices.size();
+void measure_size(const Polytope& polytope, CandidateSize& size) {
+  size.facets = polytope.planes.size();
+  size.vertices = polytope.vertices.size();
   size.most_facet_vertices = 0;
-  for (const auto& facet : solid.facets) {
+  for (const auto& facet : polytope.facets) {
     size.most_facet_vertices = std::max(*size.most_facet_vertices, facet.size());
   }
 }
@@ -187,11 +187,11 @@ namespace {
 // explains, whatever program did it.
 class PlanesOfTheInput {
  public:
-  PlanesOfTheInput(const Polytope& solid, Precision precision, std::span<const Halfspace> planes)
-      : solid_(solid), planes_(planes.begin(), planes.end()) {
+  PlanesOfTheInput(const Polytope& polytope, Precision precision, std::span<const Halfspace> planes)
+      : polytope_(polytope), planes_(planes.begin(), planes.end()) {
     std::sort(planes_.begin(), planes_.end());
     std::vector<Point> points;
-    for (const RationalPoint& v : solid.vertices) {
+    for (const RationalPoint& v : polytope.vertices) {
       Point& p = points.emplace_back();
       for (int k = 0; k < 3; ++k) {
         p[k] = to_double(v[k], Rounding::Nearest);
@@ -205,11 +205,11 @@ class PlanesOfTheInput {
 
   bool have(const std::vector<std::uint32_t>& patch) const {
     const auto is_exact = [&](std::uint32_t f) {
-      return std::binary_search(planes_.begin(), planes_.end(), solid_.planes[f]);
+      return std::binary_search(planes_.begin(), planes_.end(), polytope_.planes[f]);
     };
     if (std::any_of(patch.begin(), patch.end(), is_exact)) return true;
     for (std::size_t i = 0; i < planes_.size(); ++i) {
-      if (may_be_near(i, solid_.facets[patch[0]][0]) && is_near(i, patch)) return true;
+      if (may_be_near(i, polytope_.facets[patch[0]][0]) && is_near(i, patch)) return true;
     }
     return false;
   }
@@ -226,13 +226,13 @@ class PlanesOfTheInput {
     Rational limit = 0;
     for (const Integer& n : h.normal()) limit += Rational(abs(n)) * slack_;
     return std::all_of(patch.begin(), patch.end(), [&](std::uint32_t f) {
-      const auto& corners = solid_.facets[f];
+      const auto& corners = polytope_.facets[f];
       return std::all_of(corners.begin(), corners.end(),
-                         [&](std::uint32_t v) { return abs(h(solid_.vertices[v])) <= limit; });
+                         [&](std::uint32_t v) { return abs(h(polytope_.vertices[v])) <= limit; });
     });
   }
 
-  const Polytope& solid_;
+  const Polytope& polytope_;
   std::vector<Halfspace> planes_;
   Rational slack_ = 0;
   std::optional<stored::Coordinates> vertices_;
@@ -242,11 +242,11 @@ class PlanesOfTheInput {
 }  // namespace
 
 void count_planes_of_the_input(const Input& input, const CandidateSet& set, Docket& docket) {
-  const Polytope& solid = *set.polytope;
-  const PlanesOfTheInput planes(solid, docket.verdict.size.slack.precision, input.hull.planes);
+  const Polytope& polytope = *set.polytope;
+  const PlanesOfTheInput planes(polytope, docket.verdict.size.slack.precision, input.hull.planes);
   std::vector<std::vector<std::uint32_t>> patches = set.patches;
   if (patches.empty()) {  // halfspaces: each facet is one
-    for (std::uint32_t f = 0; f < solid.facets.size(); ++f) patches.push_back({f});
+    for (std::uint32_t f = 0; f < polytope.facets.size(); ++f) patches.push_back({f});
   }
   docket.verdict.size.planes_of_the_input = static_cast<std::size_t>(
       std::count_if(patches.begin(), patches.end(), [&](const auto& p) { return planes.have(p); }));

@@ -23,10 +23,10 @@ using Facet = std::uint32_t;
 constexpr int kThinnest = 1024;  // of a solid whose facets are merged, in units of its slack
 
 // For each vertex u for each of its coordinates.
-std::vector<RationalVector3> slack_of(const Polytope& solid, const Slack& slack) {
+std::vector<RationalVector3> slack_of(const Polytope& polytope, const Slack& slack) {
   std::vector<RationalVector3> result;
   Rational largest = 0;
-  for (const RationalPoint& v : solid.vertices) {
+  for (const RationalPoint& v : polytope.vertices) {
     RationalVector3& u = result.emplace_back();
     for (int k = 0; k < 3; ++k) {
       largest = std::max<Rational>(largest, abs(v[k]));
@@ -52,12 +52,12 @@ Rational reach(const RationalVector3& normal, const RationalVector3& slack) {
 
 class PatchSearch {
  public:
-  PatchSearch(const Polytope& solid, const Slack& slack)
-      : solid_(solid),
-        slack_(slack_of(solid, slack)),
-        around_(solid.vertices.size()),
-        member_of_(solid.vertices.size()),
-        refused_by_(solid.facets.size()) {
+  PatchSearch(const Polytope& polytope, const Slack& slack)
+      : polytope_(polytope),
+        slack_(slack_of(polytope, slack)),
+        around_(polytope.vertices.size()),
+        member_of_(polytope.vertices.size()),
+        refused_by_(polytope.facets.size()) {
     find_soft_edges();
   }
 
@@ -84,7 +84,7 @@ class PatchSearch {
   std::size_t patches_at(Corner corner) const;
   bool keeps_corners(Facet facet) const;
 
-  const Polytope& solid_;
+  const Polytope& polytope_;
   std::vector<RationalVector3> slack_;
   std::vector<std::vector<Facet>> soft_;    // neighbours that may be in the same patch
   std::vector<std::vector<Facet>> around_;  // by corner, its facets
@@ -102,15 +102,15 @@ class PatchSearch {
 };
 
 void PatchSearch::find_soft_edges() {
-  const HardEdges hard(solid_, slack_);
+  const HardEdges hard(polytope_, slack_);
   struct Edge {
     Corner low, high, before;  // `before` precedes the edge on the facet
     Facet facet;
   };
   std::vector<Edge> edges;
   std::vector<double> areas;
-  for (Facet f = 0; f < solid_.facets.size(); ++f) {
-    const auto& c = solid_.facets[f];
+  for (Facet f = 0; f < polytope_.facets.size(); ++f) {
+    const auto& c = polytope_.facets[f];
     areas.push_back(hard.squared_area(c));
     for (std::size_t k = 0, n = c.size(); k < n; ++k) {
       const auto [low, high] = std::minmax(c[(k + 1) % n], c[(k + 2) % n]);
@@ -121,7 +121,7 @@ void PatchSearch::find_soft_edges() {
   std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
     return std::tie(a.low, a.high, a.facet) < std::tie(b.low, b.high, b.facet);
   });
-  soft_.resize(solid_.facets.size());
+  soft_.resize(polytope_.facets.size());
   for (std::size_t e = 0; e + 1 < edges.size(); e += 2) {
     const Edge &a = edges[e], &b = edges[e + 1];
     if (hard.separates(a.low, a.high, a.before, b.before)) continue;
@@ -136,8 +136,8 @@ void PatchSearch::find_soft_edges() {
 
 // Whether all corners of the facet are near the plane.
 bool PatchSearch::fits(Facet facet) const {
-  return std::all_of(solid_.facets[facet].begin(), solid_.facets[facet].end(), [&](Corner c) {
-    const Rational value = plane_.normal.dot(solid_.vertices[c]) + plane_.offset;
+  return std::all_of(polytope_.facets[facet].begin(), polytope_.facets[facet].end(), [&](Corner c) {
+    const Rational value = plane_.normal.dot(polytope_.vertices[c]) + plane_.offset;
     return abs(value) <= reach(plane_.normal, slack_[c]);
   });
 }
@@ -145,7 +145,7 @@ bool PatchSearch::fits(Facet facet) const {
 std::vector<std::vector<Facet>> PatchSearch::find(const std::vector<Facet>& order) {
   patch_count_ = 0;
   is_thin_.clear();
-  patch_of_.assign(solid_.facets.size(), kNone);
+  patch_of_.assign(polytope_.facets.size(), kNone);
   std::fill(member_of_.begin(), member_of_.end(), kNone);
   std::fill(refused_by_.begin(), refused_by_.end(), kNone);
   for (const Facet seed : order) {
@@ -168,10 +168,10 @@ std::vector<std::vector<Facet>> PatchSearch::find(const std::vector<Facet>& orde
 }
 
 void PatchSearch::grow(Facet seed) {
-  const Halfspace& plane = solid_.planes[seed];
+  const Halfspace& plane = polytope_.planes[seed];
   plane_ = {plane.normal().cast<Rational>(), Rational(plane.offset())};
   corners_.clear();
-  const auto& c = solid_.facets[seed];
+  const auto& c = polytope_.facets[seed];
   decisive_ = {c[0], c[c.size() / 3], c[2 * c.size() / 3]};
   ++patch_count_;
   is_thin_.push_back(false);
@@ -195,7 +195,7 @@ void PatchSearch::grow(Facet seed) {
       refused_by_[facet] = patch_count_ - 1;  // for good: more corners leave fewer planes
     }
   }
-  const bool is_merged = corners_.size() > solid_.facets[seed].size();
+  const bool is_merged = corners_.size() > polytope_.facets[seed].size();
   is_thin_.back() = is_merged && is_thin_along_plane();
 }
 
@@ -204,7 +204,7 @@ void PatchSearch::grow(Facet seed) {
 bool PatchSearch::may_join(Facet facet) const {
   if (patch_of_[facet] != kNone || refused_by_[facet] == patch_count_ - 1) return false;
   if (!is_thin_.back()) return true;
-  const auto& corners = solid_.facets[facet];
+  const auto& corners = polytope_.facets[facet];
   return std::all_of(corners.begin(), corners.end(), [&](Corner c) {
     return patches_at(c) > (member_of_[c] == patch_count_ - 1 ? 3u : 2u);
   });
@@ -212,7 +212,7 @@ bool PatchSearch::may_join(Facet facet) const {
 
 void PatchSearch::accept(Facet facet) {
   patch_of_[facet] = patch_count_ - 1;
-  for (const Corner c : solid_.facets[facet]) {
+  for (const Corner c : polytope_.facets[facet]) {
     if (std::exchange(member_of_[c], patch_count_ - 1) != patch_count_ - 1) corners_.push_back(c);
   }
   fresh_.insert(fresh_.end(), soft_[facet].begin(), soft_[facet].end());
@@ -235,7 +235,7 @@ std::size_t PatchSearch::patches_at(Corner corner) const {
 
 // Whether three patches meet in each corner of the facet.
 bool PatchSearch::keeps_corners(Facet facet) const {
-  const auto& corners = solid_.facets[facet];
+  const auto& corners = polytope_.facets[facet];
   return std::all_of(corners.begin(), corners.end(), [&](Corner c) { return patches_at(c) >= 3; });
 }
 
@@ -244,13 +244,13 @@ bool PatchSearch::keeps_corners(Facet facet) const {
 // that is best for these is near all, or there is none.
 bool PatchSearch::tilt_to(Facet facet) {
   std::vector<Corner> all = corners_;
-  all.insert(all.end(), solid_.facets[facet].begin(), solid_.facets[facet].end());
+  all.insert(all.end(), polytope_.facets[facet].begin(), polytope_.facets[facet].end());
   std::vector<Corner> decisive = decisive_;
   for (Plane plane = plane_;;) {
     Rational worst = 0;
     std::optional<Corner> added;
     for (const Corner c : all) {
-      const Rational value = plane.normal.dot(solid_.vertices[c]) + plane.offset;
+      const Rational value = plane.normal.dot(polytope_.vertices[c]) + plane.offset;
       Rational excess = abs(value) - reach(plane.normal, slack_[c]);
       if (excess <= worst) continue;
       worst = std::move(excess);
@@ -291,13 +291,13 @@ std::optional<Plane> PatchSearch::plane_near(Corners all) const {
 std::optional<Plane> PatchSearch::plane_near(Corners all, int axis, int first_sign,
                                              int second_sign) const {
   const int first = (axis + 1) % 3, second = (axis + 2) % 3;
-  const RationalPoint& origin = solid_.vertices[all[0]];
+  const RationalPoint& origin = polytope_.vertices[all[0]];
   LinearProgram lp;
   lp.normals.resize(2 * static_cast<Eigen::Index>(all.size()) + 4, 4);
   lp.offsets.resize(lp.normals.rows());
   Eigen::Index row = 0;
   for (const Corner c : all) {
-    const RationalVector3 p = solid_.vertices[c] - origin;
+    const RationalVector3 p = polytope_.vertices[c] - origin;
     const RationalVector3& u = slack_[c];
     for (const int side : {1, -1}) {
       lp.normals.row(row) << side * p[first] - first_sign * u[first],
@@ -332,7 +332,7 @@ bool PatchSearch::is_thin_along_plane() const {
   Rational slack = 0;
   for (const Corner c : corners_) slack = std::max(slack, reach(plane_.normal, slack_[c]));
   std::optional<Rational> least, most;
-  for (const RationalPoint& v : solid_.vertices) {
+  for (const RationalPoint& v : polytope_.vertices) {
     const Rational value = plane_.normal.dot(v);
     if (!least || value < *least) least = value;
     if (!most || value > *most) most = value;
@@ -376,8 +376,9 @@ Rational unit_in_last_place(Precision precision, const Rational& x) {
       std::ldexp(1.0, std::max(std::ilogb(near) + 1 - significand_bits(precision), least)));
 }
 
-std::vector<std::vector<std::uint32_t>> planar_patches(const Polytope& solid, const Slack& slack) {
-  PatchSearch search(solid, slack);
+std::vector<std::vector<std::uint32_t>> planar_patches(const Polytope& polytope,
+                                                       const Slack& slack) {
+  PatchSearch search(polytope, slack);
   auto patches = search.from_largest();
   if (!search.has_thin_patch()) return patches;
   auto others = search.from_smallest();

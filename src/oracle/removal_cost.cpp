@@ -17,24 +17,24 @@ Rational determinant(const RationalVector3& a, const RationalVector3& b, const R
 }
 
 // The pyramid from the center over a facet.
-Rational cone(const Polytope& solid, std::size_t facet, const RationalPoint& center) {
-  const std::vector<std::uint32_t>& corners = solid.facets[facet];
-  const RationalVector3 first = solid.vertices[corners[0]] - center;
+Rational cone(const Polytope& polytope, std::size_t facet, const RationalPoint& center) {
+  const std::vector<std::uint32_t>& corners = polytope.facets[facet];
+  const RationalVector3 first = polytope.vertices[corners[0]] - center;
   Rational six_times = 0;
   for (std::size_t k = 2; k < corners.size(); ++k) {
-    const RationalVector3 second = solid.vertices[corners[k - 1]] - center;
-    const RationalVector3 third = solid.vertices[corners[k]] - center;
+    const RationalVector3 second = polytope.vertices[corners[k - 1]] - center;
+    const RationalVector3 third = polytope.vertices[corners[k]] - center;
     six_times += determinant(first, second, third);
   }
   return six_times / 6;
 }
 
-std::size_t facet_on(const Polytope& solid, const Halfspace& plane) {
-  const auto found = std::find(solid.planes.begin(), solid.planes.end(), plane);
-  if (found == solid.planes.end()) {
+std::size_t facet_on(const Polytope& polytope, const Halfspace& plane) {
+  const auto found = std::find(polytope.planes.begin(), polytope.planes.end(), plane);
+  if (found == polytope.planes.end()) {
     throw Error(ErrorCode::InvalidArgument, "the halfspace to remove bounds no facet");
   }
-  return static_cast<std::size_t>(found - solid.planes.begin());
+  return static_cast<std::size_t>(found - polytope.planes.begin());
 }
 
 // The largest |P|.|x| over the planes and the box of a cap: what `removed` cuts off from `after`.
@@ -84,23 +84,23 @@ std::optional<Polytope> intersect(std::span<const Halfspace> halfspaces,
 
 RemovalOracle::RemovalOracle(std::vector<Halfspace> halfspaces, const RationalPoint& center)
     : halfspaces_(std::move(halfspaces)), center_(center) {
-  std::optional<Polytope> solid = intersect(halfspaces_, center_);
-  if (!solid) throw Error(ErrorCode::InvalidArgument, "the solid is unbounded");
-  solid_ = std::move(*solid);
-  volume_ = volume(solid_);
+  std::optional<Polytope> polytope = intersect(halfspaces_, center_);
+  if (!polytope) throw Error(ErrorCode::InvalidArgument, "the solid is unbounded");
+  polytope_ = std::move(*polytope);
+  volume_ = volume(polytope_);
 }
 
 RemovalCost RemovalOracle::without(const Halfspace& removed) const {
-  const std::size_t facet = facet_on(solid_, removed);
+  const std::size_t facet = facet_on(polytope_, removed);
   std::vector<Halfspace> rest;
   std::copy_if(halfspaces_.begin(), halfspaces_.end(), std::back_inserter(rest),
                [&](const Halfspace& h) { return h != removed; });
   const std::optional<Polytope> after = intersect(rest, center_);
   if (!after) return {std::nullopt, 0};
   const Rational cost = volume(*after) - volume_;
-  const Rational reach = 2 * cone(solid_, facet, center_) + cost;
+  const Rational reach = 2 * cone(polytope_, facet, center_) + cost;
   const Rational share =
-      to_rational(kPlaneRounding) * spread(*after, removed, solid_, facet, center_);
+      to_rational(kPlaneRounding) * spread(*after, removed, polytope_, facet, center_);
   if (share >= 1) return {cost, std::nullopt};
   return {cost, Rational(3 * share * reach)};
 }

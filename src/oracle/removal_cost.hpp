@@ -50,7 +50,7 @@ class RemovalOracle {
  private:
   std::vector<Halfspace> halfspaces_;
   RationalPoint center_;
-  Polytope solid_;
+  Polytope polytope_;
   Rational volume_;
 };
 

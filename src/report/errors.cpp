@@ -99,12 +99,12 @@ ErrorSize worst_coordinate(const RoundedDual& rounded, std::size_t halfspaces) {
   return worst;
 }
 
-ErrorSize worst_outside(const RoundedDual& rounded, const DualHull& solid,
+ErrorSize worst_outside(const RoundedDual& rounded, const DualHull& dual,
                         const RationalPoint& center) {
-  const ScaledVertices vertices(solid.vertices, center);
-  const Rational squared_diameter = bounding_box(solid.vertices).squared_diameter();
+  const ScaledVertices vertices(dual.vertices, center);
+  const Rational squared_diameter = bounding_box(dual.vertices).squared_diameter();
   ErrorSize worst;
-  for (std::size_t i = 0; i < solid.halfspaces.size(); ++i) {
+  for (std::size_t i = 0; i < dual.halfspaces.size(); ++i) {
     const RationalVector3 p = rounded.point(HalfspaceId(i));
     const Rational beyond = vertices.support(p) - 1;
     if (beyond <= 0) continue;

@@ -13,10 +13,10 @@ constexpr long kPrecision = 128;
 
 }  // namespace
 
-GrowthLimit::GrowthLimit(Polytope solid, Rational max_growth)
-    : solid_(std::move(solid)),
+GrowthLimit::GrowthLimit(Polytope polytope, Rational max_growth)
+    : polytope_(std::move(polytope)),
       max_growth_(std::move(max_growth)),
-      allowance_(Enclosure(max_growth_, kPrecision) * enclose_volume(solid_, kPrecision)),
+      allowance_(Enclosure(max_growth_, kPrecision) * enclose_volume(polytope_, kPrecision)),
       spent_(kPrecision) {
   if (max_growth_ < 0) {
     throw Error(ErrorCode::InvalidArgument, "the growth of the volume cannot be limited below 0");
@@ -28,7 +28,7 @@ bool GrowthLimit::allows(const Rational& cost) {
   const Enclosure spent = spent_ + Enclosure(cost, kPrecision);
   std::optional<Sign> slack = (allowance_ - spent).sign();
   if (!slack) {
-    if (!exact_allowance_) exact_allowance_ = max_growth_ * volume(solid_);
+    if (!exact_allowance_) exact_allowance_ = max_growth_ * volume(polytope_);
     slack = sign_of(Rational(*exact_allowance_ - balanced_sum(costs_)));
   }
   if (*slack == Sign::Negative) {

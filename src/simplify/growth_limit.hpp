@@ -12,17 +12,17 @@ namespace convexact {
 /// Decides V <= (1 + g) V0, where V is V0 plus the costs of the steps so far.
 class GrowthLimit {
  public:
-  /// @param solid       The input, of volume V0.
+  /// @param polytope    The input, of volume V0.
   /// @param max_growth  g >= 0.
   /// @throws Error      InvalidArgument if g < 0.
-  GrowthLimit(Polytope solid, Rational max_growth);
+  GrowthLimit(Polytope polytope, Rational max_growth);
 
   /// Whether a further step of this cost stays within the limit; if so, it counts from now on.
   /// @par Cost  Constant while enclosures decide; an exact sum of all costs where they do not.
   [[nodiscard]] bool allows(const Rational& cost);
 
  private:
-  Polytope solid_;
+  Polytope polytope_;
   Rational max_growth_;
   Enclosure allowance_;  // g V0
   Enclosure spent_;      // the costs so far

@@ -25,13 +25,13 @@ std::size_t final_pass(std::span<const Halfspace> halfspaces, const PointSet& in
   return violations;
 }
 
-Growth checked_growth(const Polytope& exact, const Polytope& solid, const PointSet& input,
+Growth checked_growth(const Polytope& exact, const Polytope& polytope, const PointSet& input,
                       std::span<const PointId> witnesses, Precision precision) {
   std::vector<Halfspace> both = exact.planes;
-  both.insert(both.end(), solid.planes.begin(), solid.planes.end());
+  both.insert(both.end(), polytope.planes.begin(), polytope.planes.end());
   const RationalPoint center = interior_point(input, witnesses, both);
   const Rational squared = bounding_box(input).squared_diameter();
-  const Growth result = growth(exact, solid, center, squared);
+  const Growth result = growth(exact, polytope, center, squared);
   const char* const too_far = "rounded, it lies farther from the exact one than that one is long";
   if (!std::isfinite(result.push)) refuse(precision, too_far);
   const Rational push = to_rational(result.push);

@@ -21,7 +21,7 @@ namespace convexact::stored {
 
 /// growth() about an interior point.
 /// @throws Error Unrepresentable if the solids are farther apart than the exact one is long.
-[[nodiscard]] Growth checked_growth(const Polytope& exact, const Polytope& solid,
+[[nodiscard]] Growth checked_growth(const Polytope& exact, const Polytope& polytope,
                                     const PointSet& input, std::span<const PointId> witnesses,
                                     Precision precision);
 

@@ -44,9 +44,9 @@ struct CenteredSolid {
   std::vector<RationalVector3> vertices;  // minus the center
   std::vector<RationalVector3> polars;  // n / w, w = -(n.center + d) > 0: the solid is polar.x <= 1
 
-  CenteredSolid(const Polytope& solid, const RationalPoint& center) {
-    for (const RationalPoint& v : solid.vertices) vertices.push_back(v - center);
-    for (const Halfspace& h : solid.planes) {
+  CenteredSolid(const Polytope& polytope, const RationalPoint& center) {
+    for (const RationalPoint& v : polytope.vertices) vertices.push_back(v - center);
+    for (const Halfspace& h : polytope.planes) {
       const Rational w = -h(center);
       if (w <= 0) throw Error(ErrorCode::InvalidArgument, "the center is not inside the solid");
       polars.push_back(h.normal().cast<Rational>() / w);

@@ -85,8 +85,8 @@ StoredMesh store_mesh(const Polytope& exact, const PointSet& input,
   stored.factor = rung.factor;
   stored.mesh = to_mesh(rung);
   stored.violations = stored::final_pass(rung.halfspaces, input);
-  const Polytope solid = to_polytope(rung.hull, rung.points);
-  stored.growth = stored::checked_growth(exact, solid, input, witnesses, precision);
+  const Polytope polytope = to_polytope(rung.hull, rung.points);
+  stored.growth = stored::checked_growth(exact, polytope, input, witnesses, precision);
   return stored;
 }
 

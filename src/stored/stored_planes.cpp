@@ -96,8 +96,8 @@ StoredPlanes store_planes(const Polytope& exact, const PointSet& input,
   }
   stored.violations = stored::final_pass(stored.halfspaces, input);
   if (stored.halfspaces != exact.planes) {
-    const Polytope solid = solid_of(stored.halfspaces, input, witnesses);
-    stored.growth = stored::checked_growth(exact, solid, input, witnesses, precision);
+    const Polytope polytope = solid_of(stored.halfspaces, input, witnesses);
+    stored.growth = stored::checked_growth(exact, polytope, input, witnesses, precision);
   }
   return stored;
 }
