@@ -22,7 +22,7 @@ RationalPoint mean_of_vertices(const DualHull& solid) {
 }
 
 // Rings and triangles may differ where planes share a point.
-void check_same_steps(const Trace& exact, const Trace& filtered) {
+void check_same_steps(const Run& exact, const Run& filtered) {
   FUZZ_CHECK(exact.halfspaces == filtered.halfspaces);
   FUZZ_CHECK(exact.stop == filtered.stop);
   FUZZ_CHECK(exact.steps.size() == filtered.steps.size());
@@ -35,14 +35,14 @@ void check_same_steps(const Trace& exact, const Trace& filtered) {
 }
 
 // The run that is not written down: costs are enclosed, ties only counted.
-void check_same_removals(const Trace& exact, const FastDual& dual, const FastResult& lean) {
+void check_same_removals(const Run& exact, const FastDual& dual, const FastResult& lean) {
   FUZZ_CHECK(exact.stop == lean.stop);
   FUZZ_CHECK(exact.steps.size() == lean.steps.size());
   for (std::size_t s = 0; s < exact.steps.size(); ++s) {
     const Step& step = exact.steps[s];
     FUZZ_CHECK(dual.exact(lean.steps[s].removed) == exact.halfspaces[step.removed.index()]);
     FUZZ_CHECK(lean.steps[s].tied == step.tie.size());
-    const Rational cost = scale_by_power_of_two(step.cost, -dual.volume_exponent());
+    const Rational cost = scale_by_power_of_two(step.cost->rational(), -dual.volume_exponent());
     FUZZ_CHECK(to_rational(lean.steps[s].cost_lower) <= cost);
     const double upper = lean.steps[s].cost_upper;
     FUZZ_CHECK(std::isinf(upper) || cost <= to_rational(upper));
@@ -92,8 +92,8 @@ void hold(FuzzInput& in) {
 
   const DualHull solid = dual_of(*hull, points);
   const RationalPoint center = mean_of_vertices(solid);
-  const Trace exact = simplify_exact(solid, center, options).trace;
-  check_same_steps(exact, simplify_filtered(solid, center, options).trace);
+  const Run exact = simplify_exact(solid, center, options);
+  check_same_steps(exact, simplify_filtered(solid, center, options));
   const FastDual dual = FastDual::of(*hull, points);
   check_same_removals(exact, dual, simplify_filtered(dual, options));
   check_bounded(dual, simplify_float(dual, options));

@@ -49,7 +49,8 @@ std::string some_proof(FuzzInput& in) {
   const SimplifyOutcome outcome = simplify(shape_of(in), request);
   const auto* result = std::get_if<SimplifyResult>(&outcome);
   if (result == nullptr) return "";
-  return write_proof(result->record.value(), result->solid.points, result->solid.planes);
+  return write_proof(result->start.value(), result->run.value(), result->solid.points,
+                     result->solid.planes);
 }
 
 constexpr const char* kWords[] = {"0",    "1",     "2",     "-1",       "1/2",         "0/0",

@@ -77,7 +77,8 @@ class OrderMaker {
   }
   void rate(HalfspaceId removed, const definition::Cheapest& best,
             const std::optional<Rational>& cost);
-  StepClaim claims(const definition::Cheapest& best, const std::optional<Rational>& cost);
+  void add_claims(const definition::Cheapest& best, const std::optional<Rational>& cost,
+                  OrderedStep& ordered);
 
   Expected expected_;
   const Rational limit_;
@@ -92,7 +93,7 @@ bool OrderMaker::step() {
       definition::cheapest_removals(expected_.arrangement, expected_.left);
   std::size_t facet = in_.below(count_ + 2);
   if (in_.below(2) == 0 && !best.tie.empty()) facet = best.tie[facet % best.tie.size()].index();
-  order_.removals.push_back({order_.removals.size() + 1, "a facet", facet, {}});
+  order_.steps.push_back({order_.steps.size() + 1, "a facet", {HalfspaceId(facet)}});
   if (facet == count_) return name_nothing("trace-plane-unknown");
   if (facet > count_) return name_nothing("trace-id-out-of-range");
   if (!expected_.has(facet)) return name_nothing("trace-removed-twice");
@@ -102,7 +103,7 @@ bool OrderMaker::step() {
   const std::optional<Rational> after = expected_.arrangement.volume(expected_.left);
   const auto cost = after ? std::optional<Rational>(*after - before) : std::nullopt;
   rate(HalfspaceId(facet), best, cost);
-  order_.removals.back().claim = claims(best, cost);
+  add_claims(best, cost, order_.steps.back());
   expected_.costs.push_back(cost);
   expected_.cheapest.push_back(best);
   return cost.has_value();
@@ -125,30 +126,27 @@ void OrderMaker::rate(HalfspaceId removed, const definition::Cheapest& best,
 }
 
 // Of each kind none, the right one or another.
-StepClaim OrderMaker::claims(const definition::Cheapest& best,
-                             const std::optional<Rational>& cost) {
-  StepClaim claim;
+void OrderMaker::add_claims(const definition::Cheapest& best, const std::optional<Rational>& cost,
+                            OrderedStep& ordered) {
+  Step& claim = ordered.step;
   if (const std::size_t kind = in_.below(4); kind < 2) {
     claim.cost = kind == 0 && cost ? *cost : Rational(in_.below(8)) / 6;
-    expected_.ask("trace-cost", cost && *claim.cost == *cost);
+    expected_.ask("trace-cost", claim.cost == cost);
   }
   if (const std::size_t kind = in_.below(4); kind < 2) {
-    claim.tie.emplace();
-    for (const HalfspaceId id : best.tie) claim.tie->push_back(id.value);
-    std::reverse(claim.tie->begin(), claim.tie->end());
-    if (kind == 1) claim.tie->push_back(in_.below(count_ + 2));
-    std::vector<ListedFacet> sorted = *claim.tie;
+    ordered.claims_tie = true;
+    claim.tie.assign(best.tie.rbegin(), best.tie.rend());
+    if (kind == 1) claim.tie.emplace_back(in_.below(count_ + 2));
+    std::vector<HalfspaceId> sorted = claim.tie;
     std::sort(sorted.begin(), sorted.end());
-    expected_.ask("trace-ties",
-                  std::equal(sorted.begin(), sorted.end(), best.tie.begin(), best.tie.end(),
-                             [](ListedFacet a, HalfspaceId b) { return a == b.value; }));
+    expected_.ask("trace-ties", sorted == best.tie);
   }
   if (const std::size_t kind = in_.below(4); kind < 2) {
+    ordered.claims_left = true;
     const std::size_t left = count_ - expected_.costs.size() - 1;
     claim.left = kind == 0 ? left : in_.below(16);
-    expected_.ask("trace-left", *claim.left == left);
+    expected_.ask("trace-left", claim.left == left);
   }
-  return claim;
 }
 
 void check_steps(const TraceVerdict& verdict, const Expected& expected) {
@@ -161,7 +159,8 @@ void check_steps(const TraceVerdict& verdict, const Expected& expected) {
     FUZZ_CHECK(step.tie == expected.cheapest[s].tie);
     FUZZ_CHECK(step.regret.has_value() == step.cost.has_value());
     if (!step.regret) continue;
-    FUZZ_CHECK(*step.regret * *step.minimum == *step.cost - *step.minimum);
+    const Rational &paid = step.cost->rational(), &least = step.minimum->rational();
+    FUZZ_CHECK(*step.regret * least == paid - least);
     const bool is_worse = worst && *step.regret > *verdict.steps[*worst].regret;
     if (*step.regret > 0 && (!worst || is_worse)) worst = s;
   }
@@ -175,9 +174,9 @@ void check_left_out(const DualHull& solid, const RationalPoint& center, const Re
   if (!verdict.never_removed) return;
   const LeftOut& left_out = *verdict.never_removed;
   FUZZ_CHECK(!left_out.facets.empty() && left_out.steps > 0 && !verdict.holds());
-  for (const OrderedRemoval& removal : order.removals) {
-    FUZZ_CHECK(!std::binary_search(left_out.facets.begin(), left_out.facets.end(),
-                                   HalfspaceId(removal.facet)));
+  for (const OrderedStep& removal : order.steps) {
+    FUZZ_CHECK(
+        !std::binary_search(left_out.facets.begin(), left_out.facets.end(), removal.step.removed));
   }
   options.left_out = left_out.facets;
   const TraceVerdict without = judge_trace(solid, center, order, options);

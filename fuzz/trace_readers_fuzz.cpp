@@ -11,14 +11,14 @@ using namespace convexact;
 
 namespace {
 
-void check_ids(const Trace& trace, const std::vector<HalfspaceId>& ids) {
+void check_ids(const Run& trace, const std::vector<HalfspaceId>& ids) {
   for (const HalfspaceId id : ids) FUZZ_CHECK(id.index() < trace.halfspaces.size());
 }
 
 void hold_trace_json(FuzzInput& in) {
   const auto trace = unless_refused([&] { return read_trace_json(in.rest()); });
   if (!trace) return;
-  const Trace back = read_trace_json(write_trace_json(*trace));
+  const Run back = read_trace_json(write_trace_json(*trace));
   FUZZ_CHECK(back.halfspaces == trace->halfspaces);
   FUZZ_CHECK(back.stop == trace->stop);
   FUZZ_CHECK(back.steps.size() == trace->steps.size());
@@ -55,7 +55,7 @@ void hold_removal_order(FuzzInput& in) {
       unless_refused([&] { return read_removal_order(in.rest(), std::nullopt, cube(), decimal); });
   if (order) {
     std::size_t row = 0;
-    for (const OrderedRemoval& removal : order->removals) {
+    for (const OrderedStep& removal : order->steps) {
       FUZZ_CHECK(removal.row > row);
       row = removal.row;
     }

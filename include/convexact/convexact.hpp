@@ -2,6 +2,7 @@
 // convexact.hpp - all of the library.
 #pragma once
 #include "convexact/conform.hpp"
+#include "convexact/cost.hpp"
 #include "convexact/dual.hpp"
 #include "convexact/error.hpp"
 #include "convexact/halfspace.hpp"

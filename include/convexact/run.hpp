@@ -5,31 +5,24 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "convexact/cost.hpp"
 #include "convexact/halfspace.hpp"
 #include "convexact/number.hpp"
 #include "convexact/point_set.hpp"
 
 namespace convexact {
 
-/// Which cap an engine looked at, and when. Costs never decrease, so what an evaluation shows stays
-/// a lower bound; with every evaluation that an engine made, each of its choices can be proven.
-struct Evaluation {
-  std::size_t step;  ///< Removals made before it.
-  HalfspaceId halfspace;
-  std::vector<HalfspaceId> ring;        ///< One-ring of `halfspace` at that time.
-  std::vector<DualTriangle> triangles;  ///< T_i: what would fill the ring.
-};
-
-/// One removal.
+/// One removal. Parts that were not asked for are empty.
 struct Step {
   HalfspaceId removed;
-  Rational cost;                  ///< Exact volume of the cap, in cubed length units.
-  std::vector<HalfspaceId> tie;   ///< All of equal exact cost, `removed` first (the lowest id).
-  std::vector<HalfspaceId> ring;  ///< One-ring of `removed` before the step.
-  std::vector<DualTriangle> triangles;  ///< T_i: the ring's new triangulation.
-  std::size_t left;                     ///< Halfspaces after the step.
+  std::optional<Cost> cost = {};       ///< Exact. None if it is not known, or not bounded.
+  std::vector<HalfspaceId> tie = {};   ///< All of equal cost, `removed` first (the lowest id).
+  std::vector<HalfspaceId> ring = {};  ///< One-ring of `removed` before the step.
+  std::vector<DualTriangle> triangles = {};  ///< T_i: the ring's new triangulation.
+  std::size_t left = 0;                      ///< Halfspaces after the step.
 };
 
 /// Why a run ended.
@@ -39,25 +32,47 @@ enum class StopReason {
   AllUnbounded,  ///< Every further removal is unbounded.
 };
 
-/// A progressive simplification: any prefix of `steps` is a valid result.
-struct Trace {
+/// Which cap an engine looked at, and when. Costs of volume never decrease, so what an evaluation
+/// shows stays a lower bound; with every evaluation that an engine made, each of its choices can be
+/// proven.
+struct Evaluation {
+  std::size_t step;  ///< Removals made before it.
+  HalfspaceId halfspace;
+  std::vector<HalfspaceId> ring;        ///< One-ring of `halfspace` at that time.
+  std::vector<DualTriangle> triangles;  ///< T_i: what would fill the ring.
+};
+
+/// The record of a progressive simplification: any prefix of `steps` is a valid result. Engines
+/// make it, a trace and a proof are it in writing, replay() and the judges read it.
+struct Run {
   std::vector<Halfspace> halfspaces;  ///< In canonical order, no redundant ones; ids are positions.
   std::vector<Step> steps;
   StopReason stop = StopReason::Reached;
-
-  /// Ids that are left after the first `count` steps, ascending.
-  std::vector<HalfspaceId> survivors(std::size_t count) const;
-  std::vector<HalfspaceId> survivors() const { return survivors(steps.size()); }
-};
-
-/// A trace and where it led.
-struct Simplification {
-  Trace trace;
-  /// The dual hull of the halfspaces that are left, for to_polytope().
-  std::vector<DualTriangle> triangles;
+  /// Whether each removal is claimed to be the cheapest of its time; then each has its tie list.
+  bool is_greedy = true;
+  /// The dual hull of the halfspaces that are left, for to_polytope(); empty if it is not known.
+  std::vector<DualTriangle> triangles = {};
   /// Every evaluation in the order in which it was made; empty unless it was asked for.
   std::vector<Evaluation> evaluations = {};
 };
+
+/// What the first `count` steps of a run removed, in the order of removal.
+[[nodiscard]] std::vector<HalfspaceId> removed_in(const Run& run, std::size_t count);
+[[nodiscard]] inline std::vector<HalfspaceId> removed_in(const Run& run) {
+  return removed_in(run, run.steps.size());
+}
+
+/// Ids that are left after the first `count` steps, ascending.
+[[nodiscard]] std::vector<HalfspaceId> survivors(const Run& run, std::size_t count);
+[[nodiscard]] inline std::vector<HalfspaceId> survivors(const Run& run) {
+  return survivors(run, run.steps.size());
+}
+
+/// The halfspaces, in their order, without those that are removed. @param removed  Positions.
+[[nodiscard]] std::vector<Halfspace> left_after(std::span<const Halfspace> halfspaces,
+                                                std::span<const HalfspaceId> removed);
+/// The halfspaces that are left after the first `count` steps, in canonical order.
+[[nodiscard]] std::vector<Halfspace> left_after(const Run& run, std::size_t count);
 
 /// How much of each step is proven again; see docs/verification.md.
 enum class VerifyLevel {

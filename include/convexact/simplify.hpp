@@ -14,15 +14,13 @@
 
 namespace convexact {
 
-struct RunRecord {
+/// What a run started from, with proofs: what a proof of the run needs beside the run.
+struct RunStart {
   std::vector<Halfspace> input_halfspaces;  ///< Where the input is halfspaces: all of them.
-  DualHull solid;                           ///< What the run started from.
+  DualHull dual;                            ///< Of the solid.
   RationalPoint interior;                   ///< Strictly inside the solid.
   std::vector<InsideProof> inside;          ///< As in HullCertificate.
   std::vector<PointId> extreme;             ///< The points that are the solid's vertices.
-  bool is_greedy = true;                    ///< Whether each removal is claimed to be the cheapest.
-  std::vector<Step> steps;                  ///< With ties where it is greedy.
-  std::vector<Evaluation> evaluations;      ///< In the order in which they were made.
 };
 
 enum class Engine {
@@ -55,10 +53,12 @@ struct SimplifyResult {
   std::size_t input_halfspaces = 0;           ///< Of the hull, redundant ones not counted.
   std::size_t steps = 0;                      ///< Halfspaces removed.
   StopReason stop = StopReason::Reached;
-  std::optional<Trace> trace;       ///< If it was requested, and always by the exact engine.
-  std::optional<RunRecord> record;  ///< If it was asked for.
-  StoredSolid solid;                ///< The solid that encloses the input.
-  Measured input_volume;            ///< Of the input's hull, in cubed length units.
+  /// If its trace or record was asked for, and by the exact engine. The float engine's run is made
+  /// again in exact numbers.
+  std::optional<Run> run;
+  std::optional<RunStart> start;  ///< If the record was asked for.
+  StoredSolid solid;              ///< The solid that encloses the input.
+  Measured input_volume;          ///< Of the input's hull, in cubed length units.
   Measured output_volume;
   std::size_t tested_points = 0;  ///< Points tested directly against every survivor.
   Engine engine = Engine::Filtered;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "convexact/cost.hpp"
 #include "convexact/dual.hpp"
 #include "convexact/halfspace.hpp"
 #include "convexact/run.hpp"
@@ -16,33 +17,27 @@
 
 namespace convexact {
 
-/// Position in RemovalOrder::facets; anything at or beyond its end names no facet.
-using ListedFacet = std::uint64_t;
-inline constexpr ListedFacet kNoListedFacet = std::numeric_limits<ListedFacet>::max();
+/// An id at or beyond the end of RemovalOrder::facets names no facet.
+inline constexpr HalfspaceId kNoFacet{std::numeric_limits<std::uint32_t>::max()};
 
-/// What an order says about one of its steps, as far as it does.
-struct StepClaim {
-  std::optional<Rational> cost;                 ///< Exact, in cubed length units.
-  std::optional<std::vector<ListedFacet>> tie;  ///< All of the least cost, in any order.
-  std::optional<std::uint64_t> left;            ///< Halfspaces after the step.
+/// A step as a file tells it, and where. What the file says of it beyond the removal are claims:
+/// the cost, if there is one, and the tie, in any order, and `left`, if they are claimed.
+struct OrderedStep {
+  std::size_t row;   ///< Row of a text, step of a JSON trace; counted from 1.
+  std::string text;  ///< What stands there, for messages.
+  Step step = {};    ///< Ids are positions in RemovalOrder::facets.
+  bool claims_tie = false, claims_left = false;
 };
 
-struct OrderedRemoval {
-  std::size_t row;    ///< Row of a text, step of a JSON trace; counted from 1.
-  std::string text;   ///< What stands there, for messages.
-  ListedFacet facet;  ///< What is removed.
-  StepClaim claim = {};
-};
-
-/// Removals name planes by their positions in a list. Where a file spells out each plane, the list
-/// is what the file spells.
+/// The steps of a run as another program tells them. Ids are positions in a list of planes. Where a
+/// file spells out each plane, the list is what the file spells.
 struct RemovalOrder {
   /// None for a row with normal 0: no facet has that plane. Any order, repeats allowed.
   std::vector<std::optional<Halfspace>> facets;
   /// Whether `facets` is a list of its own, whose rows the ids count: not the input's
   /// facets, and not the planes removed.
   bool has_list = false;
-  std::vector<OrderedRemoval> removals;
+  std::vector<OrderedStep> steps;
   /// Why it says that it ends. Only AllUnbounded is a claim that can be judged.
   std::optional<StopReason> stop = {};
 };
@@ -50,17 +45,16 @@ struct RemovalOrder {
 /// How much dearer than the cheapest: (cost - minimum) / minimum, for costs >= 0. None, infinite,
 /// for cost > 0 against a minimum of 0; 0 if both are 0. (No halfspace of a solid without redundant
 /// ones is free, so in a trace only an unbounded removal has infinite regret.)
-[[nodiscard]] std::optional<Rational> relative_regret(const Rational& cost,
-                                                      const Rational& minimum);
+[[nodiscard]] std::optional<Rational> relative_regret(const Cost& cost, const Cost& minimum);
 
-/// One removal, in the state that the removals before it left. Costs in cubed length units.
+/// One removal, in the state that the removals before it left.
 struct JudgedStep {
   std::size_t row;  ///< Of the order.
   HalfspaceId removed;
-  std::optional<Rational> cost;     ///< Exact; none if the removal is unbounded.
-  std::optional<Rational> minimum;  ///< Of all removals; none if every one is unbounded.
-  std::vector<HalfspaceId> tie;     ///< All of that cost, in canonical order.
-  std::optional<Rational> regret;   ///< relative_regret(); none, infinite, if cost is none.
+  std::optional<Cost> cost;        ///< Exact; none if the removal is unbounded.
+  std::optional<Cost> minimum;     ///< Of all removals; none if every one is unbounded.
+  std::vector<HalfspaceId> tie;    ///< All of that cost, in canonical order.
+  std::optional<Rational> regret;  ///< relative_regret(); none, infinite, if cost is none.
 
   bool is_greedy() const { return regret && *regret == 0; }
   /// Greedy, but not the first of the tie, which is what our engines remove.
@@ -157,12 +151,12 @@ struct JudgeOptions {
 /// @par Cost      A run of the filtered engine and one or two caps as rationals per step, again if
 ///                a facet that is never removed is to blame; five intersections from scratch,
 ///                expected O(n log n) each. For a plane that is no facet plane linear.
-[[nodiscard]] TraceVerdict judge_trace(const DualHull& solid, const RationalPoint& center,
+[[nodiscard]] TraceVerdict judge_trace(const DualHull& dual, const RationalPoint& center,
                                        const RemovalOrder& order, const JudgeOptions& options = {});
 
 /// The verdict on a file from which no order could be read: everything else is not asked.
 /// @param line  Where it stops making sense, if known.
-[[nodiscard]] TraceVerdict unreadable_trace(const DualHull& solid, const std::string& what,
+[[nodiscard]] TraceVerdict unreadable_trace(const DualHull& dual, const std::string& what,
                                             std::optional<std::size_t> line);
 
 }  // namespace convexact

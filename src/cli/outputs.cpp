@@ -149,12 +149,12 @@ OutputFiles output_files(const std::vector<OutputObject>& objects, const OutputO
   }
   if (!options.picture.empty()) files.emplace_back(options.picture, picture_bytes(objects));
   if (!options.trace.empty()) {
-    files.emplace_back(options.trace, write_trace_json(*objects[0].trace));
+    files.emplace_back(options.trace, write_trace_json(*objects[0].run));
   }
   if (!options.proof.empty()) {
     const OutputObject& object = objects[0];
-    files.emplace_back(options.proof,
-                       write_proof(*object.record, object.solid.points, object.solid.planes));
+    files.emplace_back(options.proof, write_proof(*object.start, *object.run, object.solid.points,
+                                                  object.solid.planes));
   }
   return files;
 }

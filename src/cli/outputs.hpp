@@ -44,8 +44,8 @@ void add_scene_options(CLI::App& command, SceneOptions& options);
 struct OutputObject {
   const SceneObject& source;
   const StoredSolid& solid;
-  const Trace* trace = nullptr;       ///< Set wherever a trace may be asked for.
-  const RunRecord* record = nullptr;  ///< Set wherever a proof may be asked for.
+  const Run* run = nullptr;         ///< Set wherever a trace or a proof may be asked for.
+  const RunStart* start = nullptr;  ///< Set wherever a proof may be asked for.
 };
 
 /// Path and bytes of each output.

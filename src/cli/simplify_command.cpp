@@ -124,8 +124,8 @@ OutputFiles files_of(const std::vector<SimplifiedObject>& objects, const OutputO
   std::vector<OutputObject> outputs;
   for (const SimplifiedObject& object : objects) {
     outputs.push_back({object.source, object.result.solid,
-                       object.result.trace ? &*object.result.trace : nullptr,
-                       object.result.record ? &*object.result.record : nullptr});
+                       object.result.run ? &*object.result.run : nullptr,
+                       object.result.start ? &*object.result.start : nullptr});
   }
   return output_files(outputs, options);
 }

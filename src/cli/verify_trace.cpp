@@ -56,8 +56,8 @@ OrderFiles read_files(const TraceOptions& options) {
   return files;
 }
 
-RemovalOrder parse_files(const OrderFiles& files, const TraceOptions& options,
-                         const DualHull& solid, Decimal decimal) {
+RemovalOrder parse_files(const OrderFiles& files, const TraceOptions& options, const DualHull& dual,
+                         Decimal decimal) {
   std::optional<ListedFacets> facets;
   if (files.facets) {
     try {
@@ -66,7 +66,7 @@ RemovalOrder parse_files(const OrderFiles& files, const TraceOptions& options,
       throw error.in_file(display_name(options.facets));
     }
   }
-  return read_removal_order(files.trace, facets, solid.halfspaces, decimal);
+  return read_removal_order(files.trace, facets, dual.halfspaces, decimal);
 }
 
 TraceVerdict judge(const Solid& solid, const OrderFiles& files, const TraceOptions& options,

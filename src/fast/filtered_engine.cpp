@@ -34,17 +34,31 @@ FastResult simplify_filtered(const FastDual& dual, const SimplifyOptions& option
   return FilteredLoop(dual, options).run();
 }
 
-Simplification simplify_filtered(const DualHull& solid, const RationalPoint& center,
-                                 const SimplifyOptions& options) {
-  const FastDual dual = FastDual::of(solid, center);
-  Simplification simplification;
-  simplification.trace.halfspaces = solid.halfspaces;
-  EvaluationRecorder recorder(simplification.trace.steps, simplification.evaluations);
-  FastResult result = FilteredLoop(dual, options, options.keep_evaluations ? &recorder : nullptr)
-                          .run(&simplification.trace.steps);
-  simplification.trace.stop = result.stop;
-  simplification.triangles = std::move(result.triangles);
-  return simplification;
+Run run_of(const FastResult& result, std::vector<Halfspace> halfspaces) {
+  Run run;
+  run.halfspaces = std::move(halfspaces);
+  run.stop = result.stop;
+  run.is_greedy = !result.bound;
+  std::size_t left = run.halfspaces.size();
+  for (const FastStep& fast : result.steps) {
+    Step& step = run.steps.emplace_back();
+    step.removed = fast.removed;
+    step.left = --left;
+  }
+  return run;
+}
+
+Run simplify_filtered(const DualHull& dual_hull, const RationalPoint& center,
+                      const SimplifyOptions& options) {
+  const FastDual dual = FastDual::of(dual_hull, center);
+  Run run;
+  run.halfspaces = dual_hull.halfspaces;
+  EvaluationRecorder recorder(run.steps, run.evaluations);
+  FastResult result =
+      FilteredLoop(dual, options, options.keep_evaluations ? &recorder : nullptr).run(&run.steps);
+  run.stop = result.stop;
+  run.triangles = std::move(result.triangles);
+  return run;
 }
 
 }  // namespace convexact

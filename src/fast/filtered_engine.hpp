@@ -11,7 +11,9 @@
 
 namespace convexact {
 
-/// One removal, without the numbers of the full record.
+/// One removal of a run that keeps no record. A Step with its lists and its exact cost would take
+/// several times as long to make as the removal itself, and ten times the memory; run_of() makes
+/// Steps of these where a Run is wanted.
 struct FastStep {
   HalfspaceId removed;
   /// How many halfspaces have this exact cost, `removed` included; in the float engine, how many
@@ -57,7 +59,11 @@ struct FastResult {
 /// simplify_exact() but for the choice among triangulations, and so among rings, where planes share
 /// a point.
 /// @param center  Strictly inside the solid.
-[[nodiscard]] Simplification simplify_filtered(const DualHull& solid, const RationalPoint& center,
-                                               const SimplifyOptions& options = {});
+[[nodiscard]] Run simplify_filtered(const DualHull& dual, const RationalPoint& center,
+                                    const SimplifyOptions& options = {});
+
+/// The removals of a run as a record of the kind that all engines share: without costs, ties, rings
+/// and triangles. @param halfspaces  What the ids of the run are positions in.
+[[nodiscard]] Run run_of(const FastResult& result, std::vector<Halfspace> halfspaces);
 
 }  // namespace convexact

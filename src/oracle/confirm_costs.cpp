@@ -16,23 +16,17 @@ void require(bool confirmed) {
 }
 
 Rational volume_of(std::span<const Halfspace> halfspaces, const RationalPoint& center) {
-  const std::optional<Polytope> solid = intersect(halfspaces, center);
-  require(solid.has_value());
-  return volume(*solid);
+  const std::optional<Polytope> polytope = intersect(halfspaces, center);
+  require(polytope.has_value());
+  return volume(*polytope);
 }
 
 }  // namespace
 
 std::vector<Halfspace> left_before(const TraceVerdict& verdict, std::size_t step) {
-  const std::vector<Halfspace>& halfspaces = verdict.halfspaces;
-  std::vector<bool> gone(halfspaces.size(), false);
-  for (const HalfspaceId id : verdict.left_out) gone[id.index()] = true;
-  for (std::size_t s = 0; s < step; ++s) gone[verdict.steps[s].removed.index()] = true;
-  std::vector<Halfspace> left;
-  for (std::size_t i = 0; i < halfspaces.size(); ++i) {
-    if (!gone[i]) left.push_back(halfspaces[i]);
-  }
-  return left;
+  std::vector<HalfspaceId> gone = verdict.left_out;
+  for (std::size_t s = 0; s < step; ++s) gone.push_back(verdict.steps[s].removed);
+  return left_after(verdict.halfspaces, gone);
 }
 
 void confirm_step(const TraceVerdict& verdict, const RationalPoint& center, std::size_t step) {
@@ -56,7 +50,7 @@ void confirm_sum(const TraceVerdict& verdict, const RationalPoint& center) {
     const ModularVolume modulo({}, random);
     std::uint64_t sum = modulo.residue(before);
     for (std::size_t s = 0; s < bounded; ++s) {
-      sum = modulo.sum(sum, modulo.residue(*steps[s].cost));
+      sum = modulo.sum(sum, modulo.residue(steps[s].cost->rational()));
     }
     require(sum == modulo.residue(after));
   }

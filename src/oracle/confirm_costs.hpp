@@ -5,7 +5,8 @@
 
 namespace convexact {
 
-/// The halfspaces that are left before step `step`, in canonical order.
+/// The halfspaces that are left before step `step`, in canonical order; those that were left out
+/// are not among them.
 [[nodiscard]] std::vector<Halfspace> left_before(const TraceVerdict& verdict, std::size_t step);
 
 /// Checks cost and boundedness of the removal that a step made and of the one that it should have

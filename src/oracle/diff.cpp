@@ -5,6 +5,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
+#include "oracle/engine_run.hpp"
 #include "oracle/greedy_check.hpp"
 #include "scene/solid.hpp"
 
@@ -34,11 +35,11 @@ const char* stage_name(Engine engine) {
   return "float engine";
 }
 
-std::vector<EngineRun> run_engines(const DualHull& solid, const RationalPoint& center,
-                                   const DiffRequest& request, StageLog& log) {
+std::vector<Run> run_engines(const DualHull& dual, const RationalPoint& center,
+                             const DiffRequest& request, StageLog& log) {
   const auto& engines = request.engines;
   const bool record = std::find(engines.begin(), engines.end(), Engine::Exact) != engines.end();
-  std::vector<EngineRun> runs;
+  std::vector<Run> runs;
   for (const Engine engine : engines) {
     SimplifyOptions options;
     options.faces = request.faces;
@@ -47,21 +48,20 @@ std::vector<EngineRun> run_engines(const DualHull& solid, const RationalPoint& c
     options.stop = request.watch.stop;
     if (request.watch.progress) {
       options.progress = [&, engine](std::size_t left) {
-        const std::size_t at_start = solid.halfspaces.size();
+        const std::size_t at_start = dual.halfspaces.size();
         request.watch.progress(stage_name(engine), at_start - left, at_start - request.faces);
       };
     }
     runs.push_back(log.run(stage_name(engine),
-                           [&] { return run_engine(engine, solid, center, options, record); }));
+                           [&] { return run_engine(engine, dual, center, options, record); }));
   }
   return runs;
 }
 
-std::optional<Enclosure> volume_ratio(std::span<const Halfspace> halfspaces,
-                                      const RationalPoint& center, const EngineRun& reference,
-                                      const EngineRun& other) {
-  const auto before = left_after(halfspaces, reference, reference.removed.size());
-  const auto after = left_after(halfspaces, other, other.removed.size());
+std::optional<Enclosure> volume_ratio(const RationalPoint& center, const Run& reference,
+                                      const Run& other) {
+  const auto before = left_after(reference, reference.steps.size());
+  const auto after = left_after(other, other.steps.size());
   if (before == after) return Enclosure(Rational(1), kVolumeBits);
   const auto first = intersect(before, center), second = intersect(after, center);
   if (!first || !second) return std::nullopt;
@@ -77,44 +77,50 @@ void swap_sides(std::vector<Divergence>& divergences) {
 }
 
 // Where the run is not greedy after step `first`, the one at which it differs from another run.
-std::vector<Divergence> later_divergences(const DualHull& solid, const RationalPoint& center,
-                                          const EngineRun& run, std::size_t first,
+std::vector<Divergence> later_divergences(const DualHull& dual, const RationalPoint& center,
+                                          const Run& run, std::size_t first,
                                           const DiffRequest& request) {
-  std::vector<Divergence> found = check_greedy(solid, center, run, request.watch.stop);
+  std::vector<Divergence> found = check_greedy(dual, center, run, request.watch.stop);
   std::erase_if(found, [&](const Divergence& divergence) { return divergence.step <= first; });
   return found;
 }
 
-Comparison compare(const DualHull& solid, const RationalPoint& center, const EngineRun& reference,
-                   const EngineRun& other, const DiffRequest& request, StageLog& log) {
-  Comparison result{reference.engine, other.engine, {}, true, other.removed.size(), false, {}};
-  result.with_records = have_records(reference, other);
-  const std::optional<Divergence> first = log.run("costs by definition", [&] {
-    return find_divergence(solid.halfspaces, center, reference, other);
-  });
+// The first run against the k-th.
+Comparison compare(const DualHull& dual, const RationalPoint& center, const std::vector<Run>& runs,
+                   std::size_t k, const DiffRequest& request, StageLog& log) {
+  const Run &reference = runs[0], &other = runs[k];
+  Comparison result{request.engines[0],
+                    request.engines[k],
+                    {},
+                    true,
+                    other.steps.size(),
+                    have_records(reference, other),
+                    {}};
+  const std::optional<Divergence> first =
+      log.run("costs by definition", [&] { return find_divergence(center, reference, other); });
   std::vector<Divergence>& found = result.divergences;
   if (first) {
     found.push_back(*first);
     result.judged = first->step + 1;
   }
-  const bool is_reference = reference.engine == Engine::Float;
-  if (first && (is_reference || other.engine == Engine::Float)) {
-    const EngineRun& followed = is_reference ? reference : other;
+  const bool is_reference = result.reference == Engine::Float;
+  if (first && (is_reference || result.other == Engine::Float)) {
+    const Run& followed = is_reference ? reference : other;
     log.run("every step of float", [&] {
       std::vector<Divergence> later =
-          later_divergences(solid, center, followed, first->step, request);
+          later_divergences(dual, center, followed, first->step, request);
       if (is_reference) swap_sides(later);
       found.insert(found.end(), later.begin(), later.end());
     });
     if (found.back().kind != DivergenceKind::WrongBoundedness) {
-      result.judged = followed.removed.size();
+      result.judged = followed.steps.size();
     }
   }
   result.explained = std::all_of(found.begin(), found.end(), [&](const Divergence& divergence) {
-    return is_explained(divergence, reference.engine, other.engine);
+    return is_explained(divergence, result.reference, result.other);
   });
-  result.volume_ratio = log.run(
-      "final volumes", [&] { return volume_ratio(solid.halfspaces, center, reference, other); });
+  result.volume_ratio =
+      log.run("final volumes", [&] { return volume_ratio(center, reference, other); });
   return result;
 }
 
@@ -135,10 +141,10 @@ DiffOutcome diff_engines(const Shape& shape, const DiffRequest& request) {
   const RationalPoint center = log.run("center", [&] { return interior_point_of(solid); });
 
   DiffReport report;
+  report.engines = request.engines;
   report.runs = run_engines(solid.dual, center, request, log);
   for (std::size_t k = 1; k < report.runs.size(); ++k) {
-    report.comparisons.push_back(
-        compare(solid.dual, center, report.runs[0], report.runs[k], request, log));
+    report.comparisons.push_back(compare(solid.dual, center, report.runs, k, request, log));
   }
   report.halfspaces = std::move(solid.dual.halfspaces);
   report.stages = log.stages();

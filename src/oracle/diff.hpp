@@ -41,7 +41,8 @@ struct Comparison {
 
 struct DiffReport {
   std::vector<Halfspace> halfspaces;  ///< Of the input, in canonical order; ids are positions.
-  std::vector<EngineRun> runs;        ///< In the order asked for.
+  std::vector<Engine> engines;        ///< In the order asked for.
+  std::vector<Run> runs;              ///< Of each of these engines.
   std::vector<Comparison> comparisons;
   std::vector<Stage> stages;
 

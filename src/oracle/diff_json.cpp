@@ -17,7 +17,7 @@ Json choice_json(const Choice& choice, const std::vector<Halfspace>& halfspaces)
   const Halfspace& plane = halfspaces[choice.removed->index()];
   return {{"removed", choice.removed->index()},
           {"plane", plane_json(plane)},
-          {"cost", quantity_json(choice.cost)}};
+          {"cost", choice.cost ? quantity_json(choice.cost->rational()) : Json(nullptr)}};
 }
 
 Json shortened(const std::optional<Rational>& x) {
@@ -78,9 +78,10 @@ Json comparison_json(const Comparison& comparison, const std::vector<Halfspace>&
 
 Json diff_json(const DiffReport& report) {
   Json engines = Json::array(), comparisons = Json::array();
-  for (const EngineRun& run : report.runs) {
-    engines.push_back({{"engine", name_of(run.engine)},
-                       {"steps", run.removed.size()},
+  for (std::size_t k = 0; k < report.runs.size(); ++k) {
+    const Run& run = report.runs[k];
+    engines.push_back({{"engine", name_of(report.engines[k])},
+                       {"steps", run.steps.size()},
                        {"stop", name_of(run.stop)}});
   }
   for (const Comparison& comparison : report.comparisons) {

@@ -31,10 +31,10 @@ std::string plane_text(const Halfspace& plane) {
 std::string choice_line(Engine engine, const Choice& choice,
                         const std::vector<Halfspace>& halfspaces) {
   if (!choice.removed) return fmt::format("    {:<9} ended\n", name_of(engine));
-  return fmt::format("    {:<9} removed {}, cost {}\n              {}\n", name_of(engine),
-                     choice.removed->index(),
-                     choice.cost ? to_decimal(*choice.cost, kCostDigits) : "infinite: unbounded",
-                     plane_text(halfspaces[choice.removed->index()]));
+  return fmt::format(
+      "    {:<9} removed {}, cost {}\n              {}\n", name_of(engine), choice.removed->index(),
+      choice.cost ? to_decimal(choice.cost->rational(), kCostDigits) : "infinite: unbounded",
+      plane_text(halfspaces[choice.removed->index()]));
 }
 
 struct DiffRow {

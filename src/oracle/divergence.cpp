@@ -6,31 +6,29 @@
 namespace convexact {
 namespace {
 
-bool same_record(const EngineRun& a, const EngineRun& b, std::size_t step) {
-  if (!have_records(a, b)) return true;
-  return a.costs[step] == b.costs[step] && a.ties[step] == b.ties[step];
-}
-
 // The first step at which the runs differ in anything, or where the shorter one ends.
-std::size_t common_steps(const EngineRun& a, const EngineRun& b) {
-  const std::size_t shorter = std::min(a.removed.size(), b.removed.size());
-  std::size_t step = 0;
-  while (step < shorter && a.removed[step] == b.removed[step] && same_record(a, b, step)) ++step;
-  return step;
+std::size_t common_steps(const Run& a, const Run& b) {
+  const bool with_records = have_records(a, b);
+  const auto is_same = [&](const Step& x, const Step& y) {
+    return x.removed == y.removed && (!with_records || (x.cost == y.cost && x.tie == y.tie));
+  };
+  const auto [end, other_end] =
+      std::mismatch(a.steps.begin(), a.steps.end(), b.steps.begin(), b.steps.end(), is_same);
+  return static_cast<std::size_t>(end - a.steps.begin());
 }
 
-std::optional<HalfspaceId> removal_at(const EngineRun& run, std::size_t step) {
-  if (step >= run.removed.size()) return std::nullopt;
-  return run.removed[step];
+std::optional<HalfspaceId> removal_at(const Run& run, std::size_t step) {
+  if (step >= run.steps.size()) return std::nullopt;
+  return run.steps[step].removed;
 }
 
 // Whether a step's recorded cost and ties are what the definition says, as far as `candidates` (all
 // that either run listed) go.
-bool is_true_record(const EngineRun& run, std::size_t step, const Rational& cost,
+bool is_true_record(const Step& step, const Rational& cost,
                     const std::vector<HalfspaceId>& candidates,
                     std::span<const Halfspace> halfspaces, const RemovalOracle& oracle) {
-  if (run.costs[step] != cost) return false;
-  const std::vector<HalfspaceId>& listed = run.ties[step];
+  if (step.cost != cost) return false;
+  const std::vector<HalfspaceId>& listed = step.tie;
   return std::all_of(candidates.begin(), candidates.end(), [&](HalfspaceId id) {
     const bool is_tied = oracle.without(halfspaces[id.index()]).cost == cost;
     return is_tied == (std::find(listed.begin(), listed.end(), id) != listed.end());
@@ -38,18 +36,17 @@ bool is_true_record(const EngineRun& run, std::size_t step, const Rational& cost
 }
 
 // The same removal, recorded differently: the definition decides which record is wrong.
-void judge_record(Divergence& found, const EngineRun& reference, const EngineRun& other,
+void judge_record(Divergence& found, const Step& reference, const Step& other,
                   std::span<const Halfspace> halfspaces, const RemovalOracle& oracle) {
   found.kind = DivergenceKind::WrongRecord;
-  found.reference.cost = reference.costs[found.step];
-  found.other.cost = other.costs[found.step];
+  found.reference.cost = reference.cost;
+  found.other.cost = other.cost;
   std::vector<HalfspaceId> candidates;  // those that only one of them listed
-  std::set_symmetric_difference(reference.ties[found.step].begin(),
-                                reference.ties[found.step].end(), other.ties[found.step].begin(),
-                                other.ties[found.step].end(), std::back_inserter(candidates));
-  const auto cost = oracle.without(halfspaces[found.reference.removed->index()]).cost;
+  std::set_symmetric_difference(reference.tie.begin(), reference.tie.end(), other.tie.begin(),
+                                other.tie.end(), std::back_inserter(candidates));
+  const auto cost = oracle.without(halfspaces[reference.removed.index()]).cost;
   found.reference_at_fault =
-      !cost || !is_true_record(reference, found.step, *cost, candidates, halfspaces, oracle);
+      !cost || !is_true_record(reference, *cost, candidates, halfspaces, oracle);
 }
 
 // Two different bounded removals.
@@ -87,11 +84,11 @@ Divergence choices_at(std::size_t step, std::size_t halfspaces,
 
 }  // namespace
 
-Divergence judge_choices(std::span<const Halfspace> halfspaces, const RationalPoint& center,
-                         const EngineRun& run, std::size_t step,
+Divergence judge_choices(const Run& run, const RationalPoint& center, std::size_t step,
                          std::optional<HalfspaceId> reference, std::optional<HalfspaceId> other) {
+  const std::vector<Halfspace>& halfspaces = run.halfspaces;
   Divergence found = choices_at(step, halfspaces.size(), reference, other);
-  const RemovalOracle oracle(left_after(halfspaces, run, step), center);
+  const RemovalOracle oracle(left_after(run, step), center);
   const RemovalCost first = cost_of(found.reference, halfspaces, oracle);
   const RemovalCost second = cost_of(found.other, halfspaces, oracle);
   found.reference.cost = first.cost;
@@ -111,23 +108,24 @@ Divergence judge_choices(std::span<const Halfspace> halfspaces, const RationalPo
   return found;
 }
 
-std::optional<Divergence> find_divergence(std::span<const Halfspace> halfspaces,
-                                          const RationalPoint& center, const EngineRun& reference,
-                                          const EngineRun& other) {
+std::optional<Divergence> find_divergence(const RationalPoint& center, const Run& reference,
+                                          const Run& other) {
   const std::size_t step = common_steps(reference, other);
   const auto first = removal_at(reference, step), second = removal_at(other, step);
-  if (first != second) return judge_choices(halfspaces, center, reference, step, first, second);
+  if (first != second) return judge_choices(reference, center, step, first, second);
   if (!first && reference.stop == other.stop) return std::nullopt;
-  Divergence found = choices_at(step, halfspaces.size(), first, second);
+  Divergence found = choices_at(step, reference.halfspaces.size(), first, second);
   if (first) {
-    const RemovalOracle oracle(left_after(halfspaces, reference, step), center);
-    judge_record(found, reference, other, halfspaces, oracle);
+    const RemovalOracle oracle(left_after(reference, step), center);
+    judge_record(found, reference.steps[step], other.steps[step], reference.halfspaces, oracle);
   }
   return found;
 }
 
-bool have_records(const EngineRun& a, const EngineRun& b) {
-  return a.costs.size() == a.removed.size() && b.costs.size() == b.removed.size();
+bool have_records(const Run& a, const Run& b) {
+  const auto has_cost = [](const Step& step) { return step.cost.has_value(); };
+  return std::all_of(a.steps.begin(), a.steps.end(), has_cost) &&
+         std::all_of(b.steps.begin(), b.steps.end(), has_cost);
 }
 
 const Divergence& worst_of(std::span<const Divergence> divergences) {

@@ -4,8 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "convexact/run.hpp"
+#include "convexact/simplify.hpp"
 #include "io/names.hpp"
-#include "oracle/engine_run.hpp"
 #include "oracle/removal_cost.hpp"
 
 namespace convexact {
@@ -31,7 +32,7 @@ inline const char* name_of(DivergenceKind kind) { return name_in(kDivergenceKind
 /// The choice of one run at the step where they differ.
 struct Choice {
   std::optional<HalfspaceId> removed;  ///< None: it ended here.
-  std::optional<Rational> cost;  ///< Exact, in cubed length units; none if unbounded or it ended.
+  std::optional<Cost> cost;            ///< Exact; none if unbounded or it ended.
 };
 
 struct Divergence {
@@ -50,26 +51,23 @@ struct Divergence {
 
 /// Two different choices on what the first `step` removals of `run` leave, judged by the
 /// definition. At least one of them is a removal.
-/// @param halfspaces  Of the solid, in canonical order, none redundant; ids are positions.
-/// @param center      Strictly inside.
-/// @throws Error      InvalidArgument if what they leave is unbounded.
-/// @par Cost          Three intersections of what is left, from scratch: expected O(n log n).
-[[nodiscard]] Divergence judge_choices(std::span<const Halfspace> halfspaces,
-                                       const RationalPoint& center, const EngineRun& run,
+/// @param run     With the halfspaces of the solid.
+/// @param center  Strictly inside.
+/// @throws Error  InvalidArgument if what they leave is unbounded.
+/// @par Cost      Three intersections of what is left, from scratch: expected O(n log n).
+[[nodiscard]] Divergence judge_choices(const Run& run, const RationalPoint& center,
                                        std::size_t step, std::optional<HalfspaceId> reference,
                                        std::optional<HalfspaceId> other);
 
 /// The first step where two runs differ; none if they made the same removals, ended for the same
 /// reason and, where both kept them, recorded the same costs and ties.
-/// @throws Error      InvalidArgument if the runs agree on a prefix that leaves an unbounded solid.
+/// @throws Error  InvalidArgument if the runs agree on a prefix that leaves an unbounded solid.
 /// Otherwise as judge_choices().
-[[nodiscard]] std::optional<Divergence> find_divergence(std::span<const Halfspace> halfspaces,
-                                                        const RationalPoint& center,
-                                                        const EngineRun& reference,
-                                                        const EngineRun& other);
+[[nodiscard]] std::optional<Divergence> find_divergence(const RationalPoint& center,
+                                                        const Run& reference, const Run& other);
 
 /// Whether both runs kept costs and tie lists, so that these were compared too.
-[[nodiscard]] bool have_records(const EngineRun& a, const EngineRun& b);
+[[nodiscard]] bool have_records(const Run& a, const Run& b);
 
 /// Of a non-empty list the worst: by kind, in the order of DivergenceKind, then by regret; the
 /// first of equals. No regret is larger than any.

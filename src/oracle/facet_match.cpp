@@ -26,17 +26,17 @@ Rational squared_length(const RationalVector3& v) { return v.dot(v); }
 }  // namespace
 
 std::optional<HalfspaceId> FacetMatcher::find(const Halfspace& plane) const {
-  const std::vector<Halfspace>& all = solid_.halfspaces;
+  const std::vector<Halfspace>& all = dual_.halfspaces;
   const auto found = std::lower_bound(all.begin(), all.end(), plane);
   if (found == all.end() || *found != plane) return std::nullopt;
   return HalfspaceId(static_cast<std::size_t>(found - all.begin()));
 }
 
 void FacetMatcher::prepare() {
-  for (const Halfspace& h : solid_.halfspaces) directions_.push_back(direction_of(h));
-  triangles_of_.resize(solid_.halfspaces.size());
-  for (std::size_t t = 0; t < solid_.triangles.size(); ++t) {
-    for (const HalfspaceId i : solid_.triangles[t]) {
+  for (const Halfspace& h : dual_.halfspaces) directions_.push_back(direction_of(h));
+  triangles_of_.resize(dual_.halfspaces.size());
+  for (std::size_t t = 0; t < dual_.triangles.size(); ++t) {
+    for (const HalfspaceId i : dual_.triangles[t]) {
       triangles_of_[i.index()].push_back(static_cast<std::uint32_t>(t));
     }
   }
@@ -59,8 +59,8 @@ NearestFacet FacetMatcher::nearest(const Halfspace& plane) {
 NearestFacet FacetMatcher::measure(const Halfspace& plane, HalfspaceId facet) const {
   std::vector<RationalPoint> corners;
   for (const std::uint32_t t : triangles_of_[facet.index()]) {
-    const auto& [a, b, c] = solid_.triangles[t];
-    const auto& h = solid_.halfspaces;
+    const auto& [a, b, c] = dual_.triangles[t];
+    const auto& h = dual_.halfspaces;
     corners.push_back(meet(h[a.index()], h[b.index()], h[c.index()]));
   }
   Rational farthest = 0, largest = 0, diameter = 0, area = 0;  // the last two squared
@@ -82,9 +82,9 @@ NearestFacet FacetMatcher::measure(const Halfspace& plane, HalfspaceId facet) co
   return {facet, farthest * farthest / squared_normal, reach * reach * diameter * diameter / area};
 }
 
-NamedFacets::NamedFacets(const DualHull& solid, const RemovalOrder& order, double unit)
+NamedFacets::NamedFacets(const DualHull& dual, const RemovalOrder& order, double unit)
     : order_(order) {
-  FacetMatcher matcher(solid, unit);
+  FacetMatcher matcher(dual, unit);
   for (const std::optional<Halfspace>& plane : order.facets) {
     ids_.push_back(plane ? matcher.find(*plane) : std::nullopt);
     if (!plane || ids_.back()) continue;
@@ -95,7 +95,7 @@ NamedFacets::NamedFacets(const DualHull& solid, const RemovalOrder& order, doubl
       listed_.squared_distance = std::max(listed_.squared_distance, nearest.squared_distance);
     } else {
       ++listed_.unknown;
-      unknown_.emplace(ids_.size() - 1, nearest);
+      unknown_.emplace(HalfspaceId(ids_.size() - 1), nearest);
     }
   }
 }
@@ -108,8 +108,8 @@ std::size_t NamedFacets::count_unlisted(const std::vector<HalfspaceId>& facets) 
   return static_cast<std::size_t>(std::count_if(facets.begin(), facets.end(), is_absent));
 }
 
-std::string NamedFacets::found(const OrderedRemoval& removal) const {
-  const std::optional<Halfspace>& plane = order_.facets[removal.facet];
+std::string NamedFacets::found(const OrderedStep& removal) const {
+  const std::optional<Halfspace>& plane = order_.facets[removal.step.removed.index()];
   if (!order_.has_list) return removal.text;
   if (!plane) return removal.text + ", which has normal 0 in the facet list";
   std::string text = removal.text + ", in the facet list the plane";
@@ -117,8 +117,8 @@ std::string NamedFacets::found(const OrderedRemoval& removal) const {
   return text + " " + to_string(plane->offset());
 }
 
-std::string NamedFacets::expected(const OrderedRemoval& removal) const {
-  const auto unknown = unknown_.find(removal.facet);
+std::string NamedFacets::expected(const OrderedStep& removal) const {
+  const auto unknown = unknown_.find(removal.step.removed);
   if (unknown == unknown_.end()) return "a facet plane of the input";
   const NearestFacet& nearest = unknown->second;
   return "a facet plane of the input: the nearest, of facet " +

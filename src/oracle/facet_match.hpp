@@ -29,8 +29,8 @@ struct NearestFacet {
 /// from it: the cross product n of edges e and f is off by some u |e| |f|, its offset by u |n| c.
 class FacetMatcher {
  public:
-  /// @param unit  2^-53 for binary64. The solid is referred to.
-  FacetMatcher(const DualHull& solid, double unit) : solid_(solid), unit_(unit) {}
+  /// @param unit  2^-53 for binary64. The dual is referred to.
+  FacetMatcher(const DualHull& dual, double unit) : dual_(dual), unit_(unit) {}
 
   /// The facet with exactly this plane; none if there is none.
   std::optional<HalfspaceId> find(const Halfspace& plane) const;
@@ -41,7 +41,7 @@ class FacetMatcher {
   void prepare();
   NearestFacet measure(const Halfspace& plane, HalfspaceId facet) const;
 
-  const DualHull& solid_;
+  const DualHull& dual_;
   const double unit_;
   std::vector<Point> directions_;                         // of the normals, of length 1
   std::vector<std::vector<std::uint32_t>> triangles_of_;  // of each facet: one for each corner
@@ -50,22 +50,24 @@ class FacetMatcher {
 /// What the list of an order names, found in the solid: exactly, or up to rounding.
 class NamedFacets {
  public:
-  NamedFacets(const DualHull& solid, const RemovalOrder& order, double unit);
+  NamedFacets(const DualHull& dual, const RemovalOrder& order, double unit);
 
   std::size_t size() const { return ids_.size(); }
-  /// The facet of the solid; none if it has no such plane. Precondition: facet < size().
-  std::optional<HalfspaceId> operator[](ListedFacet facet) const { return ids_[facet]; }
+  /// The facet of the solid; none if it has no such plane, or if the list ends before the id.
+  std::optional<HalfspaceId> find(HalfspaceId listed) const {
+    return listed.index() < ids_.size() ? ids_[listed.index()] : std::nullopt;
+  }
   const ListedPlanes& listed() const { return listed_; }
   /// How many of these facets no plane of the list is; 0 if the order has no list of its own.
   std::size_t count_unlisted(const std::vector<HalfspaceId>& facets) const;
   /// What a removal names that is no facet, and what was expected, in words.
-  std::string found(const OrderedRemoval& removal) const;
-  std::string expected(const OrderedRemoval& removal) const;
+  std::string found(const OrderedStep& removal) const;
+  std::string expected(const OrderedStep& removal) const;
 
  private:
   const RemovalOrder& order_;
   std::vector<std::optional<HalfspaceId>> ids_;
-  std::map<ListedFacet, NearestFacet> unknown_;
+  std::map<HalfspaceId, NearestFacet> unknown_;
   ListedPlanes listed_;
 };
 

@@ -18,20 +18,20 @@ namespace convexact {
 /// the cheapest comes from the filtered engine, and with it the costs of ties; every other
 /// divergence is judged by the definition (judge_choices()). A removal that leaves an unbounded
 /// solid is the last one to be judged.
+/// @param dual    What the run started from.
 /// @param center  Strictly inside.
 /// @param stop    When it becomes true: Error Stopped.
 /// @par Cost      A run of the filtered engine; for each tie a cap as a rational, for other
 ///                divergences the cost of judge_choices().
-[[nodiscard]] std::vector<Divergence> check_greedy(const DualHull& solid,
-                                                   const RationalPoint& center,
-                                                   const EngineRun& run,
+[[nodiscard]] std::vector<Divergence> check_greedy(const DualHull& dual,
+                                                   const RationalPoint& center, const Run& run,
                                                    const std::atomic<bool>* stop = nullptr);
 
 /// The first of these divergences that is no tie; none if every removal was one of the cheapest.
 /// @par Cost      As check_greedy() up to that step, with at most one judge_choices().
-[[nodiscard]] std::optional<Divergence> first_wrong_step(const DualHull& solid,
+[[nodiscard]] std::optional<Divergence> first_wrong_step(const DualHull& dual,
                                                          const RationalPoint& center,
-                                                         const EngineRun& run,
+                                                         const Run& run,
                                                          const std::atomic<bool>* stop = nullptr);
 
 }  // namespace convexact

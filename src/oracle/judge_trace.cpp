@@ -16,9 +16,9 @@ constexpr int kCostDigits = 17;  // of costs in words
 
 std::string id_text(HalfspaceId id) { return std::to_string(id.index()); }
 
-std::string removal_text(HalfspaceId id, const std::optional<Rational>& cost) {
+std::string removal_text(HalfspaceId id, const std::optional<Cost>& cost) {
   if (!cost) return "removes " + id_text(id) + ", which leaves the solid unbounded";
-  return "removes " + id_text(id) + " at cost " + to_decimal(*cost, kCostDigits);
+  return "removes " + id_text(id) + " at cost " + to_decimal(cost->rational(), kCostDigits);
 }
 
 std::string list_text(const std::vector<HalfspaceId>& ids) {
@@ -33,18 +33,18 @@ class TraceJudge {
   /// that make it too dear, each of which goes as soon as it is found; or for a rating only.
   enum class Purpose { Verdict, Collect, Rate };
 
-  TraceJudge(const DualHull& solid, const RationalPoint& center, const RemovalOrder& order,
+  TraceJudge(const DualHull& dual, const RationalPoint& center, const RemovalOrder& order,
              const JudgeOptions& options, Purpose purpose = Purpose::Verdict)
-      : solid_(solid),
+      : dual_(dual),
         center_(center),
         order_(order),
         options_(options),
         purpose_(purpose),
-        facets_(solid, order, options.unit),
-        dual_(FastDual::of(solid, center)),
-        loop_(dual_, engine_options_),
-        gone_at_(solid.halfspaces.size()),
-        is_removed_(solid.halfspaces.size(), false) {}
+        facets_(dual, order, options.unit),
+        fast_(FastDual::of(dual, center)),
+        loop_(fast_, engine_options_),
+        gone_at_(dual.halfspaces.size()),
+        is_removed_(dual.halfspaces.size(), false) {}
 
   TraceVerdict run();
 
@@ -54,18 +54,18 @@ class TraceJudge {
   bool is_too_dear(HalfspaceId removed, HalfspaceId cheapest);
   bool is_blamed(const JudgedStep& judged) const;
   std::optional<LeftOut> find_never_removed() const;
-  bool follow(const OrderedRemoval& removal);
-  std::optional<HalfspaceId> resolve(const OrderedRemoval& removal);
-  JudgedStep judge(const OrderedRemoval& removal, HalfspaceId removed);
+  bool follow(const OrderedStep& removal);
+  std::optional<HalfspaceId> resolve(const OrderedStep& removal);
+  JudgedStep judge(const OrderedStep& removal, HalfspaceId removed);
   void rate(const JudgedStep& judged);
   void violate_choice(TraceCode code, const JudgedStep& judged);
-  void compare_claims(const OrderedRemoval& removal, const JudgedStep& judged);
-  void compare_ties(const OrderedRemoval& removal, const JudgedStep& judged);
+  void compare_claims(const OrderedStep& removal, const JudgedStep& judged);
+  void compare_ties(const OrderedStep& removal, const JudgedStep& judged);
   void check_stop();
   void confirm() const;
 
   std::size_t step() const { return verdict_.steps.size(); }
-  void violate(TraceCode code, const OrderedRemoval& removal, std::string found,
+  void violate(TraceCode code, const OrderedStep& removal, std::string found,
                std::string expected) {
     claims_.violate(code, {step(), removal.row, std::move(found), std::move(expected)});
   }
@@ -75,13 +75,13 @@ class TraceJudge {
     verdict_.at = step();
   }
 
-  const DualHull& solid_;
+  const DualHull& dual_;
   const RationalPoint& center_;
   const RemovalOrder& order_;
   const JudgeOptions& options_;
   const Purpose purpose_;
   const NamedFacets facets_;
-  const FastDual dual_;
+  const FastDual fast_;
   const SimplifyOptions engine_options_;
   FilteredLoop loop_;
   std::vector<std::optional<std::size_t>> gone_at_;
@@ -91,14 +91,14 @@ class TraceJudge {
 };
 
 TraceVerdict TraceJudge::run() {
-  verdict_.halfspaces = solid_.halfspaces;
-  verdict_.removals = order_.removals.size();
+  verdict_.halfspaces = dual_.halfspaces;
+  verdict_.removals = order_.steps.size();
   verdict_.max_regret = options_.max_regret;
   verdict_.listed = facets_.listed();
   loop_.evaluate_all();
   leave_out();
-  const bool is_complete = std::all_of(order_.removals.begin(), order_.removals.end(),
-                                       [&](const OrderedRemoval& r) { return follow(r); });
+  const bool is_complete = std::all_of(order_.steps.begin(), order_.steps.end(),
+                                       [&](const OrderedStep& r) { return follow(r); });
   if (is_complete) check_stop();
   if (verdict_.worst && !verdict_.at) verdict_.rating = TraceRating::UpToRegret;
   if (purpose_ == Purpose::Verdict) {
@@ -110,9 +110,8 @@ TraceVerdict TraceJudge::run() {
 }
 
 void TraceJudge::leave_out() {
-  for (const OrderedRemoval& removal : order_.removals) {
-    if (removal.facet >= facets_.size() || !facets_[removal.facet]) continue;
-    is_removed_[facets_[removal.facet]->index()] = true;
+  for (const OrderedStep& removal : order_.steps) {
+    if (const auto id = facets_.find(removal.step.removed)) is_removed_[id->index()] = true;
   }
   for (const HalfspaceId id : options_.left_out) {
     if (id.index() >= is_removed_.size()) {
@@ -154,13 +153,13 @@ std::optional<LeftOut> TraceJudge::find_never_removed() const {
     return std::nullopt;
   }
   JudgeOptions without = options_;
-  without.left_out = TraceJudge(solid_, center_, order_, options_, Purpose::Collect).run().left_out;
+  without.left_out = TraceJudge(dual_, center_, order_, options_, Purpose::Collect).run().left_out;
   LeftOut found;
   const auto first = without.left_out.begin() + std::ptrdiff_t(verdict_.left_out.size());
   found.facets.assign(first, without.left_out.end());
   if (found.facets.empty()) return std::nullopt;  // only level with one that is removed later
   std::sort(found.facets.begin(), found.facets.end());
-  const TraceVerdict others = TraceJudge(solid_, center_, order_, without, Purpose::Rate).run();
+  const TraceVerdict others = TraceJudge(dual_, center_, order_, without, Purpose::Rate).run();
   const auto is_found = [&](HalfspaceId i) {
     return std::binary_search(found.facets.begin(), found.facets.end(), i);
   };
@@ -176,7 +175,7 @@ std::optional<LeftOut> TraceJudge::find_never_removed() const {
 }
 
 // Whether the order can be followed beyond this removal.
-bool TraceJudge::follow(const OrderedRemoval& removal) {
+bool TraceJudge::follow(const OrderedStep& removal) {
   if (options_.stop != nullptr && *options_.stop) throw Error(ErrorCode::Stopped, "interrupted");
   const std::optional<HalfspaceId> removed = resolve(removal);
   if (!removed) {
@@ -194,13 +193,13 @@ bool TraceJudge::follow(const OrderedRemoval& removal) {
   return true;
 }
 
-std::optional<HalfspaceId> TraceJudge::resolve(const OrderedRemoval& removal) {
-  if (removal.facet >= facets_.size()) {
+std::optional<HalfspaceId> TraceJudge::resolve(const OrderedStep& removal) {
+  if (removal.step.removed.index() >= facets_.size()) {
     violate(TraceCode::IdOutOfRange, removal, removal.text,
             "an id below " + std::to_string(facets_.size()));
     return std::nullopt;
   }
-  const std::optional<HalfspaceId> id = facets_[removal.facet];
+  const std::optional<HalfspaceId> id = facets_.find(removal.step.removed);
   if (!id) {
     violate(TraceCode::PlaneUnknown, removal, facets_.found(removal), facets_.expected(removal));
     return std::nullopt;
@@ -214,7 +213,7 @@ std::optional<HalfspaceId> TraceJudge::resolve(const OrderedRemoval& removal) {
   return id;
 }
 
-JudgedStep TraceJudge::judge(const OrderedRemoval& removal, HalfspaceId removed) {
+JudgedStep TraceJudge::judge(const OrderedStep& removal, HalfspaceId removed) {
   JudgedStep judged{removal.row, removed, {}, {}, {}, {}};
   std::optional<HalfspaceId> cheapest = loop_.choose();
   for (; purpose_ == Purpose::Collect && cheapest && !is_removed_[cheapest->index()] &&
@@ -261,32 +260,32 @@ void TraceJudge::violate_choice(TraceCode code, const JudgedStep& judged) {
                                             : removal_text(judged.tie.front(), judged.minimum)});
 }
 
-void TraceJudge::compare_claims(const OrderedRemoval& removal, const JudgedStep& judged) {
-  const StepClaim& claim = removal.claim;
+void TraceJudge::compare_claims(const OrderedStep& removal, const JudgedStep& judged) {
+  const Step& claim = removal.step;
   if (claim.cost) {
     claims_.ask(TraceCode::Cost);
     if (claim.cost != judged.cost) {
-      violate(TraceCode::Cost, removal, to_string(*claim.cost),
-              judged.cost ? to_string(*judged.cost) : "unbounded");
+      violate(TraceCode::Cost, removal, to_string(claim.cost->rational()),
+              judged.cost ? to_string(judged.cost->rational()) : "unbounded");
     }
   }
-  if (claim.tie) {
+  if (removal.claims_tie) {
     claims_.ask(TraceCode::Ties);
     compare_ties(removal, judged);
   }
-  if (claim.left) {
+  if (removal.claims_left) {
     claims_.ask(TraceCode::Left);
-    const std::size_t left = solid_.halfspaces.size() - verdict_.left_out.size() - step() - 1;
-    if (*claim.left != left) {
-      violate(TraceCode::Left, removal, std::to_string(*claim.left), std::to_string(left));
+    const std::size_t left = dual_.halfspaces.size() - verdict_.left_out.size() - step() - 1;
+    if (claim.left != left) {
+      violate(TraceCode::Left, removal, std::to_string(claim.left), std::to_string(left));
     }
   }
 }
 
-void TraceJudge::compare_ties(const OrderedRemoval& removal, const JudgedStep& judged) {
+void TraceJudge::compare_ties(const OrderedStep& removal, const JudgedStep& judged) {
   std::vector<HalfspaceId> claimed;
-  for (const ListedFacet facet : *removal.claim.tie) {
-    const auto id = facet < facets_.size() ? facets_[facet] : std::nullopt;
+  for (const HalfspaceId facet : removal.step.tie) {
+    const std::optional<HalfspaceId> id = facets_.find(facet);
     if (!id) {
       violate(TraceCode::Ties, removal, "an entry that is no facet of the input",
               list_text(judged.tie));
@@ -322,10 +321,11 @@ void TraceJudge::confirm() const {
 
 }  // namespace
 
-std::optional<Rational> relative_regret(const Rational& cost, const Rational& minimum) {
+std::optional<Rational> relative_regret(const Cost& cost, const Cost& minimum) {
   if (cost == minimum) return Rational(0);
-  if (minimum == 0) return std::nullopt;
-  return Rational((cost - minimum) / minimum);
+  const Rational &paid = cost.rational(), &least = minimum.rational();
+  if (least == 0) return std::nullopt;
+  return Rational((paid - least) / least);
 }
 
 bool TraceVerdict::holds() const {
@@ -333,19 +333,19 @@ bool TraceVerdict::holds() const {
                       [](const TraceClaim& claim) { return claim.status == Status::Violated; });
 }
 
-TraceVerdict judge_trace(const DualHull& solid, const RationalPoint& center,
+TraceVerdict judge_trace(const DualHull& dual, const RationalPoint& center,
                          const RemovalOrder& order, const JudgeOptions& options) {
   if (options.max_regret < 0) {
     throw Error(ErrorCode::InvalidArgument, "the regret that is allowed is negative");
   }
-  return TraceJudge(solid, center, order, options).run();
+  return TraceJudge(dual, center, order, options).run();
 }
 
-TraceVerdict unreadable_trace(const DualHull& solid, const std::string& what,
+TraceVerdict unreadable_trace(const DualHull& dual, const std::string& what,
                               std::optional<std::size_t> line) {
   TraceVerdict verdict;
   verdict.rating = TraceRating::Meaningless;
-  verdict.halfspaces = solid.halfspaces;
+  verdict.halfspaces = dual.halfspaces;
   TraceClaims claims;
   claims.violate(TraceCode::Readable, {{}, line, what, "a trace, planes or facet ids"});
   claims.give_up();

@@ -40,6 +40,10 @@ void require_no_list(const std::optional<ListedFacets>& facets) {
   }
 }
 
+HalfspaceId facet_of(std::uint64_t number) {
+  return number < kNoFacet.value ? HalfspaceId(number) : kNoFacet;
+}
+
 // Reads the steps of a document; `place_` is where in it the reader is, for messages.
 class StepReader {
  public:
@@ -50,40 +54,39 @@ class StepReader {
   [[noreturn]] void reject(const std::string& expected) const {
     throw Error(ErrorCode::Malformed, place_ + ": expected " + expected);
   }
-  ListedFacet facet(const json& number) const;
-  StepClaim claim(const json& step) const;
+  HalfspaceId facet(const json& number) const;
+  void read_claims(const json& step, OrderedStep& ordered) const;
   StopReason stop_reason(const json& name) const;
 
   std::string place_ = "trace";
 };
 
-ListedFacet StepReader::facet(const json& number) const {
-  if (number.is_number_unsigned()) return number.get<ListedFacet>();
+HalfspaceId StepReader::facet(const json& number) const {
+  if (number.is_number_unsigned()) return facet_of(number.get<std::uint64_t>());
   if (!number.is_number_integer()) reject("the index of a halfspace");
-  return kNoListedFacet;
+  return kNoFacet;
 }
 
-StepClaim StepReader::claim(const json& step) const {
-  StepClaim claim;
+void StepReader::read_claims(const json& step, OrderedStep& ordered) const {
   if (step.contains("cost") && step["cost"].is_object() && step["cost"].contains("exact")) {
     const json& exact = step["cost"]["exact"];
     if (!exact.is_string()) reject("the exact cost as a string");
     try {
-      claim.cost = parse_rational(exact.get_ref<const std::string&>());
+      ordered.step.cost = parse_rational(exact.get_ref<const std::string&>());
     } catch (const Error&) {
       reject("the exact cost as p or p/q");
     }
   }
   if (step.contains("tie")) {
     if (!step["tie"].is_array()) reject("the tie as an array");
-    claim.tie.emplace();
-    for (const json& number : step["tie"]) claim.tie->push_back(facet(number));
+    ordered.claims_tie = true;
+    for (const json& number : step["tie"]) ordered.step.tie.push_back(facet(number));
   }
   if (step.contains("left")) {
     if (!step["left"].is_number_unsigned()) reject("how many are left");
-    claim.left = step["left"].get<std::uint64_t>();
+    ordered.claims_left = true;
+    ordered.step.left = step["left"].get<std::size_t>();
   }
-  return claim;
 }
 
 StopReason StepReader::stop_reason(const json& name) const {
@@ -98,12 +101,15 @@ void StepReader::read(const json& document, RemovalOrder& order) {
     reject("an object with an array 'steps'");
   }
   for (const json& step : document["steps"]) {
-    const std::size_t row = order.removals.size() + 1;
+    const std::size_t row = order.steps.size() + 1;
     place_ = "step " + std::to_string(row);
     if (!step.is_object() || !step.contains("removed")) reject("an object with 'removed'");
     const json& removed = step["removed"];
-    order.removals.push_back(
-        {row, "the id " + in_quotes(removed.dump()), facet(removed), claim(step)});
+    OrderedStep& ordered = order.steps.emplace_back();
+    ordered.row = row;
+    ordered.text = "the id " + in_quotes(removed.dump());
+    ordered.step.removed = facet(removed);
+    read_claims(step, ordered);
   }
   place_ = "stop";
   if (document.contains("stop")) order.stop = stop_reason(document["stop"]);
@@ -140,23 +146,23 @@ RemovalOrder read_planes(std::string_view bytes, Decimal decimal) {
   RemovalOrder order;
   order.facets = by_row(read_halfspace_rows(bytes, decimal));
   for (std::size_t k = 0; k < order.facets.size(); ++k) {
-    order.removals.push_back({k + 1, plane_text(order.facets[k]), k});
+    order.steps.push_back({k + 1, plane_text(order.facets[k]), {HalfspaceId(k)}});
   }
   return order;
 }
 
 // An integer of any length and sign.
-ListedFacet id_of(std::string_view token, const TextCursor& cursor) {
+HalfspaceId id_of(std::string_view token, const TextCursor& cursor) {
   std::string_view digits = token;
   const bool is_negative = digits.front() == '-';
   if (is_negative || digits.front() == '+') digits.remove_prefix(1);
   if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos) {
     cursor.fail_expected("a facet id, or a plane n1 n2 n3 d", token);
   }
-  ListedFacet value = 0;
+  std::uint64_t value = 0;
   const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   const bool is_too_large = parsed.ec != std::errc();
-  return is_too_large || (is_negative && value != 0) ? kNoListedFacet : value;
+  return is_too_large || (is_negative && value != 0) ? kNoFacet : facet_of(value);
 }
 
 RemovalOrder read_ids(std::string_view bytes) {
@@ -164,8 +170,8 @@ RemovalOrder read_ids(std::string_view bytes) {
   RemovalOrder order;
   while (cursor.next_line()) {
     const std::string_view token = cursor.token();
-    order.removals.push_back(
-        {order.removals.size() + 1, "the id " + in_quotes(token), id_of(token, cursor)});
+    order.steps.push_back(
+        {order.steps.size() + 1, "the id " + in_quotes(token), {id_of(token, cursor)}});
     cursor.expect_line_end();
   }
   return order;

@@ -18,12 +18,16 @@ Json ids_json(const std::vector<HalfspaceId>& ids) {
   return list;
 }
 
+Json cost_json(const std::optional<Cost>& cost) {
+  return cost ? quantity_json(cost->rational()) : Json(nullptr);
+}
+
 Json step_json(const JudgedStep& step, std::size_t number) {
   return {{"step", number},
           {"row", step.row},
           {"removed", step.removed.index()},
-          {"cost", quantity_json(step.cost)},
-          {"minimum", quantity_json(step.minimum)},
+          {"cost", cost_json(step.cost)},
+          {"minimum", cost_json(step.minimum)},
           {"tie", ids_json(step.tie)},
           {"regret", quantity_json(step.regret)}};
 }

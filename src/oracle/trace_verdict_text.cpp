@@ -16,8 +16,8 @@ constexpr int kRegretDigits = 3;        // of regrets
 constexpr std::size_t kWorstSteps = 5;  // as many as are shown
 constexpr std::size_t kLongest = 100;   // of what a witness may take of a line
 
-std::string number_text(const std::optional<Rational>& x, int digits, const char* none) {
-  return x ? to_decimal(*x, digits) : none;
+std::string cost_text(const std::optional<Cost>& cost, const char* none) {
+  return cost ? to_decimal(cost->rational(), kTraceDigits) : none;
 }
 
 // Not greedy, the worst first; an unbounded one is worse than any.
@@ -50,10 +50,10 @@ std::string claim_text(const TraceClaim& claim) {
 
 std::string step_row(std::size_t number, const JudgedStep& step) {
   return fmt::format("  {:>6}  {:>6}  {:>7}  {:>24}  {:>8}  {:>24}  {:>9}\n", number, step.row,
-                     step.removed.index(), number_text(step.cost, kTraceDigits, "unbounded"),
+                     step.removed.index(), cost_text(step.cost, "unbounded"),
                      step.tie.empty() ? "none" : std::to_string(step.tie.front().index()),
-                     number_text(step.minimum, kTraceDigits, "-"),
-                     number_text(step.regret, kRegretDigits, "infinite"));
+                     cost_text(step.minimum, "-"),
+                     step.regret ? to_decimal(*step.regret, kRegretDigits) : "infinite");
 }
 
 std::string worst_table(const TraceVerdict& verdict) {
@@ -72,7 +72,7 @@ std::string worst_table(const TraceVerdict& verdict) {
 std::string totals_text(const TraceVerdict& verdict) {
   Enclosure added(Rational(0), kVolumeBits);
   for (const JudgedStep& step : verdict.steps) {
-    if (step.cost) added = added + Enclosure(*step.cost, kVolumeBits);
+    if (step.cost) added += step.cost->enclose(kVolumeBits);
   }
   std::string text =
       fmt::format("  {:<22} {} of {}, from {} halfspaces\n", "removals judged",

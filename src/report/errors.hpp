@@ -37,7 +37,7 @@ struct ErrorSize {
 /// How far a vertex of the solid lies outside one of the rounded planes, at most; relative to the
 /// diameter of the solid's box. Exactly the worst one: doubles only exclude pairs of a plane and a
 /// vertex that are proven not to be it.
-[[nodiscard]] ErrorSize worst_outside(const RoundedDual& rounded, const DualHull& solid,
+[[nodiscard]] ErrorSize worst_outside(const RoundedDual& rounded, const DualHull& dual,
                                       const RationalPoint& center);
 
 }  // namespace convexact

@@ -75,7 +75,7 @@ RunTimes measure(const std::string& run, const Effort& effort, Work&& work) {
 void run_the_rest(const Shape& shape, const SimplifyResult& result, const Effort& effort,
                   StageLog& log) {
   if (std::holds_alternative<PointSet>(shape)) {
-    (void)make_polytope(result.record->solid.halfspaces, effort.seed, log);
+    (void)make_polytope(result.start->dual.halfspaces, effort.seed, log);
   }
   log.run("area and mean width", [&] {
     (void)surface_area(result.solid.exact, kVolumeBits);

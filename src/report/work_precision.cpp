@@ -14,21 +14,15 @@
 namespace convexact {
 namespace {
 
-std::vector<HalfspaceId> removed_in(const Trace& trace) {
-  std::vector<HalfspaceId> removed;
-  for (const Step& step : trace.steps) removed.push_back(step.removed);
-  return removed;
-}
-
 // Runs every arithmetic on one solid and collects its errors and times.
 class Workbench {
  public:
   Workbench(const Solid& solid, std::size_t faces, const Effort& effort)
-      : solid_(solid.dual),
+      : dual_(solid.dual),
         faces_(faces),
         effort_(effort),
         center_(interior_point_of(solid)),
-        dual_(FastDual::of(solid.dual, center_)) {}
+        fast_(FastDual::of(solid.dual, center_)) {}
 
   WorkPrecision run(const std::vector<std::string>& ways);
 
@@ -36,20 +30,20 @@ class Workbench {
   SimplifyOptions options(Deadline& deadline) const;
   std::optional<Spread> time_exact();
   std::optional<Spread> time_filtered();
-  WayResult engine(const char* way, std::optional<Spread> seconds, const Simplification& run);
+  WayResult engine(const char* way, std::optional<Spread> seconds, const Run& run);
   WayResult loop(const LoopWay& way);
-  void judge(WayResult& result, const Simplification& exact, const std::vector<Rational>& costs,
+  void judge(WayResult& result, const Run& exact, const std::vector<Rational>& costs,
              const std::optional<Rational>& volume);
   void judge_order(WayResult& result, const std::vector<HalfspaceId>& removed);
   double excess(const std::vector<HalfspaceId>& removed, const Rational& left) const;
   bool agrees_with(Numbers c, const RoundedDual& mpfr, const FastResult& result);
 
-  const DualHull& solid_;
+  const DualHull& dual_;
   std::size_t faces_;
   const Effort& effort_;
   RationalPoint center_;
-  FastDual dual_;
-  Simplification filtered_, reference_;
+  FastDual fast_;
+  Run filtered_, reference_;
 };
 
 SimplifyOptions Workbench::options(Deadline& deadline) const {
@@ -63,30 +57,28 @@ SimplifyOptions Workbench::options(Deadline& deadline) const {
 // The reference becomes the exact engine's run, if there is time for one.
 std::optional<Spread> Workbench::time_exact() {
   return time_repeatedly(effort_, [&](Deadline& deadline) {
-    reference_ = simplify_exact(solid_, center_, options(deadline));
+    reference_ = simplify_exact(dual_, center_, options(deadline));
   });
 }
 
 std::optional<Spread> Workbench::time_filtered() {
   return time_repeatedly(
-      effort_, [&](Deadline& deadline) { (void)simplify_filtered(dual_, options(deadline)); });
+      effort_, [&](Deadline& deadline) { (void)simplify_filtered(fast_, options(deadline)); });
 }
 
 // The run of an engine that decides exactly is judged like all others.
-WayResult Workbench::engine(const char* way, std::optional<Spread> seconds,
-                            const Simplification& run) {
+WayResult Workbench::engine(const char* way, std::optional<Spread> seconds, const Run& run) {
   WayResult result;
   result.way = way;
   result.seconds = seconds;
   if (!seconds) return result;
   std::vector<Rational> costs;
-  for (const Step& step : run.trace.steps) costs.push_back(step.cost);
-  result.stop = run.trace.stop;
-  const Rational left = volume(to_polytope(solid_.halfspaces, run.triangles));
+  for (const Step& step : run.steps) costs.push_back(step.cost->rational());
+  result.stop = run.stop;
+  const Rational left = volume(to_polytope(dual_.halfspaces, run.triangles));
   judge(result,
-        removed_in(run.trace) == removed_in(reference_.trace)
-            ? reference_
-            : replay(solid_, center_, removed_in(run.trace)),
+        removed_in(run) == removed_in(reference_) ? reference_
+                                                  : replay(dual_, center_, removed_in(run)),
         costs, left);
   return result;
 }
@@ -95,7 +87,7 @@ WayResult Workbench::loop(const LoopWay& way) {
   WayResult result;
   result.way = way.name;
   result.bits = bits_of(way.numbers);
-  const auto rounded = RoundedDual::of(dual_, way.numbers);
+  const auto rounded = RoundedDual::of(fast_, way.numbers);
   FastResult run;
   result.seconds =
       time_repeatedly(effort_, [&](Deadline& deadline) { run = rounded->run(options(deadline)); });
@@ -103,10 +95,9 @@ WayResult Workbench::loop(const LoopWay& way) {
   result.stop = run.stop;
   std::vector<HalfspaceId> removed;
   for (const FastStep& step : run.steps) removed.push_back(step.removed);
-  result.planes = worst_coordinate(*rounded, dual_.size());
-  result.outside = worst_outside(*rounded, solid_, center_);
-  judge(result,
-        removed == removed_in(reference_.trace) ? reference_ : replay(solid_, center_, removed),
+  result.planes = worst_coordinate(*rounded, fast_.size());
+  result.outside = worst_outside(*rounded, dual_, center_);
+  judge(result, removed == removed_in(reference_) ? reference_ : replay(dual_, center_, removed),
         rounded->costs(), rounded->volume());
   if (way.numbers == Numbers::MpfrBinary32) {
     result.agrees_with_c = agrees_with(Numbers::CFloat, *rounded, run);
@@ -118,7 +109,7 @@ WayResult Workbench::loop(const LoopWay& way) {
 
 bool Workbench::agrees_with(Numbers c, const RoundedDual& mpfr, const FastResult& result) {
   Deadline deadline(effort_);
-  const auto native = RoundedDual::of(dual_, c);
+  const auto native = RoundedDual::of(fast_, c);
   const FastResult other = native->run(options(deadline));
   const auto same_removal = [](const FastStep& a, const FastStep& b) {
     return a.removed == b.removed;
@@ -130,27 +121,27 @@ bool Workbench::agrees_with(Numbers c, const RoundedDual& mpfr, const FastResult
 }
 
 // `exact` is the run's removals with their exact costs.
-void Workbench::judge(WayResult& result, const Simplification& exact,
-                      const std::vector<Rational>& costs, const std::optional<Rational>& computed) {
+void Workbench::judge(WayResult& result, const Run& exact, const std::vector<Rational>& costs,
+                      const std::optional<Rational>& computed) {
   std::vector<ErrorSize> errors;
   for (std::size_t s = 0; s < costs.size(); ++s) {
-    errors.push_back(relative_error(costs[s], exact.trace.steps[s].cost));
+    errors.push_back(relative_error(costs[s], exact.steps[s].cost->rational()));
   }
   std::sort(errors.begin(), errors.end());
   if (!errors.empty()) {
     result.cost_worst = errors.back();
     result.cost_median = errors[errors.size() / 2];
   }
-  result.left = solid_.halfspaces.size() - costs.size();
-  const Rational left = volume(to_polytope(solid_.halfspaces, exact.triangles));
+  result.left = dual_.halfspaces.size() - costs.size();
+  const Rational left = volume(to_polytope(dual_.halfspaces, exact.triangles));
   if (computed) result.volume = relative_error(*computed, left);
-  const std::vector<HalfspaceId> removed = removed_in(exact.trace);
+  const std::vector<HalfspaceId> removed = removed_in(exact);
   judge_order(result, removed);
   result.excess = excess(removed, left);
 }
 
 void Workbench::judge_order(WayResult& result, const std::vector<HalfspaceId>& removed) {
-  const std::vector<Step>& steps = reference_.trace.steps;
+  const std::vector<Step>& steps = reference_.steps;
   std::size_t s = 0;
   while (s < removed.size() && s < steps.size() && removed[s] == steps[s].removed) ++s;
   if (s == removed.size() && s == steps.size()) return;
@@ -159,8 +150,11 @@ void Workbench::judge_order(WayResult& result, const std::vector<HalfspaceId>& r
     const std::vector<HalfspaceId>& tie = steps[s].tie;
     result.is_tied = std::find(tie.begin(), tie.end(), removed[s]) != tie.end();
   }
-  const EngineRun run{Engine::Float, removed, {}, {}, result.stop};
-  const auto wrong = first_wrong_step(solid_, center_, run, effort_.stop);
+  Run run;
+  run.halfspaces = dual_.halfspaces;
+  run.stop = result.stop;
+  for (const HalfspaceId id : removed) run.steps.push_back({id});
+  const auto wrong = first_wrong_step(dual_, center_, run, effort_.stop);
   if (!wrong) return;
   result.first_wrong = WrongStep{wrong->step, std::nullopt};
   if (wrong->regret) result.first_wrong->regret = to_double(*wrong->regret, Rounding::Nearest);
@@ -168,10 +162,10 @@ void Workbench::judge_order(WayResult& result, const std::vector<HalfspaceId>& r
 
 // `left` is the exact volume of the remaining solid.
 double Workbench::excess(const std::vector<HalfspaceId>& removed, const Rational& left) const {
-  const std::vector<Step>& steps = reference_.trace.steps;
+  const std::vector<Step>& steps = reference_.steps;
   const std::size_t count = std::min(removed.size(), steps.size());
-  std::vector<Rational> later{-volume(to_polytope(solid_.halfspaces, reference_.triangles))};
-  for (std::size_t s = count; s < steps.size(); ++s) later.push_back(steps[s].cost);
+  std::vector<Rational> later{-volume(to_polytope(dual_.halfspaces, reference_.triangles))};
+  for (std::size_t s = count; s < steps.size(); ++s) later.push_back(steps[s].cost->rational());
   const Rational wanted = -balanced_sum(std::move(later));
   return to_double(Rational(left / wanted - 1), Rounding::Nearest);
 }
@@ -184,13 +178,13 @@ WorkPrecision Workbench::run(const std::vector<std::string>& ways) {
     if (effort_.progress) effort_.progress("error and time of " + way);
   };
   WorkPrecision result;
-  result.halfspaces = solid_.halfspaces.size();
+  result.halfspaces = dual_.halfspaces.size();
   tell("filtered");
   SimplifyOptions with_record;
   with_record.faces = faces_;
   with_record.seed = effort_.seed;
   with_record.stop = effort_.stop;
-  filtered_ = simplify_filtered(solid_, center_, with_record);
+  filtered_ = simplify_filtered(dual_, center_, with_record);
   reference_ = filtered_;
   tell("exact");
   const std::optional<Spread> exact = is_wanted("exact") ? time_exact() : std::nullopt;

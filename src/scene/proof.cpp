@@ -15,9 +15,10 @@ namespace {
 
 class ProofWriter {
  public:
-  ProofWriter(const RunRecord& record, const PointSet& points) : record_(record), points_(points) {
-    for (const Halfspace& halfspace : record.solid.halfspaces) {
-      dual_points_.push_back(polar(halfspace, record.interior));
+  ProofWriter(const RunStart& start, const Run& run, const PointSet& points)
+      : start_(start), run_(run), points_(points) {
+    for (const Halfspace& halfspace : run.halfspaces) {
+      dual_points_.push_back(polar(halfspace, start.interior));
     }
   }
   std::string write(const std::optional<StoredPlanes>& stored);
@@ -26,7 +27,7 @@ class ProofWriter {
   // What is known of the removal of a halfspace.
   struct Appraisal {
     RingTriangulation roof;
-    std::optional<Rational> cost;
+    std::optional<Cost> cost;
     std::optional<IntegerVector3> ray;  // if it is unbounded: meets no other plane
   };
 
@@ -69,7 +70,8 @@ class ProofWriter {
   void write_stored(const StoredPlanes& stored);
   Appraisal appraise(const Evaluation& evaluation) const;
 
-  const RunRecord& record_;
+  const RunStart& start_;
+  const Run& run_;
   const PointSet& points_;
   std::vector<DualPoint> dual_points_;
   std::vector<std::optional<Appraisal>> appraisals_;  // by halfspace: the last one
@@ -77,7 +79,7 @@ class ProofWriter {
 };
 
 std::string ProofWriter::write(const std::optional<StoredPlanes>& stored) {
-  line("convexact-proof", "1", record_.is_greedy ? "greedy" : "costs");
+  line("convexact-proof", "1", run_.is_greedy ? "greedy" : "costs");
   write_hull();
   write_inside();
   write_run();
@@ -88,7 +90,7 @@ std::string ProofWriter::write(const std::optional<StoredPlanes>& stored) {
 }
 
 void ProofWriter::write_hull() {
-  for (const Halfspace& halfspace : record_.input_halfspaces) line("row", halfspace);
+  for (const Halfspace& halfspace : start_.input_halfspaces) line("row", halfspace);
   for (std::size_t p = 0; p < points_.size(); ++p) {
     if (points_.is_binary()) {
       line("point", points_.doubles()[p]);
@@ -96,15 +98,15 @@ void ProofWriter::write_hull() {
       line("point", points_[PointId(p)]);
     }
   }
-  line("interior", record_.interior);
-  for (const Halfspace& halfspace : record_.solid.halfspaces) line("plane", halfspace);
+  line("interior", start_.interior);
+  for (const Halfspace& halfspace : run_.halfspaces) line("plane", halfspace);
   const auto precedes = [](const RationalPoint& a, const RationalPoint& b) {
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
   };
   std::map<RationalPoint, PointId, decltype(precedes)> vertices(precedes);
-  for (const PointId p : record_.extreme) vertices.emplace(points_[p], p);
-  for (const DualTriangle& t : record_.solid.triangles) {
-    const auto& h = record_.solid.halfspaces;
+  for (const PointId p : start_.extreme) vertices.emplace(points_[p], p);
+  for (const DualTriangle& t : start_.dual.triangles) {
+    const auto& h = run_.halfspaces;
     const auto vertex = vertices.find(meet(h[t[0].index()], h[t[1].index()], h[t[2].index()]));
     if (vertex == vertices.end()) throw Error(ErrorCode::Internal, "a vertex is no input point");
     line("triangle", t, vertex->second);
@@ -114,7 +116,7 @@ void ProofWriter::write_hull() {
 // The certificate gives points up in turn, each into a tetrahedron of later ones and extreme ones;
 // a proof goes the other way.
 void ProofWriter::write_inside() {
-  for (auto proof = record_.inside.rbegin(); proof != record_.inside.rend(); ++proof) {
+  for (auto proof = start_.inside.rbegin(); proof != start_.inside.rend(); ++proof) {
     const auto& [p, corners] = *proof;
     if (corners[0] == corners[1] && corners[1] == corners[2]) {
       line("inside", p, corners[0]);
@@ -149,7 +151,7 @@ void ProofWriter::write_evaluation(const Evaluation& evaluation) {
   if (known->ray) {
     line("evaluate", i, "unbounded", *known->ray);
   } else {
-    line("evaluate", i, "cost", *known->cost, "ring", evaluation.ring, "triangles",
+    line("evaluate", i, "cost", known->cost->rational(), "ring", evaluation.ring, "triangles",
          evaluation.triangles);
   }
 }
@@ -159,32 +161,26 @@ void ProofWriter::write_removal(const Step& step) {
   if (!appraisal || appraisal->cost != step.cost) {
     throw Error(ErrorCode::Internal, "a removal does not cost what its evaluation says");
   }
-  if (record_.is_greedy) {
+  if (run_.is_greedy) {
     line("remove", step.removed, "tie", step.tie);
   } else {
     line("remove", step.removed);
   }
   for (const DualPlane& plane : appraisal->roof.planes) {
-    line("vertex", polar(plane, record_.interior));
+    line("vertex", polar(plane, start_.interior));
   }
 }
 
 void ProofWriter::write_run() {
   appraisals_.resize(dual_points_.size());
-  auto evaluation = record_.evaluations.begin();
-  for (std::size_t s = 0; s <= record_.steps.size(); ++s) {
-    for (; evaluation != record_.evaluations.end() && evaluation->step == s; ++evaluation) {
+  auto evaluation = run_.evaluations.begin();
+  for (std::size_t s = 0; s <= run_.steps.size(); ++s) {
+    for (; evaluation != run_.evaluations.end() && evaluation->step == s; ++evaluation) {
       write_evaluation(*evaluation);
     }
-    if (s < record_.steps.size()) write_removal(record_.steps[s]);
+    if (s < run_.steps.size()) write_removal(run_.steps[s]);
   }
-  std::vector<bool> is_gone(dual_points_.size(), false);
-  for (const Step& step : record_.steps) is_gone[step.removed.index()] = true;
-  std::vector<std::size_t> survivors;
-  for (std::size_t i = 0; i < is_gone.size(); ++i) {
-    if (!is_gone[i]) survivors.push_back(i);
-  }
-  line("survive", survivors);
+  line("survive", survivors(run_));
 }
 
 // Each plane with a weight; the weighted normals add up to zero.
@@ -205,9 +201,9 @@ void ProofWriter::write_stored(const StoredPlanes& stored) {
 
 }  // namespace
 
-std::string write_proof(const RunRecord& record, const PointSet& points,
+std::string write_proof(const RunStart& start, const Run& run, const PointSet& points,
                         const std::optional<StoredPlanes>& stored) {
-  return ProofWriter(record, points).write(stored);
+  return ProofWriter(start, run, points).write(stored);
 }
 
 }  // namespace convexact

@@ -54,13 +54,12 @@ SimplifyOptions options_of(const SimplifyRequest& request, std::size_t at_start)
 }
 
 // Where a run led, whichever engine made it.
-struct Run {
+struct End {
   std::size_t halfspaces, steps;
   StopReason stop;
   Polytope polytope;
-  std::vector<HalfspaceId> removed;
-  std::optional<Trace> trace;
-  std::vector<Evaluation> evaluations;
+  std::vector<HalfspaceId> removed;  // by an engine that keeps no record
+  std::optional<Run> run;
   std::optional<FloatBound> bound;
   long volume_exponent = 0;  // of costs in `bound`
 };
@@ -125,7 +124,7 @@ Polytope polytope_of(const FastResult& result, const FastDual& dual, Engine engi
   return to_polytope(halfspaces, triangles);
 }
 
-Run run_lean(const FastDual& dual, const SimplifyRequest& request, StageLog& log) {
+End run_lean(const FastDual& dual, const SimplifyRequest& request, StageLog& log) {
   const FastResult result = log.run(stage::kSimplify, [&] {
     const SimplifyOptions options = options_of(request, dual.size());
     return request.engine == Engine::Float ? simplify_float(dual, options)
@@ -133,60 +132,43 @@ Run run_lean(const FastDual& dual, const SimplifyRequest& request, StageLog& log
   });
   Polytope polytope =
       log.run("polytope", [&] { return polytope_of(result, dual, request.engine); });
-  Run run{dual.size(), result.steps.size(), result.stop,           std::move(polytope), {}, {},
+  End end{dual.size(), result.steps.size(), result.stop,           std::move(polytope), {},
           {},          result.bound,        dual.volume_exponent()};
-  for (const FastStep& step : result.steps) run.removed.push_back(step.removed);
-  return run;
+  for (const FastStep& step : result.steps) end.removed.push_back(step.removed);
+  return end;
 }
 
-Run run_with_record(const Solid& solid, const RationalPoint& center, const SimplifyRequest& request,
+End run_with_record(const Solid& solid, const RationalPoint& center, const SimplifyRequest& request,
                     StageLog& log) {
-  Simplification result = log.run(stage::kSimplify, [&] {
+  Run run = log.run(stage::kSimplify, [&] {
     const SimplifyOptions options = options_of(request, solid.dual.halfspaces.size());
     return request.engine == Engine::Exact ? simplify_exact(solid.dual, center, options)
                                            : simplify_filtered(solid.dual, center, options);
   });
-  Trace& trace = result.trace;
   Polytope polytope =
-      log.run("polytope", [&] { return to_polytope(trace.halfspaces, result.triangles); });
-  return {trace.halfspaces.size(),
-          trace.steps.size(),
-          trace.stop,
-          std::move(polytope),
-          {},
-          std::move(trace),
-          std::move(result.evaluations),
-          {}};
+      log.run("polytope", [&] { return to_polytope(run.halfspaces, run.triangles); });
+  const std::size_t halfspaces = run.halfspaces.size(), steps = run.steps.size();
+  const StopReason stop = run.stop;
+  return {halfspaces, steps, stop, std::move(polytope), {}, std::move(run), {}};
 }
 
-// What the proof of a run needs. The float engine keeps no record: its removals are made again.
-RunRecord record_of(const Shape& shape, const Solid& solid, const RationalPoint& center, Run& run,
-                    std::uint64_t seed, StageLog& log) {
-  RunRecord record;
+// What the proof of a run needs beside the run.
+RunStart start_of(const Shape& shape, const Solid& solid) {
+  RunStart start;
   if (const auto* halfspaces = std::get_if<std::vector<Halfspace>>(&shape)) {
-    record.input_halfspaces = *halfspaces;
+    start.input_halfspaces = *halfspaces;
   }
-  record.solid = solid.dual;
-  record.inside = solid.certificate.inside;
-  record.extreme = solid.extreme;
+  start.dual = solid.dual;
+  start.inside = solid.certificate.inside;
+  start.extreme = solid.extreme;
   if (solid.interior) {
-    record.interior = *solid.interior;
+    start.interior = *solid.interior;
   } else {
     RationalPoint sum = RationalPoint::Zero();
     for (const PointId corner : solid.certificate.simplex) sum += solid.points[corner];
-    record.interior = sum / Rational(4);
+    start.interior = sum / Rational(4);
   }
-  record.is_greedy = run.trace.has_value();
-  if (run.trace) {
-    record.steps = run.trace->steps;
-    record.evaluations = std::move(run.evaluations);
-  } else {
-    Simplification again =
-        log.run("replay", [&] { return replay(solid.dual, center, run.removed, seed); });
-    record.steps = std::move(again.trace.steps);
-    record.evaluations = std::move(again.evaluations);
-  }
-  return record;
+  return start;
 }
 
 Measured measure_volume(const Polytope& polytope, bool exact) {
@@ -212,45 +194,45 @@ std::size_t verify_containment(const PointSet& points, const Polytope& result, V
 }
 
 // A growth limit is compared in doubles while the float engine runs; here are exact volumes.
-bool is_growth_proven(const Run& run, const Enclosure& before, const Enclosure& after,
+bool is_growth_proven(const End& end, const Enclosure& before, const Enclosure& after,
                       const Rational& max_growth) {
   const Rational most = 1 + max_growth;
-  const bool is_kept = run.steps == 0 || after.high() <= most * before.low();
-  if (!is_kept || run.stop != StopReason::GrowthLimit) return is_kept;
-  if (std::isinf(run.bound->least_next)) return true;
+  const bool is_kept = end.steps == 0 || after.high() <= most * before.low();
+  if (!is_kept || end.stop != StopReason::GrowthLimit) return is_kept;
+  if (std::isinf(end.bound->least_next)) return true;
   const Rational next =
-      scale_by_power_of_two(to_rational(run.bound->least_next), run.volume_exponent);
+      scale_by_power_of_two(to_rational(end.bound->least_next), end.volume_exponent);
   return after.low() + next > most * before.high();
 }
 
-SimplifyResult finish(Reference reference, Run run, const SimplifyRequest& request, StageLog& log) {
+SimplifyResult finish(Reference reference, End end, const SimplifyRequest& request, StageLog& log) {
   Measured output_volume =
-      log.run("volume", [&] { return measure_volume(run.polytope, request.exact_volumes); });
+      log.run("volume", [&] { return measure_volume(end.polytope, request.exact_volumes); });
   if (!request.exact_volumes) log.skip("exact volume", "the fraction was not requested");
-  if (run.bound && request.max_growth) {
-    run.bound->is_end_proven &=
-        is_growth_proven(run, reference.volume.bounds, output_volume.bounds, *request.max_growth);
+  if (end.bound && request.max_growth) {
+    end.bound->is_end_proven &=
+        is_growth_proven(end, reference.volume.bounds, output_volume.bounds, *request.max_growth);
   }
   log.skip("area and mean width", "simplify does not report them; hull does");
   const std::size_t tested =
-      verify_containment(reference.points, run.polytope, request.verify, log);
+      verify_containment(reference.points, end.polytope, request.verify, log);
   StoredSolid stored =
-      store(std::move(run.polytope), reference.points, reference.extreme, request.store, log);
+      store(std::move(end.polytope), reference.points, reference.extreme, request.store, log);
   return SimplifyResult{.input_points = reference.input_points,
                         .hull_vertices = reference.extreme.size(),
                         .redundant = std::move(reference.redundant),
-                        .input_halfspaces = run.halfspaces,
-                        .steps = run.steps,
-                        .stop = run.stop,
-                        .trace = std::move(run.trace),
-                        .record = {},
+                        .input_halfspaces = end.halfspaces,
+                        .steps = end.steps,
+                        .stop = end.stop,
+                        .run = std::move(end.run),
+                        .start = {},
                         .solid = std::move(stored),
                         .input_volume = std::move(reference.volume),
                         .output_volume = std::move(output_volume),
                         .tested_points = tested,
                         .engine = request.engine,
                         .verified = request.verify,
-                        .float_bound = run.bound,
+                        .float_bound = end.bound,
                         .stages = log.stages()};
 }
 
@@ -263,14 +245,14 @@ SimplifyOutcome simplify_lean(const PointSet& points, const SimplifyRequest& req
   log.skip("Chebyshev center", "any interior point serves this engine");
   log.skip("exact planes", "formed for the remaining halfspaces, and where doubles cannot decide");
   const FastDual dual = log.run("dual", [&] { return FastDual::of(hull, points); });
-  Run run = run_lean(dual, request, log);
+  End end = run_lean(dual, request, log);
   Measured input_volume = log.run("volume", [&] {
     const Rational exact = volume(hull, points);
     return Measured{Enclosure(exact, kVolumeBits), exact};
   });
   if (!request.exact_volumes) input_volume.exact.reset();
   Reference reference{points, hull.vertices, points.size(), {}, std::move(input_volume)};
-  return finish(std::move(reference), std::move(run), request, log);
+  return finish(std::move(reference), std::move(end), request, log);
 }
 
 SimplifyOutcome simplify_solid(const Shape& shape, const SimplifyRequest& request, bool record,
@@ -279,16 +261,20 @@ SimplifyOutcome simplify_solid(const Shape& shape, const SimplifyRequest& reques
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   auto& solid = std::get<Solid>(outcome);
   const RationalPoint center = find_center(solid, request, log);
-  Run run = record ? run_with_record(solid, center, request, log)
+  End end = record ? run_with_record(solid, center, request, log)
                    : run_lean(FastDual::of(solid.dual, center), request, log);
   Measured input_volume =
       log.run("volume", [&] { return measure_volume(solid.polytope, request.exact_volumes); });
-  std::optional<RunRecord> run_record;
-  if (request.record) run_record = record_of(shape, solid, center, run, request.seed, log);
+  std::optional<RunStart> start;
+  if (request.record) start = start_of(shape, solid);
+  if (request.record && !end.run) {
+    end.run =
+        log.run("replay", [&] { return replay(solid.dual, center, end.removed, request.seed); });
+  }
   Reference reference{std::move(solid.points), std::move(solid.extreme), solid.input_points,
                       std::move(solid.redundant), std::move(input_volume)};
-  SimplifyResult result = finish(std::move(reference), std::move(run), request, log);
-  result.record = std::move(run_record);
+  SimplifyResult result = finish(std::move(reference), std::move(end), request, log);
+  result.start = std::move(start);
   return result;
 }
 

@@ -10,14 +10,14 @@ namespace convexact {
 
 /// Removes one halfspace after another, each time the one whose removal adds the least volume; of
 /// equal ones the first in canonical order. Every sign is exact and every cost a rational.
-/// @param solid   The dual hull of the input.
-/// @param center  Strictly inside the solid. The trace's costs and ties do not depend on it.
+/// @param dual    The dual hull of the input.
+/// @param center  Strictly inside the solid. Costs and ties do not depend on it.
 /// @throws Error  InvalidArgument if options.faces < 4, options.max_growth < 0, or the center is
 ///                not strictly inside; Stopped when asked to; Internal if a verification fails.
 /// @par Cost      Expected O(k) exact operations per evaluated cap of a ring of k; each step
 ///                evaluates the caps of one ring.
 /// @par Source    [Jacobson2026]
-[[nodiscard]] Simplification simplify_exact(const DualHull& solid, const RationalPoint& center,
-                                            const SimplifyOptions& options = {});
+[[nodiscard]] Run simplify_exact(const DualHull& dual, const RationalPoint& center,
+                                 const SimplifyOptions& options = {});
 
 }  // namespace convexact

@@ -10,12 +10,12 @@ namespace convexact {
 
 /// Makes the removals and records each of them; ties are left empty, for nothing is compared. The
 /// evaluations are those of the removals.
-/// @param solid   What the removals start from.
+/// @param dual    What the removals start from.
 /// @param center  Strictly inside. The costs do not depend on it.
 /// @param removed  Each once; every prefix leaves a bounded solid.
 /// @throws Error  InvalidArgument if the center is not strictly inside or a removal is unbounded.
 /// @par Cost      Expected O(k) exact operations per removal with a ring of k.
-[[nodiscard]] Simplification replay(const DualHull& solid, const RationalPoint& center,
-                                    std::span<const HalfspaceId> removed, std::uint64_t seed = 1);
+[[nodiscard]] Run replay(const DualHull& dual, const RationalPoint& center,
+                         std::span<const HalfspaceId> removed, std::uint64_t seed = 1);
 
 }  // namespace convexact

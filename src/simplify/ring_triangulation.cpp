@@ -31,8 +31,9 @@ struct Side {
 // The triangulation of a growing convex polygon whose corners are ring points.
 class PolygonTriangulation {
  public:
-  PolygonTriangulation(std::span<const DualPoint> points, std::span<const HalfspaceId> ring)
-      : points_(points), ring_(ring), rim_(ring.size()) {}
+  PolygonTriangulation(std::span<const DualPoint> points, std::span<const HalfspaceId> ring,
+                       RingObserver* observer)
+      : points_(points), ring_(ring), observer_(observer), rim_(ring.size()) {}
 
   void start(std::uint32_t a, std::uint32_t b, std::uint32_t c);
   void insert(std::uint32_t p, std::uint32_t before, std::uint32_t after);
@@ -49,12 +50,18 @@ class PolygonTriangulation {
   std::uint32_t add(std::uint32_t a, std::uint32_t b, std::uint32_t c);
   void glue(Side a, Side b);
   Gap gap_beyond(const Piece& piece, std::uint32_t edge) const;
+  DualTriangle triangle(const Piece& piece) const {
+    return {ring_[piece.corner[0]], ring_[piece.corner[1]], ring_[piece.corner[2]]};
+  }
+  void tell(std::uint32_t p, std::size_t first_new) const;
 
   std::span<const DualPoint> points_;
   std::span<const HalfspaceId> ring_;
+  RingObserver* observer_;
   std::vector<Piece> pieces_;
   std::vector<Side> rim_;  // the side along the polygon's edge that starts at a corner
   std::vector<Gap> open_;
+  std::vector<DualTriangle> lost_;  // in the latest insertion, if it is observed
 };
 
 std::uint32_t PolygonTriangulation::add(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -75,6 +82,7 @@ void PolygonTriangulation::glue(Side a, Side b) {
 void PolygonTriangulation::start(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   const std::uint32_t piece = add(a, b, c);
   for (std::uint32_t e = 0; e < 3; ++e) glue({piece, e}, {});
+  if (observer_ != nullptr) observer_->started(triangle(pieces_[piece]));
 }
 
 // What a new piece over `edge` of a piece that goes away will be glued to.
@@ -94,6 +102,8 @@ PolygonTriangulation::Gap PolygonTriangulation::gap_beyond(const Piece& piece,
 // seen edge-on from there, yet it is a true triangle, for no three dual points are collinear.
 void PolygonTriangulation::insert(std::uint32_t p, std::uint32_t before, std::uint32_t after) {
   open_.assign(1, {after, before, rim_[before]});
+  lost_.clear();
+  const std::size_t first_new = pieces_.size();
   std::uint32_t previous = kOutside;
   while (!open_.empty()) {
     const Gap gap = open_.back();
@@ -101,6 +111,7 @@ void PolygonTriangulation::insert(std::uint32_t p, std::uint32_t before, std::ui
     if (gap.side.piece != kOutside && is_beyond(point(p), pieces_[gap.side.piece].plane)) {
       Piece& piece = pieces_[gap.side.piece];
       piece.alive = false;
+      if (observer_ != nullptr) lost_.push_back(triangle(piece));
       // Last in, first out: the fan around p grows counter-clockwise, from `after` to `before`.
       open_.push_back(gap_beyond(piece, (gap.side.edge + 2) % 3));
       open_.push_back(gap_beyond(piece, (gap.side.edge + 1) % 3));
@@ -112,14 +123,20 @@ void PolygonTriangulation::insert(std::uint32_t p, std::uint32_t before, std::ui
     previous = piece;
   }
   glue({previous, 2}, {});
+  if (observer_ != nullptr) tell(p, first_new);
+}
+
+void PolygonTriangulation::tell(std::uint32_t p, std::size_t first_new) const {
+  std::vector<DualTriangle> gained;
+  for (std::size_t n = first_new; n < pieces_.size(); ++n) gained.push_back(triangle(pieces_[n]));
+  observer_->inserted(ring_[p], lost_, gained);
 }
 
 RingTriangulation PolygonTriangulation::result() const {
   RingTriangulation result;
   for (const Piece& piece : pieces_) {
     if (!piece.alive) continue;
-    const auto& [a, b, c] = piece.corner;
-    result.triangles.push_back({ring_[a], ring_[b], ring_[c]});
+    result.triangles.push_back(triangle(piece));
     result.planes.push_back(piece.plane);
   }
   return result;
@@ -133,7 +150,8 @@ bool RingTriangulation::is_bounded() const {
 }
 
 RingTriangulation triangulate_ring(std::span<const DualPoint> points,
-                                   std::span<const HalfspaceId> ring, Random& random) {
+                                   std::span<const HalfspaceId> ring, Random& random,
+                                   RingObserver* observer) {
   const auto k = static_cast<std::uint32_t>(ring.size());
   CONVEXACT_ASSERT(k >= 3);
   // (1) Take the corners away in random order, down to three, noting each one's neighbours.
@@ -152,7 +170,7 @@ RingTriangulation triangulate_ring(std::span<const DualPoint> points,
   // (2) Begin with the triangle that is left and put them back in reverse. A corner's neighbours
   //     are those of its removal, so seen backwards every insertion is a random one: it touches
   //     as many pieces as a random corner has, fewer than six on average.
-  PolygonTriangulation polygon(points, ring);
+  PolygonTriangulation polygon(points, ring, observer);
   std::sort(order.begin(), order.begin() + 3);
   polygon.start(order[0], order[1], order[2]);
   for (std::uint32_t m = 3; m < k; ++m) {

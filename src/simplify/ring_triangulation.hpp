@@ -19,16 +19,28 @@ struct RingTriangulation {
   bool is_bounded() const;
 };
 
+/// Watches a ring being triangulated, corner by corner.
+class RingObserver {
+ public:
+  virtual ~RingObserver() = default;
+  /// The first three corners, in one triangle.
+  virtual void started(const DualTriangle& first) = 0;
+  /// One more corner: it was beyond `lost`, and is a corner of each of `gained`.
+  virtual void inserted(HalfspaceId corner, std::span<const DualTriangle> lost,
+                        std::span<const DualTriangle> gained) = 0;
+};
+
 /// Triangulates the hole that dual point i leaves. Any valence, any degeneracy: four dual points
 /// in a plane only mean that the choice among equal triangulations is the generator's.
 /// @param points  The dual points of all halfspaces, by id.
 /// @param ring    The one-ring of i in a convex dual hull, counter-clockwise, at least three.
 /// @param random  Draws the insertion order.
+/// @param observer  Told of every insertion; null for none.
 /// @par Cost      Expected O(k) exact signs, whatever the ring.
 /// @par Source    [Chew1990]: insertion in random order into a polygon in convex position, here
-/// with
-///                "beyond the dual plane" in place of "inside the circumcircle".
+///                with "beyond the dual plane" in place of "inside the circumcircle".
 [[nodiscard]] RingTriangulation triangulate_ring(std::span<const DualPoint> points,
-                                                 std::span<const HalfspaceId> ring, Random& random);
+                                                 std::span<const HalfspaceId> ring, Random& random,
+                                                 RingObserver* observer = nullptr);
 
 }  // namespace convexact

@@ -143,7 +143,7 @@ void StepVerification::check(const Step& step) {
   state_->require(whole.is_certified(state_->surface, state_->present),
                   "the whole dual is a convex hull around the origin");
   state_->require(whole.holds_vertices(state_->present), "every survivor holds every hull vertex");
-  state_->require(whole.volume_grew_by(step.cost, state_->surface),
+  state_->require(whole.volume_grew_by(step.cost.value().rational(), state_->surface),
                   "the volume grew by the cost, modulo two primes");
 }
 

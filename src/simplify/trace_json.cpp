@@ -29,11 +29,12 @@ ordered_json to_json(const std::vector<HalfspaceId>& ids) {
 ordered_json to_json(const Step& step) {
   ordered_json triangles = ordered_json::array();
   for (const auto& [a, b, c] : step.triangles) triangles.push_back({a.value, b.value, c.value});
-  const double value = to_double(step.cost, Rounding::Nearest);
+  const Rational& cost = step.cost.value().rational();
+  const double value = to_double(cost, Rounding::Nearest);
   return {{"removed", step.removed.value},
           {"cost",
            {{"value", std::isfinite(value) ? ordered_json(value) : ordered_json()},
-            {"exact", to_string(step.cost)}}},
+            {"exact", to_string(cost)}}},
           {"tie", to_json(step.tie)},
           {"ring", to_json(step.ring)},
           {"triangles", std::move(triangles)},
@@ -43,7 +44,7 @@ ordered_json to_json(const Step& step) {
 // Reads one document; `place_` is where in it the reader is, for messages.
 class TraceReader {
  public:
-  Trace read(const json& document);
+  Run read(const json& document);
   const std::string& place() const { return place_; }
 
  private:
@@ -113,40 +114,40 @@ StopReason TraceReader::stop_reason(const std::string& name) const {
   reject("reached, growth-limit or all-unbounded");
 }
 
-Trace TraceReader::read(const json& document) {
-  Trace trace;
+Run TraceReader::read(const json& document) {
+  Run run;
   const json& halfspaces = document.at("halfspaces");
   require_array(halfspaces);
   for (const json& row : halfspaces) {
-    place_ = "halfspace " + std::to_string(trace.halfspaces.size());
-    trace.halfspaces.push_back(halfspace(row));
+    place_ = "halfspace " + std::to_string(run.halfspaces.size());
+    run.halfspaces.push_back(halfspace(row));
   }
-  count_ = trace.halfspaces.size();
+  count_ = run.halfspaces.size();
   place_ = "trace";
   const json& steps = document.at("steps");
   require_array(steps);
   for (const json& object : steps) {
-    place_ = "step " + std::to_string(trace.steps.size() + 1);
-    trace.steps.push_back(step(object));
+    place_ = "step " + std::to_string(run.steps.size() + 1);
+    run.steps.push_back(step(object));
   }
   place_ = "stop";
-  trace.stop = stop_reason(document.value<std::string>("stop", name_of(StopReason::Reached)));
-  return trace;
+  run.stop = stop_reason(document.value<std::string>("stop", name_of(StopReason::Reached)));
+  return run;
 }
 
 }  // namespace
 
-std::string write_trace_json(const Trace& trace) {
+std::string write_trace_json(const Run& run) {
   ordered_json halfspaces = ordered_json::array(), steps = ordered_json::array();
-  for (const Halfspace& halfspace : trace.halfspaces) halfspaces.push_back(to_json(halfspace));
-  for (const Step& step : trace.steps) steps.push_back(to_json(step));
+  for (const Halfspace& halfspace : run.halfspaces) halfspaces.push_back(to_json(halfspace));
+  for (const Step& step : run.steps) steps.push_back(to_json(step));
   const ordered_json document = {{"halfspaces", std::move(halfspaces)},
                                  {"steps", std::move(steps)},
-                                 {"stop", name_of(trace.stop)}};
+                                 {"stop", name_of(run.stop)}};
   return write_json(document) + "\n";
 }
 
-Trace read_trace_json(std::string_view text) {
+Run read_trace_json(std::string_view text) {
   TraceReader reader;
   try {
     return reader.read(parse_json(text));

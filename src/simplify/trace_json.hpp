@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// trace_json.hpp - a trace as JSON text and back: enough for another program to replay every step.
+// trace_json.hpp - a run as JSON text, a trace, and back: enough for another program to replay
+// every step.
 #pragma once
 #include <string>
 #include <string_view>
@@ -16,13 +17,13 @@ inline constexpr auto kStopReasonNames =
 inline const char* name_of(StopReason reason) { return name_in(kStopReasonNames, reason); }
 
 /// One object as docs/schema/trace.schema.json describes it: integers of any size are strings, a
-/// cost is {"value": nearest double, or null beyond the largest one, "exact": "p/q"}. The reason
-/// of the stop is not part of it.
-[[nodiscard]] std::string write_trace_json(const Trace& trace);
+/// cost is {"value": nearest double, or null beyond the largest one, "exact": "p/q"}.
+/// Precondition: each step has its cost.
+[[nodiscard]] std::string write_trace_json(const Run& run);
 
 /// Reads a trace of write_trace_json() or of another program; `value` is ignored. The steps are
 /// not verified here, but every index is within range.
 /// @throws Error Malformed, with the line if the text is no JSON, else with the place in it.
-[[nodiscard]] Trace read_trace_json(std::string_view text);
+[[nodiscard]] Run read_trace_json(std::string_view text);
 
 }  // namespace convexact

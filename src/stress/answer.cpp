@@ -71,7 +71,7 @@ Polytope run_pipeline(const Shape& shape, const SimplifyRequest& request, Engine
     answer.claim = {bound->cost, bound->regret, bound->doubtful, bound->is_end_proven,
                     bound->is_vouched()};
   }
-  if (result->trace) answer.run.steps = std::move(result->trace->steps);
+  if (result->run) answer.run.steps = std::move(result->run->steps);
   return std::move(result->solid.exact);
 }
 

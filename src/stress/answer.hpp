@@ -38,7 +38,7 @@ struct EngineAnswer {
 
   /// Of the solid and the run; each step with cost and tie, of the float engine, which keeps no
   /// such record, with the removal only.
-  Trace run;
+  Run run;
   std::vector<LeanStep> lean;  ///< Empty for the exact engine.
 
   std::vector<Halfspace> left;                 ///< The result of the pipeline.

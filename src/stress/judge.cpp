@@ -124,7 +124,7 @@ void Judge::judge_lean_run(const EngineAnswer& answer, StressRun& run) const {
   double largest = 0;
   for (std::size_t s = 0; s < steps.size(); ++s) {
     const ReportedVolume& reported = answer.lean[s].cost;
-    const Rational& cost = steps[s].cost;
+    const Rational& cost = steps[s].cost.value().rational();
     largest = std::max(largest, error_of_cost(reported, cost));
     if (!holds(reported, cost) || answer.lean[s].tied != steps[s].tie.size()) {
       run.faults.push_back(

@@ -44,10 +44,7 @@ struct JudgedSolid {
 [[nodiscard]] bool holds(const ReportedVolume& reported, const Rational& value);
 
 /// Whether the removals are different halfspaces of the run's, and leave at least four.
-[[nodiscard]] bool is_valid_order(const Trace& run);
-
-/// The halfspaces that are left after the first `count` steps. Precondition: is_valid_order().
-[[nodiscard]] std::vector<Halfspace> left_after(const Trace& run, std::size_t count);
+[[nodiscard]] bool is_valid_order(const Run& run);
 
 /// Follows the removals up to the limits, with all claims of the answer about them.
 [[nodiscard]] TraceVerdict follow(const JudgedSolid& solid, const EngineAnswer& answer,

@@ -22,7 +22,7 @@ struct Cheapest {
   std::vector<HalfspaceId> tie;
 };
 
-Cheapest cheapest_of(const JudgedSolid& solid, const Trace& run, std::size_t steps) {
+Cheapest cheapest_of(const JudgedSolid& solid, const Run& run, std::size_t steps) {
   const std::vector<Halfspace>& all = solid.dual.halfspaces;
   const std::vector<Halfspace> left = left_after(run, steps);
   const RemovalOracle oracle(left, solid.center);
@@ -64,19 +64,12 @@ bool holds(const ReportedVolume& reported, const Rational& value) {
   return (!reported.low || *reported.low <= value) && (!reported.high || value <= *reported.high);
 }
 
-bool is_valid_order(const Trace& run) {
-  std::vector<HalfspaceId> ids;
-  for (const Step& step : run.steps) ids.push_back(step.removed);
+bool is_valid_order(const Run& run) {
+  std::vector<HalfspaceId> ids = removed_in(run);
   std::sort(ids.begin(), ids.end());
   const bool is_unique = std::adjacent_find(ids.begin(), ids.end()) == ids.end();
   return is_unique && (ids.empty() || ids.back().index() < run.halfspaces.size()) &&
          ids.size() + 4 <= run.halfspaces.size();
-}
-
-std::vector<Halfspace> left_after(const Trace& run, std::size_t count) {
-  std::vector<Halfspace> left;
-  for (const HalfspaceId id : run.survivors(count)) left.push_back(run.halfspaces[id.index()]);
-  return left;
 }
 
 TraceVerdict follow(const JudgedSolid& solid, const EngineAnswer& answer,
@@ -88,12 +81,12 @@ TraceVerdict follow(const JudgedSolid& solid, const EngineAnswer& answer,
   const std::size_t count = is_large ? std::min(limits.steps, all) : all;
   for (std::size_t s = 0; s < count; ++s) {
     const Step& step = answer.run.steps[s];
-    OrderedRemoval& removal = order.removals.emplace_back(OrderedRemoval{
-        .row = s, .text = std::to_string(step.removed.index()), .facet = step.removed.index()});
+    OrderedStep& ordered = order.steps.emplace_back(
+        OrderedStep{s, std::to_string(step.removed.index()), {step.removed}});
     if (!has_record(answer)) continue;
-    removal.claim.cost = step.cost;
-    removal.claim.tie.emplace();
-    for (const HalfspaceId id : step.tie) removal.claim.tie->push_back(id.index());
+    ordered.step.cost = step.cost;
+    ordered.step.tie = step.tie;
+    ordered.claims_tie = true;
   }
   if (count == all && answer.end == StressEnd::AllUnbounded) {
     order.stop = StopReason::AllUnbounded;
@@ -166,7 +159,7 @@ std::vector<std::string> faults_of_volume(const JudgedSolid& solid, const Engine
   const Rational first = volume(intersect(solid.dual.halfspaces, solid.center).value());
   check_reported("input", first, answer.input_volume, faults);
   std::vector<Rational> costs;
-  for (const Step& step : answer.run.steps) costs.push_back(step.cost);
+  for (const Step& step : answer.run.steps) costs.push_back(step.cost.value().rational());
   if (has_record(answer) && first + balanced_sum(std::move(costs)) != last) {
     faults.push_back("the costs do not add up to the growth of the volume");
   }
@@ -191,7 +184,7 @@ void judge_float(const EngineAnswer& answer, const TraceVerdict& verdict, Stress
       return;
     }
     if (!run.first_difference && !step.is_greedy()) run.first_difference = s;
-    const double step_error = error_of_cost(answer.lean[s].cost, *step.cost);
+    const double step_error = error_of_cost(answer.lean[s].cost, step.cost->rational());
     const double step_regret = step.regret ? to_double(*step.regret, Rounding::Up) : kInfinity;
     cost_error = std::max(cost_error, step_error);
     regret = std::max(regret, step_regret);

@@ -114,7 +114,8 @@ ReportedVolume volume_in(const Json& json) {
 Json steps_json(const std::vector<Step>& steps) {
   Json list = Json::array();
   for (const Step& step : steps) {
-    list.push_back({{"removed", step.removed}, {"cost", step.cost}, {"tie", step.tie}});
+    const Json cost = step.cost ? Json(step.cost->rational()) : Json(nullptr);
+    list.push_back({{"removed", step.removed}, {"cost", cost}, {"tie", step.tie}});
   }
   return list;
 }
@@ -218,7 +219,7 @@ EngineAnswer answer_in(const Json& json) {
   for (const Json& entry : json.at("steps")) {
     Step& step = answer.run.steps.emplace_back();
     step.removed = entry.at("removed").get<HalfspaceId>();
-    step.cost = entry.at("cost").get<Rational>();
+    if (!entry.at("cost").is_null()) step.cost = entry.at("cost").get<Rational>();
     step.tie = entry.at("tie").get<std::vector<HalfspaceId>>();
   }
   for (const Json& entry : json.at("lean")) {

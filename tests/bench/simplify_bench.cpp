@@ -30,7 +30,7 @@ void simplify(benchmark::State& state, const std::vector<Point>& points, VerifyL
   std::size_t hash = 0;  // of what is removed: equal answers have equal hashes
   for (auto _ : state) {
     hash = 0;
-    for (const Step& step : simplify_exact(solid, center, options).trace.steps) {
+    for (const Step& step : simplify_exact(solid, center, options).steps) {
       hash = (hash * 1000003 + step.removed.value) % 1000000007;
     }
   }

@@ -22,6 +22,7 @@ inline std::string proof_of(const convexact::Shape& shape, convexact::Engine eng
   const convexact::SimplifyOutcome outcome = convexact::simplify(shape, request);
   REQUIRE(std::holds_alternative<convexact::SimplifyResult>(outcome));
   const auto& result = std::get<convexact::SimplifyResult>(outcome);
-  REQUIRE(result.record);
-  return convexact::write_proof(*result.record, result.solid.points, result.solid.planes);
+  REQUIRE((result.run && result.start));
+  return convexact::write_proof(*result.start, *result.run, result.solid.points,
+                                result.solid.planes);
 }

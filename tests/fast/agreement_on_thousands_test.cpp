@@ -18,8 +18,7 @@ Rational volume_of(const DualHull& solid) {
 }
 
 // The filtered engine, told to end at a number of faces, must do a prefix of the exact run.
-void check_at_faces(const Trace& exact, const FastDual& dual, std::size_t count,
-                    std::uint64_t seed) {
+void check_at_faces(const Run& exact, const FastDual& dual, std::size_t count, std::uint64_t seed) {
   const FastResult result =
       simplify_filtered(dual, {.faces = exact.halfspaces.size() - count, .seed = seed});
   CHECK(result.stop == StopReason::Reached);
@@ -28,7 +27,7 @@ void check_at_faces(const Trace& exact, const FastDual& dual, std::size_t count,
 
 // The same with limits of growth that it just meets or just misses, and the exact engine with one
 // of these.
-void check_at_growth(const Trace& exact, const DualHull& solid, const FastDual& dual,
+void check_at_growth(const Run& exact, const DualHull& solid, const FastDual& dual,
                      std::size_t count) {
   SimplifyOptions options;
   const auto cases = limits_after(exact, volume_of(solid), count);
@@ -52,7 +51,7 @@ void compare(const std::vector<Point>& points, std::uint64_t i, Compared& total)
   const Hull* hull = std::get_if<Hull>(&outcome);
   if (hull == nullptr) return;
   const DualHull solid = dual_of(*hull, set);
-  const Trace exact = check_same_solid(solid, {.seed = i});
+  const Run exact = check_same_solid(solid, {.seed = i});
   const FastDual dual = FastDual::of(*hull, set);
   const FastResult lean = simplify_filtered(dual, {.seed = i + 1});
   CHECK(lean.stop == exact.stop);

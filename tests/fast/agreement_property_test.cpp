@@ -25,16 +25,17 @@ std::vector<Point> small_points(const Coordinates& raw, int range) {
 }
 
 // What differs first; empty if nothing does.
-std::string difference(const Trace& exact, const Trace& filtered) {
+std::string difference(const Run& exact, const Run& filtered) {
   const std::size_t common = std::min(exact.steps.size(), filtered.steps.size());
   for (std::size_t s = 0; s < common; ++s) {
     const Step &a = exact.steps[s], &b = filtered.steps[s];
     const std::string step = "step " + std::to_string(s) + ": ";
     if (a.removed != b.removed) {
-      return step + std::to_string(b.removed.value) + " goes at " + b.cost.str() + ", not " +
-             std::to_string(a.removed.value) + " at " + a.cost.str();
+      return step + std::to_string(b.removed.value) + " goes at " + b.cost->rational().str() +
+             ", not " + std::to_string(a.removed.value) + " at " + a.cost->rational().str();
     }
-    if (a.cost != b.cost) return step + "costs " + b.cost.str() + ", not " + a.cost.str();
+    if (a.cost != b.cost)
+      return step + "costs " + b.cost->rational().str() + ", not " + a.cost->rational().str();
     if (a.tie != b.tie) return step + "another tie";
   }
   return exact.stop == filtered.stop && exact.steps.size() == filtered.steps.size()
@@ -49,9 +50,9 @@ std::string disagreement(const std::vector<Point>& points, SimplifyOptions optio
   if (hull == nullptr) return "";
   const DualHull solid = dual_of(*hull, set);
   const RationalPoint center = mean_of_vertices(solid);
-  const Trace filtered = simplify_filtered(solid, center, options).trace;
+  const Run filtered = simplify_filtered(solid, center, options);
   options.verify = VerifyLevel::None;
-  return difference(simplify_exact(solid, center, options).trace, filtered);
+  return difference(simplify_exact(solid, center, options), filtered);
 }
 
 }  // namespace
@@ -91,7 +92,7 @@ TEST_CASE("agreement: hundreds of sets of halfspaces") {
     const hard::Halfspaces input(i);
     if (!std::holds_alternative<BoundedProof>(find_recession(input.all()))) continue;
     const DualHull solid = dual_of(input.all(), origin, i).dual;
-    const Trace exact = check_same_solid(solid, {.seed = i});
+    const Run exact = check_same_solid(solid, {.seed = i});
     const FastDual dual = FastDual::of(solid, origin);
     const FastResult lean = simplify_filtered(dual, {.seed = i + 1});
     CHECK(lean.stop == exact.stop);

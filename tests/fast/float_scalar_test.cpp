@@ -244,14 +244,14 @@ TEST_CASE(
     std::vector<HalfspaceId> removed;
     for (const FastStep& step : result.steps) removed.push_back(step.removed);
     REQUIRE(removed.size() == solid.halfspaces.size() - 20);
-    const Simplification exact = replay(solid, center, removed);
+    const Run exact = replay(solid, center, removed);
     // Far wider than the error of these tame caps, far narrower than the next shorter numbers'.
     const Rational wide = scale_by_power_of_two(Rational(1), 12 - bits_of(numbers));
     const std::vector<Rational> costs = rounded->costs();
     REQUIRE(costs.size() == removed.size());
     bool all_exact = true;
     for (std::size_t s = 0; s < costs.size(); ++s) {
-      const Rational& cost = exact.trace.steps[s].cost;
+      const Rational& cost = exact.steps[s].cost->rational();
       CHECK(is_near(costs[s], cost, wide));
       all_exact = all_exact && costs[s] == cost;
     }

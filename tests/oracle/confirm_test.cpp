@@ -20,7 +20,7 @@ namespace {
 // The steps of the exact engine from a cube with three corners cut off, as a judge lists them.
 std::vector<JudgedStep> true_steps(const DualHull& solid) {
   std::vector<JudgedStep> steps;
-  for (const Step& step : simplify_exact(solid, kCutBoxCenter).trace.steps) {
+  for (const Step& step : simplify_exact(solid, kCutBoxCenter).steps) {
     steps.push_back({steps.size(), step.removed, step.cost, step.cost, step.tie, Rational(0)});
   }
   return steps;
@@ -47,19 +47,19 @@ TEST_CASE("confirm_costs: what a step says of its cost is computed again, by the
     };
     const Rational tiny = scale_by_power_of_two(Rational(1), -300);
     std::vector<JudgedStep> wrong = steps;
-    *wrong[s].cost += tiny;
+    wrong[s].cost = wrong[s].cost->rational() + tiny;
     check_refused(wrong);
     wrong = steps;
     wrong[s].cost.reset();
     check_refused(wrong);
     wrong = steps;
-    *wrong[s].minimum -= tiny;
+    wrong[s].minimum = wrong[s].minimum->rational() - tiny;
     check_refused(wrong);
   }
   CHECK_NOTHROW(confirm_sum(verdict_of(solid, steps), kCutBoxCenter));
   for (std::size_t s = 0; s < steps.size(); ++s) {
     std::vector<JudgedStep> wrong = steps;
-    *wrong[s].cost += scale_by_power_of_two(Rational(1), -300);
+    wrong[s].cost = wrong[s].cost->rational() + scale_by_power_of_two(Rational(1), -300);
     CHECK_THROWS_AS(confirm_sum(verdict_of(solid, wrong), kCutBoxCenter), Error);
   }
 }

@@ -9,46 +9,53 @@
 
 #include "cut_box.hpp"
 #include "oracle/diff.hpp"
+#include "oracle/engine_run.hpp"
 #include "shapes/random_points.hpp"
 
 using namespace convexact;
 
 namespace {
 
-EngineRun exact_run(const DualHull& solid) {
+Run exact_run(const DualHull& solid) {
   return run_engine(Engine::Exact, solid, kCutBoxCenter, {}, true);
 }
 
 // A run without record.
-EngineRun plain_run(Engine engine, std::vector<HalfspaceId> removed, StopReason stop) {
-  return {engine, std::move(removed), {}, {}, stop};
+// A run without costs and ties.
+Run plain_run(const Run& like, const std::vector<HalfspaceId>& removed) {
+  Run run;
+  run.halfspaces = like.halfspaces;
+  run.stop = like.stop;
+  for (const HalfspaceId id : removed) run.steps.push_back({id});
+  return run;
 }
+Run plain_run(const Run& like) { return plain_run(like, removed_in(like)); }
 
-std::optional<Divergence> compare(const DualHull& solid, const EngineRun& a, const EngineRun& b) {
-  return find_divergence(solid.halfspaces, kCutBoxCenter, a, b);
+std::optional<Divergence> compare(const Run& a, const Run& b) {
+  return find_divergence(kCutBoxCenter, a, b);
 }
 
 }  // namespace
 
 TEST_CASE("divergence: the three engines agree on a cube with different cuts") {
   const DualHull solid = cut_box({Rational(1), Rational(1, 2), Rational(3, 2)});
-  const EngineRun exact = exact_run(solid);
-  REQUIRE(exact.removed.size() == 3);
+  const Run exact = exact_run(solid);
+  REQUIRE(exact.steps.size() == 3);
   CHECK(exact.stop == StopReason::AllUnbounded);
   for (const Engine engine : {Engine::Exact, Engine::Filtered, Engine::Float}) {
-    CHECK_FALSE(compare(solid, exact, run_engine(engine, solid, kCutBoxCenter, {}, true)));
+    CHECK_FALSE(compare(exact, run_engine(engine, solid, kCutBoxCenter, {}, true)));
   }
-  CHECK(left_after(solid.halfspaces, exact, 3).size() == 6);
+  CHECK(left_after(exact, 3).size() == 6);
 }
 
 TEST_CASE("divergence: two tied removals swapped are a tie, and the higher id is at fault") {
   const DualHull solid = cut_box({Rational(1), Rational(1), Rational(3, 2)});
-  const EngineRun exact = exact_run(solid);
-  REQUIRE(exact.ties[0].size() == 2);
-  EngineRun swapped = plain_run(Engine::Float, exact.removed, exact.stop);
-  std::swap(swapped.removed[0], swapped.removed[1]);
+  const Run exact = exact_run(solid);
+  REQUIRE(exact.steps[0].tie.size() == 2);
+  Run swapped = plain_run(exact);
+  std::swap(swapped.steps[0], swapped.steps[1]);
 
-  const auto found = compare(solid, exact, swapped);
+  const auto found = compare(exact, swapped);
   REQUIRE(found);
   CHECK(found->kind == DivergenceKind::Tie);
   CHECK(found->step == 0);
@@ -60,7 +67,7 @@ TEST_CASE("divergence: two tied removals swapped are a tie, and the higher id is
   CHECK(is_explained(*found, Engine::Exact, Engine::Float));
   CHECK_FALSE(is_explained(*found, Engine::Exact, Engine::Filtered));
 
-  const auto mirrored = compare(solid, swapped, exact);
+  const auto mirrored = compare(swapped, exact);
   REQUIRE(mirrored);
   CHECK(mirrored->reference_at_fault);
   CHECK(is_explained(*mirrored, Engine::Float, Engine::Exact));
@@ -68,10 +75,10 @@ TEST_CASE("divergence: two tied removals swapped are a tie, and the higher id is
 
 TEST_CASE("divergence: a costlier removal is wrong topology, with its regret") {
   const DualHull solid = cut_box({Rational(1, 2), Rational(1), Rational(3, 2)});
-  const EngineRun exact = exact_run(solid);
-  EngineRun doctored = plain_run(Engine::Float, exact.removed, exact.stop);
-  std::swap(doctored.removed[1], doctored.removed[2]);
-  const auto found = compare(solid, exact, doctored);
+  const Run exact = exact_run(solid);
+  Run doctored = plain_run(exact);
+  std::swap(doctored.steps[1], doctored.steps[2]);
+  const auto found = compare(exact, doctored);
   REQUIRE(found);
   CHECK(found->kind == DivergenceKind::WrongTopology);
   CHECK(found->step == 1);
@@ -87,11 +94,11 @@ TEST_CASE("divergence: whether a gap is below rounding depends on its size alone
     CAPTURE(bits);
     const Rational close = 1 + scale_by_power_of_two(Rational(1), bits);
     const DualHull solid = cut_box({Rational(1), close});
-    const EngineRun exact = exact_run(solid);
-    REQUIRE(exact.ties[0].size() == 1);
-    EngineRun doctored = plain_run(Engine::Float, exact.removed, exact.stop);
-    std::swap(doctored.removed[0], doctored.removed[1]);
-    const auto found = compare(solid, exact, doctored);
+    const Run exact = exact_run(solid);
+    REQUIRE(exact.steps[0].tie.size() == 1);
+    Run doctored = plain_run(exact);
+    std::swap(doctored.steps[0], doctored.steps[1]);
+    const auto found = compare(exact, doctored);
     REQUIRE(found);
     CHECK(found->regret == Rational(close * close * close - 1));
     const bool is_tiny = bits == -60;
@@ -105,12 +112,12 @@ TEST_CASE("divergence: whether a gap is below rounding depends on its size alone
 
 TEST_CASE("divergence: an unbounded removal, or an early end, is wrong boundedness") {
   const DualHull solid = cut_box({Rational(1), Rational(3, 2)});
-  const EngineRun exact = exact_run(solid);
+  const Run exact = exact_run(solid);
   const HalfspaceId side = id_of(solid, cube_sides()[4]);  // z <= 4: no cut bounds that
 
-  EngineRun unbounded = plain_run(Engine::Float, exact.removed, exact.stop);
-  unbounded.removed[1] = side;
-  auto found = compare(solid, exact, unbounded);
+  Run unbounded = plain_run(exact);
+  unbounded.steps[1].removed = side;
+  auto found = compare(exact, unbounded);
   REQUIRE(found);
   CHECK(found->kind == DivergenceKind::WrongBoundedness);
   CHECK(found->step == 1);
@@ -120,22 +127,22 @@ TEST_CASE("divergence: an unbounded removal, or an early end, is wrong boundedne
   CHECK_FALSE(is_explained(*found, Engine::Exact, Engine::Float));
 
   // One goes on, unbounded, where the reference ends.
-  EngineRun longer = plain_run(Engine::Float, exact.removed, exact.stop);
-  longer.removed.push_back(side);
-  found = compare(solid, exact, longer);
+  Run longer = plain_run(exact);
+  longer.steps.push_back({side});
+  found = compare(exact, longer);
   REQUIRE(found);
   CHECK(found->kind == DivergenceKind::WrongBoundedness);
   CHECK_FALSE(found->reference.removed.has_value());
   CHECK_FALSE(found->reference_at_fault);
 
   // One ends where the reference goes on; and the reference itself may be the one that ends.
-  const EngineRun shorter = plain_run(Engine::Float, {exact.removed[0]}, StopReason::AllUnbounded);
-  found = compare(solid, exact, shorter);
+  const Run shorter = plain_run(exact, {exact.steps[0].removed});
+  found = compare(exact, shorter);
   REQUIRE(found);
   CHECK(found->kind == DivergenceKind::WrongBoundedness);
   CHECK_FALSE(found->reference_at_fault);
   CHECK(found->reference.cost == Rational(27, 48));
-  found = compare(solid, shorter, exact);
+  found = compare(shorter, exact);
   REQUIRE(found);
   CHECK(found->reference_at_fault);
 }
@@ -149,9 +156,9 @@ TEST_CASE("divergence: to end is explained where rounded planes may not bound th
     planes.erase(planes.begin());  // x <= 4, and below instead x + s z <= 4
     planes.insert(planes.begin(), Halfspace(RationalVector3(1, 0, slope), -4));
     const DualHull solid = dual_of(planes, kCutBoxCenter).dual;
-    const EngineRun exact = exact_run(solid);
-    REQUIRE(exact.removed.size() == 1);
-    const auto found = compare(solid, exact, plain_run(Engine::Float, {}, exact.stop));
+    const Run exact = exact_run(solid);
+    REQUIRE(exact.steps.size() == 1);
+    const auto found = compare(exact, plain_run(exact, {}));
     REQUIRE(found);
     const bool is_tiny = bits == -60;
     CHECK(found->kind ==
@@ -163,16 +170,16 @@ TEST_CASE("divergence: to end is explained where rounded planes may not bound th
 
 TEST_CASE("divergence: records are compared, and the definition says which one is wrong") {
   const DualHull solid = cut_box({Rational(1), Rational(1), Rational(3, 2)});
-  const EngineRun exact = exact_run(solid);
-  EngineRun missing_tie = exact, other_cost = exact, other_stop = exact;
-  missing_tie.ties[0].pop_back();
-  other_cost.costs[2] += 1;
+  const Run exact = exact_run(solid);
+  Run missing_tie = exact, other_cost = exact, other_stop = exact;
+  missing_tie.steps[0].tie.pop_back();
+  other_cost.steps[2].cost = other_cost.steps[2].cost->rational() + 1;
   other_stop.stop = StopReason::Reached;
 
   for (const bool swap : {false, true}) {
     CAPTURE(swap);
-    const auto judge = [&](const EngineRun& doctored) {
-      return swap ? compare(solid, doctored, exact) : compare(solid, exact, doctored);
+    const auto judge = [&](const Run& doctored) {
+      return swap ? compare(doctored, exact) : compare(exact, doctored);
     };
     auto found = judge(missing_tie);
     REQUIRE(found);
@@ -186,7 +193,7 @@ TEST_CASE("divergence: records are compared, and the definition says which one i
     CHECK(found->reference_at_fault == swap);
     CHECK_FALSE(is_explained(*found, Engine::Exact, Engine::Filtered));
   }
-  const auto found = compare(solid, exact, other_stop);
+  const auto found = compare(exact, other_stop);
   REQUIRE(found);
   CHECK(found->kind == DivergenceKind::WrongRecord);
   CHECK(found->step == 3);
@@ -202,7 +209,7 @@ TEST_CASE("diff: engines agree on random points; a request must make sense") {
   REQUIRE(report->comparisons.size() == 2);
   CHECK(report->comparisons[0].divergences.empty());
   CHECK(report->comparisons[0].with_records);
-  CHECK(report->comparisons[0].judged == report->runs[0].removed.size());
+  CHECK(report->comparisons[0].judged == report->runs[0].steps.size());
   CHECK_FALSE(report->comparisons[1].with_records);
   CHECK(report->comparisons[0].volume_ratio->contains(Rational(1)));
 

@@ -55,8 +55,8 @@ RemovalOrder order_by_list(const std::vector<Halfspace>& list,
   order.facets.assign(list.begin(), list.end());
   order.has_list = true;
   for (const HalfspaceId id : ids) {
-    order.removals.push_back(
-        {order.removals.size() + 1, "the id '" + std::to_string(id.index()) + "'", id.value});
+    order.steps.push_back(
+        {order.steps.size() + 1, "the id '" + std::to_string(id.index()) + "'", {id}});
   }
   return order;
 }
@@ -78,7 +78,7 @@ std::vector<Halfspace> computed_list(const DualHull& solid) {
 
 std::vector<HalfspaceId> greedy_order(const DualHull& solid) {
   std::vector<HalfspaceId> ids;
-  for (const Step& step : simplify_filtered(solid, center_of(solid)).trace.steps) {
+  for (const Step& step : simplify_filtered(solid, center_of(solid)).steps) {
     ids.push_back(step.removed);
   }
   return ids;

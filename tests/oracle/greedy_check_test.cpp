@@ -16,11 +16,13 @@ using namespace convexact;
 
 namespace {
 
-EngineRun float_run(const DualHull& solid, const std::vector<Rational>& depths,
-                    StopReason stop = StopReason::AllUnbounded) {
-  EngineRun run{Engine::Float, {}, {}, {}, stop};
+Run float_run(const DualHull& solid, const std::vector<Rational>& depths,
+              StopReason stop = StopReason::AllUnbounded) {
+  Run run;
+  run.halfspaces = solid.halfspaces;
+  run.stop = stop;
   for (std::size_t c = 0; c < depths.size(); ++c) {
-    run.removed.push_back(id_of(solid, corner_cut(c, depths[c])));
+    run.steps.push_back({id_of(solid, corner_cut(c, depths[c]))});
   }
   return run;
 }
@@ -31,7 +33,7 @@ TEST_CASE("greedy check: a run that always takes the cheapest has no divergence"
   const std::vector<Rational> depths = {Rational(1, 2), Rational(1), Rational(3, 2)};
   const DualHull solid = cut_box(depths);
   CHECK(check_greedy(solid, kCutBoxCenter, float_run(solid, depths)).empty());
-  const EngineRun prefix = float_run(solid, {Rational(1, 2)}, StopReason::Reached);
+  const Run prefix = float_run(solid, {Rational(1, 2)}, StopReason::Reached);
   CHECK(check_greedy(solid, kCutBoxCenter, prefix).empty());
 }
 
@@ -40,15 +42,15 @@ TEST_CASE("greedy check: later choices are judged in the state of the run") {
   // third and fourth are swapped, which is one mistake and not two.
   const std::vector<Rational> depths = {Rational(1), Rational(1), Rational(3, 2), Rational(5, 4)};
   const DualHull solid = cut_box(depths);
-  EngineRun run = float_run(solid, depths);
-  if (run.removed[0] < run.removed[1]) std::swap(run.removed[0], run.removed[1]);
+  Run run = float_run(solid, depths);
+  if (run.steps[0].removed < run.steps[1].removed) std::swap(run.steps[0], run.steps[1]);
   const std::vector<Divergence> found = check_greedy(solid, kCutBoxCenter, run);
   REQUIRE(found.size() == 2);
   CHECK(found[0].step == 0);
   CHECK(found[0].left == 10);
   CHECK(found[0].kind == DivergenceKind::Tie);
-  CHECK(found[0].reference.removed == run.removed[1]);
-  CHECK(found[0].other.removed == run.removed[0]);
+  CHECK(found[0].reference.removed == run.steps[1].removed);
+  CHECK(found[0].other.removed == run.steps[0].removed);
   CHECK(found[0].reference.cost == Rational(1, 6));
   CHECK(found[0].other.cost == Rational(1, 6));
   CHECK(found[0].regret == Rational(0));
@@ -56,7 +58,7 @@ TEST_CASE("greedy check: later choices are judged in the state of the run") {
   CHECK(found[1].step == 2);
   CHECK(found[1].left == 8);
   CHECK(found[1].kind == DivergenceKind::WrongTopology);
-  CHECK(found[1].reference.removed == run.removed[3]);
+  CHECK(found[1].reference.removed == run.steps[3].removed);
   CHECK(found[1].regret == Rational(27 * 8 - 125, 125));  // (3/2)^3 / (5/4)^3 - 1
   CHECK_FALSE(found[1].reference_at_fault);
   CHECK_FALSE(is_explained(found[1], Engine::Filtered, Engine::Float));
@@ -66,8 +68,8 @@ TEST_CASE("greedy check: later choices are judged in the state of the run") {
 TEST_CASE("greedy check: an unbounded removal ends it; so does an end that is too early") {
   const std::vector<Rational> depths = {Rational(1), Rational(3, 2)};
   const DualHull solid = cut_box(depths);
-  EngineRun unbounded = float_run(solid, depths);
-  unbounded.removed[0] = id_of(solid, cube_sides()[4]);  // z <= 4: no cut bounds that
+  Run unbounded = float_run(solid, depths);
+  unbounded.steps[0].removed = id_of(solid, cube_sides()[4]);  // z <= 4: no cut bounds that
   std::vector<Divergence> found = check_greedy(solid, kCutBoxCenter, unbounded);
   REQUIRE(found.size() == 1);
   CHECK(found[0].kind == DivergenceKind::WrongBoundedness);
@@ -75,15 +77,15 @@ TEST_CASE("greedy check: an unbounded removal ends it; so does an end that is to
   CHECK_FALSE(found[0].reference_at_fault);
 
   // Nothing but sides is left, and one of them goes.
-  EngineRun longer = float_run(solid, depths);
-  longer.removed.push_back(id_of(solid, cube_sides()[0]));
+  Run longer = float_run(solid, depths);
+  longer.steps.push_back({id_of(solid, cube_sides()[0])});
   found = check_greedy(solid, kCutBoxCenter, longer);
   REQUIRE(found.size() == 1);
   CHECK(found[0].kind == DivergenceKind::WrongBoundedness);
   CHECK(found[0].step == 2);
   CHECK_FALSE(found[0].reference.removed.has_value());
 
-  const EngineRun shorter = float_run(solid, {depths[0]});
+  const Run shorter = float_run(solid, {depths[0]});
   found = check_greedy(solid, kCutBoxCenter, shorter);
   REQUIRE(found.size() == 1);
   CHECK(found[0].kind == DivergenceKind::WrongBoundedness);
@@ -138,7 +140,7 @@ TEST_CASE("diff: a float run is judged to its end on either side of a comparison
     CHECK(comparison.explained);
     CHECK_FALSE(comparison.with_records);
     CHECK(comparison.judged ==
-          std::get<DiffReport>(outcome).runs[float_first ? 0 : 1].removed.size());
+          std::get<DiffReport>(outcome).runs[float_first ? 0 : 1].steps.size());
     for (const Divergence& found : comparison.divergences) {
       CHECK(found.reference_at_fault == float_first);
       CHECK(found.regret.has_value());

@@ -36,7 +36,7 @@ void check_against_definition(const TraceVerdict& verdict) {
     REQUIRE(step.regret.has_value() == after.has_value());
     if (!after) continue;
     REQUIRE(*step.cost == *after - before);
-    REQUIRE(*step.regret * *expected.cost == *step.cost - *expected.cost);
+    REQUIRE(*step.regret * *expected.cost == step.cost->rational() - *expected.cost);
   }
 }
 
@@ -51,10 +51,11 @@ std::vector<HalfspaceId> shuffled(std::size_t count, std::uint64_t seed) {
 }  // namespace
 
 TEST_CASE("relative regret: infinite against a minimum of 0, unless the cost is 0 too") {
-  CHECK(relative_regret(3, 2) == Rational(1, 2));
-  CHECK(relative_regret(2, 2) == Rational(0));
-  CHECK(relative_regret(0, 0) == Rational(0));
-  CHECK_FALSE(relative_regret(1, 0).has_value());
+  const Cost none = Rational(0), one = Rational(1), two = Rational(2), three = Rational(3);
+  CHECK(relative_regret(three, two) == Rational(1, 2));
+  CHECK(relative_regret(two, two) == Rational(0));
+  CHECK(relative_regret(none, none) == Rational(0));
+  CHECK_FALSE(relative_regret(one, none).has_value());
 }
 
 TEST_CASE("judge trace: the cheapest first is greedy, at the closed form's costs") {
@@ -79,8 +80,8 @@ TEST_CASE("judge trace: a tie broken otherwise is greedy, and noted") {
   const std::vector<Rational> depths = {Rational(1), Rational(1), Rational(3, 2)};
   const DualHull solid = cut_box(depths);
   RemovalOrder order = cuts_in_order(solid, depths);
-  if (order.removals[0].facet < order.removals[1].facet) {
-    std::swap(order.removals[0], order.removals[1]);
+  if (order.steps[0].step.removed < order.steps[1].step.removed) {
+    std::swap(order.steps[0], order.steps[1]);
   }
   const TraceVerdict verdict = judge(solid, order);
   CHECK(verdict.rating == TraceRating::Greedy);
@@ -148,7 +149,7 @@ TEST_CASE("judge trace: an unbounded removal ends the judgement, whatever was ch
   const std::vector<Rational> depths = {Rational(1), Rational(3, 2)};
   const DualHull solid = cut_box(depths);
   RemovalOrder order = cuts_in_order(solid, depths);
-  order.removals[0].facet = id_of(solid, cube_sides()[4]).value;  // z <= 4: no cut bounds that
+  order.steps[0].step.removed = id_of(solid, cube_sides()[4]);  // z <= 4: no cut bounds that
   TraceVerdict verdict = judge(solid, order);
   CHECK(verdict.rating == TraceRating::Unbounded);
   CHECK(verdict.at == 0);
@@ -160,7 +161,7 @@ TEST_CASE("judge trace: an unbounded removal ends the judgement, whatever was ch
 
   // Only sides are left, and one of them goes: nothing bounded was left to remove.
   RemovalOrder longer = cuts_in_order(solid, depths);
-  longer.removals.push_back({3, "side", id_of(solid, cube_sides()[0]).value});
+  longer.steps.push_back({3, "side", {id_of(solid, cube_sides()[0])}});
   verdict = judge(solid, longer, Rational(1000));
   CHECK(verdict.rating == TraceRating::Unbounded);
   CHECK(verdict.at == 2);
@@ -175,14 +176,14 @@ TEST_CASE("judge trace: a prefix is greedy; an end that claims that nothing is b
   order.stop = StopReason::AllUnbounded;
   CHECK(judge(solid, order).holds());
   CHECK(status(judge(solid, order), "trace-stop") == Status::Holds);
-  order.removals.pop_back();
+  order.steps.pop_back();
   const TraceVerdict verdict = judge(solid, order);
   CHECK(verdict.rating == TraceRating::Greedy);
   CHECK(violated(verdict) == Codes{"trace-stop"});
   CHECK(witness(verdict, "trace-stop").step == 1);
   order.stop.reset();
   CHECK(judge(solid, order).holds());
-  order.removals.clear();
+  order.steps.clear();
   CHECK(judge(solid, order).steps.empty());
   CHECK(judge(solid, order).holds());
 }
@@ -193,7 +194,7 @@ TEST_CASE("judge trace: what names no facet ends it, with the row and its own co
   const RemovalOrder good = cuts_in_order(solid, depths);
 
   RemovalOrder order = good;
-  order.removals[1].facet = 8;
+  order.steps[1].step.removed = HalfspaceId(8);
   TraceVerdict verdict = judge(solid, order);
   CHECK(verdict.rating == TraceRating::Meaningless);
   CHECK(verdict.at == 1);
@@ -201,11 +202,11 @@ TEST_CASE("judge trace: what names no facet ends it, with the row and its own co
   CHECK(verdict.removals == 2);
   CHECK(violated(verdict) == Codes{"trace-id-out-of-range"});
   CHECK(witness(verdict, "trace-id-out-of-range").row == 2);
-  order.removals[1].facet = kNoListedFacet;
+  order.steps[1].step.removed = kNoFacet;
   CHECK(violated(judge(solid, order)) == Codes{"trace-id-out-of-range"});
 
   order = good;
-  order.removals[1].facet = order.removals[0].facet;
+  order.steps[1].step.removed = order.steps[0].step.removed;
   CHECK(violated(judge(solid, order)) == Codes{"trace-removed-twice"});
 
   // A plane that is off by more than rounding explains, a normal of 0; then the same facet under
@@ -214,17 +215,17 @@ TEST_CASE("judge trace: what names no facet ends it, with the row and its own co
   order.facets.push_back(corner_cut(1, Rational(3, 2) + Rational(1, Integer(1) << 40)));
   order.facets.emplace_back();
   order.facets.push_back(corner_cut(0, depths[0]));
-  order.removals[1].facet = 8;
+  order.steps[1].step.removed = HalfspaceId(8);
   CHECK(violated(judge(solid, order)) == Codes{"trace-plane-unknown"});
-  order.removals[1].facet = 9;
+  order.steps[1].step.removed = HalfspaceId(9);
   CHECK(violated(judge(solid, order)) == Codes{"trace-plane-unknown"});
-  order.removals[1].facet = 10;
+  order.steps[1].step.removed = HalfspaceId(10);
   CHECK(violated(judge(solid, order)) == Codes{"trace-removed-twice"});
 
   // The first trouble decides, and the later one is still told.
   order = cuts_in_order(solid, depths);
-  std::swap(order.removals[0], order.removals[1]);
-  order.removals.push_back(order.removals[0]);
+  std::swap(order.steps[0], order.steps[1]);
+  order.steps.push_back(order.steps[0]);
   verdict = judge(solid, order);
   CHECK(verdict.rating == TraceRating::NotGreedy);
   CHECK(verdict.at == 0);
@@ -239,7 +240,7 @@ TEST_CASE("judge trace: planes may come in any order and at any scale") {
     const Halfspace cut = corner_cut(c, depths[c]);
     const RationalVector3 normal = cut.normal().cast<Rational>() * Rational(7, 3);
     order.facets.emplace_back(Halfspace(normal, Rational(cut.offset()) * Rational(7, 3)));
-    order.removals.push_back({c + 1, "", c});
+    order.steps.push_back({c + 1, "", {HalfspaceId(c)}});
   }
   CHECK(judge(solid, order).rating == TraceRating::Greedy);
   CHECK(judge(solid, order).steps.size() == 2);
@@ -250,8 +251,7 @@ TEST_CASE("judge trace: traces of our engines are greedy and every claim in them
        {shapes::cut_cube(5, 0.25), shapes::octahedron(), shapes::on_sphere(24, 3)}) {
     const DualHull solid = dual_of_doubles(points);
     const RationalPoint center = center_of(solid);
-    for (const Trace& trace :
-         {simplify_exact(solid, center).trace, simplify_filtered(solid, center).trace}) {
+    for (const Run& trace : {simplify_exact(solid, center), simplify_filtered(solid, center)}) {
       const TraceVerdict verdict = judge(solid, order_of(trace));
       CHECK(verdict.rating == TraceRating::Greedy);
       CHECK(verdict.holds());
@@ -262,19 +262,19 @@ TEST_CASE("judge trace: traces of our engines are greedy and every claim in them
       }
     }
     // Doubles may break ties otherwise; these shapes have no costs closer than that.
-    const EngineRun run = run_engine(Engine::Float, solid, center, {}, false);
-    CHECK(judge(solid, order_of(solid, run.removed), Rational(1, 1000000000)).holds());
+    const Run run = run_engine(Engine::Float, solid, center, {}, false);
+    CHECK(judge(solid, order_of(solid, removed_in(run)), Rational(1, 1000000000)).holds());
   }
 }
 
 TEST_CASE("judge trace: wrong claims are found where they stand, and nowhere else") {
   const std::vector<Rational> depths = {Rational(1), Rational(1), Rational(3, 2)};
   const DualHull solid = cut_box(depths);
-  const RemovalOrder good = order_of(simplify_exact(solid, kCutBoxCenter).trace);
+  const RemovalOrder good = order_of(simplify_exact(solid, kCutBoxCenter));
   REQUIRE(judge(solid, good).holds());
 
   RemovalOrder order = good;
-  order.removals[2].claim.cost = Rational(27, 48) + Rational(1, Integer(1) << 200);
+  order.steps[2].step.cost = Rational(27, 48) + Rational(1, Integer(1) << 200);
   TraceVerdict verdict = judge(solid, order);
   CHECK(verdict.rating == TraceRating::Greedy);
   CHECK(violated(verdict) == Codes{"trace-cost"});
@@ -282,33 +282,33 @@ TEST_CASE("judge trace: wrong claims are found where they stand, and nowhere els
   CHECK(witness(verdict, "trace-cost").expected == "9/16");
 
   order = good;
-  order.removals[0].claim.tie->pop_back();
+  order.steps[0].step.tie.pop_back();
   verdict = judge(solid, order);
   CHECK(violated(verdict) == Codes{"trace-ties"});
   CHECK(witness(verdict, "trace-ties").step == 0);
   order = good;
-  order.removals[0].claim.tie->push_back(order.removals[2].facet);
+  order.steps[0].step.tie.push_back(order.steps[2].step.removed);
   CHECK(violated(judge(solid, order)) == Codes{"trace-ties"});
   order = good;
-  order.removals[0].claim.tie->push_back(order.removals[0].facet);  // twice
+  order.steps[0].step.tie.push_back(order.steps[0].step.removed);  // twice
   CHECK(violated(judge(solid, order)) == Codes{"trace-ties"});
   order = good;
-  order.removals[1].claim.tie->push_back(99);
+  order.steps[1].step.tie.emplace_back(99);
   CHECK(violated(judge(solid, order)) == Codes{"trace-ties"});
   order = good;
-  std::reverse(order.removals[0].claim.tie->begin(), order.removals[0].claim.tie->end());
+  std::reverse(order.steps[0].step.tie.begin(), order.steps[0].step.tie.end());
   CHECK(judge(solid, order).holds());  // a set
 
   order = good;
-  order.removals[1].claim.left = 8;
+  order.steps[1].step.left = 8;
   verdict = judge(solid, order);
   CHECK(violated(verdict) == Codes{"trace-left"});
   CHECK(witness(verdict, "trace-left").expected == "7");
 
   // A claim of a cost for a removal that is unbounded: z <= 4, over which no cut leans.
   const DualHull low = cut_box({Rational(1), Rational(3, 2)});
-  order = order_of(simplify_exact(low, kCutBoxCenter).trace);
-  order.removals[0].facet = id_of(low, cube_sides()[4]).value;
+  order = order_of(simplify_exact(low, kCutBoxCenter));
+  order.steps[0].step.removed = id_of(low, cube_sides()[4]);
   CHECK(violated(judge(low, order)) == Codes{"trace-bounded", "trace-cost"});
 }
 

@@ -192,7 +192,7 @@ TEST_CASE("left out: only what is too dear by more than the limit asks for it (#
 
 TEST_CASE("left out: an unbounded removal stays one (#13)") {
   CutOrder cuts({Rational(1)}, {0});
-  cuts.order.removals[0].facet = id_of(cuts.solid, cube_sides()[4]).value;
+  cuts.order.steps[0].step.removed = id_of(cuts.solid, cube_sides()[4]);
   const TraceVerdict verdict = cuts.verdict();
   CHECK(violated(verdict) == Codes{"trace-bounded"});
   REQUIRE(verdict.never_removed.has_value());
@@ -202,11 +202,13 @@ TEST_CASE("left out: an unbounded removal stays one (#13)") {
 
 TEST_CASE("left out: ties and the end are those among the others (#13)") {
   CutOrder cuts({Rational(1, 2), Rational(1), Rational(1)}, {1, 2});
-  cuts.order.removals[0].claim.tie = {cuts.cuts[1].value, cuts.cuts[2].value};
+  cuts.order.steps[0].step.tie = {cuts.cuts[1], cuts.cuts[2]};
+  cuts.order.steps[0].claims_tie = true;
   CHECK(violated(cuts.verdict()) == Codes{"trace-greedy", "trace-ties"});
   CHECK(cuts.verdict({cuts.cuts[0]}).holds());
   cuts.order.stop = StopReason::AllUnbounded;
-  cuts.order.removals[1].claim.left = 6;  // the sides
+  cuts.order.steps[1].step.left = 6;  // the sides
+  cuts.order.steps[1].claims_left = true;
   CHECK(violated(cuts.verdict()) ==
         Codes{"trace-greedy", "trace-ties", "trace-left", "trace-stop"});
   CHECK(cuts.verdict({cuts.cuts[0]}).holds());

@@ -32,11 +32,11 @@ Error refusal_of(const std::string& text) {
 
 TEST_CASE("removal order: ids refer to canonical order, or to the list that is given") {
   RemovalOrder order = read("# cheapest first\n\n1\n +0 # and the other\n");
-  REQUIRE(order.removals.size() == 2);
-  CHECK(order.removals[0].facet == 1);
-  CHECK(order.removals[0].row == 1);
-  CHECK(order.removals[1].facet == 0);
-  CHECK(order.removals[1].row == 2);
+  REQUIRE(order.steps.size() == 2);
+  CHECK(order.steps[0].step.removed.index() == 1);
+  CHECK(order.steps[0].row == 1);
+  CHECK(order.steps[1].step.removed.index() == 0);
+  CHECK(order.steps[1].row == 2);
   REQUIRE(order.facets.size() == 2);
   CHECK(order.facets[1] == kCanonical[1]);
   CHECK_FALSE(order.stop.has_value());
@@ -48,11 +48,11 @@ TEST_CASE("removal order: ids refer to canonical order, or to the list that is g
 
 TEST_CASE("removal order: an id that is negative or too long names no facet") {
   const RemovalOrder order = read("-1\n99999999999999999999\n-0\n18446744073709551615\n");
-  CHECK(order.removals[0].facet == kNoListedFacet);
-  CHECK(order.removals[1].facet == kNoListedFacet);
-  CHECK(order.removals[1].text == "the id '99999999999999999999'");
-  CHECK(order.removals[2].facet == 0);
-  CHECK(order.removals[3].facet == kNoListedFacet);
+  CHECK(order.steps[0].step.removed == kNoFacet);
+  CHECK(order.steps[1].step.removed == kNoFacet);
+  CHECK(order.steps[1].text == "the id '99999999999999999999'");
+  CHECK(order.steps[2].step.removed.index() == 0);
+  CHECK(order.steps[3].step.removed == kNoFacet);
 }
 
 TEST_CASE("removal order: rows of four numbers are planes, exact as spelled") {
@@ -63,37 +63,38 @@ TEST_CASE("removal order: rows of four numbers are planes, exact as spelled") {
   CHECK(order.facets[2] == kCanonical[0]);
   const Halfspace third(IntegerVector3(1, 0, 0), -3);
   CHECK(order.facets[3] != third);  // thrice the double next to 0.1 is not the one next to 0.3
-  CHECK(order.removals[3].facet == 3);
-  CHECK(order.removals[3].row == 4);
+  CHECK(order.steps[3].step.removed.index() == 3);
+  CHECK(order.steps[3].row == 4);
   CHECK(read_removal_order("0.1 0 0 -0.3", {}, kCanonical, Decimal::Exact).facets[0] == third);
 }
 
 TEST_CASE("removal order: a trace brings its planes and its claims") {
-  const Trace trace = simplify_points(shapes::cut_cube(3, 0.25)).trace;
+  const Run trace = simplify_points(shapes::cut_cube(3, 0.25));
   const RemovalOrder order = read(write_trace_json(trace));
-  REQUIRE(order.removals.size() == trace.steps.size());
+  REQUIRE(order.steps.size() == trace.steps.size());
   CHECK(order.stop == trace.stop);
   for (std::size_t i = 0; i < trace.halfspaces.size(); ++i) {
     CHECK(order.facets[i] == trace.halfspaces[i]);
   }
   for (std::size_t s = 0; s < trace.steps.size(); ++s) {
-    CHECK(order.removals[s].facet == trace.steps[s].removed.value);
-    CHECK(order.removals[s].claim.cost == trace.steps[s].cost);
-    CHECK(order.removals[s].claim.tie->size() == trace.steps[s].tie.size());
-    CHECK(order.removals[s].claim.left == trace.steps[s].left);
+    CHECK(order.steps[s].step.removed == trace.steps[s].removed);
+    CHECK(order.steps[s].step.cost == trace.steps[s].cost);
+    CHECK(order.steps[s].step.tie == trace.steps[s].tie);
+    CHECK(order.steps[s].step.left == trace.steps[s].left);
+    CHECK((order.steps[s].claims_tie && order.steps[s].claims_left));
   }
 }
 
 TEST_CASE("removal order: of a trace only what is removed is needed") {
   const RemovalOrder order =
       read(R"({"steps": [{"removed": 1, "cost": 0.5}, {"removed": -7}, {"removed": 9}]})");
-  REQUIRE(order.removals.size() == 3);
+  REQUIRE(order.steps.size() == 3);
   CHECK(order.facets.size() == 2);
-  CHECK(order.removals[0].facet == 1);
-  CHECK_FALSE(order.removals[0].claim.cost.has_value());  // a number is no exact claim
-  CHECK_FALSE(order.removals[0].claim.tie.has_value());
-  CHECK(order.removals[1].facet == kNoListedFacet);
-  CHECK(order.removals[2].facet == 9);
+  CHECK(order.steps[0].step.removed.index() == 1);
+  CHECK_FALSE(order.steps[0].step.cost.has_value());  // a number is no exact claim
+  CHECK_FALSE(order.steps[0].claims_tie);
+  CHECK(order.steps[1].step.removed == kNoFacet);
+  CHECK(order.steps[2].step.removed.index() == 9);
   CHECK(read(R"({"steps": [], "stop": "all-unbounded"})").stop == StopReason::AllUnbounded);
 }
 
@@ -154,10 +155,10 @@ TEST_CASE("facet list: every row counts, in each of the formats") {
 }
 
 TEST_CASE("removal order: a corrupted trace is read or refused, and judged without a failure") {
-  const Simplification run = simplify_points(shapes::cut_cube(5, 0.25));
+  const Run run = simplify_points(shapes::cut_cube(5, 0.25));
   const DualHull solid = dual_of_doubles(shapes::cut_cube(5, 0.25));
   const RationalPoint center = center_of(solid);
-  const std::string good = write_trace_json(run.trace);
+  const std::string good = write_trace_json(run);
   Random random(2604);
   std::size_t read_again = 0, violated = 0;
   for (int repeat = 0; repeat < 3000; ++repeat) {

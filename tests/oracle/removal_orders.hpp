@@ -17,7 +17,7 @@ inline RemovalOrder order_of(const DualHull& solid, const std::vector<HalfspaceI
   RemovalOrder order;
   order.facets.assign(solid.halfspaces.begin(), solid.halfspaces.end());
   for (const HalfspaceId id : ids) {
-    order.removals.push_back({order.removals.size() + 1, std::to_string(id.index()), id.value});
+    order.steps.push_back({order.steps.size() + 1, std::to_string(id.index()), {id}});
   }
   return order;
 }
@@ -31,15 +31,13 @@ inline RemovalOrder cuts_in_order(const DualHull& solid, const std::vector<Ratio
   return order_of(solid, ids);
 }
 
-inline RemovalOrder order_of(const Trace& trace) {
+inline RemovalOrder order_of(const Run& trace) {
   RemovalOrder order;
   order.facets.assign(trace.halfspaces.begin(), trace.halfspaces.end());
   order.stop = trace.stop;
   for (const Step& step : trace.steps) {
-    StepClaim claim{step.cost, std::vector<ListedFacet>(), step.left};
-    for (const HalfspaceId id : step.tie) claim.tie->push_back(id.value);
-    order.removals.push_back({order.removals.size() + 1, std::to_string(step.removed.index()),
-                              step.removed.value, claim});
+    order.steps.push_back(
+        {order.steps.size() + 1, std::to_string(step.removed.index()), step, true, true});
   }
   return order;
 }

@@ -13,40 +13,39 @@ using namespace motion;
 
 namespace {
 
-using EngineFunction = Simplification (*)(const DualHull&, const RationalPoint&,
-                                          const SimplifyOptions&);
+using EngineFunction = Run (*)(const DualHull&, const RationalPoint&, const SimplifyOptions&);
 
 // Of points that span a volume. @param weight  Of the first vertex in the center.
-std::optional<Trace> trace_of(EngineFunction engine, const Points& points, std::uint64_t seed = 1,
-                              unsigned weight = 1) {
+std::optional<Run> trace_of(EngineFunction engine, const Points& points, std::uint64_t seed = 1,
+                            unsigned weight = 1) {
   const auto hull = hull_of(points, seed);
   if (!hull) return {};
   const DualHull solid = dual_of(*hull, PointSet(points));
   RationalPoint center = solid.vertices.front() * Rational(weight - 1);
   for (const RationalPoint& v : solid.vertices) center += v;
   center /= Rational(solid.vertices.size() + weight - 1);
-  return engine(solid, center, {.seed = seed}).trace;
+  return engine(solid, center, {.seed = seed});
 }
 
 // The same halfspaces at 2^exponent times the costs, in the same order.
-bool same_steps(const std::optional<Trace>& a, const std::optional<Trace>& b, long exponent = 0) {
+bool same_steps(const std::optional<Run>& a, const std::optional<Run>& b, long exponent = 0) {
   if (!a || !b) return a.has_value() == b.has_value();
   return a->stop == b->stop &&
          std::equal(a->steps.begin(), a->steps.end(), b->steps.begin(), b->steps.end(),
                     [&](const Step& s, const Step& t) {
                       return s.removed == t.removed && s.tie == t.tie && s.left == t.left &&
-                             scale_by_power_of_two(s.cost, exponent) == t.cost;
+                             scale_by_power_of_two(s.cost->rational(), exponent) == t.cost;
                     });
 }
 
-std::set<Halfspace> tied_planes(const Trace& trace, const Step& step) {
+std::set<Halfspace> tied_planes(const Run& trace, const Step& step) {
   std::set<Halfspace> planes;
   for (const HalfspaceId id : step.tie) planes.insert(trace.halfspaces[id.index()]);
   return planes;
 }
 
 // The same costs and mirrored ties, up to the first tie of several.
-bool mirrored(const Trace& original, const Trace& image, const Motion& motion) {
+bool mirrored(const Run& original, const Run& image, const Motion& motion) {
   for (std::size_t s = 0; s < original.steps.size(); ++s) {
     if (s >= image.steps.size() || original.steps[s].cost != image.steps[s].cost) return false;
     std::set<Halfspace> expected;

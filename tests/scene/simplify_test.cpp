@@ -113,19 +113,19 @@ TEST_CASE("simplify: a cube with one corner cut grows by the corner") {
 TEST_CASE("simplify: with or without a record, from points or halfspaces: the same planes") {
   const std::vector<Point> points = shapes::on_sphere(60, 5);
   const SimplifyResult exact = run(PointSet(points), request_for(12, Engine::Exact));
-  REQUIRE(exact.trace.has_value());
+  REQUIRE(exact.run.has_value());
   const std::vector<Halfspace>& planes = exact.solid.exact.planes;
   CHECK(planes.size() == 12);
   SimplifyRequest filtered = request_for(12, Engine::Filtered);
   CHECK(run(PointSet(points), filtered).solid.exact.planes == planes);
-  CHECK(run(exact.trace->halfspaces, filtered).solid.exact.planes == planes);
+  CHECK(run(exact.run->halfspaces, filtered).solid.exact.planes == planes);
   filtered.trace = true;
   const SimplifyResult traced = run(PointSet(points), filtered);
   CHECK(traced.solid.exact.planes == planes);
-  REQUIRE(traced.trace.has_value());
-  for (std::size_t k = 0; k < traced.trace->steps.size(); ++k) {
-    CHECK(traced.trace->steps[k].removed == exact.trace->steps[k].removed);
-    CHECK(traced.trace->steps[k].cost == exact.trace->steps[k].cost);
+  REQUIRE(traced.run.has_value());
+  for (std::size_t k = 0; k < traced.run->steps.size(); ++k) {
+    CHECK(traced.run->steps[k].removed == exact.run->steps[k].removed);
+    CHECK(traced.run->steps[k].cost == exact.run->steps[k].cost);
   }
   filtered.center = RationalPoint(Rational(1, 8), Rational(-1, 5), Rational(1, 9));
   CHECK(run(PointSet(points), filtered).solid.exact.planes == planes);

@@ -18,8 +18,8 @@ namespace {
 
 // Down to the end, with everything verified.
 void check(const std::vector<Point>& points) {
-  const Simplification result = simplify_points(points, {.verify = VerifyLevel::Full});
-  definition::check_against_definition(result.trace);
+  const Run result = simplify_points(points, {.verify = VerifyLevel::Full});
+  definition::check_against_definition(result);
 }
 
 }  // namespace

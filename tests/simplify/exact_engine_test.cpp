@@ -33,14 +33,14 @@ std::vector<std::vector<Point>> samples() {
 }
 
 // The same removals with the same ties, at costs scaled by `factor`.
-void check_same(const Trace& a, const Trace& b, const Rational& factor = 1) {
+void check_same(const Run& a, const Run& b, const Rational& factor = 1) {
   REQUIRE(a.steps.size() == b.steps.size());
   CHECK(a.stop == b.stop);
   for (std::size_t s = 0; s < a.steps.size(); ++s) {
     CAPTURE(s);
     CHECK(a.steps[s].removed == b.steps[s].removed);
     CHECK(a.steps[s].tie == b.steps[s].tie);
-    CHECK(Rational(a.steps[s].cost * factor) == b.steps[s].cost);
+    CHECK(Cost(a.steps[s].cost->rational() * factor) == b.steps[s].cost);
   }
 }
 
@@ -48,7 +48,7 @@ void check_same(const Trace& a, const Trace& b, const Rational& factor = 1) {
 
 TEST_CASE("simplify_exact: permuted, duplicated, with interior points") {
   for (const std::vector<Point>& points : samples()) {
-    const Trace trace = simplify_points(points).trace;
+    const Run trace = simplify_points(points);
     std::vector<Point> other = points;
     other.insert(other.end(), points.begin(), points.end());
     Point mean(0, 0, 0);
@@ -56,7 +56,7 @@ TEST_CASE("simplify_exact: permuted, duplicated, with interior points") {
     for (const Point& p : points) other.push_back(0.5 * mean + 0.5 * p);
     Random random(3);
     shuffle(std::span(other), random);
-    const Trace again = simplify_points(other).trace;
+    const Run again = simplify_points(other);
     CHECK(again.halfspaces == trace.halfspaces);
     check_same(trace, again);
   }
@@ -64,12 +64,11 @@ TEST_CASE("simplify_exact: permuted, duplicated, with interior points") {
 
 TEST_CASE("simplify_exact: scaled by powers of two") {
   for (const std::vector<Point>& points : samples()) {
-    const Trace trace = simplify_points(points).trace;
+    const Run trace = simplify_points(points);
     for (const int exponent : {-300, -1, 300}) {
       std::vector<Point> scaled = points;
       for (Point& p : scaled) p *= std::ldexp(1.0, exponent);
-      check_same(trace, simplify_points(scaled).trace,
-                 scale_by_power_of_two(Rational(1), 3 * exponent));
+      check_same(trace, simplify_points(scaled), scale_by_power_of_two(Rational(1), 3 * exponent));
     }
   }
 }
@@ -79,7 +78,7 @@ TEST_CASE("simplify_exact: translated on the lattice") {
        {shapes::lattice(16, 3, 1), shapes::lattice(24, 2, 2), shapes::cut_cube(5, 0.25)}) {
     std::vector<Point> moved = points;
     for (Point& p : moved) p += Point(1000, -7, 0x1p30);
-    check_same(simplify_points(points).trace, simplify_points(moved).trace);
+    check_same(simplify_points(points), simplify_points(moved));
   }
 }
 
@@ -87,13 +86,12 @@ TEST_CASE("simplify_exact: another seed, another center") {
   for (const std::vector<Point>& points : samples()) {
     const DualHull solid = dual_of_doubles(points);
     const RationalPoint center = center_of(solid);
-    const Trace trace = simplify_exact(solid, center).trace;
+    const Run trace = simplify_exact(solid, center);
     for (const std::uint64_t seed : {2u, 3u}) {
       const RationalPoint other =
           center + (solid.vertices[seed] - center) * Rational(static_cast<int>(seed), 4);
-      const Simplification again =
-          simplify_exact(solid, other, {.seed = seed, .verify = VerifyLevel::Full});
-      check_same(trace, again.trace);
+      const Run again = simplify_exact(solid, other, {.seed = seed, .verify = VerifyLevel::Full});
+      check_same(trace, again);
     }
   }
 }
@@ -104,7 +102,7 @@ TEST_CASE("simplify_exact: reflected, the least cost and the mirrored ties at ev
   for (const std::vector<Point>& points : samples()) {
     std::vector<Point> mirrored = points;
     for (Point& p : mirrored) p[0] = -p[0];
-    const Trace a = simplify_points(points).trace, b = simplify_points(mirrored).trace;
+    const Run a = simplify_points(points), b = simplify_points(mirrored);
     const auto mirror = [&](HalfspaceId i) {
       IntegerVector3 n = a.halfspaces[i.index()].normal();
       n[0] = -n[0];
@@ -128,23 +126,23 @@ TEST_CASE("simplify_exact: reflected, the least cost and the mirrored ties at ev
 
 TEST_CASE("simplify_exact: as many faces as there are changes nothing") {
   for (const std::size_t faces : {20u, 21u, 1000u}) {
-    const Simplification run = simplify_points(shapes::icosahedron(), {.faces = faces});
-    CHECK(run.trace.steps.empty());
-    CHECK(run.trace.stop == StopReason::Reached);
+    const Run run = simplify_points(shapes::icosahedron(), {.faces = faces});
+    CHECK(run.steps.empty());
+    CHECK(run.stop == StopReason::Reached);
     CHECK(run.triangles.size() == 36);
   }
 }
 
 TEST_CASE("simplify_exact: stops at the wanted number, with a prefix of the longer run") {
-  const Trace full = simplify_points(shapes::in_ball(16, 1)).trace;
-  const Simplification run = simplify_points(shapes::in_ball(16, 1), {.faces = 9});
-  CHECK(run.trace.stop == StopReason::Reached);
-  CHECK(run.trace.survivors().size() == 9);
+  const Run full = simplify_points(shapes::in_ball(16, 1));
+  const Run run = simplify_points(shapes::in_ball(16, 1), {.faces = 9});
+  CHECK(run.stop == StopReason::Reached);
+  CHECK(survivors(run).size() == 9);
   CHECK(run.triangles.size() == 14);
-  for (std::size_t s = 0; s < run.trace.steps.size(); ++s) {
-    CHECK(run.trace.steps[s].removed == full.steps[s].removed);
+  for (std::size_t s = 0; s < run.steps.size(); ++s) {
+    CHECK(run.steps[s].removed == full.steps[s].removed);
   }
-  CHECK(run.trace.survivors() == full.survivors(run.trace.steps.size()));
+  CHECK(survivors(run) == survivors(full, run.steps.size()));
 }
 
 TEST_CASE("simplify_exact: the longest prefix within the growth") {
@@ -152,7 +150,7 @@ TEST_CASE("simplify_exact: the longest prefix within the growth") {
   const std::vector<Point> points = shapes::cut_cube(3, 0.25);
   const Rational step(1, 384), volume = 1 - 3 * step;
   const auto steps_within = [&](const Rational& growth) {
-    const Trace trace = simplify_points(points, {.max_growth = growth}).trace;
+    const Run trace = simplify_points(points, {.max_growth = growth});
     CHECK(trace.stop ==
           (trace.steps.size() < 3 ? StopReason::GrowthLimit : StopReason::AllUnbounded));
     return trace.steps.size();
@@ -208,14 +206,14 @@ TEST_CASE("simplify_exact: a lid of valence 1,000 is evaluated at every step") {
   const DualHull solid = dual_of(std::get<Hull>(convex_hull(set)), set);
   REQUIRE(solid.halfspaces.size() == kValence + 2);
   const RationalPoint center(Rational(0), Rational(0), Rational(1, 2));
-  const Simplification run = simplify_exact(solid, center, {.faces = kValence - 1});
-  CHECK(run.trace.steps.size() == 3);
-  for (const Step& step : run.trace.steps) CHECK(step.cost < Rational(1, 1000000));
+  const Run run = simplify_exact(solid, center, {.faces = kValence - 1});
+  CHECK(run.steps.size() == 3);
+  for (const Step& step : run.steps) CHECK(step.cost < Rational(1, 1000000));
 }
 
 // The eight corners that are cut off a cube are equal: each removal but the last is tied.
 TEST_CASE("simplify_exact: of a tie the first in canonical order is removed, and all are listed") {
-  const Trace trace = simplify_points(shapes::cut_cube(8, 0.25), {.faces = 6}).trace;
+  const Run trace = simplify_points(shapes::cut_cube(8, 0.25), {.faces = 6});
   REQUIRE(trace.steps.size() == 8);
   for (std::size_t s = 0; s < 8; ++s) {
     const Step& step = trace.steps[s];

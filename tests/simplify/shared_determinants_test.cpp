@@ -35,7 +35,7 @@ TEST_CASE("shared determinants: the verification accepts every step of the filte
   for (const DualHull& solid : solids()) {
     const auto run = simplify_filtered(solid, center_of(solid), {.verify = VerifyLevel::None});
     StepVerification verification(solid, VerifyLevel::Full);
-    for (const Step& step : run.trace.steps) CHECK_NOTHROW(verification.check(step));
+    for (const Step& step : run.steps) CHECK_NOTHROW(verification.check(step));
     CHECK_NOTHROW(verification.finish());
   }
 }

@@ -29,7 +29,7 @@ const DualHull& round_solid() {
 // Its true steps down to 20 halfspaces.
 const std::vector<Step>& true_steps() {
   static const std::vector<Step> steps =
-      simplify_exact(round_solid(), center_of(round_solid()), {.faces = 20}).trace.steps;
+      simplify_exact(round_solid(), center_of(round_solid()), {.faces = 20}).steps;
   return steps;
 }
 
@@ -166,7 +166,7 @@ Refusals refusals(const DualHull& solid, std::span<const Step> before, Step step
 
 TEST_CASE("StepVerification: of all triangulations of a ring the right one is accepted") {
   const DualHull solid = simple_solid();
-  const auto steps = simplify_exact(solid, center_of(solid)).trace.steps;
+  const auto steps = simplify_exact(solid, center_of(solid)).steps;
   Refusals all;
   for (std::size_t at = 0; at < steps.size(); ++at) {
     if (steps[at].ring.size() > 7) continue;
@@ -196,7 +196,7 @@ TEST_CASE(
     DualHull dented = solid;
     dented.triangles = turned.triangles();
     for (const HalfspaceId i : {a, b, c, d}) {
-      Step step{i, 0, {}, turned.one_ring(i), {}, 0};
+      Step step{i, Rational(0), {}, turned.one_ring(i), {}, 0};
       if (step.ring.size() < 3 || step.ring.size() > 7) continue;
       for (const auto& [check, count] : refusals(dented, {}, step)) all[check] += count;
     }
@@ -226,7 +226,9 @@ TEST_CASE("StepVerification: a removal that opens a gap (D <= 0)") {
 }
 
 TEST_CASE("StepVerification: a wrong cost shows in the volume, at level full") {
-  const auto wrong = [](Step& s) { s.cost += scale_by_power_of_two(Rational(1), -300); };
+  const auto wrong = [](Step& s) {
+    s.cost = s.cost->rational() + scale_by_power_of_two(Rational(1), -300);
+  };
   CHECK(verdict(VerifyLevel::Full, 5, wrong).find("the volume grew by the cost") !=
         std::string::npos);
   CHECK(verdict(VerifyLevel::Local, 5, wrong).empty());  // local proves the step, not its price
@@ -244,7 +246,7 @@ TEST_CASE(
   for (const bool is_wrong : {false, true}) {
     StepVerification verification(round_solid(), VerifyLevel::Full, seed);
     for (Step step : true_steps()) {
-      if (is_wrong && step.left == true_steps()[0].left) step.cost += both;
+      if (is_wrong && step.left == true_steps()[0].left) step.cost = step.cost->rational() + both;
       verification.check(step);
     }
     if (is_wrong) {
@@ -283,7 +285,7 @@ TEST_CASE("StepVerification: what only one condition on rings and disks refuses"
   const HalfspaceId i(0), a(1), b(2);
   solid.triangles = {{i, a, b}, {i, b, a}};
   StepVerification two(solid, VerifyLevel::Local);
-  CHECK_THROWS_WITH_AS(two.check({i, 0, {}, {a, b}, {}, 0}), doctest::Contains(kRing.c_str()),
+  CHECK_THROWS_WITH_AS(two.check({i, {}, {}, {a, b}, {}, 0}), doctest::Contains(kRing.c_str()),
                        Error);
   // A corner that is no halfspace at all, or none of the ring.
   check_caught(kDisk, [](Step& s) { s.triangles[0][1] = HalfspaceId(99999); });

@@ -19,16 +19,16 @@ using nlohmann::json;
 
 namespace {
 
-Trace example() { return simplify_points(shapes::cut_cube(3, 0.25)).trace; }
+Run example() { return simplify_points(shapes::cut_cube(3, 0.25)); }
 
 std::string complaint(const json& document) { return schema_complaint("trace", document); }
 
 }  // namespace
 
 TEST_CASE("trace_json: a trace comes back") {
-  const Trace trace = example();
+  const Run trace = example();
   REQUIRE(trace.steps.size() == 3);
-  const Trace again = read_trace_json(write_trace_json(trace));
+  const Run again = read_trace_json(write_trace_json(trace));
   CHECK(again.halfspaces == trace.halfspaces);
   REQUIRE(again.steps.size() == trace.steps.size());
   for (std::size_t s = 0; s < trace.steps.size(); ++s) {
@@ -98,7 +98,7 @@ TEST_CASE("trace_json: conforms to its schema, and a mutated document does not")
 TEST_CASE("trace_json: a cost beyond the largest double has no value") {
   std::vector<Point> points = shapes::lattice(20, 3, 1);
   for (Point& p : points) p *= 0x1p400;
-  const json document = json::parse(write_trace_json(simplify_points(points).trace));
+  const json document = json::parse(write_trace_json(simplify_points(points)));
   REQUIRE_FALSE(document["steps"].empty());
   CHECK(document["steps"][0]["cost"]["value"].is_null());
   CHECK(complaint(document).empty());

@@ -105,20 +105,20 @@ TEST_CASE("worked example: removing the cut") {
 }
 
 TEST_CASE("worked example: the run") {
-  const Simplification run = simplify_exact(solid(), kCenter, {.verify = VerifyLevel::Full});
-  REQUIRE(run.trace.steps.size() >= 1);
-  const Step& first = run.trace.steps[0];
+  const Run run = simplify_exact(solid(), kCenter, {.verify = VerifyLevel::Full});
+  REQUIRE(run.steps.size() >= 1);
+  const Step& first = run.steps[0];
   CHECK(first.removed == HalfspaceId(6));
   CHECK(first.cost == Rational(1, 48));
   CHECK(values(first.tie) == std::vector<std::uint32_t>{6});
   CHECK(values(first.ring) == std::vector<std::uint32_t>{3, 5, 4});
   CHECK(first.left == 6);
   // Without the cut it is a cube: nothing but its sides bounds it, and they come in parallels.
-  CHECK(run.trace.steps.size() == 1);
-  CHECK(run.trace.stop == StopReason::AllUnbounded);
+  CHECK(run.steps.size() == 1);
+  CHECK(run.stop == StopReason::AllUnbounded);
   CHECK(run.triangles.size() == 8);
-  CHECK(values(run.trace.survivors()) == std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5});
-  CHECK(values(run.trace.survivors(0)) == std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6});
+  CHECK(values(survivors(run)) == std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5});
+  CHECK(values(survivors(run, 0)) == std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6});
 }
 
 TEST_CASE("worked example: the other removals, from the definition") {
@@ -134,8 +134,8 @@ TEST_CASE("worked example: the other removals, from the definition") {
 }
 
 TEST_CASE("worked example: replaying a removal that leaves it unbounded is refused") {
-  const Simplification cut = replay(solid(), kCenter, std::vector{HalfspaceId(6)});
-  CHECK(cut.trace.steps.at(0).cost == Rational(1, 48));
+  const Run cut = replay(solid(), kCenter, std::vector{HalfspaceId(6)});
+  CHECK(cut.steps.at(0).cost == Rational(1, 48));
   const Error error = error_of([] {
     return replay(solid(), kCenter, std::vector{HalfspaceId(6), HalfspaceId(0)});
   });

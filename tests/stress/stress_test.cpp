@@ -162,7 +162,8 @@ TEST_CASE("stress: engines that promise the same and differ are at fault") {
   request.engines = {Engine::Exact, Engine::Filtered};
   request.answer = [](const Shape& shape, const Question& question) {
     EngineAnswer answer = answer_of(shape, question);
-    if (question.engine == Engine::Exact) answer.run.steps[1].cost *= 2;
+    if (question.engine == Engine::Exact)
+      answer.run.steps[1].cost = answer.run.steps[1].cost->rational() * 2;
     return answer;
   };
   const StressReport report = stress(one_input(), request);
@@ -174,7 +175,9 @@ TEST_CASE("stress: engines that promise the same and differ are at fault") {
 }
 
 TEST_CASE("stress: a wrong cost, volume or enclosure is a fault") {
-  check_caught_of_both([](EngineAnswer& a) { a.run.steps[1].cost += Rational(1, 1000000007); });
+  check_caught_of_both([](EngineAnswer& a) {
+    a.run.steps[1].cost = a.run.steps[1].cost->rational() + Rational(1, 1000000007);
+  });
   for (const Engine engine : {Engine::Exact, Engine::Filtered, Engine::Float}) {
     check_caught(engine, [](EngineAnswer& a) { a.output_volume.low = *a.output_volume.high * 2; });
     check_caught(engine, [](EngineAnswer& a) { a.input_volume.high = 0; });

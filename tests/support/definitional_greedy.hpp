@@ -11,7 +11,7 @@ namespace definition {
 
 /// Every step is the cheapest one, with exactly the ties that there are; a run that says so has
 /// really nothing bounded left to remove.
-inline void check_against_definition(const Trace& trace) {
+inline void check_against_definition(const Run& trace) {
   const HalfspaceArrangement arrangement(trace.halfspaces);
   Subset left = arrangement.all();
   for (const Step& step : trace.steps) {

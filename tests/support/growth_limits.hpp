@@ -15,11 +15,11 @@ struct GrowthCase {
 
 /// Growth by the first `count` steps exactly, by less than 2^-80 of that more, and, for a count
 /// above 0, less.
-inline std::vector<GrowthCase> limits_after(const convexact::Trace& trace,
+inline std::vector<GrowthCase> limits_after(const convexact::Run& trace,
                                             const convexact::Rational& volume, std::size_t count) {
   using namespace convexact;
   Rational grown = 0;
-  for (std::size_t s = 0; s < count; ++s) grown += trace.steps[s].cost;
+  for (std::size_t s = 0; s < count; ++s) grown += trace.steps[s].cost->rational();
   const Rational exactly = grown / volume, next_to_nothing = scale_by_power_of_two(exactly, -81);
   std::vector<GrowthCase> cases{{exactly, count}};
   if (count == 0) return cases;
@@ -27,7 +27,7 @@ inline std::vector<GrowthCase> limits_after(const convexact::Trace& trace,
   // Not more than half of the next step, should that be tiny.
   Rational more = next_to_nothing;
   if (count < trace.steps.size()) {
-    more = std::min(more, Rational(trace.steps[count].cost / volume / 2));
+    more = std::min(more, Rational(trace.steps[count].cost->rational() / volume / 2));
   }
   cases.push_back({exactly + more, count});
   return cases;

@@ -19,7 +19,7 @@ inline convexact::RationalPoint mean_of_vertices(const convexact::DualHull& soli
 }
 
 /// Checks the removals, exact costs, ties and the end; rings depend on the triangulation of faces.
-inline void check_same_steps(const convexact::Trace& exact, const convexact::Trace& filtered) {
+inline void check_same_steps(const convexact::Run& exact, const convexact::Run& filtered) {
   CHECK(exact.stop == filtered.stop);
   REQUIRE(exact.steps.size() == filtered.steps.size());
   for (std::size_t s = 0; s < exact.steps.size(); ++s) {
@@ -32,7 +32,7 @@ inline void check_same_steps(const convexact::Trace& exact, const convexact::Tra
 }
 
 /// Checks that a run without a record is the first `count` steps of an exact one, and why it ended.
-inline void check_same_prefix(const convexact::Trace& exact, std::size_t count,
+inline void check_same_prefix(const convexact::Run& exact, std::size_t count,
                               const convexact::FastDual& dual, const convexact::FastResult& lean) {
   using namespace convexact;
   REQUIRE(lean.steps.size() == count);
@@ -41,7 +41,7 @@ inline void check_same_prefix(const convexact::Trace& exact, std::size_t count,
     const Step& step = exact.steps[s];
     REQUIRE(dual.exact(lean.steps[s].removed) == exact.halfspaces[step.removed.index()]);
     REQUIRE(lean.steps[s].tied == step.tie.size());
-    const Rational scaled = scale_by_power_of_two(step.cost, -dual.volume_exponent());
+    const Rational scaled = scale_by_power_of_two(step.cost->rational(), -dual.volume_exponent());
     REQUIRE(to_rational(lean.steps[s].cost_lower) <= scaled);
     const double upper = lean.steps[s].cost_upper;
     REQUIRE((upper == std::numeric_limits<double>::infinity() || to_rational(upper) >= scaled));
@@ -49,14 +49,14 @@ inline void check_same_prefix(const convexact::Trace& exact, std::size_t count,
 }
 
 /// Runs both engines to the end on a solid. @return The exact run.
-inline convexact::Trace check_same_solid(const convexact::DualHull& solid,
-                                         convexact::SimplifyOptions options = {}) {
+inline convexact::Run check_same_solid(const convexact::DualHull& solid,
+                                       convexact::SimplifyOptions options = {}) {
   using namespace convexact;
   const RationalPoint center = mean_of_vertices(solid);
-  const Simplification filtered = simplify_filtered(solid, center, options);
+  const Run filtered = simplify_filtered(solid, center, options);
   options.verify = VerifyLevel::None;  // has tests of its own
-  Trace exact = simplify_exact(solid, center, options).trace;
-  check_same_steps(exact, filtered.trace);
+  Run exact = simplify_exact(solid, center, options);
+  check_same_steps(exact, filtered);
   return exact;
 }
 
@@ -69,7 +69,7 @@ inline bool check_same_run(const std::vector<convexact::Point>& points,
   const HullOutcome outcome = convex_hull(set);
   const Hull* hull = std::get_if<Hull>(&outcome);
   if (hull == nullptr) return false;
-  const Trace exact = check_same_solid(dual_of(*hull, set), options);
+  const Run exact = check_same_solid(dual_of(*hull, set), options);
   const FastDual dual = FastDual::of(*hull, set);
   const FastResult lean = simplify_filtered(dual, options);
   CHECK(lean.stop == exact.stop);

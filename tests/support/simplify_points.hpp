@@ -17,8 +17,8 @@ inline convexact::DualHull dual_of_doubles(const std::vector<convexact::Point>& 
   return definition::dual_of_points(exact);
 }
 
-inline convexact::Simplification simplify_points(const std::vector<convexact::Point>& points,
-                                                 const convexact::SimplifyOptions& options = {}) {
+inline convexact::Run simplify_points(const std::vector<convexact::Point>& points,
+                                      const convexact::SimplifyOptions& options = {}) {
   const convexact::DualHull solid = dual_of_doubles(points);
   return convexact::simplify_exact(solid, center_of(solid), options);
 }

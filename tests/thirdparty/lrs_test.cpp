@@ -45,20 +45,11 @@ RationalPoint interior_point(const Hull& hull, const PointSet& points, const Dua
   return short_dyadic_interior_point(dual.halfspaces, sum / Rational(4)).value();
 }
 
-// The halfspaces that are left when `faces` are.
-std::vector<Halfspace> survivors(const Trace& trace, std::size_t faces) {
-  std::vector<Halfspace> list;
-  for (const HalfspaceId id : trace.survivors(trace.halfspaces.size() - faces)) {
-    list.push_back(trace.halfspaces[id.index()]);
-  }
-  return list;
-}
-
 // By the steps down to `faces` halfspaces.
-Rational added_volume(const Trace& trace, std::size_t faces) {
+Rational added_volume(const Run& trace, std::size_t faces) {
   std::vector<Rational> costs;
   for (const Step& step : trace.steps) {
-    if (step.left >= faces) costs.push_back(step.cost);
+    if (step.left >= faces) costs.push_back(step.cost->rational());
   }
   return balanced_sum(std::move(costs));
 }
@@ -92,13 +83,12 @@ TEST_CASE("volume: shipped meshes at 100, 18 and 6 halfspaces agree with lrs") {
     const Hull hull = std::get<Hull>(convex_hull(points));
     const DualHull dual = dual_of(hull, points);
     const RationalPoint center = interior_point(hull, points, dual);
-    const Trace trace =
-        simplify_exact(dual, center, {.faces = 6, .verify = VerifyLevel::None}).trace;
+    const Run trace = simplify_exact(dual, center, {.faces = 6, .verify = VerifyLevel::None});
     REQUIRE(trace.stop == StopReason::Reached);
     const Rational input_volume = volume(to_polytope(hull, points));
     for (const std::size_t faces : {100u, 18u, 6u}) {
       CAPTURE(faces);
-      const std::vector<Halfspace> planes = survivors(trace, faces);
+      const std::vector<Halfspace> planes = left_after(trace, trace.halfspaces.size() - faces);
       const DualHull left = dual_of(planes, center).dual;
       const Polytope polytope = to_polytope(left.halfspaces, left.triangles);
       CHECK(volume(polytope) == lrs.volume(lrs.vertices(planes)));

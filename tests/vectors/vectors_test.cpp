@@ -55,8 +55,8 @@ void check_run(const TestVector& vector, const SimplifyQuestion& question, Engin
   CHECK((result.stop == StopReason::Reached) == question.reached);
   if (!question.volume) return;
   CHECK(result.output_volume.exact == question.volume);
-  REQUIRE(result.trace.has_value());
-  const Trace& trace = *result.trace;
+  REQUIRE(result.run.has_value());
+  const Run& trace = *result.run;
   REQUIRE(trace.steps.size() == question.costs.size());
   for (std::size_t i = 0; i < trace.steps.size(); ++i) {
     CAPTURE(i);

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// dual_surface.hpp - the dual hull of a solid, which can lose dual points and regain them.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "convexact/cost.hpp"
+#include "convexact/dual.hpp"
+#include "number/random.hpp"
+#include "simplify/ring_triangulation.hpp"
+
+namespace convexact {
+
+/// What removing one halfspace does to the surface.
+struct Removal {
+  HalfspaceId removed;
+  std::vector<HalfspaceId> ring;  ///< One-ring of `removed`, counter-clockwise from outside.
+  RingTriangulation roof;         ///< T_i: what closes the ring without `removed`.
+  std::optional<Cost> cost;       ///< Volume of the cap; none if it is unbounded.
+};
+
+/// A closed convex surface of triangles on dual points, all of them exact. Every change keeps it
+/// the hull of the dual points that are on it, so the halfspaces on it bound a solid, and none of
+/// them is redundant.
+class DualSurface {
+ public:
+  /// @param halfspaces  All that may ever be on the surface; ids are positions.
+  /// @param triangles   The dual hull of some of them, none redundant. The others can be inserted.
+  /// @param center      Strictly inside all halfspaces.
+  /// @param seed        Of the choice among triangulations of level dual points.
+  /// @throws Error      InvalidArgument if the center is not strictly inside.
+  DualSurface(std::span<const Halfspace> halfspaces, std::span<const DualTriangle> triangles,
+              const RationalPoint& center, std::uint64_t seed = 1);
+
+  /// How many halfspaces there are, and how many of them are on the surface.
+  std::size_t size() const { return points_.size(); }
+  std::size_t left() const { return left_; }
+  bool has(HalfspaceId i) const { return is_present_[i.index()]; }
+  const AdjacencyMatrix& adjacency() const { return adjacency_; }
+  std::vector<DualTriangle> triangles() const { return adjacency_.triangles(); }
+
+  /// What removing a halfspace would do. Nothing changes but the state of the generator.
+  /// Precondition: has(i).
+  /// @param observer  Watches the ring being triangulated; null for none.
+  /// @par Cost        Expected O(k) exact operations for a ring of k.
+  /// @par Source      [Jacobson2026]; docs/construction.md has the steps.
+  [[nodiscard]] Removal removal_of(HalfspaceId i, RingObserver* observer = nullptr);
+
+  /// Makes a removal. Preconditions: it is bounded, and it was computed when the triangles around
+  /// removed halfspace were what they are now.
+  void apply(const Removal& removal);
+  /// Takes a removal back: exactly the triangles from before apply(). Precondition: the triangles
+  /// of its roof are on the surface, as they are right after apply().
+  void undo(const Removal& removal);
+
+  /// Puts a halfspace onto the surface, one that was removed or a new one. The solid becomes the
+  /// old one cut by it. Halfspaces that become redundant, be it that they still touch the solid in
+  /// a vertex or an edge, leave the surface: there are none if all were facets of one solid.
+  /// Unlike undo(), it may choose another triangulation of level dual points.
+  /// Precondition: !has(i). @return False, and nothing changes, if the halfspace is redundant.
+  /// @par Cost  One exact sign for each triangle of the surface.
+  bool insert(HalfspaceId i);
+
+ private:
+  DualPlane plane_of(const DualTriangle& t) const;
+
+  std::vector<DualPoint> points_;
+  AdjacencyMatrix adjacency_;
+  std::vector<bool> is_present_;
+  std::size_t left_;
+  Random random_;
+};
+
+}  // namespace convexact
