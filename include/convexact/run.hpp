@@ -15,7 +15,7 @@
 
 namespace convexact {
 
-/// One removal. Parts that were not asked for are empty.
+/// One removal. Parts that were not requested are empty.
 struct Step {
   HalfspaceId removed;
   std::optional<Cost> cost = {};       ///< Exact. None if it is not known, or not bounded.
@@ -32,14 +32,14 @@ enum class StopReason {
   AllUnbounded,  ///< Every further removal is unbounded.
 };
 
-/// Which cap an engine looked at, and when. Costs of volume never decrease, so what an evaluation
+/// A cap that an engine evaluated, and when. Costs of volume never decrease, so what an evaluation
 /// shows stays a lower bound; with every evaluation that an engine made, each of its choices can be
 /// proven.
 struct Evaluation {
   std::size_t step;  ///< Removals made before it.
   HalfspaceId halfspace;
   std::vector<HalfspaceId> ring;        ///< One-ring of `halfspace` at that time.
-  std::vector<DualTriangle> triangles;  ///< T_i: what would fill the ring.
+  std::vector<DualTriangle> triangles;  ///< T_i, which would fill the ring.
 };
 
 /// The record of a progressive simplification: any prefix of `steps` is a valid result. Engines
@@ -56,7 +56,7 @@ struct Run {
   std::vector<Evaluation> evaluations = {};
 };
 
-/// What the first `count` steps of a run removed, in the order of removal.
+/// The halfspaces that the first `count` steps of a run removed, in the order of removal.
 [[nodiscard]] std::vector<HalfspaceId> removed_in(const Run& run, std::size_t count);
 [[nodiscard]] inline std::vector<HalfspaceId> removed_in(const Run& run) {
   return removed_in(run, run.steps.size());
@@ -82,7 +82,7 @@ enum class VerifyLevel {
 };
 
 struct SimplifyOptions {
-  /// Stop at this many halfspaces; at least 4. At or above the input's number: nothing happens.
+  /// Stop at this many halfspaces; at least 4. At or above the input's number the run has no steps.
   std::size_t faces = 4;
   /// Stop before the volume exceeds (1 + max_growth) times the input's; >= 0.
   std::optional<Rational> max_growth = {};
@@ -107,10 +107,10 @@ struct FloatBound {
   double regret = 0;         ///< Each removal costs at most (1 + regret) times the cheapest one
                              ///< that was possible then.
   std::size_t doubtful = 0;  ///< Steps of which these two are not proven.
-  double least_next = 0;     ///< What any further removal would cost at least, as the steps' costs;
-                             ///< infinite if all are proven to be unbounded.
-  std::size_t ties = 0;      ///< Steps in which doubles could not tell the cheapest, so that the
-                             ///< canonical order decided.
+  double least_next = 0;     ///< A lower bound of the cost of any further removal, as the steps'
+                          ///< costs; infinite if all are proven to be unbounded.
+  std::size_t ties = 0;       ///< Steps in which doubles could not tell the cheapest, so that the
+                              ///< canonical order decided.
   bool is_end_proven = true;  ///< Whether exact numbers, too, would have ended the run there.
 
   /// Whether everything is proven. If not, the filtered engine knows.

@@ -14,7 +14,7 @@
 
 namespace convexact {
 
-/// What a run started from, with proofs: what a proof of the run needs beside the run.
+/// The start of a run with its proofs, which a proof of the run needs beside the run.
 struct RunStart {
   std::vector<Halfspace> input_halfspaces;  ///< Where the input is halfspaces: all of them.
   DualHull dual;                            ///< Of the solid.
@@ -56,7 +56,7 @@ struct SimplifyResult {
   /// If its trace or record was asked for, and by the exact engine. The float engine's run is made
   /// again in exact numbers.
   std::optional<Run> run;
-  std::optional<RunStart> start;  ///< If the record was asked for.
+  std::optional<RunStart> start;  ///< If the record was requested.
   StoredSolid solid;              ///< The solid that encloses the input.
   Measured input_volume;          ///< Of the input's hull, in cubed length units.
   Measured output_volume;

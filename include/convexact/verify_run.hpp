@@ -20,17 +20,17 @@ namespace convexact {
 /// An id at or beyond the end of RemovalOrder::facets names no facet.
 inline constexpr HalfspaceId kNoFacet{std::numeric_limits<std::uint32_t>::max()};
 
-/// A step as a file tells it, and where. What the file says of it beyond the removal are claims:
-/// the cost, if there is one, and the tie, in any order, and `left`, if they are claimed.
+/// A step as a file states it, and its place. The statements of the file beyond the removal are
+/// claims: the cost, if there is one, and the tie, in any order, and `left`, if they are claimed.
 struct OrderedStep {
   std::size_t row;   ///< Row of a text, step of a JSON trace; counted from 1.
-  std::string text;  ///< What stands there, for messages.
+  std::string text;  ///< The text at that place, for messages.
   Step step = {};    ///< Ids are positions in RemovalOrder::facets.
   bool claims_tie = false, claims_left = false;
 };
 
-/// The steps of a run as another program tells them. Ids are positions in a list of planes. Where a
-/// file spells out each plane, the list is what the file spells.
+/// The steps of a run as another program states them. Ids are positions in a list of planes. Where
+/// a file spells out each plane, the list is what the file spells.
 struct RemovalOrder {
   /// None for a row with normal 0: no facet has that plane. Any order, repeats allowed.
   std::vector<std::optional<Halfspace>> facets;
@@ -38,7 +38,7 @@ struct RemovalOrder {
   /// facets, and not the planes removed.
   bool has_list = false;
   std::vector<OrderedStep> steps;
-  /// Why it says that it ends. Only AllUnbounded is a claim that can be judged.
+  /// The stated reason of its end. Only AllUnbounded is a claim that can be judged.
   std::optional<StopReason> stop = {};
 };
 
@@ -57,7 +57,7 @@ struct JudgedStep {
   std::optional<Rational> regret;  ///< relative_regret(); none, infinite, if cost is none.
 
   bool is_greedy() const { return regret && *regret == 0; }
-  /// Greedy, but not the first of the tie, which is what our engines remove.
+  /// Greedy, but not the first of the tie, which our engines remove.
   bool is_other_tie() const { return is_greedy() && removed != tie.front(); }
 };
 
@@ -66,7 +66,7 @@ enum class TraceRating {
   Greedy,       ///< Every removal is one of the cheapest.
   UpToRegret,   ///< No regret is above the limit, but some are above 0.
   NotGreedy,    ///< From step `at` on: the first regret above the limit.
-  Unbounded,    ///< At step `at`: what is left is unbounded.
+  Unbounded,    ///< At step `at`: the remaining solid is unbounded.
   Meaningless,  ///< At step `at`, or from the start: the order cannot be followed.
 };
 
@@ -113,7 +113,7 @@ struct TraceVerdict {
   std::size_t other_ties = 0;         ///< Steps that are is_other_tie().
   Rational max_regret;                ///< The limit.
   std::vector<TraceClaim> claims;     ///< One per code, in a fixed order.
-  std::vector<HalfspaceId> left_out;  ///< As asked for: gone before the first step.
+  std::vector<HalfspaceId> left_out;  ///< As requested: removed before the first step.
   std::optional<LeftOut>
       never_removed;  ///< If trace-greedy or trace-bounded fails because of some.
   ListedPlanes listed;

@@ -113,8 +113,8 @@ void ProofWriter::write_hull() {
   }
 }
 
-// The certificate gives points up in turn, each into a tetrahedron of later ones and extreme ones;
-// a proof goes the other way.
+// The certificate discards points in turn, each inside a tetrahedron of later ones and extreme
+// ones; a proof lists them in the opposite order.
 void ProofWriter::write_inside() {
   for (auto proof = start_.inside.rbegin(); proof != start_.inside.rend(); ++proof) {
     const auto& [p, corners] = *proof;
@@ -146,7 +146,8 @@ ProofWriter::Appraisal ProofWriter::appraise(const Evaluation& evaluation) const
 void ProofWriter::write_evaluation(const Evaluation& evaluation) {
   const HalfspaceId i = evaluation.halfspace;
   std::optional<Appraisal>& known = appraisals_[i.index()];
-  if (known && known->ray) return;  // unbounded is for ever, though an eager engine asks again
+  if (known && known->ray)
+    return;  // an unbounded removal stays unbounded, though an eager engine evaluates it again
   known = appraise(evaluation);
   if (known->ray) {
     line("evaluate", i, "unbounded", *known->ray);

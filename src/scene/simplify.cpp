@@ -113,7 +113,7 @@ Polytope polytope_of(const FastResult& result, const FastDual& dual, Engine engi
     halfspaces.push_back(dual.exact(id));
   }
   if (engine == Engine::Float && !is_dual_hull(dual, result.triangles)) {
-    // Doubles made this topology, and got it wrong: the solid comes from the planes alone.
+    // Doubles computed this topology wrongly: the solid comes from the planes alone.
     const DualHull exact = dual_of(halfspaces, dual.center()).dual;
     return to_polytope(exact.halfspaces, exact.triangles);
   }
@@ -177,7 +177,7 @@ Measured measure_volume(const Polytope& polytope, bool exact) {
   return {Enclosure(value, kVolumeBits), value};
 }
 
-// The last word, by the definition of containment alone. Returns how many points were tested.
+// The final test, by the definition of containment alone. Returns how many points were tested.
 std::size_t verify_containment(const PointSet& points, const Polytope& result, VerifyLevel level,
                                StageLog& log) {
   if (level == VerifyLevel::None) {

@@ -37,7 +37,7 @@ Removal DualSurface::removal_of(HalfspaceId i, RingObserver* observer) {
   if (!removal.roof.is_bounded()) return removal;
   // (4) The cap lies between the old vertices on plane i and the new ones.
   const Cap cap = make_cap(points_, i, removal.ring, removal.roof);
-  // (5) Its volume is the price.
+  // (5) Its volume is the cost.
   removal.cost = volume(cap);
   return removal;
 }

@@ -13,11 +13,11 @@
 
 namespace convexact {
 
-/// What removing one halfspace does to the surface.
+/// The change of the surface by one removal.
 struct Removal {
   HalfspaceId removed;
   std::vector<HalfspaceId> ring;  ///< One-ring of `removed`, counter-clockwise from outside.
-  RingTriangulation roof;         ///< T_i: what closes the ring without `removed`.
+  RingTriangulation roof;         ///< T_i, which closes the ring without `removed`.
   std::optional<Cost> cost;       ///< Volume of the cap; none if it is unbounded.
 };
 
@@ -41,7 +41,7 @@ class DualSurface {
   const AdjacencyMatrix& adjacency() const { return adjacency_; }
   std::vector<DualTriangle> triangles() const { return adjacency_.triangles(); }
 
-  /// What removing a halfspace would do. Nothing changes but the state of the generator.
+  /// The change that removing a halfspace would make. Only the state of the generator changes.
   /// Precondition: has(i).
   /// @param observer  Watches the ring being triangulated; null for none.
   /// @par Cost        Expected O(k) exact operations for a ring of k.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// plain_surface.hpp - the verifier's own dual surface: a table of directed edges, nothing else.
+// plain_surface.hpp - the verifier's own dual surface: a table of directed edges.
 #pragma once
 #include <cstdint>
 #include <optional>

@@ -8,9 +8,9 @@
 
 namespace convexact {
 
-/// Makes the removals and records each of them; ties are left empty, for nothing is compared. The
-/// evaluations are those of the removals.
-/// @param dual    What the removals start from.
+/// Makes the removals and records each of them; ties are left empty, since no costs are compared.
+/// The evaluations are those of the removals.
+/// @param dual    The dual hull from which the removals start.
 /// @param center  Strictly inside. The costs do not depend on it.
 /// @param removed  Each once; every prefix leaves a bounded solid.
 /// @throws Error  InvalidArgument if the center is not strictly inside or a removal is unbounded.

@@ -40,7 +40,7 @@ class PolygonTriangulation {
   RingTriangulation result() const;
 
  private:
-  // A directed edge that a new piece must take, and what lies on its other side.
+  // A directed edge that a new piece must take, and the piece on its other side.
   struct Gap {
     std::uint32_t from, to;
     Side side;
@@ -85,7 +85,7 @@ void PolygonTriangulation::start(std::uint32_t a, std::uint32_t b, std::uint32_t
   if (observer_ != nullptr) observer_->started(triangle(pieces_[piece]));
 }
 
-// What a new piece over `edge` of a piece that goes away will be glued to.
+// The neighbour of a new piece over `edge` of a removed piece.
 PolygonTriangulation::Gap PolygonTriangulation::gap_beyond(const Piece& piece,
                                                            std::uint32_t edge) const {
   const std::uint32_t from = piece.corner[edge], to = piece.corner[(edge + 1) % 3];

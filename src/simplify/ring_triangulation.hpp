@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ring_triangulation.hpp - what closes the dual hull after a dual point is removed.
+// ring_triangulation.hpp - closes the dual hull after a dual point is removed.
 #pragma once
 #include <span>
 #include <vector>
@@ -35,8 +35,8 @@ class RingObserver {
 /// @param points  The dual points of all halfspaces, by id.
 /// @param ring    The one-ring of i in a convex dual hull, counter-clockwise, at least three.
 /// @param random  Draws the insertion order.
-/// @param observer  Told of every insertion; null for none.
-/// @par Cost      Expected O(k) exact signs, whatever the ring.
+/// @param observer  Receives every insertion; null for none.
+/// @par Cost      Expected O(k) exact signs for every ring.
 /// @par Source    [Chew1990]: insertion in random order into a polygon in convex position, here
 ///                with "beyond the dual plane" in place of "inside the circumcircle".
 [[nodiscard]] RingTriangulation triangulate_ring(std::span<const DualPoint> points,

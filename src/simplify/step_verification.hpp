@@ -11,11 +11,11 @@
 namespace convexact {
 
 /// Replays steps on its own copy of the dual's directed edges. It shares no code with any engine:
-/// it knows no center, computes with the planes (n, d) themselves, and trusts nothing in a step.
+/// it uses no center, computes with the planes (n, d) themselves, and assumes nothing about a step.
 /// docs/verification.md says what each check proves.
 class StepVerification {
  public:
-  /// @param solid  What the run starts from; must outlive this object.
+  /// @param solid  The dual hull from which the run starts; must outlive this object.
   /// @param seed   Draws the two primes of the volume check.
   StepVerification(const DualHull& solid, VerifyLevel level, std::uint64_t seed = 1);
   ~StepVerification();

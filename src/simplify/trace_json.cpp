@@ -152,7 +152,7 @@ Run read_trace_json(std::string_view text) {
   try {
     return reader.read(parse_json(text));
   } catch (const json::exception& error) {
-    // A key that is missing or a value of another kind; the library's text says which.
+    // A key that is missing or a value of another kind; the text of the library names it.
     throw Error(ErrorCode::Malformed, reader.place() + ": " + error.what());
   }
 }

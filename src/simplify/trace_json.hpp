@@ -23,7 +23,7 @@ inline const char* name_of(StopReason reason) { return name_in(kStopReasonNames,
 
 /// Reads a trace of write_trace_json() or of another program; `value` is ignored. The steps are
 /// not verified here, but every index is within range.
-/// @throws Error Malformed, with the line if the text is no JSON, else with the place in it.
+/// @throws Error Malformed, with the line if the text is not JSON, otherwise with the place in it.
 [[nodiscard]] Run read_trace_json(std::string_view text);
 
 }  // namespace convexact
