@@ -146,8 +146,8 @@ ProofWriter::Appraisal ProofWriter::appraise(const Evaluation& evaluation) const
 void ProofWriter::write_evaluation(const Evaluation& evaluation) {
   const HalfspaceId i = evaluation.halfspace;
   std::optional<Appraisal>& known = appraisals_[i.index()];
-  if (known && known->ray)
-    return;  // an unbounded removal stays unbounded, though an eager engine evaluates it again
+  // an unbounded removal stays unbounded, though an eager engine evaluates it again
+  if (known && known->ray) return;
   known = appraise(evaluation);
   if (known->ray) {
     line("evaluate", i, "unbounded", *known->ray);
