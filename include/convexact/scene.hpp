@@ -57,7 +57,7 @@ struct StoreRequest {
   std::optional<Precision> mesh;
 };
 
-struct StoredSolid {
+struct Stored {
   Polytope exact;
   PointSet points;  ///< The points that it holds: the input's points, or the vertices of the
                     ///< input's polytope.
@@ -93,7 +93,7 @@ void to_typed_rows(std::vector<RedundantHalfspace>& redundant, const TypedRows& 
 /// The solid that encloses an object, under its name in a file of several.
 struct NamedSolid {
   std::string name;
-  const StoredSolid* solid;  ///< With a mesh, if the file is one.
+  const Stored* solid;  ///< With a mesh, if the file is one.
 };
 
 /// The bytes of a mesh or halfspace file, by the extension of `path`: read back from them, every

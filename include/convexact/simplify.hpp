@@ -57,7 +57,7 @@ struct SimplifyResult {
   /// again in exact numbers.
   std::optional<Run> run;
   std::optional<RunStart> start;  ///< If the record was requested.
-  StoredSolid solid;              ///< The solid that encloses the input.
+  Stored solid;                   ///< The solid that encloses the input.
   Measured input_volume;          ///< Of the input's hull, in cubed length units.
   Measured output_volume;
   std::size_t tested_points = 0;  ///< Points tested directly against every survivor.
@@ -87,7 +87,7 @@ struct HullRequest {
 struct HullResult {
   std::size_t input_points = 0;               ///< 0 where the input is halfspaces.
   std::vector<RedundantHalfspace> redundant;  ///< Of halfspace input.
-  StoredSolid solid;
+  Stored solid;
   std::size_t edges = 0;
   BoundingBox box;    ///< Of the hull.
   Measured diameter;  ///< Diagonal of the box, in length units.

@@ -43,7 +43,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options);
 /// One object and what encloses it.
 struct OutputObject {
   const SceneObject& source;
-  const StoredSolid& solid;
+  const Stored& solid;
   const Run* run = nullptr;         ///< Set wherever a trace or a proof may be asked for.
   const RunStart* start = nullptr;  ///< Set wherever a proof may be asked for.
 };

@@ -18,7 +18,7 @@ namespace convexact {
 
 // Exact planes: those of a solid as they stand, or formed from corners when first asked for.
 struct FastDual::Planes {
-  const DualHull* solid = nullptr;
+  const DualHull* dual = nullptr;
   const Hull* hull = nullptr;
   const PointSet* points = nullptr;
   std::vector<std::unique_ptr<const Halfspace>> formed;
@@ -28,7 +28,7 @@ struct FastDual::Planes {
     return {all[0], all[all.size() / 3], all[2 * all.size() / 3]};
   }
   const Halfspace& operator[](std::size_t i) {
-    if (solid != nullptr) return solid->halfspaces[i];
+    if (dual != nullptr) return dual->halfspaces[i];
     if (formed[i] == nullptr) {
       const auto [a, b, c] = corners(i);
       const auto exact = [&](PointId id) { return points->doubles()[id.index()]; };
@@ -53,7 +53,7 @@ std::size_t FastDual::formed() const {
 }
 
 bool FastDual::precedes(HalfspaceId i, HalfspaceId j) const {
-  if (planes_->solid != nullptr) return i < j;
+  if (planes_->dual != nullptr) return i < j;
   // The sign of a normal's first entry is that of the dual point's, unless that is zero.
   const double a = near(i).x, b = near(j).x;
   if ((a < 0 && b > 0) || (a > 0 && b < 0)) return a < b;
@@ -70,7 +70,7 @@ std::array<double, 3> FastDual::direction(HalfspaceId i) const {
 }
 
 bool FastDual::seems_to_precede(HalfspaceId i, HalfspaceId j) const {
-  if (planes_->solid != nullptr) return i < j;
+  if (planes_->dual != nullptr) return i < j;
   constexpr double kEqual = 0x1p-40;
   const std::array<double, 3> a = direction(i), b = direction(j);
   std::array<double, 3> sizes_a = a, sizes_b = b;
@@ -363,13 +363,13 @@ FastDual FastDual::of(const Hull& hull, const PointSet& points) {
   return dual;
 }
 
-FastDual FastDual::of(const DualHull& solid, const RationalPoint& center) {
+FastDual FastDual::of(const DualHull& exact, const RationalPoint& center) {
   FastDual dual;
-  dual.planes_->solid = &solid;
+  dual.planes_->dual = &exact;
   dual.center_ = center;
-  dual.near_.resize(solid.halfspaces.size());
-  dual.rest_.resize(solid.halfspaces.size());
-  dual.triangles_ = solid.triangles;
+  dual.near_.resize(exact.halfspaces.size());
+  dual.rest_.resize(exact.halfspaces.size());
+  dual.triangles_ = exact.triangles;
   FastDualBuilder builder(dual);
   if (!builder.add_all_from_planes()) {
     throw Error(ErrorCode::InvalidArgument, "the center is not strictly inside every halfspace");

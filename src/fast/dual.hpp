@@ -70,9 +70,9 @@ class FastDual {
   ///            (a facet normal close to, but not in, a coordinate plane), exact numbers step in.
   static FastDual of(const Hull& hull, const PointSet& points);
   static FastDual of(Hull&&, const PointSet&) = delete;
-  /// From exact planes; ids are theirs. `solid` must outlive the object.
+  /// From exact planes; ids are theirs. `dual` must outlive the object.
   /// @param center  Strictly inside. @throws Error InvalidArgument if it is not.
-  static FastDual of(const DualHull& solid, const RationalPoint& center);
+  static FastDual of(const DualHull& dual, const RationalPoint& center);
   static FastDual of(DualHull&&, const RationalPoint&) = delete;
 
   FastDual(FastDual&&) noexcept;

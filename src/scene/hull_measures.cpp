@@ -83,8 +83,7 @@ HullReport measure_hull(const Shape& shape, const HullRequest& request) {
       [&](long bits) { return sqrt(Enclosure(box.squared_diameter(), bits)); }, request.digits);
   std::size_t corners = 0;
   for (const auto& facet : made.polytope.facets) corners += facet.size();
-  StoredSolid stored =
-      store(std::move(made.polytope), made.points, made.extreme, request.store, log);
+  Stored stored = store(std::move(made.polytope), made.points, made.extreme, request.store, log);
   HullResult result{.input_points = made.input_points,
                     .redundant = std::move(made.redundant),
                     .solid = std::move(stored),

@@ -69,7 +69,7 @@ std::string mesh_bytes(std::span<const NamedSolid> solids, MeshFormat format, Pr
   return write_mesh(joined(solids), format, {.precision = precision, .encoding = encoding});
 }
 
-std::string plane_bytes(const StoredSolid& solid, HalfspaceFormat format) {
+std::string plane_bytes(const Stored& solid, HalfspaceFormat format) {
   if (!solid.planes) return write_halfspaces(solid.exact.planes, format);
   return write_halfspaces(solid.planes->planes, format);
 }

@@ -37,7 +37,7 @@ std::string format_name(Precision precision, const char* what) {
 }
 
 // The most derived form that was asked for; the exact integers if none was.
-Json stored_json(const StoredSolid& solid) {
+Json stored_json(const Stored& solid) {
   if (const auto& mesh = solid.mesh) {
     return stored_json(format_name(mesh->precision, "mesh"), mesh->growth, mesh->violations);
   }

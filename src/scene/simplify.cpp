@@ -216,7 +216,7 @@ SimplifyResult finish(Reference reference, End end, const SimplifyRequest& reque
   log.skip("area and mean width", "simplify does not report them; hull does");
   const std::size_t tested =
       verify_containment(reference.points, end.polytope, request.verify, log);
-  StoredSolid stored =
+  Stored stored =
       store(std::move(end.polytope), reference.points, reference.extreme, request.store, log);
   return SimplifyResult{.input_points = reference.input_points,
                         .hull_vertices = reference.extreme.size(),

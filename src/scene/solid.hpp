@@ -52,8 +52,7 @@ using SolidOutcome = std::variant<Solid, NotSolid>;
 /// Rounds outward to each format asked for, and proves it. @param extreme  Of `points`: those whose
 /// hull holds the rest.
 /// @throws Error Unrepresentable if a format cannot hold the solid; Internal if a proof fails.
-[[nodiscard]] StoredSolid store(Polytope exact, const PointSet& points,
-                                std::span<const PointId> extreme, const StoreRequest& request,
-                                StageLog& log);
+[[nodiscard]] Stored store(Polytope exact, const PointSet& points, std::span<const PointId> extreme,
+                           const StoreRequest& request, StageLog& log);
 
 }  // namespace convexact

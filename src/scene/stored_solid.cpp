@@ -4,9 +4,9 @@
 
 namespace convexact {
 
-StoredSolid store(Polytope exact, const PointSet& points, std::span<const PointId> extreme,
-                  const StoreRequest& request, StageLog& log) {
-  StoredSolid solid{std::move(exact), points, {}, {}};
+Stored store(Polytope exact, const PointSet& points, std::span<const PointId> extreme,
+             const StoreRequest& request, StageLog& log) {
+  Stored solid{std::move(exact), points, {}, {}};
   if (request.planes) {
     solid.planes = log.run("store planes", [&] {
       return store_planes(solid.exact, points, extreme, *request.planes);

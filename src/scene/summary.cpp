@@ -106,7 +106,7 @@ std::string float_lines(const SimplifyResult& result) {
   return summary_line("doubtful", doubts + "; --engine filtered decides");
 }
 
-std::string stored_lines(const StoredSolid& solid) {
+std::string stored_lines(const Stored& solid) {
   std::string text;
   if (const auto& planes = solid.planes) {
     text += summary_line("stored", fmt::format("planes in {}, {}; no point outside",

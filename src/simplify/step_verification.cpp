@@ -21,7 +21,7 @@ struct StepVerification::State {
   void check_rim(const Step& step, const PlainSurface& disk) const;
   void replace(const Step& step);
 
-  const Halfspace& plane(HalfspaceId i) const { return solid.halfspaces[i.index()]; }
+  const Halfspace& plane(HalfspaceId i) const { return dual.halfspaces[i.index()]; }
   PlainVertex vertex_of(const DualTriangle& t) const {
     return plain_vertex(plane(t[0]), plane(t[1]), plane(t[2]));
   }
@@ -31,7 +31,7 @@ struct StepVerification::State {
                 "verification of step " + std::to_string(number) + " failed: " + check);
   }
 
-  const DualHull& solid;
+  const DualHull& dual;
   VerifyLevel level;
   std::size_t number = 0;  // of the step at hand, from 1
   PlainSurface surface;
@@ -41,7 +41,7 @@ struct StepVerification::State {
 };
 
 StepVerification::State::State(const DualHull& input, VerifyLevel wanted, std::uint64_t seed)
-    : solid(input),
+    : dual(input),
       level(wanted),
       surface(input.halfspaces.size(), input.triangles),
       present(input.halfspaces.size(), true) {
@@ -126,8 +126,8 @@ void StepVerification::State::replace(const Step& step) {
   present[step.removed.index()] = false;
 }
 
-StepVerification::StepVerification(const DualHull& solid, VerifyLevel level, std::uint64_t seed)
-    : state_(level == VerifyLevel::None ? nullptr : std::make_unique<State>(solid, level, seed)) {}
+StepVerification::StepVerification(const DualHull& dual, VerifyLevel level, std::uint64_t seed)
+    : state_(level == VerifyLevel::None ? nullptr : std::make_unique<State>(dual, level, seed)) {}
 StepVerification::~StepVerification() = default;
 
 void StepVerification::check(const Step& step) {
@@ -151,8 +151,8 @@ void StepVerification::finish() {
   if (!state_) return;
   for (std::size_t i = 0; i < state_->present.size(); ++i) {
     if (!state_->present[i]) continue;
-    const PlainVertex& witness = state_->vertices[state_->solid.witness[i]];
-    state_->require(value_at(witness, state_->solid.halfspaces[i]) == 0,
+    const PlainVertex& witness = state_->vertices[state_->dual.witness[i]];
+    state_->require(value_at(witness, state_->dual.halfspaces[i]) == 0,
                     "every survivor touches its support witness at the end");
   }
   if (!state_->whole) return;

@@ -15,9 +15,9 @@ namespace convexact {
 /// docs/verification.md says what each check proves.
 class StepVerification {
  public:
-  /// @param solid  The dual hull from which the run starts; must outlive this object.
+  /// @param dual   The dual hull from which the run starts; must outlive this object.
   /// @param seed   Draws the two primes of the volume check.
-  StepVerification(const DualHull& solid, VerifyLevel level, std::uint64_t seed = 1);
+  StepVerification(const DualHull& dual, VerifyLevel level, std::uint64_t seed = 1);
   ~StepVerification();
 
   /// Checks the next step. @throws Error Internal, naming the step (counted from 1) and the check.

@@ -117,7 +117,7 @@ StoredBytes store_as(StressStored::Form form, Precision precision, bool whole,
   const bool planes = form == StressStored::Form::Planes;
   (planes ? request.planes : request.mesh) = precision;
   try {
-    const StoredSolid made = store(result, solid.points, solid.extreme, request, log);
+    const Stored made = store(result, solid.points, solid.extreme, request, log);
     kept.bytes = planes ? write_halfspaces(made.planes->planes, HalfspaceFormat::Json)
                         : write_mesh(made.mesh->mesh, MeshFormat::Obj, {.precision = precision});
     const Growth& growth = planes ? made.planes->growth : made.mesh->growth;

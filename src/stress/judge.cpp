@@ -51,7 +51,7 @@ StressRun begin_run(const StressInput& input, const EngineAnswer& answer) {
 // The engines' answers about a solid.
 class Judge {
  public:
-  Judge(const JudgedSolid& solid, const Shape& shape, std::span<const EngineAnswer> answers,
+  Judge(const CenteredDual& solid, const Shape& shape, std::span<const EngineAnswer> answers,
         const JudgeLimits& limits)
       : solid_(solid), shape_(shape), answers_(answers), limits_(limits) {}
 
@@ -64,7 +64,7 @@ class Judge {
   const EngineAnswer* reference(std::size_t steps) const;
   void measure_volume_error(const EngineAnswer& answer, StressRun& run) const;
 
-  const JudgedSolid& solid_;
+  const CenteredDual& solid_;
   const Shape& shape_;
   std::span<const EngineAnswer> answers_;
   const JudgeLimits& limits_;
@@ -202,7 +202,7 @@ std::vector<StressRun> judge_answers(const StressInput& input, const Shape& shap
       run.faults.push_back(solid == nullptr ? "finds a solid where there is none"
                                             : "finds no solid where there is one");
     } else if (solid != nullptr) {
-      const JudgedSolid judged{solid->dual, interior_point_of(*solid)};
+      const CenteredDual judged{solid->dual, interior_point_of(*solid)};
       Judge(judged, shape, answers, limits).judge(answer, run);
     }
   }

@@ -35,7 +35,7 @@ struct JudgeLimits {
 // The parts of judge_answers().
 
 /// The reference of the judge: its own dual hull.
-struct JudgedSolid {
+struct CenteredDual {
   const DualHull& dual;
   RationalPoint center;  ///< Strictly inside.
 };
@@ -47,7 +47,7 @@ struct JudgedSolid {
 [[nodiscard]] bool is_valid_order(const Run& run);
 
 /// Follows the removals up to the limits, with all claims of the answer about them.
-[[nodiscard]] TraceVerdict follow(const JudgedSolid& solid, const EngineAnswer& answer,
+[[nodiscard]] TraceVerdict follow(const CenteredDual& solid, const EngineAnswer& answer,
                                   const JudgeLimits& limits);
 
 /// The faults of an engine that promises the greedy order. @param verdict  Of follow().
@@ -57,14 +57,14 @@ struct JudgedSolid {
 /// By the definition: from where at most `limits.definition` halfspaces are left, each removal must
 /// be the cheapest of all, at the recorded cost, with all ties; and an end above the wanted number
 /// must have no bounded removal left.
-[[nodiscard]] std::vector<std::string> faults_by_definition(const JudgedSolid& solid,
+[[nodiscard]] std::vector<std::string> faults_by_definition(const CenteredDual& solid,
                                                             const EngineAnswer& answer,
                                                             const JudgeLimits& limits);
 
 /// Whether the volumes that the pipeline reports are those of what it started from and of what it
 /// ended with, both intersected from scratch, and differ by the sum of the costs.
 /// Of large solids only what they end with.
-[[nodiscard]] std::vector<std::string> faults_of_volume(const JudgedSolid& solid,
+[[nodiscard]] std::vector<std::string> faults_of_volume(const CenteredDual& solid,
                                                         const EngineAnswer& answer,
                                                         const JudgeLimits& limits);
 

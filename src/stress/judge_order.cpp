@@ -22,7 +22,7 @@ struct Cheapest {
   std::vector<HalfspaceId> tie;
 };
 
-Cheapest cheapest_of(const JudgedSolid& solid, const Run& run, std::size_t steps) {
+Cheapest cheapest_of(const CenteredDual& solid, const Run& run, std::size_t steps) {
   const std::vector<Halfspace>& all = solid.dual.halfspaces;
   const std::vector<Halfspace> left = left_after(run, steps);
   const RemovalOracle oracle(left, solid.center);
@@ -72,7 +72,7 @@ bool is_valid_order(const Run& run) {
          ids.size() + 4 <= run.halfspaces.size();
 }
 
-TraceVerdict follow(const JudgedSolid& solid, const EngineAnswer& answer,
+TraceVerdict follow(const CenteredDual& solid, const EngineAnswer& answer,
                     const JudgeLimits& limits) {
   RemovalOrder order;
   for (const Halfspace& h : answer.run.halfspaces) order.facets.emplace_back(h);
@@ -118,7 +118,7 @@ std::vector<std::string> faults_of_order(const EngineAnswer& answer, const Trace
   return faults;
 }
 
-std::vector<std::string> faults_by_definition(const JudgedSolid& solid, const EngineAnswer& answer,
+std::vector<std::string> faults_by_definition(const CenteredDual& solid, const EngineAnswer& answer,
                                               const JudgeLimits& limits) {
   const std::size_t size = solid.dual.halfspaces.size();
   if (!is_valid_order(answer.run)) return {"the removals are not different halfspaces"};
@@ -138,7 +138,7 @@ std::vector<std::string> faults_by_definition(const JudgedSolid& solid, const En
   return {};
 }
 
-std::vector<std::string> faults_of_volume(const JudgedSolid& solid, const EngineAnswer& answer,
+std::vector<std::string> faults_of_volume(const CenteredDual& solid, const EngineAnswer& answer,
                                           const JudgeLimits& limits) {
   if (!is_valid_order(answer.run)) {
     return {"the removals are not different halfspaces"};

@@ -56,7 +56,7 @@ bool is_as_meant(const std::vector<Point>& points, std::size_t faces, Precision 
   request.faces = faces;
   request.store.mesh = precision;
   const SimplifyOutcome outcome = simplify(PointSet(points), request);
-  const StoredSolid& solid = std::get<SimplifyResult>(outcome).solid;
+  const Stored& solid = std::get<SimplifyResult>(outcome).solid;
   const auto& stored = solid.mesh.value().mesh.points.doubles();
   return count({stored.begin(), stored.end()}, {precision, 0}) <= solid.exact.planes.size();
 }
