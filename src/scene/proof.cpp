@@ -146,7 +146,7 @@ ProofWriter::Appraisal ProofWriter::appraise(const Evaluation& evaluation) const
 void ProofWriter::write_evaluation(const Evaluation& evaluation) {
   const HalfspaceId i = evaluation.halfspace;
   std::optional<Appraisal>& known = appraisals_[i.index()];
-  // an unbounded removal stays unbounded, though an eager engine evaluates it again
+  // An unbounded removal stays unbounded, though an eager engine evaluates it again.
   if (known && known->ray) return;
   known = appraise(evaluation);
   if (known->ray) {
