@@ -12,6 +12,7 @@
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "convexact/scene.hpp"
+#include "io/names.hpp"
 
 namespace convexact::cli {
 
@@ -50,6 +51,14 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, Value& value
                     value = found->second;
                   })
       ->type_name(marked);
+}
+
+template <class E, std::size_t N>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, E& value,
+                        const NameTable<E, N>& table, const std::string& meaning) {
+  std::map<std::string, E> words;
+  for (const auto& [meant, word] : table) words.emplace(word, meant);
+  return add_choice(command, name, value, words, meaning);
 }
 
 /// Each adds its subcommand to the program; the subcommand's exit code goes to `exit_code`.

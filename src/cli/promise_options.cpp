@@ -9,6 +9,7 @@
 #include "convexact/io.hpp"
 #include "convexact/number.hpp"
 #include "oracle/profiles.hpp"
+#include "scene/result_json.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -31,15 +32,13 @@ void override_by(Value& value, const auto& given) {
 }
 
 // An option that takes one of a few words.
-template <class Value>
-void add_word(CLI::App& command, const std::string& name, std::optional<Value>& value,
-              const std::vector<std::pair<std::string, Value>>& words, const std::string& meaning) {
+template <class E, std::size_t N>
+void add_word(CLI::App& command, const std::string& name, std::optional<E>& value,
+              const NameTable<E, N>& words, const std::string& meaning) {
   std::string list;
-  for (const auto& [word, meant] : words) list += (list.empty() ? "" : "|") + word;
+  for (const auto& [meant, word] : words) list += std::string(list.empty() ? "" : "|") + word;
   add_text(command, name, meaning, [&value, words, list](const auto& option, const auto& text) {
-    for (const auto& [word, meant] : words) {
-      if (word == text) value = meant;
-    }
+    value = value_in(words, text);
     if (value) return;
     throw Error(ErrorCode::InvalidArgument,
                 option + ": expected " + list + ", found " + in_quotes(text));
@@ -68,9 +67,8 @@ void add_promise_options(CLI::App& command, PromiseOptions& options) {
                      "other options override it");
   command.add_option("--tolerance", options.tolerance,
                      "let violations up to this distance pass: 1e-6, or 1e-9d of the diameter");
-  add_word<Precision>(
-      command, "--numbers", options.numbers,
-      {{"binary64", Precision::Binary64}, {"binary32", Precision::Binary32}},
+  add_word(
+      command, "--numbers", options.numbers, kPrecisionNames,
       "the numbers of input and output are doubles, or each is rounded to the nearest binary32 "
       "(default: binary64)");
   add_count(
@@ -82,13 +80,9 @@ void add_promise_options(CLI::App& command, PromiseOptions& options) {
 }
 
 void add_asking_options(CLI::App& command, PromiseOptions& options) {
-  add_word<Asks>(command, "--asks", options.asks,
-                 {{"enclosure", Asks::Enclosure},
-                  {"hull", Asks::Hull},
-                  {"inner", Asks::Inner},
-                  {"simplify", Asks::Simplify}},
-                 "what the program writes: an enclosure, the hull, a solid inside it, or an "
-                 "enclosure of {faces} facets (default: simplify with {faces}, else enclosure)");
+  add_word(command, "--asks", options.asks, kAsksNames,
+           "what the program writes: an enclosure, the hull, a solid inside it, or an "
+           "enclosure of {faces} facets (default: simplify with {faces}, else enclosure)");
   command.add_flag("--allow-flat", options.allow_flat,
                    "accepting points without volume is not a failure");
 }

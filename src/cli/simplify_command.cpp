@@ -179,15 +179,12 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
   command.add_option("--proof", options->output.proof,
                      "the run as a text that convexact-check proves again, independently");
   add_scene_options(command, options->scene);
-  add_choice<Engine>(
-      command, "--engine", options->engine,
-      {{"exact", Engine::Exact}, {"filtered", Engine::Filtered}, {"float", Engine::Float}},
+  add_choice(
+      command, "--engine", options->engine, kEngineNames,
       "rationals everywhere; the same answer, faster; or doubles that choose, the result still "
       "proven");
-  add_choice<VerifyLevel>(
-      command, "--verify", options->verify,
-      {{"local", VerifyLevel::Local}, {"full", VerifyLevel::Full}, {"none", VerifyLevel::None}},
-      "what is proven again at each step");
+  add_choice(command, "--verify", options->verify, kVerifyLevelNames,
+             "what is proven again at each step");
   command
       .add_option("--center", options->center,
                   "of the polar dual: chebyshev, or X,Y,Z strictly inside; the answer does not "

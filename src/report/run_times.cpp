@@ -2,23 +2,20 @@
 #include "report/run_times.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 
 #include "convexact/measure.hpp"
 #include "number/random.hpp"
+#include "scene/result_json.hpp"
 #include "scene/solid.hpp"
 #include "shapes/random_points.hpp"
 
 namespace convexact {
 namespace {
 
-struct NamedEngine {
-  const char* name;
-  Engine engine;
-};
-constexpr NamedEngine kQuickestFirst[] = {
-    {"float", Engine::Float}, {"filtered", Engine::Filtered}, {"exact", Engine::Exact}};
+constexpr std::array kQuickestFirst = {Engine::Float, Engine::Filtered, Engine::Exact};
 
 SimplifyRequest request_for(Engine engine, std::size_t faces, const Effort& effort,
                             Deadline& deadline) {
@@ -142,9 +139,9 @@ void fit(ScalingSeries& series) {
 std::vector<RunTimes> measure_stage_times(const Shape& shape, std::size_t faces,
                                           const Effort& effort) {
   std::vector<RunTimes> list;
-  for (const NamedEngine& way : kQuickestFirst) {
-    list.push_back(measure(way.name, effort, [&](Deadline& deadline) {
-      const auto outcome = simplify(shape, request_for(way.engine, faces, effort, deadline));
+  for (const Engine engine : kQuickestFirst) {
+    list.push_back(measure(name_of(engine), effort, [&](Deadline& deadline) {
+      const auto outcome = simplify(shape, request_for(engine, faces, effort, deadline));
       const auto* result = std::get_if<SimplifyResult>(&outcome);
       return result == nullptr ? std::vector<Stage>() : result->stages;
     }));
@@ -183,12 +180,15 @@ std::vector<ScalingSeries> measure_scaling(const std::vector<PointSet>& sets,
                                            const Effort& effort) {
   std::vector<ScalingSeries> list{
       {.stage = stage::kHull, .run = "hull", .counts = "points", .points = {}, .law = {}}};
-  for (const auto& [name, engine] : kQuickestFirst) {
-    ScalingSeries series{
-        .stage = stage::kSimplify, .run = name, .counts = "halfspaces", .points = {}, .law = {}};
+  for (const Engine engine : kQuickestFirst) {
+    ScalingSeries series{.stage = stage::kSimplify,
+                         .run = name_of(engine),
+                         .counts = "halfspaces",
+                         .points = {},
+                         .law = {}};
     for (const PointSet& set : sets) {
       if (effort.progress) {
-        effort.progress("size " + std::to_string(set.size()) + " by " + name);
+        effort.progress("size " + std::to_string(set.size()) + " by " + name_of(engine));
       }
       const std::optional<Sample> found = sample(set, engine, effort);
       if (!found) continue;

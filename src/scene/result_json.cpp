@@ -22,9 +22,6 @@ Json multipliers_json(const std::vector<Multiplier>& multipliers) {
   return list;
 }
 
-constexpr auto kVerifyLevelNames = name_table<VerifyLevel>(
-    {{VerifyLevel::None, "none"}, {VerifyLevel::Local, "local"}, {VerifyLevel::Full, "full"}});
-
 Json stored_json(const std::string& format, const Growth& growth, std::size_t violations) {
   return {{"format", format},
           {"push", growth.push},

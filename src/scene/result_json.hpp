@@ -12,6 +12,9 @@ inline constexpr auto kEngineNames = name_table<Engine>(
     {{Engine::Exact, "exact"}, {Engine::Filtered, "filtered"}, {Engine::Float, "float"}});
 inline const char* name_of(Engine engine) { return name_in(kEngineNames, engine); }
 
+inline constexpr auto kVerifyLevelNames = name_table<VerifyLevel>(
+    {{VerifyLevel::None, "none"}, {VerifyLevel::Local, "local"}, {VerifyLevel::Full, "full"}});
+
 inline constexpr auto kPrecisionNames =
     name_table<Precision>({{Precision::Binary64, "binary64"}, {Precision::Binary32, "binary32"}});
 
