@@ -84,7 +84,7 @@ void take_lean_run(const FastDual& dual, const Question& question, std::size_t f
   const FastResult result = question.engine == Engine::Float ? simplify_float(dual, options)
                                                              : simplify_filtered(dual, options);
   const auto exact = [&](double x) -> std::optional<Rational> {
-    if (!std::isfinite(x)) return std::nullopt;
+    if (!std::isfinite(x) || x < 0) return std::nullopt;  // no cost is negative
     return scale_by_power_of_two(to_rational(x), dual.volume_exponent());
   };
   for (const FastStep& step : result.steps) {

@@ -19,7 +19,7 @@ struct StoredBytes {
   std::string bytes;    ///< JSON for planes, OBJ for a mesh; empty if refused.
 };
 
-/// A volume as an engine reports it: somewhere in this interval, whose ends may be infinite.
+/// A volume as an engine reports it: in this interval. An end that says nothing is none.
 struct ReportedVolume {
   std::optional<Rational> low, high;
 };
