@@ -9,7 +9,8 @@
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
 #include "halfspace_arrangement.hpp"
-#include "lp/certificates.hpp"
+#include "lp/interior_point.hpp"
+#include "lp_certificates.hpp"
 
 using namespace convexact;
 

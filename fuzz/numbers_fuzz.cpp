@@ -13,7 +13,7 @@
 #include "fuzz_target.hpp"
 #include "number/double_double.hpp"
 #include "number/expansion.hpp"
-#include "number/hex_float.hpp"
+#include "number/text.hpp"
 #include "unless_refused.hpp"
 
 using namespace convexact;

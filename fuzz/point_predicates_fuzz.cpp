@@ -6,7 +6,9 @@
 #include "convexact/stored.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
+#include "geometry/orient3d_stages.hpp"
 #include "hard_numbers.hpp"
+#include "orient3d_bounds.hpp"
 
 using namespace convexact;
 

@@ -6,7 +6,7 @@
 #include "convexact/verify.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 #include "verdict_check.hpp"
 
 using namespace convexact;

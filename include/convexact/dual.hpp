@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // dual.hpp - the polar dual of a solid: the map, its hull, and its topology as a matrix.
+//
+// A halfspace with the center strictly inside becomes a point, a vertex of the solid becomes a
+// plane, and the solid becomes the hull of the points: to drop a halfspace is to remove a point.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -96,23 +99,13 @@ struct DualHull {
 /// @par Cost  Linear, after sorting the halfspaces.
 [[nodiscard]] DualHull dual_of(const Hull& hull, const PointSet& points);
 
-/// Why an input halfspace bounds no facet of the solid.
-enum class Redundancy {
-  Duplicate,       ///< Equal to an earlier row.
-  ParallelWeaker,  ///< Another row has the same direction and a tighter offset.
-  Implied,         ///< The others imply it; its plane meets the solid in an edge, a vertex or not.
-};
-
-struct RedundantHalfspace {
-  std::size_t row;  ///< Of the input, counted from 0.
-  Redundancy why;
-};
-
 /// The dual of halfspaces as given.
 struct HalfspaceDual {
   DualHull dual;
-  std::vector<std::size_t> rows;              ///< Input row of each halfspace of `dual`.
-  std::vector<RedundantHalfspace> redundant;  ///< Ascending by row.
+  std::vector<std::size_t> rows;  ///< Input row of each halfspace of `dual`, counted from 0.
+  /// The other input rows, ascending: repeats of earlier rows, those with the direction of a
+  /// tighter one, and those that the others imply.
+  std::vector<std::size_t> redundant;
 };
 
 /// The dual of the intersection of `halfspaces`, by the incremental hull of their dual points.

@@ -2,6 +2,7 @@
 // halfspace.hpp - halfspaces as primitive integer vectors, and lists of them as a file gives them.
 #pragma once
 #include <compare>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -48,9 +49,10 @@ class Halfspace {
 /// @throws Error InvalidArgument if det(n_a, n_b, n_c) = 0.
 [[nodiscard]] RationalPoint meet(const Halfspace& a, const Halfspace& b, const Halfspace& c);
 
-/// Where the halfspaces of a list stand in its file, and how they were typed.
+/// Where the halfspaces of a list stand in its file, and how they were typed. Rows are counted
+/// from 0.
 struct TypedRows {
-  std::vector<std::size_t> rows;  ///< rows[k]: the row of halfspaces[k], counted from 1.
+  std::vector<std::size_t> rows;  ///< rows[k]: the row of halfspaces[k].
   std::vector<Rational> scales;   ///< halfspaces[k] = scales[k] > 0 times that row as typed.
 };
 
@@ -59,8 +61,8 @@ struct TypedRows {
 struct HalfspaceList : TypedRows {
   std::vector<Halfspace> halfspaces;
   std::vector<std::size_t> trivial_rows;  ///< Rows with n = 0, d <= 0.
-  std::optional<std::size_t>
-      impossible_row;  ///< The first row with n = 0, d > 0: 0 <= -d is false.
+  /// The first row with n = 0, d > 0: 0 <= -d is false.
+  std::optional<std::size_t> impossible_row;
 
   /// Appends the next row, whichever of the three it is.
   void add(const RationalVector3& normal, const Rational& offset);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // hull.hpp - the exact convex hull, and the check of its certificate.
+//
+// convex_hull() decides every sign exactly, so no input is too degenerate: points that span no
+// volume give the point, line or plane that holds them. check_hull() proves a hull in linear time.
 #pragma once
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <span>
@@ -72,6 +76,8 @@ struct FlatInput {
 
 using HullOutcome = std::variant<Hull, FlatInput>;
 
+class HullObserver;
+
 struct HullOptions {
   /// Seed of the insertion order; the hull does not depend on it.
   std::uint64_t seed = 1;
@@ -79,6 +85,7 @@ struct HullOptions {
   /// order. At least 0; 0 is random order from the start.
   double furthest_first_effort = 8;
   const std::atomic<bool>* stop = nullptr;  ///< When it becomes true: Error Stopped.
+  HullObserver* observer = nullptr;         ///< Told of each insertion, if there is one.
 };
 
 /// Exact hull by randomised incremental insertion with a conflict graph.
@@ -106,5 +113,33 @@ struct HullOptions {
 
 /// check_hull() for homogeneous points.
 [[nodiscard]] bool check_hull(const Hull& hull, std::span<const HomogeneousPoint> points);
+
+// ---- Watching a hull being built
+
+/// A triangle of the surface under construction, counter-clockwise from outside.
+using HullTriangle = std::array<PointId, 3>;
+
+/// What one insertion does to the surface. The spans are valid during the call only.
+struct HullInsertion {
+  PointId point;
+  /// The triangles that the point sees: they go. Together they are a disk.
+  std::span<const HullTriangle> visible;
+  /// The rim of that disk, counter-clockwise from outside: the edges that stay lie between
+  /// horizon[k] and horizon[k + 1], cyclically.
+  std::span<const PointId> horizon;
+  /// The triangles (horizon[k], horizon[k + 1], point): they come.
+  std::span<const HullTriangle> added;
+};
+
+/// Sees the hull grow, for lessons. The surface that start() shows, less the triangles that each
+/// insertion removes, plus those that it adds, ends as the hull; coplanar triangles are not merged.
+class HullObserver {
+ public:
+  virtual ~HullObserver() = default;
+  /// The four triangles of the first simplex. Not called for points that span no volume.
+  virtual void start(std::span<const HullTriangle> simplex) = 0;
+  /// Called after each insertion; points that lie inside when their turn comes are not inserted.
+  virtual void inserted(const HullInsertion& insertion) = 0;
+};
 
 }  // namespace convexact

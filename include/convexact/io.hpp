@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // io.hpp - meshes and halfspaces from files and to files.
+//
+// Readers name the line (in binary files the byte) that they cannot read, round numbers only as
+// asked, and allocate no more than the size of the input allows. Writers spell numbers so that they
+// are read as they were. AtomicOutput puts several files into place together, or none.
 #pragma once
 #include <array>
 #include <functional>

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
-// linear_program.hpp - linear programs in rationals, each outcome with its certificate; centers of
-// solids.
+// linear_program.hpp - linear programs in rationals, each outcome with its certificate; and what
+// they say about halfspaces: whether these are empty, flat or bounded, and where an almost largest
+// ball is.
+//
+// Each question has one exact answer, and each answer is a certificate: a few numbers that prove
+// it. check() judges a certificate by the definition, without the solver.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -14,6 +18,8 @@
 #include "convexact/number.hpp"
 
 namespace convexact {
+
+// ---- Linear programs
 
 using RationalMatrix = Eigen::Matrix<Rational, Eigen::Dynamic, Eigen::Dynamic>;
 
@@ -50,10 +56,13 @@ struct Unbounded {
 
 using LpOutcome = std::variant<Optimal, Infeasible, Unbounded>;
 
+class LpObserver;
+
 struct LpOptions {
   /// Of the order of the rows. Kind, x, start and ray do not depend on it; where more rows are
   /// tight than needed, multipliers may.
   std::uint64_t seed = 1;
+  LpObserver* observer = nullptr;  ///< Told of each row that is inserted, if there is one.
 };
 
 /// Solves a linear program by randomised incremental construction, exactly. Of several optimal
@@ -62,6 +71,8 @@ struct LpOptions {
 /// @par Cost    Expected O(k! n) dot products of integers in k coordinates; memory O(k n).
 /// @par Source  [Seidel1991]; infinity and certificates: docs/design/lp.md
 [[nodiscard]] LpOutcome maximise(const LinearProgram& lp, const LpOptions& options = {});
+
+// ---- Halfspaces: empty, flat, bounded
 
 // Below, N and d are the normals (rows) and offsets of m >= 0 halfspaces and P = {x : N x + d <=
 // 0}. A Multiplier's row is an index into the halfspaces. m = 0 is the whole space.
@@ -116,15 +127,7 @@ using BoundedOutcome = std::variant<BoundedProof, RecessionRay>;
 [[nodiscard]] bool check(std::span<const Halfspace> halfspaces, const BoundedProof& claim);
 [[nodiscard]] bool check(std::span<const Halfspace> halfspaces, const RecessionRay& claim);
 
-/// Rationals with lower <= |n| <= upper. They are equal if |n| is a rational of at most 64 bits.
-/// Otherwise they are 64-bit integers times a power of two and differ in the last bit.
-struct NormEnclosure {
-  Rational lower;
-  Rational upper;
-};
-
-/// The Euclidean norm of an integer vector.
-[[nodiscard]] NormEnclosure enclose_norm(const IntegerVector3& n);
+// ---- The Chebyshev center
 
 /// A ball that is almost the largest one. Let r* be the largest radius of a Euclidean ball in the
 /// (not necessarily bounded) intersection P of the halfspaces. Proven exactly:
@@ -163,21 +166,30 @@ using ChebyshevOutcome = std::variant<ChebyshevCenter, UnboundedRadius, FlatProo
 [[nodiscard]] bool check(std::span<const Halfspace> halfspaces, const ChebyshevCenter& claim);
 [[nodiscard]] bool check(std::span<const Halfspace> halfspaces, const UnboundedRadius& claim);
 
-/// Each coordinate rounded to the nearest multiple of 2^exponent (half of it: upwards).
-[[nodiscard]] RationalPoint round_to_grid(const RationalPoint& x, long exponent);
+// ---- Watching rows being inserted
 
-/// Whether dot(n, x) + d < 0 for every halfspace.
-[[nodiscard]] bool is_strictly_inside(std::span<const Halfspace> halfspaces,
-                                      const RationalPoint& x);
+/// A point at infinity or not: x + M direction for every M that is large enough.
+struct LpPoint {
+  RationalVector x;
+  RationalVector direction;  ///< Zero: the point is x.
+};
 
-/// The first strictly interior point among `inside` rounded to ever finer grids 2^k: the coarsest
-/// power of two that serves, starting with the one on which `inside` becomes the origin. Its depth
-/// in P is not bounded from below.
-/// @param inside  A strictly interior point: any rational, also a guess such as a centroid of
-///                doubles. The function tests it.
-/// @return Nothing if `inside` is not strictly interior.
-/// @par Cost  Few exact evaluations per grid that fails, m for the one that serves.
-[[nodiscard]] std::optional<RationalPoint> short_dyadic_interior_point(
-    std::span<const Halfspace> halfspaces, const RationalPoint& inside);
+/// What one constraint does to the optimum of those before it.
+struct LpInsertion {
+  std::size_t row;
+  bool moved;  ///< Whether the constraint cut the old optimum off.
+  /// The lexicographically largest of the optimal points so far, within a box of size M; nothing if
+  /// no point satisfies the constraints so far. Then this is the last insertion.
+  std::optional<LpPoint> optimum;
+};
+
+/// Sees the rows of a linear program inserted, for lessons.
+class LpObserver {
+ public:
+  virtual ~LpObserver() = default;
+  /// The optimum without any row: a corner of the box.
+  virtual void start(const LpPoint& optimum) = 0;
+  virtual void inserted(const LpInsertion& insertion) = 0;
+};
 
 }  // namespace convexact

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 // measure.hpp - volume, surface area, mean width, distance and box of solids.
+//
+// What is rational is exact: boxes, volumes, squared distances. Areas and mean widths are sums of
+// roots and angles and come as enclosures of any precision. docs/measures.md derives the formulas.
 #pragma once
 #include <atomic>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -80,6 +84,7 @@ class NearestPoint {
   /// Keeps a reference. @par Cost  O(E log E), without an exact plane: those of a feature are
   ///                             computed when it is first asked about.
   explicit NearestPoint(const Polytope& polytope);
+  ~NearestPoint();
 
   /// The unique point of the polytope nearest to x; x itself if inside or on the boundary.
   /// @par Cost  Of x outside: a product in doubles per facet, then a few signs for each feature of
@@ -88,39 +93,8 @@ class NearestPoint {
   RationalPoint operator()(const RationalPoint& x) const;
 
  private:
-  struct Homogeneous;
-  // A facet's side from vertex `tail` to vertex `head`.
-  struct HalfEdge {
-    std::uint32_t tail, head, twin, facet;
-  };
-  // Two planes through its tail, once they are computed.
-  struct EdgePlanes {
-    std::optional<Halfspace> side;  // holds what projects to the facet's side of the edge
-    std::optional<Halfspace> end;   // perpendicular to it; holds what does not lie towards `head`
-  };
-
-  // A plane in doubles with a normal of length 1, for coordinates relative to the first vertex.
-  struct NearPlane {
-    Vector3<double> n;
-    double d;
-  };
-
-  std::optional<std::uint32_t> visible_facet(const RationalPoint& x,
-                                             const Homogeneous& homogeneous) const;
-  RationalPoint nearest_around(std::uint32_t visible, const RationalPoint& x,
-                               const Homogeneous& homogeneous) const;
-  const Halfspace& side(std::uint32_t half_edge) const;
-  const Halfspace& end(std::uint32_t half_edge) const;
-  bool in_facet_region(std::uint32_t facet, const Homogeneous& x) const;
-  bool in_edge_region(std::uint32_t half_edge, const Homogeneous& x) const;
-  bool in_vertex_region(std::uint32_t vertex, const Homogeneous& x) const;
-
-  const Polytope& polytope_;
-  std::vector<NearPlane> near_planes_;
-  std::vector<HalfEdge> half_edges_;
-  mutable std::vector<EdgePlanes> edge_planes_;        // as half_edges_; filled by side() and end()
-  std::vector<std::vector<std::uint32_t>> of_facet_;   // half-edges around each facet
-  std::vector<std::vector<std::uint32_t>> of_vertex_;  // half-edges out of each vertex
+  class Search;
+  std::unique_ptr<const Search> search_;
 };
 
 /// The Hausdorff distance between a polytope and one inside it, with the pair that attains it.

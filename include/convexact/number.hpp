@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // number.hpp - exact numbers, directed rounding, and enclosures of real numbers.
+//
+// Everything that the library proves is a statement about integers and rationals of any length.
+// Doubles come in by to_rational(), exactly, and go out by to_double() in a named direction. Roots
+// and angles are no rationals: an Enclosure holds them between two of MPFR's numbers.
 #pragma once
 #include <mpfr.h>
 
@@ -14,6 +18,8 @@
 
 namespace convexact {
 
+// ---- Signs and exact numbers
+
 enum class Sign : signed char { Negative = -1, Zero = 0, Positive = 1 };
 
 /// Sign of any number that compares with 0 (NaN has none and must not come here).
@@ -27,7 +33,8 @@ template <class Number>
   return Sign(static_cast<signed char>(a) * static_cast<signed char>(b));
 }
 
-/// Without expression templates: `auto` is safe, and Eigen accepts the numbers.
+/// An integer, and a fraction in lowest terms, of any length. Without expression templates: `auto`
+/// is safe, and Eigen accepts the numbers.
 using Integer =
     boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
@@ -47,26 +54,13 @@ using RationalVector = Eigen::Matrix<Rational, Eigen::Dynamic, 1>;
 [[nodiscard]] Rational to_rational(double x);
 [[nodiscard]] RationalVector3 to_rational(const Vector3<double>& v);
 
-/// The rational that a decimal spells: "-12", "+1.5", "5.", ".5e-3", or a fraction "p/q".
-/// @throws Error Malformed if `text` is anything else (q = 0, blanks, nan), or if the exponent is
-///         beyond +-100000 (its digits would not fit a sensible memory).
-[[nodiscard]] Rational parse_rational(std::string_view text);
-
-/// "p" or "p/q" in lowest terms, q > 1.
-[[nodiscard]] std::string to_string(const Rational& x);
-[[nodiscard]] std::string to_string(const Integer& x);
-
 /// How many bits |x| takes; 0 for 0.
 [[nodiscard]] std::size_t bit_length(const Integer& x);
 
-/// Greatest common divisor, >= 0; gcd(0, 0) = 0.
-[[nodiscard]] Integer gcd(const Integer& a, const Integer& b);
-
-/// Divides (x, d), not all zero, by the greatest common divisor of all four.
-void make_primitive(IntegerVector3& x, Integer& d);
-
 /// x * 2^k, exactly; k of either sign.
 [[nodiscard]] Rational scale_by_power_of_two(const Rational& x, long k);
+
+// ---- Rounding
 
 enum class Rounding {
   Down,     ///< The largest format number <= x; below the lowest one: -infinity.
@@ -96,6 +90,8 @@ enum class Precision {
 [[nodiscard]] inline double round_to(Precision precision, const Rational& x, Rounding rounding) {
   return precision == Precision::Binary64 ? to_double(x, rounding) : to_float(x, rounding);
 }
+
+// ---- Enclosures
 
 /// A binary floating-point number of any precision. It only owns memory: arithmetic is done by
 /// the caller with MPFR's functions on data(), each with its direction of rounding.
@@ -180,6 +176,19 @@ Enclosure atan2(const Enclosure& y, const Enclosure& x);
 /// log2(n) + 1 bits. Zero for no terms.
 [[nodiscard]] Enclosure enclose_sum(std::span<const Rational> terms, long precision);
 
+/// A measured real number: bounds always, the fraction where it was asked for.
+struct Measured {
+  Enclosure bounds;
+  std::optional<Rational> exact;
+};
+
+// ---- Numbers from text
+
+/// The rational that a decimal spells: "-12", "+1.5", "5.", ".5e-3", or a fraction "p/q".
+/// @throws Error Malformed if `text` is anything else (q = 0, blanks, nan), or if the exponent is
+///         beyond +-100000 (its digits would not fit a sensible memory).
+[[nodiscard]] Rational parse_rational(std::string_view text);
+
 /// What a decimal in a file means.
 enum class Decimal {
   Nearest,    ///< The double nearest to it, half to even; underflow rounds correctly too.
@@ -201,8 +210,11 @@ enum class Decimal {
 /// @throws Error as nearest_double and parse_rational.
 [[nodiscard]] Rational parse_number(std::string_view text, Decimal decimal);
 
-/// `text` between quotes for an error message: shortened, and printable whatever it holds.
-[[nodiscard]] std::string in_quotes(std::string_view text);
+// ---- Numbers as text
+
+/// "p" or "p/q" in lowest terms, q > 1.
+[[nodiscard]] std::string to_string(const Rational& x);
+[[nodiscard]] std::string to_string(const Integer& x);
 
 // "Certain" means: the number differs from what is printed by less than one unit of the last digit
 // printed. (Not: it begins with these digits, for then 2.999... and 3 could never be told apart.)
@@ -215,17 +227,5 @@ enum class Decimal {
 
 /// The middle of x rounded likewise, if that is within one unit of all of x; else nothing.
 [[nodiscard]] std::optional<std::string> to_decimal(const Enclosure& x, int digits);
-
-/// 1234567 as "1,234,567".
-[[nodiscard]] std::string with_separators(std::size_t count);
-
-/// A measured real number: bounds always, the fraction where it was asked for.
-struct Measured {
-  Enclosure bounds;
-  std::optional<Rational> exact;
-};
-
-/// Bits of the bounds of a volume: some thirty certain decimal digits.
-inline constexpr long kVolumeBits = 128;
 
 }  // namespace convexact

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// predicates.hpp - exact signs: on which side of a plane a point lies.
+// predicates.hpp - exact signs: on which side of a plane a point lies. For points in doubles; of
+// rationals the sign is that of halfspace(point).
 #pragma once
 
 #include "convexact/halfspace.hpp"
@@ -21,29 +22,6 @@ namespace convexact {
                                     const Point& p) {
   return orient3d(a, b, c, p) == Sign::Negative;
 }
-
-/// The stage that decided a sign: A doubles; B the rounded differences, exactly; C these and a
-/// correction; D all terms exactly; Rationals if a coordinate is outside [2^-306, 2^338].
-enum class Orient3dStage { A, B, C, D, Rationals };
-struct StagedSign {
-  Sign sign;
-  Orient3dStage stage;
-};
-
-/// orient3d() with the stage that was reached, for tests and measurements.
-[[nodiscard]] StagedSign orient3d_staged(const Point& a, const Point& b, const Point& c,
-                                         const Point& d);
-
-/// What the stages A to C compute before they decide, and how far it may be from the truth T, for
-/// tests of the bounds: |value_a - T| <= bound_a, |B - T| <= bound_b for the determinant B of the
-/// rounded differences, |value_c - T| <= bound_c.
-struct Orient3dBounds {
-  double value_a, bound_a, bound_b, value_c, bound_c;
-};
-
-/// Precondition: coordinates are in the range that orient3d() has without rationals.
-[[nodiscard]] Orient3dBounds orient3d_bounds(const Point& a, const Point& b, const Point& c,
-                                             const Point& d);
 
 /// The sign of n.x + d: Negative strictly inside, Zero on the plane. x is finite.
 /// @par Cost  Three products of integers; no fractions, which take several times as long.

@@ -82,7 +82,7 @@ struct SceneOptions {
 };
 
 /// Names redundant halfspaces by their rows in the file, counted from 0.
-void to_typed_rows(std::vector<RedundantHalfspace>& redundant, const TypedRows& rows);
+void to_typed_rows(std::vector<std::size_t>& redundant, const TypedRows& rows);
 
 /// Reads files one after another: meshes, or halfspaces (.json, .ine, or by content).
 /// @throws Error as the readers; NoInterior if a halfspace list has a row that no point satisfies;

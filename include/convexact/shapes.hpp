@@ -45,10 +45,6 @@ struct Family {
 [[nodiscard]] std::vector<Point> generate(const Family& family, std::span<const double> values,
                                           std::uint64_t seed = 1);
 
-}  // namespace convexact::shapes
-
-namespace convexact::shapes {
-
 struct MalformedFile {
   std::string name;         ///< "malformed-", the format, "-", the mistake.
   std::string description;  ///< One line.

@@ -49,9 +49,9 @@ struct SimplifyRequest {
 struct SimplifyResult {
   std::size_t input_points = 0;  ///< 0 where the input is halfspaces.
   std::size_t hull_vertices = 0;
-  std::vector<RedundantHalfspace> redundant;  ///< Of halfspace input.
-  std::size_t input_halfspaces = 0;           ///< Of the hull, redundant ones not counted.
-  std::size_t steps = 0;                      ///< Halfspaces removed.
+  std::vector<std::size_t> redundant;  ///< Of halfspace input.
+  std::size_t input_halfspaces = 0;    ///< Of the hull, redundant ones not counted.
+  std::size_t steps = 0;               ///< Halfspaces removed.
   StopReason stop = StopReason::Reached;
   /// If its trace or record was asked for, and by the exact engine. The float engine's run is made
   /// again in exact numbers.
@@ -85,8 +85,8 @@ struct HullRequest {
 };
 
 struct HullResult {
-  std::size_t input_points = 0;               ///< 0 where the input is halfspaces.
-  std::vector<RedundantHalfspace> redundant;  ///< Of halfspace input.
+  std::size_t input_points = 0;        ///< 0 where the input is halfspaces.
+  std::vector<std::size_t> redundant;  ///< Of halfspace input.
   Stored solid;
   std::size_t edges = 0;
   BoundingBox box;    ///< Of the hull.

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // stored.hpp - solids rounded outward to doubles, with the proof that no input point is lost.
+//
+// A result in rationals must be stored in binary64 or binary32. store_planes() and store_mesh()
+// round it so that the stored numbers themselves, taken exactly, hold every input point, and say
+// how far and by how much the solid grew. find_outside() is the test that both end with.
 #pragma once
 #include <array>
 #include <atomic>
@@ -26,17 +30,6 @@ struct Growth {
   double volume_ratio = 1;
 };
 
-/// Compares two solids that share an interior point.
-/// The distance of a vertex of the one to the other solid is at most that to the nearest vertex,
-/// and at most that to where the segment to `center` enters; the lesser counts. So the bound is
-/// sharp when vertices move a little, and also when they slide along an edge that is almost flat.
-/// @param center   Strictly inside both.
-/// @param squared_diameter  Of the input; positive.
-/// @par Cost  A double distance for each pair of vertices; exact arithmetic for a few of each
-/// vertex.
-[[nodiscard]] Growth growth(const Polytope& exact, const Polytope& stored,
-                            const RationalPoint& center, const Rational& squared_diameter);
-
 /// The points that lie strictly outside at least one of the halfspaces, ascending. By the
 /// definition of containment alone, without a hull, a dual or a certificate.
 /// @throws Error Stopped when `stop` becomes true.
@@ -60,8 +53,6 @@ struct StoredPlanes {
   /// The same as exact integers. Two near-equal ones may have become equal.
   std::vector<Halfspace> halfspaces;
   Growth growth;
-  /// Normals that were not rounded to nearest, because the solid would have become unbounded.
-  std::size_t turned = 0;
   std::size_t violations = 0;  ///< Input points found outside by the final pass: 0, or it throws.
 };
 
@@ -86,9 +77,6 @@ struct StoredMesh {
   /// Extreme points; polygons are the maximal facets of their hull, counter-clockwise from outside.
   Mesh mesh;
   Growth growth;
-  /// The vertices were scaled by 1 + factor from an interior point before they were rounded: 0, or
-  /// a power of two.
-  double factor = 0;
   std::size_t violations = 0;  ///< Input points found outside by the final pass: 0, or it throws.
 };
 

@@ -7,6 +7,7 @@
 #include "convexact/number.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/stored.hpp"
+#include "number/precision.hpp"
 #include "oracle/excess.hpp"
 #include "scene/solid.hpp"
 
@@ -19,8 +20,6 @@ struct convexact_containment {
 namespace convexact::capi {
 namespace {
 
-constexpr long kBits = 128;
-
 convexact_containment containment_in(std::span<const Halfspace> planes, const PointSet& points) {
   convexact_containment result;
   result.outside = count_outside(planes, points);
@@ -31,17 +30,18 @@ convexact_containment containment_in(std::span<const Halfspace> planes, const Po
   result.plane = worst->plane;
   result.plane_text = to_text(planes[worst->plane]);
   result.squared_distance = to_string(worst->squared_distance);
-  result.distance = to_double(sqrt(Enclosure(worst->squared_distance, kBits)).high(), Rounding::Up);
+  result.distance =
+      to_double(sqrt(Enclosure(worst->squared_distance, kMeasureBits)).high(), Rounding::Up);
   return result;
 }
 
 convexact_containment verify_planes(const PointSet& points, const HalfspaceList& list) {
   if (list.impossible_row) {
-    return {points.size(), 0,     *list.impossible_row - 1,
+    return {points.size(), 0,     *list.impossible_row,
             "0 0 0 1",     "inf", std::numeric_limits<double>::infinity()};
   }
   convexact_containment result = containment_in(list.halfspaces, points);
-  if (result.outside > 0) result.plane = list.rows[result.plane] - 1;
+  if (result.outside > 0) result.plane = list.rows[result.plane];
   return result;
 }
 

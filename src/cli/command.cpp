@@ -16,6 +16,7 @@
 #include "cli/reproducer.hpp"
 #include "convexact/number.hpp"
 #include "io/json.hpp"
+#include "number/text.hpp"
 #include "oracle/scratch_folder.hpp"
 #include "scene/result_json.hpp"
 

@@ -13,6 +13,7 @@
 #include "convexact/number.hpp"
 #include "convexact/scene.hpp"
 #include "io/names.hpp"
+#include "number/text.hpp"
 
 namespace convexact::cli {
 

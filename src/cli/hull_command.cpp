@@ -10,6 +10,7 @@
 #include "cli/quantity_option.hpp"
 #include "convexact/scene.hpp"
 #include "io/json.hpp"
+#include "number/text.hpp"
 #include "scene/result_json.hpp"
 #include "scene/stage_log.hpp"
 #include "scene/summary.hpp"

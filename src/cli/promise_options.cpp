@@ -8,6 +8,7 @@
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
 #include "convexact/number.hpp"
+#include "number/text.hpp"
 #include "oracle/profiles.hpp"
 #include "scene/result_json.hpp"
 

@@ -9,6 +9,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
+#include "number/text.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -17,8 +17,7 @@
 #include "convexact/linear_program.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/shrink.hpp"
-#include "hull/double_points.hpp"
-#include "hull/initial_simplex.hpp"
+#include "hull/hull_steps.hpp"
 #include "io/json.hpp"
 
 namespace convexact::cli {

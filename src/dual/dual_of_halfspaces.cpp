@@ -15,7 +15,7 @@ namespace {
 // Keeps the tightest halfspace of each direction, of equal ones the first row; rows in canonical
 // order. In that order the tightest of a direction stands last: n.x <= -d.
 std::vector<std::size_t> tightest_rows(std::span<const Halfspace> halfspaces,
-                                       std::vector<RedundantHalfspace>& redundant) {
+                                       std::vector<std::size_t>& redundant) {
   std::vector<std::size_t> order(halfspaces.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -23,11 +23,11 @@ std::vector<std::size_t> tightest_rows(std::span<const Halfspace> halfspaces,
   std::vector<std::size_t> kept;
   for (const std::size_t row : order) {
     if (!kept.empty() && halfspaces[row] == halfspaces[kept.back()]) {
-      redundant.push_back({row, Redundancy::Duplicate});
+      redundant.push_back(row);
       continue;
     }
     if (!kept.empty() && same_direction(halfspaces[row], halfspaces[kept.back()])) {
-      redundant.push_back({kept.back(), Redundancy::ParallelWeaker});
+      redundant.push_back(kept.back());
       kept.pop_back();
     }
     kept.push_back(row);
@@ -63,7 +63,7 @@ HalfspaceDual dual_of(std::span<const Halfspace> halfspaces, const RationalPoint
     result.rows.push_back(rows[p.index()]);
   }
   for (std::size_t p = 0; p < points.size(); ++p) {
-    if (!id_of[p]) result.redundant.push_back({rows[p], Redundancy::Implied});
+    if (!id_of[p]) result.redundant.push_back(rows[p]);
   }
   // (4) Dual facets are the vertices; with the center inside all of them lie beyond the origin.
   dual.witness.resize(dual.halfspaces.size());
@@ -82,8 +82,7 @@ HalfspaceDual dual_of(std::span<const Halfspace> halfspaces, const RationalPoint
     }
     dual.vertices.push_back(polar(plane, center));
   }
-  std::sort(result.redundant.begin(), result.redundant.end(),
-            [](const auto& a, const auto& b) { return a.row < b.row; });
+  std::sort(result.redundant.begin(), result.redundant.end());
   return result;
 }
 

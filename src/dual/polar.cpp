@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "convexact/dual.hpp"
 #include "convexact/error.hpp"
+#include "number/arithmetic.hpp"
 
 namespace convexact {
 namespace {
@@ -8,15 +9,9 @@ namespace {
 // The primitive integer vector that points where (v, w) does.
 template <class Result>
 Result primitive(const RationalVector3& v, const Rational& w) {
-  Integer common = denominator(w);
-  for (int k = 0; k < 3; ++k) common = lcm(common, denominator(v[k]));
-  const auto cleared = [&](const Rational& q) {
-    return Integer(numerator(q) * (common / denominator(q)));
-  };
-  Result result{{cleared(v[0]), cleared(v[1]), cleared(v[2])}, cleared(w)};
-  auto& [x, d] = result;
+  auto [x, d] = clear_denominators(v, w);
   make_primitive(x, d);
-  return result;
+  return {std::move(x), std::move(d)};
 }
 
 RationalVector3 to_rational(const IntegerVector3& v) {
@@ -56,28 +51,20 @@ DualPlane plane_through(const DualPoint& a, const DualPoint& b, const DualPoint&
   // Cramer's rule for n_a.y = w_a, n_b.y = w_b, n_c.y = w_c with y = x / d.
   const IntegerVector3 bc = b.n.cross(c.n), ca = c.n.cross(a.n), ab = a.n.cross(b.n);
   DualPlane plane;
-  const auto sum_of_products = [](Integer& sum, const Integer& p, const Integer& q,
-                                  const Integer& r, const Integer& s, const Integer& t,
-                                  const Integer& u) {
-    mpz_t& z = sum.backend().data();
-    mpz_mul(z, p.backend().data(), q.backend().data());
-    mpz_addmul(z, r.backend().data(), s.backend().data());
-    mpz_addmul(z, t.backend().data(), u.backend().data());
-  };
-  for (int k = 0; k < 3; ++k) sum_of_products(plane.x[k], a.w, bc[k], b.w, ca[k], c.w, ab[k]);
-  sum_of_products(plane.d, a.n[0], bc[0], a.n[1], bc[1], a.n[2], bc[2]);
+  for (int k = 0; k < 3; ++k) {
+    mpz_mul(raw(plane.x[k]), raw(a.w), raw(bc[k]));
+    add_product(plane.x[k], b.w, ca[k]);
+    add_product(plane.x[k], c.w, ab[k]);
+  }
+  plane.d = dot(a.n, bc);
   // Dividing once here halves the length of all that follows.
   make_primitive(plane.x, plane.d);
   return plane;
 }
 
 Integer height(const DualPlane& plane, const DualPoint& point) {
-  Integer sum;
-  mpz_t& z = sum.backend().data();
-  mpz_mul(z, plane.x[0].backend().data(), point.n[0].backend().data());
-  mpz_addmul(z, plane.x[1].backend().data(), point.n[1].backend().data());
-  mpz_addmul(z, plane.x[2].backend().data(), point.n[2].backend().data());
-  mpz_submul(z, plane.d.backend().data(), point.w.backend().data());
+  Integer sum = dot(plane.x, point.n);
+  subtract_product(sum, plane.d, point.w);
   return sum;
 }
 

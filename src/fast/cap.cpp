@@ -7,7 +7,7 @@
 #include <array>
 
 #include "geometry/plane_determinants.hpp"
-#include "number/balanced_sum.hpp"
+#include "number/arithmetic.hpp"
 
 namespace convexact {
 namespace {

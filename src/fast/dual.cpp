@@ -91,7 +91,7 @@ namespace {
 using Long = Triple<DoubleDouble>;
 
 // x = mantissa * 2^exponent, |mantissa| in [1/2, 1); a large negative exponent for zero.
-int exponent_of(double x) {
+int exponent_or_lowest(double x) {
   if (x == 0) return -1100;
   int exponent;
   (void)std::frexp(x, &exponent);
@@ -155,7 +155,7 @@ void FastDualBuilder::scale(const Hull& hull, const PointSet& points) {
     low = low.cwiseMin(points.doubles()[v.index()]);
     high = high.cwiseMax(points.doubles()[v.index()]);
   }
-  for (int k = 0; k < 3; ++k) exponent_[k] = exponent_of(high[k] / 2 - low[k] / 2) + 1;
+  for (int k = 0; k < 3; ++k) exponent_[k] = exponent_or_lowest(high[k] / 2 - low[k] / 2) + 1;
   if (!points.is_binary()) return;
   scaled_.resize(points.size());
   const std::array<PowerOfTwo, 3> factor{PowerOfTwo(-exponent_[0]), PowerOfTwo(-exponent_[1]),
@@ -283,7 +283,7 @@ void FastDualBuilder::normalise() {
   for (int k = 0; k < 3; ++k) {
     double largest = 0;
     for (Triple<double>& p : dual_.near_) largest = std::max(largest, std::abs(p[k]));
-    const int down = exponent_of(largest);
+    const int down = exponent_or_lowest(largest);
     const PowerOfTwo factor(-down);
     for (std::vector<Triple<double>>* part : {&dual_.near_, &dual_.rest_}) {
       for (Triple<double>& p : *part) p[k] = factor.times(p[k]);

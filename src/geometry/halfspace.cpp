@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "convexact/error.hpp"
+#include "number/arithmetic.hpp"
 
 namespace convexact {
 
@@ -21,36 +22,10 @@ Halfspace::Halfspace(IntegerVector3 normal, Integer offset)
 
 namespace {
 
-// The integer vector that a rational one becomes when its common denominator is cleared.
-IntegerVector3 clear_denominator(const RationalVector3& v, const Integer& denominator) {
-  IntegerVector3 cleared;
-  for (int k = 0; k < 3; ++k)
-    cleared[k] = numerator(v[k]) * (denominator / boost::multiprecision::denominator(v[k]));
-  return cleared;
-}
-
-Integer common_denominator(const RationalVector3& v, const Rational& w) {
-  Integer common = denominator(w);
-  for (int k = 0; k < 3; ++k) common = lcm(common, denominator(v[k]));
-  return common;
-}
-
-Integer dot(const IntegerVector3& a, const IntegerVector3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-// x = mantissa * 2^exponent with an integer mantissa; 0 = 0 * 2^kNoExponent.
-constexpr int kNoExponent = 4096;
-int exponent_of(double x) {
-  if (x == 0) return kNoExponent;
-  int exponent;
-  std::frexp(x, &exponent);
-  return std::max(exponent - 53, -1074);
-}
-
+// x 2^-exponent, an integer. Precondition: exponent <= unit_exponent(x).
 Integer scaled_to_integer(double x, int exponent) {
   if (x == 0) return 0;
-  const int own = exponent_of(x);
+  const int own = unit_exponent(x);
   Integer value(static_cast<long long>(std::ldexp(x, -own)));
   return value << static_cast<unsigned>(own - exponent);
 }
@@ -59,6 +34,8 @@ IntegerVector3 scaled_to_integer(const Point& p, int exponent) {
   return {scaled_to_integer(p[0], exponent), scaled_to_integer(p[1], exponent),
           scaled_to_integer(p[2], exponent)};
 }
+
+constexpr int kAboveAll = 4096;  // above every exponent of a double
 
 __extension__ using Wide = __int128;
 __extension__ using UnsignedWide = unsigned __int128;
@@ -95,10 +72,9 @@ IntegerVector3 normal_through(const Point& a, const Point& b, const Point& c, in
 
 }  // namespace
 
-Halfspace::Halfspace(const RationalVector3& normal, const Rational& offset)
-    : Halfspace(
-          clear_denominator(normal, common_denominator(normal, offset)),
-          Integer(numerator(offset) * (common_denominator(normal, offset) / denominator(offset)))) {
+Halfspace::Halfspace(const RationalVector3& normal, const Rational& offset) {
+  IntegerFraction cleared = clear_denominators(normal, offset);
+  *this = Halfspace(std::move(cleared.x), std::move(cleared.d));
 }
 
 Halfspace Halfspace::through(const RationalPoint& a, const RationalPoint& b,
@@ -110,12 +86,12 @@ Halfspace Halfspace::through(const RationalPoint& a, const RationalPoint& b,
 
 Halfspace Halfspace::through(const Point& a, const Point& b, const Point& c) {
   // With P = p * 2^-e integer: N.P + D = 0 means (N 2^-e).p + D = 0, so one shift undoes the scale.
-  int exponent = kNoExponent, highest = -kNoExponent;
+  int exponent = kAboveAll, highest = -kAboveAll;
   for (const Point* p : {&a, &b, &c}) {
     for (int k = 0; k < 3; ++k) {
-      const int own = exponent_of((*p)[k]);
-      exponent = std::min(exponent, own);
-      if (own != kNoExponent) highest = std::max(highest, own);
+      if ((*p)[k] == 0) continue;
+      exponent = std::min(exponent, unit_exponent((*p)[k]));
+      highest = std::max(highest, unit_exponent((*p)[k]));
     }
   }
   // A mantissa is below 2^53, so up to 2^8 times that is below 2^61.
@@ -171,6 +147,20 @@ RationalPoint meet(const Halfspace& a, const Halfspace& b, const Halfspace& c) {
     x[k] = Rational(Integer(-top), determinant);
   }
   return x;
+}
+
+void HalfspaceList::add(const RationalVector3& normal, const Rational& offset) {
+  const std::size_t row = row_count_++;
+  if (normal != RationalVector3::Zero()) {
+    const Halfspace& halfspace = halfspaces.emplace_back(normal, offset);
+    rows.push_back(row);
+    const int k = normal[0] != 0 ? 0 : normal[1] != 0 ? 1 : 2;
+    scales.push_back(Rational(halfspace.normal()[k]) / normal[k]);
+  } else if (offset <= 0) {
+    trivial_rows.push_back(row);
+  } else if (!impossible_row) {
+    impossible_row = row;
+  }
 }
 
 }  // namespace convexact

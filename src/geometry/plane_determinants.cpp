@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/plane_determinants.hpp"
 
+#include "number/arithmetic.hpp"
+
 namespace convexact {
-namespace {
-
-Integer dot(const IntegerVector3& a, const IntegerVector3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-}  // namespace
 
 Integer normal_determinant(const Halfspace& a, const Halfspace& b, const Halfspace& c) {
   const IntegerVector3 bc = b.normal().cross(c.normal());

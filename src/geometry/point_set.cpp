@@ -37,4 +37,15 @@ RationalPoint PointSet::operator[](PointId id) const {
   return is_binary() ? to_rational(points_[id.index()]) : rationals_[id.index()];
 }
 
+PointSet subset(const PointSet& points, std::span<const PointId> ids) {
+  if (!points.is_binary()) {
+    std::vector<RationalPoint> chosen;
+    for (const PointId id : ids) chosen.push_back(points[id]);
+    return PointSet(std::move(chosen));
+  }
+  std::vector<Point> chosen;
+  for (const PointId id : ids) chosen.push_back(points.doubles()[id.index()]);
+  return PointSet(std::move(chosen));
+}
+
 }  // namespace convexact

@@ -6,8 +6,7 @@
 #include <numeric>
 
 #include "convexact/hull.hpp"
-#include "hull/double_points.hpp"
-#include "hull/homogeneous_points.hpp"
+#include "hull/exact_points.hpp"
 
 namespace convexact {
 namespace {
@@ -150,7 +149,7 @@ class HullCheck {
     double sum = 0;
     for (const PointId p : ray) sum += dot(normal, near[p.index()]);
     // Three times the error of one, and two sums of values up to 18.
-    if (const auto sign = certain_sign(sum, 3 * kCenterBound + 64 * kRoundoff)) return *sign;
+    if (const auto sign = certain_sign(sum, 3 * kCenterBound + 64 * kUnitRoundoff)) return *sign;
     RationalPoint center = RationalPoint::Zero();
     for (const PointId p : hull_.certificate.simplex) center += points_.rational(p) / Rational(4);
     const RationalVector3 u = points_.rational(a) - center, v = points_.rational(b) - center;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// exact_points.hpp - what the hull needs of its points: doubles near them, and exact signs.
+// exact_points.hpp - what the hull needs of its points: doubles near them, and exact signs; for
+// points whose coordinates are doubles, and for rational points given by integers.
 #pragma once
 #include <array>
 #include <concepts>
 #include <span>
+#include <vector>
 
+#include "convexact/hull.hpp"
 #include "convexact/point_set.hpp"
 #include "hull/near_geometry.hpp"
 
@@ -58,5 +61,63 @@ Sign center_side_of(const Points& points, PointId a, PointId b, PointId p) {
   const auto near = points.near();
   return center_side_of(points, cross(near[a.index()], near[b.index()]), a, b, p);
 }
+
+/// ExactPoints over finite doubles; keeps a reference to them. Until center_at() the near points
+/// are about the middle of the box and center_side() must not be called.
+class DoublePoints {
+ public:
+  explicit DoublePoints(std::span<const Point> points);
+  /// The center becomes the centroid of four points that span a volume.
+  void center_at(const std::array<PointId, 4>& simplex);
+
+  std::size_t size() const { return points_.size(); }
+  std::span<const NearPoint> near() const { return near_; }
+  Sign side(PointId a, PointId b, PointId c, PointId p) const;
+  Sign center_side(PointId a, PointId b, PointId p) const;
+  bool equal(PointId p, PointId q) const { return at(p) == at(q); }
+  bool collinear(PointId a, PointId b, PointId c) const;
+  RationalPoint rational(PointId p) const { return to_rational(at(p)); }
+
+ private:
+  const Point& at(PointId p) const { return points_[p.index()]; }
+  void compute_near(const RationalPoint& center);
+
+  std::span<const Point> points_;
+  std::vector<NearPoint> near_;
+  Point low_ = Point::Zero(), high_ = Point::Zero();  // the box
+  RationalPoint center_;
+};
+static_assert(ExactPoints<DoublePoints>);
+
+/// ExactPoints over homogeneous integers; keeps a reference to them. Until center_at() the near
+/// points are about the middle of the box and center_side() must not be called.
+class HomogeneousPoints {
+ public:
+  /// @throws Error InvalidArgument if some w <= 0.
+  explicit HomogeneousPoints(std::span<const HomogeneousPoint> points);
+  /// The center becomes the centroid of four points that span a volume.
+  void center_at(const std::array<PointId, 4>& simplex);
+
+  std::size_t size() const { return points_.size(); }
+  std::span<const NearPoint> near() const { return near_; }
+  Sign side(PointId a, PointId b, PointId c, PointId p) const;
+  Sign center_side(PointId a, PointId b, PointId p) const;
+  bool equal(PointId p, PointId q) const;
+  bool collinear(PointId a, PointId b, PointId c) const;
+  RationalPoint rational(PointId p) const;
+
+ private:
+  const HomogeneousPoint& at(PointId p) const { return points_[p.index()]; }
+  void compute_near(const RationalPoint& center);
+
+  std::span<const HomogeneousPoint> points_;
+  std::vector<NearPoint> near_;
+  RationalPoint low_, high_;  // the box
+  HomogeneousPoint center_;
+};
+static_assert(ExactPoints<HomogeneousPoints>);
+
+/// Rationals as homogeneous points, w the least common denominator.
+[[nodiscard]] HomogeneousPoint to_homogeneous(const RationalPoint& p);
 
 }  // namespace convexact

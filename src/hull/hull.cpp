@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "convexact/hull.hpp"
 
-#include "hull/double_points.hpp"
-#include "hull/homogeneous_points.hpp"
-#include "hull/initial_simplex.hpp"
-#include "hull/merge_facets.hpp"
+#include <algorithm>
+#include <numeric>
+
+#include "hull/hull_steps.hpp"
 
 namespace convexact {
 namespace {
@@ -50,7 +50,7 @@ HullOutcome hull_of(Points points, const HullOptions& options) {
   }
   const std::array<PointId, 4> simplex{basis[0], basis[1], basis[2], basis[3]};
   points.center_at(simplex);
-  return FacetMerging(points, IncrementalHull(points, simplex).build(options)).merge(simplex);
+  return merge_facets(points, triangulate(points, simplex, options), simplex);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "io/halfspace_json.hpp"
-
 #include "convexact/error.hpp"
+#include "io/halfspace_formats.hpp"
 #include "io/json_text.hpp"
 #include "io/output_buffer.hpp"
+#include "number/text.hpp"
 
 namespace convexact {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "io/ine.hpp"
-
 #include <algorithm>
 
+#include "io/halfspace_formats.hpp"
 #include "io/output_buffer.hpp"
 #include "io/text_cursor.hpp"
+#include "number/text.hpp"
 
 namespace convexact {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/halfspace.hpp"
+#include "number/precision.hpp"
 
 // Exact numbers are strings, "p/q" or an integer; ids are numbers; a plane is its four integers.
 template <>
@@ -80,7 +81,7 @@ inline constexpr int kDigits = 17;
 /// An exact number with its decimal, or null.
 inline nlohmann::ordered_json quantity_json(const std::optional<Rational>& x) {
   if (!x) return nullptr;
-  return measured_json({Enclosure(*x, kVolumeBits), *x}, kDigits);
+  return measured_json({Enclosure(*x, kMeasureBits), *x}, kDigits);
 }
 
 }  // namespace convexact

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "number/text.hpp"
+
 namespace convexact {
 namespace {
 

@@ -6,6 +6,7 @@
 #include "io/mesh_readers.hpp"
 #include "io/ply_header.hpp"
 #include "io/point_collector.hpp"
+#include "number/text.hpp"
 
 namespace convexact {
 namespace {

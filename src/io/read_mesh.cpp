@@ -1,9 +1,79 @@
 // SPDX-License-Identifier: MIT
+// Meshes in any format: by the path or the content; and point clouds, the shortest of the formats.
+#include <algorithm>
+#include <array>
+
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
 #include "io/mesh_readers.hpp"
+#include "io/point_collector.hpp"
+#include "io/text_cursor.hpp"
 
 namespace convexact {
+namespace {
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return lower;
+}
+
+// Whether the first line with a word holds three numbers.
+bool starts_with_a_point(TextCursor cursor) {
+  if (!cursor.next_line()) return false;
+  try {
+    for (int k = 0; k < 3; ++k) (void)cursor.to_number(cursor.token());
+    return cursor.token().empty();
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+std::optional<MeshFormat> mesh_format_of_path(const std::string& path) {
+  if (path.size() < 4) return {};
+  const std::string extension = lower_case(std::string_view(path).substr(path.size() - 4));
+  if (extension == ".obj") return MeshFormat::Obj;
+  if (extension == ".off") return MeshFormat::Off;
+  if (extension == ".ply") return MeshFormat::Ply;
+  if (extension == ".stl") return MeshFormat::Stl;
+  if (extension == ".xyz") return MeshFormat::Xyz;
+  return {};
+}
+
+MeshFormat mesh_format_of_content(std::string_view bytes) {
+  if (is_binary_stl(bytes)) return MeshFormat::Stl;
+  // '#' begins a comment in OFF and OBJ; a PLY or STL file does not start with one.
+  TextCursor cursor(bytes, {.comment = '#'});
+  if (starts_with_a_point(cursor)) return MeshFormat::Xyz;
+  const std::string first = cursor.next_line() ? lower_case(cursor.token()) : "";
+  if (first == "ply") return MeshFormat::Ply;
+  if (first == "solid") return MeshFormat::Stl;
+  // OFF, COFF, NOFF, STCNOFF, 4OFF and so on.
+  const bool is_off = first.size() >= 3 && first.size() <= 9 && first.ends_with("off");
+  return is_off ? MeshFormat::Off : MeshFormat::Obj;
+}
+
+// x y z in each line, and further numbers that are not used.
+Mesh read_xyz(std::string_view bytes, Decimal decimal) {
+  TextCursor cursor(bytes, {.comment = '#'});
+  PointCollector points(decimal);
+  while (cursor.next_line()) {
+    std::array<std::string_view, 3> coordinates;
+    for (auto& coordinate : coordinates) coordinate = cursor.expect_token("three coordinates");
+    points.add(coordinates, cursor);
+    for (auto token = cursor.token(); !token.empty(); token = cursor.token()) {
+      (void)cursor.to_number(token);
+    }
+  }
+  Mesh mesh;
+  mesh.points = points.finish();
+  mesh.parts.push_back({"", 0, 0});
+  return mesh;
+}
 
 Mesh read_mesh_bytes(std::string_view bytes, const ReadOptions& options) {
   switch (options.format.value_or(mesh_format_of_content(bytes))) {

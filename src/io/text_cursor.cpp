@@ -3,6 +3,8 @@
 
 #include <charconv>
 
+#include "number/text.hpp"
+
 namespace convexact {
 namespace {
 

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lp/flat.hpp"
 
+#include "number/arithmetic.hpp"
+
 namespace convexact::detail {
-namespace {
-
-// Calls of GMP itself avoid a temporary per operation in these loops, which take most of the time.
-auto* raw(Integer& x) { return x.backend().data(); }
-const auto* raw(const Integer& x) { return x.backend().data(); }
-
-}  // namespace
-
 Flat::Flat(std::size_t dimension)
     : forms_(dimension * (dimension + kFirstNormal)), denominator_(1), free_(dimension, true) {
   for (std::size_t i = 0; i < dimension; ++i) forms_[i * width() + kFirstNormal + i] = 1;
@@ -21,7 +15,7 @@ std::vector<Integer> Flat::restrict(RowView row) const {
   for (std::size_t i = 0; i < free_.size(); ++i) {
     const Integer& n = row[kFirstNormal + i];
     if (n == 0) continue;
-    for (std::size_t c = 0; c < width(); ++c) mpz_addmul(raw(sum[c]), raw(n), raw(form(i, c)));
+    for (std::size_t c = 0; c < width(); ++c) add_product(sum[c], n, form(i, c));
   }
   return sum;
 }
@@ -40,7 +34,7 @@ std::optional<Flat> Flat::cut_by(RowView row) const {
     for (std::size_t c = 0; c < width(); ++c) {
       Integer& entry = cut.forms_[i * width() + c];
       mpz_mul(raw(entry), raw(entry), raw(divisor));
-      mpz_submul(raw(entry), raw(slope), raw(g[c]));
+      subtract_product(entry, slope, g[c]);
       mpz_divexact(raw(entry), raw(entry), raw(denominator_));
       if (divisor < 0) mpz_neg(raw(entry), raw(entry));
     }
@@ -55,7 +49,7 @@ bool Flat::grows_with(std::size_t coordinate, std::span<const Integer> objective
   const std::size_t column = kFirstNormal + coordinate;
   Integer slope;
   for (std::size_t i = 0; i < free_.size(); ++i) {
-    mpz_addmul(raw(slope), raw(objective[i]), raw(form(i, column)));
+    add_product(slope, objective[i], form(i, column));
   }
   for (std::size_t i = 0; slope == 0; ++i) slope = form(i, column);
   return slope > 0;

@@ -6,8 +6,8 @@
 
 #include "convexact/error.hpp"
 #include "convexact/linear_program.hpp"
-#include "lp/combination.hpp"
 #include "lp/flat.hpp"
+#include "number/arithmetic.hpp"
 #include "number/random.hpp"
 
 namespace convexact {
@@ -23,20 +23,30 @@ using detail::Vertex;
 using RowId = std::uint32_t;
 using RowIds = std::vector<RowId>;
 
-auto* raw(Integer& x) { return x.backend().data(); }
-const auto* raw(const Integer& x) { return x.backend().data(); }
-
-// The positive multiple of the rationals that consists of coprime integers (or zeros).
-void make_primitive(std::span<const Rational> values, std::span<Integer> integers) {
-  Integer scale = 1;
-  for (const Rational& x : values) mpz_lcm(raw(scale), raw(scale), mpq_denref(x.backend().data()));
-  Integer common = 0;
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    integers[k] = numerator(values[k]) * (scale / denominator(values[k]));
-    common = gcd(common, integers[k]);
+// The factors y with target = sum of y_i basis[i]; m independent vectors of length k >= m, and a
+// target that they span. Gauss-Jordan elimination on the columns (basis | target), O(k m^2).
+std::vector<Rational> combination(const std::vector<RationalVector>& basis,
+                                  const RationalVector& target) {
+  const auto size = static_cast<Eigen::Index>(basis.size());
+  Eigen::Matrix<Rational, Eigen::Dynamic, Eigen::Dynamic> system(target.size(), size + 1);
+  for (Eigen::Index j = 0; j < size; ++j) system.col(j) = basis[static_cast<std::size_t>(j)];
+  system.col(size) = target;
+  for (Eigen::Index j = 0; j < size; ++j) {
+    Eigen::Index pivot = j;
+    while (system(pivot, j) == 0) ++pivot;  // exists: the vectors are independent
+    system.row(j).swap(system.row(pivot));
+    const Rational divisor = system(j, j);
+    for (Eigen::Index c = j; c <= size; ++c) system(j, c) /= divisor;
+    for (Eigen::Index i = 0; i < target.size(); ++i) {
+      const Rational factor = system(i, j);
+      if (i == j || factor == 0) continue;
+      for (Eigen::Index c = j; c <= size; ++c) system(i, c) -= factor * system(j, c);
+    }
   }
-  if (common <= 1) return;
-  for (Integer& x : integers) x /= common;
+  std::vector<Rational> factors;
+  for (Eigen::Index j = 0; j < size; ++j) factors.push_back(system(j, size));
+  for (Eigen::Index i = size; i < target.size(); ++i) CONVEXACT_ASSERT(system(i, size) == 0);
+  return factors;
 }
 
 struct Solution {
@@ -49,7 +59,7 @@ struct Conflict {
 
 class Solver {
  public:
-  Solver(const LinearProgram& lp, std::uint64_t seed);
+  Solver(const LinearProgram& lp, const LpOptions& options);
   LpOutcome solve();
 
  private:
@@ -67,8 +77,10 @@ class Solver {
   LpOutcome certify(const Solution& solution) const;
   Infeasible certify(const Conflict& conflict) const;
   RationalVector feasible_point(const Vertex& vertex) const;
+  LpPoint to_point(const Vertex& vertex) const;
 
   const LinearProgram& lp_;
+  LpObserver* observer_;
   std::size_t dimension_, count_, width_;
   std::vector<Integer> rows_;       // the rows as integers, then two box rows per coordinate
   std::vector<Integer> objective_;  // integers
@@ -77,8 +89,9 @@ class Solver {
   Integer sum_;                     // scratch of is_violated()
 };
 
-Solver::Solver(const LinearProgram& lp, std::uint64_t seed)
+Solver::Solver(const LinearProgram& lp, const LpOptions& options)
     : lp_(lp),
+      observer_(options.observer),
       dimension_(static_cast<std::size_t>(lp.normals.cols())),
       count_(static_cast<std::size_t>(lp.normals.rows())),
       width_(dimension_ + kFirstNormal),
@@ -100,7 +113,7 @@ Solver::Solver(const LinearProgram& lp, std::uint64_t seed)
     }
   }
   std::iota(order_.begin(), order_.end(), RowId(0));
-  Random random(seed);
+  Random random(options.seed);
   shuffle(std::span(order_), random);
 }
 
@@ -108,13 +121,13 @@ bool Solver::is_violated(RowView row, const Vertex& vertex) {
   if (!vertex.is_finite || row[kInfinite] != 0) {
     mpz_mul(raw(sum_), raw(row[kInfinite]), raw(vertex.denominator));
     for (std::size_t k = 0; k < dimension_; ++k) {
-      mpz_addmul(raw(sum_), raw(row[kFirstNormal + k]), raw(vertex.infinite[k]));
+      add_product(sum_, row[kFirstNormal + k], vertex.infinite[k]);
     }
     if (sum_ != 0) return sum_ > 0;
   }
   mpz_mul(raw(sum_), raw(row[kFinite]), raw(vertex.denominator));
   for (std::size_t k = 0; k < dimension_; ++k) {
-    mpz_addmul(raw(sum_), raw(row[kFirstNormal + k]), raw(vertex.finite[k]));
+    add_product(sum_, row[kFirstNormal + k], vertex.finite[k]);
   }
   return sum_ > 0;
 }
@@ -136,22 +149,35 @@ Solution Solver::corner(const Flat& flat) const {
 std::variant<Solution, Conflict> Solver::maximise_on(const Flat& flat, const RowIds& order) {
   // (1) Without rows, the maximum is a corner of the box.
   Solution best = corner(flat);
+  // An observer sees the program itself, not those on the walls.
+  LpObserver* const observer = tight_.empty() ? observer_ : nullptr;
+  if (observer != nullptr) observer->start(to_point(best.vertex));
   for (std::size_t i = 0; i < order.size(); ++i) {
     // (2) The maximum stays while it satisfies the next row.
-    if (!is_violated(row(order[i]), best.vertex)) continue;
+    if (!is_violated(row(order[i]), best.vertex)) {
+      if (observer != nullptr) observer->inserted({order[i], false, to_point(best.vertex)});
+      continue;
+    }
     // (3) Otherwise the new maximum lies on the hyperplane of that row. Degenerate: on the flat the
     //     row may be a constant; then it is positive and no point satisfies it.
     const std::optional<Flat> wall = flat.cut_by(row(order[i]));
     tight_.push_back(order[i]);
-    if (!wall) return Conflict{tight_};
+    if (!wall) {
+      if (observer != nullptr) observer->inserted({order[i], true, std::nullopt});
+      return Conflict{tight_};
+    }
     // (4) There, solve for the rows so far. A coordinate became dependent: its box rows are now
     //     rows like others.
     RowIds earlier{box_row(wall->last_pivot(), true), box_row(wall->last_pivot(), false)};
     earlier.insert(earlier.end(), order.begin(), order.begin() + static_cast<std::ptrdiff_t>(i));
     std::variant<Solution, Conflict> on_wall = maximise_on(*wall, earlier);
-    if (std::holds_alternative<Conflict>(on_wall)) return on_wall;
+    if (std::holds_alternative<Conflict>(on_wall)) {
+      if (observer != nullptr) observer->inserted({order[i], true, std::nullopt});
+      return on_wall;
+    }
     best = std::get<Solution>(std::move(on_wall));
     tight_.pop_back();
+    if (observer != nullptr) observer->inserted({order[i], true, to_point(best.vertex)});
   }
   return best;
 }
@@ -185,8 +211,8 @@ RationalVector Solver::feasible_point(const Vertex& vertex) const {
   for (RowId id = 0; id < count_; ++id) {
     Integer here = row(id)[kFinite] * vertex.denominator, growth = 0;
     for (std::size_t k = 0; k < dimension_; ++k) {
-      here += row(id)[kFirstNormal + k] * vertex.finite[k];
-      growth += row(id)[kFirstNormal + k] * vertex.infinite[k];
+      add_product(here, row(id)[kFirstNormal + k], vertex.finite[k]);
+      add_product(growth, row(id)[kFirstNormal + k], vertex.infinite[k]);
     }
     CONVEXACT_ASSERT(growth < 0 || (growth == 0 && here <= 0));
     if (here <= 0) continue;
@@ -202,12 +228,22 @@ RationalVector Solver::feasible_point(const Vertex& vertex) const {
   return x;
 }
 
+LpPoint Solver::to_point(const Vertex& vertex) const {
+  const auto size = static_cast<Eigen::Index>(dimension_);
+  LpPoint point{RationalVector(size), RationalVector(size)};
+  for (std::size_t k = 0; k < dimension_; ++k) {
+    point.x[k] = Rational(vertex.finite[k], vertex.denominator);
+    point.direction[k] = Rational(vertex.infinite[k], vertex.denominator);
+  }
+  return point;
+}
+
 // c = sum of y_i n_i over the basis, y >= 0. The maximum is -sum of y_i d_i, whose part in M is the
 // sum of y_i over the box rows: zero, or the direction of growth is a ray.
 LpOutcome Solver::certify(const Solution& solution) const {
   std::vector<RationalVector> normals;
   for (const RowId id : solution.basis) normals.push_back(normal(id));
-  const std::vector<Rational> y = detail::combination(normals, lp_.objective);
+  const std::vector<Rational> y = combination(normals, lp_.objective);
   bool bounded = true;
   for (std::size_t i = 0; i < y.size(); ++i) {
     bounded = bounded && (solution.basis[i] < count_ || y[i] == 0);
@@ -228,7 +264,7 @@ Infeasible Solver::certify(const Conflict& conflict) const {
   for (const RowId id : conflict.rows) normals.push_back(normal(id));
   const RationalVector target = -normals.back();
   normals.pop_back();
-  std::vector<Rational> y = detail::combination(normals, target);
+  std::vector<Rational> y = combination(normals, target);
   y.push_back(1);
   return Infeasible{multipliers(conflict.rows, y)};
 }
@@ -246,7 +282,7 @@ LpOutcome maximise(const LinearProgram& lp, const LpOptions& options) {
     throw Error(ErrorCode::InvalidArgument,
                 "a linear program needs one offset per row and one objective entry per column");
   }
-  return Solver(lp, options.seed).solve();
+  return Solver(lp, options).solve();
 }
 
 }  // namespace convexact

@@ -6,36 +6,67 @@
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
+#include "number/arithmetic.hpp"
+#include "number/roundoff.hpp"
 
 namespace convexact {
 
-// x = numerators / denominator with a common denominator > 0, so that the sign of n.x + d takes
-// four products of integers and no greatest common divisor.
-struct NearestPoint::Homogeneous {
-  IntegerVector3 numerators;
-  Integer denominator = 1;
+class NearestPoint::Search {
+ public:
+  explicit Search(const Polytope& polytope);
+  RationalPoint operator()(const RationalPoint& x) const;
 
-  explicit Homogeneous(const RationalPoint& x) {
-    for (int k = 0; k < 3; ++k) {
-      denominator = lcm(denominator, boost::multiprecision::denominator(x[k]));
-    }
-    for (int k = 0; k < 3; ++k) {
-      numerators[k] = numerator(x[k]) * (denominator / boost::multiprecision::denominator(x[k]));
-    }
-  }
+ private:
+  struct Homogeneous;
+  // A facet's side from vertex `tail` to vertex `head`.
+  struct HalfEdge {
+    std::uint32_t tail, head, twin, facet;
+  };
+  // Two planes through its tail, once they are computed.
+  struct EdgePlanes {
+    std::optional<Halfspace> side;  // holds what projects to the facet's side of the edge
+    std::optional<Halfspace> end;   // perpendicular to it; holds what does not lie towards `head`
+  };
+
+  // A plane in doubles with a normal of length 1, for coordinates relative to the first vertex.
+  struct NearPlane {
+    Vector3<double> n;
+    double d;
+  };
+
+  std::optional<std::uint32_t> visible_facet(const RationalPoint& x,
+                                             const Homogeneous& homogeneous) const;
+  RationalPoint nearest_around(std::uint32_t visible, const RationalPoint& x,
+                               const Homogeneous& homogeneous) const;
+  const Halfspace& side(std::uint32_t half_edge) const;
+  const Halfspace& end(std::uint32_t half_edge) const;
+  bool in_facet_region(std::uint32_t facet, const Homogeneous& x) const;
+  bool in_edge_region(std::uint32_t half_edge, const Homogeneous& x) const;
+  bool in_vertex_region(std::uint32_t vertex, const Homogeneous& x) const;
+
+  const Polytope& polytope_;
+  std::vector<NearPlane> near_planes_;
+  std::vector<HalfEdge> half_edges_;
+  mutable std::vector<EdgePlanes> edge_planes_;        // as half_edges_; filled by side() and end()
+  std::vector<std::vector<std::uint32_t>> of_facet_;   // half-edges around each facet
+  std::vector<std::vector<std::uint32_t>> of_vertex_;  // half-edges out of each vertex
+};
+
+// A point with a common denominator, so that the sign of n.x + d takes four products of integers
+// and no greatest common divisor.
+struct NearestPoint::Search::Homogeneous {
+  IntegerFraction point;
+
+  explicit Homogeneous(const RationalPoint& x) : point(clear_denominators(x)) {}
 
   Sign side_of(const Halfspace& plane) const {
-    Integer sum;
-    mpz_mul(sum.backend().data(), plane.offset().backend().data(), denominator.backend().data());
-    for (int k = 0; k < 3; ++k) {
-      mpz_addmul(sum.backend().data(), plane.normal()[k].backend().data(),
-                 numerators[k].backend().data());
-    }
+    Integer sum = dot(plane.normal(), point.x);
+    add_product(sum, plane.offset(), point.d);
     return sign_of(sum);
   }
 };
 
-NearestPoint::NearestPoint(const Polytope& polytope)
+NearestPoint::Search::Search(const Polytope& polytope)
     : polytope_(polytope), of_facet_(polytope.facets.size()), of_vertex_(polytope.vertices.size()) {
   const auto add = [&](std::uint32_t tail, std::uint32_t head, std::uint32_t facet) {
     const auto self = static_cast<std::uint32_t>(half_edges_.size());
@@ -51,17 +82,16 @@ NearestPoint::NearestPoint(const Polytope& polytope)
   for (const Halfspace& plane : polytope.planes) {
     const RationalVector3 normal = plane.normal().cast<Rational>();
     const Rational at_origin = plane(polytope.vertices.front());
-    std::size_t bits = 0;
-    for (int k = 0; k < 3; ++k) bits = std::max(bits, bit_length(plane.normal()[k]));
+    const auto bits = static_cast<long>(bit_length(plane.normal()));
     const auto scaled = [&](const Rational& value) {
-      return to_double(scale_by_power_of_two(value, -static_cast<long>(bits)), Rounding::Nearest);
+      return to_double(scale_by_power_of_two(value, -bits), Rounding::Nearest);
     };
     const Vector3<double> n(scaled(normal[0]), scaled(normal[1]), scaled(normal[2]));
     near_planes_.push_back({n / n.norm(), scaled(at_origin) / n.norm()});
   }
 }
 
-const Halfspace& NearestPoint::side(std::uint32_t half_edge) const {
+const Halfspace& NearestPoint::Search::side(std::uint32_t half_edge) const {
   std::optional<Halfspace>& plane = edge_planes_[half_edge].side;
   if (!plane) {
     const HalfEdge& h = half_edges_[half_edge];
@@ -74,7 +104,7 @@ const Halfspace& NearestPoint::side(std::uint32_t half_edge) const {
   return *plane;
 }
 
-const Halfspace& NearestPoint::end(std::uint32_t half_edge) const {
+const Halfspace& NearestPoint::Search::end(std::uint32_t half_edge) const {
   std::optional<Halfspace>& plane = edge_planes_[half_edge].end;
   if (!plane) {
     const HalfEdge& h = half_edges_[half_edge];
@@ -90,20 +120,20 @@ const Halfspace& NearestPoint::end(std::uint32_t half_edge) const {
 // to the directions from q into the polytope, and these are spanned by those into the facet, the
 // two facets or along the edges at q.
 
-bool NearestPoint::in_facet_region(std::uint32_t facet, const Homogeneous& x) const {
+bool NearestPoint::Search::in_facet_region(std::uint32_t facet, const Homogeneous& x) const {
   for (const std::uint32_t h : of_facet_[facet]) {
     if (x.side_of(side(h)) == Sign::Positive) return false;
   }
   return true;
 }
 
-bool NearestPoint::in_edge_region(std::uint32_t half_edge, const Homogeneous& x) const {
+bool NearestPoint::Search::in_edge_region(std::uint32_t half_edge, const Homogeneous& x) const {
   const std::uint32_t twin = half_edges_[half_edge].twin;
   return x.side_of(side(half_edge)) != Sign::Negative && x.side_of(side(twin)) != Sign::Negative &&
          x.side_of(end(half_edge)) != Sign::Negative && x.side_of(end(twin)) != Sign::Negative;
 }
 
-bool NearestPoint::in_vertex_region(std::uint32_t vertex, const Homogeneous& x) const {
+bool NearestPoint::Search::in_vertex_region(std::uint32_t vertex, const Homogeneous& x) const {
   for (const std::uint32_t h : of_vertex_[vertex]) {
     if (x.side_of(end(h)) == Sign::Positive) return false;
   }
@@ -127,20 +157,20 @@ RationalPoint project_to_line(const RationalPoint& a, const RationalPoint& b,
 
 }  // namespace
 
-RationalPoint NearestPoint::operator()(const RationalPoint& x) const {
+RationalPoint NearestPoint::Search::operator()(const RationalPoint& x) const {
   const Homogeneous homogeneous(x);
   const std::optional<std::uint32_t> visible = visible_facet(x, homogeneous);
   return visible ? nearest_around(*visible, x, homogeneous) : x;
 }
 
 // Doubles discard the facets that x is surely below, and name the one that it is farthest beyond:
-// the nearest feature is seldom far from there. With u = 2^-53 a component of n suffers two
+// the nearest feature is seldom far from there. With u = kUnitRoundoff a component of n suffers two
 // roundings and a factor without influence on the sign, that of x - v one, its product one and the
 // sums three, so 8u of |n| |x - v| + |d| bounds the error, 16u that of this bound as well; what
 // underflows adds less than the second term. A NaN is discarded by no comparison.
-std::optional<std::uint32_t> NearestPoint::visible_facet(const RationalPoint& x,
-                                                         const Homogeneous& homogeneous) const {
-  constexpr double kRelative = 16 * 0x1p-53, kAbsolute = 0x1p-1060;
+std::optional<std::uint32_t> NearestPoint::Search::visible_facet(
+    const RationalPoint& x, const Homogeneous& homogeneous) const {
+  constexpr double kRelative = 16 * kUnitRoundoff, kAbsolute = 0x1p-1060;
   Vector3<double> from;
   for (int k = 0; k < 3; ++k) {
     from[k] = to_double(Rational(x[k] - polytope_.vertices.front()[k]), Rounding::Nearest);
@@ -169,8 +199,8 @@ std::optional<std::uint32_t> NearestPoint::visible_facet(const RationalPoint& x,
 // facets at q, y_f >= 0, so 0 < |x - q|^2 = sum of y_f n_f.(x - q): one of these facets is visible
 // from x. As seen from x the visible facets tile a convex region, so that edges lead from each to
 // each.
-RationalPoint NearestPoint::nearest_around(std::uint32_t visible, const RationalPoint& x,
-                                           const Homogeneous& homogeneous) const {
+RationalPoint NearestPoint::Search::nearest_around(std::uint32_t visible, const RationalPoint& x,
+                                                   const Homogeneous& homogeneous) const {
   std::vector<std::uint32_t> queue{visible};
   std::vector<bool> is_known(polytope_.facets.size(), false);
   is_known[visible] = true;
@@ -193,6 +223,12 @@ RationalPoint NearestPoint::nearest_around(std::uint32_t visible, const Rational
   }
   throw Error(ErrorCode::InvalidArgument, "the facets of a polytope are not convex");
 }
+
+NearestPoint::NearestPoint(const Polytope& polytope)
+    : search_(std::make_unique<const Search>(polytope)) {}
+NearestPoint::~NearestPoint() = default;
+
+RationalPoint NearestPoint::operator()(const RationalPoint& x) const { return (*search_)(x); }
 
 namespace {
 

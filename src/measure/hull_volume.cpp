@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "convexact/measure.hpp"
+#include "number/arithmetic.hpp"
 
 namespace convexact {
 namespace {
@@ -14,13 +15,6 @@ struct ScaledPoints {
   Rational scale;
 };
 
-// x = m 2^(exponent - 53) with an integer m.
-int exponent_of(double x) {
-  int exponent = 0;
-  std::frexp(x, &exponent);
-  return std::max(exponent, -1021);
-}
-
 // Doubles times one power of two, where their spread lets that power stay within doubles.
 std::optional<ScaledPoints> scale_doubles(const Hull& hull, const PointSet& points) {
   constexpr int kWidestSpread = 900;
@@ -28,36 +22,30 @@ std::optional<ScaledPoints> scale_doubles(const Hull& hull, const PointSet& poin
   for (const PointId id : hull.vertices) {
     for (const double x : points.doubles()[id.index()]) {
       if (x == 0) continue;
-      lowest = std::min(lowest, exponent_of(x));
-      highest = std::max(highest, exponent_of(x));
+      lowest = std::min(lowest, unit_exponent(x));
+      highest = std::max(highest, unit_exponent(x));
     }
   }
   if (!points.is_binary() || highest - lowest > kWidestSpread) return std::nullopt;
   ScaledPoints scaled{std::vector<Integer>(3 * hull.vertices.size()),
-                      scale_by_power_of_two(Rational(1), 53 - lowest)};
+                      scale_by_power_of_two(Rational(1), -lowest)};
   for (std::size_t v = 0; v < hull.vertices.size(); ++v) {
     const Point& p = points.doubles()[hull.vertices[v].index()];
     for (std::size_t k = 0; k < 3; ++k) {
-      // In two steps: 2^(53 - lowest) itself may be beyond doubles.
-      const double x = std::ldexp(p[static_cast<long>(k)], -lowest);
-      mpz_set_d(scaled.coordinates[3 * v + k].backend().data(), std::ldexp(x, 53));
+      mpz_set_d(raw(scaled.coordinates[3 * v + k]), std::ldexp(p[static_cast<long>(k)], -lowest));
     }
   }
   return scaled;
 }
 
 ScaledPoints scale_rationals(const Hull& hull, const PointSet& points) {
-  Integer common = 1;
+  std::vector<Rational> coordinates;
   for (const PointId id : hull.vertices) {
-    for (const Rational& x : points[id]) common = lcm(common, denominator(x));
+    const RationalPoint p = points[id];
+    coordinates.insert(coordinates.end(), p.begin(), p.end());
   }
-  ScaledPoints scaled{std::vector<Integer>(3 * hull.vertices.size()), Rational(common)};
-  for (std::size_t v = 0; v < hull.vertices.size(); ++v) {
-    const RationalPoint p = points[hull.vertices[v]];
-    for (std::size_t k = 0; k < 3; ++k) {
-      scaled.coordinates[3 * v + k] = numerator(p[k]) * (common / denominator(p[k]));
-    }
-  }
+  ScaledPoints scaled{std::vector<Integer>(coordinates.size()), 1};
+  scaled.scale = clear_denominators(coordinates, scaled.coordinates);
   return scaled;
 }
 
@@ -71,7 +59,7 @@ Rational volume(const Hull& hull, const PointSet& points) {
     vertex[hull.vertices[v].index()] = static_cast<std::uint32_t>(v);
   }
   const auto coordinate = [&](PointId id, std::size_t k) {
-    return scaled.coordinates[3 * vertex[id.index()] + k % 3].backend().data();
+    return raw(scaled.coordinates[3 * vertex[id.index()] + k % 3]);
   };
   // The sum of det(a, b, c) over a fan of each facet, in place: most of the time went to
   // temporaries.
@@ -81,9 +69,9 @@ Rational volume(const Hull& hull, const PointSet& points) {
     for (std::size_t m = 2; m < corners.size(); ++m) {
       const PointId a = corners[0], b = corners[m - 1], c = corners[m];
       for (std::size_t k = 0; k < 3; ++k) {
-        mpz_mul(minor.backend().data(), coordinate(b, k + 1), coordinate(c, k + 2));
-        mpz_submul(minor.backend().data(), coordinate(b, k + 2), coordinate(c, k + 1));
-        mpz_addmul(six_volumes.backend().data(), coordinate(a, k), minor.backend().data());
+        mpz_mul(raw(minor), coordinate(b, k + 1), coordinate(c, k + 2));
+        mpz_submul(raw(minor), coordinate(b, k + 2), coordinate(c, k + 1));
+        mpz_addmul(raw(six_volumes), coordinate(a, k), raw(minor));
       }
     }
   }

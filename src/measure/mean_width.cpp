@@ -2,13 +2,10 @@
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/polytope.hpp"
+#include "number/arithmetic.hpp"
 
 namespace convexact {
 namespace {
-
-Integer dot(const IntegerVector3& a, const IntegerVector3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 // The angle between two outward normals: 0 would be coplanar, pi a knife.
 Enclosure angle_between(const IntegerVector3& a, const IntegerVector3& b, long precision) {

@@ -4,6 +4,8 @@
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
+#include "number/arithmetic.hpp"
+#include "number/text.hpp"
 
 namespace convexact {
 namespace {
@@ -14,10 +16,9 @@ Rational power_of_ten(long exponent) {
   return exponent >= 0 ? Rational(power) : Rational(Integer(1), power);
 }
 
-// floor(log10(x)) for x > 0: the bit lengths tell it up to one or two, comparisons decide.
+// floor(log10(x)) for x > 0: the exponent tells it up to one or two, comparisons decide.
 long floor_log10(const Rational& x) {
-  const auto bits = static_cast<double>(bit_length(numerator(x))) -
-                    static_cast<double>(bit_length(denominator(x)));
+  const auto bits = static_cast<double>(exponent_of(x) - 1);
   auto exponent = static_cast<long>(std::floor(bits * std::log10(2.0)));
   while (power_of_ten(exponent) > x) --exponent;
   while (power_of_ten(exponent + 1) <= x) ++exponent;

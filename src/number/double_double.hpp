@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // double_double.hpp - an unevaluated sum of two doubles: 102 proven bits at a few flops each.
 #pragma once
-#include <cmath>
+#include "number/roundoff.hpp"
 
 namespace convexact {
 
@@ -19,28 +19,25 @@ class DoubleDouble {
   constexpr DoubleDouble() = default;
   constexpr DoubleDouble(double x) : hi_(x) {}  // NOLINT: a double is one of these
   constexpr DoubleDouble(double hi, double lo) : hi_(hi), lo_(lo) {}
+  constexpr DoubleDouble(const TwoTerms& t) : hi_(t.high), lo_(t.low) {}  // NOLINT: likewise
 
   constexpr double hi() const { return hi_; }
   constexpr double lo() const { return lo_; }
 
   /// a - b and a b exactly.
   static DoubleDouble difference(double a, double b) { return two_sum(a, -b); }
-  static DoubleDouble product(double a, double b) {
-    const double p = a * b;
-    const Halves x = split(a), y = split(b);
-    return {p, ((x.high * y.high - p) + x.high * y.low + x.low * y.high) + x.low * y.low};
-  }
+  static DoubleDouble product(double a, double b) { return two_product(a, b); }
 
   friend DoubleDouble operator-(const DoubleDouble& x) { return {-x.hi_, -x.lo_}; }
   friend DoubleDouble operator+(const DoubleDouble& x, const DoubleDouble& y) {
-    const DoubleDouble s = two_sum(x.hi_, y.hi_), t = two_sum(x.lo_, y.lo_);
-    const DoubleDouble v = fast_two_sum(s.hi_, s.lo_ + t.hi_);
-    return fast_two_sum(v.hi_, t.lo_ + v.lo_);
+    const TwoTerms s = two_sum(x.hi_, y.hi_), t = two_sum(x.lo_, y.lo_);
+    const TwoTerms v = fast_two_sum(s.high, s.low + t.high);
+    return fast_two_sum(v.high, t.low + v.low);
   }
   friend DoubleDouble operator-(const DoubleDouble& x, const DoubleDouble& y) { return x + (-y); }
   friend DoubleDouble operator*(const DoubleDouble& x, const DoubleDouble& y) {
-    const DoubleDouble c = product(x.hi_, y.hi_);
-    return fast_two_sum(c.hi_, c.lo_ + (x.hi_ * y.lo_ + x.lo_ * y.hi_));
+    const TwoTerms c = two_product(x.hi_, y.hi_);
+    return fast_two_sum(c.high, c.low + (x.hi_ * y.lo_ + x.lo_ * y.hi_));
   }
   friend DoubleDouble operator/(const DoubleDouble& x, const DoubleDouble& y) {
     const double quotient = x.hi_ / y.hi_;
@@ -56,29 +53,10 @@ class DoubleDouble {
   friend bool operator>(const DoubleDouble& x, const DoubleDouble& y) { return y < x; }
 
  private:
-  struct Halves {
-    double high, low;
-  };
-  // Veltkamp: x = high + low, each of at most 26 bits.
-  static Halves split(double x) {
-    const double c = 0x1.0000002p27 * x;
-    const double high = c - (c - x);
-    return {high, x - high};
-  }
-  static DoubleDouble two_sum(double a, double b) {
-    const double s = a + b;
-    const double z = s - a;
-    return {s, (a - (s - z)) + (b - z)};
-  }
-  // Exact if |a| >= |b|.
-  static DoubleDouble fast_two_sum(double a, double b) {
-    const double s = a + b;
-    return {s, b - (s - a)};
-  }
   static DoubleDouble times(const DoubleDouble& x, double y) {
-    const DoubleDouble c = product(x.hi_, y);
-    const DoubleDouble t = fast_two_sum(c.hi_, x.lo_ * y);
-    return fast_two_sum(t.hi_, t.lo_ + c.lo_);
+    const TwoTerms c = two_product(x.hi_, y);
+    const TwoTerms t = fast_two_sum(c.high, x.lo_ * y);
+    return fast_two_sum(t.high, t.low + c.low);
   }
 
   double hi_ = 0, lo_ = 0;

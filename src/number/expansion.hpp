@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "convexact/number.hpp"
+#include "number/roundoff.hpp"
 
 namespace convexact {
 
@@ -22,9 +23,9 @@ struct Expansion {
     if (term != 0) terms[size++] = term;
   }
   Sign sign() const { return size == 0 ? Sign::Zero : sign_of(terms[size - 1]); }
-  /// Off by at most 16 * 2^-53 of the value. Proof: the terms below the k-th add up to less than
-  /// its lowest bit, so the partial sums are below 2|t_k| and altogether below 4|t_n|, t_n the
-  /// last; so rounding costs at most 4 * 2^-53 |t_n|. As two neighboring bits can only belong to
+  /// Off by at most 16 u of the value, u = kUnitRoundoff. Proof: the terms below the k-th add up to
+  /// less than its lowest bit, so the partial sums are below 2|t_k| and altogether below 4|t_n|,
+  /// t_n the last; so rounding costs at most 4 u |t_n|. As two neighboring bits can only belong to
   /// two powers of two, and not to three terms, the value is at least |t_n| - |t_n|/2 - |t_n|/4.
   double estimate() const {
     double sum = 0;
@@ -32,38 +33,6 @@ struct Expansion {
     return sum;
   }
 };
-
-/// x + y = high + low exactly, high the rounded result.
-struct TwoTerms {
-  double high, low;
-};
-
-/// [Knuth1997, sec. 4.2.2]
-inline TwoTerms two_sum(double x, double y) {
-  const double high = x + y, y_part = high - x, x_part = high - y_part;
-  return {high, (x - x_part) + (y - y_part)};
-}
-
-/// The same for |x| >= |y| or x = 0. [Dekker1971]
-inline TwoTerms fast_two_sum(double x, double y) {
-  const double high = x + y;
-  return {high, y - (high - x)};
-}
-
-/// A double as the sum of two with 26 significant bits each. [Dekker1971]
-inline TwoTerms split(double x) {
-  const double shifted = 0x8000001p0 * x;  // 2^27 + 1
-  const double high = shifted - (shifted - x);
-  return {high, x - high};
-}
-
-/// x * y = high + low exactly. [Dekker1971]
-inline TwoTerms two_product(double x, double y) {
-  const double high = x * y;
-  const TwoTerms s = split(x), t = split(y);
-  const double rest = ((high - s.high * t.high) - s.low * t.high) - s.high * t.low;
-  return {high, s.low * t.low - rest};
-}
 
 inline Expansion<2> to_expansion(const TwoTerms& t) {
   Expansion<2> e;

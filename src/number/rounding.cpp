@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "convexact/number.hpp"
+#include "number/arithmetic.hpp"
 
 namespace convexact {
 namespace {
@@ -18,11 +19,10 @@ struct Fraction {
 
 bool is_power_of_two(mpz_srcptr r) { return mpz_scan1(r, 0) + 1 == mpz_sizeinbase(r, 2); }
 
-// floor(log2(q)) for q > 0: the bit lengths tell it up to one, a comparison decides.
+// floor(log2(q)) for q > 0: the exponent tells it up to one, a comparison decides.
 long floor_log2(const Rational& q) {
   const mpq_srcptr fraction = q.backend().data();
-  const long guess = static_cast<long>(mpz_sizeinbase(mpq_numref(fraction), 2)) -
-                     static_cast<long>(mpz_sizeinbase(mpq_denref(fraction), 2));
+  const long guess = exponent_of(q) - 1;
   if (is_power_of_two(mpq_denref(fraction))) return guess;
   const Fraction scaled(q, -guess);
   return scaled.p < scaled.r ? guess - 1 : guess;

@@ -5,6 +5,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
+#include "number/precision.hpp"
 #include "oracle/engine_run.hpp"
 #include "oracle/greedy_check.hpp"
 #include "scene/solid.hpp"
@@ -62,10 +63,10 @@ std::optional<Enclosure> volume_ratio(const RationalPoint& center, const Run& re
                                       const Run& other) {
   const auto before = left_after(reference, reference.steps.size());
   const auto after = left_after(other, other.steps.size());
-  if (before == after) return Enclosure(Rational(1), kVolumeBits);
+  if (before == after) return Enclosure(Rational(1), kMeasureBits);
   const auto first = intersect(before, center), second = intersect(after, center);
   if (!first || !second) return std::nullopt;
-  return enclose_volume(*second, kVolumeBits) / enclose_volume(*first, kVolumeBits);
+  return enclose_volume(*second, kMeasureBits) / enclose_volume(*first, kMeasureBits);
 }
 
 // Divergences as seen from the run, in a comparison that has the run first.

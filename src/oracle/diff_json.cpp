@@ -3,6 +3,7 @@
 
 #include "convexact/number.hpp"
 #include "io/json.hpp"
+#include "number/precision.hpp"
 #include "oracle/diff.hpp"
 #include "scene/result_json.hpp"
 #include "simplify/trace_json.hpp"
@@ -21,7 +22,7 @@ Json choice_json(const Choice& choice, const std::vector<Halfspace>& halfspaces)
 }
 
 Json shortened(const std::optional<Rational>& x) {
-  return x ? measured_json({Enclosure(*x, kVolumeBits), std::nullopt}, kDigits) : Json(nullptr);
+  return x ? measured_json({Enclosure(*x, kMeasureBits), std::nullopt}, kDigits) : Json(nullptr);
 }
 
 const char* at_fault(const Comparison& comparison, const Divergence& found) {

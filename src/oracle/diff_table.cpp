@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "convexact/number.hpp"
+#include "number/text.hpp"
 #include "oracle/diff.hpp"
 #include "scene/result_json.hpp"
 

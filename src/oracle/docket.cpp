@@ -3,6 +3,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
+#include "number/text.hpp"
 #include "oracle/judge.hpp"
 
 namespace convexact::oracle {

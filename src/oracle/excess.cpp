@@ -3,7 +3,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
-#include "stored/double_halfspace.hpp"
+#include "stored/near_products.hpp"
 
 namespace convexact {
 namespace {

@@ -8,6 +8,7 @@
 #include "convexact/number.hpp"
 #include "convexact/point_set.hpp"
 #include "convexact/polytope.hpp"
+#include "number/arithmetic.hpp"
 
 namespace convexact::oracle {
 
@@ -23,7 +24,7 @@ class HardEdges {
       for (const Rational& x : v) largest = std::max<Rational>(largest, abs(x));
     }
     // By a power of two into [-1, 1], where products do not overflow.
-    const int exponent = std::ilogb(to_double(largest, Rounding::Down)) + 1;
+    const int exponent = exponent_of(to_double(largest, Rounding::Down));
     const auto scaled = [&](const Rational& x) {
       return to_double(scale_by_power_of_two(x, -exponent), Rounding::Nearest);
     };

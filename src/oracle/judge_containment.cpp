@@ -8,6 +8,7 @@
 #include "convexact/point_set.hpp"
 #include "convexact/polytope.hpp"
 #include "convexact/stored.hpp"
+#include "number/text.hpp"
 #include "oracle/cone_location.hpp"
 #include "oracle/excess.hpp"
 #include "oracle/judge.hpp"
@@ -102,7 +103,7 @@ void judge_empty(const Input& input, Docket& docket) {
 
 std::string name_of_plane(const Candidate& candidate, const CandidateSet& set, std::size_t plane) {
   if (const auto* list = std::get_if<HalfspaceList>(&candidate)) {
-    return fmt::format("row {}", list->rows[plane] - 1);
+    return fmt::format("row {}", list->rows[plane]);
   }
   if (!set.hull) return "the plane that holds the candidate";
   std::string corners;
@@ -120,7 +121,7 @@ Witness witness_of(const Excess& worst, const Input& input, const Candidate& can
   witness.point = input.points[worst.point];
   witness.plane = set.planes[worst.plane];
   if (const auto* list = std::get_if<HalfspaceList>(&candidate)) {
-    witness.rows = {list->rows[worst.plane] - 1};
+    witness.rows = {list->rows[worst.plane]};
   } else if (set.hull) {
     for (const PointId p : set.hull->facets[worst.plane]) witness.vertices.push_back(p.index());
   }

@@ -2,6 +2,7 @@
 // Whether the faces of a mesh are the surface of a convex solid.
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
+#include "number/text.hpp"
 #include "oracle/judge.hpp"
 
 namespace convexact::oracle {

@@ -5,7 +5,7 @@
 #include "convexact/number.hpp"
 #include "oracle/judge.hpp"
 #include "scene/solid.hpp"
-#include "stored/double_halfspace.hpp"
+#include "stored/near_products.hpp"
 
 namespace convexact::oracle {
 namespace {
@@ -135,7 +135,7 @@ CandidateSet judge_halfspace_set(const HalfspaceList& list, Docket& docket, Stag
   if (list.impossible_row) {
     set.is_empty = true;
     Witness witness;
-    witness.rows = {*list.impossible_row - 1};
+    witness.rows = {*list.impossible_row};
     docket.violated(CandidateSolid, "it is empty: a row with a zero normal holds nowhere",
                     std::move(witness));
     docket.not_applicable(CandidateBounded, "there is no solid");

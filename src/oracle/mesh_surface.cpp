@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "convexact/point_set.hpp"
-#include "number/balanced_sum.hpp"
+#include "number/arithmetic.hpp"
 
 namespace convexact {
 namespace {

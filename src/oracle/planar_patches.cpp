@@ -10,6 +10,7 @@
 #include "convexact/linear_program.hpp"
 #include "convexact/number.hpp"
 #include "convexact/verify.hpp"
+#include "number/arithmetic.hpp"
 #include "oracle/hard_edges.hpp"
 
 namespace convexact {
@@ -360,8 +361,7 @@ Precision precision_of(const PointSet& points) {
     for (const double x : p) {
       if (std::abs(x) > std::numeric_limits<float>::max()) return Precision::Binary64;
       if (static_cast<double>(static_cast<float>(x)) != x) return Precision::Binary64;
-      int exponent = 0;
-      const double scaled = std::ldexp(std::frexp(x, &exponent), kFewBits);
+      const double scaled = std::ldexp(x, kFewBits - exponent_of(x));
       is_rounded = is_rounded || scaled != std::trunc(scaled);
     }
   }
@@ -373,7 +373,7 @@ Rational unit_in_last_place(Precision precision, const Rational& x) {
   const double near = to_double(abs(x), Rounding::Down);
   if (near == 0) return to_rational(std::ldexp(1.0, least));
   return to_rational(
-      std::ldexp(1.0, std::max(std::ilogb(near) + 1 - significand_bits(precision), least)));
+      std::ldexp(1.0, std::max(exponent_of(near) - significand_bits(precision), least)));
 }
 
 std::vector<std::vector<std::uint32_t>> planar_patches(const Polytope& polytope,

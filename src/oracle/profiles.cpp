@@ -9,6 +9,7 @@
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "io/json_text.hpp"
+#include "number/text.hpp"
 #include "scene/result_json.hpp"
 
 namespace convexact {

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "convexact/error.hpp"
-#include "io/halfspace_json.hpp"
-#include "io/halfspace_rows.hpp"
+#include "io/halfspace_formats.hpp"
 #include "io/json_text.hpp"
 #include "io/text_cursor.hpp"
+#include "number/text.hpp"
 #include "simplify/trace_json.hpp"
 
 namespace convexact {
@@ -22,7 +22,7 @@ constexpr TextRules kRowRules{.comment = '#'};
 ListedFacets by_row(const HalfspaceList& list) {
   ListedFacets facets(list.row_count());
   for (std::size_t k = 0; k < list.rows.size(); ++k) {
-    facets[list.rows[k] - 1] = list.halfspaces[k];
+    facets[list.rows[k]] = list.halfspaces[k];
   }
   return facets;
 }

@@ -17,7 +17,7 @@
 #include "convexact/verify.hpp"
 #include "io/json.hpp"
 #include "io/json_text.hpp"
-#include "number/hex_float.hpp"
+#include "number/text.hpp"
 #include "oracle/verdict_text.hpp"
 #include "scene/result_json.hpp"
 

@@ -7,18 +7,17 @@
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
+#include "number/arithmetic.hpp"
 
 namespace convexact {
 namespace {
 
 // In the direction of n, of a length that doubles hold.
 Vector3<double> to_direction(const IntegerVector3& n) {
-  std::size_t bits = 0;
-  for (int k = 0; k < 3; ++k) bits = std::max(bits, bit_length(n[k]));
+  const auto bits = static_cast<long>(bit_length(n));
   Vector3<double> direction;
   for (int k = 0; k < 3; ++k) {
-    direction[k] = to_double(scale_by_power_of_two(Rational(n[k]), -static_cast<long>(bits)),
-                             Rounding::Nearest);
+    direction[k] = to_double(scale_by_power_of_two(Rational(n[k]), -bits), Rounding::Nearest);
   }
   return direction;
 }

@@ -9,7 +9,7 @@
 #include "convexact/io.hpp"
 #include "convexact/verify.hpp"
 #include "io/json_text.hpp"
-#include "number/hex_float.hpp"
+#include "number/text.hpp"
 
 namespace convexact {
 namespace {

@@ -4,6 +4,8 @@
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "convexact/verify.hpp"
+#include "number/precision.hpp"
+#include "number/text.hpp"
 
 namespace convexact {
 
@@ -17,8 +19,7 @@ std::string describe(const Tolerance& tolerance) {
 }
 
 std::string decimal_of_root(const Rational& squared) {
-  constexpr long kBits = 128;
-  return to_decimal(sqrt(Enclosure(squared, kBits)), 3).value_or("?");
+  return to_decimal(sqrt(Enclosure(squared, kMeasureBits)), 3).value_or("?");
 }
 
 Tolerance parse_tolerance(std::string_view text) {

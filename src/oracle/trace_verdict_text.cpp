@@ -5,6 +5,8 @@
 
 #include "convexact/number.hpp"
 #include "convexact/scene.hpp"
+#include "number/precision.hpp"
+#include "number/text.hpp"
 #include "oracle/trace_verdict.hpp"
 #include "scene/summary.hpp"
 
@@ -70,9 +72,9 @@ std::string worst_table(const TraceVerdict& verdict) {
 }
 
 std::string totals_text(const TraceVerdict& verdict) {
-  Enclosure added(Rational(0), kVolumeBits);
+  Enclosure added(Rational(0), kMeasureBits);
   for (const JudgedStep& step : verdict.steps) {
-    if (step.cost) added += step.cost->enclose(kVolumeBits);
+    if (step.cost) added += step.cost->enclose(kMeasureBits);
   }
   std::string text =
       fmt::format("  {:<22} {} of {}, from {} halfspaces\n", "removals judged",
@@ -169,7 +171,7 @@ std::string sentence(const ListedPlanes& listed) {
         "{} planes of the list are facet planes up to rounding: each is taken for the nearest, of "
         "which it misses a corner by {} at most.",
         with_separators(listed.rounded),
-        to_decimal(sqrt(Enclosure(listed.squared_distance, kVolumeBits)), kRegretDigits)
+        to_decimal(sqrt(Enclosure(listed.squared_distance, kMeasureBits)), kRegretDigits)
             .value_or("?"));
   }
   if (listed.unknown > 0) {

@@ -4,6 +4,7 @@
 
 #include "convexact/number.hpp"
 #include "io/json.hpp"
+#include "number/precision.hpp"
 #include "oracle/verdict_text.hpp"
 #include "scene/result_json.hpp"
 
@@ -12,10 +13,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr long kRootBits = 128;
-
 std::string root_decimal(const Rational& squared) {
-  return to_decimal(sqrt(Enclosure(squared, kRootBits)), kDigits).value_or("");
+  return to_decimal(sqrt(Enclosure(squared, kMeasureBits)), kDigits).value_or("");
 }
 
 Json distance_json(const Rational& squared, const Rational& squared_diameter) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "convexact/number.hpp"
+#include "number/precision.hpp"
+#include "number/text.hpp"
 #include "oracle/verdict_text.hpp"
 #include "scene/summary.hpp"
 
@@ -11,7 +13,6 @@ namespace convexact {
 namespace {
 
 constexpr int kVerdictDigits = 6;
-constexpr long kBits = 128;
 constexpr std::size_t kLongestFraction = 60;  // longer ones are for --json
 
 std::string verdict_line(const char* label, const std::string& text) {
@@ -19,7 +20,7 @@ std::string verdict_line(const char* label, const std::string& text) {
 }
 
 std::string root_text(const Rational& squared) {
-  return to_decimal(sqrt(Enclosure(squared, kBits)), kVerdictDigits).value_or("?");
+  return to_decimal(sqrt(Enclosure(squared, kMeasureBits)), kVerdictDigits).value_or("?");
 }
 
 std::string claim_lines(const Claim& claim) {

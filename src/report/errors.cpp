@@ -7,6 +7,7 @@
 
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
+#include "number/arithmetic.hpp"
 
 namespace convexact {
 namespace {
@@ -28,8 +29,7 @@ class ScaledVertices {
     for (int k = 0; k < 3; ++k) {
       Rational largest = 0;
       for (const RationalVector3& v : exact_) largest = std::max<Rational>(largest, abs(v[k]));
-      down_[k] = static_cast<long>(bit_length(denominator(largest))) -
-                 static_cast<long>(bit_length(numerator(largest))) - 1;
+      down_[k] = -exponent_of(largest);
       for (RationalVector3& v : exact_) v[k] = scale_by_power_of_two(v[k], down_[k]);
     }
     for (const RationalVector3& v : exact_) near_.push_back(nearest(v));

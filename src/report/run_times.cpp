@@ -7,10 +7,11 @@
 #include <numeric>
 
 #include "convexact/measure.hpp"
+#include "number/precision.hpp"
 #include "number/random.hpp"
 #include "scene/result_json.hpp"
 #include "scene/solid.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 
 namespace convexact {
 namespace {
@@ -75,8 +76,8 @@ void run_the_rest(const Shape& shape, const SimplifyResult& result, const Effort
     (void)make_polytope(result.start->dual.halfspaces, effort.seed, log);
   }
   log.run("area and mean width", [&] {
-    (void)surface_area(result.solid.exact, kVolumeBits);
-    (void)mean_width(result.solid.exact, kVolumeBits);
+    (void)surface_area(result.solid.exact, kMeasureBits);
+    (void)mean_width(result.solid.exact, kMeasureBits);
   });
 }
 

@@ -8,6 +8,7 @@
 #include "convexact/number.hpp"
 #include "convexact/scene.hpp"
 #include "fast/filtered_engine.hpp"
+#include "number/precision.hpp"
 #include "report/errors.hpp"
 #include "scene/solid.hpp"
 
@@ -90,7 +91,7 @@ TightnessCurve measure_tightness_curve(const Solid& solid, std::size_t least,
 
   TightnessCurve curve{dual.size(), {}};
   const Rational squared_diameter = bounding_box(dual_hull.vertices).squared_diameter();
-  const Enclosure whole = enclose_volume(solid.polytope, kVolumeBits);
+  const Enclosure whole = enclose_volume(solid.polytope, kMeasureBits);
   const Deadline deadline(effort);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const std::optional<Spread> seconds = arrivals.of(i);
@@ -104,7 +105,7 @@ TightnessCurve measure_tightness_curve(const Solid& solid, std::size_t least,
     const FastResult result = simplify_filtered(dual, options);
     const Polytope left = to_polytope(dual_hull.halfspaces, result.triangles);
     TightnessPoint point{.faces = faces[i],
-                         .growth = growth_of(enclose_volume(left, kVolumeBits), whole),
+                         .growth = growth_of(enclose_volume(left, kMeasureBits), whole),
                          .hausdorff = {},
                          .seconds = *seconds};
     if (!deadline.has_passed()) {

@@ -5,7 +5,7 @@
 
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
-#include "number/balanced_sum.hpp"
+#include "number/arithmetic.hpp"
 #include "oracle/greedy_check.hpp"
 #include "scene/solid.hpp"
 #include "simplify/exact_engine.hpp"

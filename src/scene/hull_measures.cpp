@@ -3,7 +3,7 @@
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
 #include "convexact/simplify.hpp"
-#include "number/refine.hpp"
+#include "number/precision.hpp"
 #include "scene/solid.hpp"
 
 namespace convexact {

@@ -69,7 +69,7 @@ NotSolid of_typed_rows(NotSolid reason, const TypedRows& rows) {
   const auto rename = [&](std::vector<Multiplier>& multipliers) {
     if (rows.rows.empty()) return;
     for (Multiplier& m : multipliers) {
-      m = {rows.rows[m.row] - 1, m.value * rows.scales[m.row]};
+      m = {rows.rows[m.row], m.value * rows.scales[m.row]};
     }
   };
   if (auto* empty = std::get_if<EmptyProof>(&reason)) rename(empty->farkas);

@@ -56,7 +56,7 @@ void read_mesh_objects(const std::string& path, const std::string& bytes,
 SceneObject halfspace_object(const std::string& path, HalfspaceList list) {
   if (list.impossible_row) {
     throw Error(ErrorCode::NoInterior, "the input is empty: halfspace " +
-                                           std::to_string(*list.impossible_row - 1) +
+                                           std::to_string(*list.impossible_row) +
                                            " (counted from 0) has a zero normal and holds nowhere");
   }
   TypedRows rows = std::move(static_cast<TypedRows&>(list));
@@ -65,9 +65,9 @@ SceneObject halfspace_object(const std::string& path, HalfspaceList list) {
 
 }  // namespace
 
-void to_typed_rows(std::vector<RedundantHalfspace>& redundant, const TypedRows& rows) {
+void to_typed_rows(std::vector<std::size_t>& redundant, const TypedRows& rows) {
   if (rows.rows.empty()) return;
-  for (RedundantHalfspace& halfspace : redundant) halfspace.row = rows.rows[halfspace.row] - 1;
+  for (std::size_t& row : redundant) row = rows.rows[row];
 }
 
 std::vector<SceneObject> read_scene(const std::vector<std::string>& paths,

@@ -52,11 +52,11 @@ Json planes_json(const std::vector<Halfspace>& halfspaces) {
 }
 
 Json input_json(std::size_t points, std::size_t vertices, std::size_t halfspaces,
-                const std::vector<RedundantHalfspace>& redundant) {
+                const std::vector<std::size_t>& redundant) {
   Json input = {{"points", points}, {"hull_vertices", vertices}, {"halfspaces", halfspaces}};
   if (points > 0) return input;
   input["redundant"] = Json::array();
-  for (const RedundantHalfspace& row : redundant) input["redundant"].push_back(row.row);
+  for (const std::size_t row : redundant) input["redundant"].push_back(row);
   return input;
 }
 

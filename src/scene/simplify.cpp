@@ -14,6 +14,8 @@
 #include "fast/checks.hpp"
 #include "fast/filtered_engine.hpp"
 #include "fast/float_engine.hpp"
+#include "lp/interior_point.hpp"
+#include "number/precision.hpp"
 #include "scene/solid.hpp"
 #include "simplify/exact_engine.hpp"
 #include "simplify/replay.hpp"
@@ -69,7 +71,7 @@ struct Reference {
   PointSet points;
   std::vector<PointId> extreme;
   std::size_t input_points;
-  std::vector<RedundantHalfspace> redundant;
+  std::vector<std::size_t> redundant;
   Measured volume;
 };
 
@@ -172,9 +174,9 @@ RunStart start_of(const Shape& shape, const Solid& solid) {
 }
 
 Measured measure_volume(const Polytope& polytope, bool exact) {
-  if (!exact) return {enclose_volume(polytope, kVolumeBits), std::nullopt};
+  if (!exact) return {enclose_volume(polytope, kMeasureBits), std::nullopt};
   const Rational value = volume(polytope);
-  return {Enclosure(value, kVolumeBits), value};
+  return {Enclosure(value, kMeasureBits), value};
 }
 
 // The final test, by the definition of containment alone. Returns how many points were tested.
@@ -248,7 +250,7 @@ SimplifyOutcome simplify_lean(const PointSet& points, const SimplifyRequest& req
   End end = run_lean(dual, request, log);
   Measured input_volume = log.run("volume", [&] {
     const Rational exact = volume(hull, points);
-    return Measured{Enclosure(exact, kVolumeBits), exact};
+    return Measured{Enclosure(exact, kMeasureBits), exact};
   });
   if (!request.exact_volumes) input_volume.exact.reset();
   Reference reference{points, hull.vertices, points.size(), {}, std::move(input_volume)};

@@ -6,7 +6,8 @@
 #include "convexact/error.hpp"
 #include "convexact/linear_program.hpp"
 #include "convexact/scene.hpp"
-#include "number/balanced_sum.hpp"
+#include "lp/interior_point.hpp"
+#include "number/arithmetic.hpp"
 
 namespace convexact {
 namespace {

@@ -21,7 +21,7 @@ struct Solid {
   PointSet points;
   std::vector<PointId> extreme;               ///< Of `points`: those whose hull holds the rest.
   std::size_t input_points = 0;               ///< 0 where the input is halfspaces.
-  std::vector<RedundantHalfspace> redundant;  ///< Of halfspace input.
+  std::vector<std::size_t> redundant;  ///< Of halfspace input.
   HullCertificate certificate;                ///< Of point input.
   /// Strictly inside; known beforehand only where the way to the dual needed it.
   std::optional<RationalPoint> interior;

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include "convexact/number.hpp"
+#include "number/precision.hpp"
+#include "number/text.hpp"
 #include "scene/result_json.hpp"
 
 namespace convexact {
@@ -57,7 +59,7 @@ std::string volume_line(const SimplifyResult& result) {
   const std::string text =
       certain(before, kSummaryDigits) + " -> " + certain(after, kSummaryDigits);
   if (result.steps == 0) return text + ", unchanged";
-  const Enclosure hundred(Integer(100), kVolumeBits);
+  const Enclosure hundred(Integer(100), kMeasureBits);
   return text + ", +" + certain(hundred * (after - before) / before, 4) + "%";
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "shapes/boxes.hpp"
-
 #include "convexact/error.hpp"
-#include "shapes/circle.hpp"
+#include "shapes/makers.hpp"
 
 namespace convexact::shapes {
 namespace {

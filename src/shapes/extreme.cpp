@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "shapes/extreme.hpp"
-
 #include <cmath>
 
 #include "convexact/error.hpp"
+#include "number/arithmetic.hpp"
 #include "number/random.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/integer.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 
 namespace convexact::shapes {
 namespace {
@@ -119,7 +116,7 @@ std::vector<Point> nearly_cospherical(std::uint32_t n, std::uint32_t squared_rad
     for (int k = 0; k < 3; ++k) {
       const auto draw = static_cast<double>(uniform_below(random, 2 * std::uint64_t(ulps) + 1));
       if (p[k] == 0) continue;
-      p[k] += (draw - ulps) * std::ldexp(1.0, std::ilogb(p[k]) - 52);
+      p[k] += (draw - ulps) * std::ldexp(1.0, exponent_of(p[k]) - 53);
     }
   }
   return points;

@@ -7,14 +7,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/shapes.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/extreme.hpp"
-#include "shapes/flat.hpp"
-#include "shapes/integer.hpp"
-#include "shapes/mixture.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 
 namespace convexact::shapes {
 namespace {

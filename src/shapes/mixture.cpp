@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "shapes/mixture.hpp"
-
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include "convexact/error.hpp"
 #include "number/random.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/extreme.hpp"
-#include "shapes/integer.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 
 namespace convexact::shapes {
 namespace {

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "shapes/random_points.hpp"
-
 #include <cmath>
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "number/random.hpp"
-#include "shapes/boxes.hpp"
+#include "shapes/makers.hpp"
 
 namespace convexact::shapes {
 namespace {

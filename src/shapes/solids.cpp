@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "shapes/solids.hpp"
-
 #include <cmath>
+
+#include "shapes/makers.hpp"
 
 namespace convexact::shapes {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "convexact/error.hpp"
-#include "number/balanced_sum.hpp"
+#include "number/arithmetic.hpp"
 
 namespace convexact {
 namespace {
@@ -56,7 +56,7 @@ Rational sum_of(std::span<const Fraction> terms, const Integer& common_denominat
     const Fraction a = self(self, part.first(part.size() / 2));
     const Fraction b = self(self, part.subspan(part.size() / 2));
     Fraction sum{a.n * b.d, a.d * b.d};
-    mpz_addmul(sum.n.backend().data(), b.n.backend().data(), a.d.backend().data());
+    add_product(sum.n, b.n, a.d);
     return sum;
   };
   if (terms.empty()) return 0;

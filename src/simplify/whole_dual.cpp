@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "number/balanced_sum.hpp"
+#include "number/arithmetic.hpp"
 
 namespace convexact {
 namespace {

@@ -4,7 +4,7 @@
 #include "convexact/error.hpp"
 #include "convexact/predicates.hpp"
 #include "convexact/stored.hpp"
-#include "stored/double_halfspace.hpp"
+#include "stored/near_products.hpp"
 
 namespace convexact {
 namespace {

@@ -8,8 +8,10 @@
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
-#include "convexact/stored.hpp"
-#include "stored/coordinates.hpp"
+#include "number/arithmetic.hpp"
+#include "number/precision.hpp"
+#include "stored/acceptance.hpp"
+#include "stored/near_products.hpp"
 
 namespace convexact {
 namespace {
@@ -30,10 +32,7 @@ long common_exponent(std::span<const RationalVector3> vectors) {
   long exponent = std::numeric_limits<long>::min();
   for (const RationalVector3& v : vectors) {
     for (int k = 0; k < 3; ++k) {
-      if (v[k] == 0) continue;
-      const Integer p = numerator(v[k]), q = denominator(v[k]);
-      exponent = std::max(exponent,
-                          static_cast<long>(bit_length(p)) - static_cast<long>(bit_length(q)) + 1);
+      if (v[k] != 0) exponent = std::max(exponent, exponent_of(v[k]));
     }
   }
   return exponent;
@@ -154,9 +153,8 @@ Growth growth(const Polytope& exact, const Polytope& stored, const RationalPoint
   growth.push = root_up(squared / squared_diameter);
   // The exact quotient would be as long as all denominators together: over a second for 3,000
   // halfspaces.
-  constexpr long kBits = 128;
   growth.volume_ratio =
-      (enclose_volume(stored, kBits) / enclose_volume(exact, kBits)).high_double();
+      (enclose_volume(stored, kMeasureBits) / enclose_volume(exact, kMeasureBits)).high_double();
   return growth;
 }
 

@@ -7,7 +7,6 @@
 #include "convexact/point_set.hpp"
 #include "convexact/stored.hpp"
 #include "stored/acceptance.hpp"
-#include "stored/interior_point.hpp"
 
 namespace convexact {
 namespace {
@@ -30,28 +29,26 @@ std::vector<Point> round_vertices(const Polytope& exact, const RationalPoint& ce
 
 // A rung that holds the witnesses.
 struct Rung {
-  double factor;
   PointSet points;
   Hull hull;
   std::vector<Halfspace> halfspaces;
 };
 
-std::optional<Rung> try_rung(double factor, std::vector<Point> vertices,
-                             const PointSet& witnesses) {
+std::optional<Rung> try_rung(std::vector<Point> vertices, const PointSet& witnesses) {
   PointSet points(std::move(vertices));
   HullOutcome outcome = convex_hull(points);
   if (!std::holds_alternative<Hull>(outcome)) return {};  // flat
   Hull& hull = std::get<Hull>(outcome);
   std::vector<Halfspace> halfspaces = facet_halfspaces(hull, points);
   if (count_outside(halfspaces, witnesses) > 0) return {};
-  return Rung{factor, std::move(points), std::move(hull), std::move(halfspaces)};
+  return Rung{std::move(points), std::move(hull), std::move(halfspaces)};
 }
 
 Rung climb(const Polytope& exact, const PointSet& witnesses, const RationalPoint& center,
            Precision precision) {
   const double unit = std::ldexp(1.0, 1 - significand_bits(precision));
   for (double factor = 0; factor <= 1; factor = factor == 0 ? unit : 2 * factor) {
-    auto rung = try_rung(factor, round_vertices(exact, center, factor, precision), witnesses);
+    auto rung = try_rung(round_vertices(exact, center, factor, precision), witnesses);
     if (rung) return std::move(*rung);
   }
   stored::refuse(precision, "no scaling of the vertices up to twofold holds the input");
@@ -82,7 +79,6 @@ StoredMesh store_mesh(const Polytope& exact, const PointSet& input,
   stored.precision = precision;
   const RationalPoint center = stored::interior_point(input, witnesses, exact.planes);
   const Rung rung = climb(exact, subset(input, witnesses), center, precision);
-  stored.factor = rung.factor;
   stored.mesh = to_mesh(rung);
   stored.violations = stored::final_pass(rung.halfspaces, input);
   const Polytope polytope = to_polytope(rung.hull, rung.points);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "convexact/dual.hpp"
@@ -8,8 +9,7 @@
 #include "convexact/linear_program.hpp"
 #include "convexact/stored.hpp"
 #include "stored/acceptance.hpp"
-#include "stored/interior_point.hpp"
-#include "stored/support.hpp"
+#include "stored/near_products.hpp"
 
 namespace convexact {
 namespace {
@@ -18,14 +18,13 @@ namespace {
 // nearest, or, given a direction, so that dot(normal, towards) does not shrink.
 Point round_normal(const IntegerVector3& normal, Precision precision,
                    const std::optional<RationalVector3>& towards = {}) {
-  std::size_t bits = 0;
-  for (int k = 0; k < 3; ++k) bits = std::max(bits, bit_length(normal[k]));
+  const auto bits = static_cast<long>(bit_length(normal));
   Point rounded;
   for (int k = 0; k < 3; ++k) {
     Rounding rounding = Rounding::Nearest;
     if (towards && (*towards)[k] > 0) rounding = Rounding::Up;
     if (towards && (*towards)[k] < 0) rounding = Rounding::Down;
-    const Rational scaled = scale_by_power_of_two(Rational(normal[k]), -static_cast<long>(bits));
+    const Rational scaled = scale_by_power_of_two(Rational(normal[k]), -bits);
     rounded[k] = round_to(precision, scaled, rounding);
   }
   return rounded;
@@ -43,32 +42,64 @@ std::optional<RationalVector3> escape_ray(const std::vector<Point>& normals) {
   return ray == nullptr ? std::nullopt : std::optional(ray->direction);
 }
 
-// Steps (1) and (2): normals that bound, and how many of them are not the nearest.
-struct RoundedNormals {
+// Steps (1) and (2): normals that bound.
+std::vector<Point> round_normals(std::span<const Halfspace> halfspaces, Precision precision) {
   std::vector<Point> normals;
-  std::size_t turned = 0;
-};
-
-RoundedNormals round_normals(std::span<const Halfspace> halfspaces, Precision precision) {
-  RoundedNormals rounded;
-  for (const Halfspace& h : halfspaces) {
-    rounded.normals.push_back(round_normal(h.normal(), precision));
-  }
+  for (const Halfspace& h : halfspaces) normals.push_back(round_normal(h.normal(), precision));
   // The ladder. The exact solid is bounded, so some exact normal stops every ray. Each rung turns
   // at least one normal for good, so there are at most as many rungs as halfspaces.
   std::vector<bool> turned(halfspaces.size(), false);
-  while (const auto ray = escape_ray(rounded.normals)) {
-    const std::size_t before = rounded.turned;
+  while (const auto ray = escape_ray(normals)) {
+    bool is_stopped = false;
     for (std::size_t i = 0; i < halfspaces.size(); ++i) {
       if (turned[i] || halfspaces[i].normal().cast<Rational>().dot(*ray) <= 0) continue;
-      rounded.normals[i] = round_normal(halfspaces[i].normal(), precision, ray);
-      turned[i] = true;
-      ++rounded.turned;
+      normals[i] = round_normal(halfspaces[i].normal(), precision, ray);
+      turned[i] = is_stopped = true;
     }
-    if (rounded.turned == before)
-      stored::refuse(precision, "rounded, the halfspaces are unbounded");
+    if (!is_stopped) stored::refuse(precision, "rounded, the halfspaces are unbounded");
   }
-  return rounded;
+  return normals;
+}
+
+// The support function of some of the points of a set.
+class WitnessSupport {
+ public:
+  WitnessSupport(const PointSet& points, std::span<const PointId> witnesses)
+      : points_(points), witnesses_(witnesses), doubles_(points, witnesses) {}
+
+  // max over the witnesses of n.x; |n_k| <= 1. At least one witness.
+  Rational operator()(const Point& n);
+
+ private:
+  const PointSet& points_;
+  std::span<const PointId> witnesses_;
+  stored::Coordinates doubles_;
+  std::vector<double> values_;  // of the last call, kept for its memory
+};
+
+Rational WitnessSupport::operator()(const Point& n) {
+  // One bound for all witnesses: no product is larger than |n_k| * largest. Where a sum might
+  // overflow the bound is infinite, nothing is below the limit and all are compared exactly.
+  const double size = n.cwiseAbs().sum() * doubles_.largest;
+  const double error = size < 0x1p1022
+                           ? stored::kRelative * size + stored::absolute_error(std::max(1.0, size))
+                           : std::numeric_limits<double>::infinity();
+  values_.resize(doubles_.size());
+  double top = -std::numeric_limits<double>::infinity();
+  for (std::size_t j = 0; j < values_.size(); ++j) {
+    values_[j] = n[0] * doubles_.x[j] + n[1] * doubles_.y[j] + n[2] * doubles_.z[j];
+    top = std::max(top, values_[j]);
+  }
+  const double limit = top - error - error;  // values below it are below the true maximum
+  const RationalVector3 exact_normal = to_rational(n);
+  std::optional<Rational> maximum;
+  for (std::size_t j = 0; j < values_.size(); ++j) {
+    if (values_[j] < limit) continue;
+    const Rational value = exact_normal.dot(points_[witnesses_[j]]);
+    if (!maximum || value > *maximum) maximum = value;
+  }
+  CONVEXACT_ASSERT(maximum.has_value());
+  return *maximum;
 }
 
 // The solid that the rounded halfspaces bound.
@@ -85,10 +116,8 @@ StoredPlanes store_planes(const Polytope& exact, const PointSet& input,
                           std::span<const PointId> witnesses, Precision precision) {
   StoredPlanes stored;
   stored.precision = precision;
-  const RoundedNormals rounded = round_normals(exact.planes, precision);
-  stored.turned = rounded.turned;
-  stored::WitnessSupport support(input, witnesses);
-  for (const Point& n : rounded.normals) {
+  WitnessSupport support(input, witnesses);
+  for (const Point& n : round_normals(exact.planes, precision)) {
     const double d = round_to(precision, Rational(-support(n)), Rounding::Down);
     if (!std::isfinite(d)) stored::refuse(precision, "an offset is beyond its largest number");
     stored.planes.push_back({n[0], n[1], n[2], d});

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "convexact/measure.hpp"
-#include "number/balanced_sum.hpp"
+#include "number/arithmetic.hpp"
 #include "oracle/removal_cost.hpp"
 #include "stress/judge.hpp"
 

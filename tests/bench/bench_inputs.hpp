@@ -6,9 +6,7 @@
 #include <vector>
 
 #include "convexact/io.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 
 struct BenchInput {
   std::string name;

@@ -5,7 +5,7 @@
 #include <sys/resource.h>
 
 #include "benches.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 #include "simplify/exact_engine.hpp"
 
 using namespace convexact;

@@ -7,10 +7,7 @@
 #include "checker.hpp"
 #include "convexact/io.hpp"
 #include "proofs.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 #include "shipped_meshes.hpp"
 
 using namespace convexact;

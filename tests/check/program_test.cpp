@@ -8,7 +8,7 @@
 
 #include "process.hpp"
 #include "proofs.hpp"
-#include "shapes/boxes.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 using support::bytes_of;

@@ -9,9 +9,7 @@
 #include "number/random.hpp"
 #include "proof_text.hpp"
 #include "proofs.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

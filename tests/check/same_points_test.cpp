@@ -6,7 +6,7 @@
 #include "checker.hpp"
 #include "process.hpp"
 #include "proofs.hpp"
-#include "shapes/boxes.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 using support::ScratchFolder;

@@ -8,8 +8,7 @@
 #include "checker.hpp"
 #include "proof_text.hpp"
 #include "proofs.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/prisms.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

@@ -16,7 +16,7 @@
 #include "convexact/error.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/io.hpp"
-#include "shapes/boxes.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

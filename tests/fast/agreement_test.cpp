@@ -4,11 +4,7 @@
 
 #include "perturb.hpp"
 #include "same_run.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/extreme.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

@@ -5,7 +5,7 @@
 #include "allocation_watch.hpp"
 #include "fast/filtered_engine.hpp"
 #include "fast/float_engine.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

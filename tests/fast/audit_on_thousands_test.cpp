@@ -8,7 +8,7 @@
 #include "auditor.hpp"
 #include "hard_inputs.hpp"
 #include "number/random.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

@@ -10,9 +10,7 @@
 #include "auditor.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/io.hpp"
-#include "shapes/extreme.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

@@ -6,8 +6,7 @@
 #include "convexact/hull.hpp"
 #include "fast/checks.hpp"
 #include "fast/filtered_engine.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

@@ -11,7 +11,7 @@
 #include "fast/ties.hpp"
 #include "oracle/removal_cost.hpp"
 #include "same_run.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

@@ -15,9 +15,7 @@
 #include "fast/float_loop.hpp"
 #include "fast/rounded_dual.hpp"
 #include "number/mpfr_scalar.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/extreme.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 #include "shipped_meshes.hpp"
 #include "simplify/replay.hpp"
 

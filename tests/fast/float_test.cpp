@@ -10,9 +10,7 @@
 #include "convexact/shapes.hpp"
 #include "expect_error.hpp"
 #include "fast/float_engine.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 #include "simplify_points.hpp"
 
 using namespace convexact;

@@ -9,7 +9,7 @@
 
 #include "perturb.hpp"
 #include "same_run.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

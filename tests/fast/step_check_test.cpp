@@ -11,8 +11,7 @@
 #include "convexact/hull.hpp"
 #include "fast/checks.hpp"
 #include "fast/mesh.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The error bounds of orient3d's stages at the worst inputs that a search finds: never broken, by
 // rationals, and not so wide that they would be of no use.
+#include "orient3d_bounds.hpp"
+
 #include <doctest/doctest.h>
 
 #include <array>
 
-#include "convexact/predicates.hpp"
 #include "exact_determinant.hpp"
 #include "hill_climb.hpp"
 

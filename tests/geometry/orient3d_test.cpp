@@ -7,6 +7,7 @@
 
 #include "convexact/predicates.hpp"
 #include "exact_determinant.hpp"
+#include "geometry/orient3d_stages.hpp"
 #include "number/random.hpp"
 #include "property.hpp"
 

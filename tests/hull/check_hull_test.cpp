@@ -7,8 +7,7 @@
 
 #include "checked_hull.hpp"
 #include "exact_determinant.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

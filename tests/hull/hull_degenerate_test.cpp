@@ -7,11 +7,7 @@
 
 #include "affine_dimension.hpp"
 #include "checked_hull.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/extreme.hpp"
-#include "shapes/flat.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

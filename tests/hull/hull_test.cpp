@@ -6,9 +6,7 @@
 
 #include "checked_hull.hpp"
 #include "property.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 #include "supporting_planes.hpp"
 
 using namespace convexact;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Halfspaces as JSON. Expected values are written out by hand; any list comes back.
-#include "io/halfspace_json.hpp"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -10,6 +8,7 @@
 #include "convexact/error.hpp"
 #include "expect_error.hpp"
 #include "integer_halfspace.hpp"
+#include "io/halfspace_formats.hpp"
 #include "oracle/removal_order_file.hpp"
 #include "property.hpp"
 #include "simplify/trace_json.hpp"
@@ -33,7 +32,7 @@ TEST_CASE("read_halfspaces_json: numbers and strings, objects and bare arrays") 
     CAPTURE(text);
     const HalfspaceList list = from_json(text);
     CHECK(list.halfspaces == expected);
-    CHECK(list.rows == std::vector<std::size_t>{1, 2});
+    CHECK(list.rows == std::vector<std::size_t>{0, 1});
     CHECK_FALSE(list.impossible_row.has_value());
   }
   CHECK(from_json(R"({"halfspaces": []})").halfspaces.empty());
@@ -53,9 +52,9 @@ TEST_CASE("read_halfspaces_json: integers of any length are exact, decimals by c
 TEST_CASE("read_halfspaces_json: rows with zero normal") {
   const HalfspaceList list = from_json("[[0,0,0,-1],[1,0,0,0],[0,0,0,0],[0,0,0,2],[0,0,0,3]]");
   CHECK(list.halfspaces.size() == 1);
-  CHECK(list.rows == std::vector<std::size_t>{2});
-  CHECK(list.trivial_rows == std::vector<std::size_t>{1, 3});
-  CHECK(list.impossible_row == 4);
+  CHECK(list.rows == std::vector<std::size_t>{1});
+  CHECK(list.trivial_rows == std::vector<std::size_t>{0, 2});
+  CHECK(list.impossible_row == 3);
 }
 
 TEST_CASE("read_halfspaces_json: every error has its line and says what was expected") {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "io/halfspace_rows.hpp"
-
 #include <doctest/doctest.h>
 
 #include "expect_error.hpp"
+#include "io/halfspace_formats.hpp"
 
 using namespace convexact;
 
@@ -21,9 +20,9 @@ TEST_CASE("read_halfspace_rows: rows, comments, blank lines, rows that bound not
   REQUIRE(list.halfspaces.size() == 2);
   CHECK(list.halfspaces[0] == Halfspace(IntegerVector3(1, 0, 0), Integer(-1)));
   CHECK(list.halfspaces[1] == Halfspace(IntegerVector3(2, 0, 12), Integer(-21)));
-  CHECK(list.rows == std::vector<std::size_t>{1, 3});
-  CHECK(list.trivial_rows == std::vector<std::size_t>{2});
-  CHECK(from_rows("0 0 0 1\n").impossible_row == 1);
+  CHECK(list.rows == std::vector<std::size_t>{0, 2});
+  CHECK(list.trivial_rows == std::vector<std::size_t>{1});
+  CHECK(from_rows("0 0 0 1\n").impossible_row == 0);
 }
 
 TEST_CASE("read_halfspace_rows: decimals by the rule that was asked for") {

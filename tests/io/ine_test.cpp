@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Halfspaces as .ine. A row (b, a) means b + a.x >= 0, as the manuals of cddlib and lrslib say;
 // expected values are written out by hand.
-#include "io/ine.hpp"
-
 #include <doctest/doctest.h>
 
 #include "convexact/error.hpp"
 #include "expect_error.hpp"
 #include "integer_halfspace.hpp"
+#include "io/halfspace_formats.hpp"
 
 using namespace convexact;
 
@@ -57,9 +56,9 @@ TEST_CASE("read_ine: rows with zero normal") {
   const HalfspaceList list =
       from_ine("begin\n4 4 integer\n1 0 0 0\n0 0 0 0\n0 1 0 0\n-1 0 0 0\nend\n");
   CHECK(list.halfspaces.size() == 1);
-  CHECK(list.rows == std::vector<std::size_t>{3});
-  CHECK(list.trivial_rows == std::vector<std::size_t>{1, 2});
-  CHECK(list.impossible_row == 4);
+  CHECK(list.rows == std::vector<std::size_t>{2});
+  CHECK(list.trivial_rows == std::vector<std::size_t>{0, 1});
+  CHECK(list.impossible_row == 3);
 }
 
 TEST_CASE("read_ine: every error has its line and says what was expected") {

@@ -19,6 +19,7 @@ int main() {
 #include "convexact/linear_program.hpp"
 #include "halfspaces.hpp"
 #include "linear_programs.hpp"
+#include "lp/interior_point.hpp"
 
 using namespace convexact;
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The checkers of linear programs reject certificates that prove nothing. All by hand.
-#include "lp/certificates.hpp"
-
 #include <doctest/doctest.h>
 
 #include "linear_programs.hpp"
+#include "lp_certificates.hpp"
 
 using namespace convexact;
 using data::linear_program;

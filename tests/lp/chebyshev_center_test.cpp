@@ -4,6 +4,7 @@
 
 #include "convexact/linear_program.hpp"
 #include "halfspaces.hpp"
+#include "lp/interior_point.hpp"
 #include "property.hpp"
 
 using namespace convexact;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Short interior points; expected values by hand and by the definition of "coarsest".
+#include "lp/interior_point.hpp"
+
 #include <doctest/doctest.h>
 
 #include "convexact/linear_program.hpp"

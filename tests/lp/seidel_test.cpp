@@ -7,7 +7,7 @@
 #include "convexact/linear_program.hpp"
 #include "fourier_motzkin.hpp"
 #include "linear_programs.hpp"
-#include "lp/certificates.hpp"
+#include "lp_certificates.hpp"
 #include "property.hpp"
 
 using namespace convexact;

@@ -6,15 +6,12 @@
 #include <cmath>
 
 #include "convexact/measure.hpp"
-#include "measure/support.hpp"
 #include "moved_polytope.hpp"
-#include "number/refine.hpp"
+#include "number/precision.hpp"
 #include "polytope_by_definition.hpp"
 #include "property.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "refine_decimal.hpp"
+#include "shapes/makers.hpp"
 using namespace convexact;
 
 namespace {

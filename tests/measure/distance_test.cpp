@@ -8,11 +8,7 @@
 #include "moved_polytope.hpp"
 #include "polytope_by_definition.hpp"
 #include "property.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/extreme.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 using namespace convexact;
 
 namespace {

@@ -4,14 +4,10 @@
 
 #include "convexact/measure.hpp"
 #include "moved_polytope.hpp"
-#include "number/balanced_sum.hpp"
+#include "number/arithmetic.hpp"
 #include "polytope_by_definition.hpp"
 #include "property.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/extreme.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 using namespace convexact;
 
 namespace {

@@ -12,6 +12,7 @@
 
 #include "convexact/number.hpp"
 #include "expect_error.hpp"
+#include "number/text.hpp"
 #include "property.hpp"
 
 using namespace convexact;

@@ -4,8 +4,9 @@
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
-#include "number/refine.hpp"
+#include "number/precision.hpp"
 #include "property.hpp"
+#include "refine_decimal.hpp"
 using namespace convexact;
 
 TEST_CASE("to_decimal: a rational that ends is written exactly, without trailing zeros") {

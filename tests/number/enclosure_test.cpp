@@ -8,8 +8,9 @@
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
-#include "number/refine.hpp"
+#include "number/precision.hpp"
 #include "property.hpp"
+#include "refine_decimal.hpp"
 using namespace convexact;
 
 namespace {
@@ -206,13 +207,14 @@ TEST_CASE("refine: doubles until decided, gives up at the limit") {
     const Rational one(1), close = one + scale_by_power_of_two(one, -100);
     return Enclosure(Rational(close / 3), precision) - Enclosure(Rational(one / 3), precision);
   };
-  CHECK(refine_sign(nearly_equal, {.first = 16}) == Sign::Positive);
+  const auto sign = [](const Enclosure& x) { return x.sign(); };
+  CHECK(refine(nearly_equal, sign, {.first = 16}) == Sign::Positive);
   CHECK(tried == std::vector<long>{16, 32, 64, 128});
   const auto zero = [](long precision) {
     const Enclosure root = sqrt(Enclosure(Integer(2), precision));
     return root * root - Enclosure(Integer(2), precision);
   };
-  CHECK(!refine_sign(zero, {.first = 16, .last = 1024}));
+  CHECK(!refine(zero, sign, {.first = 16, .last = 1024}));
 }
 
 TEST_CASE("big_float: copies and moves keep the value and the precision") {

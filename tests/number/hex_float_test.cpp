@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Hexadecimal numbers: by closed form, and against what the C library prints for doubles.
-#include "number/hex_float.hpp"
-
 #include <doctest/doctest.h>
 
 #include <cstdio>
@@ -9,6 +7,7 @@
 
 #include "convexact/error.hpp"
 #include "number/random.hpp"
+#include "number/text.hpp"
 
 using namespace convexact;
 

@@ -6,6 +6,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
+#include "number/arithmetic.hpp"
 
 using namespace convexact;
 

@@ -7,10 +7,7 @@
 
 #include <algorithm>
 
-#include "shapes/extreme.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 using oracle::ConeLocation;

@@ -10,7 +10,7 @@
 #include "oracle/judge.hpp"
 #include "polytope_by_definition.hpp"
 #include "scene/stage_log.hpp"
-#include "shapes/boxes.hpp"
+#include "shapes/makers.hpp"
 #include "simplify_points.hpp"
 
 using namespace convexact;
@@ -78,7 +78,7 @@ TEST_CASE("judge_containment: the second way is asked, and must come to the same
     mesh.points = cube(half);
     HalfspaceList list;
     list.halfspaces = hull_of(mesh.points).planes;
-    for (std::size_t i = 0; i < list.halfspaces.size(); ++i) list.rows.push_back(i + 1);
+    for (std::size_t i = 0; i < list.halfspaces.size(); ++i) list.rows.push_back(i);
     oracle::CandidateSet set;
     set.planes = list.halfspaces;
     if (is_mesh) set.hull = std::get<Hull>(convex_hull(mesh.points));

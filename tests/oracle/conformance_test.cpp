@@ -11,7 +11,7 @@
 
 #include "convexact/conform.hpp"
 #include "oracle/conformance_judge.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 using namespace convexact;
 
 namespace {

@@ -11,10 +11,7 @@
 #include "convexact/verify.hpp"
 #include "hard_inputs.hpp"
 #include "perturb.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 #include "verdict_check.hpp"
 
 using namespace convexact;

@@ -10,7 +10,7 @@
 #include "cut_box.hpp"
 #include "oracle/diff.hpp"
 #include "oracle/engine_run.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

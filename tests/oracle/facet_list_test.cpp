@@ -10,8 +10,7 @@
 #include "fast/filtered_engine.hpp"
 #include "oracle/trace_verdict.hpp"
 #include "removal_orders.hpp"
-#include "shapes/extreme.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

@@ -9,8 +9,7 @@
 
 #include "cut_box.hpp"
 #include "oracle/diff.hpp"
-#include "shapes/extreme.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

@@ -12,9 +12,7 @@
 #include "number/random.hpp"
 #include "oracle/engine_run.hpp"
 #include "removal_orders.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 #include "simplify_points.hpp"
 
 using namespace convexact;

@@ -10,9 +10,7 @@
 #include "number/random.hpp"
 #include "oracle/trace_verdict.hpp"
 #include "removal_orders.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

@@ -8,7 +8,7 @@
 
 #include "convexact/verify.hpp"
 #include "number/random.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 using enum ClaimCode;

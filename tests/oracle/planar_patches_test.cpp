@@ -9,10 +9,7 @@
 #include "convexact/hull.hpp"
 #include "convexact/simplify.hpp"
 #include "convexact/verify.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 using namespace convexact;
 
 namespace {

@@ -7,7 +7,7 @@
 
 #include "cut_box.hpp"
 #include "number/random.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 #include "simplify_points.hpp"
 
 using namespace convexact;

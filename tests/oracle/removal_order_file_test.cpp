@@ -8,7 +8,7 @@
 #include "convexact/verify_run.hpp"
 #include "expect_error.hpp"
 #include "number/random.hpp"
-#include "shapes/boxes.hpp"
+#include "shapes/makers.hpp"
 #include "simplify/trace_json.hpp"
 #include "simplify_points.hpp"
 

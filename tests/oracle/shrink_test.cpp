@@ -9,8 +9,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/hull.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

@@ -9,8 +9,7 @@
 #include "expect_error.hpp"
 #include "oracle/support_program.hpp"
 #include "polytope_by_definition.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 using enum ClaimCode;

@@ -11,9 +11,7 @@
 #include "oracle/excess.hpp"
 #include "oracle/support_program.hpp"
 #include "polytope_by_definition.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 using enum ClaimCode;

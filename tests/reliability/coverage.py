@@ -21,7 +21,7 @@ from scratch import ROOT, Scratch
 
 # A room by what its files are called: the first that fits.
 ROOMS = {
-    'predicates': r'src/(geometry/|number/(expansion|double_double|rounding)|fast/signs|hull/(near_geometry|exact_points))',
+    'predicates': r'src/(geometry/|number/(arithmetic|roundoff|expansion|double_double|rounding)|fast/signs|hull/(near_geometry|exact_points))',
     'lp': r'src/lp/',
     'dual': r'src/dual/',
     'greedy, exact': r'src/simplify/',
@@ -29,7 +29,7 @@ ROOMS = {
     'oracle': r'src/oracle/',
     'checker': r'src/check/.*',
 }
-UNITS = (r'^src/(geometry/|lp/|dual/|simplify/|fast/|oracle/|number/rounding)|^tests/(check/checker|hull/near_geometry_test|'
+UNITS = (r'^src/(geometry/|lp/|dual/|simplify/|fast/|oracle/|number/(arithmetic|rounding)|hull/exact_points)|^tests/(check/checker|hull/near_geometry_test|'
          r'number/(expansion|double_double)_test|fast/(cap_bounds|plane_filter|audit|float_scalar)_test)')
 TESTS = ['number', 'geometry', 'lp', 'hull', 'dual', 'measure', 'simplify', 'definition', 'fast', 'fast_plane_filter',
          'fast_cap_bounds', 'fast_audit', 'fast_float_scalar', 'fast_agreement_sample', 'fast_float_sample',

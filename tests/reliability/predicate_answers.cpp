@@ -10,6 +10,7 @@
 #include "convexact/predicates.hpp"
 #include "fast/filtered_engine.hpp"
 #include "fast/signs.hpp"
+#include "geometry/orient3d_stages.hpp"
 #include "geometry/plane_determinants.hpp"
 #include "hard_inputs.hpp"
 #include "number/random.hpp"

@@ -21,15 +21,20 @@ OPTIONS = ['-Dassertions=true', '-Dbuildtype=plain', '-Db_ndebug=false', '-Dopti
 _AUDIT = ['tests/fast/audit_test.cpp', 'tests/fast/audit_on_thousands_test.cpp']
 _CAPS = 'tests/fast/cap_bounds_test.cpp'
 _ROUNDED = ['src/fast/' + name for name in ('dual.cpp', 'signs.cpp', 'cap.cpp', 'checks.cpp', 'float_engine.cpp')]
-_HULL = ['tests/hull/near_geometry_test.cpp', 'src/hull/hull.cpp', 'src/hull/check_hull.cpp']
+_HULL = ['tests/hull/near_geometry_test.cpp', 'src/hull/initial_simplex.cpp', 'src/hull/incremental_hull.cpp',
+         'src/hull/merge_facets.cpp', 'src/hull/check_hull.cpp']
+_ORIENT = ['src/geometry/orient3d.cpp', 'tests/geometry/orient3d_bounds_test.cpp']
+_EXPANSION = ['tests/number/expansion_test.cpp', *_ORIENT]
 UNITS = {
     'src/check/convexact_check.cpp': ['tests/check/checker.cpp'],
     'src/check/mesh_file.hpp': ['tests/check/checker.cpp'],
     'src/check/text.hpp': ['tests/check/checker.cpp'],
     'src/check/exact.hpp': ['tests/check/checker.cpp'],
-    'src/stored/coordinates.hpp': ['src/stored/containment.cpp', 'src/stored/support.cpp', 'src/stored/growth.cpp',
-                                   'tests/stored/containment_test.cpp'],
-    'src/number/expansion.hpp': ['tests/number/expansion_test.cpp', 'src/geometry/orient3d.cpp'],
+    'src/stored/near_products.hpp': ['src/stored/containment.cpp', 'src/stored/stored_planes.cpp',
+                                     'src/stored/growth.cpp', 'tests/stored/containment_test.cpp'],
+    'src/number/roundoff.hpp': [*_EXPANSION, 'tests/number/double_double_test.cpp', *_AUDIT],
+    'src/number/expansion.hpp': _EXPANSION,
+    'src/geometry/orient3d_stages.hpp': _ORIENT,
     'src/number/double_double.hpp': ['tests/number/double_double_test.cpp', *_ROUNDED, *_AUDIT],
     'src/fast/dual.hpp': ['src/fast/dual.cpp', *_AUDIT],
     'src/fast/signs.hpp': ['tests/fast/plane_filter_test.cpp', *_ROUNDED, *_AUDIT],
@@ -39,8 +44,6 @@ UNITS = {
     'src/fast/float_loop.hpp': ['src/fast/float_engine.cpp'],
     'src/hull/near_geometry.hpp': _HULL,
     'src/hull/exact_points.hpp': _HULL,
-    'src/hull/incremental_hull.hpp': ['src/hull/hull.cpp'],
-    'src/hull/merge_facets.hpp': ['src/hull/hull.cpp'],
 }
 
 

@@ -14,9 +14,7 @@
 #include "json_schema.hpp"
 #include "report/report_page.hpp"
 #include "scene/solid.hpp"
-#include "shapes/extreme.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

@@ -14,8 +14,7 @@
 #include "fast/filtered_engine.hpp"
 #include "fast/float_engine.hpp"
 #include "scene/solid.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

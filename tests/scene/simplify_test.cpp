@@ -10,8 +10,7 @@
 #include "convexact/error.hpp"
 #include "convexact/shapes.hpp"
 #include "halfspace_arrangement.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

@@ -11,14 +11,7 @@
 #include "affine_dimension.hpp"
 #include "convexact/error.hpp"
 #include "polytope_by_definition.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/circle.hpp"
-#include "shapes/extreme.hpp"
-#include "shapes/flat.hpp"
-#include "shapes/integer.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 using namespace convexact;
 using namespace convexact::shapes;
 

@@ -5,10 +5,7 @@
 
 #include "definitional_dual.hpp"
 #include "definitional_greedy.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 #include "simplify/exact_engine.hpp"
 #include "simplify_points.hpp"
 

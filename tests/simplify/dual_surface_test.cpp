@@ -11,9 +11,7 @@
 #include "convexact/measure.hpp"
 #include "halfspace_arrangement.hpp"
 #include "hard_halfspaces.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 #include "simplify_points.hpp"
 
 using namespace convexact;

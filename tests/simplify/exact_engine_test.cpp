@@ -10,10 +10,7 @@
 
 #include "convexact/error.hpp"
 #include "number/random.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/circle.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 #include "simplify_points.hpp"
 
 using namespace convexact;

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "property.hpp"
-#include "shapes/circle.hpp"
+#include "shapes/makers.hpp"
 
 using namespace convexact;
 

@@ -5,8 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "fast/filtered_engine.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 #include "simplify/step_verification.hpp"
 #include "simplify_points.hpp"
 

@@ -10,9 +10,7 @@
 
 #include "convexact/dual.hpp"
 #include "convexact/error.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 #include "simplify/modular_volume.hpp"
 #include "simplify_points.hpp"
 

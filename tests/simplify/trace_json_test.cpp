@@ -10,8 +10,7 @@
 
 #include "convexact/error.hpp"
 #include "json_schema.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 #include "simplify_points.hpp"
 
 using namespace convexact;

@@ -7,8 +7,7 @@
 
 #include "convexact/dual.hpp"
 #include "convexact/error.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 #include "simplify_points.hpp"
 
 using namespace convexact;

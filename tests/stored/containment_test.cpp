@@ -10,9 +10,8 @@
 #include "convexact/stored.hpp"
 #include "hill_climb.hpp"
 #include "property.hpp"
-#include "shapes/extreme.hpp"
-#include "shapes/random_points.hpp"
-#include "stored/double_halfspace.hpp"
+#include "shapes/makers.hpp"
+#include "stored/near_products.hpp"
 #include "stored_cases.hpp"
 
 using namespace convexact;

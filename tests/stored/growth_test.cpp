@@ -6,9 +6,8 @@
 
 #include "convexact/measure.hpp"
 #include "convexact/stored.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
+#include "stored/acceptance.hpp"
 #include "stored_cases.hpp"
 
 using namespace convexact;

@@ -9,7 +9,7 @@
 
 #include "convexact/io.hpp"
 #include "convexact/stored.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 #include "stored_cases.hpp"
 
 using namespace convexact;
@@ -120,5 +120,6 @@ TEST_CASE("stored files: the rounding is needed, to nearest cuts input points of
     nearest.push_back(p);
   }
   CHECK(count_outside_hull(PointSet(nearest), points) > 0);
-  CHECK(store_mesh(c.exact, c.input, c.witnesses, Precision::Binary32).factor > 0);
+  const StoredMesh stored = store_mesh(c.exact, c.input, c.witnesses, Precision::Binary32);
+  CHECK(count_outside_hull(stored.mesh.points, points) == 0);
 }

@@ -10,7 +10,7 @@
 
 #include "affine_dimension.hpp"
 #include "cheapest_removals.hpp"
-#include "number/hex_float.hpp"
+#include "number/text.hpp"
 #include "stored_cases.hpp"
 #include "supporting_planes.hpp"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "convexact/halfspace.hpp"
-#include "number/balanced_sum.hpp"
+#include "number/arithmetic.hpp"
 
 namespace definition {
 

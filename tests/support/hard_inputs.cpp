@@ -8,12 +8,7 @@
 #include <string>
 
 #include "perturb.hpp"
-#include "shapes/boxes.hpp"
-#include "shapes/circle.hpp"
-#include "shapes/extreme.hpp"
-#include "shapes/prisms.hpp"
-#include "shapes/random_points.hpp"
-#include "shapes/solids.hpp"
+#include "shapes/makers.hpp"
 
 namespace hard {
 namespace {

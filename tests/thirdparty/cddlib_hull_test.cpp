@@ -21,7 +21,7 @@ int main() {
 
 #include "convexact/shapes.hpp"
 #include "hull_outline.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 using namespace convexact;
 
 namespace {

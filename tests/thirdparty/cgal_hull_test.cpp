@@ -22,7 +22,7 @@ int main() {
 #include "convexact/io.hpp"
 #include "convexact/shapes.hpp"
 #include "hull_outline.hpp"
-#include "shapes/random_points.hpp"
+#include "shapes/makers.hpp"
 #include "shipped_meshes.hpp"
 using namespace convexact;
 

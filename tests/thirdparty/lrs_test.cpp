@@ -20,9 +20,10 @@ int main() {
 #include "convexact/linear_program.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/shapes.hpp"
+#include "lp/interior_point.hpp"
 #include "lrs.hpp"
-#include "number/balanced_sum.hpp"
-#include "shapes/random_points.hpp"
+#include "number/arithmetic.hpp"
+#include "shapes/makers.hpp"
 #include "shipped_meshes.hpp"
 #include "simplify/exact_engine.hpp"
 using namespace convexact;

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "hull/exact_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "convexact/error.hpp"
+#include "convexact/predicates.hpp"
+#include "number/arithmetic.hpp"
+
+namespace convexact {
+namespace {
+
+double& coordinate(NearPoint& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+
+}  // namespace
+
+DoublePoints::DoublePoints(std::span<const Point> points) : points_(points), near_(points.size()) {
+  if (points.empty()) return;
+  low_ = high_ = points.front();
+  for (const Point& p : points) {
+    low_ = low_.cwiseMin(p);
+    high_ = high_.cwiseMax(p);
+  }
+  compute_near((to_rational(low_) + to_rational(high_)) / Rational(2));
+}
+
+void DoublePoints::center_at(const std::array<PointId, 4>& simplex) {
+  RationalPoint sum = rational(simplex[0]);
+  for (int k = 1; k < 4; ++k) sum += rational(simplex[k]);
+  center_ = sum / Rational(4);
+  compute_near(center_);
+}
+
+void DoublePoints::compute_near(const RationalPoint& center) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double extent = high_[axis] / 2 - low_[axis] / 2;  // halved: no overflow
+    const int exponent = exponent_of(extent) + 1;  // extent <= 2^(exponent - 1), though rounded
+    if (std::abs(exponent) > 900 || std::max(-low_[axis], high_[axis]) > 0x1p1000) {
+      for (std::size_t i = 0; i < size(); ++i) {
+        const Rational shifted = to_rational(points_[i][axis]) - center[axis];
+        coordinate(near_[i], axis) =
+            to_double(scale_by_power_of_two(shifted, -exponent), Rounding::Nearest);
+      }
+      continue;
+    }
+    // The center as a sum of two doubles, off by u^2 |center|. The box has doubles on both sides of
+    // the center, so its extent is at least u |center|. The error relative to the extent is u from
+    // `low`, 1u from each subtraction. Scaling by a power of two is exact, or an underflow far
+    // below kNearError.
+    const double high = to_double(center[axis], Rounding::Nearest);
+    const double low = to_double(center[axis] - to_rational(high), Rounding::Nearest);
+    const double scale = std::ldexp(1.0, -exponent);
+    for (std::size_t i = 0; i < size(); ++i) {
+      coordinate(near_[i], axis) = ((points_[i][axis] - high) - low) * scale;
+    }
+  }
+}
+
+Sign DoublePoints::side(PointId a, PointId b, PointId c, PointId p) const {
+  return -orient3d(at(a), at(b), at(c), at(p));
+}
+
+Sign DoublePoints::center_side(PointId a, PointId b, PointId p) const {
+  const RationalVector3 u = rational(a) - center_, v = rational(b) - center_;
+  const RationalVector3 cross = u.cross(v), w = rational(p) - center_;
+  return sign_of(Rational(cross.dot(w)));
+}
+
+bool DoublePoints::collinear(PointId a, PointId b, PointId c) const {
+  const RationalVector3 u = rational(b) - rational(a), v = rational(c) - rational(a);
+  const RationalVector3 cross = u.cross(v);
+  return cross == RationalVector3::Zero();
+}
+
+namespace {
+
+// The sign of det[a; b; c; d], rows (n, w): by w > 0 that of det[a-d; b-d; c-d] of the points.
+Sign determinant_sign(const HomogeneousPoint& a, const HomogeneousPoint& b,
+                      const HomogeneousPoint& c, const HomogeneousPoint& d) {
+  const IntegerVector3 ab = a.n.cross(b.n), cd = c.n.cross(d.n);
+  const IntegerVector3 p = a.n * b.w - b.n * a.w, q = c.n * d.w - d.n * c.w;
+  // Laplace expansion by the first two rows: the six 2x2 minors of (a, b) are ab and p.
+  return sign_of(Integer(dot(ab, q) + dot(cd, p)));
+}
+
+}  // namespace
+
+HomogeneousPoint to_homogeneous(const RationalPoint& p) {
+  IntegerFraction cleared = clear_denominators(p);
+  return {std::move(cleared.x), std::move(cleared.d)};
+}
+
+HomogeneousPoints::HomogeneousPoints(std::span<const HomogeneousPoint> points)
+    : points_(points), near_(points.size()) {
+  if (points.empty()) return;
+  for (const HomogeneousPoint& p : points) {
+    if (p.w <= 0) throw Error(ErrorCode::InvalidArgument, "a homogeneous point needs w > 0");
+  }
+  low_ = high_ = rational(PointId(0));
+  for (std::size_t i = 1; i < size(); ++i) {
+    const RationalPoint p = rational(PointId(i));
+    for (int k = 0; k < 3; ++k) {
+      if (p[k] < low_[k]) low_[k] = p[k];
+      if (p[k] > high_[k]) high_[k] = p[k];
+    }
+  }
+  compute_near((low_ + high_) / Rational(2));
+}
+
+void HomogeneousPoints::center_at(const std::array<PointId, 4>& simplex) {
+  RationalPoint sum = rational(simplex[0]);
+  for (int k = 1; k < 4; ++k) sum += rational(simplex[k]);
+  const RationalPoint center = sum / Rational(4);
+  center_ = to_homogeneous(center);
+  compute_near(center);
+}
+
+void HomogeneousPoints::compute_near(const RationalPoint& center) {
+  std::array<long, 3> exponent;
+  for (int k = 0; k < 3; ++k) {
+    exponent[k] = high_[k] == low_[k] ? 0 : exponent_of(Rational(high_[k] - low_[k]));
+  }
+  for (std::size_t i = 0; i < size(); ++i) {
+    const RationalVector3 shifted = rational(PointId(i)) - center;
+    const auto near = [&](int k) {
+      return to_double(scale_by_power_of_two(shifted[k], -exponent[k]), Rounding::Nearest);
+    };
+    near_[i] = {near(0), near(1), near(2)};
+  }
+}
+
+Sign HomogeneousPoints::side(PointId a, PointId b, PointId c, PointId p) const {
+  return -determinant_sign(at(a), at(b), at(c), at(p));
+}
+
+Sign HomogeneousPoints::center_side(PointId a, PointId b, PointId p) const {
+  return determinant_sign(at(a), at(b), at(p), center_);
+}
+
+bool HomogeneousPoints::equal(PointId p, PointId q) const {
+  return at(p).n * at(q).w == at(q).n * at(p).w;
+}
+
+bool HomogeneousPoints::collinear(PointId a, PointId b, PointId c) const {
+  const RationalVector3 u = rational(b) - rational(a), v = rational(c) - rational(a);
+  const RationalVector3 cross = u.cross(v);
+  return cross == RationalVector3::Zero();
+}
+
+RationalPoint HomogeneousPoints::rational(PointId p) const {
+  const HomogeneousPoint& h = at(p);
+  return {Rational(h.n[0], h.w), Rational(h.n[1], h.w), Rational(h.n[2], h.w)};
+}
+
+}  // namespace convexact

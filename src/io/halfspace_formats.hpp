@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// halfspace_formats.hpp - lists of halfspaces as JSON, as .ine and as plain rows: readers and
+// writers.
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "convexact/halfspace.hpp"
+#include "convexact/io.hpp"
+
+namespace convexact {
+
+// JSON.
+
+/// Reads {"halfspaces": [[n1, n2, n3, d], ...]}, or the array alone. Each number is a JSON number
+/// or a string that holds one or a fraction "p/q"; a number spelled with a point or an exponent is
+/// read by `decimal`, any other is exact. Other keys of the object are ignored, so a trace can be
+/// read, too.
+/// @throws Error Malformed with the line, for a number that of the row's opening bracket; NotFinite
+///               for decimals beyond the largest double.
+[[nodiscard]] HalfspaceList read_halfspaces_json(std::string_view bytes, Decimal decimal);
+
+/// Integers as strings, since JSON readers round large numbers; one halfspace per line.
+[[nodiscard]] std::string write_halfspaces_json(std::span<const Halfspace> halfspaces);
+/// Doubles as JSON numbers.
+[[nodiscard]] std::string write_halfspaces_json(std::span<const BinaryHalfspace> halfspaces);
+
+// .ine, the H-representation of cdd and lrs.
+
+/// Reads a file of dimension three. A row (b, a1, a2, a3) means b + a.x >= 0, so n = -a and d = -b.
+/// Integers and fractions are exact; decimals (type real only) are read by `decimal`. Options
+/// before `begin` and behind `end` are ignored, except for those that turn rows into equations or
+/// strict inequalities.
+/// @throws Error Malformed with the line, also for a V-representation, another dimension or
+///               linearity; NotFinite for decimals beyond the largest double.
+/// @par Source   [Fukuda-cddlib, sec. 2], [Avis-lrs]
+[[nodiscard]] HalfspaceList read_ine(std::string_view bytes, Decimal decimal);
+
+/// Rows of type integer.
+[[nodiscard]] std::string write_ine(std::span<const Halfspace> halfspaces);
+/// Rows of type real.
+[[nodiscard]] std::string write_ine(std::span<const BinaryHalfspace> halfspaces);
+
+// Plain text, the form for writing by hand.
+
+/// Reads one halfspace n1 x + n2 y + n3 z + d <= 0 from each line "n1 n2 n3 d". Integers and
+/// fractions are exact; a number spelled with a point or an exponent is read by `decimal`. A token
+/// that starts with # ends its line.
+/// @throws Error Malformed with the line, also if there is no row at all; NotFinite for decimals
+///               beyond the largest double.
+[[nodiscard]] HalfspaceList read_halfspace_rows(std::string_view bytes, Decimal decimal);
+
+/// A row of integers for each halfspace.
+[[nodiscard]] std::string write_halfspace_rows(std::span<const Halfspace> halfspaces);
+/// The same for finite doubles, as shortest decimals.
+[[nodiscard]] std::string write_halfspace_rows(std::span<const BinaryHalfspace> halfspaces);
+
+}  // namespace convexact
