@@ -100,8 +100,9 @@ class Proof {
     }
     read_survivors();
     const std::string stored = read_stored();
-    expect(words_.take_if("end") && words_.id(words_.line() + 1) == words_.line(),
-           "end and its line number");
+    expect(words_.take_if("end"), "end and its line number");
+    const std::size_t number = words_.id(words_.line() + 1);
+    expect(number == words_.line(), "end and its line number");
     expect(words_.take().empty(), "nothing after the end");
     const auto count = [](std::size_t n, const char* what) { return std::to_string(n) + what; };
     return "proven: " + count(planes_.size(), " planes bound exactly the ") +
@@ -258,13 +259,12 @@ class Proof {
     }
   }
 
-  // (8) The ring is the cycle of neighbours of i, counter-clockwise.
+  // (8) The ring is the cycle of neighbours of i, counter-clockwise. It has three or more, as no
+  // two planes span both (i, a, b) and (i, b, a). A ring that goes around twice fails in (9).
   void require_ring(std::size_t i, const Ids& ring) const {
     const std::size_t k = ring.size();
-    require(k >= 3, "a ring of fewer than three");
     for (std::size_t t = 0; t < k; ++t) {
       require(left_of(surface_, i, ring[t]).third == ring[(t + 1) % k], "not the ring");
-      require(t == 0 || ring[t] != ring[0], "not the ring");
     }
   }
 
@@ -379,7 +379,8 @@ class Proof {
       return "not claimed: anything about stored planes, as the proof has none\n";
     }
     std::vector<Row> stored;
-    std::array<Rational, 3> total;
+    const std::array<Rational, 3> none;
+    std::array<Rational, 3> total = none;
     while (words_.take_if("halfspace")) {
       const Numbers x = words_.halfspace();
       stored.push_back(scaled(x));
@@ -392,7 +393,7 @@ class Proof {
     for (const Row& b : stored) {
       for (const Row& c : stored) spans = spans || det(stored[0], b, c) != 0;
     }
-    require(spans && total == std::array<Rational, 3>{} && stored.size() == left_.size(),
+    require(spans && total == none && stored.size() == left_.size(),
             "the stored planes are not bounded");
     return "proven: the " + std::to_string(stored.size()) +
            " planes stored are bounded, hold every point and " + reach(stored) + "\n";

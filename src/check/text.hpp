@@ -72,8 +72,7 @@ inline Rational number_of_proof(const std::string& word) {
     value = Integer(spelt.digits, 16) * power_of_two(spelt.exponent.get_si() - 4 * spelt.places);
     return start == 1 ? Rational(-value) : value;
   }
-  expect(has_only(word, "-0123456789/") && value.set_str(word, 10) == 0 && value.get_den() != 0,
-         "a number");
+  expect(value.set_str(word, 10) == 0 && value.get_den() != 0, "a number");
   value.canonicalize();
   return value;
 }

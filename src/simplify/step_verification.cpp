@@ -61,9 +61,10 @@ void StepVerification::State::check_ring(const Step& step) const {
   }
 }
 
-// T_i is a disk: around each ring vertex its triangles form one fan from the ring edge that leaves
-// to the one that enters, all triangles are in those fans, and no new edge exists elsewhere. (A fan
-// that closes instead comes back to the edge that leaves, which exists already.)
+// T_i is a disk: around each ring vertex its triangles form one fan, from the ring edge that leaves
+// to the one that enters, and no new edge exists elsewhere. The fans are a surface of k corners
+// with the ring as its only rim, so they have k - 2 triangles or more (Euler): all that there are.
+// (A fan that closes instead comes back to the edge that leaves, which exists already.)
 PlainSurface StepVerification::State::checked_disk(const Step& step) const {
   const std::string name = "the new triangles form a disk with the ring as its rim";
   const std::size_t k = step.ring.size();
@@ -71,17 +72,15 @@ PlainSurface StepVerification::State::checked_disk(const Step& step) const {
   PlainSurface disk(surface.size(), {});
   for (const DualTriangle& t : step.triangles) {
     for (const HalfspaceId i : t) require(std::ranges::count(step.ring, i) == 1, name);
-    require(disk.add(t), name);
+    (void)disk.add(t);  // one that is refused leaves a gap
   }
-  std::size_t visited = 0;
   for (std::size_t t = 0; t < k; ++t) {
     const HalfspaceId i = step.ring[t], enter = step.ring[(t + k - 1) % k];
-    for (std::optional<HalfspaceId> next = step.ring[(t + 1) % k]; next != enter; ++visited) {
+    for (std::optional<HalfspaceId> next = step.ring[(t + 1) % k]; next != enter;) {
       next = disk.third(i, *next);
       require(next.has_value() && (next == enter || !surface.third(i, *next)), name);
     }
   }
-  require(visited == disk.directed_edges(), name);
   return disk;
 }
 

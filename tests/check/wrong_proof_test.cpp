@@ -297,11 +297,127 @@ TEST_CASE("proof: fractions need not be in lowest terms; hexadecimals need an ex
   CHECK(fractions > 10);
   check_proven(proof.text());
   // 2^-2000 is inside, too, but no number of the format.
-  for (const char* const word :
-       {"0x1p", "0x1p-3z", "0x1p-2000", "0x1p2000", "0x1p-99999999999999999999"}) {
+  for (const char* const word : {"0x1p", "0x1p-3z", "0x.8", "0x0.8", "0x-8p-4", "-0x-8p-4",
+                                 "0x1p-2000", "0x1p2000", "0x1p-99999999999999999999"}) {
     CAPTURE(word);
     ProofText cube(cube_proof("1/2 1/2 1/2", "halfspace 1 0 0 -1 1\n"));
     cube.lines[cube.all("interior")[0]][1] = word;
     CHECK(check_proof(cube.text(true)).exit_code == 3);
   }
+}
+
+TEST_CASE("wrong proof: a surface that dents where both planes at the edge are removed later") {
+  // The cube [0, 1]^3, cut by -10 x + 5 z <= 1 and, along the edge x = y = 1, by 4 x + 4 y - z
+  // <= 6. The edge of the dual between the last plane (7) and the top (4) is turned: (1, 1, 1) is
+  // beyond plane 7, (1, 1, 2) beyond plane 4, and both are input points. Without these two planes
+  // the surface is convex again, and holds every point. Costs are what step (11) sums.
+  check_not_proven(
+      "convexact-proof 1 costs\npoint 0 0 0\npoint 0 0 1/5\npoint 0 1 0\npoint 0 1 1/5\n"
+      "point 2/5 0 1\npoint 2/5 1 1\npoint 1/2 1 0\npoint 1 0 0\npoint 1 0 1\npoint 1 1/2 0\n"
+      "point 1 1 1\npoint 1 1 2\ninterior 1/2 2/5 1/2\nplane -10 0 5 -1\nplane -1 0 0 0\n"
+      "plane 0 -1 0 0\nplane 0 0 -1 0\nplane 0 0 1 -1\nplane 0 1 0 -1\nplane 1 0 0 -1\n"
+      "plane 4 4 -1 -6\ntriangle 1 3 2 0\ntriangle 0 1 2 1\ntriangle 1 5 3 2\n"
+      "triangle 0 5 1 3\ntriangle 2 3 6 7\ntriangle 2 6 4 8\ntriangle 0 2 4 4\n"
+      "triangle 3 5 7 6\ntriangle 3 7 6 9\ntriangle 0 4 5 5\ntriangle 6 5 4 10\n"
+      "triangle 6 7 5 11\nevaluate 7 cost 1/12 ring 3 5 6 triangles 6 3 5\nremove 7\n"
+      "vertex 1 1 0\nevaluate 4 cost 9/25 ring 0 2 6 5 triangles 0 6 5 0 2 6\nremove 4\n"
+      "vertex 1 1 11/5\nvertex 1 0 11/5\nsurvive 0 1 2 3 5 6\nend 43\n",
+      "the surface is not convex");
+}
+
+TEST_CASE("wrong proof: planes that are not in canonical order") {
+  ProofText proof(cube_proof("1/2 1/2 1/2", "halfspace 1 0 0 -1 1\n"));
+  const std::vector<std::size_t> planes = proof.all("plane");
+  std::swap(proof.lines[planes[0]], proof.lines[planes[1]]);
+  for (const std::size_t l : proof.all("triangle")) {
+    for (std::size_t w = 1; w <= 3; ++w) {
+      std::string& id = proof.lines[l][w];
+      if (id == "0" || id == "1") id = id == "0" ? "1" : "0";
+    }
+  }
+  check_not_proven(proof.text(), "the order is not canonical");
+}
+
+TEST_CASE("wrong proof: a ray that leads nowhere") {
+  ProofText proof(cube_proof("1/2 1/2 1/2", "halfspace 1 0 0 -1 1\n"));
+  proof.lines.insert(proof.lines.begin() + static_cast<std::ptrdiff_t>(proof.all("survive")[0]),
+                     {"evaluate", "0", "unbounded", "0", "0", "0"});
+  check_not_proven(proof.text(), "the ray has no direction");
+}
+
+TEST_CASE("wrong proof: a number of lines behind the last halfspace, and no end") {
+  ProofText proof(cube_proof("1/2 1/2 1/2", "halfspace 1 0 0 -1 1\n"));
+  proof.lines.pop_back();
+  proof.lines.back().push_back(std::to_string(proof.lines.size()));
+  CHECK(check_proof(proof.text()).exit_code == 3);
+  proof.lines.back().insert(proof.lines.back().end() - 1, "end");
+  CHECK(check_proof(proof.text()).exit_code == 0);
+}
+
+TEST_CASE("wrong proof: two points outside that rest on one another") {
+  // Both are the corner that one removal gives back: beyond the plane removed, inside all others.
+  const ProofText original(proof_of(PointSet(shapes::cut_cube(1, 0.25)), Engine::Filtered, 6));
+  const std::vector<std::string> vertex = original.lines[original.all("vertex")[0]];
+  const std::size_t first = original.all("point").size();
+  const auto id = [](std::size_t i) { return std::to_string(i); };
+  for (const bool is_known : {false, true}) {
+    ProofText proof = original;
+    std::vector<std::vector<std::string>> inside = {{"inside", id(first), id(first + 1)},
+                                                    {"inside", id(first + 1), id(first)}};
+    std::vector<std::string> point = vertex;
+    if (is_known) {  // a repeat of a vertex, and another
+      point = original.lines[original.all("point")[0]];
+      inside = {{"inside", id(first), "0"}, {"inside", id(first + 1), id(first)}};
+    }
+    point[0] = "point";
+    proof.lines.insert(proof.lines.begin() + static_cast<std::ptrdiff_t>(proof.all("evaluate")[0]),
+                       inside.begin(), inside.end());
+    proof.lines.insert(proof.lines.begin() + static_cast<std::ptrdiff_t>(proof.all("interior")[0]),
+                       {point, point});
+    if (is_known) {
+      check_proven(proof.text());
+    } else {
+      check_not_proven(proof.text(), "it rests on a point not yet known inside");
+    }
+  }
+}
+
+namespace {
+
+// The cube [0, 1]^3 without a corner, by plane 6, of which plane 7 cuts one vertex off: a triangle
+// between planes 4, 5 and 6.
+const std::string kTwiceCut =
+    "convexact-proof 1 costs\npoint 0 0 0\npoint 0 0 1\npoint 0 1 0\npoint 0 1 1\n"
+    "point 1/2 1 1\npoint 9/10 1 3/5\npoint 1 0 0\npoint 1 0 1\npoint 1 1/2 1\n"
+    "point 1 9/10 3/5\npoint 1 1 0\npoint 1 1 2/5\ninterior 1/2 1/2 1/2\nplane -1 0 0 0\n"
+    "plane 0 -1 0 0\nplane 0 0 -1 0\nplane 0 0 1 -1\nplane 0 1 0 -1\nplane 1 0 0 -1\n"
+    "plane 2 2 2 -5\nplane 10 10 5 -22\ntriangle 0 2 1 0\ntriangle 0 1 3 1\n"
+    "triangle 0 4 2 2\ntriangle 0 3 4 3\ntriangle 1 2 5 6\ntriangle 1 5 3 7\n"
+    "triangle 2 4 5 10\ntriangle 3 6 4 4\ntriangle 3 5 6 8\ntriangle 4 7 5 11\n"
+    "triangle 4 6 7 5\ntriangle 5 7 6 9\n";
+
+}  // namespace
+
+TEST_CASE("wrong proof: a ring that leaves out a neighbour of three") {
+  // Planes 4 and 5 meet behind plane 7 as well, so the other three close a cap without it. The cost
+  // is what step (11) sums for it.
+  check_not_proven(kTwiceCut +
+                       "evaluate 6 cost 1/60 ring 3 5 4 triangles 5 4 3\nremove 6\n"
+                       "vertex 1 1 1\nsurvive 0 1 2 3 4 5 7\nend 39\n",
+                   "not the ring");
+}
+
+TEST_CASE("wrong proof: a removal whose ring has changed since its evaluation") {
+  check_not_proven(kTwiceCut +
+                       "evaluate 6 cost 3/250 ring 3 5 7 4 triangles 3 5 7 3 7 4\n"
+                       "evaluate 7 cost 1/6000 ring 4 6 5 triangles 6 5 4\nremove 7\n"
+                       "vertex 1 1 1/2\nremove 6\nvertex 1 7/10 1\nvertex 7/10 1 1\n"
+                       "survive 0 1 2 3 4 5\nend 43\n",
+                   "it is not evaluated in this state");
+}
+
+TEST_CASE("wrong proof: one stored plane more than planes are left") {
+  ProofText proof(cube_proof("1/2 1/2 1/2", "halfspace 1 0 0 -1 1\nhalfspace 1 0 0 -5 1\n"));
+  proof.lines[proof.all("halfspace")[0]].back() = "2";  // so that the normals cancel
+  check_not_proven(proof.text(), "the stored planes are not bounded");
 }

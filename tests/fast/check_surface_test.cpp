@@ -78,6 +78,53 @@ TEST_CASE("is_dual_hull: what is open, turned inside out or doubled") {
   CHECK_FALSE(is_dual_hull(dual, changed));
 }
 
+TEST_CASE("is_dual_hull: one triangle missing, or there twice, away from the ray") {
+  const DualHull solid = pentagonal_prism();
+  const FastDual dual = FastDual::of(solid, RationalPoint(0, 0, 0));
+  const std::vector<DualTriangle> whole = bipyramid(solid, 1);
+  for (std::size_t t = 1; t < whole.size(); ++t) {
+    std::vector<DualTriangle> changed = whole;
+    changed.push_back(whole[t]);
+    CHECK_FALSE(is_dual_hull(dual, changed));
+    changed = whole;
+    changed.erase(changed.begin() + static_cast<std::ptrdiff_t>(t));
+    CHECK_FALSE(is_dual_hull(dual, changed));
+  }
+}
+
+TEST_CASE("is_dual_hull: a tetrahedron beside the center is convex at every edge") {
+  // The top and three sides, of which one lies between the others: all normals lie in an open
+  // halfspace, so their planes bound nothing.
+  const DualHull solid = pentagonal_prism();
+  const FastDual dual = FastDual::of(solid, RationalPoint(0, 0, 0));
+  const DualSigns signs(dual);
+  const auto id_of = [&](int x, int y, int z) {
+    for (std::size_t i = 0; i < solid.halfspaces.size(); ++i) {
+      const IntegerVector3& n = solid.halfspaces[i].normal();
+      if (n[0] == x && n[1] == y && n[2] == z) return HalfspaceId(i);
+    }
+    FAIL("no such plane");
+    return HalfspaceId(0);
+  };
+  const HalfspaceId top = id_of(0, 0, 1), a = id_of(31, -95, 0), b = id_of(1, 0, 0),
+                    c = id_of(31, 95, 0);
+  std::vector<DualTriangle> triangles;
+  for (const auto& [corners, other] : {std::pair{DualTriangle{top, a, b}, c},
+                                       {DualTriangle{top, b, c}, a},
+                                       {DualTriangle{top, c, a}, b},
+                                       {DualTriangle{a, c, b}, top}}) {
+    triangles.push_back(corners);
+    const auto& [p, q, r] = corners;
+    if (signs.height(p, q, r, other) == Sign::Positive)
+      std::swap(triangles.back()[0], triangles.back()[1]);
+    const auto& [x, y, z] = triangles.back();
+    REQUIRE(signs.height(x, y, z, other) == Sign::Negative);
+  }
+  const auto& [x, y, z] = triangles[0];
+  REQUIRE(signs.determinant(x, y, z) == Sign::Positive);  // the ray goes through this one
+  CHECK_FALSE(is_dual_hull(dual, triangles));
+}
+
 TEST_CASE("is_dual_hull: an edge that is turned the other way is a dent") {
   const PointSet set(shapes::in_ball(30, 5));
   const HullOutcome hull = convex_hull(set);

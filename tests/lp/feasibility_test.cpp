@@ -191,6 +191,11 @@ TEST_CASE("check: a bounded set is not proven by less") {
   CHECK_FALSE(check(box, BoundedProof{{-1, -1, -1, -1, -1, -1}, {0, 2, 4}}));
   CHECK_FALSE(check(box, BoundedProof{good.multipliers, {0, 2, 3}}));
   CHECK_FALSE(check(box, BoundedProof{good.multipliers, {0, 2, 6}}));
+  // No such rows, and far from those there are.
+  for (const std::array<std::size_t, 3>& rows : std::vector<std::array<std::size_t, 3>>{
+           {1u << 30, 2, 4}, {0, 1u << 30, 4}, {0, 2, 1u << 30}}) {
+    CHECK_FALSE(check(box, BoundedProof{good.multipliers, rows}));
+  }
   const auto slab = halfspaces({{1, 0, 0, -1}, {-1, 0, 0, -1}});
   CHECK_FALSE(check(slab, BoundedProof{{1, 1}, {0, 1, 1}}));
 }
