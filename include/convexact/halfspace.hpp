@@ -57,7 +57,7 @@ struct TypedRows {
 };
 
 /// Halfspaces n.x + d <= 0 in the order of a file. A row with n = 0 bounds nothing: it holds
-/// everywhere if d <= 0, and is dropped; else nowhere, so that the whole list is empty.
+/// everywhere if d <= 0, and is dropped; otherwise it holds nowhere, and the whole list is empty.
 struct HalfspaceList : TypedRows {
   std::vector<Halfspace> halfspaces;
   std::vector<std::size_t> trivial_rows;  ///< Rows with n = 0, d <= 0.

@@ -155,7 +155,7 @@ class Enclosure {
   friend Enclosure operator*(Enclosure a, const Enclosure& b) { return a *= b; }
   friend Enclosure operator/(Enclosure a, const Enclosure& b) { return a /= b; }
 
-  /// Square root of a number that the caller knows to be >= 0; what lies below 0 is cut off.
+  /// Square root of a number that the caller knows to be >= 0; the part below 0 is cut off.
   /// @throws Error InvalidArgument if the interval is below 0.
   friend Enclosure sqrt(const Enclosure& x);
   /// The angle in [0, pi] between the x axis and the point (x, y), y >= 0 and not both zero.
@@ -176,7 +176,7 @@ Enclosure atan2(const Enclosure& y, const Enclosure& x);
 /// log2(n) + 1 bits. Zero for no terms.
 [[nodiscard]] Enclosure enclose_sum(std::span<const Rational> terms, long precision);
 
-/// A measured real number: bounds always, the fraction where it was asked for.
+/// A measured real number: always bounds, and the fraction if it was requested.
 struct Measured {
   Enclosure bounds;
   std::optional<Rational> exact;
@@ -189,7 +189,7 @@ struct Measured {
 ///         beyond +-100000 (its digits would not fit a sensible memory).
 [[nodiscard]] Rational parse_rational(std::string_view text);
 
-/// What a decimal in a file means.
+/// The meaning of a decimal in a file.
 enum class Decimal {
   Nearest,    ///< The double nearest to it, half to even; underflow rounds correctly too.
   Nearest32,  ///< The binary32 number nearest to it, rounded once; binary64 is rounded likewise.
@@ -217,7 +217,7 @@ enum class Decimal {
 [[nodiscard]] std::string to_string(const Integer& x);
 
 // "Certain" means: the number differs from what is printed by less than one unit of the last digit
-// printed. (Not: it begins with these digits, for then 2.999... and 3 could never be told apart.)
+// printed. (It need not begin with these digits: enclosures can never distinguish 2.999... from 3.)
 // Text is plain ("-0.00125", "1234.5") or scientific ("1.25e-9", "3.0e+25") where plain text would
 // need more than five zeros after the point, or zeros before it that are not certain.
 
@@ -225,7 +225,7 @@ enum class Decimal {
 /// has no more digits, then exactly x without trailing zeros: "0.5" is 1/2, "0.500" is not.
 [[nodiscard]] std::string to_decimal(const Rational& x, int digits);
 
-/// The middle of x rounded likewise, if that is within one unit of all of x; else nothing.
+/// The middle of x rounded likewise, if that is within one unit of all of x; otherwise nothing.
 [[nodiscard]] std::optional<std::string> to_decimal(const Enclosure& x, int digits);
 
 }  // namespace convexact

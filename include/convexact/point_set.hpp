@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// point_set.hpp - finite points with exact coordinates, and the ids of what is made of them.
+// point_set.hpp - finite points with exact coordinates, and ids.
 #pragma once
 #include <array>
 #include <compare>
@@ -55,7 +55,7 @@ class PointSet {
 
   std::size_t size() const { return points_.size(); }
   bool is_binary() const { return rationals_.empty(); }
-  /// The doubles: exact if is_binary(), else each rational rounded to nearest.
+  /// The doubles: exact if is_binary(), otherwise each rational rounded to nearest.
   std::span<const Point> doubles() const { return points_; }
   /// The point itself, exactly.
   RationalPoint operator[](PointId id) const;

@@ -18,7 +18,8 @@ using namespace orient3d_stages;
 // of 2^-358, and so are their differences and the roundoffs of these; every product of two or three
 // of these is a multiple of 2^-1074, so no rounding below is an underflow and each roundoff is a
 // double. Differences are at most 2^339, and so every sum of products of three is below 2^1021;
-// split() multiplies at most products of two, by 2^27. So nothing overflows. Elsewhere: rationals.
+// split() multiplies at most products of two, by 2^27. So no operation overflows. Outside of this
+// range, rationals decide.
 constexpr double kSmallest = 0x1p-306, kLargest = 0x1p338;
 
 bool is_in_range(const Point& p) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// orient3d_stages.hpp - what the stages of orient3d() compute, and how far it may be from the
-// truth. The error bounds are our own, a little wider than in [Shewchuk1997] and shorter to derive.
+// orient3d_stages.hpp - the values that the stages of orient3d() compute, and how far they may be
+// from the truth. The error bounds are our own, a little wider than in [Shewchuk1997] and shorter
+// to derive.
 #pragma once
 #include <cmath>
 

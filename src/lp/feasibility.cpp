@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a linear program says about halfspaces: whether they are empty, flat or have an interior,
+// Questions about halfspaces by linear programs: whether they are empty, flat or have an interior,
 // whether they are bounded, and where an almost largest ball is (docs/design/lp.md).
 #include <algorithm>
 #include <limits>

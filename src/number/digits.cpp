@@ -16,7 +16,7 @@ Rational power_of_ten(long exponent) {
   return exponent >= 0 ? Rational(power) : Rational(Integer(1), power);
 }
 
-// floor(log10(x)) for x > 0: the exponent tells it up to one or two, comparisons decide.
+// floor(log10(x)) for x > 0: the exponent gives it up to one or two, and comparisons decide.
 long floor_log10(const Rational& x) {
   const auto bits = static_cast<double>(exponent_of(x) - 1);
   auto exponent = static_cast<long>(std::floor(bits * std::log10(2.0)));

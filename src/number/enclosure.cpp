@@ -20,7 +20,7 @@ BigFloat::BigFloat(const BigFloat& other) {
   mpfr_set(value_, other.value_, MPFR_RNDN);  // same precision: exact
 }
 
-// What is moved from stays a valid number, the smallest there is.
+// A number that was moved from stays a valid number of the least precision.
 BigFloat::BigFloat(BigFloat&& other) noexcept {
   mpfr_init2(value_, MPFR_PREC_MIN);
   mpfr_set_zero(value_, 1);

@@ -100,7 +100,7 @@ class MpfrScalar {
     }
   }
 
-  // |x| < 2^kBottom becomes that or zero, and zero half way. `above`: as MPFR tells how x was
+  // |x| < 2^kBottom becomes that or zero, and zero half way. `above`: MPFR's report on how x was
   // rounded.
   void round_to_last_bit(long exponent, int above) {
     const int sign = mpfr_sgn(&number_);

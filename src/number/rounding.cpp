@@ -19,7 +19,7 @@ struct Fraction {
 
 bool is_power_of_two(mpz_srcptr r) { return mpz_scan1(r, 0) + 1 == mpz_sizeinbase(r, 2); }
 
-// floor(log2(q)) for q > 0: the exponent tells it up to one, a comparison decides.
+// floor(log2(q)) for q > 0: the exponent gives it up to one, and a comparison decides.
 long floor_log2(const Rational& q) {
   const mpq_srcptr fraction = q.backend().data();
   const long guess = exponent_of(q) - 1;
@@ -72,7 +72,7 @@ bool is_surely_double(const Rational& x) {
 }  // namespace
 
 double to_double(const Rational& x, Rounding rounding) {
-  // Most numbers come from doubles. GMP truncates, so what is a double comes out exactly.
+  // Most numbers come from doubles. GMP truncates, so a double is converted exactly.
   if (is_surely_double(x)) return mpq_get_d(x.backend().data());
   return round_to<double>(x, rounding);
 }

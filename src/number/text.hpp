@@ -11,13 +11,13 @@ namespace convexact {
 /// Whether `text` begins like a hexadecimal number: an optional sign, then 0x or 0X.
 [[nodiscard]] bool is_hex_float(std::string_view text);
 
-/// The number that a text in C's hexadecimal notation spells, exactly, whatever its length:
+/// The number that a text in C's hexadecimal notation spells, exactly, for any length:
 /// "0x1.8p-3" is 3/16, "-0x10" is -16. Digits before or after the point, and the exponent of two,
 /// may be missing.
 /// @throws Error Malformed for anything else, or for an exponent beyond +-100000.
 [[nodiscard]] Rational parse_hex_float(std::string_view text);
 
-/// `text` between quotes for an error message: shortened, and printable whatever it holds.
+/// `text` between quotes for an error message: shortened, and with printable characters only.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// 1234567 as "1,234,567".
