@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// trace_json.hpp - a run as JSON text, a trace, and back: enough for another program to replay
-// every step.
+// trace_json.hpp - a run as JSON text, a trace: enough for another program to replay every step.
 #pragma once
 #include <string>
-#include <string_view>
 
 #include "convexact/run.hpp"
 #include "io/names.hpp"
@@ -20,10 +18,5 @@ inline const char* name_of(StopReason reason) { return name_in(kStopReasonNames,
 /// cost is {"value": nearest double, or null beyond the largest one, "exact": "p/q"}.
 /// Precondition: each step has its cost.
 [[nodiscard]] std::string write_trace_json(const Run& run);
-
-/// Reads a trace of write_trace_json() or of another program; `value` is ignored. The steps are
-/// not verified here, but every index is within range.
-/// @throws Error Malformed, with the line if the text is not JSON, otherwise with the place in it.
-[[nodiscard]] Run read_trace_json(std::string_view text);
 
 }  // namespace convexact

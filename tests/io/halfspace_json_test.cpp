@@ -11,7 +11,6 @@
 #include "io/halfspace_formats.hpp"
 #include "oracle/removal_order_file.hpp"
 #include "property.hpp"
-#include "simplify/trace_json.hpp"
 
 using namespace convexact;
 
@@ -157,7 +156,6 @@ TEST_CASE("json: every reader refuses nesting without end, with its line (#13)")
       for (std::size_t k = 0; k < depth; ++k) text += bracket;
       CHECK(line_of([&] { (void)read_halfspaces_json(text, Decimal::Nearest); }) == 3);
       CHECK(line_of([&] { (void)read_removal_order(text, {}, {}, Decimal::Nearest); }) == 3);
-      CHECK(line_of([&] { (void)read_trace_json(text); }) == 3);
       CHECK(line_of([&] { (void)read_test_vectors_bytes(text, "nowhere"); }) == 3);
     }
   }

@@ -8,7 +8,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "convexact/error.hpp"
+#include "convexact/number.hpp"
 #include "json_schema.hpp"
 #include "shapes/makers.hpp"
 #include "simplify_points.hpp"
@@ -24,35 +24,42 @@ std::string complaint(const json& document) { return schema_complaint("trace", d
 
 }  // namespace
 
-TEST_CASE("trace_json: a trace comes back") {
-  const Run trace = example();
-  REQUIRE(trace.steps.size() == 3);
-  const Run again = read_trace_json(write_trace_json(trace));
-  CHECK(again.halfspaces == trace.halfspaces);
-  REQUIRE(again.steps.size() == trace.steps.size());
-  for (std::size_t s = 0; s < trace.steps.size(); ++s) {
-    CHECK(again.steps[s].removed == trace.steps[s].removed);
-    CHECK(again.steps[s].cost == trace.steps[s].cost);
-    CHECK(again.steps[s].tie == trace.steps[s].tie);
-    CHECK(again.steps[s].ring == trace.steps[s].ring);
-    CHECK(again.steps[s].triangles == trace.steps[s].triangles);
-    CHECK(again.steps[s].left == trace.steps[s].left);
+TEST_CASE("trace_json: every part of a run stands in its trace") {
+  const Run run = example();
+  REQUIRE(run.steps.size() == 3);
+  const json document = json::parse(write_trace_json(run));
+  REQUIRE(document["halfspaces"].size() == run.halfspaces.size());
+  for (std::size_t i = 0; i < run.halfspaces.size(); ++i) {
+    const Halfspace& plane = run.halfspaces[i];
+    const json& row = document["halfspaces"][i];
+    for (int k = 0; k < 3; ++k) CHECK(row[k] == to_string(plane.normal()[k]));
+    CHECK(row[3] == to_string(plane.offset()));
+  }
+  const auto ids = [](const auto& list) {
+    json numbers = json::array();
+    for (const HalfspaceId id : list) numbers.push_back(id.value);
+    return numbers;
+  };
+  REQUIRE(document["steps"].size() == run.steps.size());
+  for (std::size_t s = 0; s < run.steps.size(); ++s) {
+    const Step& step = run.steps[s];
+    const json& written = document["steps"][s];
+    CHECK(written["removed"] == step.removed.value);
+    CHECK(parse_rational(written["cost"]["exact"].get<std::string>()) == step.cost->rational());
+    CHECK(written["tie"] == ids(step.tie));
+    CHECK(written["ring"] == ids(step.ring));
+    REQUIRE(written["triangles"].size() == step.triangles.size());
+    for (std::size_t t = 0; t < step.triangles.size(); ++t) {
+      CHECK(written["triangles"][t] == ids(step.triangles[t]));
+    }
+    CHECK(written["left"] == step.left);
   }
   for (const StopReason stop :
        {StopReason::Reached, StopReason::GrowthLimit, StopReason::AllUnbounded}) {
-    CHECK(read_trace_json(write_trace_json({trace.halfspaces, trace.steps, stop})).stop == stop);
+    const std::string text = write_trace_json({run.halfspaces, run.steps, stop});
+    CHECK(json::parse(text)["stop"] == name_of(stop));
+    CHECK(complaint(json::parse(text)).empty());
   }
-}
-
-TEST_CASE("trace_json: a trace that does not say why it ended has reached its end") {
-  json document = json::parse(write_trace_json(example()));
-  document.erase("stop");
-  CHECK(complaint(document).empty());
-  CHECK(read_trace_json(document.dump()).stop == StopReason::Reached);
-  document["stop"] = "bored";
-  CHECK_THROWS_AS((void)read_trace_json(document.dump()), Error);
-  document["stop"] = 3;
-  CHECK_THROWS_AS((void)read_trace_json(document.dump()), Error);
 }
 
 TEST_CASE("trace_json: the first step of three equal corners, written out") {
@@ -101,41 +108,4 @@ TEST_CASE("trace_json: a cost beyond the largest double has no value") {
   REQUIRE_FALSE(document["steps"].empty());
   CHECK(document["steps"][0]["cost"]["value"].is_null());
   CHECK(complaint(document).empty());
-}
-
-TEST_CASE("trace_json: malformed text is refused with the place") {
-  const json good = json::parse(write_trace_json(example()));
-  const auto message = [](const std::string& text) {
-    try {
-      (void)read_trace_json(text);
-    } catch (const Error& error) {
-      CHECK(error.code() == ErrorCode::Malformed);
-      return std::string(error.what());
-    }
-    return std::string("accepted");
-  };
-  CHECK(message("") == "line 1: expected JSON, found the end at byte 1");
-  CHECK(message("{\n\n\"halfspaces\": [}") ==
-        "line 3: expected JSON, found '\"halfspaces\": [}' at byte 19");
-  CHECK(message("{}").find("halfspaces") != std::string::npos);
-  CHECK(message("[1]").find("trace") == 0);
-  CHECK(message(R"({"halfspaces": {"a": 1}, "steps": []})") == "trace: expected an array");
-  const auto mutated = [&](const std::function<void(json&)>& mutate) {
-    json bad = good;
-    mutate(bad);
-    return message(bad.dump());
-  };
-  CHECK(mutated([](json& d) { d["halfspaces"][2][1] = "1/2"; }) ==
-        "halfspace 2: expected an integer as a string");
-  CHECK(mutated([](json& d) {
-          d["halfspaces"][2] = {"0", "0", "0", "1"};
-        }) == "halfspace 2: expected a normal that is not zero");
-  CHECK(mutated([](json& d) { d["steps"][1]["removed"] = 9; }) ==
-        "step 2: expected the index of a halfspace, below 9");
-  CHECK(mutated([](json& d) { d["steps"][1]["ring"][0] = -1; }).find("step 2") == 0);
-  CHECK(mutated([](json& d) { d["steps"][1]["cost"]["exact"] = "abc"; }) != "accepted");
-  CHECK(mutated([](json& d) {
-          d["steps"][1]["triangles"][0] = {0, 1};
-        }) == "step 2: expected triangles of three indices");
-  CHECK(mutated([](json& d) { d["steps"][1]["left"] = 2.5; }).find("step 2") == 0);
 }
