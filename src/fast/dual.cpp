@@ -13,6 +13,7 @@
 #include "convexact/number.hpp"
 #include "fast/mesh.hpp"
 #include "fast/signs.hpp"
+#include "number/arithmetic.hpp"
 
 namespace convexact {
 
@@ -91,12 +92,7 @@ namespace {
 using Long = Triple<DoubleDouble>;
 
 // x = mantissa * 2^exponent, |mantissa| in [1/2, 1); a large negative exponent for zero.
-int exponent_or_lowest(double x) {
-  if (x == 0) return -1100;
-  int exponent;
-  (void)std::frexp(x, &exponent);
-  return exponent;
-}
+int exponent_or_lowest(double x) { return x == 0 ? -1100 : exponent_of(x); }
 
 // 2^exponent in two halves, as it may not be a double itself. A product with it is exact where the
 // result is a normal number, because everything between x and the result is in range as well.

@@ -6,6 +6,7 @@
 
 #include "fast/float_cap.hpp"
 #include "fast/float_loop.hpp"
+#include "number/arithmetic.hpp"
 #include "number/mpfr_scalar.hpp"
 
 namespace convexact {
@@ -36,8 +37,7 @@ double nearest(const Rational& x) {
 // The s for which rounded / exact is about 2^s.
 long scale_between(const Rational& rounded, const Rational& exact) {
   const Rational ratio = rounded / exact;
-  const long s = static_cast<long>(bit_length(numerator(ratio))) -
-                 static_cast<long>(bit_length(denominator(ratio)));
+  const long s = exponent_of(ratio) - 1;
   const Rational rest = scale_by_power_of_two(ratio, -s);  // between 1/2 and 2
   return rest > Rational(3, 2) ? s + 1 : rest < Rational(3, 4) ? s - 1 : s;
 }

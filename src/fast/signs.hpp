@@ -9,6 +9,7 @@
 
 #include "convexact/number.hpp"
 #include "fast/dual.hpp"
+#include "number/roundoff.hpp"
 
 namespace convexact {
 
@@ -52,7 +53,7 @@ struct Roundoff;
 
 template <>
 struct Roundoff<double> {
-  static constexpr double kUnit = 0x1p-53;
+  static constexpr double kUnit = kUnitRoundoff;
   static_assert(FastDual::kNearError <= 2 * kUnit);
 };
 

@@ -18,7 +18,7 @@ FAULTS = [
     (CONSTANT, _GEO + 'orient3d_stages.hpp', 'kRelativeC = 20 * u', 'kRelativeC = 1.25 * u', 'geometry'),
     (CONSTANT, _FAST + 'signs.hpp', 'kHeightFactor = 64,', 'kHeightFactor = 4,', _AUDIT),
     (CONSTANT, _FAST + 'signs.hpp', 'kDeterminantFactor = 64;', 'kDeterminantFactor = 4;', _AUDIT),
-    (CONSTANT, _FAST + 'signs.hpp', 'kUnit = 0x1p-53', 'kUnit = 0x1p-57', _AUDIT),
+    (CONSTANT, _FAST + 'signs.hpp', 'kUnit = kUnitRoundoff', 'kUnit = kUnitRoundoff / 16', _AUDIT),
     (CONSTANT, _FAST + 'signs.hpp', 'kUnit = 0x1p-86', 'kUnit = 0x1p-90', _AUDIT),
     (CONSTANT, _FAST + 'dual.hpp', 'kNearError = 0x1p-52', 'kNearError = 0x1p-56', _AUDIT),
     (CONSTANT, _FAST + 'dual.hpp', 'kLongError = 0x1p-85', 'kLongError = 0x1p-89', _AUDIT),
