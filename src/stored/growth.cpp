@@ -13,7 +13,7 @@
 #include "stored/acceptance.hpp"
 #include "stored/near_products.hpp"
 
-namespace convexact {
+namespace convexact::stored {
 namespace {
 
 Rational squared_norm(const RationalVector3& v) { return v.dot(v); }
@@ -158,4 +158,4 @@ Growth growth(const Polytope& exact, const Polytope& stored, const RationalPoint
   return growth;
 }
 
-}  // namespace convexact
+}  // namespace convexact::stored

@@ -11,6 +11,7 @@
 #include "stored_cases.hpp"
 
 using namespace convexact;
+using convexact::stored::growth;
 
 namespace {
 
