@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "cli/command.hpp"
 #include "convexact/error.hpp"
@@ -28,24 +29,52 @@ const PointSet* points_of(const SceneObject& object) {
   return std::get_if<PointSet>(&object.shape);
 }
 
-std::string picture_bytes(const std::vector<OutputObject>& objects) {
-  Picture picture;
-  picture.title = objects.size() == 1 ? as_utf8(objects[0].source.name) : "Several objects";
-  std::size_t halfspaces = 0;
-  for (const OutputObject& object : objects) {
-    const auto first = static_cast<std::uint32_t>(picture.points.size());
-    if (const PointSet* points = points_of(object.source)) {
-      picture.points.insert(picture.points.end(), points->doubles().begin(),
-                            points->doubles().end());
-      for (std::vector<std::uint32_t> polygon : object.source.polygons) {
-        for (std::uint32_t& corner : polygon) corner += first;
-        picture.polygons.push_back(std::move(polygon));
-      }
-    }
-    halfspaces += object.solid.exact.planes.size();
-    picture.proxies.push_back(object.solid.exact);
+// The file's name without its folder and without the part that may follow.
+std::string file_of(const SceneObject& object) {
+  std::string path = object.name;
+  const std::string part = ": " + object.part;
+  if (path.ends_with(part)) path.resize(path.size() - part.size());
+  return std::filesystem::path(path).filename().string();
+}
+
+// A scan has many points of no face; over its surface they would look like cracks.
+PictureLayer points_of_no_face(const PictureLayer& input) {
+  PictureLayer loose{.name = "points of no face", .color = "#8a4b12", .shown = false};
+  std::vector<bool> is_used(input.points.size());
+  for (const auto& polygon : input.polygons) {
+    for (const std::uint32_t corner : polygon) is_used[corner] = true;
   }
-  picture.caption = "Enclosed in " + std::to_string(halfspaces) + " halfspaces.";
+  for (std::size_t k = 0; k < is_used.size(); ++k) {
+    if (!is_used[k]) loose.points.push_back(input.points[k]);
+  }
+  return loose;
+}
+
+std::string picture_bytes(const std::vector<OutputObject>& objects) {
+  PictureLayer input{.name = "input", .color = "#cd965a"};
+  PictureLayer solids{
+      .name = "enclosing solid", .color = "#5b8def", .opacity = 0.25, .edges = true};
+  std::set<std::string> files;
+  for (const OutputObject& object : objects) {
+    files.insert(file_of(object.source));
+    if (const PointSet* points = points_of(object.source)) {
+      input.add(points->doubles(), object.source.polygons);
+    }
+    solids.add(object.solid.exact);
+  }
+  Picture picture;
+  picture.title = as_utf8(file_of(objects[0].source));
+  if (files.size() > 1) picture.title += " and " + std::to_string(files.size() - 1) + " more";
+  picture.caption =
+      (objects.size() > 1 ? std::to_string(objects.size()) + " objects, enclosed" : "Enclosed") +
+      std::string(" in ") + std::to_string(solids.polygons.size()) + " halfspaces.";
+  if (!input.points.empty()) {
+    PictureLayer loose = points_of_no_face(input);
+    const bool is_surface = !input.polygons.empty();
+    picture.layers.push_back(std::move(input));
+    if (is_surface && !loose.points.empty()) picture.layers.push_back(std::move(loose));
+  }
+  picture.layers.push_back(std::move(solids));
   return picture_html(picture);
 }
 

@@ -1,10 +1,25 @@
 // SPDX-License-Identifier: MIT
-// page_parts.hpp - the files that a report page is made of; embed.py turns them into an array each.
+// page_parts.hpp - the files that pages are made of (embed.py turns each into an array), and how a
+// page is put together.
 #pragma once
+#include <map>
+#include <string>
 #include <string_view>
 
 namespace convexact {
 
 extern const std::string_view kReportPage, kReportStyle, kReportScript, kChartLibrary;
+extern const std::string_view kViewerPage, kViewerStyle, kViewerScript, kThreeLibrary;
+
+/// The page with a text in place of each mark such as @TITLE@. Marks inside of these texts stay.
+/// @throws std::out_of_range if the page has a mark without a text.
+[[nodiscard]] std::string fill_page(std::string_view page,
+                                    const std::map<std::string_view, std::string_view>& texts);
+
+/// JSON that does not end the script element it stands in: '<' is spelled \u003c.
+[[nodiscard]] std::string for_script_element(std::string_view json);
+
+/// Plain text as HTML, inside of elements and quoted attributes.
+[[nodiscard]] std::string escaped_html(std::string_view text);
 
 }  // namespace convexact

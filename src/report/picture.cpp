@@ -4,120 +4,337 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
+#include <unordered_map>
 
 #include "convexact/number.hpp"
-#include "report/picture_page.hpp"
+#include "report/page_parts.hpp"
 
 namespace convexact {
 namespace {
 
-constexpr std::size_t kMostPointsDrawn = 200000;
-constexpr double kGrid = 10000;  // coordinates become integers in [-kGrid, kGrid]
+constexpr int kGrid = 32767;                   // drawn coordinates are integers in [-kGrid, kGrid]
+constexpr std::size_t kMostDrawn = 1000000;    // triangles or dots of a layer
+constexpr std::size_t kMostTurning = 20000;    // while a page turns that has no fast graphics
+constexpr std::size_t kMostStaticDots = 3000;  // of a layer, in the static drawing
 
-// Maps the scene's bounding box into the cube [-1, 1]^3, without overflow at huge coordinates.
-struct Frame {
-  Point center = Point::Zero();
-  double half_size = 1;
-
-  explicit Frame(const std::vector<Point>& corners) {
-    Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (const Point& p : corners) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
+// Maps the scene's bounding box into the cube [-1, 1]^3. The power of two keeps huge coordinates
+// from overflowing and subnormal ones from vanishing.
+class Frame {
+ public:
+  explicit Frame(const std::vector<PictureLayer>& layers) {
+    double largest = 0;
+    for (const PictureLayer& layer : layers) {
+      for (const Point& p : layer.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
     }
-    if (corners.empty()) return;
-    center = 0.5 * low + 0.5 * high;
-    const double size = (0.5 * high - 0.5 * low).maxCoeff();
-    if (size > 0) half_size = size;
+    std::frexp(largest, &exponent_);
+    Point low = Point::Constant(1), high = -low;
+    for (const PictureLayer& layer : layers) {
+      for (const Point& p : layer.points) {
+        low = low.cwiseMin(scaled(p));
+        high = high.cwiseMax(scaled(p));
+      }
+    }
+    if (largest > 0) center_ = (low + high) / 2;
+    const double size = (high - low).maxCoeff();
+    if (size > 0) half_size_ = size / 2;
   }
-  Point operator()(const Point& p) const { return (0.5 * p - 0.5 * center) / (0.5 * half_size); }
+  Point operator()(const Point& p) const { return (scaled(p) - center_) / half_size_; }
+
+ private:
+  Point scaled(const Point& p) const {
+    return p.unaryExpr([this](double x) { return std::ldexp(x, -exponent_); });
+  }
+
+  int exponent_ = 0;
+  Point center_ = Point::Zero();
+  double half_size_ = 1;
 };
 
-std::string coordinates(const Point& p) {
-  return fmt::format("{:.0f},{:.0f},{:.0f}", kGrid * p[0], kGrid * p[1], kGrid * p[2]);
+// --- what viewer.js draws -----------------------------------------------------------------------
+
+using GridPoint = std::array<std::int16_t, 3>;
+using Triangle = std::array<std::uint32_t, 3>;
+using Edge = std::array<std::uint32_t, 2>;
+
+struct DrawnLayer {
+  std::vector<GridPoint> points;
+  std::vector<Triangle> triangles;
+  std::vector<Edge> edges;  // the lower index first
+};
+
+// Points that share a cell of a grid become one, their mean, in the order of their first use.
+class Clusters {
+ public:
+  Clusters(const PictureLayer& layer, const Frame& frame, int step)
+      : points_(layer.points), frame_(frame), step_(step), clusters_(points_.size(), kNone) {}
+
+  std::uint32_t cluster_of(std::uint32_t point) {
+    if (clusters_[point] != kNone) return clusters_[point];
+    const Point place = frame_(points_[point]) * kGrid;
+    std::uint64_t key = 0;
+    for (int k = 0; k < 3; ++k) {
+      key = key << 16 | static_cast<std::uint16_t>(std::lround(place[k] / step_));
+    }
+    const auto next = static_cast<std::uint32_t>(sums_.size());
+    const auto [found, is_new] = of_cell_.try_emplace(key, next);
+    if (is_new) sums_.push_back({Point::Zero(), 0});
+    sums_[found->second].place += place;
+    ++sums_[found->second].count;
+    return clusters_[point] = found->second;
+  }
+  std::vector<GridPoint> means() const {
+    std::vector<GridPoint> means;
+    for (const auto& [place, count] : sums_) {
+      GridPoint& mean = means.emplace_back();
+      for (int k = 0; k < 3; ++k) {
+        const long coordinate = std::lround(place[k] / count);
+        mean[k] = static_cast<std::int16_t>(std::clamp(coordinate, -long{kGrid}, long{kGrid}));
+      }
+    }
+    return means;
+  }
+
+ private:
+  struct Sum {
+    Point place;
+    int count;
+  };
+  static constexpr std::uint32_t kNone = ~0u;
+
+  const std::vector<Point>& points_;
+  const Frame& frame_;
+  int step_;
+  std::vector<std::uint32_t> clusters_;  // of each point
+  std::unordered_map<std::uint64_t, std::uint32_t> of_cell_;
+  std::vector<Sum> sums_;
+};
+
+template <class T>
+void sort_unique(std::vector<T>& items) {
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
-// Sum of the normals of the polygons around each point (Newell), for shading only.
-std::vector<Point> shading_normals(const Picture& picture, const Frame& frame) {
-  std::vector<Point> normals(picture.points.size(), Point::Zero());
-  for (const auto& polygon : picture.polygons) {
-    Point normal = Point::Zero();
+// The layer with one point for each cell of a grid; what collapses there is left out.
+DrawnLayer on_grid(const PictureLayer& layer, const Frame& frame, int step) {
+  DrawnLayer drawn;
+  Clusters clusters(layer, frame, step);
+  std::vector<std::uint32_t> polygon;
+  for (const auto& indices : layer.polygons) {
+    polygon.clear();
+    for (const std::uint32_t index : indices) {
+      polygon.push_back(clusters.cluster_of(index));
+    }
+    for (std::size_t k = 2; k < polygon.size(); ++k) {
+      Triangle triangle = {polygon[0], polygon[k - 1], polygon[k]};
+      std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()),
+                  triangle.end());
+      if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0]) {
+        drawn.triangles.push_back(triangle);
+      }
+    }
+    for (std::size_t k = 0; layer.edges && k < polygon.size(); ++k) {
+      const auto [low, high] = std::minmax(polygon[k], polygon[(k + 1) % polygon.size()]);
+      if (low != high) drawn.edges.push_back({low, high});
+    }
+  }
+  if (layer.polygons.empty()) {
+    for (std::uint32_t k = 0; k < layer.points.size(); ++k) clusters.cluster_of(k);
+  }
+  sort_unique(drawn.triangles);
+  sort_unique(drawn.edges);
+  drawn.points = clusters.means();
+  return drawn;
+}
+
+// On the finest grid that leaves so few triangles, and dots.
+DrawnLayer drawn_layer(const PictureLayer& layer, const Frame& frame, std::size_t most) {
+  // Ends: few triangles have their corners in few grid points.
+  for (int step = 1;; step = std::max(16, 3 * step / 2)) {
+    DrawnLayer drawn = on_grid(layer, frame, step);
+    if (std::max(drawn.triangles.size(), drawn.points.size()) <= most) return drawn;
+  }
+}
+
+// The integers as bytes, the low one first, in base64 [RFC 4648, sec. 4].
+template <class Integer, class Group>
+std::string base64(const std::vector<Group>& groups) {
+  static constexpr char kDigits[] =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  std::uint32_t bits = 0;
+  int count = 0;  // of bits not yet written, below 6 between bytes
+  for (const Group& group : groups) {
+    for (const auto number : group) {
+      for (std::size_t byte = 0; byte < sizeof(Integer); ++byte) {
+        bits = bits << 8 | (static_cast<std::uint32_t>(number) >> 8 * byte & 255);
+        for (count += 8; count >= 6; count -= 6) text += kDigits[bits >> (count - 6) & 63];
+      }
+    }
+  }
+  if (count > 0) text += kDigits[bits << (6 - count) & 63];
+  while (text.size() % 4 != 0) text += '=';
+  return text;
+}
+
+// 16-bit coordinates, and indices of 16 bits or, if "wide", 32. Points alone have no triangles.
+nlohmann::ordered_json geometry_json(const PictureLayer& layer, const DrawnLayer& drawn) {
+  const bool wide = drawn.points.size() > 65536;
+  const auto indices = [wide](const auto& groups) {
+    return wide ? base64<std::uint32_t>(groups) : base64<std::uint16_t>(groups);
+  };
+  nlohmann::ordered_json json = {{"wide", wide}, {"points", base64<std::int16_t>(drawn.points)}};
+  if (!layer.polygons.empty()) json["triangles"] = indices(drawn.triangles);
+  if (layer.edges) json["edges"] = indices(drawn.edges);
+  return json;
+}
+
+// A layer as viewer.js reads it. "turning", if it is there, is a coarser geometry.
+nlohmann::ordered_json layer_json(const PictureLayer& layer, const Frame& frame) {
+  const DrawnLayer drawn = drawn_layer(layer, frame, kMostDrawn);
+  nlohmann::ordered_json json = {{"color", layer.color}, {"opacity", layer.opacity}};
+  json.update(geometry_json(layer, drawn));
+  if (!layer.edges && std::max(drawn.triangles.size(), drawn.points.size()) > kMostTurning) {
+    json["turning"] = geometry_json(layer, drawn_layer(layer, frame, kMostTurning));
+  }
+  return json;
+}
+
+// --- the static drawing -------------------------------------------------------------------------
+
+// A layer's points as viewer.js first shows them, without perspective: x to the right, y down.
+std::vector<std::array<int, 2>> projected(const PictureLayer& layer, const Frame& frame) {
+  // Turned by 0.6 and tilted by 0.35. Digits, as cos() may differ in its last bit among platforms.
+  constexpr double kCosTurn = 0.8253356149, kSinTurn = 0.5646424734;
+  constexpr double kCosTilt = 0.9393727128, kSinTilt = 0.3428978075;
+  std::vector<std::array<int, 2>> places;
+  for (const Point& point : layer.points) {
+    const Point p = 1000 * frame(point);
+    const double depth = kCosTurn * p[2] - kSinTurn * p[0];
+    places.push_back({static_cast<int>(std::lround(kCosTurn * p[0] + kSinTurn * p[2])),
+                      static_cast<int>(std::lround(kSinTilt * depth - kCosTilt * p[1]))});
+  }
+  return places;
+}
+
+// Two paths: edges of faces that look away, dashed; and the faces in front. On a convex solid these
+// are the hidden edges and the visible ones.
+std::array<std::string, 2> edge_paths(const PictureLayer& layer,
+                                      const std::vector<std::array<int, 2>>& places) {
+  std::array<std::string, 2> paths;
+  for (const auto& polygon : layer.polygons) {
+    std::int64_t area = 0;  // y points down: negative if counter-clockwise for the viewer
+    std::string path;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
-      const Point p = frame(picture.points[polygon[k]]);
-      const Point q = frame(picture.points[polygon[(k + 1) % polygon.size()]]);
-      normal += p.cross(q);
+      const auto [x, y] = places[polygon[k]];
+      const auto [u, v] = places[polygon[(k + 1) % polygon.size()]];
+      area += std::int64_t{x} * v - std::int64_t{u} * y;
+      path += fmt::format("{}{} {}", k == 0 ? 'M' : 'L', x, y);
     }
-    for (const std::uint32_t corner : polygon) normals[corner] += normal;
+    paths[area < 0 ? 1 : 0] += path + "z";
   }
-  return normals;
+  return paths;
 }
 
-std::string points_data(const Picture& picture, const Frame& frame) {
-  const std::vector<Point> normals = shading_normals(picture, frame);
-  const std::size_t stride = 1 + picture.points.size() / (kMostPointsDrawn + 1);
-  std::string data;
-  for (std::size_t i = 0; i < picture.points.size(); i += stride) {
-    const double length = normals[i].norm();
-    const Point normal = length > 0 ? Point(normals[i] / length) : Point::Zero();
-    data += coordinates(frame(picture.points[i])) +
-            fmt::format(",{:.0f},{:.0f},{:.0f},", 99 * normal[0], 99 * normal[1], 99 * normal[2]);
+std::string dot_path(const std::vector<std::array<int, 2>>& places) {
+  const std::size_t stride = (places.size() + kMostStaticDots - 1) / kMostStaticDots;
+  std::string path;
+  for (std::size_t k = 0; k < places.size(); k += stride) {
+    path += fmt::format("M{} {}h0", places[k][0], places[k][1]);
   }
-  return data;
+  return path;
 }
 
-std::string facets_data(const std::vector<Polytope>& proxies) {
-  std::string data;
-  std::size_t first_corner = 0;
-  for (const Polytope& proxy : proxies) {
-    for (std::vector<std::uint32_t> facet : proxy.facets) {
-      for (std::uint32_t& corner : facet) corner += static_cast<std::uint32_t>(first_corner);
-      data += fmt::format("[{}],", fmt::join(facet, ","));
+// Surfaces with edges as their edges, everything else as dots. Hidden edges lie below all dots.
+std::string static_drawing(const Picture& picture, const Frame& frame) {
+  std::string below, above;
+  std::array<int, 2> low = {0, 0}, high = {0, 0};
+  for (const PictureLayer& layer : picture.layers) {
+    if (!layer.shown) continue;
+    const auto places = projected(layer, frame);
+    for (const auto& place : places) {
+      for (int k : {0, 1}) {
+        low[k] = std::min(low[k], place[k]);
+        high[k] = std::max(high[k], place[k]);
+      }
     }
-    first_corner += proxy.vertices.size();
-  }
-  return data;
-}
-
-std::vector<Point> corners_of(const std::vector<Polytope>& proxies) {
-  std::vector<Point> corners;
-  for (const Polytope& proxy : proxies) {
-    for (const RationalPoint& vertex : proxy.vertices) {
-      Point& corner = corners.emplace_back();
-      for (int k = 0; k < 3; ++k) corner[k] = to_double(vertex[k], Rounding::Nearest);
+    const std::string color = escaped_html(layer.color);
+    if (layer.edges && !layer.polygons.empty()) {
+      const auto [hidden, front] = edge_paths(layer, places);
+      below += fmt::format(R"(<path fill="none" stroke="{}" stroke-width="4" )"
+                           R"(stroke-dasharray="16 14" d="{}"/>)"
+                           "\n",
+                           color, hidden);
+      above += fmt::format(R"(<path fill="{0}" fill-opacity="{1}" stroke="{0}" stroke-width="8" )"
+                           R"(stroke-linejoin="round" d="{2}"/>)"
+                           "\n",
+                           color, std::min(layer.opacity, 0.5), front);
+    } else {
+      above += fmt::format(R"(<path stroke="{}" stroke-width="12" stroke-linecap="round" d="{}"/>)"
+                           "\n",
+                           color, dot_path(places));
     }
   }
-  return corners;
+  return fmt::format(R"(<svg viewBox="{} {} {} {}" role="img" aria-label="A static drawing">)"
+                     "\n",
+                     low[0] - 30, low[1] - 30, high[0] - low[0] + 60, high[1] - low[1] + 60) +
+         below + above + "</svg>\n";
 }
 
-std::string escaped(const std::string& text) {
-  std::string html;
-  for (const char c : text) {
-    html += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-  }
-  return html;
-}
-
-void replace(std::string& page, const std::string& mark, const std::string& text) {
-  page.replace(page.find(mark), mark.size(), text);
+std::string list_entry(const PictureLayer& layer) {
+  std::string counts = fmt::format("{} points", layer.points.size());
+  if (!layer.polygons.empty()) counts += fmt::format(", {} faces", layer.polygons.size());
+  return fmt::format(R"(<li><label><input type="checkbox"{} hidden> )"
+                     R"(<i style="background: {}"></i> {} <small>{}</small></label></li>)"
+                     "\n",
+                     layer.shown ? " checked" : "", escaped_html(layer.color),
+                     escaped_html(layer.name), counts);
 }
 
 }  // namespace
 
-std::string picture_html(const Picture& picture) {
-  const std::vector<Point> corners = corners_of(picture.proxies);
-  const Frame frame(corners);
-  std::string corner_data;
-  for (const Point& corner : corners) corner_data += coordinates(frame(corner)) + ",";
+void PictureLayer::add(std::span<const Point> more,
+                       const std::vector<std::vector<std::uint32_t>>& faces) {
+  const auto first = static_cast<std::uint32_t>(points.size());
+  points.insert(points.end(), more.begin(), more.end());
+  for (std::vector<std::uint32_t> face : faces) {
+    for (std::uint32_t& corner : face) corner += first;
+    polygons.push_back(std::move(face));
+  }
+}
 
-  std::string page = kPicturePage;
-  replace(page, "@TITLE@", escaped(picture.title));
-  replace(page, "@HEADING@", escaped(picture.title));
-  replace(page, "@CAPTION@", escaped(picture.caption));
-  replace(page, "@POINTS@", points_data(picture, frame));
-  replace(page, "@CORNERS@", corner_data);
-  replace(page, "@FACETS@", facets_data(picture.proxies));
-  return page;
+void PictureLayer::add(const Polytope& solid) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  std::vector<Point> corners;
+  for (const RationalPoint& vertex : solid.vertices) {
+    Point& corner = corners.emplace_back();
+    for (int k = 0; k < 3; ++k) {
+      corner[k] = std::clamp(to_double(vertex[k], Rounding::Nearest), -kLargest, kLargest);
+    }
+  }
+  add(corners, solid.facets);
+}
+
+std::string picture_html(const Picture& picture) {
+  const Frame frame(picture.layers);
+  nlohmann::ordered_json layers = nlohmann::ordered_json::array();
+  std::string list;
+  for (const PictureLayer& layer : picture.layers) {
+    layers.push_back(layer_json(layer, frame));
+    list += list_entry(layer);
+  }
+  return fill_page(kViewerPage, {{"TITLE", escaped_html(picture.title)},
+                                 {"CAPTION", escaped_html(picture.caption)},
+                                 {"LAYERS", list},
+                                 {"DRAWING", static_drawing(picture, frame)},
+                                 {"DATA", for_script_element(layers.dump())},
+                                 {"STYLE", kViewerStyle},
+                                 {"LIBRARY", kThreeLibrary},
+                                 {"SCRIPT", kViewerScript}});
 }
 
 }  // namespace convexact

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// picture.hpp - a page on which the input and the halfspaces around it can be looked at and turned.
+// picture.hpp - a page on which shapes can be looked at and turned.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,19 +11,35 @@
 
 namespace convexact {
 
-/// What a picture shows. Coordinates are rounded to about four digits of the size of the scene: a
-/// picture is for looking at, and proves nothing.
-struct Picture {
-  std::string title;          ///< Plain text.
-  std::string caption;        ///< Plain text, one line.
-  std::vector<Point> points;  ///< The input; a sample of 200,000 if it has more.
-  std::vector<std::vector<std::uint32_t>>
-      polygons;                   ///< Of the input, for its shading; may be empty.
-  std::vector<Polytope> proxies;  ///< What encloses it: one for each object.
+/// What a picture shows and hides at once: surfaces, or points.
+struct PictureLayer {
+  std::string name;    ///< Plain text; stands beside the layer's switch.
+  std::string color;   ///< "#rrggbb".
+  double opacity = 1;  ///< Of the faces, in (0, 1]. Below 1, polygons must be closed surfaces,
+                       ///< counter-clockwise from outside.
+  bool edges = false;  ///< Draws the edges of the polygons.
+  bool shown = true;   ///< When the page opens.
+  std::vector<Point> points = {};  ///< Drawn as dots if there are no polygons.
+  std::vector<std::vector<std::uint32_t>> polygons = {};  ///< Indices into `points`.
+
+  /// Adds a surface, or a cloud of points if there are no polygons.
+  void add(std::span<const Point> more, const std::vector<std::vector<std::uint32_t>>& faces);
+  /// Adds a solid, its corners rounded to nearest.
+  void add(const Polytope& solid);
 };
 
-/// A self-contained HTML page (no network, no library) that draws the points, shaded, inside the
-/// translucent proxies; dragging turns it, the wheel scales it.
+/// What a picture shows. Layers are drawn one after another: inner ones should come first.
+struct Picture {
+  std::string title;    ///< Plain text.
+  std::string caption;  ///< Plain text, one line.
+  std::vector<PictureLayer> layers;
+};
+
+/// A self-contained HTML page that draws the layers by three.js; it opens from disk and asks
+/// nothing of the network. Where the browser has no WebGL 2, and in print, a static drawing stands
+/// in its place. Same picture, same bytes. Coordinates are rounded to 1/32767 of half the scene's
+/// size, and more coarsely in a layer of more than a million triangles or points: a picture is for
+/// looking at, and proves nothing.
 [[nodiscard]] std::string picture_html(const Picture& picture);
 
 }  // namespace convexact

@@ -61,7 +61,7 @@ TEST_CASE("outputs: file names that are not UTF-8 (#13)") {
   CHECK(has(name_of(run_program("hull --json " + quoted(input))), "caf\xef\xbf\xbd.obj"));
   CHECK(run_program("simplify --faces 4 --json " + quoted(input) + " --picture " + quoted(page))
             .exit == 0);
-  CHECK(has(bytes_of(page), "caf\xef\xbf\xbd.obj"));
+  CHECK(has(bytes_of(page), "<title>caf\xef\xbf\xbd.obj</title>"));
   CHECK_FALSE(has(bytes_of(page), "caf\xe9.obj"));
   CHECK(run_program("verify --json " + quoted(input) + " " + quoted(input)).exit <= 1);
   CHECK(run_program("report --json --sections tightness " + quoted(input) + " -o " + folder).exit ==
@@ -78,6 +78,25 @@ TEST_CASE("outputs: file names that are not UTF-8 (#13)") {
                   " -o " + table + " -- cat {input} {faces} {output} 'caf\xe9'");
   CHECK(has(nlohmann::json::parse(conformed.out)["program"], "caf\xef\xbf\xbd"));
   CHECK(has(bytes_of(table), "caf\xef\xbf\xbd"));
+}
+
+TEST_CASE("outputs: the title of a picture is the file's name, without folder and part (#14)") {
+  const ScratchFolder scratch;
+  const std::string tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  const std::string hostile = scratch.write("<script>&\".obj", tetrahedron);
+  const std::string parts =
+      scratch.write("a.obj", "o left/arm\n" + tetrahedron + "f 1 3 2\nf 1 2 4\n");
+  const std::string page = scratch.file("page.html");
+  const auto title_of = [&](const std::string& arguments) {
+    CHECK(run_program("simplify --faces 4 " + arguments + " --picture " + page).exit == 0);
+    const std::string html = bytes_of(page);
+    const std::size_t at = html.find("<title>") + 7;
+    return html.substr(at, html.find("</title>") - at);
+  };
+  CHECK(title_of(quoted(hostile)) == "&lt;script&gt;&amp;&quot;.obj");
+  CHECK(title_of("--parts " + parts) == "a.obj");
+  CHECK(title_of("<" + parts + " -") == "standard input");
+  CHECK(title_of(parts + " " + quoted(hostile)) == "a.obj and 1 more");
 }
 
 TEST_CASE("outputs: option values that are not UTF-8 are refused in JSON that can be read (#13)") {

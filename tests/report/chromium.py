@@ -7,9 +7,11 @@ import shutil
 import subprocess
 import tempfile
 
-FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+FLAGS = ["--headless", "--no-sandbox", "--disable-quic", "--no-first-run",
          "--disable-background-networking", "--disable-component-update", "--disable-sync",
          "--remote-debugging-pipe"]
+NO_WEBGL = ["--disable-gpu", "--disable-3d-apis"]
+SOFTWARE_WEBGL = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 
 
 def find():
@@ -20,7 +22,7 @@ def find():
 class Page:
     """A page of a fresh browser; `complaints` are errors of its scripts and of loading."""
 
-    def __init__(self, url, width=1280, height=900, media=()):
+    def __init__(self, url, width=1280, height=900, media=(), graphics=NO_WEBGL):
         # Its helper processes may still write there when the browser has ended.
         self.folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         to_browser, self.commands = os.pipe()
@@ -28,7 +30,7 @@ class Page:
         # The browser reads commands from descriptor 3 and writes answers to 4.
         self.browser = subprocess.Popen(
             ["/bin/sh", "-c", f'exec "$@" 3<&{to_browser} 4>&{from_browser}', "chromium", find(), *FLAGS,
-             f"--user-data-dir={self.folder.name}", "about:blank"],
+             *graphics, f"--user-data-dir={self.folder.name}", "about:blank"],
             pass_fds=(to_browser, from_browser), stderr=subprocess.DEVNULL)
         os.close(to_browser)
         os.close(from_browser)
@@ -92,7 +94,8 @@ class Page:
                 self.complaints.append(f"asks the network for {url}")
 
     def evaluate(self, script):
-        result = self.call("Runtime.evaluate", expression=script, returnByValue=True)
+        result = self.call("Runtime.evaluate", expression=script, returnByValue=True,
+                           awaitPromise=True)
         if "exceptionDetails" in result:
             raise RuntimeError(result["exceptionDetails"]["exception"]["description"])
         return result["result"].get("value")

@@ -104,16 +104,17 @@ def check_page(url, report, **how):
         page.close()
 
 
-def check_library():
-    """The plotting library is the one that its README names."""
-    name = "chart.umd.min.js"
-    total = hashlib.sha256((VENDOR / name).read_bytes()).hexdigest()
-    assert total in (VENDOR / "README.md").read_text(encoding="utf-8"), "the checksum of " + name
+def check_libraries():
+    """The libraries inside of pages are those that their README names."""
+    readme = (VENDOR / "README.md").read_text(encoding="utf-8")
+    for library in VENDOR.glob("*.js"):
+        total = hashlib.sha256(library.read_bytes()).hexdigest()
+        assert library.name in readme and total in readme, f"the checksum of {library.name}"
 
 
 def main():
     program = sys.argv[1]
-    check_library()
+    check_libraries()
     if chromium.find() is None:
         print("skipped: Chromium is not installed (Debian package chromium)")
         return 77

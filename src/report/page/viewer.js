@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+// Draws the layers that the element #picture carries, by three.js: surfaces, lit and flat, and points.
+// Without WebGL 2 it leaves the static drawing of the page in its place.
+"use strict";
+(() => {
+const view = document.getElementById("view"), canvas = document.createElement("canvas");
+const context = canvas.getContext("webgl2", {alpha: true, antialias: false});
+if (!context) return;
+
+// --- the layers ----------------------------------------------------------------------------------
+
+function numbersOf(base64, Type) {
+  return new Type(Uint8Array.from(atob(base64), c => c.charCodeAt(0)).buffer);
+}
+function indicesOf(layer, base64) {
+  return numbersOf(base64, layer.wide ? Uint32Array : Uint16Array);
+}
+
+function geometryOf(data) {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.BufferAttribute(
+    Float32Array.from(numbersOf(data.points, Int16Array), x => x / 32767), 3));
+  if (data.triangles !== undefined) {
+    geometry.setIndex(new THREE.BufferAttribute(indicesOf(data, data.triangles), 1));
+  }
+  return geometry;
+}
+
+// Flat faces take their normals from what is drawn, so they need no winding; the light comes from the
+// viewer's left shoulder and from above. The library's own lights take twice as long in software. Faces
+// lie a little behind edges at the same place.
+const kVertex = `
+  varying vec3 place;
+  void main() {
+    vec4 seen = modelViewMatrix * vec4(position, 1.0);
+    place = seen.xyz;
+    gl_Position = projectionMatrix * seen;
+  }`;
+const kFragment = `
+  uniform vec3 color;
+  uniform float opacity;
+  varying vec3 place;
+  void main() {
+    vec3 normal = normalize(cross(dFdx(place), dFdy(place)));
+    float light = 0.5 + 0.09 * normal.y + 0.6 * max(0.0, dot(normal, vec3(-0.36, 0.58, 0.73)));
+    gl_FragColor = vec4(light * color, opacity);
+  }`;
+function faceMaterial(layer, more) {
+  return new THREE.ShaderMaterial({vertexShader: kVertex, fragmentShader: kFragment,
+    uniforms: {color: {value: new THREE.Color(layer.color)}, opacity: {value: layer.opacity}},
+    side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1, ...more});
+}
+
+// Edges are thin prisms of four sides: WebGL draws lines one pixel wide only.
+function edgesOf(layer, points) {
+  const pairs = indicesOf(layer, layer.edges), thickness = pairs.length < 1000 ? 0.004 : 0.0015;
+  const corners = [], indices = [];
+  const ends = [new THREE.Vector3(), new THREE.Vector3()], across = new THREE.Vector3();
+  for (let k = 0; k < pairs.length; k += 2) {
+    const first = corners.length / 3;
+    ends.forEach((end, i) => end.fromBufferAttribute(points, pairs[k + i]));
+    const along = new THREE.Vector3().subVectors(ends[1], ends[0]).normalize();
+    across.set(along.z, along.x, along.y).cross(along);  // zero only if all three are equal
+    if (across.lengthSq() < 1e-6) across.set(1, -1, 0);
+    across.setLength(thickness);
+    for (let side = 0; side < 4; ++side) {
+      for (const end of ends) corners.push(end.x + across.x, end.y + across.y, end.z + across.z);
+      const [a, b, c, d] = [0, 1, 2, 3].map(i => first + (2 * side + i) % 8);
+      indices.push(a, b, c, c, b, d);
+      across.applyAxisAngle(along, Math.PI / 2);
+    }
+  }
+  const prisms = new THREE.BufferGeometry();
+  prisms.setAttribute("position", new THREE.Float32BufferAttribute(corners, 3));
+  prisms.setIndex(indices);
+  return more => new THREE.Mesh(prisms, new THREE.MeshBasicMaterial(
+    {color: new THREE.Color(layer.color).multiplyScalar(0.55), side: THREE.DoubleSide, ...more}));
+}
+
+// Layers that can be seen through are drawn after the others, in the order of the list: faces that
+// look away, edges, faces in front, edges once more. So edges behind a face are fainter than those in
+// front.
+function groupOf(layer, place) {
+  const group = new THREE.Group(), clear = layer.opacity < 1;
+  const geometry = geometryOf(layer), turning = layer.turning ? geometryOf(layer.turning) : geometry;
+  const add = (object, order) => {
+    object.renderOrder = 10 * place + order;
+    if (object.geometry === geometry) object.userData = {geometry, turning};
+    group.add(object);
+  };
+  if (layer.triangles === undefined) {
+    add(new THREE.Points(geometry, new THREE.PointsMaterial(
+      {color: layer.color, size: 2.5, sizeAttenuation: false})), 0);
+    return group;
+  }
+  const edges = layer.edges ? edgesOf(layer, geometry.attributes.position) : null;
+  if (clear) {
+    const seen = {transparent: true, depthWrite: false};
+    add(new THREE.Mesh(geometry, faceMaterial(layer, {...seen, side: THREE.BackSide})), 0);
+    if (edges) add(edges({...seen, opacity: 0.4}), 1);
+    add(new THREE.Mesh(geometry, faceMaterial(layer, {...seen, side: THREE.FrontSide, depthWrite: true})), 2);
+  } else {
+    add(new THREE.Mesh(geometry, faceMaterial(layer, {})), 0);
+  }
+  if (edges) add(edges({transparent: clear}), 3);
+  return group;
+}
+
+// --- the scene -----------------------------------------------------------------------------------
+
+const renderer = new THREE.WebGLRenderer({canvas, context});
+const scene = new THREE.Scene(), camera = new THREE.PerspectiveCamera(30, 1, 0.01, 100);
+let radius = 0;
+JSON.parse(document.getElementById("picture").textContent).forEach((layer, place) => {
+  const group = groupOf(layer, place), box = document.querySelectorAll("#layers input")[place];
+  scene.add(group);
+  for (const part of group.children) {
+    part.geometry.computeBoundingSphere();
+    const sphere = part.geometry.boundingSphere;
+    radius = Math.max(radius, sphere.center.length() + sphere.radius);
+  }
+  group.visible = box.checked;
+  box.hidden = false;
+  box.onchange = () => {
+    group.visible = box.checked;
+    redraw();
+  };
+});
+
+// --- turning and zooming -------------------------------------------------------------------------
+
+let turn = 0.6, tilt = 0.35, zoom = 1;  // as the static drawing sees it
+let slow = false, waiting = false, rest = 0;
+
+// At rest every layer is drawn in full, with four pixels for one of the screen. Where that takes long,
+// pixels and coarser layers of their own do while the picture moves.
+function setQuality(full) {
+  const ratio = full ? Math.max(2, window.devicePixelRatio) : 1;
+  if (renderer.getPixelRatio() !== ratio) renderer.setPixelRatio(ratio);
+  scene.traverse(part => {
+    if (part.userData.geometry) part.geometry = full ? part.userData.geometry : part.userData.turning;
+  });
+}
+function draw() {
+  const half = Math.atan(Math.tan(Math.PI * camera.fov / 360) * Math.min(1, camera.aspect));
+  const distance = 1.03 * radius / Math.sin(half);
+  camera.position.set(Math.sin(-turn) * Math.cos(tilt), Math.sin(tilt), Math.cos(turn) * Math.cos(tilt))
+    .multiplyScalar(distance);
+  camera.lookAt(0, 0, 0);
+  camera.near = Math.max(0.01, distance - 1.1 * radius);
+  camera.far = distance + 1.1 * radius;
+  camera.zoom = zoom;
+  camera.updateProjectionMatrix();
+  renderer.render(scene, camera);
+}
+function drawAtRest() {
+  setQuality(true);
+  draw();
+}
+function redraw() {
+  clearTimeout(rest);
+  if (slow) rest = setTimeout(() => requestAnimationFrame(drawAtRest), 250);
+  if (waiting) return;
+  waiting = true;
+  requestAnimationFrame(() => {
+    waiting = false;
+    setQuality(!slow);
+    draw();
+  });
+}
+function move(right, down, factor) {
+  turn += right;
+  tilt = Math.max(-1.57, Math.min(1.57, tilt + down));
+  zoom = Math.max(0.2, Math.min(50, zoom * factor));
+  redraw();
+}
+
+canvas.onpointerdown = event => canvas.setPointerCapture(event.pointerId);
+canvas.onpointermove = event => {
+  if (event.buttons) move(event.movementX / 150, event.movementY / 150, 1);
+};
+canvas.onwheel = event => {
+  event.preventDefault();
+  move(0, 0, Math.exp(-event.deltaY / 800));
+};
+const kKeys = {ArrowLeft: [-0.1, 0, 1], ArrowRight: [0.1, 0, 1], ArrowUp: [0, -0.1, 1], ArrowDown: [0, 0.1, 1],
+  "+": [0, 0, 1.1], "=": [0, 0, 1.1], "-": [0, 0, 1 / 1.1]};
+canvas.onkeydown = event => {
+  if (!kKeys[event.key] || event.ctrlKey || event.metaKey) return;
+  event.preventDefault();
+  move(...kKeys[event.key]);
+};
+
+canvas.tabIndex = 0;
+canvas.setAttribute("role", "img");
+canvas.setAttribute("aria-label", document.title + ": a picture that can be turned");
+document.getElementById("how").hidden = false;
+view.className = "live";
+view.append(canvas);
+new ResizeObserver(() => {
+  renderer.setSize(view.clientWidth, view.clientHeight);
+  camera.aspect = view.clientWidth / Math.max(1, view.clientHeight);
+  drawAtRest();
+}).observe(view);
+
+// The second drawing is timed to its end: the first one compiles.
+requestAnimationFrame(() => requestAnimationFrame(() => {
+  const start = performance.now();
+  draw();
+  context.readPixels(0, 0, 1, 1, context.RGBA, context.UNSIGNED_BYTE, new Uint8Array(4));
+  slow = performance.now() - start > 20;
+}));
+})();

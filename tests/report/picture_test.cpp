@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// Pictures: what the page carries for viewer.js, on shapes whose data are known by construction.
+#include "report/picture.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+
+using namespace convexact;
+
+namespace {
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+// What stands between two texts.
+std::string between(const std::string& page, const std::string& first, const std::string& last) {
+  const std::size_t at = page.find(first) + first.size();
+  return page.substr(at, page.find(last, at) - at);
+}
+
+nlohmann::json layers_of(const std::string& page) {
+  return nlohmann::json::parse(
+      between(page, R"(<script type="application/json" id="picture">)", "</script>"));
+}
+
+// [RFC 4648, sec. 4]; then pairs of bytes, the low one first.
+std::vector<int> numbers_of(const std::string& base64) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bits;
+  for (const char c : base64.substr(0, base64.find('='))) {
+    for (int bit = 5; bit >= 0; --bit) bits += digits.find(c) >> bit & 1 ? '1' : '0';
+  }
+  std::vector<int> bytes, numbers;
+  for (std::size_t k = 0; k + 8 <= bits.size(); k += 8) {
+    bytes.push_back(std::stoi(bits.substr(k, 8), nullptr, 2));
+  }
+  for (std::size_t k = 0; k + 2 <= bytes.size(); k += 2) {
+    numbers.push_back(static_cast<std::int16_t>(bytes[k] + 256 * bytes[k + 1]));
+  }
+  return numbers;
+}
+
+// [0, side]^3; corner k has the bits of k as coordinates.
+PictureLayer cube(double side) {
+  PictureLayer layer{.name = "cube", .color = "#123456", .opacity = 0.5, .edges = true};
+  std::vector<Point> corners;
+  for (int k = 0; k < 8; ++k) {
+    corners.push_back(side * Point(k & 1, k >> 1 & 1, k >> 2));
+  }
+  layer.add(corners,
+            {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
+  return layer;
+}
+
+}  // namespace
+
+TEST_CASE("picture: a cube has eight corners of a grid, twelve triangles and twelve edges") {
+  const auto layer = layers_of(picture_html({"t", "c", {cube(2)}}))[0];
+  CHECK(layer["color"] == "#123456");
+  CHECK(layer["opacity"] == 0.5);
+  const std::vector<int> points = numbers_of(layer["points"]);
+  const std::vector<int> triangles = numbers_of(layer["triangles"]);
+  const std::vector<int> edges = numbers_of(layer["edges"]);
+  REQUIRE(points.size() == 24);
+  REQUIRE(triangles.size() == 36);
+  REQUIRE(edges.size() == 24);
+  for (const int coordinate : points) CHECK(std::abs(coordinate) == 32767);
+  const auto corner = [&](int k) {
+    return Point(points[3 * k], points[3 * k + 1], points[3 * k + 2]);
+  };
+  for (std::size_t k = 0; k < triangles.size(); k += 3) {
+    // Counter-clockwise from outside of a solid around the origin: the determinant is positive.
+    const Point a = corner(triangles[k]), b = corner(triangles[k + 1]),
+                c = corner(triangles[k + 2]);
+    CHECK(a.dot(b.cross(c)) > 0);
+  }
+  for (std::size_t k = 0; k < edges.size(); k += 2) {
+    CHECK((corner(edges[k]) - corner(edges[k + 1])).cwiseAbs().sum() == 2 * 32767);
+  }
+}
+
+TEST_CASE("picture: scaling by a power of two changes no byte, up to the ends of the doubles") {
+  const std::string page = picture_html({"t", "c", {cube(1)}});
+  for (const int exponent : {-1074, -1022, -3, 10, 1023}) {
+    CAPTURE(exponent);
+    CHECK(picture_html({"t", "c", {cube(std::ldexp(1, exponent))}}) == page);
+  }
+}
+
+TEST_CASE("picture: corners beyond the doubles are drawn at their end") {
+  Rational huge = 1;
+  for (int k = 0; k < 2000; ++k) huge *= 2;
+  Polytope tetrahedron;
+  tetrahedron.vertices = {RationalPoint(0, 0, 0), RationalPoint(huge, 0, 0),
+                          RationalPoint(0, huge, 0), RationalPoint(0, 0, huge)};
+  tetrahedron.facets = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  PictureLayer layer{.name = "n", .color = "#000000"};
+  layer.add(tetrahedron);
+  const auto points = numbers_of(layers_of(picture_html({"t", "c", {layer}}))[0]["points"]);
+  REQUIRE(points.size() == 12);
+  for (const int coordinate : points) CHECK(std::abs(coordinate) == 32767);
+}
+
+TEST_CASE("picture: no text ends an element, an attribute or a mark of the page") {
+  PictureLayer layer = cube(1);
+  layer.name = "</script><b> @DATA@ \"&";
+  layer.color = "\"></script><i>";
+  const std::string plain = picture_html({"t", "c", {cube(1)}});
+  const std::string page = picture_html({"</script><b> @SCRIPT@ \"&", "</title><b>", {layer}});
+  CHECK(count(page, "</script>") == count(plain, "</script>"));
+  CHECK(count(page, "</title>") == 1);
+  CHECK_FALSE(has(page, "<b>"));
+  CHECK_FALSE(has(page, "</script><i>"));
+  CHECK(has(page, "<title>&lt;/script&gt;&lt;b&gt; @SCRIPT@ &quot;&amp;</title>"));
+  CHECK(has(page, "&lt;/script&gt;&lt;b&gt; @DATA@ &quot;&amp;"));
+  CHECK(layers_of(page)[0]["color"] == layer.color);
+}
+
+TEST_CASE("picture: the static drawing of a cube shows three faces and hides three") {
+  const std::string svg = between(picture_html({"t", "c", {cube(1)}}), "<svg", "</svg>");
+  REQUIRE(count(svg, "<path") == 2);
+  const std::size_t second = svg.rfind("<path");
+  CHECK(count(svg.substr(0, second), "M") == 3);
+  CHECK(has(svg.substr(0, second), "stroke-dasharray"));
+  CHECK(count(svg.substr(second), "M") == 3);
+  CHECK_FALSE(has(svg.substr(second), "stroke-dasharray"));
+}
+
+TEST_CASE("picture: a layer that is not shown is in the data, not in the drawing") {
+  PictureLayer hidden = cube(1);
+  hidden.shown = false;
+  const std::string page = picture_html({"t", "c", {hidden}});
+  CHECK_FALSE(has(page, "<path"));
+  CHECK_FALSE(has(page, " checked hidden"));
+  CHECK(layers_of(page).size() == 1);
+  CHECK_NOTHROW(picture_html({"t", "c", {}}));
+}
+
+TEST_CASE("picture: more than a million points are drawn on a coarser grid of the same size") {
+  PictureLayer cloud{.name = "n", .color = "#000000"};
+  for (int x = 0; x < 1010; ++x) {
+    for (int y = 0; y < 1000; ++y) cloud.points.emplace_back(x, y, 0);
+  }
+  const auto layer = layers_of(picture_html({"t", "c", {cloud}}))[0];
+  CHECK_FALSE(layer.contains("triangles"));
+  // Four digits of base64 are three bytes, and a point has six.
+  const std::size_t points = layer["points"].get<std::string>().size() / 8;
+  CHECK(points <= 1000000);
+  CHECK(points > 250000);  // a grid twice as coarse as needed has a quarter of the points
+}
