@@ -103,12 +103,12 @@ struct FloatBound {
   /// A step of which no more than this can be proven counts as doubtful: a thousandth.
   static constexpr double kMost = 0x1p-10;
 
-  double cost = 0;           ///< Each reported cost is within this share of the true one.
-  double regret = 0;         ///< Each removal costs at most (1 + regret) times the cheapest one
-                             ///< that was possible then.
-  std::size_t doubtful = 0;  ///< Steps of which these two are not proven.
-  double least_next = 0;     ///< A lower bound of the cost of any further removal, as the steps'
-                          ///< costs; infinite if all are proven to be unbounded.
+  double cost = 0;            ///< Each reported cost is within this share of the true one.
+  double regret = 0;          ///< Each removal costs at most (1 + regret) times the cheapest one
+                              ///< that was possible then.
+  std::size_t doubtful = 0;   ///< Steps of which these two are not proven.
+  double least_next = 0;      ///< A lower bound of the cost of any further removal, as the steps'
+                              ///< costs; infinite if all are proven to be unbounded.
   std::size_t ties = 0;       ///< Steps in which doubles could not tell the cheapest, so that the
                               ///< canonical order decided.
   bool is_end_proven = true;  ///< Whether exact numbers, too, would have ended the run there.

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "report/report.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "report/report.hpp"
 #include "simplify/trace_json.hpp"
 
 namespace convexact {

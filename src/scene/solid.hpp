@@ -19,10 +19,10 @@ struct Solid {
   DualHull dual;
   /// The points that a result must hold: the input's, or the vertices of the input's polytope.
   PointSet points;
-  std::vector<PointId> extreme;               ///< Of `points`: those whose hull holds the rest.
-  std::size_t input_points = 0;               ///< 0 where the input is halfspaces.
+  std::vector<PointId> extreme;        ///< Of `points`: those whose hull holds the rest.
+  std::size_t input_points = 0;        ///< 0 where the input is halfspaces.
   std::vector<std::size_t> redundant;  ///< Of halfspace input.
-  HullCertificate certificate;                ///< Of point input.
+  HullCertificate certificate;         ///< Of point input.
   /// Strictly inside; known beforehand only where the way to the dual needed it.
   std::optional<RationalPoint> interior;
 };
