@@ -8,6 +8,7 @@
 #include "number/precision.hpp"
 #include "oracle/engine_run.hpp"
 #include "oracle/greedy_check.hpp"
+#include "scene/result_json.hpp"
 #include "scene/solid.hpp"
 
 namespace convexact {
@@ -24,17 +25,7 @@ void require_sensible(const DiffRequest& request) {
   }
 }
 
-const char* stage_name(Engine engine) {
-  switch (engine) {
-    case Engine::Exact:
-      return "exact engine";
-    case Engine::Filtered:
-      return "filtered engine";
-    case Engine::Float:
-      break;
-  }
-  return "float engine";
-}
+std::string stage_name(Engine engine) { return std::string(name_of(engine)) + " engine"; }
 
 std::vector<Run> run_engines(const DualHull& dual, const RationalPoint& center,
                              const DiffRequest& request, StageLog& log) {
