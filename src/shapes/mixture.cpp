@@ -83,13 +83,13 @@ void move(Points& points, Random& random) {
 
 // Each point once more, some coordinates one ulp off.
 void add_twins(Points& points, Random& random) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kFarthest = std::numeric_limits<double>::infinity();
   const std::size_t count = points.size();
   for (std::size_t i = 0; i < count; ++i) {
     Point twin = points[i];
     for (int k = 0; k < 3; ++k) {
       const auto draw = uniform_below(random, 3);
-      if (draw < 2) twin[k] = std::nextafter(twin[k], draw == 0 ? -kInfinity : kInfinity);
+      if (draw < 2) twin[k] = std::nextafter(twin[k], draw == 0 ? -kFarthest : kFarthest);
     }
     points.push_back(twin);
   }
