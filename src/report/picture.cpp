@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kGrid = 32767;                   // drawn coordinates are integers in [-kGrid, kGrid]
 constexpr std::size_t kMostDrawn = 1000000;    // triangles or dots of a layer
-constexpr std::size_t kMostTurning = 20000;    // while a page turns that has no fast graphics
+constexpr std::size_t kMostTurning = 30000;    // while a page turns that has no fast graphics
 constexpr std::size_t kMostStaticDots = 3000;  // of a layer, in the static drawing
 
 // Maps the scene's bounding box into the cube [-1, 1]^3. The power of two keeps huge coordinates

@@ -3,6 +3,7 @@
 import base64
 import json
 import os
+import pathlib
 import shutil
 import subprocess
 import tempfile
@@ -53,6 +54,19 @@ class Page:
         self.browser.wait()
         os.close(self.answers)
         self.folder.cleanup()
+
+    def processor_seconds(self):
+        """What the browser and its helper processes have used of the processors (Linux)."""
+        ticks, todo = 0, [self.browser.pid]
+        while todo:
+            process = pathlib.Path("/proc", str(todo.pop()))
+            try:
+                ticks += sum(map(int, (process / "stat").read_text().rpartition(")")[2].split()[11:13]))
+                for children in process.glob("task/*/children"):
+                    todo += children.read_text().split()
+            except OSError:  # has ended
+                pass
+        return ticks / os.sysconf("SC_CLK_TCK")
 
     def call(self, method, **parameters):
         self.number += 1

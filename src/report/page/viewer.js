@@ -90,7 +90,7 @@ function groupOf(layer, place) {
   };
   if (layer.triangles === undefined) {
     add(new THREE.Points(geometry, new THREE.PointsMaterial(
-      {color: layer.color, size: 2.5, sizeAttenuation: false})), 0);
+      {color: layer.color, size: 3.5, sizeAttenuation: false})), 0);
     return group;
   }
   const edges = layer.edges ? edgesOf(layer, geometry.attributes.position) : null;
