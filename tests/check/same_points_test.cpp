@@ -173,3 +173,91 @@ TEST_CASE("same points: rows of halfspaces, as rows and as .ine (#13)") {
   CHECK(verdict("a.ine", "linearity 1 1\n" + ine) == 3);
   CHECK(verdict("a.obj", kBase) == 1);  // of another kind
 }
+
+TEST_CASE("same points: a file with the right points that is malformed in one place") {
+  const std::string rows = "0 0 0\n8 0 0\n0 8 0\n9 0 8\n";
+  const std::string obj = kBase + std::string("v 9 0 8\n");
+  const auto ply = [&](const std::string& format, const std::string& more,
+                       const std::string& body) {
+    return "ply\nformat " + format +
+           " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n" + more +
+           "end_header\n" + body;
+  };
+  const auto with = [](const std::string& more) {  // behind each point of a text
+    return "0 0 0 " + more + "\n8 0 0 " + more + "\n0 8 0 " + more + "\n9 0 8 " + more + "\n";
+  };
+  const std::string floats = bytes_of_floats({0, 0, 0, 8, 0, 0, 0, 8, 0, 9, 0, 8});
+  const std::string with_fours = bytes_of_floats({0, 0, 0, 1, 8, 0, 0, 1, 0, 8, 0, 1, 9, 0, 8, 1});
+  const std::string little = "binary_little_endian";
+  CHECK(verdict_on("a.obj", obj, 9.0) == 0);
+  CHECK(verdict_on("a.off", "OFF\n4 0 0\n" + rows, 9.0) == 0);
+  CHECK(verdict_on("a.ply", ply("ascii", "", rows), 9.0) == 0);
+  CHECK(verdict_on("a.ply", ply("ascii", "property list char int w\n", with("1 7")), 9.0) == 0);
+  CHECK(verdict_on("a.ply", ply(little, "", floats), 9.0) == 0);
+  CHECK(verdict_on("a.ply", ply(little, "property uint w\n", with_fours), 9.0) == 0);
+  const std::vector<std::pair<const char*, std::string>> malformed = {
+      {"a.json", obj},
+      {"a.obj", kBase + std::string("v 9 0 8 1 1 1 1 1\n")},
+      {"a.obj", obj + "call other.obj\n"},
+      {"a.off", ""},
+      {"a.off", "CO\n4 0 0\n" + rows},
+      {"a.off", "nOFF\n4 0 0\n" + rows},
+      {"a.off", "OFF\n"},
+      {"a.off", "OFF\nx 0 0\n" + rows},
+      {"a.ply", "x" + ply("ascii", "", rows)},
+      {"a.ply", ply("binary_middle_endian", "", floats)},
+      {"a.ply", ply(little, "property quux w\n", with_fours)},
+      {"a.ply", ply(little, "", floats.substr(0, 20))},
+      {"a.ply", ply(little, "", std::string("\0\0\xc0\x7f", 4) + floats.substr(4))},  // NaN
+      {"a.ply", "ply\nformat ascii 1.0\nelement vertex 4\n"},
+      {"a.ply", ply("ascii", "property float w u\n", with("1"))},
+      {"a.ply", ply("ascii", "property float w u v\n", with("1"))},
+      {"a.ply", ply("ascii", "property list char int\n", with("1 7"))},
+      {"a.ply", ply("ascii", "colour blue\n", rows)},
+      {"a.ply", ply("ascii", "property float w\n", rows)},
+      {"a.ply", ply("ascii", "property list char int w\n", with("-1"))},
+      {"a.ply", ply("ascii", "property list char int w\n", with("0.5 7"))},
+      {"a.ply", ply("ascii", "", with("1"))},
+      {"a.ply",
+       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float "
+       "y\nproperty float w\nend_header\n" +
+           rows},
+      {"a.obj", kBase + std::string("v 1e-200001 0 8\n")}};  // as a double it is 0
+  for (const auto& file : malformed) {
+    CAPTURE(file.second);
+    CHECK(verdict_on(file.first, file.second, 9.0) == 3);
+  }
+}
+
+TEST_CASE("same points: a list with the right rows that is malformed in one place") {
+  const auto row = [](int a, int b, int c, int d) {
+    return Halfspace(IntegerVector3(a, b, c), Integer(d));
+  };
+  const std::vector<Halfspace> solid = {row(-1, 0, 0, 0), row(0, -1, 0, 0), row(0, 0, -1, 0),
+                                        row(1, 1, 1, -1)};
+  const std::string proof = proof_of(solid, Engine::Filtered, 4);
+  const ScratchFolder scratch;
+  const auto verdict = [&](const std::string& name, const std::string& text) {
+    return check_proof(proof, scratch.write(name, text)).exit_code;
+  };
+  const std::string rows = "0 1 0 0\n0 0 1 0\n0 0 0 1\n", last = "1 -1 -1 -1\n";
+  const std::string begin = "begin\n4 4 rational\n";
+  CHECK(verdict("a.ine", begin + rows + last + "end\n") == 0);
+  CHECK(verdict("a.ine", begin + rows + "1/1 -1 -1 -1\nend\n") == 0);
+  const std::string malformed[] = {
+      "4 4 rational\n" + rows + last + "end\n",
+      "begin\n4 4\n" + rows + last + "end\n",
+      "begin\nx 4 rational\n" + rows + last + "end\n",
+      "begin\n4 5 rational\n" + rows + last + "end\n",
+      begin + rows + last + "stop\n",
+      begin + rows + last + "end\nlinearity 1 1\n",
+      begin + rows + "1 -1 -1 -1 0\nend\n",
+      begin + rows + "1/0 -1 -1 -1\nend\n",
+      begin + rows + "-1/-1 -1 -1 -1\nend\n",
+      begin + rows + "1/x -1 -1 -1\nend\n",
+  };
+  for (const std::string& text : malformed) {
+    CAPTURE(text);
+    CHECK(verdict("a.ine", text) == 3);
+  }
+}
