@@ -140,7 +140,9 @@ bool is_closed_and_convex(const DualSigns& signs, const std::vector<Edge>& edges
   if (std::adjacent_find(edges.begin(), edges.end(), same) != edges.end()) return false;
   for (const Edge& e : edges) {
     const auto opposite = std::lower_bound(edges.begin(), edges.end(), Edge{e.to, e.from, {}});
-    if (opposite == edges.end() || opposite->from != e.to || opposite->to != e.from) return false;
+    const bool is_there =
+        opposite != edges.end() && opposite->from == e.to && opposite->to == e.from;
+    if (!is_there) return false;
     if (e.from < e.to && signs.height(e.from, e.to, e.apex, opposite->apex) == Sign::Positive) {
       return false;
     }

@@ -31,7 +31,7 @@ std::vector<Rational> row(const RationalPoint& p) { return {p[0], p[1], p[2], 1}
 }  // namespace
 
 bool check_flat(const FlatInput& flat, const PointSet& points) {
-  if (flat.dimension < -1 || flat.dimension > 2) return false;
+  if (flat.dimension > 2) return false;
   const std::size_t size = static_cast<std::size_t>(flat.dimension) + 1;  // -1 wraps to 0
   if (flat.basis.size() != size || flat.equations.size() != 4 - size) return false;
   std::vector<std::vector<Rational>> basis, equations;

@@ -17,8 +17,10 @@ class HullCheck {
   HullCheck(const Hull& hull, Points points) : hull_(hull), points_(std::move(points)) {}
 
   bool passes() {
-    return ids_are_valid() && has_center() && all_facets_are_convex() && ridges_are_convex() &&
-           has_euler_characteristic_two() && one_ray_meets_one_facet() && the_rest_is_inside();
+    if (!ids_are_valid() || !simplex_spans()) return false;
+    points_.center_at(hull_.certificate.simplex);
+    return facets_turn_left() && ridges_are_convex() && listed_ones_are_corners() &&
+           the_rest_is_inside() && one_ray_meets_one_triangle();
   }
 
  private:
@@ -37,33 +39,27 @@ class HullCheck {
     return std::ranges::all_of(hull_.certificate.simplex, valid);
   }
 
-  // The simplex spans a volume, so its centroid o is an interior point of the true hull.
-  bool has_center() {
+  // Then its centroid o is an interior point of the true hull.
+  bool simplex_spans() const {
     const auto& s = hull_.certificate.simplex;
-    if (points_.side(s[0], s[1], s[2], s[3]) == Sign::Zero) return false;
-    points_.center_at(s);
-    return true;
+    return points_.side(s[0], s[1], s[2], s[3]) != Sign::Zero;
   }
 
   Sign turn(PointId a, PointId b, PointId c) const { return center_side_of(points_, a, b, c); }
 
-  bool all_facets_are_convex() const {
+  bool facets_turn_left() const {
     for (std::size_t f = 0; f < hull_.facets.size(); ++f) {
-      if (!is_convex_facet(hull_.facets[f])) return false;
+      if (!turns_left(hull_.facets[f])) return false;
     }
-    return hull_.facets.size() >= 4;
+    return true;
   }
 
-  // A strictly convex polygon in one plane, with o strictly below: seen from c[0] the angle of the
-  // other corners grows all the way, within less than pi, and each corner turns to the left.
-  bool is_convex_facet(std::span<const PointId> c) const {
-    const std::size_t size = c.size();
+  // A polygon in one plane, with o strictly below: a fan of triangles that all turn left about o.
+  bool turns_left(std::span<const PointId> c) const {
     const NearPlane plane = NearPlane::through(
         points_.near()[c[0].index()], points_.near()[c[1].index()], points_.near()[c[2].index()]);
-    for (std::size_t k = 0; k < size; ++k) {
-      if (turn(c[k], c[(k + 1) % size], c[(k + 2) % size]) != Sign::Positive) return false;
-      if (k >= 2 && turn(c[0], c[1], c[k]) != Sign::Positive) return false;
-      if (k >= 2 && k + 1 < size && turn(c[0], c[k], c[k + 1]) != Sign::Positive) return false;
+    for (std::size_t k = 2; k < c.size(); ++k) {
+      if (turn(c[0], c[k - 1], c[k]) != Sign::Positive) return false;
       if (k >= 3 && side_of(points_, plane, {c[0], c[1], c[2]}, c[k]) != Sign::Zero) return false;
     }
     return true;
@@ -85,9 +81,9 @@ class HullCheck {
     return sorted;
   }
 
-  // Every directed edge occurs once and once in the other direction (closed), and the facet across
-  // it falls off strictly. Sorted by (from, to) and by (to, from), an edge stands where its
-  // opposite does.
+  // Every directed edge occurs in the other direction as well (closed), and the facet across it
+  // falls off strictly. Sorted by (from, to) and by (to, from), an edge stands where its opposite
+  // does. (An edge that occurs twice belongs to a second sheet, which the ray meets.)
   bool ridges_are_convex() const {
     std::vector<Edge> edges;
     edges.reserve(hull_.facets.corner_count());
@@ -100,44 +96,40 @@ class HullCheck {
     edges = sorted_by(&Edge::from, sorted_by(&Edge::to, edges));
     for (std::size_t i = 0; i < edges.size(); ++i) {
       const Edge& e = edges[i];
-      if (e.from != over[i].to || e.to != over[i].from) return false;
-      if (i > 0 && e.from == edges[i - 1].from && e.to == edges[i - 1].to) return false;
+      const bool is_opposite = e.from == over[i].to && e.to == over[i].from;
+      if (!is_opposite) return false;
       const auto c = hull_.facets[e.facet];
       if (side_of(points_, {c[0], c[1], c[2]}, over[i].next) != Sign::Negative) return false;
     }
     return true;
   }
 
-  bool has_euler_characteristic_two() const {
+  // What is listed is a corner. A corner that is not listed is extreme, so no proof from listed
+  // ones says that it is inside.
+  bool listed_ones_are_corners() const {
     std::vector<bool> used(points_.size(), false);
-    std::size_t count = 0;
     for (std::size_t f = 0; f < hull_.facets.size(); ++f) {
-      for (const PointId p : hull_.facets[f]) {
-        count += used[p.index()] ? 0 : 1;
-        used[p.index()] = true;
-      }
+      for (const PointId p : hull_.facets[f]) used[p.index()] = true;
     }
-    for (const PointId p : hull_.vertices) {
-      if (!used[p.index()]) return false;
-    }
-    return count == hull_.vertices.size() &&
-           hull_.vertices.size() + hull_.facets.size() == hull_.facets.corner_count() / 2 + 2;
+    return std::ranges::all_of(hull_.vertices, [&](PointId p) { return used[p.index()]; });
   }
 
-  // The ray from o through the interior of the first facet, along r = c0 + c1 + c2 - 3o, stays
-  // clear of every other (closed) facet.
-  bool one_ray_meets_one_facet() const {
-    const auto c = hull_.facets[0];
-    const std::array<PointId, 3> ray{c[0], c[1], c[2]};
-    for (std::size_t f = 1; f < hull_.facets.size(); ++f) {
-      if (is_in_cone(hull_.facets[f], ray)) return false;
+  // The ray from o through the interior of the first triangle, along r = c0 + c1 + c2 - 3o, stays
+  // clear of every other (closed) triangle of the facets' fans.
+  bool one_ray_meets_one_triangle() const {
+    const auto first = hull_.facets[0];
+    const std::array<PointId, 3> ray{first[0], first[1], first[2]};
+    std::size_t met = 0;
+    for (std::size_t f = 0; f < hull_.facets.size(); ++f) {
+      const auto c = hull_.facets[f];
+      for (std::size_t k = 2; k < c.size(); ++k) met += is_in_cone({c[0], c[k - 1], c[k]}, ray);
     }
-    return true;
+    return met == 1;
   }
 
-  bool is_in_cone(std::span<const PointId> facet, const std::array<PointId, 3>& ray) const {
-    for (std::size_t k = 0; k < facet.size(); ++k) {
-      if (ray_side(facet[k], facet[(k + 1) % facet.size()], ray) == Sign::Negative) return false;
+  bool is_in_cone(const std::array<PointId, 3>& t, const std::array<PointId, 3>& ray) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (ray_side(t[k], t[(k + 1) % 3], ray) == Sign::Negative) return false;
     }
     return true;
   }

@@ -230,3 +230,43 @@ TEST_CASE("StepCheck: what is said to lie across an edge of the ring") {
   }
   CHECK(dents > 3);
 }
+
+TEST_CASE("StepCheck: a dent that only exact numbers see") {
+  // z >= 0, four sides that nearly meet above, x + z <= 1, -x + z <= 1, y + z <= 1 and
+  // -y + z <= 1 + 2^-60, and a lid z <= 1/2: the wrong fill of its ring dents by 2^-60.
+  const Integer one = Integer(1) << 60;
+  const auto plane = [&](int x, int y, int z, const Integer& d) {
+    return Halfspace(IntegerVector3(x * one, y * one, z * one), d);
+  };
+  const std::vector<Halfspace> planes = {plane(0, 0, -1, 0),        plane(1, 0, 1, -one),
+                                         plane(-1, 0, 1, -one),     plane(0, 1, 1, -one),
+                                         plane(0, -1, 1, -one - 1), plane(0, 0, 2, -one)};
+  const RationalPoint center(Rational(0), Rational(0), Rational(1, 4));
+  const DualHull solid = dual_of(planes, center).dual;
+  const FastDual dual = FastDual::of(solid, center);
+  const HalfEdgeMesh mesh(dual.size(), dual.triangles());
+  std::size_t accepted = 0, refused = 0;
+  for (std::size_t i = 0; i < dual.size(); ++i) {
+    const IntegerVector3& n = solid.halfspaces[i].normal();
+    if (n[0] != 0 || n[1] != 0 || n[2] < 0) continue;
+    OneRing ring;
+    mesh.one_ring(HalfspaceId(i), ring);
+    const auto& v = ring.vertices;
+    REQUIRE(v.size() == 4);
+    std::vector<HalfspaceId> across;
+    for (const std::uint32_t h : ring.outer) across.push_back(mesh.apex(h));
+    for (const std::size_t k : {0u, 1u}) {
+      const std::vector<DualTriangle> fill = {{v[k], v[k + 1], v[k + 2]},
+                                              {v[k], v[k + 2], v[(k + 3) % 4]}};
+      try {
+        StepCheck(dual).check({HalfspaceId(i), v, across, fill});
+        ++accepted;
+      } catch (const Error& error) {
+        CHECK(says(error.what(), "inside the ring's planes"));
+        ++refused;
+      }
+    }
+  }
+  CHECK(accepted == 1);
+  CHECK(refused == 1);
+}

@@ -214,3 +214,163 @@ TEST_CASE("check_hull: the great icosahedron is locally convex, but no hull") {
   REQUIRE(great.certificate.inside.size() == 4);
   CHECK_FALSE(check_hull(great, points));
 }
+
+TEST_CASE("check_hull: two facets taken for one, though their ridge is bent") {
+  const PointSet points(shapes::on_sphere(16, 5));
+  const Hull hull = checked_hull(points);
+  const Facets facets = facets_of(hull);
+  std::size_t merged = 0;
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    for (std::size_t g = 0; g < facets.size(); ++g) {
+      if (f == g || facets[f].size() != 3 || facets[g].size() != 3) continue;
+      // f = (a, b, c) and g = (b, a, d) in some rotation: together a, d, b, c.
+      for (std::size_t k = 0; k < 3; ++k) {
+        const PointId a = facets[f][k], b = facets[f][(k + 1) % 3], c = facets[f][(k + 2) % 3];
+        for (std::size_t m = 0; m < 3; ++m) {
+          if (facets[g][m] != b || facets[g][(m + 1) % 3] != a) continue;
+          Facets changed;
+          changed.push_back({a, facets[g][(m + 2) % 3], b, c});
+          for (std::size_t h = 0; h < facets.size(); ++h) {
+            if (h != f && h != g) changed.push_back(facets[h]);
+          }
+          CHECK_FALSE(check_hull(with_facets(hull, changed), points));
+          std::rotate(changed[0].begin(), changed[0].begin() + 1, changed[0].end());
+          CHECK_FALSE(check_hull(with_facets(hull, changed), points));
+          std::rotate(changed.begin(), changed.begin() + 1, changed.end());
+          CHECK_FALSE(check_hull(with_facets(hull, changed), points));
+          ++merged;
+        }
+      }
+    }
+  }
+  CHECK(merged > 20);
+}
+
+TEST_CASE(
+    "check_hull: a simplex of four points in a plane, whose centroid is inside all the same") {
+  const PointSet points(shapes::cube());
+  Hull hull = checked_hull(points);
+  std::size_t flat = 0;
+  for (std::size_t code = 0; code < 4096; ++code) {
+    const std::array<PointId, 4> s{PointId(code & 7), PointId(code >> 3 & 7),
+                                   PointId(code >> 6 & 7), PointId(code >> 9)};
+    if (points[s[0]] + points[s[1]] != points[s[2]] + points[s[3]]) continue;
+    hull.certificate.simplex = s;  // a parallelogram, or less
+    CHECK_FALSE(check_hull(hull, points));
+    ++flat;
+  }
+  CHECK(flat > 10);
+}
+
+TEST_CASE("check_hull: ids far beyond the points") {
+  const PointSet points(shapes::in_ball(40, 2));
+  const Hull hull = checked_hull(points);
+  const PointId far(1u << 30);
+  Hull changed = hull;
+  changed.vertices.back() = far;
+  CHECK_FALSE(check_hull(changed, points));
+  Facets facets = facets_of(hull);
+  facets[1][2] = far;
+  CHECK_FALSE(check_hull(with_facets(hull, facets), points));
+  facets = facets_of(hull);
+  facets.push_back({});
+  CHECK_FALSE(check_hull(with_facets(hull, facets), points));
+  facets.back() = {hull.vertices[0], hull.vertices[1]};
+  CHECK_FALSE(check_hull(with_facets(hull, facets), points));
+  REQUIRE(!hull.certificate.inside.empty());
+  for (std::size_t k = 0; k < 4; ++k) {
+    changed = hull;
+    (k < 3 ? changed.certificate.inside[0].triangle[k] : changed.certificate.inside[0].point) = far;
+    CHECK_FALSE(check_hull(changed, points));
+    changed = hull;
+    changed.certificate.simplex[k] = far;
+    CHECK_FALSE(check_hull(changed, points));
+  }
+}
+
+TEST_CASE("check_hull: the prism over a pentagram, seen from a top whose fan turns back") {
+  // Closed and convex at every edge, and the ray through the top meets one triangle that turns
+  // left: only that another one turns right tells that the top winds around twice.
+  std::vector<Point> list;
+  for (const double z : {-10.0, 10.0}) {
+    for (const auto& [x, y] : {std::pair{0, 10}, {-9, 3}, {-6, -8}, {6, -8}, {30, 3}})
+      list.emplace_back(x, y, z);
+  }
+  const PointSet points(list);
+  for (std::size_t start = 0; start < 5; ++start) {
+    Facets facets(2);
+    for (std::size_t k = 0; k < 5; ++k) {
+      const std::size_t i = (start + 2 * k) % 5, j = (i + 2) % 5;
+      facets[0].emplace_back(i + 5);
+      facets[1].insert(facets[1].begin(), PointId(i));
+      facets.push_back({PointId(i), PointId(j), PointId(j + 5), PointId(i + 5)});
+    }
+    Hull hull;
+    for (std::size_t i = 0; i < 10; ++i) hull.vertices.emplace_back(i);
+    hull = with_facets(hull, facets);
+    for (std::size_t code = 0; code < 10000; ++code) {
+      const std::size_t s[] = {code % 10, code / 10 % 10, code / 100 % 10, code / 1000};
+      if (s[0] >= s[1] || s[1] >= s[2] || s[2] >= s[3]) continue;
+      hull.certificate.simplex = {PointId(s[0]), PointId(s[1]), PointId(s[2]), PointId(s[3])};
+      CHECK_FALSE(check_hull(hull, points));
+    }
+  }
+}
+
+TEST_CASE("check_hull: a vertex that is a repeat of a corner, and no corner itself") {
+  std::vector<Point> list = shapes::cube();
+  list.push_back(list[0]);
+  const PointSet points(list);
+  const Hull hull = checked_hull(points);
+  const PointId corner = hull.vertices[0] == PointId(0) ? PointId(0) : PointId(8);
+  const PointId repeat(8 - corner.index());
+  Hull wrong = hull;
+  std::erase(wrong.vertices, corner);
+  wrong.vertices.insert(std::ranges::lower_bound(wrong.vertices, repeat), repeat);
+  wrong.certificate.inside = {{corner, {repeat, repeat, repeat}}};
+  CHECK_FALSE(check_hull(wrong, points));
+  wrong.vertices = hull.vertices;  // one corner too few
+  std::erase(wrong.vertices, corner);
+  CHECK_FALSE(check_hull(wrong, points));
+}
+
+TEST_CASE("check_hull: a proof twice in place of another") {
+  const PointSet points(shapes::in_ball(60, 3));
+  const Hull hull = checked_hull(points);
+  const std::size_t count = hull.certificate.inside.size();
+  REQUIRE(count > 3);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < count; ++j) {
+      if (i == j) continue;
+      Hull wrong = hull;
+      wrong.certificate.inside[i] = wrong.certificate.inside[j];
+      CHECK_FALSE(check_hull(wrong, points));
+    }
+  }
+}
+
+TEST_CASE("check_hull: a point outside, by a triangle in a plane with the center") {
+  std::vector<Point> list = shapes::cube();
+  const Hull cube = checked_hull(PointSet(list));
+  list.push_back(list[0] + 4 * (list[7] - list[0]));
+  const PointSet points(list);
+  std::size_t flat = 0;
+  for (std::size_t code = 0; code < 512; ++code) {
+    Hull wrong = cube;
+    wrong.certificate.inside.push_back(
+        {PointId(8), {PointId(code & 7), PointId(code >> 3 & 7), PointId(code >> 6)}});
+    CHECK_FALSE(check_hull(wrong, points));
+    ++flat;
+  }
+  CHECK(flat == 512);
+}
+
+TEST_CASE("check_hull: points that are no doubles are checked, too") {
+  std::vector<RationalPoint> thirds;
+  for (const Point& p : shapes::cube()) thirds.push_back(to_rational(p) / Rational(3));
+  const PointSet points(thirds);
+  const Hull hull = checked_hull(points);
+  Facets facets = facets_of(hull);
+  facets.pop_back();
+  CHECK_FALSE(check_hull(with_facets(hull, facets), points));
+}

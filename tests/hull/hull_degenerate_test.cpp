@@ -58,6 +58,18 @@ TEST_CASE("check_flat: wrong proofs are rejected") {
   wrong = flat;
   wrong.equations[0] = Halfspace(flat.equations[0].normal(), flat.equations[0].offset() + 1);
   CHECK_FALSE(check_flat(wrong, points));
+  wrong = flat;  // more of what is right already
+  wrong.basis.push_back(wrong.basis[0]);
+  CHECK_FALSE(check_flat(wrong, points));
+  wrong = flat;
+  wrong.equations.push_back(wrong.equations[0]);
+  CHECK_FALSE(check_flat(wrong, points));
+  wrong = flat;
+  wrong.dimension = -2;
+  CHECK_FALSE(check_flat(wrong, points));
+  // Four points that span space are no flat input, though they are a basis without equations.
+  const PointSet solid(shapes::tetrahedron());
+  CHECK_FALSE(check_flat({3, {PointId(0), PointId(1), PointId(2), PointId(3)}, {}}, solid));
   const PointSet line(shapes::collinear(10, 1));
   wrong = checked_flat(line);
   wrong.equations[1] = wrong.equations[0];
