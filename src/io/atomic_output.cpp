@@ -14,10 +14,12 @@
 namespace convexact {
 namespace {
 
-[[noreturn]] void fail(const std::string& path, const std::string& reason) {
+[[noreturn]] void cannot_write(const std::string& path, const std::string& reason) {
   throw Error(ErrorCode::Unwritable, "cannot be written: " + reason).in_file(path);
 }
-[[noreturn]] void fail(const std::string& path, int reason) { fail(path, std::strerror(reason)); }
+[[noreturn]] void cannot_write(const std::string& path, int reason) {
+  cannot_write(path, std::strerror(reason));
+}
 
 std::string folder_of(const std::string& target) {
   const std::string folder = std::filesystem::path(target).parent_path().string();
@@ -93,15 +95,15 @@ void AtomicOutput::add(const std::string& path, std::string_view bytes) {
 void AtomicOutput::write_temporary(File& file, std::string_view bytes) {
   struct stat status;
   const bool exists = ::stat(file.target.c_str(), &status) == 0;
-  if (exists && S_ISDIR(status.st_mode)) fail(file.path, EISDIR);
-  if (exists && !S_ISREG(status.st_mode)) fail(file.path, "Is not a regular file");
-  if (exists && ::access(file.target.c_str(), W_OK) != 0) fail(file.path, errno);
+  if (exists && S_ISDIR(status.st_mode)) cannot_write(file.path, EISDIR);
+  if (exists && !S_ISREG(status.st_mode)) cannot_write(file.path, "Is not a regular file");
+  if (exists && ::access(file.target.c_str(), W_OK) != 0) cannot_write(file.path, errno);
   const int descriptor = create_beside(file.target, file.temporary);
-  if (descriptor < 0) fail(file.path, errno);
+  if (descriptor < 0) cannot_write(file.path, errno);
   int reason = write_all(descriptor, bytes);
   if (exists && reason == 0 && ::fchmod(descriptor, status.st_mode & 07777) != 0) reason = errno;
   if (::close(descriptor) != 0 && reason == 0) reason = errno;
-  if (reason != 0) fail(file.path, reason);
+  if (reason != 0) cannot_write(file.path, reason);
 }
 
 void AtomicOutput::commit(const std::function<void()>& last) {
@@ -109,7 +111,8 @@ void AtomicOutput::commit(const std::function<void()>& last) {
     for (File& file : files_) {
       // The last step is never undone, so the file that it replaces needs no second name.
       if (last || &file != &files_.back()) keep_replaced(file);
-      if (std::rename(file.temporary.c_str(), file.target.c_str()) != 0) fail(file.path, errno);
+      if (std::rename(file.temporary.c_str(), file.target.c_str()) != 0)
+        cannot_write(file.path, errno);
       file.moved = true;
     }
     if (last) last();
@@ -137,10 +140,10 @@ void AtomicOutput::keep_replaced(File& file) {
     }
     file.backup.clear();  // no file has this name
     if (reason == ENOENT) return;
-    fail(file.path, reason);
+    cannot_write(file.path, reason);
   }
   file.backup.clear();
-  fail(file.path, EEXIST);
+  cannot_write(file.path, EEXIST);
 }
 
 void AtomicOutput::undo() noexcept {

@@ -29,7 +29,7 @@ class Descriptor {
   int value_;
 };
 
-[[noreturn]] void fail(const std::string& path, int reason) {
+[[noreturn]] void cannot_read(const std::string& path, int reason) {
   throw Error(ErrorCode::Unreadable, std::string("cannot be read: ") + std::strerror(reason))
       .in_file(display_name(path));
 }
@@ -41,8 +41,8 @@ std::string display_name(const std::string& path) { return path == "-" ? "standa
 std::string read_bytes(const std::string& path) {
   const Descriptor file(path);
   struct stat status;
-  if (file.value() < 0 || ::fstat(file.value(), &status) != 0) fail(path, errno);
-  if (S_ISDIR(status.st_mode)) fail(path, EISDIR);
+  if (file.value() < 0 || ::fstat(file.value(), &status) != 0) cannot_read(path, errno);
+  if (S_ISDIR(status.st_mode)) cannot_read(path, EISDIR);
   // The size is a hint: pipes have none, and a file may grow while it is read.
   constexpr std::size_t kChunk = 1 << 16;
   std::string bytes;
@@ -53,7 +53,7 @@ std::string read_bytes(const std::string& path) {
     if (filled == bytes.size()) bytes.resize(2 * bytes.size());
     const ssize_t count = ::read(file.value(), bytes.data() + filled, bytes.size() - filled);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(path, errno);
+    if (count < 0) cannot_read(path, errno);
     if (count == 0) break;
     filled += static_cast<std::size_t>(count);
   }
