@@ -108,7 +108,9 @@ class OutsideSearch {
   }
 
   // Whether the error bound at the largest coordinates of a block settles all of its points. Counts
-  // in doubles and without a branch, so that compilers turn it into vector code.
+  // in doubles and without a branch, so that compilers turn it into vector code. Where a partial
+  // sum overflows and the others could outweigh it, size + |d| overflows as well: the error is
+  // infinite, and the value plus it not negative.
   bool surely_inside(const DoubleHalfspace& h, std::size_t first, std::size_t last,
                      double largest) const {
     const double size = (std::abs(h.n[0]) + std::abs(h.n[1]) + std::abs(h.n[2])) * largest;
@@ -119,7 +121,7 @@ class OutsideSearch {
       const double value = h.n[0] * x[j] + h.n[1] * y[j] + h.n[2] * z[j] + h.d;
       open += value + error < 0 ? 0.0 : 1.0;  // 1 for NaN
     }
-    return open == 0 && size < 0x1p1022;  // no partial sum overflowed
+    return open == 0;
   }
 
   bool is_outside(const Halfspace& h, PointId id) const {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "convexact/error.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/stored.hpp"
 #include "shapes/makers.hpp"
@@ -34,6 +35,15 @@ TEST_CASE("growth: a solid is at distance 0 from itself") {
   const Growth same = growth(box(1, 2, 3), box(1, 2, 3), kOrigin, Rational(56));
   CHECK(same.push == 0);
   CHECK(same.volume_ratio == 1);
+}
+
+TEST_CASE("growth: a center that is not strictly inside both solids is refused") {
+  const Polytope small = box(1, 1, 1), large = box(2, 2, 2);
+  for (const Rational& x : {Rational(1), Rational(3, 2), Rational(3)}) {
+    const RationalPoint center(x, Rational(0), Rational(0));
+    CHECK_THROWS_AS((void)growth(small, large, center, Rational(12)), Error);
+    CHECK_THROWS_AS((void)growth(large, small, center, Rational(12)), Error);
+  }
 }
 
 TEST_CASE("growth: a scaled cube, either way round") {
