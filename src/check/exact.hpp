@@ -67,9 +67,8 @@ inline Rational quotient(const Integer& above, const Integer& below) {
   return value;
 }
 inline Rational power_of_two(long e) {
-  Integer power = 1;
-  power <<= static_cast<unsigned long>(std::labs(e));
-  return e < 0 ? quotient(1, power) : Rational(power);
+  const auto size = static_cast<unsigned long>(std::labs(e));
+  return e < 0 ? Rational(Rational(1) >> size) : Rational(Rational(1) << size);
 }
 // Numbers times their common denominator: a point has only one such form.
 inline Row scaled(const Numbers& x) {

@@ -20,6 +20,50 @@ struct MeshFile {
   std::vector<Row> rows{};  // points as scaled(), halfspaces as primitive()
 };
 
+// Bytes, line by line: a line ends with LF, CR LF or CR.
+class Lines {
+ public:
+  // A word that starts with `comment` ends its line. With `continued` a backslash at the end joins
+  // a line with the next, except that a name after o or g is taken to the letter.
+  explicit Lines(const std::string& bytes, char comment = '\0', bool continued = false)
+      : bytes_(bytes), comment_(comment), continued_(continued) {
+    if (bytes_.starts_with("\xEF\xBB\xBF")) offset_ = 3;
+  }
+  std::size_t offset() const { return offset_; }  // behind the line
+  std::size_t number() const { return number_; }
+
+  // The words of the next line that has any; none at the end.
+  WordList next() {
+    WordList words;
+    bool goes_on = false;
+    while ((words.empty() || goes_on) && offset_ < bytes_.size()) goes_on = append_line(words);
+    return words;
+  }
+
+ private:
+  bool append_line(WordList& words) {  // whether the line goes on
+    const std::size_t end = std::min(bytes_.find_first_of("\r\n", offset_), bytes_.size());
+    std::string text = bytes_.substr(offset_, end - offset_);
+    offset_ = std::min(end + (bytes_.compare(end, 2, "\r\n") == 0 ? 2 : 1), bytes_.size());
+    ++number_;
+    const bool goes_on = continued_ && text.ends_with('\\');
+    if (goes_on) text.back() = ' ';
+    for (std::size_t from = 0; (from = text.find_first_not_of(kBlanks, from)) < text.size();) {
+      if (comment_ != '\0' && text[from] == comment_) return false;
+      const std::size_t to = std::min(text.find_first_of(kBlanks, from), text.size());
+      words.push_back(text.substr(from, to - from));
+      from = to;
+    }
+    return goes_on && (words.empty() || !is_one_of(words[0], {"o", "g"}));
+  }
+
+  static constexpr const char* kBlanks = " \t\v\f";
+  const std::string& bytes_;
+  const char comment_;
+  const bool continued_;
+  std::size_t offset_ = 0, number_ = 0;
+};
+
 // How a binary file stores a number.
 struct BinaryType {
   std::size_t size;  // in bytes
@@ -59,8 +103,8 @@ class Binary {
       expect(std::isfinite(value), "a finite number");
       return value;
     }
-    const Rational value(Integer(static_cast<unsigned long>(bits)));
-    const Rational range = power_of_two(8 * long(type.size));
+    const Rational value = static_cast<unsigned long>(bits),
+                   range = power_of_two(8 * long(type.size));
     const bool is_negative = type.kind == BinaryType::Signed && 2 * value >= range;
     return is_negative ? Rational(value - range) : value;
   }
@@ -81,8 +125,8 @@ class MeshReader {
  public:
   MeshReader(const std::string& bytes, Decimals decimals) : bytes_(bytes), decimals_(decimals) {}
 
-  MeshFile read(const std::string& extension) {
-    file_.is_mesh = !is_one_of(extension, {".txt", ".ine"});
+  void read(const std::string& extension) {
+    file.is_mesh = !is_one_of(extension, {".txt", ".ine"});
     if (extension == ".obj") return read_obj();
     if (extension == ".off") return read_off();
     if (extension == ".ply") return read_ply();
@@ -90,8 +134,9 @@ class MeshReader {
     if (extension == ".xyz") return read_xyz();
     if (extension == ".txt") return read_rows();
     expect(extension == ".ine", "a name that ends in .obj, .off, .ply, .stl, .xyz, .ine or .txt");
-    return read_ine();
+    read_ine();
   }
+  MeshFile file;
   std::string where = "";  // the place of a failure
 
  private:
@@ -101,7 +146,7 @@ class MeshReader {
     return words;
   }
   void add_point(const Rational& x, const Rational& y, const Rational& z) {
-    file_.rows.push_back(scaled({x, y, z, 1}));
+    file.rows.push_back(scaled({x, y, z, 1}));
   }
   void add_point(const WordList& words, std::size_t first) {
     expect(words.size() >= first + 3, "three coordinates");
@@ -110,7 +155,7 @@ class MeshReader {
   }
 
   // v x y z, with a weight (4 numbers), a colour (6) or both (7), which are not looked at.
-  MeshFile read_obj() {
+  void read_obj() {
     const WordList others = {"f",  "fo", "o",  "g",      "s",      "l", "p",
                              "vt", "vn", "vp", "usemtl", "mtllib", "mg"};
     Lines lines(bytes_, '#', true);
@@ -122,11 +167,10 @@ class MeshReader {
         expect(is_one_of(words[0], others), "a statement such as v or f, found '" + words[0] + "'");
       }
     }
-    return file_;
   }
 
   // A header such as OFF or COFF, the counts behind it or on the next line, a point on each line.
-  MeshFile read_off() {
+  void read_off() {
     Lines lines(bytes_, '#');
     WordList words = next(lines);
     expect(!words.empty() && words[0].ends_with("OFF") && has_only(words[0], "STCNOF"),
@@ -135,42 +179,38 @@ class MeshReader {
     if (words.empty()) words = next(lines);
     expect(!words.empty() && is_count(words[0]), "the number of points");
     for (std::size_t count = std::stoul(words[0]); count > 0; --count) add_point(next(lines), 0);
-    return file_;
   }
 
   // x y z on each line; further numbers are not looked at.
-  MeshFile read_xyz() {
+  void read_xyz() {
     Lines lines(bytes_, '#');
     for (WordList words; !(words = next(lines)).empty();) add_point(words, 0);
-    return file_;
   }
 
   // Binary if and only if it has 84 + 50 n bytes, where bytes 80 to 83 hold n.
-  MeshFile read_stl() {
+  void read_stl() {
     const BinaryType real{4, BinaryType::Real}, count{4, BinaryType::Unsigned};
     const bool is_binary = bytes_.size() >= 84 && (bytes_.size() - 84) % 50 == 0 &&
                            Binary(bytes_, 80, false).number(count) == (bytes_.size() - 84) / 50;
     if (!is_binary) return read_text_stl();
     for (Binary in(bytes_, 84, false); !in.at_end(); in.take(2)) {
-      where = "triangle " + std::to_string(file_.rows.size() / 3 + 1);
+      where = "triangle " + std::to_string(file.rows.size() / 3 + 1);
       in.take(12);
       for (int corner = 0; corner < 3; ++corner) {
         const Rational x = in.number(real), y = in.number(real), z = in.number(real);
         add_point(x, y, z);
       }
     }
-    return file_;
   }
-  MeshFile read_text_stl() {
+  void read_text_stl() {
     const std::string text = lower_case(bytes_);
     Lines lines(text);
     for (WordList words; !(words = next(lines)).empty();) {
       if (words[0] == "vertex") add_point(words, 1);
     }
-    return file_;
   }
 
-  MeshFile read_ply() {
+  void read_ply() {
     Lines lines(bytes_);
     expect(next(lines) == WordList{"ply"}, "ply");
     const WordList format = next(lines);
@@ -191,16 +231,17 @@ class MeshReader {
       }
     }
     expect(is_text ? next(lines).empty() : binary.at_end(), "the end of the file");
-    return file_;
   }
   std::vector<PlyElement> read_ply_header(Lines& lines) {
     std::vector<PlyElement> elements;
     for (WordList words; (words = next(lines)) != WordList{"end_header"};) {
       expect(!words.empty(), "end_header");
-      if (words.size() == 3 && words[0] == "element" && is_count(words[2])) {
+      if (words[0] == "element") {
+        expect(words.size() == 3 && is_count(words[2]), "an element, its name and number");
         elements.push_back({words[1], std::stoul(words[2]), {}});
-      } else if (words[0] == "property" && !elements.empty()) {
+      } else if (words[0] == "property") {
         expect(words.size() == 3 || (words.size() == 5 && words[1] == "list"), "a property");
+        expect(!elements.empty(), "an element before its properties");
         elements.back().properties.emplace_back(words.begin() + 1, words.end());
       } else {
         expect(words[0] == "comment" || words[0] == "obj_info", "an element or a property");
@@ -240,14 +281,13 @@ class MeshReader {
   }
 
   // n1 n2 n3 d on each line.
-  MeshFile read_rows() {
+  void read_rows() {
     Lines lines(bytes_, '#');
     for (WordList words; !(words = next(lines)).empty();) add_halfspace(words, 1);
-    return file_;
   }
 
   // begin, m 4 type, m rows b a1 a2 a3 that mean b + a.x >= 0, and end.
-  MeshFile read_ine() {
+  void read_ine() {
     const WordList refused = {"V-representation", "linearity", "equality", "strict_inequality",
                               "partial_enumeration"};
     Lines lines(bytes_, '*');
@@ -267,7 +307,6 @@ class MeshReader {
     while (!(words = next(lines)).empty()) {
       expect(!is_one_of(words[0], refused), "inequalities only");
     }
-    return file_;
   }
   // A row without a normal that holds everywhere is none.
   void add_halfspace(const WordList& words, int sign) {
@@ -276,12 +315,11 @@ class MeshReader {
     for (std::size_t k = 0; k < 4; ++k) row[k] = sign * number_of_row(words[k], decimals_);
     const bool has_normal = row[0] != 0 || row[1] != 0 || row[2] != 0;
     expect(has_normal || row[3] <= 0, "halfspaces that hold somewhere");
-    if (has_normal) file_.rows.push_back(primitive(scaled(row)));
+    if (has_normal) file.rows.push_back(primitive(scaled(row)));
   }
 
   const std::string& bytes_;
   const Decimals decimals_;
-  MeshFile file_;
 };
 
 // The end of the file's name tells its format.
@@ -290,7 +328,8 @@ inline MeshFile parse_mesh_file(const std::string& bytes, const std::string& pat
                                 Decimals decimals) {
   MeshReader reader(bytes, decimals);
   try {
-    return reader.read(lower_case(path.substr(std::min(path.rfind('.'), path.size()))));
+    reader.read(lower_case(path.substr(std::min(path.rfind('.'), path.size()))));
+    return reader.file;
   } catch (Failure failure) {
     failure.where = path + (reader.where.empty() ? "" : ": " + reader.where);
     throw failure;
@@ -300,7 +339,7 @@ inline MeshFile parse_mesh_file(const std::string& bytes, const std::string& pat
 inline std::string bytes_of_file(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (!in.is_open() || in.bad()) throw Failure{3, "expected a file that can be read", path};
+  if (!in.is_open()) throw Failure{3, "expected a file that can be read", path};
   return bytes;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// text.hpp - the lines and words of a text, and every way to spell a number.
+// text.hpp - the words of a proof, and every way to spell a number.
 #pragma once
 #include <algorithm>
 #include <string>
@@ -61,17 +61,15 @@ struct SpeltNumber {
 
 // In a proof: "p", "p/q", or a double in hexadecimal such as -0x1.8p-3. Nothing is rounded.
 inline Rational number_of_proof(const std::string& word) {
-  const std::size_t start = word.starts_with('-') ? 1 : 0;
-  Rational value;
-  if (word.compare(start, 2, "0x") == 0) {
-    const std::string behind = word.substr(start + 2);
-    const SpeltNumber spelt(behind, "p", kHexDigits);
-    expect(has_only(behind.substr(0, 1), kHexDigits) && behind.find('p') != behind.npos &&
+  if (word.starts_with("-0x")) return -number_of_proof(word.substr(1));
+  if (word.starts_with("0x")) {
+    const SpeltNumber spelt(word.substr(2), "p", kHexDigits);
+    expect(has_only(word.substr(2, 1), kHexDigits) && word.find('p') != word.npos &&
                abs(spelt.exponent) < 2000,
            "hexadecimal digits and an exponent of two");
-    value = Integer(spelt.digits, 16) * power_of_two(spelt.exponent.get_si() - 4 * spelt.places);
-    return start == 1 ? Rational(-value) : value;
+    return Integer(spelt.digits, 16) * power_of_two(spelt.exponent.get_si() - 4 * spelt.places);
   }
+  Rational value;
   expect(value.set_str(word, 10) == 0 && value.get_den() != 0, "a number");
   value.canonicalize();
   return value;
@@ -128,71 +126,26 @@ inline Rational number_of_row(const std::string& word, Decimals decimals) {
   return above / Rational(Integer(below, 10));
 }
 
-// Bytes, line by line: a line ends with LF, CR LF or CR.
-class Lines {
- public:
-  // A word that starts with `comment` ends its line. With `continued` a backslash at the end joins
-  // a line with the next, except that a name after o or g is taken to the letter.
-  explicit Lines(const std::string& bytes, char comment = '\0', bool continued = false)
-      : bytes_(bytes), comment_(comment), continued_(continued) {
-    if (bytes_.starts_with("\xEF\xBB\xBF")) offset_ = 3;
-  }
-  std::size_t offset() const { return offset_; }  // behind the line
-  std::size_t number() const { return number_; }
-
-  // The words of the next line that has any; none at the end.
-  WordList next() {
-    WordList words;
-    bool goes_on = false;
-    while ((words.empty() || goes_on) && offset_ < bytes_.size()) goes_on = append_line(words);
-    return words;
-  }
-
- private:
-  bool append_line(WordList& words) {  // whether the line goes on
-    const std::size_t end = std::min(bytes_.find_first_of("\r\n", offset_), bytes_.size());
-    std::string text = bytes_.substr(offset_, end - offset_);
-    offset_ = std::min(end + (bytes_.compare(end, 2, "\r\n") == 0 ? 2 : 1), bytes_.size());
-    ++number_;
-    const bool goes_on = continued_ && text.ends_with('\\');
-    if (goes_on) text.back() = ' ';
-    for (std::size_t from = 0; (from = text.find_first_not_of(kBlanks, from)) < text.size();) {
-      if (comment_ != '\0' && text[from] == comment_) return false;
-      const std::size_t to = std::min(text.find_first_of(kBlanks, from), text.size());
-      words.push_back(text.substr(from, to - from));
-      from = to;
-    }
-    return goes_on && (words.empty() || !is_one_of(words[0], {"o", "g"}));
-  }
-
-  static constexpr const char* kBlanks = " \t\v\f";
-  const std::string& bytes_;
-  const char comment_;
-  const bool continued_;
-  std::size_t offset_ = 0, number_ = 0;
-};
-
 // The words of a proof, each taken once. A line break is a blank, but lines are counted.
 class Words {
  public:
-  explicit Words(const std::string& bytes) : lines_(bytes) { take(); }
+  explicit Words(const std::string& bytes) : bytes_(bytes) { take(); }
   std::size_t line() const { return line_; }  // of the word taken last
 
+  // The next word; empty at the end.
   std::string take() {
     const std::string taken = next_;
-    line_ = std::max<std::size_t>(1, lines_.number());
-    if (place_ == words_.size()) {
-      words_ = lines_.next();
-      place_ = 0;
-    }
-    next_ = place_ < words_.size() ? words_[place_++] : "";
+    line_ = next_line_;
+    const std::size_t start = std::min(bytes_.find_first_not_of(kBlanks, place_), bytes_.size());
+    next_line_ += std::count(bytes_.begin() + place_, bytes_.begin() + start, '\n');
+    place_ = std::min(bytes_.find_first_of(kBlanks, start), bytes_.size());
+    next_ = bytes_.substr(start, place_ - start);
     return taken;
   }
-  bool at(const std::string& word) const { return next_ == word; }
   bool take_if(const std::string& word) {
-    if (!at(word)) return false;
-    take();
-    return true;
+    const bool is_next = next_ == word;
+    if (is_next) take();
+    return is_next;
   }
   bool at_number() const { return !next_.empty() && next_[0] <= '9'; }
   std::size_t id(std::size_t limit) {
@@ -215,9 +168,9 @@ class Words {
   }
 
  private:
-  Lines lines_;
-  WordList words_;
-  std::size_t place_ = 0, line_ = 1;
+  static constexpr const char* kBlanks = " \t\v\f\r\n";
+  const std::string& bytes_;
+  std::size_t place_ = 0, line_ = 1, next_line_ = 1;
   std::string next_;
 };
 

@@ -48,6 +48,8 @@ TEST_CASE("same points: decimals mean the nearest double, beyond 17 digits and a
   CHECK(verdict_on("a.obj", with("2.4e-324"), 0.0) == 0);
   CHECK(verdict_on("a.obj", with("1e-99999999999999999999"), 0.0) == 0);
   CHECK(verdict_on("a.obj", with("1e99999999999999999999"), 0.0) == 3);
+  CHECK(verdict_on("a.obj", with("1.7976931348623158e308"), 0.0) == 1);  // the largest double
+  CHECK(verdict_on("a.obj", with("1.7976931348623159e308"), 0.0) == 3);  // nearer to 2^1024
   CHECK(verdict_on("a.obj", with("+.5e+0001"), 5.0) == 0);
   CHECK(verdict_on("a.obj", with("5."), 5.0) == 0);
   CHECK(verdict_on("a.obj", with("-0"), 0.0) == 0);
@@ -170,6 +172,7 @@ TEST_CASE("same points: rows of halfspaces, as rows and as .ine (#13)") {
       "box\nH-representation\nbegin\n8 4 rational\n3 -1 0 0\n3 1 0 0\n2 0 -1 0\n2 0 1 0\n1 0 0 -1\n"
       "1 0 0 1\n5/2 -1/2 -1/2 -1/2\n4 -1 0 0\nend\n";
   CHECK(verdict("a.ine", ine) == 0);
+  CHECK(verdict("a.json", ine) == 3);
   CHECK(verdict("a.ine", "linearity 1 1\n" + ine) == 3);
   CHECK(verdict("a.obj", kBase) == 1);  // of another kind
 }
@@ -210,6 +213,10 @@ TEST_CASE("same points: a file with the right points that is malformed in one pl
       {"a.ply", ply(little, "", floats.substr(0, 20))},
       {"a.ply", ply(little, "", std::string("\0\0\xc0\x7f", 4) + floats.substr(4))},  // NaN
       {"a.ply", "ply\nformat ascii 1.0\nelement vertex 4\n"},
+      {"a.ply", "ply\nformat ascii 1.0\nproperty float x\nend_header\n" + rows},
+      {"a.ply", ply("ascii", "element edge\n", rows)},
+      {"a.ply", ply("ascii", "element edge 0 0\n", rows)},
+      {"a.ply", ply("ascii", "element edge x\n", rows)},
       {"a.ply", ply("ascii", "property float w u\n", with("1"))},
       {"a.ply", ply("ascii", "property float w u v\n", with("1"))},
       {"a.ply", ply("ascii", "property list char int\n", with("1 7"))},
@@ -217,6 +224,7 @@ TEST_CASE("same points: a file with the right points that is malformed in one pl
       {"a.ply", ply("ascii", "property float w\n", rows)},
       {"a.ply", ply("ascii", "property list char int w\n", with("-1"))},
       {"a.ply", ply("ascii", "property list char int w\n", with("0.5 7"))},
+      {"a.ply", ply("ascii", "property list char int w\n", with("99999999 7"))},
       {"a.ply", ply("ascii", "", with("1"))},
       {"a.ply",
        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float "
@@ -260,4 +268,15 @@ TEST_CASE("same points: a list with the right rows that is malformed in one plac
     CAPTURE(text);
     CHECK(verdict("a.ine", text) == 3);
   }
+}
+
+TEST_CASE("same points: points are no halfspaces of the same four numbers, and none are no file") {
+  const std::vector<Point> points = {{1, 1, 1}, {9, 1, 1}, {1, 9, 1}, {1, 1, 9}};
+  const std::string proof = proof_of(PointSet(points), Engine::Filtered, 4);
+  const ScratchFolder scratch;
+  const std::string rows = "1 1 1\n9 1 1\n1 9 1\n1 1 9\n",
+                    halfspaces = "1 1 1 1\n9 1 1 1\n1 9 1 1\n1 1 9 1\n";
+  CHECK(check_proof(proof, scratch.write("a.xyz", rows)).exit_code == 0);
+  CHECK(check_proof(proof, scratch.write("a.txt", halfspaces)).exit_code == 1);
+  CHECK(check_proof(proof, scratch.file("absent.xyz")).exit_code == 3);
 }

@@ -136,6 +136,11 @@ TEST_CASE("wrong proof: a point that is not where its tetrahedron is") {
   check_not_proven(proof("point 5 5 5\n", "inside 8 7"), why);
 }
 
+TEST_CASE("wrong proof: no plane at all") {
+  check_not_proven("convexact-proof 1 greedy\ninterior 0 0 0\nsurvive\nend 0\n",
+                   "there is no surface");
+}
+
 TEST_CASE("wrong proof: a surface seen from inside") {
   ProofText proof(cube_proof("1/2 1/2 1/2", "halfspace 1 0 0 -1 1\n"));
   for (const std::size_t l : proof.all("triangle")) std::swap(proof.lines[l][1], proof.lines[l][2]);
@@ -407,6 +412,18 @@ TEST_CASE("wrong proof: a ring that leaves out a neighbour of three") {
                    "not the ring");
 }
 
+TEST_CASE("wrong proof: an evaluation without its words is malformed") {
+  const std::string right = "evaluate 7 cost 1/6000 ring 4 6 5 triangles 6 5 4\n";
+  const std::string end = "survive 0 1 2 3 4 5 6 7\nend 0\n";
+  check_proven(kTwiceCut + right + end);
+  for (const std::string word : {"cost ", "ring ", "triangles "}) {
+    CAPTURE(word);
+    std::string line = right;
+    line.erase(line.find(word), word.size());
+    CHECK(check_proof(ProofText(kTwiceCut + line + end).text(true)).exit_code == 3);
+  }
+}
+
 TEST_CASE("wrong proof: a removal whose ring has changed since its evaluation") {
   check_not_proven(kTwiceCut +
                        "evaluate 6 cost 3/250 ring 3 5 7 4 triangles 3 5 7 3 7 4\n"
@@ -420,4 +437,48 @@ TEST_CASE("wrong proof: one stored plane more than planes are left") {
   ProofText proof(cube_proof("1/2 1/2 1/2", "halfspace 1 0 0 -1 1\nhalfspace 1 0 0 -5 1\n"));
   proof.lines[proof.all("halfspace")[0]].back() = "2";  // so that the normals cancel
   check_not_proven(proof.text(), "the stored planes are not bounded");
+}
+
+TEST_CASE("wrong proof: a cap and, apart from it, a tetrahedron of planes of its ring") {
+  // T = {|x| + z <= 1, |y| - z <= 1} has the volume 16/3. The facet z <= 0 crosses its four planes
+  // and, between them, the roof |x| + |y| + 2 z <= 3/2. Without z <= 0 the roof's planes meet above
+  // those of T, so the triangles of T have no edge in common with the cap. Its volume is
+  // 9/8 - 1/12 - 1/36 = 73/72: the roof's pyramid without the tips beyond T.
+  const auto row = [](int a, int b, int c, int d) {
+    return Halfspace(IntegerVector3(a, b, c), Integer(d));
+  };
+  const std::vector<Halfspace> rows = {row(1, 0, 1, -1),   row(-1, 0, 1, -1),  row(0, 1, -1, -1),
+                                       row(0, -1, -1, -1), row(0, 0, 1, 0),    row(2, 2, 4, -3),
+                                       row(-2, 2, 4, -3),  row(-2, -2, 4, -3), row(2, -2, 4, -3)};
+  ProofText proof(proof_of(rows, Engine::Exact, 8));
+  check_proven(proof.text());
+  const auto id_of = [&](const std::vector<std::string>& plane) {
+    const std::vector<std::size_t> planes = proof.all("plane");
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      const std::vector<std::string>& line = proof.lines[planes[i]];
+      if (std::equal(line.begin() + 1, line.end(), plane.begin(), plane.end())) {
+        return std::to_string(i);
+      }
+    }
+    FAIL("no such plane");
+    return std::string();
+  };
+  const std::string top = id_of({"0", "0", "1", "0"}), east = id_of({"1", "0", "1", "-1"}),
+                    west = id_of({"-1", "0", "1", "-1"}), north = id_of({"0", "1", "-1", "-1"}),
+                    south = id_of({"0", "-1", "-1", "-1"});
+  std::size_t found = 0;
+  for (const std::size_t l : proof.all("evaluate")) {
+    std::vector<std::string>& line = proof.lines[l];
+    if (line[1] != top) continue;
+    CHECK(line[3] == "73/72");
+    line[3] = "457/72";  // 73/72 + 16/3
+    for (const std::string& corner :
+         {east, north, west, west, south, east, north, east, south, south, west, north}) {
+      line.push_back(corner);
+    }
+    ++found;
+    break;
+  }
+  REQUIRE(found == 1);
+  check_not_proven(proof.text(), "the triangles do not fill the ring");
 }
