@@ -265,6 +265,14 @@ inline constexpr std::array kAllNotRun = {NotRun::AsksOtherwise, NotRun::OtherFo
 /// @throws Error as read_test_vectors_file; Unreadable if there is no such folder or no vector.
 [[nodiscard]] std::vector<TestVector> read_test_vectors(const std::string& folder);
 
+/// The profiles of a file (docs/schema/profiles.schema.json), by name.
+/// @throws Error Malformed, naming the profile.
+[[nodiscard]] std::vector<Profile> read_profiles_bytes(std::string_view bytes);
+
+/// The profile of that name. @throws Error InvalidArgument with the names that there are.
+[[nodiscard]] const Profile& profile_of_name(const std::vector<Profile>& profiles,
+                                             const std::string& name);
+
 /// One vector and the result of a program on it. The vector outlives this.
 struct ConformanceEntry {
   const TestVector* vector;

@@ -4,6 +4,7 @@
 // What is rational is exact: boxes, volumes, squared distances. Areas and mean widths are sums of
 // roots and angles and come as enclosures of any precision. docs/measures.md derives the formulas.
 #pragma once
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <optional>
@@ -25,6 +26,10 @@ struct BoundingBox {
   RationalVector3 size() const { return high - low; }
   /// Square of the diagonal, which the project calls the diameter of an input.
   Rational squared_diameter() const { return size().squaredNorm(); }
+  /// Of the absolute values of all coordinates of points in the box.
+  Rational largest_coordinate() const {
+    return std::max<Rational>(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+  }
 };
 
 /// The smallest box around n >= 1 points. @throws Error InvalidArgument if there is none.

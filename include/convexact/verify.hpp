@@ -34,8 +34,8 @@ struct Tolerance {
 /// "1.00e-9", or "1.00e-9 of the diameter": to three digits.
 [[nodiscard]] std::string describe(const Tolerance& tolerance);
 
-/// The root of an exact square to three digits: "3.47e-16".
-[[nodiscard]] std::string decimal_of_root(const Rational& squared);
+/// The root of an exact square to so many digits: "3.47e-16".
+[[nodiscard]] std::string decimal_of_root(const Rational& squared, int digits = 3);
 
 /// "1e-9" is absolute, "1e-9d" relative to the diameter; decimals mean what they spell.
 /// @throws Error InvalidArgument for anything else, and for negative numbers.

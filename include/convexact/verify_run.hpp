@@ -84,16 +84,21 @@ struct TraceClaim {
   std::optional<TraceWitness> witness = {};  ///< If violated.
 };
 
+/// How an order does, in a word and two steps. Steps are counted from 0.
+struct OrderRating {
+  TraceRating rating = TraceRating::Greedy;
+  std::optional<std::size_t> at;         ///< The step that decides a rating below UpToRegret.
+  std::optional<std::size_t> worst;      ///< The step of the largest regret above 0, the first one.
+  std::optional<Rational> worst_regret;  ///< Its regret.
+};
+
 /// Facets that an order never removes, each at some step cheaper than what it removes there by more
 /// than the limit: left out on purpose, or never listed. And how the order does on the solid
 /// without them, as if they had been removed first.
-struct LeftOut {
+struct LeftOut : OrderRating {
   std::vector<HalfspaceId> facets;  ///< In canonical order; at least one.
   std::size_t unlisted = 0;         ///< How many of them the order's own list does not have.
   std::size_t steps = 0;            ///< Steps that are too dear, and one of them is the cheapest.
-  TraceRating rating = TraceRating::Greedy;  ///< This and the rest as in TraceVerdict.
-  std::optional<std::size_t> at, worst;
-  std::optional<Rational> worst_regret;  ///< Of the step `worst`.
 };
 
 /// Planes of an order's list that are facet planes only up to rounding, or not at all.
@@ -103,13 +108,10 @@ struct ListedPlanes {
   std::size_t unknown = 0;        ///< No facet, and none that rounding explains.
 };
 
-struct TraceVerdict {
-  TraceRating rating = TraceRating::Greedy;
-  std::optional<std::size_t> at;      ///< The step that decides a rating below UpToRegret.
+struct TraceVerdict : OrderRating {
   std::vector<Halfspace> halfspaces;  ///< Of the input, in canonical order; ids are positions.
   std::size_t removals = 0;           ///< In the order; those behind an end are not judged.
   std::vector<JudgedStep> steps;      ///< Up to the end, or to the first that is unbounded.
-  std::optional<std::size_t> worst;   ///< The step of the largest regret above 0, the first one.
   std::size_t other_ties = 0;         ///< Steps that are is_other_tie().
   Rational max_regret;                ///< The limit.
   std::vector<TraceClaim> claims;     ///< One per code, in a fixed order.
@@ -142,9 +144,9 @@ struct JudgeOptions {
 /// removals cost together is computed again from the volumes of the solid before and after,
 /// intersected from scratch, and compared modulo two random primes; and at the step that decides
 /// (the worst, the unbounded one, else the last) both costs are computed from their definition.
+/// A plane that is no facet plane is the nearest facet's if rounding explains the difference; the
+/// verdict counts these.
 /// @param center  Strictly inside the solid.
-/// A plane that is no facet plane is the nearest facet's if rounding explains the difference
-/// (facet_match.hpp); the verdict counts these.
 /// @throws Error  InvalidArgument for a negative limit, for a facet that is to be left out and does
 ///                not exist, is removed, or bounds the rest; Stopped; Internal if these do not
 ///                agree.

@@ -17,7 +17,7 @@
 #include "convexact/number.hpp"
 #include "io/json.hpp"
 #include "number/text.hpp"
-#include "oracle/scratch_folder.hpp"
+#include "oracle/program.hpp"
 #include "scene/result_json.hpp"
 
 namespace convexact::cli {

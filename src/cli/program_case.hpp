@@ -7,7 +7,7 @@
 
 #include "convexact/conform.hpp"
 #include "convexact/verify.hpp"
-#include "oracle/scratch_folder.hpp"
+#include "oracle/program.hpp"
 
 namespace convexact::cli {
 

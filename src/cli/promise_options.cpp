@@ -9,7 +9,7 @@
 #include "convexact/io.hpp"
 #include "convexact/number.hpp"
 #include "number/text.hpp"
-#include "oracle/profiles.hpp"
+#include "oracle/conformance_report.hpp"
 #include "scene/result_json.hpp"
 
 namespace convexact::cli {

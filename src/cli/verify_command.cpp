@@ -13,7 +13,7 @@
 #include "convexact/error.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/verify.hpp"
-#include "oracle/verdict_text.hpp"
+#include "oracle/verdict_report.hpp"
 #include "scene/result_json.hpp"
 #include "scene/stage_log.hpp"
 #include "scene/summary.hpp"

@@ -75,6 +75,12 @@ inline nlohmann::ordered_json vector_json(const RationalVector3& v) {
   return {to_string(v[0]), to_string(v[1]), to_string(v[2])};
 }
 
+/// A value, or null.
+template <class T>
+nlohmann::ordered_json or_null(const std::optional<T>& x) {
+  return x ? nlohmann::ordered_json(*x) : nlohmann::ordered_json(nullptr);
+}
+
 /// As many certain digits as a double needs.
 inline constexpr int kDigits = 17;
 

@@ -51,10 +51,6 @@ void judge_corners(Case& c);
 /// Of an inner solid by promise: it lies in the input's hull.
 void judge_inside(Case& c);
 
-/// Judges the output of a run that ended well over a vector whose input has a volume.
-[[nodiscard]] Conformance judge_output(const TestVector& vector, const Promise& promise,
-                                       const Candidate& output, const std::atomic<bool>* stop);
-
 /// Whether a point is off the plane of a face by no more than this explains: each coordinate of a
 /// corner moves by up to `slack`, each of the point by up to `point_slack`.
 ///

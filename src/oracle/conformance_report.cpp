@@ -4,19 +4,67 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "convexact/number.hpp"
 #include "io/json.hpp"
+#include "scene/result_json.hpp"
 
 namespace convexact {
 namespace {
 
-constexpr const char* kLevelNames[kLevels] = {"everyday", "hard", "cruel"};
+// ---- Sums
 
-std::string score_text(const Score& score) {
-  return score.total == 0 ? "-" : fmt::format("{}/{}", score.passed, score.total);
+constexpr int kLevels = 3;
+
+struct Score {
+  std::size_t passed = 0, total = 0;
+};
+
+// One row of the matrix: the levels, then all of them.
+using ScoreRow = std::array<Score, kLevels + 1>;
+
+struct ScoreMatrix {
+  std::map<std::string, ScoreRow> flags;  // by name; a vector counts under each of its flags
+  ScoreRow all;
+};
+
+bool is_pass(const ConformanceEntry& entry) { return entry.result.failures.empty(); }
+
+ScoreMatrix matrix_of(const ConformanceReport& report) {
+  ScoreMatrix matrix;
+  for (const ConformanceEntry& entry : report.entries) {
+    const auto add = [&](ScoreRow& row) {
+      for (const int column : {entry.vector->level - 1, kLevels}) {
+        ++row[column].total;
+        row[column].passed += is_pass(entry) ? 1 : 0;
+      }
+    };
+    for (const std::string& flag : entry.vector->flags) add(matrix.flags[flag]);
+    add(matrix.all);
+  }
+  return matrix;
 }
+
+// How many vectors have their worst excess above one bound and up to the next, by the upper bound
+// as an exponent of ten.
+struct ExcessHistogram {
+  std::size_t none = 0;  // without a point outside
+  std::map<int, std::size_t> by_decade;
+};
+
+ExcessHistogram excess_histogram(const ConformanceReport& report) {
+  ExcessHistogram histogram;
+  for (const ConformanceEntry& entry : report.entries) {
+    if (!entry.result.outside) continue;
+    const auto& decades = entry.result.outside_by_decade;
+    ++(decades.empty() ? histogram.none : histogram.by_decade[decades.rbegin()->first]);
+  }
+  return histogram;
+}
+
+// ---- Text
 
 // Failed vectors by the kind of their gravest failure, each list with the worst first.
 struct KindOfFailure {
@@ -93,10 +141,9 @@ std::string tightness_sentence(const ConformanceReport& report) {
 std::string excess_text(const ConformanceReport& report) {
   constexpr int kLeast = -18, kMost = 0, kStep = 3;
   std::map<int, std::size_t> steps;
-  for (const auto& [decade, count] : excess_histogram(report)) {
-    if (!decade) continue;
+  for (const auto& [decade, count] : excess_histogram(report).by_decade) {
     int bound = kLeast;
-    while (bound < *decade && bound <= kMost) bound += kStep;
+    while (bound < decade && bound <= kMost) bound += kStep;
     steps[bound] += count;
   }
   std::string text;
@@ -125,9 +172,21 @@ std::string not_run_sentence(const ConformanceReport& report) {
   return text.empty() ? "" : text + "\n";
 }
 
-void append_row(std::string& text, const std::string& name, const ScoreRow& row) {
-  text += fmt::format("{:<16}{:>10}{:>10}{:>10}{:>10}\n", name, score_text(row[0]),
-                      score_text(row[1]), score_text(row[2]), score_text(row[3]));
+// A header, a row for each flag, and one for all vectors.
+using TableRow = std::array<std::string, kLevels + 2>;
+
+std::vector<TableRow> table_of(const ConformanceReport& report, const char* flag, const char* all) {
+  std::vector<TableRow> table = {{flag, "everyday", "hard", "cruel", "all"}};
+  const auto append = [&](const std::string& name, const ScoreRow& row) {
+    TableRow& texts = table.emplace_back(TableRow{name});
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      texts[k + 1] = row[k].total == 0 ? "-" : fmt::format("{}/{}", row[k].passed, row[k].total);
+    }
+  };
+  const ScoreMatrix matrix = matrix_of(report);
+  for (const auto& [name, row] : matrix.flags) append(name, row);
+  append(all, matrix.all);
+  return table;
 }
 
 // A badge of two boxes; text widths are near those of Verdana at 11 pixels.
@@ -143,7 +202,102 @@ constexpr const char* kBadge =
 </svg>
 )";
 
+// ---- JSON
+
+using Json = nlohmann::ordered_json;
+
+Json row_json(const ScoreRow& row) {
+  Json levels = Json::array();
+  for (const Score& score : row) {
+    levels.push_back({{"passed", score.passed}, {"total", score.total}});
+  }
+  return {{"levels", Json(levels.begin(), levels.end() - 1)}, {"all", levels.back()}};
+}
+
+Json promise_json(const ConformanceReport& report) {
+  const Promise& promise = report.promise;
+  Json result = {{"profile", report.profile.empty() ? Json() : Json(report.profile)},
+                 {"asks", name_of(promise.asks)},
+                 {"numbers", name_in(kPrecisionNames, promise.numbers)},
+                 {"tolerance", describe(promise.tolerance)},
+                 {"allow_flat", promise.allow_flat}};
+  if (promise.max_facets) result["max_facets"] = *promise.max_facets;
+  if (promise.max_vertices) result["max_vertices"] = *promise.max_vertices;
+  if (promise.max_facet_vertices) result["max_facet_vertices"] = *promise.max_facet_vertices;
+  return result;
+}
+
+Json histogram_json(const std::map<int, std::size_t>& decades) {
+  Json list = Json::array();
+  for (const auto& [decade, count] : decades) {
+    list.push_back({{"up_to", fmt::format("1e{}", decade)}, {"count", count}});
+  }
+  return list;
+}
+
+Json entry_json(const ConformanceEntry& entry) {
+  const Conformance& result = entry.result;
+  Json failures = Json::array();
+  for (const Failure& failure : result.failures) {
+    failures.push_back({{"outcome", name_of(failure.outcome)},
+                        {"rounding", failure.is_rounding},
+                        {"sentence", failure.sentence}});
+  }
+  Json found = {{"id", entry.vector->id},       {"title", entry.vector->title},
+                {"level", entry.vector->level}, {"required", entry.vector->required},
+                {"flags", entry.vector->flags}, {"outcome", name_of(result.outcome())},
+                {"sentence", result.sentence},  {"failures", failures},
+                {"notes", result.notes},        {"seconds", entry.seconds}};
+  if (const auto& outside = result.outside) {
+    found["excess"] = {{"points", outside->points},
+                       {"tested", outside->tested},
+                       {"worst", decimal_of_root(outside->relative_squared_distance.value_or(0))},
+                       {"corners", histogram_json(result.outside_by_decade)}};
+  }
+  if (result.relative_squared_hausdorff) {
+    found["hausdorff"] = decimal_of_root(*result.relative_squared_hausdorff);
+  }
+  if (result.tightness) found["tightness"] = to_decimal(*result.tightness, 6);
+  return found;
+}
+
 }  // namespace
+
+const char* name_of(Asks asks) { return name_in(kAsksNames, asks); }
+
+const char* name_of(NotRun reason) {
+  constexpr auto kNames = name_table<NotRun>({{NotRun::AsksOtherwise, "asks-otherwise"},
+                                              {NotRun::OtherFormat, "other-format"},
+                                              {NotRun::OtherNumbers, "other-numbers"},
+                                              {NotRun::BeyondTheProgram, "beyond-the-program"}});
+  static_assert(kNames.size() == kAllNotRun.size());
+  return name_in(kNames, reason);
+}
+
+const char* name_of(Outcome outcome) {
+  constexpr auto kNames =
+      name_table<Outcome>({{Outcome::NotStarted, "not-started"},
+                           {Outcome::TimedOut, "timed-out"},
+                           {Outcome::OutOfMemory, "out-of-memory"},
+                           {Outcome::Crashed, "crashed"},
+                           {Outcome::AcceptedUnusable, "accepted-unusable"},
+                           {Outcome::WrongExit, "wrong-exit"},
+                           {Outcome::MissingOutput, "missing-output"},
+                           {Outcome::UnreadableOutput, "unreadable-output"},
+                           {Outcome::NoSolid, "no-solid"},
+                           {Outcome::NotEnclosing, "not-enclosing"},
+                           {Outcome::NotInside, "not-inside"},
+                           {Outcome::TooLoose, "too-loose"},
+                           {Outcome::BrokenMesh, "broken-mesh"},
+                           {Outcome::NotConvex, "not-convex"},
+                           {Outcome::NotTheHull, "not-the-hull"},
+                           {Outcome::TooManyFacets, "too-many-facets"},
+                           {Outcome::TooManyVertices, "too-many-vertices"},
+                           {Outcome::TooManyFacetVertices, "too-many-facet-vertices"},
+                           {Outcome::Passed, "passed"}});
+  static_assert(kNames.size() == kAllOutcomes.size());
+  return name_in(kNames, outcome);
+}
 
 std::size_t ConformanceReport::passed() const {
   return static_cast<std::size_t>(std::count_if(entries.begin(), entries.end(), is_pass));
@@ -155,41 +309,12 @@ bool ConformanceReport::conforms() const {
   });
 }
 
-ScoreMatrix matrix_of(const ConformanceReport& report) {
-  ScoreMatrix matrix;
-  for (const ConformanceEntry& entry : report.entries) {
-    const auto add = [&](ScoreRow& row) {
-      row[entry.vector->level - 1].add(is_pass(entry));
-      row[kLevels].add(is_pass(entry));
-    };
-    for (const std::string& flag : entry.vector->flags) add(matrix.flags[flag]);
-    add(matrix.all);
-  }
-  return matrix;
-}
-
-std::optional<Rational> squared_excess(const Conformance& result) {
-  if (!result.outside) return std::nullopt;
-  return result.outside->relative_squared_distance.value_or(0);
-}
-
-std::map<std::optional<int>, std::size_t> excess_histogram(const ConformanceReport& report) {
-  std::map<std::optional<int>, std::size_t> histogram;
-  for (const ConformanceEntry& entry : report.entries) {
-    if (!squared_excess(entry.result)) continue;
-    const auto& decades = entry.result.outside_by_decade;
-    ++histogram[decades.empty() ? std::nullopt : std::optional(decades.rbegin()->first)];
-  }
-  return histogram;
-}
-
 std::string conformance_text(const ConformanceReport& report) {
   constexpr std::size_t kListed = 5;  // of each kind; JSON has all
-  const ScoreMatrix matrix = matrix_of(report);
-  std::string text = fmt::format("{:<16}{:>10}{:>10}{:>10}{:>10}\n", "", kLevelNames[0],
-                                 kLevelNames[1], kLevelNames[2], "all");
-  for (const auto& [flag, row] : matrix.flags) append_row(text, flag, row);
-  append_row(text, "all vectors", matrix.all);
+  std::string text;
+  for (const TableRow& row : table_of(report, "", "all vectors")) {
+    text += fmt::format("{:<16}{:>10}{:>10}{:>10}{:>10}\n", row[0], row[1], row[2], row[3], row[4]);
+  }
   for (const auto& [kind, entries] : failures_of(report)) {
     text += "\n" + title_of(kind, entries.size()) + "\n";
     for (std::size_t i = 0; i < std::min(entries.size(), kListed); ++i) {
@@ -202,20 +327,16 @@ std::string conformance_text(const ConformanceReport& report) {
 }
 
 std::string conformance_markdown(const ConformanceReport& report) {
-  const ScoreMatrix matrix = matrix_of(report);
   std::string text = fmt::format("# Conformance of `{}`\n\n", as_utf8(report.program));
   for (const std::string& paragraph : {verdict_sentence(report), excess_text(report),
                                        tightness_sentence(report), not_run_sentence(report)}) {
     if (!paragraph.empty()) text += paragraph + "\n";
   }
-  text += fmt::format("| flag | {} | {} | {} | all |\n|---|---|---|---|---|\n", kLevelNames[0],
-                      kLevelNames[1], kLevelNames[2]);
-  const auto append = [&text](const std::string& name, const ScoreRow& row) {
-    text += fmt::format("| {} | {} | {} | {} | {} |\n", name, score_text(row[0]),
-                        score_text(row[1]), score_text(row[2]), score_text(row[3]));
-  };
-  for (const auto& [flag, row] : matrix.flags) append(flag, row);
-  append("**all vectors**", matrix.all);
+  const std::vector<TableRow> table = table_of(report, "flag", "**all vectors**");
+  for (const TableRow& row : table) {
+    text += fmt::format("| {} |\n", fmt::join(row, " | "));
+    if (&row == &table.front()) text += "|---|---|---|---|---|\n";
+  }
   for (const auto& [kind, entries] : failures_of(report)) {
     text += "\n## " + title_of(kind, entries.size()) + "\n\n";
     for (const ConformanceEntry* entry : entries) {
@@ -234,6 +355,37 @@ std::string conformance_badge(const ConformanceReport& report) {
   return fmt::format(fmt::runtime(kBadge), fmt::arg("width", 66 + right), fmt::arg("right", right),
                      fmt::arg("middle", 66 + right / 2), fmt::arg("color", color),
                      fmt::arg("words", words));
+}
+
+nlohmann::ordered_json conformance_json(const ConformanceReport& report) {
+  const ScoreMatrix matrix = matrix_of(report);
+  Json flags = Json::object(), outcomes = Json::object(), reasons = Json::object();
+  Json entries = Json::array();
+  for (const auto& [flag, row] : matrix.flags) flags[flag] = row_json(row);
+  for (const Outcome outcome : kAllOutcomes) outcomes[name_of(outcome)] = 0;
+  for (const ConformanceEntry& entry : report.entries) {
+    Json& count = outcomes[name_of(entry.result.outcome())];
+    count = count.get<std::size_t>() + 1;
+    entries.push_back(entry_json(entry));
+  }
+  std::size_t not_run = 0;
+  for (const auto& [reason, count] : report.not_run) {
+    reasons[name_of(reason)] = count;
+    not_run += count;
+  }
+  const ExcessHistogram histogram = excess_histogram(report);
+  return {{"program", report.program},
+          {"promise", promise_json(report)},
+          {"conforms", report.conforms()},
+          {"passed", report.passed()},
+          {"total", report.entries.size()},
+          {"not_run", not_run},
+          {"not_run_reasons", reasons},
+          {"outcomes", outcomes},
+          {"excess", {{"none", histogram.none}, {"vectors", histogram_json(histogram.by_decade)}}},
+          {"flags", flags},
+          {"all", row_json(matrix.all)},
+          {"vectors", entries}};
 }
 
 }  // namespace convexact

@@ -5,11 +5,14 @@
 
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
+#include "fast/dual.hpp"
+#include "fast/filtered_engine.hpp"
+#include "fast/float_engine.hpp"
 #include "number/precision.hpp"
-#include "oracle/engine_run.hpp"
-#include "oracle/greedy_check.hpp"
+#include "oracle/divergence.hpp"
 #include "scene/result_json.hpp"
 #include "scene/solid.hpp"
+#include "simplify/exact_engine.hpp"
 
 namespace convexact {
 namespace {
@@ -27,25 +30,32 @@ void require_sensible(const DiffRequest& request) {
 
 std::string stage_name(Engine engine) { return std::string(name_of(engine)) + " engine"; }
 
-std::vector<Run> run_engines(const DualHull& dual, const RationalPoint& center,
-                             const DiffRequest& request, StageLog& log) {
-  const auto& engines = request.engines;
+// The solid that all engines get, and what is asked about it.
+struct DiffCase {
+  const DualHull& dual;
+  RationalPoint center;
+  const DiffRequest& request;
+  StageLog& log;
+};
+
+std::vector<Run> run_engines(const DiffCase& c) {
+  const auto& engines = c.request.engines;
   const bool record = std::find(engines.begin(), engines.end(), Engine::Exact) != engines.end();
   std::vector<Run> runs;
   for (const Engine engine : engines) {
     SimplifyOptions options;
-    options.faces = request.faces;
-    options.seed = request.seed;
+    options.faces = c.request.faces;
+    options.seed = c.request.seed;
     options.verify = VerifyLevel::None;
-    options.stop = request.watch.stop;
-    if (request.watch.progress) {
-      options.progress = [&, engine](std::size_t left) {
-        const std::size_t at_start = dual.halfspaces.size();
-        request.watch.progress(stage_name(engine), at_start - left, at_start - request.faces);
+    options.stop = c.request.watch.stop;
+    if (c.request.watch.progress) {
+      options.progress = [&c, engine](std::size_t left) {
+        const std::size_t at_start = c.dual.halfspaces.size();
+        c.request.watch.progress(stage_name(engine), at_start - left, at_start - c.request.faces);
       };
     }
-    runs.push_back(log.run(stage_name(engine),
-                           [&] { return run_engine(engine, dual, center, options, record); }));
+    runs.push_back(c.log.run(
+        stage_name(engine), [&] { return run_engine(engine, c.dual, c.center, options, record); }));
   }
   return runs;
 }
@@ -60,36 +70,28 @@ std::optional<Enclosure> volume_ratio(const RationalPoint& center, const Run& re
   return enclose_volume(*second, kMeasureBits) / enclose_volume(*first, kMeasureBits);
 }
 
-// Divergences as seen from the run, in a comparison that has the run first.
-void swap_sides(std::vector<Divergence>& divergences) {
-  for (Divergence& divergence : divergences) {
+// Where a float run is not greedy after step `first`, the one at which it differs from another run.
+// @param is_reference  Whether the comparison has the float run first.
+std::vector<Divergence> later_divergences(const DiffCase& c, const Run& run, std::size_t first,
+                                          bool is_reference) {
+  std::vector<Divergence> found = check_greedy(c.dual, c.center, run, c.request.watch.stop);
+  std::erase_if(found, [&](const Divergence& divergence) { return divergence.step <= first; });
+  if (!is_reference) return found;
+  for (Divergence& divergence : found) {
     std::swap(divergence.reference, divergence.other);
     divergence.reference_at_fault = !divergence.reference_at_fault;
   }
-}
-
-// Where the run is not greedy after step `first`, the one at which it differs from another run.
-std::vector<Divergence> later_divergences(const DualHull& dual, const RationalPoint& center,
-                                          const Run& run, std::size_t first,
-                                          const DiffRequest& request) {
-  std::vector<Divergence> found = check_greedy(dual, center, run, request.watch.stop);
-  std::erase_if(found, [&](const Divergence& divergence) { return divergence.step <= first; });
   return found;
 }
 
 // The first run against the k-th.
-Comparison compare(const DualHull& dual, const RationalPoint& center, const std::vector<Run>& runs,
-                   std::size_t k, const DiffRequest& request, StageLog& log) {
+Comparison compare(const DiffCase& c, const std::vector<Run>& runs, std::size_t k) {
   const Run &reference = runs[0], &other = runs[k];
-  Comparison result{request.engines[0],
-                    request.engines[k],
-                    {},
-                    true,
-                    other.steps.size(),
-                    have_records(reference, other),
-                    {}};
+  Comparison result{c.request.engines[0], c.request.engines[k]};
+  result.judged = other.steps.size();
+  result.with_records = have_records(reference, other);
   const std::optional<Divergence> first =
-      log.run("costs by definition", [&] { return find_divergence(center, reference, other); });
+      c.log.run("costs by definition", [&] { return find_divergence(c.center, reference, other); });
   std::vector<Divergence>& found = result.divergences;
   if (first) {
     found.push_back(*first);
@@ -98,10 +100,8 @@ Comparison compare(const DualHull& dual, const RationalPoint& center, const std:
   const bool is_reference = result.reference == Engine::Float;
   if (first && (is_reference || result.other == Engine::Float)) {
     const Run& followed = is_reference ? reference : other;
-    log.run("every step of float", [&] {
-      std::vector<Divergence> later =
-          later_divergences(dual, center, followed, first->step, request);
-      if (is_reference) swap_sides(later);
+    c.log.run("every step of float", [&] {
+      const auto later = later_divergences(c, followed, first->step, is_reference);
       found.insert(found.end(), later.begin(), later.end());
     });
     if (found.back().kind != DivergenceKind::WrongBoundedness) {
@@ -112,11 +112,21 @@ Comparison compare(const DualHull& dual, const RationalPoint& center, const std:
     return is_explained(divergence, result.reference, result.other);
   });
   result.volume_ratio =
-      log.run("final volumes", [&] { return volume_ratio(center, reference, other); });
+      c.log.run("final volumes", [&] { return volume_ratio(c.center, reference, other); });
   return result;
 }
 
 }  // namespace
+
+Run run_engine(Engine engine, const DualHull& dual, const RationalPoint& center,
+               const SimplifyOptions& options, bool record) {
+  if (engine == Engine::Exact) return simplify_exact(dual, center, options);
+  if (engine == Engine::Filtered && record) return simplify_filtered(dual, center, options);
+  const FastDual fast = FastDual::of(dual, center);
+  return run_of(
+      engine == Engine::Float ? simplify_float(fast, options) : simplify_filtered(fast, options),
+      dual.halfspaces);
+}
 
 bool DiffReport::holds() const {
   return std::all_of(comparisons.begin(), comparisons.end(),
@@ -131,12 +141,13 @@ DiffOutcome diff_engines(const Shape& shape, const DiffRequest& request) {
   auto& solid = std::get<Solid>(outcome);
   log.skip("Chebyshev center", "any interior point serves, and all engines get the same");
   const RationalPoint center = log.run("center", [&] { return interior_point_of(solid); });
+  const DiffCase diff{solid.dual, center, request, log};
 
   DiffReport report;
   report.engines = request.engines;
-  report.runs = run_engines(solid.dual, center, request, log);
+  report.runs = run_engines(diff);
   for (std::size_t k = 1; k < report.runs.size(); ++k) {
-    report.comparisons.push_back(compare(solid.dual, center, report.runs, k, request, log));
+    report.comparisons.push_back(compare(diff, report.runs, k));
   }
   report.halfspaces = std::move(solid.dual.halfspaces);
   report.stages = log.stages();

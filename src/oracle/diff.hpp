@@ -7,11 +7,19 @@
 #include <variant>
 #include <vector>
 
+#include "convexact/dual.hpp"
 #include "convexact/number.hpp"
+#include "convexact/run.hpp"
 #include "convexact/simplify.hpp"
 #include "oracle/divergence.hpp"
 
 namespace convexact {
+
+/// Runs an engine on a solid. @param record  Whether the filtered engine keeps costs and ties; the
+/// exact one always does, the float one never.
+/// @param center  Strictly inside. @throws Error as the engines.
+[[nodiscard]] Run run_engine(Engine engine, const DualHull& dual, const RationalPoint& center,
+                             const SimplifyOptions& options, bool record);
 
 struct DiffRequest {
   std::size_t faces = 4;  ///< Halfspaces at which each run ends, >= 4.
@@ -31,12 +39,12 @@ struct Comparison {
   /// Ascending by step; empty if the runs are the same, step by step. The first is where the runs
   /// differ. In the later ones, the choice of the engine that is not `float` is the removal of the
   /// filtered engine in that state, since its own run has reached another one.
-  std::vector<Divergence> divergences;
+  std::vector<Divergence> divergences = {};
   bool explained = true;      ///< Whether each of them is (is_explained()).
   std::size_t judged = 0;     ///< Steps that were compared or judged, from the first one on.
   bool with_records = false;  ///< Costs and tie lists were compared, not only removals.
   /// Final volume of `other` over that of the reference; none if either is unbounded.
-  std::optional<Enclosure> volume_ratio;
+  std::optional<Enclosure> volume_ratio = {};
 };
 
 struct DiffReport {

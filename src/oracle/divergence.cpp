@@ -3,7 +3,14 @@
 
 #include <algorithm>
 
+#include "convexact/error.hpp"
+#include "convexact/watch.hpp"
+#include "fast/filtered_loop.hpp"
+
 namespace convexact {
+
+// ---- Two runs
+
 namespace {
 
 // The first step at which the runs differ in anything, or where the shorter one ends.
@@ -22,31 +29,42 @@ std::optional<HalfspaceId> removal_at(const Run& run, std::size_t step) {
   return run.steps[step].removed;
 }
 
-// Whether a step's recorded cost and ties are what the definition says, as far as `candidates` (all
-// that either run listed) go.
-bool is_true_record(const Step& step, const Rational& cost,
-                    const std::vector<HalfspaceId>& candidates,
-                    std::span<const Halfspace> halfspaces, const RemovalOracle& oracle) {
-  if (step.cost != cost) return false;
-  const std::vector<HalfspaceId>& listed = step.tie;
-  return std::all_of(candidates.begin(), candidates.end(), [&](HalfspaceId id) {
-    const bool is_tied = oracle.without(halfspaces[id.index()]).cost == cost;
-    return is_tied == (std::find(listed.begin(), listed.end(), id) != listed.end());
-  });
-}
+// What is left after some steps of a run, and the cost of each removal from it by the definition.
+class CostsAt {
+ public:
+  CostsAt(const Run& run, const RationalPoint& center, std::size_t step)
+      : halfspaces_(run.halfspaces), oracle_(left_after(run, step), center) {}
 
-// The same removal, recorded differently: the definition decides which record is wrong.
+  RemovalCost operator()(HalfspaceId id) const { return oracle_.without(halfspaces_[id.index()]); }
+  // An end has no cost.
+  RemovalCost operator()(const Choice& choice) const {
+    return choice.removed ? (*this)(*choice.removed) : RemovalCost{};
+  }
+
+ private:
+  const std::vector<Halfspace>& halfspaces_;
+  RemovalOracle oracle_;
+};
+
+// The same removal, recorded differently: the definition decides which record is wrong, as far as
+// the halfspaces that only one of them listed as tied go.
 void judge_record(Divergence& found, const Step& reference, const Step& other,
-                  std::span<const Halfspace> halfspaces, const RemovalOracle& oracle) {
+                  const CostsAt& costs) {
   found.kind = DivergenceKind::WrongRecord;
   found.reference.cost = reference.cost;
   found.other.cost = other.cost;
-  std::vector<HalfspaceId> candidates;  // those that only one of them listed
+  std::vector<HalfspaceId> candidates;
   std::set_symmetric_difference(reference.tie.begin(), reference.tie.end(), other.tie.begin(),
                                 other.tie.end(), std::back_inserter(candidates));
-  const auto cost = oracle.without(halfspaces[reference.removed.index()]).cost;
-  found.reference_at_fault =
-      !cost || !is_true_record(reference, *cost, candidates, halfspaces, oracle);
+  const std::optional<Rational> cost = costs(reference.removed).cost;
+  const std::vector<HalfspaceId>& listed = reference.tie;
+  const bool is_true = cost && reference.cost == *cost &&
+                       std::all_of(candidates.begin(), candidates.end(), [&](HalfspaceId id) {
+                         const bool is_listed =
+                             std::find(listed.begin(), listed.end(), id) != listed.end();
+                         return is_listed == (costs(id).cost == cost);
+                       });
+  found.reference_at_fault = !is_true;
 }
 
 // Two different bounded removals.
@@ -69,28 +87,18 @@ void judge_costs(Divergence& found, const RemovalCost& reference, const RemovalC
   if (rounding) found.rounding = *rounding / lower;
 }
 
-// The cost of a removal; an end has none.
-RemovalCost cost_of(const Choice& choice, std::span<const Halfspace> halfspaces,
-                    const RemovalOracle& oracle) {
-  return choice.removed ? oracle.without(halfspaces[choice.removed->index()]) : RemovalCost{};
-}
-
 Divergence choices_at(std::size_t step, std::size_t halfspaces,
                       std::optional<HalfspaceId> reference, std::optional<HalfspaceId> other) {
-  return {
-      step, halfspaces - step, DivergenceKind::WrongRecord, {reference, {}}, {other, {}}, false, {},
-      {}};
+  return {step, halfspaces - step, DivergenceKind::WrongRecord, {reference, {}}, {other, {}}};
 }
 
 }  // namespace
 
 Divergence judge_choices(const Run& run, const RationalPoint& center, std::size_t step,
                          std::optional<HalfspaceId> reference, std::optional<HalfspaceId> other) {
-  const std::vector<Halfspace>& halfspaces = run.halfspaces;
-  Divergence found = choices_at(step, halfspaces.size(), reference, other);
-  const RemovalOracle oracle(left_after(run, step), center);
-  const RemovalCost first = cost_of(found.reference, halfspaces, oracle);
-  const RemovalCost second = cost_of(found.other, halfspaces, oracle);
+  Divergence found = choices_at(step, run.halfspaces.size(), reference, other);
+  const CostsAt costs(run, center, step);
+  const RemovalCost first = costs(found.reference), second = costs(found.other);
   found.reference.cost = first.cost;
   found.other.cost = second.cost;
   if (first.cost && second.cost) {
@@ -116,8 +124,7 @@ std::optional<Divergence> find_divergence(const RationalPoint& center, const Run
   if (!first && reference.stop == other.stop) return std::nullopt;
   Divergence found = choices_at(step, reference.halfspaces.size(), first, second);
   if (first) {
-    const RemovalOracle oracle(left_after(reference, step), center);
-    judge_record(found, reference.steps[step], other.steps[step], reference.halfspaces, oracle);
+    judge_record(found, reference.steps[step], other.steps[step], {reference, center, step});
   }
   return found;
 }
@@ -140,6 +147,64 @@ bool is_explained(const Divergence& divergence, Engine reference, Engine other) 
   const Engine at_fault = divergence.reference_at_fault ? reference : other;
   return at_fault == Engine::Float && (divergence.kind == DivergenceKind::Tie ||
                                        divergence.kind == DivergenceKind::BelowRounding);
+}
+
+// ---- One run, step by step
+
+namespace {
+
+// Judges one step after another; `tell` gets each divergence and says whether to go on.
+template <class Tell>
+void follow(const DualHull& dual, const RationalPoint& center, const Run& run,
+            const std::atomic<bool>* stop, Tell&& tell) {
+  const FastDual fast = FastDual::of(dual, center);
+  const SimplifyOptions options;
+  FilteredLoop loop(fast, options);
+  loop.evaluate_all();
+  for (std::size_t step = 0; step < run.steps.size(); ++step) {
+    Watch(stop).ask();
+    const HalfspaceId chosen = run.steps[step].removed;
+    const std::optional<HalfspaceId> cheapest = loop.choose();
+    if (cheapest != chosen) {
+      const std::vector<HalfspaceId>& tie = loop.tie();
+      const bool is_tied = cheapest && std::find(tie.begin(), tie.end(), chosen) != tie.end();
+      Divergence found = is_tied ? choices_at(step, dual.halfspaces.size(), cheapest, chosen)
+                                 : judge_choices(run, center, step, cheapest, chosen);
+      if (is_tied) {
+        found.kind = DivergenceKind::Tie;
+        found.reference.cost = found.other.cost = loop.exact_cost(chosen);
+        found.regret = Rational(0);
+      }
+      if (!tell(std::move(found)) || !loop.is_bounded(chosen)) return;
+    }
+    loop.remove(chosen);
+  }
+  if (run.stop != StopReason::AllUnbounded) return;
+  if (const std::optional<HalfspaceId> missed = loop.choose()) {
+    tell(judge_choices(run, center, run.steps.size(), missed, {}));
+  }
+}
+
+}  // namespace
+
+std::vector<Divergence> check_greedy(const DualHull& dual, const RationalPoint& center,
+                                     const Run& run, const std::atomic<bool>* stop) {
+  std::vector<Divergence> found;
+  follow(dual, center, run, stop, [&](Divergence divergence) {
+    found.push_back(std::move(divergence));
+    return true;
+  });
+  return found;
+}
+
+std::optional<Divergence> first_wrong_step(const DualHull& dual, const RationalPoint& center,
+                                           const Run& run, const std::atomic<bool>* stop) {
+  std::optional<Divergence> wrong;
+  follow(dual, center, run, stop, [&](Divergence divergence) {
+    if (divergence.kind != DivergenceKind::Tie) wrong = std::move(divergence);
+    return !wrong;
+  });
+  return wrong;
 }
 
 }  // namespace convexact

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// divergence.hpp - where two greedy runs on the same solid differ, and which of them was right.
+// divergence.hpp - where a greedy run differs from another, or from the cheapest removal, and which
+// of the two was right.
 #pragma once
+#include <atomic>
 #include <optional>
 #include <vector>
 
+#include "convexact/dual.hpp"
 #include "convexact/run.hpp"
 #include "convexact/simplify.hpp"
 #include "io/names.hpp"
@@ -40,13 +43,13 @@ struct Divergence {
   std::size_t left;  ///< Halfspaces left before it.
   DivergenceKind kind;
   Choice reference, other;
-  bool reference_at_fault;  ///< Else `other` is: it chose the higher cost or, in a tie, the higher
-                            ///< id.
+  /// Else `other` is: it chose the higher cost or, in a tie, the higher id.
+  bool reference_at_fault = false;
   /// (higher cost - lower cost) / lower cost. None where it is infinite or a cost is missing.
-  std::optional<Rational> regret;
+  std::optional<Rational> regret = {};
   /// How large a regret rounding explains: RemovalCost::rounding of both, over the lower cost. None
   /// as for the regret, or if any is explained.
-  std::optional<Rational> rounding;
+  std::optional<Rational> rounding = {};
 };
 
 /// Two different choices on what the first `step` removals of `run` leave, judged by the
@@ -76,5 +79,29 @@ struct Divergence {
 /// Whether the engine at fault may differ like this: only the float engine may, and only where
 /// costs are equal or too close for doubles.
 [[nodiscard]] bool is_explained(const Divergence& divergence, Engine reference, Engine other);
+
+/// Follows a run to its end and finds every step where the filtered engine, in the state that *the
+/// run* had reached, would have removed another halfspace. So runs that parted for good over a
+/// tie are still judged, each choice of the one by what it could choose from.
+///
+/// In each divergence `reference` is the filtered engine's choice and `other` the run's. The set of
+/// the cheapest comes from the filtered engine, and with it the costs of ties; every other
+/// divergence is judged by the definition (judge_choices()). A removal that leaves an unbounded
+/// solid is the last one to be judged.
+/// @param dual    What the run started from.
+/// @param center  Strictly inside.
+/// @param stop    When it becomes true: Error Stopped.
+/// @par Cost      A run of the filtered engine; for each tie a cap as a rational, for other
+///                divergences the cost of judge_choices().
+[[nodiscard]] std::vector<Divergence> check_greedy(const DualHull& dual,
+                                                   const RationalPoint& center, const Run& run,
+                                                   const std::atomic<bool>* stop = nullptr);
+
+/// The first of these divergences that is no tie; none if every removal was one of the cheapest.
+/// @par Cost      As check_greedy() up to that step, with at most one judge_choices().
+[[nodiscard]] std::optional<Divergence> first_wrong_step(const DualHull& dual,
+                                                         const RationalPoint& center,
+                                                         const Run& run,
+                                                         const std::atomic<bool>* stop = nullptr);
 
 }  // namespace convexact

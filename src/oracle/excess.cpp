@@ -3,6 +3,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
+#include "convexact/watch.hpp"
 #include "stored/near_products.hpp"
 
 namespace convexact {
@@ -75,7 +76,7 @@ std::optional<Farthest> find_farthest(const Polytope& polytope, const PointSet& 
   const NearestPoint nearest_point(polytope);
   std::optional<Farthest> farthest;
   for (const PointId id : ids) {
-    if (stop != nullptr && *stop) throw Error(ErrorCode::Stopped, "interrupted");
+    Watch(stop).ask();
     const RationalPoint point = points[id];
     RationalPoint nearest = nearest_point(point);
     const RationalVector3 gap = point - nearest;

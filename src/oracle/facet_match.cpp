@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "convexact/measure.hpp"
 #include "convexact/number.hpp"
 #include "convexact/verify.hpp"
 
@@ -21,9 +22,32 @@ Point direction_of(const Halfspace& plane) {
   return direction / direction.norm();
 }
 
-Rational squared_length(const RationalVector3& v) { return v.dot(v); }
+// Finds facets for planes that a program has computed and written in floating point. A plane names
+// the facet whose normal is nearest to its own; of facets whose normals are as near, up to 2^-45,
+// the one whose corners it misses least. Rounding explains that it misses a corner by
+//   16 u c D / h,
+// where u is the unit roundoff of the numbers, c the largest coordinate of the facet's corners, D
+// the length of the longest edge or diagonal from the first corner, and h how far the others are
+// from it: the cross product n of edges e and f is off by some u |e| |f|, its offset by u |n| c.
+class FacetMatcher {
+ public:
+  // @param unit  2^-53 for binary64. The dual is referred to.
+  FacetMatcher(const DualHull& dual, double unit) : dual_(dual), unit_(unit) {}
 
-}  // namespace
+  // The facet with exactly this plane; none if there is none.
+  std::optional<HalfspaceId> find(const Halfspace& plane) const;
+  // @par Cost  Linear in the number of facets, in doubles.
+  NearestFacet nearest(const Halfspace& plane);
+
+ private:
+  void prepare();
+  NearestFacet measure(const Halfspace& plane, HalfspaceId facet) const;
+
+  const DualHull& dual_;
+  const double unit_;
+  std::vector<Point> directions_;                         // of the normals, of length 1
+  std::vector<std::vector<std::uint32_t>> triangles_of_;  // of each facet: one for each corner
+};
 
 std::optional<HalfspaceId> FacetMatcher::find(const Halfspace& plane) const {
   const std::vector<Halfspace>& all = dual_.halfspaces;
@@ -63,24 +87,24 @@ NearestFacet FacetMatcher::measure(const Halfspace& plane, HalfspaceId facet) co
     const auto& h = dual_.halfspaces;
     corners.push_back(meet(h[a.index()], h[b.index()], h[c.index()]));
   }
-  Rational farthest = 0, largest = 0, diameter = 0, area = 0;  // the last two squared
+  Rational farthest = 0, diameter = 0, area = 0;  // the last two squared
   RationalPoint far_corner = corners[0];
   for (const RationalPoint& corner : corners) {
     farthest = std::max(farthest, Rational(abs(plane(corner))));
-    for (const Rational& x : corner) largest = std::max(largest, Rational(abs(x)));
-    const Rational distance = squared_length(corner - corners[0]);
+    const Rational distance = (corner - corners[0]).squaredNorm();
     if (distance > diameter) diameter = distance, far_corner = corner;
   }
   const RationalVector3 edge = far_corner - corners[0];
   for (const RationalPoint& corner : corners) {
     const RationalVector3 other = corner - corners[0];
-    area = std::max(area, squared_length(edge.cross(other)));
+    area = std::max(area, edge.cross(other).squaredNorm());
   }
-  Rational squared_normal = 0;
-  for (const Integer& n : plane.normal()) squared_normal += Rational(n * n);
-  const Rational reach = to_rational(16 * unit_) * largest;
+  const Rational squared_normal(plane.normal().squaredNorm());
+  const Rational reach = to_rational(16 * unit_) * bounding_box(corners).largest_coordinate();
   return {facet, farthest * farthest / squared_normal, reach * reach * diameter * diameter / area};
 }
+
+}  // namespace
 
 NamedFacets::NamedFacets(const DualHull& dual, const RemovalOrder& order, double unit)
     : order_(order) {

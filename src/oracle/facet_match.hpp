@@ -20,34 +20,8 @@ struct NearestFacet {
   bool is_explained() const { return squared_distance <= squared_limit; }
 };
 
-/// Finds facets for planes that a program has computed and written in floating point. A plane names
-/// the facet whose normal is nearest to its own; of facets whose normals are as near, up to 2^-45,
-/// the one whose corners it misses least. Rounding explains that it misses a corner by
-///   16 u c D / h,
-/// where u is the unit roundoff of the numbers, c the largest coordinate of the facet's corners, D
-/// the length of the longest edge or diagonal from the first corner, and h how far the others are
-/// from it: the cross product n of edges e and f is off by some u |e| |f|, its offset by u |n| c.
-class FacetMatcher {
- public:
-  /// @param unit  2^-53 for binary64. The dual is referred to.
-  FacetMatcher(const DualHull& dual, double unit) : dual_(dual), unit_(unit) {}
-
-  /// The facet with exactly this plane; none if there is none.
-  std::optional<HalfspaceId> find(const Halfspace& plane) const;
-  /// @par Cost  Linear in the number of facets, in doubles.
-  NearestFacet nearest(const Halfspace& plane);
-
- private:
-  void prepare();
-  NearestFacet measure(const Halfspace& plane, HalfspaceId facet) const;
-
-  const DualHull& dual_;
-  const double unit_;
-  std::vector<Point> directions_;                         // of the normals, of length 1
-  std::vector<std::vector<std::uint32_t>> triangles_of_;  // of each facet: one for each corner
-};
-
-/// What the list of an order names, found in the solid: exactly, or up to rounding.
+/// The facets of a solid that the list of an order names, exactly or up to rounding: the planes of
+/// the list have been computed by a program and written in floating point.
 class NamedFacets {
  public:
   NamedFacets(const DualHull& dual, const RemovalOrder& order, double unit);

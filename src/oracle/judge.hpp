@@ -2,8 +2,6 @@
 // judge.hpp - the parts of verify(): each decides some claims about one candidate.
 #pragma once
 #include "convexact/verify.hpp"
-#include "convexact/watch.hpp"
-#include "oracle/mesh_surface.hpp"
 #include "scene/stage_log.hpp"
 
 namespace convexact::oracle {
@@ -24,55 +22,78 @@ struct CandidateSet {
   std::optional<Hull> hull;          ///< Of a mesh that spans a volume.
   std::optional<Polytope> polytope;  ///< If it is a bounded solid, and a claim needs it.
   std::vector<std::vector<std::uint32_t>> patches;  ///< Of a mesh: planar_patches() of that.
-  bool is_examined = false;                         ///< Whether it is known if it is one.
+  bool is_examined = false;                         ///< Whether find_vertices() has run.
 };
 
-/// Which claims were asked, and the verdict so far.
-class Docket {
+/// One candidate on trial: what was asked, what is known, and the verdict so far. The references
+/// outlive it.
+class Trial {
  public:
-  Docket(const VerifyRequest& request, Verdict& verdict);
+  Trial(const Input& input, const Candidate& candidate, const VerifyRequest& request,
+        StageLog& log);
+
+  /// The candidate, if it is that.
+  const Mesh* mesh() const { return std::get_if<Mesh>(&candidate); }
+  const HalfspaceList* list() const { return std::get_if<HalfspaceList>(&candidate); }
+  const std::atomic<bool>* stop() const { return log.watch().stop; }
+  /// For the stages within a stage, which are not recorded.
+  StageLog unrecorded() const { return StageLog(StageWatch{.stop = stop()}); }
 
   bool asks(ClaimCode code) const;
-  /// Each is ignored if the claim was not asked for.
-  void holds(ClaimCode code, std::string sentence, Witness witness = {});
-  void violated(ClaimCode code, std::string sentence, Witness witness);
-  void not_applicable(ClaimCode code, std::string sentence);
-  /// Whether a distance with this square is within the tolerance.
-  bool allows(const Rational& squared_distance) const;
+  /// Each of these is ignored if the claim was not asked for.
+  void holds(ClaimCode code, std::string sentence, Witness witness = {}) {
+    decide(code, Status::Holds, std::move(sentence), std::move(witness));
+  }
+  void violated(ClaimCode code, std::string sentence, Witness witness) {
+    decide(code, Status::Violated, std::move(sentence), std::move(witness));
+  }
+  void not_applicable(ClaimCode code, std::string sentence) {
+    decide(code, Status::NotApplicable, std::move(sentence), {});
+  }
   /// Violated by so much, unless the tolerance allows it.
   void violated_by(const Rational& squared_distance, ClaimCode code, const std::string& sentence,
                    Witness witness);
+  /// Whether a distance with this square is within the tolerance.
+  bool allows(const Rational& squared_distance) const {
+    return request.tolerance.allows(squared_distance, input.squared_diameter);
+  }
   /// "1.5e-9 (2e-12 of the diameter)" of the square of a distance.
   std::string distance_text(const Rational& squared) const;
 
+  const Input& input;
+  const Candidate& candidate;
   const VerifyRequest& request;
-  Verdict& verdict;
+  StageLog& log;
+  CandidateSet set;
+  Verdict verdict;
 
  private:
-  void set(ClaimCode code, Status status, std::string sentence, Witness witness);
+  void decide(ClaimCode code, Status status, std::string sentence, Witness witness);
 };
 
-/// Readable, finite: from the error of the reader. Returns whether there is anything to judge.
-bool judge_reading(const Candidate& candidate, Docket& docket);
-/// Solid, bounded.
-CandidateSet judge_mesh_set(const Mesh& mesh, Docket& docket, StageLog& log);
-CandidateSet judge_halfspace_set(const HalfspaceList& list, Docket& docket, StageLog& log);
-/// The facets that rounded vertices were meant to have, if they are asked for.
-void find_facets_as_meant(const Mesh& mesh, CandidateSet& set, Docket& docket, StageLog& log);
-/// How many of these are in a facet plane of the input's hull. @param set  Has a polytope.
-void count_planes_of_the_input(const Input& input, const CandidateSet& set, Docket& docket);
-/// Closed, oriented, planar, convex.
-void judge_faces(const Mesh& mesh, const CandidateSet& set, Docket& docket, const Watch& watch);
-/// Contains the input. Where it does not, the candidate's polytope is found, to measure how far.
-void judge_containment(const Input& input, const Candidate& candidate, CandidateSet& set,
-                       Docket& docket, StageLog& log);
-/// The three budgets.
-void judge_budgets(Docket& docket);
+/// The number that a budget allows, which may not be given; nullptr for other claims.
+[[nodiscard]] const std::optional<std::size_t>* budget_of(const VerifyRequest& request,
+                                                          ClaimCode code);
 
-/// @throws Error InvalidArgument if a budget is among the claims without its number.
-void require_numbers(const VerifyRequest& request);
-/// After all claims: the tolerance with which they hold. @param rounding  A distance.
-void judge_tolerance(const Rational& rounding, Docket& docket);
+// The parts, in their order. Each takes what the ones before it found.
+
+/// Readable, finite: from the error of the reader. Returns whether there is anything to judge.
+bool judge_reading(Trial& trial);
+/// Solid, bounded: what set the candidate is.
+void judge_set(Trial& trial);
+/// Closed, oriented, planar, convex.
+void judge_faces(Trial& trial);
+/// The facets that rounded vertices of a mesh were meant to have, if they are asked for.
+void find_facets_as_meant(Trial& trial);
+/// Contains the input. Where it does not, the candidate's polytope is found, to measure how far.
+void judge_containment(Trial& trial);
+/// The three budgets.
+void judge_budgets(Trial& trial);
+/// How many facets are in a facet plane of the input's hull. Precondition: there is a polytope.
+void count_planes_of_the_input(Trial& trial);
+
+/// Finds the polytope of a list of halfspaces, or returns why there is none.
+std::optional<NotSolid> find_vertices(Trial& trial);
 
 /// "1 point", "18 halfspaces".
 std::string counted(std::size_t count, const char* one, const char* many);

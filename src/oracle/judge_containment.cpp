@@ -8,27 +8,22 @@
 #include "convexact/point_set.hpp"
 #include "convexact/polytope.hpp"
 #include "convexact/stored.hpp"
+#include "convexact/watch.hpp"
 #include "number/text.hpp"
-#include "oracle/cone_location.hpp"
 #include "oracle/excess.hpp"
 #include "oracle/judge.hpp"
-#include "oracle/support_program.hpp"
+#include "oracle/second_way.hpp"
 #include "scene/solid.hpp"
 
 namespace convexact::oracle {
 namespace {
 
 using enum ClaimCode;
-using StopFlag = const std::atomic<bool>*;
-
-void require_no_stop(StopFlag stop) {
-  if (stop != nullptr && *stop) throw Error(ErrorCode::Stopped, "interrupted");
-}
 
 // Whether a vertex of the input's hull lies beyond the candidate's triangle in its direction. Each
 // walk to that triangle starts where the one for a neighbour has ended.
 bool reaches_out_of_cones(const Input& input, const Hull& hull, const PointSet& mesh,
-                          StopFlag stop) {
+                          const Watch& watch) {
   std::vector<std::vector<std::uint32_t>> neighbors(input.hull.vertices.size());
   for (const Edge& edge : edges(input.hull)) {
     neighbors[edge.tail].push_back(edge.head);
@@ -42,7 +37,7 @@ bool reaches_out_of_cones(const Input& input, const Hull& hull, const PointSet& 
   std::vector<bool> is_queued(neighbors.size(), false);
   is_queued[0] = true;
   for (std::size_t next = 0; next < queue.size(); ++next) {
-    require_no_stop(stop);
+    watch.ask();
     const std::uint32_t vertex = queue[next].vertex;
     const std::uint32_t triangle = cones.locate(vertex, queue[next].triangle);
     if (cones.is_outside(vertex, triangle)) return true;
@@ -56,22 +51,22 @@ bool reaches_out_of_cones(const Input& input, const Hull& hull, const PointSet& 
 }
 
 // Whether the input's hull reaches beyond a plane, by a linear program for each.
-bool reaches_beyond_planes(const Input& input, std::span<const Halfspace> planes, StopFlag stop) {
+bool reaches_beyond_planes(const Input& input, std::span<const Halfspace> planes,
+                           const Watch& watch) {
   SupportProgram program(input.hull);
   for (const Halfspace& plane : planes) {
-    require_no_stop(stop);
+    watch.ask();
     if (program.maximum(plane.normal()) + Rational(plane.offset()) > 0) return true;
   }
   return false;
 }
 
 // @throws Error Internal if the second way comes to another result than the first.
-void confirm(bool is_outside, const Input& input, const Candidate& candidate,
-             const CandidateSet& set, StopFlag stop) {
-  const auto* mesh = std::get_if<Mesh>(&candidate);
-  const bool reaches_out = mesh != nullptr && set.hull
-                               ? reaches_out_of_cones(input, *set.hull, mesh->points, stop)
-                               : reaches_beyond_planes(input, set.planes, stop);
+void confirm(bool is_outside, const Trial& trial) {
+  const CandidateSet& set = trial.set;
+  const bool reaches_out =
+      set.hull ? reaches_out_of_cones(trial.input, *set.hull, trial.mesh()->points, trial.stop())
+               : reaches_beyond_planes(trial.input, set.planes, trial.stop());
   if (reaches_out != is_outside) {
     throw Error(ErrorCode::Internal, "two ways to test containment disagree");
   }
@@ -92,122 +87,95 @@ void confirm_nearest(const RationalPoint& q, const RationalPoint& x, const Polyt
   }
 }
 
-void judge_empty(const Input& input, Docket& docket) {
-  docket.verdict.outside = Outside{input.points.size(), input.points.size(), {}};
+// The plane that one of some points lies farthest beyond, with that point, and the plane in words.
+struct Beyond {
   Witness witness;
-  witness.input_point = 0;
-  witness.point = input.points[PointId(0)];
-  docket.violated(ContainsInput, "the candidate is empty, so every point is outside",
-                  std::move(witness));
-}
+  std::string plane_name;
+};
 
-std::string name_of_plane(const Candidate& candidate, const CandidateSet& set, std::size_t plane) {
-  if (const auto* list = std::get_if<HalfspaceList>(&candidate)) {
-    return fmt::format("row {}", list->rows[plane]);
-  }
-  if (!set.hull) return "the plane that holds the candidate";
-  std::string corners;
-  for (const PointId p : set.hull->facets[plane].first(3)) {
-    corners += (corners.empty() ? "" : ", ") + std::to_string(p.index());
-  }
-  return "the facet through its points " + corners;
-}
-
-// The plane that a point lies farthest beyond, and the point.
-Witness witness_of(const Excess& worst, const Input& input, const Candidate& candidate,
-                   const CandidateSet& set) {
-  Witness witness;
-  witness.input_point = worst.point.index();
-  witness.point = input.points[worst.point];
-  witness.plane = set.planes[worst.plane];
-  if (const auto* list = std::get_if<HalfspaceList>(&candidate)) {
-    witness.rows = {list->rows[worst.plane]};
+Beyond farthest_beyond(std::span<const PointId> outside, const Trial& trial) {
+  const Input& input = trial.input;
+  const CandidateSet& set = trial.set;
+  const std::optional<Excess> worst = find_excess(set.planes, subset(input.points, outside));
+  if (!worst) throw Error(ErrorCode::Internal, "a point is outside, but beyond no plane");
+  const PointId point = outside[worst->point.index()];
+  Beyond found{{}, "the plane that holds the candidate"};
+  found.witness.input_point = point.index();
+  found.witness.point = input.points[point];
+  found.witness.plane = set.planes[worst->plane];
+  if (const HalfspaceList* list = trial.list()) {
+    found.witness.rows = {list->rows[worst->plane]};
+    found.plane_name = fmt::format("row {}", list->rows[worst->plane]);
   } else if (set.hull) {
-    for (const PointId p : set.hull->facets[worst.plane]) witness.vertices.push_back(p.index());
+    auto& corners = found.witness.vertices;
+    for (const PointId p : set.hull->facets[worst->plane]) corners.push_back(p.index());
+    found.plane_name =
+        fmt::format("the facet through its points {}, {}, {}", corners[0], corners[1], corners[2]);
   }
-  return witness;
-}
-
-Excess excess_of(std::span<const PointId> outside, const PointSet& points,
-                 const CandidateSet& set) {
-  std::optional<Excess> excess = find_excess(set.planes, subset(points, outside));
-  if (!excess) throw Error(ErrorCode::Internal, "a point is outside, but beyond no plane");
-  excess->point = outside[excess->point.index()];
-  return std::move(*excess);
-}
-
-// The candidate as a bounded solid, if it is one.
-void find_solid(const Candidate& candidate, CandidateSet& set, const Docket& docket,
-                StageLog& log) {
-  if (set.polytope || set.is_examined) return;
-  if (const auto* mesh = std::get_if<Mesh>(&candidate)) {
-    if (set.hull) set.polytope = to_polytope(*set.hull, mesh->points);
-    return;
-  }
-  StageLog within(StageWatch{.stop = log.watch().stop});
-  auto outcome = log.run("candidate's vertices",
-                         [&] { return make_polytope(set.planes, docket.request.seed, within); });
-  if (auto* polytope = std::get_if<Polytope>(&outcome)) set.polytope = std::move(*polytope);
+  return found;
 }
 
 // The distance to a convex set is a convex function: of the input it is largest at a corner.
-Farthest farthest_of(const std::vector<PointId>& outside, const Input& input,
-                     const Polytope& polytope, StopFlag stop) {
+Farthest farthest_of(const std::vector<PointId>& outside, const Trial& trial) {
+  const Input& input = trial.input;
   std::vector<PointId> corners;
   std::copy_if(input.extreme.begin(), input.extreme.end(), std::back_inserter(corners),
                [&](PointId p) { return std::binary_search(outside.begin(), outside.end(), p); });
-  std::optional<Farthest> farthest = find_farthest(polytope, input.points, corners, stop);
+  const Polytope& polytope = *trial.set.polytope;
+  std::optional<Farthest> farthest = find_farthest(polytope, input.points, corners, trial.stop());
   if (!farthest) throw Error(ErrorCode::Internal, "points are outside, but no corner is");
   confirm_nearest(farthest->nearest, input.points[farthest->point], polytope);
   return std::move(*farthest);
 }
 
-void judge_outside(const std::vector<PointId>& outside, const Input& input,
-                   const Candidate& candidate, CandidateSet& set, Docket& docket, StageLog& log) {
+void judge_outside(const std::vector<PointId>& outside, Trial& trial) {
   const std::string count =
       fmt::format("{} outside, of {} tested", counted(outside.size(), "point", "points"),
-                  with_separators(input.points.size()));
-  find_solid(candidate, set, docket, log);
+                  with_separators(trial.input.points.size()));
+  CandidateSet& set = trial.set;  // earlier claims may not have needed its polytope
+  if (set.hull && !set.polytope) set.polytope = to_polytope(*set.hull, trial.mesh()->points);
+  if (trial.list() != nullptr && !set.is_examined) (void)find_vertices(trial);
   if (!set.polytope) {
-    const Excess worst = excess_of(outside, input.points, set);
-    docket.violated(
+    Beyond worst = farthest_beyond(outside, trial);
+    trial.violated(
         ContainsInput,
         fmt::format("{}; point {} is beyond {}; the candidate is no bounded solid, so there is no "
                     "distance to it, and no tolerance applies",
-                    count, worst.point.index(), name_of_plane(candidate, set, worst.plane)),
-        witness_of(worst, input, candidate, set));
+                    count, *worst.witness.input_point, worst.plane_name),
+        std::move(worst.witness));
     return;
   }
-  const Farthest farthest = log.run(
-      "distance", [&] { return farthest_of(outside, input, *set.polytope, log.watch().stop); });
-  docket.verdict.outside->relative_squared_distance =
-      farthest.squared_distance / input.squared_diameter;
-  const Excess beyond = excess_of({{farthest.point}}, input.points, set);
-  Witness witness = witness_of(beyond, input, candidate, set);
-  witness.nearest = farthest.nearest;
-  docket.violated_by(
-      farthest.squared_distance, ContainsInput,
+  const Farthest farthest = trial.log.run("distance", [&] { return farthest_of(outside, trial); });
+  const Rational& squared = farthest.squared_distance;
+  trial.verdict.outside->relative_squared_distance = squared / trial.input.squared_diameter;
+  Beyond worst = farthest_beyond(std::span(&farthest.point, 1), trial);
+  worst.witness.nearest = farthest.nearest;
+  trial.violated_by(
+      squared, ContainsInput,
       fmt::format("{}; point {} is worst, {} from the candidate, beyond {}", count,
-                  farthest.point.index(), docket.distance_text(farthest.squared_distance),
-                  name_of_plane(candidate, set, beyond.plane)),
-      std::move(witness));
+                  farthest.point.index(), trial.distance_text(squared), worst.plane_name),
+      std::move(worst.witness));
 }
 
 }  // namespace
 
-void judge_containment(const Input& input, const Candidate& candidate, CandidateSet& set,
-                       Docket& docket, StageLog& log) {
-  if (!docket.asks(ContainsInput)) return;
-  if (set.is_empty) return judge_empty(input, docket);
-  const StopFlag stop = log.watch().stop;
-  const std::vector<PointId> outside =
-      log.run("containment", [&] { return find_outside(set.planes, input.points, stop); });
-  log.run("containment, second way",
-          [&] { confirm(!outside.empty(), input, candidate, set, stop); });
-  docket.verdict.outside = Outside{outside.size(), input.points.size(), {}};
-  if (!outside.empty()) return judge_outside(outside, input, candidate, set, docket, log);
-  docket.holds(ContainsInput,
-               counted(input.points.size(), "point", "points") + " tested, none outside");
+void judge_containment(Trial& trial) {
+  if (!trial.asks(ContainsInput)) return;
+  const PointSet& points = trial.input.points;
+  if (trial.set.is_empty) {
+    trial.verdict.outside = Outside{points.size(), points.size(), {}};
+    Witness witness;
+    witness.input_point = 0;
+    witness.point = points[PointId(0)];
+    return trial.violated(ContainsInput, "the candidate is empty, so every point is outside",
+                          std::move(witness));
+  }
+  const std::vector<PointId> outside = trial.log.run(
+      "containment", [&] { return find_outside(trial.set.planes, points, trial.stop()); });
+  trial.log.run("containment, second way", [&] { confirm(!outside.empty(), trial); });
+  trial.verdict.outside = Outside{outside.size(), points.size(), {}};
+  if (!outside.empty()) return judge_outside(outside, trial);
+  trial.holds(ContainsInput, counted(points.size(), "point", "points") + " tested, none outside");
 }
 
 }  // namespace convexact::oracle

@@ -1,56 +1,26 @@
 // SPDX-License-Identifier: MIT
 // Whether the faces of a mesh are the surface of a convex solid.
+#include <fmt/format.h>
+
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
+#include "convexact/watch.hpp"
 #include "number/text.hpp"
 #include "oracle/judge.hpp"
+#include "oracle/mesh_surface.hpp"
 
 namespace convexact::oracle {
 namespace {
 
 using enum ClaimCode;
 
+constexpr ClaimCode kFaceClaims[] = {MeshClosed, MeshOriented, MeshPlanar, MeshConvex};
+
 Witness witness_of(const MeshEdge& edge) {
   Witness witness;
   witness.vertices = {edge.tail, edge.head};
   witness.faces = edge.faces;
   return witness;
-}
-
-std::string edge_text(const MeshEdge& edge) {
-  return "the edge between points " + std::to_string(edge.tail) + " and " +
-         std::to_string(edge.head);
-}
-
-void judge_closed(const std::optional<MeshEdge>& open, Docket& docket) {
-  if (!open) {
-    docket.holds(MeshClosed, "each edge has two faces");
-  } else if (open->faces.size() == 2) {
-    docket.violated(MeshClosed,
-                    "face " + std::to_string(open->faces[0]) + " runs along " + edge_text(*open) +
-                        " twice, and no other face does",
-                    witness_of(*open));
-  } else {
-    docket.violated(MeshClosed,
-                    edge_text(*open) + " has " + counted(open->faces.size(), "face", "faces") +
-                        " where a closed surface has 2",
-                    witness_of(*open));
-  }
-}
-
-void judge_oriented(const MeshSurface& surface, bool is_closed, Docket& docket) {
-  if (const auto twisted = surface.twisted_edge()) {
-    docket.violated(MeshOriented,
-                    "along " + edge_text(*twisted) + " two faces run in the same direction",
-                    witness_of(*twisted));
-  } else if (!is_closed) {
-    docket.not_applicable(MeshOriented, "a surface that is not closed has no outside");
-  } else if (const Rational enclosed = surface.enclosed(); enclosed <= 0) {
-    docket.violated(MeshOriented,
-                    enclosed == 0 ? "the faces enclose no volume" : "all faces look inward", {});
-  } else {
-    docket.holds(MeshOriented, "the faces look outward");
-  }
 }
 
 Witness witness_of(const CrossedFace& crossed) {
@@ -60,64 +30,68 @@ Witness witness_of(const CrossedFace& crossed) {
   return witness;
 }
 
-std::string crossing_text(const CrossedFace& crossed) {
-  const std::string face = "face " + std::to_string(crossed.face);
-  const auto& c = crossed.corners;
-  if (c.empty()) return face + " is no polygon: it runs along a line more than once to and fro";
-  const auto edge = [&](std::size_t k) {
-    return "from " + std::to_string(c[k]) + " to " + std::to_string(c[k + 1]);
-  };
-  return face + " is no simple polygon: its edges " + edge(0) + " and " + edge(2) + " meet";
+Witness witness_of(const PointOffFace& off, const Mesh& mesh) {
+  Witness witness;
+  witness.faces = {off.face};
+  witness.vertices = {off.point.index()};
+  witness.plane = off.plane;
+  witness.point = mesh.points[off.point];
+  return witness;
 }
 
-void judge_planar(const Mesh& mesh, const MeshSurface& surface,
-                  const std::optional<CrossedFace>& crossed, Docket& docket) {
+std::string edge_text(const MeshEdge& edge) {
+  return fmt::format("the edge between points {} and {}", edge.tail, edge.head);
+}
+
+std::string crossing_text(const CrossedFace& crossed) {
+  const auto& c = crossed.corners;
+  if (c.empty()) {
+    return fmt::format("face {} is no polygon: it runs along a line more than once to and fro",
+                       crossed.face);
+  }
+  return fmt::format("face {} is no simple polygon: its edges from {} to {} and from {} to {} meet",
+                     crossed.face, c[0], c[1], c[2], c[3]);
+}
+
+void judge_closed(const std::optional<MeshEdge>& open, Trial& trial) {
+  if (!open) return trial.holds(MeshClosed, "each edge has two faces");
+  trial.violated(MeshClosed,
+                 open->faces.size() == 2
+                     ? fmt::format("face {} runs along {} twice, and no other face does",
+                                   open->faces[0], edge_text(*open))
+                     : fmt::format("{} has {} where a closed surface has 2", edge_text(*open),
+                                   counted(open->faces.size(), "face", "faces")),
+                 witness_of(*open));
+}
+
+void judge_oriented(const MeshSurface& surface, bool is_closed, Trial& trial) {
+  if (const auto twisted = surface.twisted_edge()) {
+    trial.violated(MeshOriented,
+                   "along " + edge_text(*twisted) + " two faces run in the same direction",
+                   witness_of(*twisted));
+  } else if (!is_closed) {
+    trial.not_applicable(MeshOriented, "a surface that is not closed has no outside");
+  } else if (const Rational enclosed = surface.enclosed(); enclosed <= 0) {
+    trial.violated(MeshOriented,
+                   enclosed == 0 ? "the faces enclose no volume" : "all faces look inward", {});
+  } else {
+    trial.holds(MeshOriented, "the faces look outward");
+  }
+}
+
+void judge_planar(const MeshSurface& surface, const std::optional<CrossedFace>& crossed,
+                  Trial& trial) {
   if (crossed) {
-    docket.violated(MeshPlanar, crossing_text(*crossed), witness_of(*crossed));
-    return;
+    return trial.violated(MeshPlanar, crossing_text(*crossed), witness_of(*crossed));
   }
   const auto bent = surface.most_bent();
   if (!bent) {
-    docket.holds(MeshPlanar, "each face is a simple polygon in one plane, exactly");
-    return;
+    return trial.holds(MeshPlanar, "each face is a simple polygon in one plane, exactly");
   }
-  Witness witness;
-  witness.faces = {bent->face};
-  witness.vertices = {bent->corner};
-  witness.plane = bent->plane;
-  witness.point = mesh.points[PointId(bent->corner)];
-  docket.violated_by(bent->squared_distance, MeshPlanar,
-                     "corner " + std::to_string(bent->corner) + " of face " +
-                         std::to_string(bent->face) + " is off its plane by " +
-                         docket.distance_text(bent->squared_distance),
-                     std::move(witness));
-}
-
-// What the mesh stands for all the same.
-std::string hull_text(const CandidateSet& set) {
-  return "; the hull of its points has " + counted(set.hull->facets.size(), "facet", "facets") +
-         " and " + counted(set.hull->vertices.size(), "vertex", "vertices");
-}
-
-void judge_off_hull(const Mesh& mesh, const MeshSurface::OffHull& off, bool covers_once,
-                    const CandidateSet& set, Docket& docket) {
-  const Rational& squared = off.worst->squared_distance;
-  Witness witness;
-  witness.faces = {off.worst->face};
-  witness.vertices = {off.worst->point.index()};
-  witness.plane = off.worst->plane;
-  witness.point = mesh.points[off.worst->point];
-  std::string sentence = counted(off.faces, "face is", "faces are") +
-                         " not in the surface of the hull; point " +
-                         std::to_string(off.worst->point.index()) + " is off the plane of face " +
-                         std::to_string(off.worst->face) + " by " + docket.distance_text(squared);
-  if (covers_once) {
-    docket.violated_by(squared, MeshConvex, sentence + hull_text(set), std::move(witness));
-  } else {
-    witness.squared_distance = squared;
-    sentence += ", and together they do not cover it once";
-    docket.violated(MeshConvex, sentence + hull_text(set), std::move(witness));
-  }
+  trial.violated_by(bent->squared_distance, MeshPlanar,
+                    fmt::format("corner {} of face {} is off its plane by {}", bent->point.index(),
+                                bent->face, trial.distance_text(bent->squared_distance)),
+                    witness_of(*bent, *trial.mesh()));
 }
 
 // Simple polygons in facet planes of the hull that look outward cover each point of its surface
@@ -128,97 +102,117 @@ bool covers_once(const Rational& enclosed, const Rational& hull, bool is_exact) 
   return is_exact ? enclosed == hull : abs(Rational(2 * (enclosed - hull))) < hull;
 }
 
-void judge_convex(const Mesh& mesh, const MeshSurface& surface, bool is_closed,
-                  const std::optional<CrossedFace>& crossed, const CandidateSet& set,
-                  Docket& docket) {
+void judge_convex(const MeshSurface& surface, bool is_closed,
+                  const std::optional<CrossedFace>& crossed, Trial& trial) {
+  const Mesh& mesh = *trial.mesh();
+  const Hull& hull = *trial.set.hull;
+  // What the mesh stands for all the same.
+  const std::string hull_text = fmt::format("; the hull of its points has {} and {}",
+                                            counted(hull.facets.size(), "facet", "facets"),
+                                            counted(hull.vertices.size(), "vertex", "vertices"));
   if (crossed) {
-    docket.violated(MeshConvex, crossing_text(*crossed) + hull_text(set), witness_of(*crossed));
-    return;
+    return trial.violated(MeshConvex, crossing_text(*crossed) + hull_text, witness_of(*crossed));
   }
-  const MeshSurface::OffHull off = surface.faces_off(set.planes, set.hull->vertices);
+  const auto [off_count, worst] = surface.faces_off(trial.set.planes, hull.vertices);
   const bool closes = is_closed && !surface.twisted_edge();
   const bool covers =
-      !closes || covers_once(surface.enclosed(), 6 * volume(*set.hull, mesh.points), !off.worst);
-  if (off.worst && (!covers || !docket.allows(off.worst->squared_distance))) {
-    judge_off_hull(mesh, off, covers, set, docket);
+      !closes || covers_once(surface.enclosed(), 6 * volume(hull, mesh.points), !worst);
+  // If the faces do not close, a distance within the tolerance is not what is wrong.
+  if (worst && (!covers || closes || !trial.allows(worst->squared_distance))) {
+    Witness witness = witness_of(*worst, mesh);
+    const std::string sentence =
+        fmt::format("{} not in the surface of the hull; point {} is off the plane of face {} by {}",
+                    counted(off_count, "face is", "faces are"), worst->point.index(), worst->face,
+                    trial.distance_text(worst->squared_distance));
+    if (covers) {
+      return trial.violated_by(worst->squared_distance, MeshConvex, sentence + hull_text,
+                               std::move(witness));
+    }
+    witness.squared_distance = worst->squared_distance;
+    trial.violated(MeshConvex, sentence + ", and together they do not cover it once" + hull_text,
+                   std::move(witness));
   } else if (!closes) {
-    docket.not_applicable(MeshConvex,
-                          "each face is in the surface of the hull, but together they do not "
-                          "close it" +
-                              hull_text(set));
+    trial.not_applicable(
+        MeshConvex,
+        "each face is in the surface of the hull, but together they do not close it" + hull_text);
   } else if (!covers) {
-    docket.violated(MeshConvex,
-                    "each face is in the surface of the hull, but together they do not cover it "
-                    "once" +
-                        hull_text(set),
-                    {});
-  } else if (off.worst) {
-    judge_off_hull(mesh, off, covers, set, docket);
+    trial.violated(
+        MeshConvex,
+        "each face is in the surface of the hull, but together they do not cover it once" +
+            hull_text,
+        {});
   } else {
-    docket.holds(MeshConvex, "the faces are the surface of the hull of the points");
+    trial.holds(MeshConvex, "the faces are the surface of the hull of the points");
   }
 }
 
 std::string list_text(const std::vector<std::size_t>& faces) {
-  constexpr std::size_t kShown = 5;
-  std::string text = faces.size() == 1 ? "face " : "faces ";
-  for (std::size_t k = 0; k < std::min(faces.size(), kShown); ++k) {
-    text += (k > 0 ? ", " : "") + std::to_string(faces[k]);
-  }
-  return faces.size() <= kShown ? text
-                                : text + " and " + with_separators(faces.size() - kShown) + " more";
+  constexpr std::ptrdiff_t kShown = 5;
+  const auto count = static_cast<std::ptrdiff_t>(faces.size());
+  const auto last = faces.begin() + std::min(count, kShown);
+  const std::string text =
+      fmt::format("{} {}", count == 1 ? "face" : "faces", fmt::join(faces.begin(), last, ", "));
+  if (last == faces.end()) return text;
+  return text + " and " + with_separators(faces.size() - kShown) + " more";
 }
 
-void note_surplus(const Surplus& surplus, Docket& docket) {
-  std::vector<std::string>& notes = docket.verdict.notes;
-  if (!surplus.degenerate_faces.empty()) {
-    notes.push_back(list_text(surplus.degenerate_faces) +
-                    (surplus.degenerate_faces.size() == 1 ? " does" : " do") +
-                    " not count: fewer than three corners at different places");
+void note_surplus(const Surplus& surplus, Trial& trial) {
+  std::vector<std::string>& notes = trial.verdict.notes;
+  if (const auto& faces = surplus.degenerate_faces; !faces.empty()) {
+    notes.push_back(fmt::format("{} {} not count: fewer than three corners at different places",
+                                list_text(faces), faces.size() == 1 ? "does" : "do"));
   }
   if (surplus.zero_edges > 0) {
     notes.push_back(counted(surplus.zero_edges, "edge does", "edges do") +
                     " not count: between points at the same place");
   }
-  if (!surplus.slivers.empty()) {
-    notes.push_back(list_text(surplus.slivers) + (surplus.slivers.size() == 1 ? " has" : " have") +
-                    " no area: all corners on a line");
+  if (const auto& faces = surplus.slivers; !faces.empty()) {
+    notes.push_back(fmt::format("{} {} no area: all corners on a line", list_text(faces),
+                                faces.size() == 1 ? "has" : "have"));
+  }
+}
+
+void judge_mesh(const Mesh& mesh, Trial& trial) {
+  const MeshSurface surface(mesh);
+  const Watch watch(trial.stop());
+  note_surplus(surface.surplus(), trial);
+  if (surface.is_empty()) {
+    for (const ClaimCode code : kFaceClaims) {
+      trial.not_applicable(code, "it has no faces, and stands for the hull of its points");
+    }
+    if (mesh.polygons.empty()) return;
+    Witness witness;
+    witness.faces = {0};
+    return trial.violated(MeshClosed, "no face has three corners at different places", witness);
+  }
+  watch.ask();
+  const std::optional<MeshEdge> open = surface.open_edge();
+  judge_closed(open, trial);
+  if (trial.asks(MeshOriented)) judge_oriented(surface, !open, trial);
+  watch.ask();
+  const bool needs_polygons = trial.asks(MeshPlanar) || trial.asks(MeshConvex);
+  const auto crossed = needs_polygons ? surface.crossed_face() : std::nullopt;
+  if (trial.asks(MeshPlanar)) judge_planar(surface, crossed, trial);
+  watch.ask();
+  if (!trial.set.hull) {
+    trial.not_applicable(MeshConvex, "there is no solid");
+  } else if (trial.asks(MeshConvex)) {
+    judge_convex(surface, !open, crossed, trial);
   }
 }
 
 }  // namespace
 
-void judge_faces(const Mesh& mesh, const CandidateSet& set, Docket& docket, const Watch& watch) {
-  constexpr ClaimCode kClaims[] = {MeshClosed, MeshOriented, MeshPlanar, MeshConvex};
-  if (std::none_of(std::begin(kClaims), std::end(kClaims),
-                   [&](ClaimCode code) { return docket.asks(code); })) {
-    return;
+void judge_faces(Trial& trial) {
+  if (const Mesh* mesh = trial.mesh()) {
+    return trial.log.run("faces", [&] {
+      const bool is_asked = std::any_of(std::begin(kFaceClaims), std::end(kFaceClaims),
+                                        [&](ClaimCode code) { return trial.asks(code); });
+      if (is_asked) judge_mesh(*mesh, trial);
+    });
   }
-  const MeshSurface surface(mesh);
-  note_surplus(surface.surplus(), docket);
-  if (surface.is_empty()) {
-    for (const ClaimCode code : kClaims) {
-      docket.not_applicable(code, "it has no faces, and stands for the hull of its points");
-    }
-    if (mesh.polygons.empty()) return;
-    Witness witness;
-    witness.faces = {0};
-    docket.violated(MeshClosed, "no face has three corners at different places", witness);
-    return;
-  }
-  watch.ask();
-  const std::optional<MeshEdge> open = surface.open_edge();
-  judge_closed(open, docket);
-  if (docket.asks(MeshOriented)) judge_oriented(surface, !open, docket);
-  watch.ask();
-  const bool needs_polygons = docket.asks(MeshPlanar) || docket.asks(MeshConvex);
-  const auto crossed = needs_polygons ? surface.crossed_face() : std::nullopt;
-  if (docket.asks(MeshPlanar)) judge_planar(mesh, surface, crossed, docket);
-  watch.ask();
-  if (!set.hull) {
-    docket.not_applicable(MeshConvex, "there is no solid");
-  } else if (docket.asks(MeshConvex)) {
-    judge_convex(mesh, surface, !open, crossed, set, docket);
+  for (const ClaimCode code : kFaceClaims) {
+    trial.not_applicable(code, "halfspaces have no faces of their own");
   }
 }
 

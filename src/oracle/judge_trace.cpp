@@ -4,10 +4,11 @@
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "convexact/verify_run.hpp"
+#include "convexact/watch.hpp"
 #include "fast/filtered_loop.hpp"
-#include "oracle/confirm_costs.hpp"
 #include "oracle/facet_match.hpp"
-#include "oracle/trace_claims.hpp"
+#include "oracle/removal_cost.hpp"
+#include "oracle/trace_verdict.hpp"
 
 namespace convexact {
 namespace {
@@ -22,10 +23,57 @@ std::string removal_text(HalfspaceId id, const std::optional<Cost>& cost) {
 }
 
 std::string list_text(const std::vector<HalfspaceId>& ids) {
-  std::string text = "{";
-  for (const HalfspaceId id : ids) text += (text.size() > 1 ? ", " : "") + id_text(id);
-  return text + "}";
+  return "{" + ids_text(ids, ", ") + "}";
 }
+
+enum class TraceCode : unsigned char {
+  Readable,
+  PlaneUnknown,
+  IdOutOfRange,
+  RemovedTwice,
+  Bounded,
+  Greedy,
+  Cost,
+  Ties,
+  Left,
+  Stop,
+};
+
+// One claim per code; of each the first violation is kept.
+class TraceClaims {
+ public:
+  void violate(TraceCode code, TraceWitness witness) {
+    TraceClaim& claim = at(code);
+    if (claim.status == Status::Violated) return;
+    claim.status = Status::Violated;
+    claim.witness = std::move(witness);
+  }
+  // A claim that only some files make: it holds unless it is violated.
+  void ask(TraceCode code) {
+    if (at(code).status == Status::NotAsked) at(code).status = Status::Holds;
+  }
+  // The steps cannot be judged.
+  void give_up() {
+    for (TraceClaim& claim : claims_) {
+      if (claim.status == Status::Holds) claim.status = Status::NotAsked;
+    }
+  }
+  std::vector<TraceClaim> list() && { return std::move(claims_); }
+
+ private:
+  TraceClaim& at(TraceCode code) { return claims_[static_cast<std::size_t>(code)]; }
+
+  std::vector<TraceClaim> claims_ = {{"trace-readable"},
+                                     {"trace-plane-unknown"},
+                                     {"trace-id-out-of-range"},
+                                     {"trace-removed-twice"},
+                                     {"trace-bounded"},
+                                     {"trace-greedy"},
+                                     {"trace-cost", Status::NotAsked},
+                                     {"trace-ties", Status::NotAsked},
+                                     {"trace-left", Status::NotAsked},
+                                     {"trace-stop", Status::NotAsked}};
+};
 
 class TraceJudge {
  public:
@@ -110,26 +158,20 @@ TraceVerdict TraceJudge::run() {
 }
 
 void TraceJudge::leave_out() {
+  const auto refuse = [](HalfspaceId id, const std::string& why) {
+    throw Error(ErrorCode::InvalidArgument, "facet " + id_text(id) + " is to be left out" + why);
+  };
   for (const OrderedStep& removal : order_.steps) {
     if (const auto id = facets_.find(removal.step.removed)) is_removed_[id->index()] = true;
   }
   for (const HalfspaceId id : options_.left_out) {
     if (id.index() >= is_removed_.size()) {
-      throw Error(ErrorCode::InvalidArgument, "facet " + id_text(id) +
-                                                  " is to be left out: expected an id below " +
-                                                  std::to_string(is_removed_.size()));
+      refuse(id, ": expected an id below " + std::to_string(is_removed_.size()));
     }
-    if (is_removed_[id.index()]) {
-      throw Error(ErrorCode::InvalidArgument,
-                  "facet " + id_text(id) + " is to be left out, and the order removes it");
-    }
+    if (is_removed_[id.index()]) refuse(id, ", and the order removes it");
     const auto& gone = verdict_.left_out;
     if (std::find(gone.begin(), gone.end(), id) != gone.end()) continue;
-    if (!loop_.is_bounded(id)) {
-      throw Error(
-          ErrorCode::InvalidArgument,
-          "facet " + id_text(id) + " is to be left out, and without it the input is unbounded");
-    }
+    if (!loop_.is_bounded(id)) refuse(id, ", and without it the input is unbounded");
     remove_unlisted(id);
   }
 }
@@ -167,16 +209,13 @@ std::optional<LeftOut> TraceJudge::find_never_removed() const {
     found.steps += is_blamed(step) && std::any_of(step.tie.begin(), step.tie.end(), is_found);
   }
   found.unlisted = facets_.count_unlisted(found.facets);
-  found.rating = others.rating;
-  found.at = others.at;
-  found.worst = others.worst;
-  if (others.worst) found.worst_regret = others.steps[*others.worst].regret;
+  static_cast<OrderRating&>(found) = others;
   return found;
 }
 
 // Whether the order can be followed beyond this removal.
 bool TraceJudge::follow(const OrderedStep& removal) {
-  if (options_.stop != nullptr && *options_.stop) throw Error(ErrorCode::Stopped, "interrupted");
+  Watch(options_.stop).ask();
   const std::optional<HalfspaceId> removed = resolve(removal);
   if (!removed) {
     lower_rating(TraceRating::Meaningless);
@@ -246,8 +285,9 @@ void TraceJudge::rate(const JudgedStep& judged) {
     lower_rating(TraceRating::Unbounded);
     return;
   }
-  if (!verdict_.worst || *judged.regret > *verdict_.steps[*verdict_.worst].regret) {
+  if (!verdict_.worst || *judged.regret > *verdict_.worst_regret) {
     verdict_.worst = step();
+    verdict_.worst_regret = judged.regret;
   }
   if (*judged.regret <= options_.max_regret) return;
   violate_choice(TraceCode::Greedy, judged);
@@ -311,10 +351,9 @@ void TraceJudge::check_stop() {
 }
 
 void TraceJudge::confirm() const {
-  const std::vector<JudgedStep>& steps = verdict_.steps;
-  if (steps.empty()) return;
-  const bool is_bounded = steps.back().cost.has_value();
-  const std::size_t last = steps.size() - 1;
+  if (verdict_.steps.empty()) return;
+  const bool is_bounded = verdict_.steps.back().cost.has_value();
+  const std::size_t last = verdict_.steps.size() - 1;
   confirm_step(verdict_, center_, is_bounded ? verdict_.worst.value_or(last) : last);
   confirm_sum(verdict_, center_);
 }

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 // mesh_surface.hpp - what is wrong with the faces of a mesh that should bound a convex solid.
 #pragma once
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "convexact/hull.hpp"
 #include "convexact/mesh.hpp"
-#include "oracle/excess.hpp"
 
 namespace convexact {
 
@@ -28,20 +25,12 @@ struct CrossedFace {
   std::vector<std::uint32_t> corners;
 };
 
-/// A corner that is not in the plane of its face.
-struct BentFace {
-  std::size_t face;
-  std::uint32_t corner;       ///< The point of the mesh.
-  Halfspace plane;            ///< Through the face's first corner, normal to its area vector.
-  Rational squared_distance;  ///< Of the corner to the plane; positive.
-};
-
-/// A point of the mesh off the plane of a face: beyond it, or a corner of the face.
+/// A point of the mesh off the plane of a face: a corner of the face, or a point beyond it.
 struct PointOffFace {
   std::size_t face;
   PointId point;
-  Halfspace plane;
-  Rational squared_distance;
+  Halfspace plane;            ///< Through the face's first corner, normal to its area vector.
+  Rational squared_distance;  ///< Of the point to the plane; positive.
 };
 
 /// What a mesh has too much of, without being another surface.
@@ -73,7 +62,7 @@ class MeshSurface {
   /// along it once to and fro.
   [[nodiscard]] std::optional<CrossedFace> crossed_face() const;
   /// The corner that is farthest from the plane of its face.
-  [[nodiscard]] std::optional<BentFace> most_bent() const;
+  [[nodiscard]] std::optional<PointOffFace> most_bent() const;
   /// Six times the volume that the faces enclose, positive if they look outward. Meaningful if
   /// there is neither an open nor a twisted edge.
   [[nodiscard]] Rational enclosed() const;
@@ -99,22 +88,12 @@ class MeshSurface {
   bool is_on_a_line(std::size_t face) const;
   bool goes_to_and_fro(std::size_t face) const;
   std::optional<CrossedFace> crossing_of(std::size_t face) const;
-  std::optional<BentFace> bend_of(std::size_t face) const;
+  std::optional<PointOffFace> bend_of(std::size_t face) const;
   const Mesh& mesh_;
   std::vector<std::vector<std::uint32_t>> faces_;  // corners by the first point at their place
   std::vector<RationalVector3> area_vectors_;
   std::vector<DirectedEdge> edges_;  // sorted by their ends, whichever comes first
   Surplus surplus_;
 };
-
-using PlanarPoint = std::array<Rational, 2>;
-
-/// Two edges of a closed polygon that have a point in common which is not the corner between
-/// neighbours: the positions of their first corners, the lower one first; nothing if the polygon is
-/// simple. Exact.
-/// @param corners  At least three; no two neighbours are equal.
-/// @par Cost  Linear for convex polygons; for others a sweep, in the worst case quadratic.
-[[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> touching_edges(
-    std::span<const PlanarPoint> corners);
 
 }  // namespace convexact

@@ -1,55 +1,119 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
 
 #include "convexact/linear_program.hpp"
+#include "convexact/measure.hpp"
 #include "convexact/number.hpp"
 #include "convexact/verify.hpp"
 #include "number/arithmetic.hpp"
-#include "oracle/hard_edges.hpp"
 
 namespace convexact {
 namespace {
 
-using oracle::Corner;
-using oracle::Corners;
-using oracle::HardEdges;
+using Corner = std::uint32_t;
+using Corners = std::span<const Corner>;
 using Facet = std::uint32_t;
 
 constexpr int kThinnest = 1024;  // of a solid whose facets are merged, in units of its slack
 
 // For each vertex u for each of its coordinates.
 std::vector<RationalVector3> slack_of(const Polytope& polytope, const Slack& slack) {
+  const std::vector<RationalPoint>& vertices = polytope.vertices;
+  if (slack.ulps_of_largest > 0) {
+    const Rational ulp =
+        unit_in_last_place(slack.precision, bounding_box(vertices).largest_coordinate());
+    const Rational u = slack.ulps_of_largest * ulp;
+    return std::vector<RationalVector3>(vertices.size(), RationalVector3(u, u, u));
+  }
   std::vector<RationalVector3> result;
-  Rational largest = 0;
-  for (const RationalPoint& v : polytope.vertices) {
+  for (const RationalPoint& v : vertices) {
     RationalVector3& u = result.emplace_back();
-    for (int k = 0; k < 3; ++k) {
-      largest = std::max<Rational>(largest, abs(v[k]));
-      u[k] = unit_in_last_place(slack.precision, v[k]) / 2;
+    for (int k = 0; k < 3; ++k) u[k] = unit_in_last_place(slack.precision, v[k]) / 2;
+  }
+  return result;
+}
+
+// Edges at which two facets meet at an angle that no rounding explains: decides in doubles which
+// pairs of neighbouring facets can never be in one patch.
+class HardEdges {
+ public:
+  HardEdges(const Polytope& polytope, std::span<const RationalVector3> slack) {
+    const Rational largest = bounding_box(polytope.vertices).largest_coordinate();
+    // By a power of two into [-1, 1], where products do not overflow.
+    const int exponent = exponent_of(to_double(largest, Rounding::Down));
+    const auto scaled = [&](const Rational& x) {
+      return to_double(scale_by_power_of_two(x, -exponent), Rounding::Nearest);
+    };
+    for (std::size_t v = 0; v < slack.size(); ++v) {
+      Point& p = points_.emplace_back();
+      Point& u = errors_.emplace_back();
+      for (int k = 0; k < 3; ++k) {
+        p[k] = scaled(polytope.vertices[v][k]);
+        u[k] = scaled(slack[v][k]) + kUnit * std::abs(p[k]) + kTiny;
+      }
     }
   }
-  if (slack.ulps_of_largest == 0) return result;
-  const Rational u = slack.ulps_of_largest * unit_in_last_place(slack.precision, largest);
-  return std::vector<RationalVector3>(result.size(), RationalVector3(u, u, u));
-}
+
+  // Whether the four points are not coplanar wherever they are within their errors.
+  bool separates(Corner a, Corner b, Corner c, Corner d) const {
+    const Corner others[] = {b, c, d};
+    double m[3][3], e[3][3];
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        m[i][k] = points_[others[i]][k] - points_[a][k];
+        e[i][k] = errors_[others[i]][k] + errors_[a][k];
+      }
+    }
+    double determinant = 0, size = 0, change = 0;
+    constexpr int kOrders[6][4] = {{0, 1, 2, 1},  {1, 2, 0, 1},  {2, 0, 1, 1},
+                                   {0, 2, 1, -1}, {2, 1, 0, -1}, {1, 0, 2, -1}};
+    for (const auto& [i, j, k, sign] : kOrders) {
+      const double x = m[0][i], y = m[1][j], z = m[2][k];
+      determinant += sign * (x * y * z);
+      size += std::abs(x * y * z);
+      change += e[0][i] * (std::abs(y) + e[1][j]) * (std::abs(z) + e[2][k]) +
+                std::abs(x) * e[1][j] * (std::abs(z) + e[2][k]) + std::abs(x * y) * e[2][k];
+    }
+    // What rounding adds here is below 2^-49 of the sum of the sizes.
+    return std::abs(determinant) > change + 16 * kUnit * size + kTiny;
+  }
+
+  // Four times the square of the area, in units of its own.
+  double squared_area(Corners corners) const {
+    Vector3<double> sum(0, 0, 0);
+    for (std::size_t k = 2; k < corners.size(); ++k) {
+      const Vector3<double> u = points_[corners[k - 1]] - points_[corners[0]];
+      const Vector3<double> v = points_[corners[k]] - points_[corners[0]];
+      sum += u.cross(v);
+    }
+    return sum.dot(sum);
+  }
+
+ private:
+  static constexpr double kUnit = 0x1p-52, kTiny = 0x1p-1000;
+  std::vector<Point> points_, errors_;
+};
 
 struct Plane {
   RationalVector3 normal;
   Rational offset;
-};
 
-// How far n.p may be off.
-Rational reach(const RationalVector3& normal, const RationalVector3& slack) {
-  Rational sum = 0;
-  for (int k = 0; k < 3; ++k) sum += abs(normal[k]) * slack[k];
-  return sum;
-}
+  // How far n.p may be off.
+  Rational reach(const RationalVector3& slack) const {
+    Rational sum = 0;
+    for (int k = 0; k < 3; ++k) sum += abs(normal[k]) * slack[k];
+    return sum;
+  }
+  // By how much more than that a point is off the plane; positive if it is not near.
+  Rational excess(const RationalPoint& p, const RationalVector3& slack) const {
+    return abs(Rational(normal.dot(p) + offset)) - reach(slack);
+  }
+};
 
 class PatchSearch {
  public:
@@ -137,9 +201,9 @@ void PatchSearch::find_soft_edges() {
 
 // Whether all corners of the facet are near the plane.
 bool PatchSearch::fits(Facet facet) const {
-  return std::all_of(polytope_.facets[facet].begin(), polytope_.facets[facet].end(), [&](Corner c) {
-    const Rational value = plane_.normal.dot(polytope_.vertices[c]) + plane_.offset;
-    return abs(value) <= reach(plane_.normal, slack_[c]);
+  const auto& corners = polytope_.facets[facet];
+  return std::all_of(corners.begin(), corners.end(), [&](Corner c) {
+    return plane_.excess(polytope_.vertices[c], slack_[c]) <= 0;
   });
 }
 
@@ -224,14 +288,15 @@ std::size_t PatchSearch::patches_at(Corner corner) const {
   std::vector<Facet> patches;
   std::size_t single = 0;
   for (const Facet f : around_[corner]) {
-    if (patch_of_[f] == kNone)
+    if (patch_of_[f] == kNone) {
       ++single;
-    else
+    } else {
       patches.push_back(patch_of_[f]);
+    }
   }
   std::sort(patches.begin(), patches.end());
-  return single +
-         static_cast<std::size_t>(std::unique(patches.begin(), patches.end()) - patches.begin());
+  patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
+  return single + patches.size();
 }
 
 // Whether three patches meet in each corner of the facet.
@@ -251,8 +316,7 @@ bool PatchSearch::tilt_to(Facet facet) {
     Rational worst = 0;
     std::optional<Corner> added;
     for (const Corner c : all) {
-      const Rational value = plane.normal.dot(polytope_.vertices[c]) + plane.offset;
-      Rational excess = abs(value) - reach(plane.normal, slack_[c]);
+      Rational excess = plane.excess(polytope_.vertices[c], slack_[c]);
       if (excess <= worst) continue;
       worst = std::move(excess);
       added = c;
@@ -331,7 +395,7 @@ std::optional<Plane> PatchSearch::plane_near(Corners all, int axis, int first_si
 // Whether the solid is thinner along the patch's normal than what rounding may explain.
 bool PatchSearch::is_thin_along_plane() const {
   Rational slack = 0;
-  for (const Corner c : corners_) slack = std::max(slack, reach(plane_.normal, slack_[c]));
+  for (const Corner c : corners_) slack = std::max(slack, plane_.reach(slack_[c]));
   std::optional<Rational> least, most;
   for (const RationalPoint& v : polytope_.vertices) {
     const Rational value = plane_.normal.dot(v);
@@ -343,38 +407,6 @@ bool PatchSearch::is_thin_along_plane() const {
 }
 
 }  // namespace
-
-std::string describe(const Slack& slack) {
-  const std::string format = slack.precision == Precision::Binary64 ? "binary64" : "binary32";
-  if (slack.ulps_of_largest == 0) {
-    return "half a unit in the last place of each coordinate in " + format;
-  }
-  return std::to_string(slack.ulps_of_largest) +
-         " units in the last place of the largest coordinate in " + format;
-}
-
-Precision precision_of(const PointSet& points) {
-  constexpr int kFewBits = 16;
-  if (!points.is_binary()) return Precision::Binary64;
-  bool is_rounded = false;
-  for (const Point& p : points.doubles()) {
-    for (const double x : p) {
-      if (std::abs(x) > std::numeric_limits<float>::max()) return Precision::Binary64;
-      if (static_cast<double>(static_cast<float>(x)) != x) return Precision::Binary64;
-      const double scaled = std::ldexp(x, kFewBits - exponent_of(x));
-      is_rounded = is_rounded || scaled != std::trunc(scaled);
-    }
-  }
-  return is_rounded ? Precision::Binary32 : Precision::Binary64;
-}
-
-Rational unit_in_last_place(Precision precision, const Rational& x) {
-  const int least = precision == Precision::Binary64 ? -1074 : -149;
-  const double near = to_double(abs(x), Rounding::Down);
-  if (near == 0) return to_rational(std::ldexp(1.0, least));
-  return to_rational(
-      std::ldexp(1.0, std::max(exponent_of(near) - significand_bits(precision), least)));
-}
 
 std::vector<std::vector<std::uint32_t>> planar_patches(const Polytope& polytope,
                                                        const Slack& slack) {

@@ -7,14 +7,10 @@
 #include "convexact/error.hpp"
 #include "convexact/linear_program.hpp"
 #include "convexact/measure.hpp"
+#include "simplify/modular_volume.hpp"
 
 namespace convexact {
 namespace {
-
-Rational determinant(const RationalVector3& a, const RationalVector3& b, const RationalVector3& c) {
-  const RationalVector3 normal = a.cross(b);
-  return normal.dot(c);
-}
 
 // The pyramid from the center over a facet.
 Rational cone(const Polytope& polytope, std::size_t facet, const RationalPoint& center) {
@@ -24,17 +20,9 @@ Rational cone(const Polytope& polytope, std::size_t facet, const RationalPoint& 
   for (std::size_t k = 2; k < corners.size(); ++k) {
     const RationalVector3 second = polytope.vertices[corners[k - 1]] - center;
     const RationalVector3 third = polytope.vertices[corners[k]] - center;
-    six_times += determinant(first, second, third);
+    six_times += first.cross(second).dot(third);
   }
   return six_times / 6;
-}
-
-std::size_t facet_on(const Polytope& polytope, const Halfspace& plane) {
-  const auto found = std::find(polytope.planes.begin(), polytope.planes.end(), plane);
-  if (found == polytope.planes.end()) {
-    throw Error(ErrorCode::InvalidArgument, "the halfspace to remove bounds no facet");
-  }
-  return static_cast<std::size_t>(found - polytope.planes.begin());
 }
 
 // The largest |P|.|x| over the planes and the box of a cap: what `removed` cuts off from `after`.
@@ -73,6 +61,18 @@ Rational spread(const Polytope& after, const Halfspace& removed, const Polytope&
   return largest;
 }
 
+void require(bool confirmed) {
+  if (!confirmed) {
+    throw Error(ErrorCode::Internal, "the cost of a removal is not what its definition says");
+  }
+}
+
+Rational volume_of(std::span<const Halfspace> halfspaces, const RationalPoint& center) {
+  const std::optional<Polytope> polytope = intersect(halfspaces, center);
+  require(polytope.has_value());
+  return volume(*polytope);
+}
+
 }  // namespace
 
 std::optional<Polytope> intersect(std::span<const Halfspace> halfspaces,
@@ -91,7 +91,12 @@ RemovalOracle::RemovalOracle(std::vector<Halfspace> halfspaces, const RationalPo
 }
 
 RemovalCost RemovalOracle::without(const Halfspace& removed) const {
-  const std::size_t facet = facet_on(polytope_, removed);
+  const auto& planes = polytope_.planes;
+  const auto found = std::find(planes.begin(), planes.end(), removed);
+  if (found == planes.end()) {
+    throw Error(ErrorCode::InvalidArgument, "the halfspace to remove bounds no facet");
+  }
+  const auto facet = static_cast<std::size_t>(found - planes.begin());
   std::vector<Halfspace> rest;
   std::copy_if(halfspaces_.begin(), halfspaces_.end(), std::back_inserter(rest),
                [&](const Halfspace& h) { return h != removed; });
@@ -103,6 +108,39 @@ RemovalCost RemovalOracle::without(const Halfspace& removed) const {
       to_rational(kPlaneRounding) * spread(*after, removed, polytope_, facet, center_);
   if (share >= 1) return {cost, std::nullopt};
   return {cost, Rational(3 * share * reach)};
+}
+
+std::vector<Halfspace> left_before(const TraceVerdict& verdict, std::size_t step) {
+  std::vector<HalfspaceId> gone = verdict.left_out;
+  for (std::size_t s = 0; s < step; ++s) gone.push_back(verdict.steps[s].removed);
+  return left_after(verdict.halfspaces, gone);
+}
+
+void confirm_step(const TraceVerdict& verdict, const RationalPoint& center, std::size_t step) {
+  const std::vector<Halfspace>& halfspaces = verdict.halfspaces;
+  const JudgedStep& judged = verdict.steps[step];
+  const RemovalOracle oracle(left_before(verdict, step), center);
+  require(oracle.without(halfspaces[judged.removed.index()]).cost == judged.cost);
+  if (judged.tie.empty()) return;
+  require(oracle.without(halfspaces[judged.tie.front().index()]).cost == judged.minimum);
+}
+
+void confirm_sum(const TraceVerdict& verdict, const RationalPoint& center) {
+  const std::vector<JudgedStep>& steps = verdict.steps;
+  std::size_t bounded = 0;
+  while (bounded < steps.size() && steps[bounded].cost) ++bounded;
+  if (bounded == 0) return;
+  const Rational before = volume_of(left_before(verdict, 0), center);
+  const Rational after = volume_of(left_before(verdict, bounded), center);
+  Random random(1);
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    const ModularVolume modulo({}, random);
+    std::uint64_t sum = modulo.residue(before);
+    for (std::size_t s = 0; s < bounded; ++s) {
+      sum = modulo.sum(sum, modulo.residue(steps[s].cost->rational()));
+    }
+    require(sum == modulo.residue(after));
+  }
 }
 
 }  // namespace convexact

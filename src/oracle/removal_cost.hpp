@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// removal_cost.hpp - what removing a halfspace costs, by definition, and how well doubles can know.
+// removal_cost.hpp - what removing a halfspace costs, by definition, how well doubles can know it,
+// and the confirmation of judged costs.
 #pragma once
 #include <optional>
 #include <span>
@@ -7,6 +8,7 @@
 
 #include "convexact/halfspace.hpp"
 #include "convexact/polytope.hpp"
+#include "convexact/verify_run.hpp"
 
 namespace convexact {
 
@@ -58,5 +60,18 @@ class RemovalOracle {
 /// @param center  Strictly inside. @throws Error InvalidArgument if it is not.
 [[nodiscard]] std::optional<Polytope> intersect(std::span<const Halfspace> halfspaces,
                                                 const RationalPoint& center);
+
+/// The halfspaces that are left before step `step`, in canonical order; those that were left out
+/// are not among them.
+[[nodiscard]] std::vector<Halfspace> left_before(const TraceVerdict& verdict, std::size_t step);
+
+/// Checks cost and boundedness of the removal that a step made and of the one that it should have
+/// made.
+/// @throws Error Internal if they are not what the step says.
+void confirm_step(const TraceVerdict& verdict, const RationalPoint& center, std::size_t step);
+
+/// V(before the first step) + costs = V(after the last bounded one), modulo two random primes.
+/// @throws Error Internal if not.
+void confirm_sum(const TraceVerdict& verdict, const RationalPoint& center);
 
 }  // namespace convexact

@@ -60,6 +60,21 @@ Rows rows_of(std::span<const Halfspace> halfspaces) {
   return rows;
 }
 
+Rows rows_of(const PointSet& points) {
+  Rows rows;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const RationalPoint p = points[PointId(i)];
+    rows.push_back({p[0], p[1], p[2]});
+  }
+  return rows;
+}
+
+PointSet points_of(const Rows& rows) {
+  std::vector<RationalPoint> list;
+  for (const Row& row : rows) list.emplace_back(row[0], row[1], row[2]);
+  return PointSet(list);
+}
+
 // Nothing if a normal is zero.
 std::optional<std::vector<Halfspace>> halfspaces_of(const Rows& rows) {
   std::vector<Halfspace> halfspaces;
@@ -267,14 +282,7 @@ std::size_t coordinate_bits(const Rational& x) {
   return x == 0 ? 0 : bit_length(numerator(x)) + bit_length(denominator(x)) - 1;
 }
 
-std::size_t coordinate_bits(const PointSet& points) {
-  std::size_t bits = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const RationalPoint p = points[PointId(i)];
-    for (int k = 0; k < 3; ++k) bits += coordinate_bits(p[k]);
-  }
-  return bits;
-}
+std::size_t coordinate_bits(const PointSet& points) { return bits_of(rows_of(points)); }
 
 std::size_t coordinate_bits(std::span<const Halfspace> halfspaces) {
   return bits_of(rows_of(halfspaces));
@@ -282,16 +290,6 @@ std::size_t coordinate_bits(std::span<const Halfspace> halfspaces) {
 
 Shrunk shrink(const PointSet& points, const StillFails& fails,
               const std::function<void(const PointSet&)>& progress) {
-  Rows rows;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const RationalPoint p = points[PointId(i)];
-    rows.push_back({p[0], p[1], p[2]});
-  }
-  const auto points_of = [](const Rows& of) {
-    std::vector<RationalPoint> list;
-    for (const Row& row : of) list.emplace_back(row[0], row[1], row[2]);
-    return PointSet(list);
-  };
   std::size_t tries = 0;
   const auto rows_fail = [&](const Rows& candidate, std::span<const PointId> origin) {
     const PointSet set = points_of(candidate);
@@ -299,7 +297,7 @@ Shrunk shrink(const PointSet& points, const StillFails& fails,
     ++tries;
     return fails(set, origin);
   };
-  Shrinker shrinker(std::move(rows), true, rows_fail, [&](const Rows& smaller) {
+  Shrinker shrinker(rows_of(points), true, rows_fail, [&](const Rows& smaller) {
     if (progress) progress(points_of(smaller));
   });
   shrinker.run();

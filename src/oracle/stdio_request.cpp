@@ -18,7 +18,7 @@
 #include "io/json.hpp"
 #include "io/json_text.hpp"
 #include "number/text.hpp"
-#include "oracle/verdict_text.hpp"
+#include "oracle/verdict_report.hpp"
 #include "scene/result_json.hpp"
 
 namespace convexact {
@@ -105,6 +105,12 @@ std::optional<std::size_t> budget(const json& request, const char* key) {
   return request[key].get<std::size_t>();
 }
 
+std::optional<bool> flag(const json& request, const char* key) {
+  if (!request.contains(key)) return std::nullopt;
+  if (!request[key].is_boolean()) reject(std::string(key) + " as true or false");
+  return request[key].get<bool>();
+}
+
 std::vector<ClaimCode> claims(const json& names) {
   if (!names.is_array()) reject("claims as an array of names");
   std::vector<ClaimCode> codes;
@@ -118,20 +124,15 @@ std::vector<ClaimCode> claims(const json& names) {
 
 VerifyRequest questions(const json& request) {
   VerifyRequest asked;
-  asked.tightness = false;
   if (request.contains("claims")) asked.claims = claims(request["claims"]);
-  if (request.contains("tightness")) {
-    if (!request["tightness"].is_boolean()) reject("tightness as true or false");
-    asked.tightness = request["tightness"].get<bool>();
-  }
+  asked.tightness = flag(request, "tightness").value_or(false);
   if (request.contains("tolerance")) {
     const json& tolerance = request["tolerance"];
     if (!tolerance.is_string()) reject("the tolerance as a string, such as \"1e-9d\"");
     asked.tolerance = parse_tolerance(tolerance.get_ref<const std::string&>());
   }
-  if (request.contains("exact_facets")) {
-    if (!request["exact_facets"].is_boolean()) reject("exact_facets as true or false");
-    asked.exact_facets = request["exact_facets"].get<bool>();
+  if (const auto exact = flag(request, "exact_facets")) {
+    asked.exact_facets = *exact;
     if (!request.contains("max_facets")) reject("exact_facets with max_facets only");
   }
   asked.max_facets = budget(request, "max_facets");

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
+// How far a distance may be, and how far a rounded number from the one meant.
 #include <cmath>
+#include <limits>
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "convexact/verify.hpp"
+#include "number/arithmetic.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
 
@@ -18,8 +21,8 @@ std::string describe(const Tolerance& tolerance) {
   return to_decimal(tolerance.value, 3) + (tolerance.relative ? " of the diameter" : "");
 }
 
-std::string decimal_of_root(const Rational& squared) {
-  return to_decimal(sqrt(Enclosure(squared, kMeasureBits)), 3).value_or("?");
+std::string decimal_of_root(const Rational& squared, int digits) {
+  return to_decimal(sqrt(Enclosure(squared, kMeasureBits)), digits).value_or("?");
 }
 
 Tolerance parse_tolerance(std::string_view text) {
@@ -56,6 +59,38 @@ std::string least_tolerance(const Rational& squared) {
     if (text.size() > 1) text.insert(1, ".");
     return text + "e" + std::to_string(leading);
   }
+}
+
+std::string describe(const Slack& slack) {
+  const std::string format = slack.precision == Precision::Binary64 ? "binary64" : "binary32";
+  if (slack.ulps_of_largest == 0) {
+    return "half a unit in the last place of each coordinate in " + format;
+  }
+  return std::to_string(slack.ulps_of_largest) +
+         " units in the last place of the largest coordinate in " + format;
+}
+
+Precision precision_of(const PointSet& points) {
+  constexpr int kFewBits = 16;
+  if (!points.is_binary()) return Precision::Binary64;
+  bool is_rounded = false;
+  for (const Point& p : points.doubles()) {
+    for (const double x : p) {
+      if (std::abs(x) > std::numeric_limits<float>::max()) return Precision::Binary64;
+      if (static_cast<double>(static_cast<float>(x)) != x) return Precision::Binary64;
+      const double scaled = std::ldexp(x, kFewBits - exponent_of(x));
+      is_rounded = is_rounded || scaled != std::trunc(scaled);
+    }
+  }
+  return is_rounded ? Precision::Binary32 : Precision::Binary64;
+}
+
+Rational unit_in_last_place(Precision precision, const Rational& x) {
+  const int least = precision == Precision::Binary64 ? -1074 : -149;
+  const double near = to_double(abs(x), Rounding::Down);
+  if (near == 0) return to_rational(std::ldexp(1.0, least));
+  return to_rational(
+      std::ldexp(1.0, std::max(exponent_of(near) - significand_bits(precision), least)));
 }
 
 }  // namespace convexact

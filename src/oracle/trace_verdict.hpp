@@ -3,6 +3,7 @@
 // (docs/schema/trace_verdict.schema.json) and for people.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 
 #include "convexact/verify_run.hpp"
@@ -22,8 +23,11 @@ inline const char* name_of(TraceRating rating) { return name_in(kTraceRatingName
 /// 7", "cannot be followed from step 7" or "unreadable"; " without facet 12" if it is left out.
 /// Steps are counted from 0.
 [[nodiscard]] std::string verdict_line(const TraceVerdict& verdict);
-/// The same for the order among the other facets.
-[[nodiscard]] std::string verdict_line(const LeftOut& left_out);
+/// The same without the facets.
+[[nodiscard]] std::string verdict_line(const OrderRating& rating);
+
+/// "7, 12, 30", for the separator ", ".
+[[nodiscard]] std::string ids_text(std::span<const HalfspaceId> ids, const char* separator);
 
 /// Which facets cause the violation, and the rating of the order without them.
 [[nodiscard]] std::string sentence(const LeftOut& left_out, const TraceVerdict& verdict);

@@ -1,33 +1,92 @@
 // SPDX-License-Identifier: MIT
+// verify(): which claims are asked, the order in which they are decided, and the verdict.
 #include "convexact/verify.hpp"
 
 #include <algorithm>
 
 #include "convexact/error.hpp"
+#include "convexact/io.hpp"
 #include "convexact/measure.hpp"
+#include "io/names.hpp"
+#include "number/text.hpp"
 #include "oracle/judge.hpp"
 #include "scene/solid.hpp"
 
 namespace convexact {
+namespace oracle {
+
+const std::optional<std::size_t>* budget_of(const VerifyRequest& request, ClaimCode code) {
+  switch (code) {
+    case ClaimCode::MaxFacets:
+      return &request.max_facets;
+    case ClaimCode::MaxVertices:
+      return &request.max_vertices;
+    case ClaimCode::MaxFacetVertices:
+      return &request.max_facet_vertices;
+    default:
+      return nullptr;
+  }
+}
+
+Trial::Trial(const Input& given, const Candidate& judged, const VerifyRequest& asked,
+             StageLog& stages)
+    : input(given), candidate(judged), request(asked), log(stages) {
+  verdict.squared_diameter = input.squared_diameter;
+  for (const ClaimCode code : kAllClaims) {
+    const bool is_named = !request.claims.empty() || budget_of(request, code) != nullptr;
+    verdict.claims.push_back({code, Status::NotAsked, "", {}, is_named && asks(code)});
+  }
+}
+
+bool Trial::asks(ClaimCode code) const {
+  if (const auto* budget = budget_of(request, code)) return budget->has_value();
+  const auto& list = request.claims;
+  return list.empty() || std::find(list.begin(), list.end(), code) != list.end();
+}
+
+void Trial::decide(ClaimCode code, Status status, std::string sentence, Witness witness) {
+  if (!asks(code)) return;
+  Claim& claim = verdict.claims[static_cast<std::size_t>(code)];
+  claim = {code, status, std::move(sentence), std::move(witness), claim.is_named};
+}
+
+void Trial::violated_by(const Rational& squared_distance, ClaimCode code,
+                        const std::string& sentence, Witness witness) {
+  witness.squared_distance = squared_distance;
+  if (allows(squared_distance)) {
+    holds(code, "within the tolerance of " + describe(request.tolerance) + ": " + sentence,
+          std::move(witness));
+  } else {
+    violated(code, sentence, std::move(witness));
+    verdict.claims[static_cast<std::size_t>(code)].is_by_distance = asks(code);
+  }
+}
+
+std::string Trial::distance_text(const Rational& squared) const {
+  return decimal_of_root(squared) + " (" + decimal_of_root(squared / input.squared_diameter) +
+         " of the diameter)";
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return with_separators(count) + " " + (count == 1 ? one : many);
+}
+
+}  // namespace oracle
+
 namespace {
 
 using namespace oracle;
 
-std::variant<Input, NotSolid> input_of_points(const PointSet& points, std::uint64_t seed,
-                                              StageLog& log) {
-  StageLog within(StageWatch{.stop = log.watch().stop});
-  auto outcome = log.run("input's hull", [&] { return make_hull(points, seed, true, within); });
-  if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
-  const auto& hull = std::get<Hull>(outcome);
-  return Input{points, hull.vertices, to_polytope(hull, points),
-               bounding_box(points).squared_diameter()};
-}
-
 std::variant<Input, NotSolid> input_of(const Shape& shape, std::uint64_t seed, StageLog& log) {
-  if (const auto* points = std::get_if<PointSet>(&shape)) {
-    return input_of_points(*points, seed, log);
-  }
   StageLog within(StageWatch{.stop = log.watch().stop});
+  if (const auto* points = std::get_if<PointSet>(&shape)) {
+    const auto outcome =
+        log.run("input's hull", [&] { return make_hull(*points, seed, true, within); });
+    if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
+    const auto& hull = std::get<Hull>(outcome);
+    return Input{*points, hull.vertices, to_polytope(hull, *points),
+                 bounding_box(*points).squared_diameter()};
+  }
   SolidOutcome outcome =
       log.run("input's vertices", [&] { return make_solid(shape, seed, true, within); });
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
@@ -38,49 +97,89 @@ std::variant<Input, NotSolid> input_of(const Shape& shape, std::uint64_t seed, S
 }
 
 // A distance that rounding in a program explains.
-Rational rounding_of(const Input& input, const Candidate& candidate) {
-  const auto* mesh = std::get_if<Mesh>(&candidate);
-  const PointSet& points = mesh != nullptr ? mesh->points : input.points;
-  Rational largest = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    for (const Rational& x : points[PointId(i)]) largest = std::max<Rational>(largest, abs(x));
-  }
+Rational rounding_of(const Trial& trial) {
+  const Mesh* mesh = trial.mesh();
+  const PointSet& points = mesh != nullptr ? mesh->points : trial.input.points;
   const Precision precision = mesh != nullptr ? precision_of(points) : Precision::Binary64;
-  return kRoundingUlps * unit_in_last_place(precision, largest);
+  return kRoundingUlps * unit_in_last_place(precision, bounding_box(points).largest_coordinate());
 }
 
-void judge(const Input& input, const Candidate& candidate, Docket& docket, StageLog& log) {
-  if (!judge_reading(candidate, docket)) return;
-  CandidateSet set;
-  if (const auto* mesh = std::get_if<Mesh>(&candidate)) {
-    set = judge_mesh_set(*mesh, docket, log);
-    log.run("faces", [&] { judge_faces(*mesh, set, docket, log.watch().stop); });
-    find_facets_as_meant(*mesh, set, docket, log);
-  } else {
-    set = judge_halfspace_set(std::get<HalfspaceList>(candidate), docket, log);
-    for (const ClaimCode code : {ClaimCode::MeshClosed, ClaimCode::MeshOriented,
-                                 ClaimCode::MeshPlanar, ClaimCode::MeshConvex}) {
-      docket.not_applicable(code, "halfspaces have no faces of their own");
-    }
+// After all claims: the tolerance with which they hold, if there is one.
+void find_smallest_tolerance(Trial& trial) {
+  Verdict& verdict = trial.verdict;
+  Rational worst = 0;
+  for (const Claim& claim : verdict.claims) {
+    if (claim.is_undecided()) return;
+    if (claim.status != Status::Violated) continue;
+    if (!claim.is_by_distance) return;
+    worst = std::max(worst, *claim.witness.squared_distance);
   }
-  judge_containment(input, candidate, set, docket, log);
-  judge_budgets(docket);
-  if (!docket.verdict.holds()) judge_tolerance(rounding_of(input, candidate), docket);
-  Verdict& verdict = docket.verdict;
-  if (!docket.request.tightness) {
+  if (worst == 0) return;
+  const Rational rounding = rounding_of(trial);
+  const SmallestTolerance least{least_tolerance(worst), worst <= rounding * rounding};
+  verdict.smallest_tolerance = least;
+  verdict.notes.push_back((least.is_rounding
+                               ? "every violation is no larger than rounding explains, " +
+                                     std::to_string(kRoundingUlps) +
+                                     " units in the last place of the largest coordinate; "
+                               : std::string()) +
+                          "with --tolerance " + least.decimal + " every claim holds");
+}
+
+void measure(Trial& trial) {
+  StageLog& log = trial.log;
+  Verdict& verdict = trial.verdict;
+  if (!trial.request.tightness) {
     log.skip("tightness", "not requested");
-  } else if (!set.polytope) {
+  } else if (!trial.set.polytope) {
     log.skip("tightness", "the candidate is no bounded solid");
   } else {
     const bool contained = verdict.outside && verdict.outside->points == 0;
-    log.run("planes of the input", [&] { count_planes_of_the_input(input, set, docket); });
+    log.run("planes of the input", [&] { count_planes_of_the_input(trial); });
     verdict.tightness = log.run("tightness", [&] {
-      return measure_tightness(*set.polytope, input.hull, contained, log.watch().stop);
+      return measure_tightness(*trial.set.polytope, trial.input.hull, contained, trial.stop());
     });
   }
 }
 
+void judge(Trial& trial) {
+  if (!judge_reading(trial)) return;
+  judge_set(trial);
+  judge_faces(trial);
+  find_facets_as_meant(trial);
+  judge_containment(trial);
+  judge_budgets(trial);
+  find_smallest_tolerance(trial);
+  measure(trial);
+}
+
+constexpr auto kClaimNames =
+    name_table<ClaimCode>({{ClaimCode::CandidateReadable, "candidate-readable"},
+                           {ClaimCode::CandidateFinite, "candidate-finite"},
+                           {ClaimCode::CandidateSolid, "candidate-solid"},
+                           {ClaimCode::CandidateBounded, "candidate-bounded"},
+                           {ClaimCode::MeshClosed, "mesh-closed"},
+                           {ClaimCode::MeshOriented, "mesh-oriented"},
+                           {ClaimCode::MeshPlanar, "mesh-planar"},
+                           {ClaimCode::MeshConvex, "mesh-convex"},
+                           {ClaimCode::ContainsInput, "contains-input"},
+                           {ClaimCode::MaxFacets, "max-facets"},
+                           {ClaimCode::MaxVertices, "max-vertices"},
+                           {ClaimCode::MaxFacetVertices, "max-facet-vertices"}});
+static_assert(kClaimNames.size() == kAllClaims.size());
+
+constexpr auto kStatusNames = name_table<Status>({{Status::Holds, "holds"},
+                                                  {Status::Violated, "violated"},
+                                                  {Status::NotAsked, "not-asked"},
+                                                  {Status::NotApplicable, "not-applicable"}});
+
 }  // namespace
+
+const char* name_of(ClaimCode code) { return name_in(kClaimNames, code); }
+std::optional<ClaimCode> claim_of_name(const std::string& name) {
+  return value_in(kClaimNames, name);
+}
+const char* name_of(Status status) { return name_in(kStatusNames, status); }
 
 const Claim& Verdict::operator[](ClaimCode code) const {
   return claims[static_cast<std::size_t>(code)];
@@ -92,21 +191,51 @@ bool Verdict::holds() const {
   });
 }
 
+Tightness measure_tightness(const Polytope& candidate, const Polytope& hull, bool contained,
+                            const std::atomic<bool>* stop) {
+  constexpr long kBits = 96;  // some twenty certain decimal digits of each ratio
+  Rational squared = hausdorff_distance(candidate, hull, stop).squared;
+  if (!contained) squared = std::max(squared, hausdorff_distance(hull, candidate, stop).squared);
+  return {enclose_volume(candidate, kBits) / enclose_volume(hull, kBits),
+          surface_area(candidate, kBits) / surface_area(hull, kBits),
+          mean_width(candidate, kBits, stop) / mean_width(hull, kBits, stop), std::move(squared)};
+}
+
 VerifyOutcome verify(const Shape& shape, const Candidate& candidate, const VerifyRequest& request) {
   if (request.tolerance.value < 0) {
     throw Error(ErrorCode::InvalidArgument, "a tolerance cannot be negative");
   }
-  require_numbers(request);
+  for (const ClaimCode code : request.claims) {
+    const auto* budget = budget_of(request, code);
+    if (budget == nullptr || *budget) continue;
+    const std::string name = name_of(code);
+    throw Error(ErrorCode::InvalidArgument,
+                "the claim " + name + " needs the number that it allows: --" + name + " N");
+  }
   StageLog log(request.watch);
-  auto made = input_of(shape, request.seed, log);
+  const auto made = input_of(shape, request.seed, log);
   if (const auto* reason = std::get_if<NotSolid>(&made)) return *reason;
-  const auto& input = std::get<Input>(made);
-  Verdict verdict;
-  verdict.squared_diameter = input.squared_diameter;
-  Docket docket(request, verdict);
-  judge(input, candidate, docket, log);
-  verdict.stages = log.stages();
-  return verdict;
+  Trial trial(std::get<Input>(made), candidate, request, log);
+  judge(trial);
+  trial.verdict.stages = log.stages();
+  return std::move(trial.verdict);
+}
+
+Candidate read_candidate_bytes(std::string_view bytes, const std::string& path, Decimal decimal) {
+  try {
+    const std::optional<MeshFormat> mesh = mesh_format_of_path(path);
+    std::optional<HalfspaceFormat> halfspaces = halfspace_format_of_path(path);
+    if (!mesh && !halfspaces) halfspaces = halfspace_format_of_content(bytes);
+    if (halfspaces) return read_halfspaces_bytes(bytes, *halfspaces, decimal);
+    return read_mesh_bytes(bytes, {.decimal = decimal, .format = mesh});
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::Malformed && error.code() != ErrorCode::NotFinite) throw;
+    return error.in_file(display_name(path));
+  }
+}
+
+Candidate read_candidate(const std::string& path, Decimal decimal) {
+  return read_candidate_bytes(read_bytes(path), path, decimal);
 }
 
 }  // namespace convexact

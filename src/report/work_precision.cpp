@@ -6,7 +6,7 @@
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
 #include "number/arithmetic.hpp"
-#include "oracle/greedy_check.hpp"
+#include "oracle/divergence.hpp"
 #include "scene/solid.hpp"
 #include "simplify/exact_engine.hpp"
 #include "simplify/replay.hpp"

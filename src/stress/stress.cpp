@@ -14,7 +14,7 @@
 
 #include "convexact/error.hpp"
 #include "io/json.hpp"
-#include "oracle/child_process.hpp"
+#include "oracle/program.hpp"
 
 namespace convexact {
 namespace {

@@ -6,8 +6,8 @@
 #include "convexact/error.hpp"
 #include "cut_box.hpp"
 #include "expect_error.hpp"
-#include "oracle/confirm_costs.hpp"
 #include "oracle/judge.hpp"
+#include "oracle/removal_cost.hpp"
 #include "polytope_by_definition.hpp"
 #include "scene/stage_log.hpp"
 #include "shapes/makers.hpp"
@@ -79,17 +79,14 @@ TEST_CASE("judge_containment: the second way is asked, and must come to the same
     HalfspaceList list;
     list.halfspaces = hull_of(mesh.points).planes;
     for (std::size_t i = 0; i < list.halfspaces.size(); ++i) list.rows.push_back(i);
-    oracle::CandidateSet set;
-    set.planes = list.halfspaces;
-    if (is_mesh) set.hull = std::get<Hull>(convex_hull(mesh.points));
-    const VerifyRequest request;
-    Verdict verdict;
-    verdict.squared_diameter = 12;
-    oracle::Docket docket(request, verdict);
-    StageLog log;
     const Candidate candidate = is_mesh ? Candidate(mesh) : Candidate(list);
-    oracle::judge_containment(what, candidate, set, docket, log);
-    return verdict.outside->points;
+    const VerifyRequest request;
+    StageLog log;
+    oracle::Trial trial(what, candidate, request, log);
+    trial.set.planes = list.halfspaces;
+    if (is_mesh) trial.set.hull = std::get<Hull>(convex_hull(mesh.points));
+    oracle::judge_containment(trial);
+    return trial.verdict.outside->points;
   };
   for (const bool is_mesh : {false, true}) {
     CHECK(judge(1, 1, 1, is_mesh) == 0);

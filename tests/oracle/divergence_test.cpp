@@ -9,7 +9,6 @@
 
 #include "cut_box.hpp"
 #include "oracle/diff.hpp"
-#include "oracle/engine_run.hpp"
 #include "shapes/makers.hpp"
 
 using namespace convexact;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Runs doctored by hand on a cube with cut corners, followed to their ends: a cut of depth t costs
 // t^3 / 6, independently of the other cuts.
-#include "oracle/greedy_check.hpp"
+#include "oracle/divergence.hpp"
 
 #include <doctest/doctest.h>
 

@@ -10,7 +10,7 @@
 #include "definitional_greedy.hpp"
 #include "fast/filtered_engine.hpp"
 #include "number/random.hpp"
-#include "oracle/engine_run.hpp"
+#include "oracle/diff.hpp"
 #include "removal_orders.hpp"
 #include "shapes/makers.hpp"
 #include "simplify_points.hpp"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Named promises as texts: valid ones are read, and invalid ones are refused with the name of the
 // profile.
-#include "oracle/profiles.hpp"
-
 #include <doctest/doctest.h>
 
+#include "convexact/conform.hpp"
 #include "expect_error.hpp"
 
 using namespace convexact;

@@ -7,7 +7,7 @@
 
 #include "convexact/verify.hpp"
 #include "expect_error.hpp"
-#include "oracle/support_program.hpp"
+#include "oracle/second_way.hpp"
 #include "polytope_by_definition.hpp"
 #include "shapes/makers.hpp"
 
@@ -202,7 +202,7 @@ TEST_CASE("SupportProgram: of vertices beyond doubles a linear program finds the
     for (Halfspace& plane : polytope.planes) {
       plane = Halfspace(plane.normal().cast<Rational>(), Rational(plane.offset()) * scale);
     }
-    SupportProgram program(polytope);
+    oracle::SupportProgram program(polytope);
     for (int x = -2; x <= 2; ++x) {
       for (int y = -2; y <= 2; ++y) {
         const IntegerVector3 n(x, y, 1);

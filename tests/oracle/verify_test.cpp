@@ -9,7 +9,7 @@
 
 #include "expect_error.hpp"
 #include "oracle/excess.hpp"
-#include "oracle/support_program.hpp"
+#include "oracle/second_way.hpp"
 #include "polytope_by_definition.hpp"
 #include "shapes/makers.hpp"
 
@@ -379,7 +379,7 @@ TEST_CASE("SupportProgram: the maximum over all vertices, in every direction") {
   for (const auto& points :
        {shapes::cube(), shapes::icosahedron(), shapes::prism(7), shapes::in_ball(25, 3)}) {
     const Polytope polytope = polytope_by_definition(PointSet(points));
-    SupportProgram program(polytope);
+    oracle::SupportProgram program(polytope);
     for (int x = -3; x <= 3; ++x) {
       for (int y = -3; y <= 3; ++y) {
         for (int z = -3; z <= 3; ++z) {

@@ -127,7 +127,7 @@ FAULTS = [
     (SKIP, 'src/hull/check_hull.cpp', 'the_rest_is_inside() && ', '', 'hull'),
     (SKIP, 'src/lp/halfspace_certificates.cpp', 'if (!are_positive(halfspaces, claim.multipliers)) return false;', '', 'lp'),
     (SKIP, 'src/oracle/judge_containment.cpp', 'if (reaches_out != is_outside)', 'if (false)', 'oracle'),
-    (SKIP, 'src/oracle/confirm_costs.cpp', 'if (!confirmed)', 'if (false)', 'oracle'),
+    (SKIP, 'src/oracle/removal_cost.cpp', 'if (!confirmed)', 'if (false)', 'oracle'),
     (SKIP, 'src/check/convexact_check.cpp', 'require_one_cover(read_vertices());', 'read_vertices();', 'check check_mutated'),
     (SKIP, 'src/check/convexact_check.cpp', '    for (const std::size_t i : left_) require_points_inside(planes_[i]);\n', '', 'check check_mutated'),
     (SKIP, 'src/check/convexact_check.cpp', '      require_points_inside(stored.back());\n', '', 'check check_mutated'),

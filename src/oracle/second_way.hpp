@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// cone_location.hpp - whether points lie beyond a convex hull, each by the one triangle whose cone
-// holds it: the second of the two ways to containment, for a candidate that is a mesh.
+// second_way.hpp - the second of the two ways to containment: for a mesh the one triangle in whose
+// cone a point lies, for halfspaces a linear program for each plane.
 #pragma once
 #include <array>
 #include <cstdint>
 #include <vector>
 
 #include "convexact/hull.hpp"
+#include "convexact/polytope.hpp"
 
 namespace convexact::oracle {
 
@@ -44,6 +45,34 @@ class ConeLocation {
   std::vector<Triangle> triangles_;
   PointSet all_;  // those of the mesh, then those to be located, then o
   std::size_t first_point_, center_;
+};
+
+/// Maximises linear functionals over a polytope, given by its facets, by the simplex method: from
+/// vertex to better neighbour, in doubles while these are certain, then exactly. The vertex where
+/// it ends is proven optimal by duality: the functional is a nonnegative combination of the normals
+/// of three facets there.
+/// @par Source  [Schrijver1986, ch. 11 and cor. 7.1g]
+class SupportProgram {
+ public:
+  /// Keeps a reference. @par Cost  O(E log E).
+  explicit SupportProgram(const Polytope& polytope);
+
+  /// max n.x over the polytope; n nonzero.
+  /// @par Cost  A product in doubles for each neighbour on the way from the optimum of the last
+  /// call,
+  ///            then as many 3x3 determinants as facets meet in the vertex.
+  [[nodiscard]] Rational maximum(const IntegerVector3& n);
+
+ private:
+  std::uint32_t climb_in_doubles(const Vector3<double>& direction) const;
+  std::uint32_t better_neighbor(std::uint32_t vertex, const RationalVector3& n) const;
+  bool is_optimal(std::size_t vertex, const IntegerVector3& n) const;
+
+  const Polytope& polytope_;
+  std::vector<Vector3<double>> near_;                  // the vertices, rounded
+  std::vector<std::vector<std::uint32_t>> around_;     // facets at each vertex, counter-clockwise
+  std::vector<std::vector<std::uint32_t>> neighbors_;  // vertices an edge away
+  std::uint32_t last_ = 0;                             // the optimum that was found last
 };
 
 }  // namespace convexact::oracle

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Reads what conform needs from JSON: profiles, and vectors with their known answers.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
@@ -6,10 +9,14 @@
 #include <nlohmann/json.hpp>
 
 #include "convexact/conform.hpp"
+#include "convexact/error.hpp"
 #include "convexact/io.hpp"
+#include "convexact/number.hpp"
 #include "convexact/verify.hpp"
 #include "io/json_text.hpp"
 #include "number/text.hpp"
+#include "oracle/conformance_report.hpp"
+#include "scene/result_json.hpp"
 
 namespace convexact {
 namespace {
@@ -34,6 +41,44 @@ std::int64_t to_integer(const json& number, std::int64_t least, std::int64_t mos
 std::size_t to_count(const json& number) {
   constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
   return static_cast<std::size_t>(to_integer(number, 0, kMost));
+}
+
+constexpr auto kKnownStatus =
+    name_table<Status>({{Status::Holds, "holds"}, {Status::Violated, "violated"}});
+constexpr auto kRefusals = name_table<ErrorCode>({{ErrorCode::Malformed, "malformed"},
+                                                  {ErrorCode::NotFinite, "not-finite"},
+                                                  {ErrorCode::NoInterior, "no-interior"}});
+
+template <class E, std::size_t N>
+E to_word(const NameTable<E, N>& words, const json& word, const char* expected) {
+  const auto value = value_in(words, word.get<std::string>());
+  if (!value) fail(expected + (", found " + in_quotes(word.get<std::string>())));
+  return *value;
+}
+
+Profile to_profile(const std::string& name, const json& entry) {
+  Profile profile{name, entry.at("title").get<std::string>(), {}};
+  Promise& promise = profile.promise;
+  promise.asks =
+      to_word(kAsksNames, entry.at("asks"), "asks: expected enclosure, hull, inner or simplify");
+  for (const auto& [key, value] : entry.items()) {
+    if (key == "numbers") {
+      promise.numbers = to_word(kPrecisionNames, value, "numbers: expected binary64 or binary32");
+    } else if (key == "tolerance") {
+      promise.tolerance = parse_tolerance(value.get<std::string>());
+    } else if (key == "allow_flat") {
+      promise.allow_flat = value.get<bool>();
+    } else if (key == "max_facets") {
+      promise.max_facets = to_count(value);
+    } else if (key == "max_vertices") {
+      promise.max_vertices = to_count(value);
+    } else if (key == "max_facet_vertices") {
+      promise.max_facet_vertices = to_count(value);
+    } else if (key != "title" && key != "asks") {
+      fail("unknown key " + in_quotes(key));
+    }
+  }
+  return profile;
 }
 
 // "p", "p/q" or either with "*2^e" behind.
@@ -112,13 +157,6 @@ Candidate to_candidate(const json& candidate) {
   return read_candidate_bytes(file.bytes, "candidate." + file.extension);
 }
 
-Status to_status(const std::string& name) {
-  for (const Status status : {Status::Holds, Status::Violated}) {
-    if (name == name_of(status)) return status;
-  }
-  fail("expected holds or violated, found " + in_quotes(name));
-}
-
 VerifyQuestion to_verify_question(const json& question, const json& expected) {
   VerifyQuestion result{to_candidate(question.at("candidate")), {}, {}, {}, {}, {}};
   const auto budget = [&](const char* name) -> std::optional<std::size_t> {
@@ -131,7 +169,7 @@ VerifyQuestion to_verify_question(const json& question, const json& expected) {
   for (const auto& [name, status] : expected.at("claims").items()) {
     const std::optional<ClaimCode> code = claim_of_name(name);
     if (!code) fail("expected the code of a claim, found " + in_quotes(name));
-    result.claims.emplace_back(*code, to_status(status.get<std::string>()));
+    result.claims.emplace_back(*code, to_word(kKnownStatus, status, "expected holds or violated"));
   }
   if (expected.contains("outside")) {
     const json& outside = expected["outside"];
@@ -158,15 +196,10 @@ SimplifyQuestion to_simplify_question(const json& question, const json& expected
 }
 
 RefuseQuestion to_refuse_question(const json& expected) {
-  RefuseQuestion result{ErrorCode::NoInterior, {}, {}};
-  const std::string error = expected.at("error").get<std::string>();
-  if (error == "malformed") {
-    result.error = ErrorCode::Malformed;
-  } else if (error == "not-finite") {
-    result.error = ErrorCode::NotFinite;
-  } else if (error != "no-interior") {
-    fail("expected malformed, not-finite or no-interior, found " + in_quotes(error));
-  }
+  RefuseQuestion result{
+      to_word(kRefusals, expected.at("error"), "expected malformed, not-finite or no-interior"),
+      {},
+      {}};
   if (expected.contains("dimension")) {
     result.dimension = static_cast<int>(to_integer(expected["dimension"], -1, 2));
   }
@@ -201,6 +234,31 @@ TestVector to_vector(const json& entry, const std::string& data) {
 }
 
 }  // namespace
+
+std::vector<Profile> read_profiles_bytes(std::string_view bytes) {
+  std::vector<Profile> profiles;
+  std::string name;
+  try {
+    const json document = parse_json(bytes);
+    for (const auto& [key, entry] : document.at("profiles").items()) {
+      name = key;
+      profiles.push_back(to_profile(key, entry));
+    }
+  } catch (const std::exception& error) {
+    fail((name.empty() ? "" : "profile " + name + ": ") + error.what());
+  }
+  return profiles;
+}
+
+const Profile& profile_of_name(const std::vector<Profile>& profiles, const std::string& name) {
+  std::string names;
+  for (const Profile& profile : profiles) {
+    if (profile.name == name) return profile;
+    names += (names.empty() ? "" : ", ") + profile.name;
+  }
+  throw Error(ErrorCode::InvalidArgument,
+              fmt::format("--profile {}: expected one of {}", in_quotes(name), names));
+}
 
 std::vector<TestVector> read_test_vectors_bytes(std::string_view bytes, const std::string& data) {
   std::vector<TestVector> vectors;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// verdict_text.hpp - verdicts as JSON (docs/schema/verdict.schema.json) and as a table for people.
+// verdict_report.hpp - verdicts as JSON (docs/schema/verdict.schema.json) and as a table for
+// people.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>

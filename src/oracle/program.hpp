@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// child_process.hpp - work in a process of its own: limited, its output and its result captured.
+// program.hpp - work in a process of its own, limited, its output and its result captured; and a
+// folder for the files that a program reads and writes.
 #pragma once
 #include <chrono>
 #include <functional>
@@ -59,5 +60,25 @@ class ChildProcess {
   bool has_ended_ = false;
   ProgramRun run_;
 };
+
+/// A new folder, removed by the destructor.
+class ScratchFolder {
+ public:
+  /// @throws Error Unwritable.
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  std::string file(const std::string& name) const { return path_ + "/" + name; }
+  /// The path of a new file with these bytes. @throws Error Unwritable.
+  std::string write(const std::string& name, const std::string& bytes) const;
+
+ private:
+  std::string path_;
+};
+
+/// Removes all of these folders, for an end of the process without destructors.
+void remove_scratch_folders() noexcept;
 
 }  // namespace convexact

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What is right of an output: the claims of verify(), the volume, and what the program promises.
+// judge_run(): how a run ended and, if there is an output, what is wrong with it: the claims of
+// verify(), the volume, and what the program promises.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
+#include <tuple>
 
+#include "convexact/conform.hpp"
 #include "convexact/linear_program.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
@@ -12,12 +16,21 @@
 #include "oracle/conformance_judge.hpp"
 #include "scene/solid.hpp"
 
-namespace convexact::oracle {
+namespace convexact {
+
+bool is_graver(const Failure& a, const Failure& b) {
+  return std::tie(a.is_rounding, a.outcome, b.size) < std::tie(b.is_rounding, b.outcome, a.size);
+}
+
 namespace {
 
+using namespace oracle;
+
+// ---- The output
+
 constexpr std::uint64_t kSeed = 1;
-constexpr long kBits = 96;  // of measures that are compared or printed
-constexpr int kDigits = 6;  // of numbers in sentences
+constexpr long kShownBits = 96;  // of measures that are compared or printed
+constexpr int kShownDigits = 6;  // of numbers in sentences
 
 void judge_claims(Case& c) {
   const Verdict& verdict = c.verdict;
@@ -77,8 +90,8 @@ Rational greedy_volume(const Case& c, std::size_t faces) {
 
 // Enclosures only: an inner solid is as small as it likes.
 void judge_volume(Case& c) {
-  const Enclosure about = enclose_volume(*c.solid, kBits);
-  const Enclosure hull = enclose_volume(c.given.hull, kBits);
+  const Enclosure about = enclose_volume(*c.solid, kShownBits);
+  const Enclosure hull = enclose_volume(c.given.hull, kShownBits);
   const auto* question = c.simplification();
   const bool is_greedy = c.asks(Asks::Simplify) && question != nullptr;
   const auto middle = [](const Enclosure& x) { return Rational((x.low() + x.high()) / 2); };
@@ -102,8 +115,8 @@ void judge_volume(Case& c) {
   const Rational exact = volume(*c.solid);
   if (exact <= most) return;
   c.fail(Outcome::TooLoose,
-         fmt::format("its volume is {}; acceptable is up to {}, {}", to_decimal(exact, kDigits),
-                     to_decimal(most, kDigits), limit),
+         fmt::format("its volume is {}; acceptable is up to {}, {}",
+                     to_decimal(exact, kShownDigits), to_decimal(most, kShownDigits), limit),
          exact / most);
 }
 
@@ -159,19 +172,26 @@ void measure(Case& c) {
   }
 }
 
-std::optional<Polytope> solid_of(const Candidate& output) {
+// The solid that points or halfspaces stand for; nothing if there is none.
+std::optional<Polytope> solid_of(const PointSet& points) {
   StageLog log;
-  if (const auto* mesh = std::get_if<Mesh>(&output)) {
-    const auto made = make_hull(mesh->points, kSeed, false, log);
-    const auto* hull = std::get_if<Hull>(&made);
-    if (hull == nullptr) return std::nullopt;
-    return to_polytope(*hull, mesh->points);
-  }
-  const auto* list = std::get_if<HalfspaceList>(&output);
-  if (list == nullptr || list->impossible_row) return std::nullopt;
-  auto made = make_polytope(list->halfspaces, kSeed, log);
+  const auto made = make_hull(points, kSeed, false, log);
+  const auto* hull = std::get_if<Hull>(&made);
+  return hull == nullptr ? std::nullopt : std::optional(to_polytope(*hull, points));
+}
+
+std::optional<Polytope> solid_of(const HalfspaceList& list) {
+  if (list.impossible_row) return std::nullopt;
+  StageLog log;
+  auto made = make_polytope(list.halfspaces, kSeed, log);
   auto* polytope = std::get_if<Polytope>(&made);
   return polytope == nullptr ? std::nullopt : std::optional(std::move(*polytope));
+}
+
+std::optional<Polytope> solid_of(const Candidate& output) {
+  if (const auto* mesh = std::get_if<Mesh>(&output)) return solid_of(mesh->points);
+  const auto* list = std::get_if<HalfspaceList>(&output);
+  return list == nullptr ? std::nullopt : solid_of(*list);
 }
 
 VerifyRequest request_of(const TestVector& vector, const Promise& promise) {
@@ -200,23 +220,6 @@ const char* sentence_of_success(Asks asks) {
       break;
   }
   return "encloses the input";
-}
-
-}  // namespace
-
-std::optional<Given> given_by(const TestVector& vector) {
-  StageLog log;
-  if (const auto* points = std::get_if<PointSet>(&vector.input)) {
-    const auto made = make_hull(*points, kSeed, false, log);
-    const auto* hull = std::get_if<Hull>(&made);
-    if (hull == nullptr) return std::nullopt;
-    return Given{*points, to_polytope(*hull, *points)};
-  }
-  auto made = make_polytope(std::get<HalfspaceList>(vector.input).halfspaces, kSeed, log);
-  auto* polytope = std::get_if<Polytope>(&made);
-  if (polytope == nullptr) return std::nullopt;
-  PointSet corners(polytope->vertices);
-  return Given{std::move(corners), std::move(*polytope)};
 }
 
 Conformance judge_output(const TestVector& vector, const Promise& promise, const Candidate& output,
@@ -248,4 +251,93 @@ Conformance judge_output(const TestVector& vector, const Promise& promise, const
   return c.result;
 }
 
-}  // namespace convexact::oracle
+// ---- The run
+
+// A program that runs out of memory may end in any way. It is recognised by its message, by the
+// kernel's SIGKILL, or because it used most of its limit.
+bool ran_out_of_memory(const ProgramRun& run, const ProgramLimits& limits) {
+  if (run.end == ProgramEnd::Crashed && run.signal == SIGKILL) return true;
+  if (limits.memory != 0 && run.peak_memory > limits.memory / 4 * 3) return true;
+  for (const char* words : {"bad_alloc", "out of memory", "Out of memory", "MemoryError",
+                            "Cannot allocate memory", "memory allocation of"}) {
+    if (run.printed.find(words) != std::string::npos) return true;
+  }
+  return false;
+}
+
+Conformance failed(Outcome outcome, const std::string& sentence) {
+  Conformance result;
+  result.failures = {{outcome, sentence}};
+  result.sentence = sentence;
+  return result;
+}
+
+Conformance passed(const std::string& sentence) {
+  Conformance result;
+  result.sentence = sentence;
+  return result;
+}
+
+// The end of the run, unless it is exit code 0.
+std::optional<Conformance> judge_end(const ProgramRun& run, const ProgramLimits& limits,
+                                     bool may_refuse) {
+  if (run.end == ProgramEnd::NotStarted) return failed(Outcome::NotStarted, describe(run));
+  if (run.end == ProgramEnd::TimedOut) return failed(Outcome::TimedOut, describe(run));
+  if (run.succeeded()) return std::nullopt;
+  if (ran_out_of_memory(run, limits)) {
+    return failed(Outcome::OutOfMemory, describe(run) + ", for want of memory");
+  }
+  if (run.end == ProgramEnd::Crashed) return failed(Outcome::Crashed, describe(run));
+  if (may_refuse) return passed("refused with " + describe(run));
+  return failed(Outcome::WrongExit, describe(run) + " for a usable input");
+}
+
+// A program that ended with exit code 0 where a refusal is expected.
+Conformance judge_acceptance(const RefuseQuestion& question, const Promise& promise,
+                             const std::optional<Candidate>& output,
+                             const std::atomic<bool>* stop) {
+  if (promise.allow_flat && question.error == ErrorCode::NoInterior &&
+      question.dimension.value_or(-1) >= 0) {
+    return passed("accepted an input without volume, which the program may");
+  }
+  if (!question.points || !output) {
+    return failed(Outcome::AcceptedUnusable, "exit code 0 for an input that must be refused");
+  }
+  TestVector sound;
+  sound.input = *question.points;
+  sound.question = SimplifyQuestion{kFacesOfRefusals, kFacesOfRefusals, true, {}, {}, {}};
+  Conformance result = judge_output(sound, promise, *output, stop);
+  if (result.failures.empty()) {
+    result.sentence =
+        "only the faces of the file are malformed, and for its points the output is "
+        "right: " +
+        result.sentence;
+    return result;
+  }
+  return failed(Outcome::AcceptedUnusable,
+                "exit code 0 for a file with malformed faces, and an output that is wrong for its "
+                "points: " +
+                    result.sentence);
+}
+
+}  // namespace
+
+std::optional<Given> oracle::given_by(const TestVector& vector) {
+  const auto* points = std::get_if<PointSet>(&vector.input);
+  std::optional<Polytope> hull =
+      points != nullptr ? solid_of(*points) : solid_of(std::get<HalfspaceList>(vector.input));
+  if (!hull) return std::nullopt;
+  return Given{points != nullptr ? *points : PointSet(hull->vertices), std::move(*hull)};
+}
+
+Conformance judge_run(const TestVector& vector, const Promise& promise, const ProgramRun& run,
+                      const ProgramLimits& limits, const std::optional<Candidate>& output,
+                      const std::atomic<bool>* stop) {
+  const auto* refusal = std::get_if<RefuseQuestion>(&vector.question);
+  if (const auto ended = judge_end(run, limits, refusal != nullptr)) return *ended;
+  if (refusal != nullptr) return judge_acceptance(*refusal, promise, output, stop);
+  if (!output) return failed(Outcome::MissingOutput, "exit code 0, but no output");
+  return judge_output(vector, promise, *output, stop);
+}
+
+}  // namespace convexact

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "oracle/verdict_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "convexact/number.hpp"
+#include "io/json.hpp"
+#include "number/precision.hpp"
+#include "number/text.hpp"
+#include "scene/result_json.hpp"
+#include "scene/summary.hpp"
+
+namespace convexact {
+namespace {
+
+// ---- JSON
+
+using Json = nlohmann::ordered_json;
+
+Json distance_json(const Rational& squared, const Rational& squared_diameter) {
+  return {{"squared", to_string(squared)},
+          {"decimal", decimal_of_root(squared, kDigits)},
+          {"relative", decimal_of_root(squared / squared_diameter, kDigits)}};
+}
+
+Json witness_json(const Witness& w, const Rational& squared_diameter) {
+  Json json = Json::object();
+  if (w.input_point) json["input_point"] = *w.input_point;
+  if (!w.vertices.empty()) json["vertices"] = w.vertices;
+  if (!w.faces.empty()) json["faces"] = w.faces;
+  if (!w.rows.empty()) json["rows"] = w.rows;
+  if (w.line) json["line"] = *w.line;
+  if (w.plane) json["plane"] = plane_json(*w.plane);
+  if (w.point) json["point"] = vector_json(*w.point);
+  if (w.nearest) json["nearest"] = vector_json(*w.nearest);
+  if (w.direction) json["direction"] = vector_json(*w.direction);
+  if (w.squared_distance) json["distance"] = distance_json(*w.squared_distance, squared_diameter);
+  if (w.count) json["count"] = *w.count;
+  return json;
+}
+
+Json size_json(const CandidateSize& size) {
+  Json json = {{"stored_faces", size.stored_faces}, {"stored_vertices", size.stored_vertices}};
+  const auto add = [&](const char* key, std::optional<std::size_t> count) {
+    if (count) json[key] = *count;
+  };
+  add("facets", size.facets);
+  add("vertices", size.vertices);
+  add("most_facet_vertices", size.most_facet_vertices);
+  add("facets_as_meant", size.facets_as_meant);
+  if (size.facets_as_meant) {
+    const bool is_own = size.slack.ulps_of_largest == 0;
+    json["u"] = {{"ulps", is_own ? 0.5 : size.slack.ulps_of_largest},
+                 {"of", is_own ? "each" : "largest"},
+                 {"numbers", name_in(kPrecisionNames, size.slack.precision)}};
+  }
+  add("planes_of_the_input", size.planes_of_the_input);
+  return json;
+}
+
+// ---- Text
+
+constexpr int kVerdictDigits = 6;
+constexpr std::size_t kLongestFraction = 60;  // longer ones are for --json
+
+std::string verdict_line(const char* label, const std::string& text) {
+  return fmt::format("  {:<19} {}\n", label, text);
+}
+
+std::string claim_lines(const Claim& claim) {
+  std::string text = fmt::format("  {:<19} {:<15} {}\n", name_of(claim.code), name_of(claim.status),
+                                 claim.sentence);
+  if (claim.witness.squared_distance) {
+    const std::string exact = to_string(*claim.witness.squared_distance);
+    text += fmt::format("  {:<35} the square of the distance is {}\n", "",
+                        exact.size() <= kLongestFraction
+                            ? exact
+                            : fmt::format("a fraction of {} characters, see --json", exact.size()));
+  }
+  return text;
+}
+
+std::string not_asked_line(const Verdict& verdict) {
+  std::string names;
+  for (const Claim& claim : verdict.claims) {
+    if (claim.status == Status::NotAsked) {
+      names += (names.empty() ? "" : ", ") + std::string(name_of(claim.code));
+    }
+  }
+  return names.empty() ? "" : verdict_line("not asked", names);
+}
+
+std::string size_lines(const CandidateSize& size) {
+  std::string stored =
+      with_separators(size.stored_faces) + (size.stored_vertices > 0 ? " faces, " : " rows");
+  if (size.stored_vertices > 0) stored += with_separators(size.stored_vertices) + " vertices";
+  if (!size.facets) return verdict_line("size", stored + " as stored");
+  std::string text = verdict_line(
+      "size", fmt::format("{} facets, {} vertices, the largest facet has {} corners ({} as "
+                          "stored)",
+                          with_separators(*size.facets), with_separators(*size.vertices),
+                          *size.most_facet_vertices, stored));
+  if (size.facets_as_meant) {
+    text += verdict_line("", with_separators(*size.facets_as_meant) +
+                                 " facets as meant: coplanar if coordinates move by at most u, " +
+                                 describe(size.slack));
+  }
+  if (size.planes_of_the_input) {
+    text +=
+        verdict_line("", with_separators(*size.planes_of_the_input) +
+                             " of its planes are facet planes of the input's hull, up to rounding");
+  }
+  return text;
+}
+
+std::string tightness_lines(const Tightness& tightness, const Rational& squared_diameter) {
+  const auto ratio = [](const Enclosure& bounds) {
+    return to_decimal(bounds, kVerdictDigits).value_or("?");
+  };
+  return verdict_line("against the hull",
+                      fmt::format("volume times {}, area times {}, mean width times {}",
+                                  ratio(tightness.volume_ratio), ratio(tightness.area_ratio),
+                                  ratio(tightness.mean_width_ratio))) +
+         verdict_line("",
+                      fmt::format("Hausdorff distance {} ({} of the diameter)",
+                                  decimal_of_root(tightness.squared_hausdorff, kVerdictDigits),
+                                  decimal_of_root(tightness.squared_hausdorff / squared_diameter,
+                                                  kVerdictDigits)));
+}
+
+std::string summary_line(const Verdict& verdict) {
+  const auto count = [&](const auto& is_meant) {
+    return std::count_if(verdict.claims.begin(), verdict.claims.end(), is_meant);
+  };
+  const auto violated = count([](const Claim& c) { return c.status == Status::Violated; });
+  const auto undecided = count([](const Claim& c) { return c.is_undecided(); });
+  const auto claims = [](std::ptrdiff_t number, const char* one, const char* many) {
+    return number == 1 ? std::string("1 claim ") + one : fmt::format("{} claims {}", number, many);
+  };
+  return verdict_line("verdict", violated > 0    ? claims(violated, "is violated", "are violated")
+                                 : undecided > 0 ? claims(undecided, "was", "were") +
+                                                       " asked for by name and cannot be decided"
+                                                 : "every claim holds");
+}
+
+}  // namespace
+
+Json claim_json(const Claim& claim, const Rational& squared_diameter) {
+  Json json = {{"code", name_of(claim.code)}, {"status", name_of(claim.status)}};
+  if (!claim.sentence.empty()) json["sentence"] = claim.sentence;
+  Json witness = witness_json(claim.witness, squared_diameter);
+  if (!witness.empty()) json["witness"] = std::move(witness);
+  return json;
+}
+
+Json verdict_json(const Verdict& verdict) {
+  Json claims = Json::array();
+  for (const Claim& claim : verdict.claims) {
+    claims.push_back(claim_json(claim, verdict.squared_diameter));
+  }
+  const bool is_violated =
+      std::any_of(verdict.claims.begin(), verdict.claims.end(),
+                  [](const Claim& claim) { return claim.status == Status::Violated; });
+  Json json = {{"verdict", verdict.holds() ? "holds"
+                           : is_violated   ? "violated"
+                                           : "undecided"},
+               {"claims", claims},
+               {"candidate", size_json(verdict.size)}};
+  if (const auto& outside = verdict.outside) {
+    json["outside"] = {{"points", outside->points}, {"tested", outside->tested}};
+    if (const auto& worst = outside->relative_squared_distance) {
+      json["outside"]["worst_relative"] = decimal_of_root(*worst, kDigits);
+    }
+  }
+  if (const auto& tightness = verdict.tightness) {
+    json["tightness"] = {
+        {"volume_ratio", measured_json({tightness->volume_ratio, {}}, kDigits)},
+        {"area_ratio", measured_json({tightness->area_ratio, {}}, kDigits)},
+        {"mean_width_ratio", measured_json({tightness->mean_width_ratio, {}}, kDigits)},
+        {"hausdorff", distance_json(tightness->squared_hausdorff, verdict.squared_diameter)}};
+  }
+  if (const auto& least = verdict.smallest_tolerance) {
+    json["smallest_tolerance"] = {{"value", least->decimal}, {"rounding", least->is_rounding}};
+  }
+  if (!verdict.notes.empty()) json["notes"] = verdict.notes;
+  return json;
+}
+
+std::string verdict_table(const Verdict& verdict) {
+  std::string text;
+  for (const Claim& claim : verdict.claims) {
+    if (claim.status != Status::NotAsked) text += claim_lines(claim);
+  }
+  text += not_asked_line(verdict);
+  text += size_lines(verdict.size);
+  if (verdict.tightness) text += tightness_lines(*verdict.tightness, verdict.squared_diameter);
+  for (const std::string& note : verdict.notes) text += verdict_line("note", note);
+  return text + summary_line(verdict);
+}
+
+}  // namespace convexact
