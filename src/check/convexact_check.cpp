@@ -151,7 +151,7 @@ class Proof {
     return {words_.id(planes_.size()), words_.id(planes_.size()), words_.id(planes_.size())};
   }
   Row vertex_of(const Triangle& t) const {
-    const Row vertex = meet(planes_[t[0]], planes_[t[1]], planes_[t[2]]);
+    Row vertex = meet(planes_[t[0]], planes_[t[1]], planes_[t[2]]);
     require(vertex[3] > 0, "the normals span no cone");
     return vertex;
   }

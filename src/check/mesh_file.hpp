@@ -141,7 +141,7 @@ class MeshReader {
 
  private:
   WordList next(Lines& lines) {
-    const WordList words = lines.next();
+    WordList words = lines.next();
     where = "line " + std::to_string(lines.number());
     return words;
   }
@@ -338,7 +338,7 @@ inline MeshFile parse_mesh_file(const std::string& bytes, const std::string& pat
 
 inline std::string bytes_of_file(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
   if (!in.is_open()) throw Failure{3, "expected a file that can be read", path};
   return bytes;
 }

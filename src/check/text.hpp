@@ -119,7 +119,7 @@ inline Rational decimal(const std::string& word, Decimals decimals) {
 inline Rational number_of_row(const std::string& word, Decimals decimals) {
   if (word.find_first_of(".eE") != word.npos) return decimal(word, decimals);
   const std::size_t slash = std::min(word.find('/'), word.size());
-  const Rational above = decimal(word.substr(0, slash), Decimals::Spelt);
+  Rational above = decimal(word.substr(0, slash), Decimals::Spelt);
   if (slash == word.size()) return above;
   const std::string below = word.substr(slash + 1);
   expect(is_digits(below) && !has_only(below, "0"), "a fraction p/q");
@@ -134,7 +134,7 @@ class Words {
 
   // The next word; empty at the end.
   std::string take() {
-    const std::string taken = next_;
+    std::string taken = next_;
     line_ = next_line_;
     const std::size_t start = std::min(bytes_.find_first_not_of(kBlanks, place_), bytes_.size());
     next_line_ += std::count(bytes_.begin() + place_, bytes_.begin() + start, '\n');
@@ -162,7 +162,7 @@ class Words {
   Row point() { return scaled({rational(), rational(), rational(), 1}); }
   Row direction() { return scaled({rational(), rational(), rational(), 0}); }
   Numbers halfspace() {
-    const Numbers x{rational(), rational(), rational(), rational()};
+    Numbers x{rational(), rational(), rational(), rational()};
     expect(x[0] != 0 || x[1] != 0 || x[2] != 0, "a normal that is not zero");
     return x;
   }
