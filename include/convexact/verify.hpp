@@ -123,13 +123,6 @@ struct Tightness {
   Rational squared_hausdorff;
 };
 
-/// @param contained  Whether the candidate is known to contain the hull, so that the distance need
-///                   be measured one way only.
-/// @throws Error Stopped when `stop` becomes true.
-/// @par Cost  The measures of both, and hausdorff_distance().
-[[nodiscard]] Tightness measure_tightness(const Polytope& candidate, const Polytope& hull,
-                                          bool contained, const std::atomic<bool>* stop = nullptr);
-
 /// How far each stored coordinate may be from the one that was meant: u.
 struct Slack {
   Precision precision = Precision::Binary64;  ///< Whose units in the last place count.

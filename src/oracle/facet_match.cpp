@@ -7,6 +7,7 @@
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
 #include "convexact/verify.hpp"
+#include "oracle/removal_order_file.hpp"
 
 namespace convexact {
 namespace {
@@ -136,9 +137,7 @@ std::string NamedFacets::found(const OrderedStep& removal) const {
   const std::optional<Halfspace>& plane = order_.facets[removal.step.removed.index()];
   if (!order_.has_list) return removal.text;
   if (!plane) return removal.text + ", which has normal 0 in the facet list";
-  std::string text = removal.text + ", in the facet list the plane";
-  for (const Integer& n : plane->normal()) text += " " + to_string(n);
-  return text + " " + to_string(plane->offset());
+  return removal.text + ", in the facet list " + plane_in_words(*plane);
 }
 
 std::string NamedFacets::expected(const OrderedStep& removal) const {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // judge.hpp - the parts of verify(): each decides some claims about one candidate.
 #pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "convexact/verify.hpp"
 #include "scene/stage_log.hpp"
 

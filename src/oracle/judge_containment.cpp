@@ -3,6 +3,8 @@
 // input reaches out of it.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "convexact/point_set.hpp"

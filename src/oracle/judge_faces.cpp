@@ -2,6 +2,8 @@
 // Whether the faces of a mesh are the surface of a convex solid.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
 #include "convexact/watch.hpp"

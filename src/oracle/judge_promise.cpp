@@ -137,11 +137,7 @@ bool faces_are_rounded(const Case& c) {
   for (const auto& polygon : mesh.polygons) {
     std::vector<RationalPoint> face;
     for (const std::uint32_t corner : polygon) face.push_back(mesh.points[PointId(corner)]);
-    RationalVector3 area = RationalVector3::Zero();
-    for (std::size_t k = 1; k + 1 < face.size(); ++k) {
-      const RationalVector3 u = face[k] - face[0], v = face[k + 1] - face[0];
-      area += u.cross(v);
-    }
+    const RationalVector3 area = area_vector(mesh.points, polygon);
     if (area.isZero(0)) continue;  // as any sliver can be once it is rounded
     const Halfspace plane(area, Rational(-area.dot(face[0])));
     if (const auto worst = find_excess(std::span(&plane, 1), corners);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// judge_trace(): follows an order of removals and compares every step with the cheapest one.
 #include <algorithm>
 
 #include "convexact/error.hpp"

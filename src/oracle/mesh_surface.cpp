@@ -140,6 +140,8 @@ bool has_three(std::span<const std::uint32_t> corners) {
                      [&](std::uint32_t c) { return c != corners[0] && c != corners[1]; });
 }
 
+}  // namespace
+
 RationalVector3 area_vector(const PointSet& points, std::span<const std::uint32_t> corners) {
   if (corners.empty()) return RationalVector3::Zero();
   const RationalPoint origin = points[PointId(corners[0])];
@@ -152,8 +154,6 @@ RationalVector3 area_vector(const PointSet& points, std::span<const std::uint32_
   }
   return sum;
 }
-
-}  // namespace
 
 MeshSurface::MeshSurface(const Mesh& mesh) : mesh_(mesh), faces_(mesh.polygons) {
   const std::vector<std::uint32_t> first = weld(mesh.points);

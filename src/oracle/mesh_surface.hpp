@@ -40,12 +40,13 @@ struct Surplus {
   std::vector<std::size_t> slivers;           ///< Three corners or more, all on a line.
 };
 
+/// The sum of the cross products around a polygon: normal to its plane if it has one, as long as
+/// twice its area, and pointing to where the corners look counter-clockwise.
+[[nodiscard]] RationalVector3 area_vector(const PointSet& points,
+                                          std::span<const std::uint32_t> corners);
+
 /// The faces of a mesh: points at the same place are one, edges between them are gone, and so are
 /// the faces that are left with fewer than three different corners. Faces keep their numbers.
-///
-/// A face's *area vector* is the sum of the cross products around it; for a planar polygon it is
-/// normal to its plane, as long as twice its area, and points to where the corners look
-/// counter-clockwise.
 class MeshSurface {
  public:
   /// Keeps a reference. @par Cost  O(n log n).

@@ -135,18 +135,13 @@ RemovalOrder read_json_order(std::string_view bytes, const std::optional<ListedF
   return order;
 }
 
-std::string plane_text(const std::optional<Halfspace>& plane) {
-  if (!plane) return "a plane with normal 0";
-  std::string text = "the plane";
-  for (const Integer& n : plane->normal()) text += " " + to_string(n);
-  return text + " " + to_string(plane->offset());
-}
-
 RemovalOrder read_planes(std::string_view bytes, Decimal decimal) {
   RemovalOrder order;
   order.facets = by_row(read_halfspace_rows(bytes, decimal));
   for (std::size_t k = 0; k < order.facets.size(); ++k) {
-    order.steps.push_back({k + 1, plane_text(order.facets[k]), {HalfspaceId(k)}});
+    const auto& plane = order.facets[k];
+    order.steps.push_back(
+        {k + 1, plane ? plane_in_words(*plane) : "a plane with normal 0", {HalfspaceId(k)}});
   }
   return order;
 }
@@ -197,6 +192,12 @@ RemovalOrder read_text_order(std::string_view bytes, const std::optional<ListedF
 }
 
 }  // namespace
+
+std::string plane_in_words(const Halfspace& plane) {
+  std::string text = "the plane";
+  for (const Integer& n : plane.normal()) text += " " + to_string(n);
+  return text + " " + to_string(plane.offset());
+}
 
 ListedFacets read_facet_list(std::string_view bytes, const std::string& path, Decimal decimal) {
   std::optional<HalfspaceFormat> format = halfspace_format_of_path(path);

@@ -15,6 +15,9 @@ namespace convexact {
 /// Facets by id: position 0 first. None where the row has normal 0.
 using ListedFacets = std::vector<std::optional<Halfspace>>;
 
+/// "the plane 1 0 0 -2": a row of a list, for messages.
+[[nodiscard]] std::string plane_in_words(const Halfspace& plane);
+
 /// Reads the list that ids refer to: halfspaces in any of their formats, by the extension of
 /// `path`, otherwise by content. Ids count the rows, those with normal 0 too, from 0.
 /// @throws Error As read_halfspaces_bytes(); Malformed if it is none of the formats.
@@ -23,15 +26,14 @@ using ListedFacets = std::vector<std::optional<Halfspace>>;
 
 /// Reads an order of one of three kinds, distinguished by the first character and the first row:
 /// - JSON, an object with `steps`: our trace (docs/schema/trace.schema.json), or a part of one: a
-/// step needs only `removed`; `cost.exact`, `tie` and `left` are claims; ids
-///   are positions in `halfspaces` if that is there;
+///   step needs only `removed`; `cost.exact`, `tie` and `left` are claims; ids are positions in
+///   `halfspaces` if that is there;
 /// - text with four numbers per row: the planes n.x + d = 0 in order of removal;
 /// - text with an integer per row: ids in order of removal. Any integer: one that is out of range
 ///   becomes an id that names no facet.
 /// @param facets     The list that ids refer to; none: `canonical`, the input's own halfspaces.
 /// @throws Error     Malformed or NotFinite with the line or, in JSON, the place; InvalidArgument
-/// if
-///                   `facets` are given to an order that spells out its planes.
+///                   if `facets` are given to an order that spells out its planes.
 [[nodiscard]] RemovalOrder read_removal_order(std::string_view bytes,
                                               const std::optional<ListedFacets>& facets,
                                               std::span<const Halfspace> canonical,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// as_put() and run_vectors(): a program over the vectors, each in the numbers that it promises.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -148,18 +148,14 @@ std::string summary_line(const Verdict& verdict) {
 
 }  // namespace
 
-Json claim_json(const Claim& claim, const Rational& squared_diameter) {
-  Json json = {{"code", name_of(claim.code)}, {"status", name_of(claim.status)}};
-  if (!claim.sentence.empty()) json["sentence"] = claim.sentence;
-  Json witness = witness_json(claim.witness, squared_diameter);
-  if (!witness.empty()) json["witness"] = std::move(witness);
-  return json;
-}
-
 Json verdict_json(const Verdict& verdict) {
   Json claims = Json::array();
   for (const Claim& claim : verdict.claims) {
-    claims.push_back(claim_json(claim, verdict.squared_diameter));
+    Json& json = claims.emplace_back();
+    json = {{"code", name_of(claim.code)}, {"status", name_of(claim.status)}};
+    if (!claim.sentence.empty()) json["sentence"] = claim.sentence;
+    Json witness = witness_json(claim.witness, verdict.squared_diameter);
+    if (!witness.empty()) json["witness"] = std::move(witness);
   }
   const bool is_violated =
       std::any_of(verdict.claims.begin(), verdict.claims.end(),

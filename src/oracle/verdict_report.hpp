@@ -13,10 +13,6 @@ namespace convexact {
 /// doubles are strings, exact ones as fractions.
 [[nodiscard]] nlohmann::ordered_json verdict_json(const Verdict& verdict);
 
-/// {"code", "status", "sentence", "witness"} of one claim.
-[[nodiscard]] nlohmann::ordered_json claim_json(const Claim& claim,
-                                                const Rational& squared_diameter);
-
 /// A line for each claim that was asked, then how tight the candidate is, then the verdict.
 [[nodiscard]] std::string verdict_table(const Verdict& verdict);
 

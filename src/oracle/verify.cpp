@@ -126,6 +126,17 @@ void find_smallest_tolerance(Trial& trial) {
                           "with --tolerance " + least.decimal + " every claim holds");
 }
 
+// The distance need be measured one way only if the candidate is known to contain the hull.
+Tightness measure_tightness(const Polytope& candidate, const Polytope& hull, bool contained,
+                            const std::atomic<bool>* stop) {
+  constexpr long kBits = 96;  // some twenty certain decimal digits of each ratio
+  Rational squared = hausdorff_distance(candidate, hull, stop).squared;
+  if (!contained) squared = std::max(squared, hausdorff_distance(hull, candidate, stop).squared);
+  return {enclose_volume(candidate, kBits) / enclose_volume(hull, kBits),
+          surface_area(candidate, kBits) / surface_area(hull, kBits),
+          mean_width(candidate, kBits, stop) / mean_width(hull, kBits, stop), std::move(squared)};
+}
+
 void measure(Trial& trial) {
   StageLog& log = trial.log;
   Verdict& verdict = trial.verdict;
@@ -189,16 +200,6 @@ bool Verdict::holds() const {
   return std::none_of(claims.begin(), claims.end(), [](const Claim& claim) {
     return claim.status == Status::Violated || claim.is_undecided();
   });
-}
-
-Tightness measure_tightness(const Polytope& candidate, const Polytope& hull, bool contained,
-                            const std::atomic<bool>* stop) {
-  constexpr long kBits = 96;  // some twenty certain decimal digits of each ratio
-  Rational squared = hausdorff_distance(candidate, hull, stop).squared;
-  if (!contained) squared = std::max(squared, hausdorff_distance(hull, candidate, stop).squared);
-  return {enclose_volume(candidate, kBits) / enclose_volume(hull, kBits),
-          surface_area(candidate, kBits) / surface_area(hull, kBits),
-          mean_width(candidate, kBits, stop) / mean_width(hull, kBits, stop), std::move(squared)};
 }
 
 VerifyOutcome verify(const Shape& shape, const Candidate& candidate, const VerifyRequest& request) {
