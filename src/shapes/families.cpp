@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
+#include <utility>
 
 #include "convexact/error.hpp"
 #include "convexact/shapes.hpp"
@@ -12,11 +14,26 @@
 namespace convexact::shapes {
 namespace {
 
-using Values = std::span<const double>;
 using Seed = std::uint64_t;
-using Whole = std::uint32_t;
 
-Whole whole(double value) { return static_cast<Whole>(value); }
+// Calls the maker with the values in order, each as the type that it takes, and with the seed if it
+// takes one argument more.
+template <class... Arguments, std::size_t... K>
+std::vector<Point> call(std::vector<Point> (*maker)(Arguments...),
+                        [[maybe_unused]] std::span<const double> values, [[maybe_unused]] Seed seed,
+                        std::index_sequence<K...>) {
+  return maker(
+      (K < values.size() ? static_cast<Arguments>(values[K]) : static_cast<Arguments>(seed))...);
+}
+
+template <class... Arguments>
+Family entry(std::string_view name, std::string_view description, int dimension,
+             std::vector<Parameter> parameters, std::vector<Point> (*maker)(Arguments...)) {
+  const auto make = [maker](std::span<const double> values, Seed seed) {
+    return call(maker, values, seed, std::index_sequence_for<Arguments...>());
+  };
+  return {name, description, dimension, std::move(parameters), make};
+}
 
 Parameter count(double usual) { return {"points", "how many points", 1, 10e6, usual, true}; }
 Parameter corners(double usual) { return {"k", "corners of the polygon", 3, 1e6, usual, true}; }
@@ -26,246 +43,132 @@ Parameter range(double usual, double most) {
 Parameter aspect(double usual) {
   return {"aspect", "length over thickness", 1, 1e300, usual, false};
 }
+Parameter most_points() { return {"points", "how many at most", 4, 1e6, 24, true}; }
+Parameter squared_radius() {
+  return {"squared-radius", "x^2 + y^2 + z^2; some have no points", 1, 1e6, 41, true};
+}
 Parameter side(std::string_view name) { return {name, "half the side", 1e-300, 1e300, 1, false}; }
 
-void add_solids(std::vector<Family>& list) {
-  list.push_back(
-      {"tetrahedron", "regular, exact", 3, {}, [](Values, Seed) { return tetrahedron(); }});
-  list.push_back({"cube", "regular, exact", 3, {}, [](Values, Seed) { return cube(); }});
-  list.push_back(
-      {"octahedron", "regular, exact", 3, {}, [](Values, Seed) { return octahedron(); }});
-  list.push_back({"dodecahedron",
-                  "regular up to 2^-25, with exactly plane pentagons",
-                  3,
-                  {},
-                  [](Values, Seed) { return dodecahedron(); }});
-  list.push_back({"rounded-dodecahedron",
-                  "regular, in nearest doubles: pentagons not quite plane",
-                  3,
-                  {},
-                  [](Values, Seed) { return rounded_dodecahedron(); }});
-  list.push_back({"icosahedron", "regular, in nearest doubles", 3, {}, [](Values, Seed) {
-                    return icosahedron();
-                  }});
+// Makers that take other arguments than a family's values.
+
+std::vector<Point> box_of_sides(double a, double b, double c) { return box({a, b, c}); }
+std::vector<Point> chamfered_cube(double width) { return chamfered_box({1, 1, 1}, width); }
+std::vector<Point> rounded_box_of_sides(double a, double b, double c, double radius,
+                                        std::uint32_t segments) {
+  return rounded_box({a, b, c}, radius, segments);
+}
+std::vector<Point> every_second_above(std::uint32_t n, std::uint64_t ulps, Seed seed) {
+  return nearly_flat(n, seed, ulps);
 }
 
-void add_prisms(std::vector<Family>& list) {
-  list.push_back({"prism", "two k-gons and k rectangles", 3, {corners(6)}, [](Values v, Seed) {
-                    return prism(whole(v[0]));
-                  }});
-  list.push_back(
-      {"antiprism", "two k-gons, turned, and 2k triangles", 3, {corners(6)}, [](Values v, Seed) {
-         return antiprism(whole(v[0]));
-       }});
-  list.push_back({"pyramid", "a k-gon and an apex", 3, {corners(6)}, [](Values v, Seed) {
-                    return pyramid(whole(v[0]));
-                  }});
-  list.push_back({"bipyramid", "a k-gon between two apexes", 3, {corners(6)}, [](Values v, Seed) {
-                    return bipyramid(whole(v[0]));
-                  }});
-  list.push_back({"cone",
-                  "a pyramid of high valence, with points on its edges",
-                  3,
-                  {corners(500), {"rings", "copies of the k-gon", 1, 50, 2, true}},
-                  [](Values v, Seed) { return cone(whole(v[0]), whole(v[1])); }});
-  list.push_back({"cylinder",
-                  "a prism of high valence, with points on its edges",
-                  3,
-                  {corners(1000), {"rings", "copies of the k-gon", 2, 1000, 3, true}},
-                  [](Values v, Seed) { return cylinder(whole(v[0]), whole(v[1])); }});
+std::vector<Family> regular_solids() {
+  return {entry("tetrahedron", "regular, exact", 3, {}, tetrahedron),
+          entry("cube", "regular, exact", 3, {}, cube),
+          entry("octahedron", "regular, exact", 3, {}, octahedron),
+          entry("dodecahedron", "regular up to 2^-25, with exactly plane pentagons", 3, {},
+                dodecahedron),
+          entry("rounded-dodecahedron", "regular, in nearest doubles: pentagons not quite plane", 3,
+                {}, rounded_dodecahedron),
+          entry("icosahedron", "regular, in nearest doubles", 3, {}, icosahedron)};
 }
 
-void add_boxes(std::vector<Family>& list) {
-  list.push_back(
-      {"box", "sides 2a, 2b, 2c", 3, {side("a"), side("b"), side("c")}, [](Values v, Seed) {
-         return box({v[0], v[1], v[2]});
-       }});
-  list.push_back({"chamfered-box",
-                  "a cube with flat edges and corners",
-                  3,
-                  {{"width", "of the chamfer, half the side being 1", 0x1p-50, 0.999, 0.25, false}},
-                  [](Values v, Seed) {
-                    return chamfered_box({1, 1, 1}, v[0]);
-                  }});
-  list.push_back({"rounded-box",
-                  "a box plus a ball, in a grid of steps per octant",
-                  3,
-                  {side("a"),
-                   side("b"),
-                   side("c"),
-                   {"radius", "of the ball", 1e-300, 1e300, 0.25, false},
-                   {"segments", "steps per octant", 1, 1000, 4, true}},
-                  [](Values v, Seed) {
-                    return rounded_box({v[0], v[1], v[2]}, v[3], whole(v[4]));
-                  }});
-  list.push_back({"cut-cube",
-                  "a cube with equal cuts at some corners: exact ties",
-                  3,
-                  {{"corners", "how many are cut", 0, 8, 1, true},
-                   {"depth", "of a cut, the side being 1", 0x1p-50, 0.5, 0.25, false}},
-                  [](Values v, Seed) { return cut_cube(whole(v[0]), v[1]); }});
-  list.push_back({"grid",
-                  "all lattice points of a cube",
-                  3,
-                  {{"n", "points a side", 2, 200, 5, true}},
-                  [](Values v, Seed) { return grid(whole(v[0])); }});
+std::vector<Family> prisms() {
+  return {entry("prism", "two k-gons and k rectangles", 3, {corners(6)}, prism),
+          entry("antiprism", "two k-gons, turned, and 2k triangles", 3, {corners(6)}, antiprism),
+          entry("pyramid", "a k-gon and an apex", 3, {corners(6)}, pyramid),
+          entry("bipyramid", "a k-gon between two apexes", 3, {corners(6)}, bipyramid),
+          entry("cone", "a pyramid of high valence, with points on its edges", 3,
+                {corners(500), {"rings", "copies of the k-gon", 1, 50, 2, true}}, cone),
+          entry("cylinder", "a prism of high valence, with points on its edges", 3,
+                {corners(1000), {"rings", "copies of the k-gon", 2, 1000, 3, true}}, cylinder)};
 }
 
-void add_random(std::vector<Family>& list) {
-  list.push_back({"random-box", "uniform in a cube", 3, {count(100)}, [](Values v, Seed s) {
-                    return in_box(whole(v[0]), s);
-                  }});
-  list.push_back({"random-ball", "uniform in a ball", 3, {count(100)}, [](Values v, Seed s) {
-                    return in_ball(whole(v[0]), s);
-                  }});
-  list.push_back({"random-sphere",
-                  "uniform on a sphere, up to rounding",
-                  3,
-                  {count(100)},
-                  [](Values v, Seed s) { return on_sphere(whole(v[0]), s); }});
-  list.push_back(
-      {"lattice",
-       "random lattice points: repeats and coplanar points",
-       3,
-       {count(30), range(3, 0x1p52)},
-       [](Values v, Seed s) { return lattice(whole(v[0]), static_cast<std::uint64_t>(v[1]), s); }});
-  list.push_back({"repeated-sphere",
-                  "points of a sphere, each several times",
-                  3,
-                  {count(20), {"copies", "of each point", 1, 1000, 3, true}},
-                  [](Values v, Seed s) { return repeated_sphere(whole(v[0]), whole(v[1]), s); }});
-  list.push_back({"fibonacci-sphere",
-                  "a spiral on a sphere: nearly equal costs",
-                  3,
-                  {count(100)},
-                  [](Values v, Seed) { return fibonacci_sphere(whole(v[0])); }});
-  list.push_back({"centrally-symmetric",
-                  "random points and their opposites: ties in pairs",
-                  3,
-                  {count(20)},
-                  [](Values v, Seed s) { return centrally_symmetric(whole(v[0]), s); }});
-  list.push_back({"cube-symmetric",
-                  "random points and their images in 48 symmetries: exact ties",
-                  3,
-                  {count(2), range(100, 0x1p52)},
-                  [](Values v, Seed s) {
-                    return cube_symmetric(whole(v[0]), static_cast<std::uint64_t>(v[1]), s);
-                  }});
+std::vector<Family> boxes() {
+  return {entry("box", "sides 2a, 2b, 2c", 3, {side("a"), side("b"), side("c")}, box_of_sides),
+          entry("chamfered-box", "a cube with flat edges and corners", 3,
+                {{"width", "of the chamfer, half the side being 1", 0x1p-50, 0.999, 0.25, false}},
+                chamfered_cube),
+          entry("rounded-box", "a box plus a ball, in a grid of steps per octant", 3,
+                {side("a"),
+                 side("b"),
+                 side("c"),
+                 {"radius", "of the ball", 1e-300, 1e300, 0.25, false},
+                 {"segments", "steps per octant", 1, 1000, 4, true}},
+                rounded_box_of_sides),
+          entry("cut-cube", "a cube with equal cuts at some corners: exact ties", 3,
+                {{"corners", "how many are cut", 0, 8, 1, true},
+                 {"depth", "of a cut, the side being 1", 0x1p-50, 0.5, 0.25, false}},
+                cut_cube),
+          entry("grid", "all lattice points of a cube", 3,
+                {{"n", "points a side", 2, 200, 5, true}}, grid)};
 }
 
-void add_integer(std::vector<Family>& list) {
-  list.push_back({"cospherical",
-                  "integer points on a sphere, exactly: many of them coplanar",
-                  3,
-                  {{"points", "how many at most", 4, 1e6, 24, true},
-                   {"squared-radius", "x^2 + y^2 + z^2; some have no points", 1, 1e6, 41, true}},
-                  [](Values v, Seed s) { return cospherical(whole(v[0]), whole(v[1]), s); }});
-  list.push_back({"nearly-cospherical",
-                  "integer points on a sphere, moved by a few ulps",
-                  3,
-                  {{"points", "how many at most", 4, 1e6, 24, true},
-                   {"squared-radius", "x^2 + y^2 + z^2; some have no points", 1, 1e6, 41, true},
-                   {"ulps", "how far a coordinate is moved at most", 0, 0x1p20, 1, true}},
-                  [](Values v, Seed s) {
-                    return nearly_cospherical(whole(v[0]), whole(v[1]), whole(v[2]), s);
-                  }});
-  list.push_back({"moment-curve",
-                  "(t, t^2, t^3): a cyclic polytope, n vertices and 2n - 4 triangles",
-                  3,
-                  {{"points", "how many", 4, 1e5, 12, true}},
-                  [](Values v, Seed) { return moment_curve(whole(v[0])); }});
+std::vector<Family> random_points() {
+  return {entry("random-box", "uniform in a cube", 3, {count(100)}, in_box),
+          entry("random-ball", "uniform in a ball", 3, {count(100)}, in_ball),
+          entry("random-sphere", "uniform on a sphere, up to rounding", 3, {count(100)}, on_sphere),
+          entry("lattice", "random lattice points: repeats and coplanar points", 3,
+                {count(30), range(3, 0x1p52)}, lattice),
+          entry("repeated-sphere", "points of a sphere, each several times", 3,
+                {count(20), {"copies", "of each point", 1, 1000, 3, true}}, repeated_sphere),
+          entry("fibonacci-sphere", "a spiral on a sphere: nearly equal costs", 3, {count(100)},
+                fibonacci_sphere),
+          entry("centrally-symmetric", "random points and their opposites: ties in pairs", 3,
+                {count(20)}, centrally_symmetric),
+          entry("cube-symmetric", "random points and their images in 48 symmetries: exact ties", 3,
+                {count(2), range(100, 0x1p52)}, cube_symmetric)};
 }
 
-void add_extreme(std::vector<Family>& list) {
-  list.push_back({"needle",
-                  "a ball, thin in two directions",
-                  3,
-                  {count(50), aspect(1e8)},
-                  [](Values v, Seed s) { return needle(whole(v[0]), v[1], s); }});
-  list.push_back(
-      {"slab", "a ball, thin in one direction", 3, {count(50), aspect(1e8)}, [](Values v, Seed s) {
-         return slab(whole(v[0]), v[1], s);
-       }});
-  list.push_back({"offset-ball",
-                  "a ball far from the origin",
-                  3,
-                  {count(50), {"distance", "added to each coordinate", -1e15, 1e15, 1e8, false}},
-                  [](Values v, Seed s) { return offset_ball(whole(v[0]), v[1], s); }});
-  list.push_back(
-      {"scaled-ball",
-       "a ball times a power of two",
-       3,
-       {count(50), {"exponent", "of two", -1000, 1000, 300, true}},
-       [](Values v, Seed s) { return scaled_ball(whole(v[0]), static_cast<int>(v[1]), s); }});
-  list.push_back({"subnormal",
-                  "lattice points times 2^-1074",
-                  3,
-                  {count(30), range(100, 0x1p52 - 1)},
-                  [](Values v, Seed s) {
-                    return subnormal(whole(v[0]), static_cast<std::uint64_t>(v[1]), s);
-                  }});
-  list.push_back({"huge", "coordinates up to 1e300", 3, {count(50)}, [](Values v, Seed s) {
-                    return huge(whole(v[0]), s);
-                  }});
-  list.push_back({"wide-exponents",
-                  "each coordinate with its own power of two",
-                  3,
-                  {count(50), {"exponent", "largest power", 0, 1000, 300, true}},
-                  [](Values v, Seed s) { return wide_exponents(whole(v[0]), whole(v[1]), s); }});
-  list.push_back({"nearly-flat",
-                  "a plane, every second point a few ulps above it",
-                  3,
-                  {count(30), {"ulps", "how many, of 2^-52", 1, 0x1p52 - 1, 1, true}},
-                  [](Values v, Seed s) {
-                    return nearly_flat(whole(v[0]), s, static_cast<std::uint64_t>(v[1]));
-                  }});
-  list.push_back({"nearly-coplanar",
-                  "a lid of points within one rounding of a plane",
-                  3,
-                  {count(30)},
-                  [](Values v, Seed s) { return nearly_coplanar(whole(v[0]), s); }});
-  list.push_back({"tilted-lid",
-                  "a box under planes that are hardly tilted",
-                  3,
-                  {count(30), {"tilt", "of the planes", 0x1p-52, 1, 0x1p-20, false}},
-                  [](Values v, Seed s) { return tilted_lid(whole(v[0]), v[1], s); }});
-  list.push_back({"mixed-scales",
-                  "balls of radius 1, 2^-e and 2^-2e in one hull",
-                  3,
-                  {count(20), {"exponent", "e", 0, 500, 100, true}},
-                  [](Values v, Seed s) { return mixed_scales(whole(v[0]), whole(v[1]), s); }});
+std::vector<Family> integer_points() {
+  return {entry("cospherical", "integer points on a sphere, exactly: many of them coplanar", 3,
+                {most_points(), squared_radius()}, cospherical),
+          entry("nearly-cospherical", "integer points on a sphere, moved by a few ulps", 3,
+                {most_points(),
+                 squared_radius(),
+                 {"ulps", "how far a coordinate is moved at most", 0, 0x1p20, 1, true}},
+                nearly_cospherical),
+          entry("moment-curve", "(t, t^2, t^3): a cyclic polytope, n vertices and 2n - 4 triangles",
+                3, {{"points", "how many", 4, 1e5, 12, true}}, moment_curve)};
 }
 
-void add_mixture(std::vector<Family>& list) {
-  list.push_back({"mixture",
-                  "random families, squeezed, moved and put together",
-                  3,
-                  {{"parts", "how many", 1, 64, 3, true}},
-                  [](Values v, Seed s) { return mixture(whole(v[0]), s); }});
+std::vector<Family> extreme_shapes() {
+  return {entry("needle", "a ball, thin in two directions", 3, {count(50), aspect(1e8)}, needle),
+          entry("slab", "a ball, thin in one direction", 3, {count(50), aspect(1e8)}, slab),
+          entry("offset-ball", "a ball far from the origin", 3,
+                {count(50), {"distance", "added to each coordinate", -1e15, 1e15, 1e8, false}},
+                offset_ball),
+          entry("scaled-ball", "a ball times a power of two", 3,
+                {count(50), {"exponent", "of two", -1000, 1000, 300, true}}, scaled_ball),
+          entry("subnormal", "lattice points times 2^-1074", 3, {count(30), range(100, 0x1p52 - 1)},
+                subnormal),
+          entry("huge", "coordinates up to 1e300", 3, {count(50)}, huge),
+          entry("wide-exponents", "each coordinate with its own power of two", 3,
+                {count(50), {"exponent", "largest power", 0, 1000, 300, true}}, wide_exponents),
+          entry("nearly-flat", "a plane, every second point a few ulps above it", 3,
+                {count(30), {"ulps", "how many, of 2^-52", 1, 0x1p52 - 1, 1, true}},
+                every_second_above),
+          entry("nearly-coplanar", "a lid of points within one rounding of a plane", 3, {count(30)},
+                nearly_coplanar),
+          entry("tilted-lid", "a box under planes that are hardly tilted", 3,
+                {count(30), {"tilt", "of the planes", 0x1p-52, 1, 0x1p-20, false}}, tilted_lid),
+          entry("mixed-scales", "balls of radius 1, 2^-e and 2^-2e in one hull", 3,
+                {count(20), {"exponent", "e", 0, 500, 100, true}}, mixed_scales),
+          entry("mixture", "random families, squeezed, moved and put together", 3,
+                {{"parts", "how many", 1, 64, 3, true}}, mixture)};
 }
 
-void add_flat(std::vector<Family>& list) {
-  list.push_back({"all-equal", "copies of one point", 0, {count(5)}, [](Values v, Seed) {
-                    return all_equal(whole(v[0]));
-                  }});
-  list.push_back({"collinear", "points of a line, exactly", 1, {count(20)}, [](Values v, Seed s) {
-                    return collinear(whole(v[0]), s);
-                  }});
-  list.push_back({"coplanar", "points of a plane, exactly", 2, {count(30)}, [](Values v, Seed s) {
-                    return coplanar(whole(v[0]), s);
-                  }});
+std::vector<Family> flat_shapes() {
+  return {entry("all-equal", "copies of one point", 0, {count(5)}, all_equal),
+          entry("collinear", "points of a line, exactly", 1, {count(20)}, collinear),
+          entry("coplanar", "points of a plane, exactly", 2, {count(30)}, coplanar)};
 }
 
 std::vector<Family> make_families() {
   std::vector<Family> list;
-  add_solids(list);
-  add_prisms(list);
-  add_boxes(list);
-  add_random(list);
-  add_integer(list);
-  add_extreme(list);
-  add_mixture(list);
-  add_flat(list);
+  for (const auto& group : {regular_solids(), prisms(), boxes(), random_points(), integer_points(),
+                            extreme_shapes(), flat_shapes()}) {
+    list.insert(list.end(), group.begin(), group.end());
+  }
   return list;
 }
 

@@ -4,9 +4,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "convexact/error.hpp"
 #include "convexact/point_set.hpp"
 
 namespace convexact::shapes {
+
+/// @throws Error InvalidArgument if a parameter is not `allowed`.
+inline void require_parameter(bool allowed, const char* rule) {
+  if (!allowed) throw Error(ErrorCode::InvalidArgument, rule);
+}
 
 // The five regular solids.
 

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "convexact/error.hpp"
 #include "number/random.hpp"
 #include "shapes/makers.hpp"
 
@@ -98,8 +97,7 @@ void add_twins(Points& points, Random& random) {
 }  // namespace
 
 Points mixture(std::uint32_t parts, std::uint64_t seed) {
-  if (parts < 1 || parts > 64)
-    throw Error(ErrorCode::InvalidArgument, "a mixture has 1 to 64 parts");
+  require_parameter(parts >= 1 && parts <= 64, "a mixture has 1 to 64 parts");
   Random random(seed);
   Points all;
   for (std::uint32_t part = 0; part < parts; ++part) {
