@@ -15,6 +15,8 @@
 namespace convexact {
 namespace {
 
+constexpr std::size_t kMostStored = 4000;  // solids of more halfspaces are not stored
+
 // Processor time of this process, not wall time: other load must not count.
 double processor_time() {
   timespec now{};
@@ -45,12 +47,15 @@ std::size_t largest_valence(const Polytope& polytope) {
   return largest;
 }
 
+// The exact engine evaluates long rings again and again, which takes about 10 microseconds times
+// the number of halfspaces and (the largest valence + kShort). Above kMostWork it makes only
+// kMostSteps removals, which are compared with the filtered engine's.
 std::size_t faces_for(const Question& question, const Polytope& polytope) {
+  constexpr std::size_t kShort = 140, kMostWork = 3000000, kMostSteps = 20;
   const std::size_t size = polytope.planes.size();
-  if (question.most_steps >= size) return question.faces;
-  constexpr std::size_t kShort = 140;  // for the work that does not depend on the longest ring
-  if (size * (largest_valence(polytope) + kShort) <= question.most_work) return question.faces;
-  return std::max(question.faces, size - question.most_steps);
+  if (question.engine != Engine::Exact || size <= kMostSteps) return question.faces;
+  if (size * (largest_valence(polytope) + kShort) <= kMostWork) return question.faces;
+  return std::max(question.faces, size - kMostSteps);
 }
 
 // The pipeline as users run it; the only part whose time is taken.
@@ -171,8 +176,8 @@ void answer_for(const Shape& shape, const Question& question, EngineAnswer& answ
   if (question.engine == Engine::Float) {
     for (const LeanStep& step : answer.lean) answer.run.steps.emplace_back().removed = step.removed;
   }
-  if (result.planes.size() <= question.most_stored) store_all(result, solid, false, answer);
-  if (question.engine == Engine::Filtered && solid.polytope.planes.size() <= question.most_stored) {
+  if (result.planes.size() <= kMostStored) store_all(result, solid, false, answer);
+  if (question.engine == Engine::Filtered && solid.polytope.planes.size() <= kMostStored) {
     store_all(solid.polytope, solid, true, answer);
   }
 }

@@ -53,14 +53,12 @@ struct Question {
   Engine engine = Engine::Exact;
   std::size_t faces = 4;
   std::uint64_t seed = 1;
-  /// Of a solid of n halfspaces and largest valence v, of a facet or a vertex, for which n (v +
-  /// 140) is above `most_work` only the first `most_steps` removals are made.
-  std::size_t most_work = SIZE_MAX, most_steps = SIZE_MAX;
-  std::size_t most_stored = SIZE_MAX;  ///< Solids of more halfspaces are not stored.
 };
 
 /// Runs an engine through the pipeline, as users do; again where needed for the record of its
-/// steps; and stores the result in every format. The errors of convexact become part of the answer.
+/// steps; and stores the result in every format, unless it is large. Of a solid that takes long,
+/// the exact engine makes the first removals only. The errors of convexact become part of the
+/// answer.
 [[nodiscard]] EngineAnswer answer_of(const Shape& shape, const Question& question);
 
 /// From one process to another. Numbers stay exact; of each step only removal, cost and tie are

@@ -52,11 +52,6 @@ struct StressFamily {
 /// (values below 0, of which the diameter is the absolute value). Coordinates are rounded.
 [[nodiscard]] StressFamily mesh_family(const std::string& name, std::vector<Point> points);
 
-/// A box, then `parts` groups of halfspaces that all hold one point: at random distances of it from
-/// 2^-500 to 2^500, copies tilted or moved by as little as 2^-300, repeats, and normals and offsets
-/// of 300 digits. Then everything is moved, perhaps far away. Bounded, not empty.
-[[nodiscard]] std::vector<Halfspace> mixed_halfspaces(std::uint32_t parts, std::uint64_t seed);
-
 /// The inputs of a family. @throws Error InvalidArgument for a value that it does not take.
 [[nodiscard]] std::vector<StressInput> inputs_of(const StressFamily& family,
                                                  const SweepOptions& options);

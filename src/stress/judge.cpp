@@ -7,6 +7,7 @@
 
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
+#include "convexact/verify.hpp"
 #include "oracle/removal_cost.hpp"
 #include "scene/solid.hpp"
 
@@ -48,12 +49,67 @@ StressRun begin_run(const StressInput& input, const EngineAnswer& answer) {
   return run;
 }
 
+bool is_of(Precision precision, const Rational& x) {
+  return to_rational(round_to(precision, x, Rounding::Nearest)) == x;
+}
+
+// Whether every number is of the precision. Planes are read as primitive integers, so only their
+// directions and offsets up to a common factor are left of the numbers: a mesh contains more.
+bool is_of_precision(const Candidate& candidate, Precision precision) {
+  const auto* mesh = std::get_if<Mesh>(&candidate);
+  if (mesh == nullptr) return true;
+  for (const Point& p : mesh->points.doubles()) {
+    for (const double x : p) {
+      if (!is_of(precision, to_rational(x))) return false;
+    }
+  }
+  return true;
+}
+
+void find_fault(const Verdict& verdict, StressStored& found) {
+  for (const ClaimCode code :
+       {ClaimCode::CandidateReadable, ClaimCode::CandidateFinite, ClaimCode::CandidateSolid,
+        ClaimCode::CandidateBounded, ClaimCode::ContainsInput, ClaimCode::MeshClosed,
+        ClaimCode::MeshOriented, ClaimCode::MeshConvex}) {
+    const Claim& claim = verdict[code];
+    if (claim.status != Status::Violated) continue;
+    found.outcome = StressStored::Outcome::Wrong;
+    found.why = fmt::format("{}: {}", name_of(code), claim.sentence);
+    return;
+  }
+}
+
+// Reads the bytes as any reader would and decides whether they are a bounded solid that holds every
+// point of the input (or every vertex of the halfspaces' solid), all its numbers of the precision.
+StressStored judge_stored(const Shape& shape, const StoredBytes& kept) {
+  StressStored found = kept.stored;
+  if (found.outcome == StressStored::Outcome::Refused) return found;
+  const bool planes = found.form == StressStored::Form::Planes;
+  const Candidate candidate = read_candidate_bytes(kept.bytes, planes ? "a.json" : "a.obj");
+  VerifyRequest request;
+  request.tightness = false;
+  const VerifyOutcome outcome = verify(shape, candidate, request);
+  const auto* verdict = std::get_if<Verdict>(&outcome);
+  if (verdict == nullptr) {
+    found.outcome = StressStored::Outcome::Wrong;
+    found.why = "the oracle finds no volume in the input";
+    return found;
+  }
+  find_fault(*verdict, found);
+  if (verdict->outside) found.violations = verdict->outside->points;
+  if (found.outcome == StressStored::Outcome::Holds &&
+      !is_of_precision(candidate, found.precision)) {
+    found.outcome = StressStored::Outcome::Wrong;
+    found.why = "a coordinate is no number of the format";
+  }
+  return found;
+}
+
 // The engines' answers about a solid.
 class Judge {
  public:
-  Judge(const CenteredDual& solid, const Shape& shape, std::span<const EngineAnswer> answers,
-        const JudgeLimits& limits)
-      : solid_(solid), shape_(shape), answers_(answers), limits_(limits) {}
+  Judge(const CenteredDual& solid, const Shape& shape, std::span<const EngineAnswer> answers)
+      : solid_(solid), shape_(shape), answers_(answers) {}
 
   void judge(const EngineAnswer& answer, StressRun& run);
 
@@ -67,7 +123,6 @@ class Judge {
   const CenteredDual& solid_;
   const Shape& shape_;
   std::span<const EngineAnswer> answers_;
-  const JudgeLimits& limits_;
 };
 
 void Judge::judge(const EngineAnswer& answer, StressRun& run) {
@@ -79,9 +134,9 @@ void Judge::judge(const EngineAnswer& answer, StressRun& run) {
     run.faults.push_back("with a record it makes another number of steps than without");
     return;
   }
-  append(run.faults, faults_of_volume(solid_, answer, limits_));
+  append(run.faults, faults_of_volume(solid_, answer));
   if (answer.engine == Engine::Float) {
-    judge_float(answer, follow(solid_, answer, limits_), run);
+    judge_float(answer, follow(solid_, answer), run);
   } else {
     judge_promised_order(answer, run);
     judge_lean_run(answer, run);
@@ -96,9 +151,9 @@ void Judge::judge(const EngineAnswer& answer, StressRun& run) {
 }
 
 void Judge::judge_promised_order(const EngineAnswer& answer, StressRun& run) {
-  const TraceVerdict verdict = follow(solid_, answer, limits_);
+  const TraceVerdict verdict = follow(solid_, answer);
   append(run.faults, faults_of_order(answer, verdict));
-  append(run.faults, faults_by_definition(solid_, answer, limits_));
+  append(run.faults, faults_by_definition(solid_, answer));
   double regret = 0;
   for (std::size_t s = 0; s < verdict.steps.size(); ++s) {
     const JudgedStep& step = verdict.steps[s];
@@ -187,8 +242,7 @@ void Judge::measure_volume_error(const EngineAnswer& answer, StressRun& run) con
 }  // namespace
 
 std::vector<StressRun> judge_answers(const StressInput& input, const Shape& shape,
-                                     std::span<const EngineAnswer> answers,
-                                     const JudgeLimits& limits) {
+                                     std::span<const EngineAnswer> answers) {
   StageLog log;
   const SolidOutcome outcome = make_solid(shape, input.seed + 1, true, log);
   const Solid* solid = std::get_if<Solid>(&outcome);
@@ -203,7 +257,7 @@ std::vector<StressRun> judge_answers(const StressInput& input, const Shape& shap
                                             : "finds no solid where there is one");
     } else if (solid != nullptr) {
       const CenteredDual judged{solid->dual, interior_point_of(*solid)};
-      Judge(judged, shape, answers, limits).judge(answer, run);
+      Judge(judged, shape, answers).judge(answer, run);
     }
   }
   return runs;

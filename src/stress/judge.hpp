@@ -12,20 +12,9 @@
 
 namespace convexact {
 
-struct JudgeLimits {
-  /// Solids with at most so many halfspaces left are judged by the definition alone: each is taken
-  /// away and the rest intersected from scratch.
-  std::size_t definition = 12;
-  /// Solids of more halfspaces are large. Of these costs, minima and ties are computed again for
-  /// the first `steps` removals, and nothing of that size is intersected from scratch.
-  std::size_t whole = 2500;
-  std::size_t steps = 200;
-};
-
 /// One run for each answer, with its faults. docs/stress.md has the list of checks.
 [[nodiscard]] std::vector<StressRun> judge_answers(const StressInput& input, const Shape& shape,
-                                                   std::span<const EngineAnswer> answers,
-                                                   const JudgeLimits& limits = {});
+                                                   std::span<const EngineAnswer> answers);
 
 /// The same without a judge: each run has the fault that it was not judged, and `why`.
 [[nodiscard]] std::vector<StressRun> unjudged(const StressInput& input,
@@ -46,27 +35,24 @@ struct CenteredDual {
 /// Whether the removals are different halfspaces of the run's, and leave at least four.
 [[nodiscard]] bool is_valid_order(const Run& run);
 
-/// Follows the removals up to the limits, with all claims of the answer about them.
-[[nodiscard]] TraceVerdict follow(const CenteredDual& solid, const EngineAnswer& answer,
-                                  const JudgeLimits& limits);
+/// Follows the removals with all claims of the answer about them; of large solids the first ones.
+[[nodiscard]] TraceVerdict follow(const CenteredDual& solid, const EngineAnswer& answer);
 
 /// The faults of an engine that promises the greedy order. @param verdict  Of follow().
 [[nodiscard]] std::vector<std::string> faults_of_order(const EngineAnswer& answer,
                                                        const TraceVerdict& verdict);
 
-/// By the definition: from where at most `limits.definition` halfspaces are left, each removal must
-/// be the cheapest of all, at the recorded cost, with all ties; and an end above the wanted number
-/// must have no bounded removal left.
+/// By the definition, from where few halfspaces are left: each is taken away and the rest
+/// intersected from scratch. Each removal must be the cheapest of all, at the recorded cost, with
+/// all ties; and an end above the wanted number must have no bounded removal left.
 [[nodiscard]] std::vector<std::string> faults_by_definition(const CenteredDual& solid,
-                                                            const EngineAnswer& answer,
-                                                            const JudgeLimits& limits);
+                                                            const EngineAnswer& answer);
 
 /// Whether the volumes that the pipeline reports are those of what it started from and of what it
 /// ended with, both intersected from scratch, and differ by the sum of the costs.
 /// Of large solids only what they end with.
 [[nodiscard]] std::vector<std::string> faults_of_volume(const CenteredDual& solid,
-                                                        const EngineAnswer& answer,
-                                                        const JudgeLimits& limits);
+                                                        const EngineAnswer& answer);
 
 /// Of the float engine: adds to the run its errors against exact costs and minima in its own
 /// states, and what is wrong. An error is no fault; an error beyond its own bound is one, and so is
@@ -76,10 +62,5 @@ void judge_float(const EngineAnswer& answer, const TraceVerdict& verdict, Stress
 /// How far the ends of a reported cost are from the true one at most, relative to that; rounded up,
 /// infinite if one of them is.
 [[nodiscard]] double error_of_cost(const ReportedVolume& reported, const Rational& cost);
-
-/// Reads the bytes as any reader would and decides whether they are a bounded solid that holds
-/// every point of the input (or every vertex of the halfspaces' solid), all its numbers of the
-/// precision.
-[[nodiscard]] StressStored judge_stored(const Shape& shape, const StoredBytes& kept);
 
 }  // namespace convexact

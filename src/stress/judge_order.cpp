@@ -14,6 +14,12 @@
 namespace convexact {
 namespace {
 
+// Solids with at most so many halfspaces left are judged by the definition alone.
+constexpr std::size_t kDefinition = 12;
+// Solids of more halfspaces are large. Of these costs, minima and ties are computed again for the
+// first `kSteps` removals, and nothing of that size is intersected from scratch.
+constexpr std::size_t kLarge = 2500, kSteps = 200;
+
 bool has_record(const EngineAnswer& answer) { return answer.engine != Engine::Float; }
 
 // All removals from what is left, by the definition: none if every one is unbounded.
@@ -72,13 +78,12 @@ bool is_valid_order(const Run& run) {
          ids.size() + 4 <= run.halfspaces.size();
 }
 
-TraceVerdict follow(const CenteredDual& solid, const EngineAnswer& answer,
-                    const JudgeLimits& limits) {
+TraceVerdict follow(const CenteredDual& solid, const EngineAnswer& answer) {
   RemovalOrder order;
   for (const Halfspace& h : answer.run.halfspaces) order.facets.emplace_back(h);
-  const bool is_large = answer.run.halfspaces.size() > limits.whole;
+  const bool is_large = answer.run.halfspaces.size() > kLarge;
   const std::size_t all = answer.run.steps.size();
-  const std::size_t count = is_large ? std::min(limits.steps, all) : all;
+  const std::size_t count = is_large ? std::min(kSteps, all) : all;
   for (std::size_t s = 0; s < count; ++s) {
     const Step& step = answer.run.steps[s];
     OrderedStep& ordered = order.steps.emplace_back(
@@ -118,12 +123,12 @@ std::vector<std::string> faults_of_order(const EngineAnswer& answer, const Trace
   return faults;
 }
 
-std::vector<std::string> faults_by_definition(const CenteredDual& solid, const EngineAnswer& answer,
-                                              const JudgeLimits& limits) {
+std::vector<std::string> faults_by_definition(const CenteredDual& solid,
+                                              const EngineAnswer& answer) {
   const std::size_t size = solid.dual.halfspaces.size();
   if (!is_valid_order(answer.run)) return {"the removals are not different halfspaces"};
   const std::vector<Step>& steps = answer.run.steps;
-  std::size_t s = size > limits.definition ? size - limits.definition : 0;
+  std::size_t s = size > kDefinition ? size - kDefinition : 0;
   for (; s < steps.size(); ++s) {
     const Cheapest cheapest = cheapest_of(solid, answer.run, s);
     if (cheapest.cost != steps[s].cost || cheapest.tie != steps[s].tie ||
@@ -131,15 +136,14 @@ std::vector<std::string> faults_by_definition(const CenteredDual& solid, const E
       return {fmt::format("step {} is not what the definition says", s)};
     }
   }
-  if (answer.end == StressEnd::AllUnbounded && size - steps.size() <= limits.definition &&
+  if (answer.end == StressEnd::AllUnbounded && size - steps.size() <= kDefinition &&
       cheapest_of(solid, answer.run, steps.size()).cost) {
     return {"it ends although a bounded removal is left, by the definition"};
   }
   return {};
 }
 
-std::vector<std::string> faults_of_volume(const CenteredDual& solid, const EngineAnswer& answer,
-                                          const JudgeLimits& limits) {
+std::vector<std::string> faults_of_volume(const CenteredDual& solid, const EngineAnswer& answer) {
   if (!is_valid_order(answer.run)) {
     return {"the removals are not different halfspaces"};
   }
@@ -147,7 +151,7 @@ std::vector<std::string> faults_of_volume(const CenteredDual& solid, const Engin
   if (left_after(answer.run, answer.run.steps.size()) != answer.left) {
     faults.push_back("what is left is not what the removals leave");
   }
-  if (answer.left.size() > limits.whole) return faults;
+  if (answer.left.size() > kLarge) return faults;
   const auto after = intersect(answer.left, solid.center);
   if (!after) {
     faults.push_back("what is left is unbounded");
@@ -155,7 +159,7 @@ std::vector<std::string> faults_of_volume(const CenteredDual& solid, const Engin
   }
   const Rational last = volume(*after);
   check_reported("result", last, answer.output_volume, faults);
-  if (answer.run.halfspaces.size() > limits.whole) return faults;
+  if (answer.run.halfspaces.size() > kLarge) return faults;
   const Rational first = volume(intersect(solid.dual.halfspaces, solid.center).value());
   check_reported("input", first, answer.input_volume, faults);
   if (!has_record(answer)) return faults;

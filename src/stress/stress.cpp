@@ -147,19 +147,10 @@ std::unique_ptr<ChildProcess> Sweep::start(std::size_t i) const {
   const StressInput& input = inputs_[i];
   const std::vector<EngineAnswer>& answers = progress_[i].answers;
   if (answers.size() == request_.engines.size()) {
-    return start([&] {
-      return stress_json({judge_answers(input, input.make(), answers, request_.judge), 0});
-    });
+    return start([&] { return stress_json({judge_answers(input, input.make(), answers), 0}); });
   }
   const Engine engine = request_.engines[answers.size()];
-  Question question{.engine = engine,
-                    .faces = input.faces,
-                    .seed = input.seed,
-                    .most_stored = request_.most_stored};
-  if (engine == Engine::Exact) {
-    question.most_work = request_.exact_work;
-    question.most_steps = request_.exact_steps;
-  }
+  const Question question{.engine = engine, .faces = input.faces, .seed = input.seed};
   return start([&] { return answer_json(request_.answer(input.make(), question)); });
 }
 

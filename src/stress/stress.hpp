@@ -21,12 +21,6 @@ struct StressRequest {
   std::vector<Engine> engines = {Engine::Exact, Engine::Filtered, Engine::Float};
   StressLimits limits;
   std::size_t processes = 1;  ///< At the same time, >= 1.
-  /// The exact engine evaluates long rings again and again, which takes about 10 microseconds times
-  /// the number of halfspaces and (the largest valence + 140). Above this product it makes only so
-  /// many removals, which are compared with the filtered engine's.
-  std::size_t exact_work = 3000000, exact_steps = 20;
-  std::size_t most_stored = 4000;  ///< Solids of more halfspaces are not stored.
-  JudgeLimits judge;
   /// The engines under test; replaced where the judge itself is tested.
   std::function<EngineAnswer(const Shape&, const Question&)> answer = answer_of;
   /// Called when inputs are done, with their number and the number of all.
