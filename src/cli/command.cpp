@@ -11,10 +11,7 @@
 #include <iostream>
 #include <new>
 
-#include "cli/memory.hpp"
-#include "cli/quantity_option.hpp"
 #include "cli/reproducer.hpp"
-#include "convexact/number.hpp"
 #include "io/json.hpp"
 #include "number/text.hpp"
 #include "oracle/program.hpp"
@@ -22,6 +19,8 @@
 
 namespace convexact::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 std::atomic<bool> interrupt_flag = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler");
@@ -178,6 +177,22 @@ void print(const std::string& text) {
 }
 
 void print(const nlohmann::ordered_json& document) { print(write_json(document, 2) + "\n"); }
+
+std::optional<fs::path> find_shipped(const fs::path& name,
+                                     const std::function<bool(const fs::path&)>& is_it) {
+  std::error_code failed;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", failed).parent_path();
+  std::vector<fs::path> places = {folder / "../share/convexact" / name};
+  for (fs::path above = folder; above != above.parent_path(); above = above.parent_path()) {
+    places.push_back(above / "tests" / name);
+    places.push_back(above / "share/convexact" / name);
+  }
+  places.push_back(fs::path(CONVEXACT_DATADIR) / name);
+  for (const fs::path& place : places) {
+    if (is_it(place)) return place.lexically_normal();
+  }
+  return std::nullopt;
+}
 
 const std::atomic<bool>& interrupted() noexcept { return interrupt_flag; }
 

@@ -3,17 +3,16 @@
 #pragma once
 #include <CLI/CLI.hpp>
 #include <atomic>
+#include <filesystem>
 #include <functional>
-#include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
-#include "cli/quantity_option.hpp"
+#include "cli/options.hpp"
 #include "convexact/error.hpp"
-#include "convexact/number.hpp"
 #include "convexact/scene.hpp"
-#include "io/names.hpp"
-#include "number/text.hpp"
 
 namespace convexact::cli {
 
@@ -30,37 +29,6 @@ void add_global_options(CLI::App& command, GlobalOptions& options);
 
 /// Adds --stages to a subcommand whose summary ends with the time of its stages.
 void add_stages_option(CLI::App& command, GlobalOptions& options);
-
-/// An option that takes one of a few words, in upper or lower case; the help shows them and the
-/// default.
-template <class Value>
-CLI::Option* add_choice(CLI::App& command, const std::string& name, Value& value,
-                        const std::map<std::string, Value>& words, const std::string& meaning) {
-  std::string list, marked;
-  for (const auto& [word, meant] : words) {
-    list += (list.empty() ? "" : ", ") + word;
-    marked += (marked.empty() ? "" : "|") + word + (meant == value ? "*" : "");
-  }
-  const std::string note = marked.find('*') == marked.npos ? "" : " (* is the default)";
-  return add_text(command, name, meaning + note,
-                  [&value, words, list](const auto& option, const auto& text) {
-                    const auto found = words.find(CLI::detail::to_lower(text));
-                    if (found == words.end()) {
-                      throw Error(ErrorCode::InvalidArgument, option + ": expected one of " + list +
-                                                                  ", found " + in_quotes(text));
-                    }
-                    value = found->second;
-                  })
-      ->type_name(marked);
-}
-
-template <class E, std::size_t N>
-CLI::Option* add_choice(CLI::App& command, const std::string& name, E& value,
-                        const NameTable<E, N>& table, const std::string& meaning) {
-  std::map<std::string, E> words;
-  for (const auto& [meant, word] : table) words.emplace(word, meant);
-  return add_choice(command, name, value, words, meaning);
-}
 
 /// Each adds its subcommand to the program; the subcommand's exit code goes to `exit_code`.
 void add_conform_command(CLI::App& program, int& exit_code);
@@ -86,6 +54,16 @@ int end_of_parsing(const CLI::App& program, const CLI::ParseError& error);
 /// reproducer in the current folder.
 int run_guarded(const GlobalOptions& options, const std::function<int()>& work);
 
+/// Adds the global options, and lets the command run `run` in this way.
+template <class Arguments>
+void finish_command(CLI::App& command, const std::shared_ptr<Arguments>& arguments, int& exit_code,
+                    int (*run)(const Arguments&)) {
+  add_global_options(command, arguments->global);
+  command.callback([arguments, run, &exit_code] {
+    exit_code = run_guarded(arguments->global, [&] { return run(*arguments); });
+  });
+}
+
 /// Reports that an input encloses no volume, with the proof, and returns the exit code.
 int report_not_solid(const GlobalOptions& options, const std::string& name, const NotSolid& reason);
 
@@ -97,5 +75,28 @@ void print(const nlohmann::ordered_json& document);
 /// Becomes true when an interrupt (Ctrl-C, SIGTERM) arrives; long loops check it and end with
 /// Stopped.
 const std::atomic<bool>& interrupted() noexcept;
+
+/// Finds a file or folder that comes with the program: "vectors", "data/bunny.obj", "profiles.json"
+/// and the like. The first place that `is_it` accepts: beside the installed program, in the source
+/// of one that runs where it was built, or where it was to be installed.
+[[nodiscard]] std::optional<std::filesystem::path> find_shipped(
+    const std::filesystem::path& name,
+    const std::function<bool(const std::filesystem::path&)>& is_it =
+        [](const std::filesystem::path& place) { return std::filesystem::exists(place); });
+
+// memory.cpp: how much memory the program may use, and how it ends when there is no more.
+
+/// Makes GMP and MPFR allocate through memory.cpp. To be called before any number exists.
+void install_memory_functions();
+
+/// From now on at most `bytes` of heap may be in use; memory in use already is not counted.
+///
+/// C++ gets std::bad_alloc from seven eighths of that on, so that a run ends by unwinding, as after
+/// any error. No exception may pass through GMP: it may use the last eighth, and if that is full as
+/// well the process ends, after `last_words`, with the exit code of Stopped.
+void limit_memory(std::uint64_t bytes, std::function<void()> last_words);
+
+/// To be called before an error is reported, which takes memory, too.
+void lift_memory_limit() noexcept;
 
 }  // namespace convexact::cli

@@ -8,8 +8,6 @@
 #include "cli/program_case.hpp"
 #include "cli/progress.hpp"
 #include "cli/promise_options.hpp"
-#include "cli/quantity_option.hpp"
-#include "cli/shipped_files.hpp"
 #include "convexact/conform.hpp"
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
@@ -97,14 +95,15 @@ Promise promise_of(const ConformArguments& options) {
   return promise;
 }
 
-int run_conform(ConformArguments options) {
+int run_conform(const ConformArguments& options) {
   require_sensible(options);
-  options.run.promise = promise_of(options);
+  ConformRun run = options.run;
+  run.promise = promise_of(options);
   const std::vector<TestVector> vectors = read_test_vectors(find_vectors(options.vectors));
   Progress progress;
-  options.run.watch = progress.watch();
+  run.watch = progress.watch();
   ConformanceReport report = run_vectors(
-      vectors, [&](const TestVector& vector) { return is_chosen(vector, options); }, options.run);
+      vectors, [&](const TestVector& vector) { return is_chosen(vector, options); }, run);
   progress.clear();
   report.profile = options.promise.profile;
   if (report.entries.empty()) {
@@ -157,10 +156,7 @@ void add_conform_command(CLI::App& program, int& exit_code) {
                   "the report, by its extension: .json, .md, or .svg for a badge; may be repeated")
       ->allow_extra_args(false);  // otherwise it removes the --
 
-  add_global_options(command, options->global);
-  command.callback([options, &exit_code] {
-    exit_code = run_guarded(options->global, [&] { return run_conform(*options); });
-  });
+  finish_command(command, options, exit_code, run_conform);
 }
 
 }  // namespace convexact::cli

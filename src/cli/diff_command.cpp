@@ -5,15 +5,12 @@
 #include <optional>
 
 #include "cli/command.hpp"
-#include "cli/engine_list.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
-#include "cli/quantity_option.hpp"
 #include "convexact/scene.hpp"
 #include "oracle/diff.hpp"
 #include "scene/result_json.hpp"
 #include "scene/stage_log.hpp"
-#include "scene/summary.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -36,29 +33,19 @@ struct DiffArguments {
   std::string engines = "exact,filtered,float";
 };
 
-struct DiffedObject {
-  std::string name;
-  DiffReport report;
-};
+using DiffedObject = FoundObject<DiffReport>;
 
 nlohmann::ordered_json document_of(const std::vector<DiffedObject>& objects, std::size_t faces,
                                    bool explained, const StageLog& log) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const DiffedObject& object : objects) {
-    nlohmann::ordered_json entry = {{"name", object.name}};
-    entry.update(diff_json(object.report));
-    entry["stages"] = stages_json(object.report.stages);
-    list.push_back(entry);
-  }
   return {{"faces", faces},
           {"explained", explained},
-          {"objects", list},
+          {"objects", objects_json(objects, diff_json)},
           {"stages", stages_json(log.stages())}};
 }
 
 void print_table(const std::vector<DiffedObject>& objects, const StageLog& log, bool lists_stages) {
   std::vector<NamedDiff> named;
-  for (const DiffedObject& object : objects) named.push_back({object.name, &object.report});
+  for (const DiffedObject& object : objects) named.push_back({object.source.name, &object.result});
   print(diff_table(named) + "\n" + stage_text(log.stages(), lists_stages));
 }
 
@@ -67,25 +54,20 @@ int run_diff(const DiffArguments& options) {
   StageLog log(progress.watch());
   DiffRequest request;
   request.faces = options.faces;
-  request.engines = parse_engines(options.engines, "--engines");
+  request.engines = parse_words("--engines", options.engines, kEngineNames);
   request.seed = options.global.seed;
   request.watch = progress.watch();
-  const std::vector<SceneObject> scene =
+  std::vector<SceneObject> scene =
       log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
-  std::vector<DiffedObject> objects;
-  for (const SceneObject& source : scene) {
-    DiffOutcome outcome = diff_engines(source.shape, request);
-    if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
-      progress.clear();
-      return report_not_solid(options.global, source.name, of_typed_rows(*reason, source.rows));
-    }
-    auto& report = std::get<DiffReport>(outcome);
-    log.add(report.stages);
-    objects.push_back({source.name, std::move(report)});
-  }
+  const auto found = on_each_object<DiffReport>(
+      std::move(scene), log, [&](const Shape& shape) { return diff_engines(shape, request); });
   progress.clear();
+  if (const auto* flat = std::get_if<FlatObject>(&found)) {
+    return report_not_solid(options.global, flat->name, flat->reason);
+  }
+  const auto& objects = std::get<std::vector<DiffedObject>>(found);
   const bool explained = std::all_of(objects.begin(), objects.end(),
-                                     [](const DiffedObject& o) { return o.report.holds(); });
+                                     [](const DiffedObject& o) { return o.result.holds(); });
   if (options.global.json) {
     print(document_of(objects, options.faces, explained, log));
   } else {
@@ -108,11 +90,8 @@ void add_diff_command(CLI::App& program, int& exit_code) {
                   "which to run; the first is the reference of the others")
       ->capture_default_str();
   add_scene_options(command, options->scene);
-  add_global_options(command, options->global);
+  finish_command(command, options, exit_code, run_diff);
   add_stages_option(command, options->global);
-  command.callback([options, &exit_code] {
-    exit_code = run_guarded(options->global, [&] { return run_diff(*options); });
-  });
 }
 
 }  // namespace convexact::cli

@@ -7,7 +7,6 @@
 
 #include "cli/command.hpp"
 #include "cli/outputs.hpp"
-#include "cli/quantity_option.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/io.hpp"
 #include "convexact/shapes.hpp"

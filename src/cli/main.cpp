@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The program: one subcommand per file.
 #include "cli/command.hpp"
-#include "cli/memory.hpp"
 
 namespace {
 

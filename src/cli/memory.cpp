@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/memory.hpp"
-
+// Memory: counted and limited, for C++ by the operators below, for GMP by its hooks.
 #include <gmp.h>
 #include <malloc.h>
 #include <unistd.h>
@@ -13,7 +12,7 @@
 #include <new>
 #include <utility>
 
-#include "convexact/error.hpp"
+#include "cli/command.hpp"
 
 namespace convexact::cli {
 namespace {

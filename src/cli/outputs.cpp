@@ -5,13 +5,12 @@
 #include <filesystem>
 #include <set>
 
-#include "cli/command.hpp"
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
 #include "convexact/stored.hpp"
 #include "io/json.hpp"
 #include "report/picture.hpp"
-#include "scene/proof.hpp"
+#include "scene/result_json.hpp"
 #include "simplify/trace_json.hpp"
 
 namespace convexact::cli {
@@ -161,12 +160,16 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
                   "round outward to binary64 or binary32");
 }
 
+void add_decimal_option(CLI::App& command, Decimal& decimal) {
+  add_choice<Decimal>(command, "--decimal", decimal,
+                      {{"nearest", Decimal::Nearest}, {"exact", Decimal::Exact}},
+                      "decimals in text mean the nearest double, or the number they spell");
+}
+
 void add_scene_options(CLI::App& command, SceneOptions& options) {
   options.on_read = remember_input;
   command.add_flag("--parts", options.parts, "each object (o or g line, STL solid) on its own");
-  add_choice<Decimal>(command, "--decimal", options.decimal,
-                      {{"nearest", Decimal::Nearest}, {"exact", Decimal::Exact}},
-                      "decimals in text mean the nearest double, or the number they spell");
+  add_decimal_option(command, options.decimal);
 }
 
 OutputFiles output_files(const std::vector<OutputObject>& objects, const OutputOptions& options) {
@@ -186,6 +189,12 @@ OutputFiles output_files(const std::vector<OutputObject>& objects, const OutputO
                                                   object.solid.planes));
   }
   return files;
+}
+
+std::string written_lines(const OutputOptions& options) {
+  std::string text;
+  for (const std::string& path : options.all_paths()) text += "  written     " + path + "\n";
+  return text;
 }
 
 void write_together(const OutputFiles& files, const std::string& summary) {

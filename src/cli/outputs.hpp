@@ -2,14 +2,20 @@
 // outputs.hpp - the files that simplify writes: all of them, complete, or none.
 #pragma once
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "cli/command.hpp"
+#include "cli/progress.hpp"
 #include "convexact/run.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/simplify.hpp"
+#include "scene/result_json.hpp"
+#include "scene/stage_log.hpp"
 
 namespace convexact::cli {
 
@@ -36,8 +42,54 @@ struct OutputOptions {
 void require_other_files(const std::vector<std::string>& outputs,
                          const std::vector<std::string>& inputs);
 
+/// An object of a scene and what a command found about it.
+template <class Result>
+struct FoundObject {
+  SceneObject source;
+  Result result;
+};
+
+/// An object of a scene that encloses no volume.
+struct FlatObject {
+  std::string name;
+  NotSolid reason;
+};
+
+/// What `work` finds about each object, with its stages in the log; or the first object without
+/// volume.
+template <class Result, class Work>
+std::variant<std::vector<FoundObject<Result>>, FlatObject> on_each_object(
+    std::vector<SceneObject> scene, StageLog& log, Work&& work) {
+  std::vector<FoundObject<Result>> found;
+  for (SceneObject& object : scene) {
+    std::variant<Result, NotSolid> outcome = work(object.shape);
+    if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
+      return FlatObject{object.name, of_typed_rows(*reason, object.rows)};
+    }
+    auto& result = std::get<Result>(outcome);
+    log.add(result.stages);
+    found.push_back({std::move(object), std::move(result)});
+  }
+  return found;
+}
+
+/// A list of the objects: each with its name, what `json` says of its result, and its stages.
+template <class Result, class Json>
+nlohmann::ordered_json objects_json(const std::vector<FoundObject<Result>>& objects, Json&& json) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const auto& [source, result] : objects) {
+    nlohmann::ordered_json& entry = list.emplace_back();
+    entry["name"] = source.name;
+    entry.update(json(result));
+    entry["stages"] = stages_json(result.stages);
+  }
+  return list;
+}
+
 void add_input_argument(CLI::App& command, std::vector<std::string>& inputs);
 void add_output_options(CLI::App& command, OutputOptions& options);
+/// --decimal: what decimals in text mean.
+void add_decimal_option(CLI::App& command, Decimal& decimal);
 void add_scene_options(CLI::App& command, SceneOptions& options);
 
 /// One object and what encloses it.
@@ -57,8 +109,47 @@ using OutputFiles = std::vector<std::pair<std::string, std::string>>;
 [[nodiscard]] OutputFiles output_files(const std::vector<OutputObject>& objects,
                                        const OutputOptions& options);
 
+/// For each file a line of a summary that names it.
+[[nodiscard]] std::string written_lines(const OutputOptions& options);
+
 /// Writes the files and prints the summary: all of it succeeds, or every file stays as it was.
 /// @throws Error as AtomicOutput and print().
 void write_together(const OutputFiles& files, const std::string& summary);
+
+/// Runs a subcommand that reads objects, does `work` on each, watched, and writes the outputs and
+/// the answer; returns the exit code. @param answer  The document or the summary, from the objects
+/// and all stages.
+template <class Result, class Arguments, class Work, class Answer>
+int run_on_inputs(const Arguments& options, Work&& work, Answer&& answer) {
+  options.output.require_sensible();
+  require_other_files(options.output.all_paths(), options.inputs);
+  Progress progress;
+  StageLog log(progress.watch());
+  std::vector<SceneObject> scene =
+      log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
+  options.output.require_room_for(scene.size());
+  auto found = on_each_object<Result>(
+      std::move(scene), log, [&](const Shape& shape) { return work(shape, progress.watch()); });
+  if (const auto* flat = std::get_if<FlatObject>(&found)) {
+    progress.clear();
+    return report_not_solid(options.global, flat->name, flat->reason);
+  }
+  std::vector<OutputObject> outputs;
+  auto& objects = std::get<std::vector<FoundObject<Result>>>(found);
+  for (FoundObject<Result>& object : objects) {
+    Result& result = object.result;
+    to_typed_rows(result.redundant, object.source.rows);
+    OutputObject& output = outputs.emplace_back(OutputObject{object.source, result.solid});
+    if constexpr (requires { result.run; }) {
+      if (result.run) output.run = &*result.run;
+      if (result.start) output.start = &*result.start;
+    }
+  }
+  const OutputFiles files =
+      log.run("write", StageKind::Io, [&] { return output_files(outputs, options.output); });
+  progress.clear();
+  write_together(files, answer(objects, log.stages()));
+  return 0;
+}
 
 }  // namespace convexact::cli

@@ -20,8 +20,8 @@ void write_to_terminal(const std::string& text) {
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
-}  // namespace
-
+// How long `left` of something takes if `done` of it took `seconds`: "about 12 s left", in minutes
+// from two minutes on; empty as long as it is unknown.
 std::string time_left(double seconds, std::size_t done, std::size_t left) {
   constexpr double kTooSoon = 0.5, kMinute = 60;
   if (done == 0 || seconds < kTooSoon) return {};
@@ -29,6 +29,8 @@ std::string time_left(double seconds, std::size_t done, std::size_t left) {
   if (estimate < 2 * kMinute) return fmt::format("about {:.0f} s left", std::ceil(estimate));
   return fmt::format("about {:.0f} min left", std::ceil(estimate / kMinute));
 }
+
+}  // namespace
 
 Progress::Progress() : is_shown_(isatty(STDERR_FILENO) != 0) {
   if (is_shown_) painter_ = std::thread([this] { paint(); });

@@ -45,8 +45,4 @@ class Progress {
   std::thread painter_;
 };
 
-/// How long `left` of something takes if `done` of it took `seconds`: "about 12 s left", in minutes
-/// from two minutes on; empty as long as it is unknown.
-[[nodiscard]] std::string time_left(double seconds, std::size_t done, std::size_t left);
-
 }  // namespace convexact::cli

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/promise_options.hpp"
 
-#include <filesystem>
-
-#include "cli/quantity_option.hpp"
-#include "cli/shipped_files.hpp"
-#include "convexact/error.hpp"
+#include "cli/command.hpp"
 #include "convexact/io.hpp"
-#include "convexact/number.hpp"
-#include "number/text.hpp"
 #include "oracle/conformance_report.hpp"
 #include "scene/result_json.hpp"
 
@@ -16,8 +10,7 @@ namespace convexact::cli {
 namespace {
 
 Profile find_profile(const std::string& name) {
-  const auto path = find_shipped("profiles.json",
-                                 [](const auto& place) { return std::filesystem::exists(place); });
+  const auto path = find_shipped("profiles.json");
   if (!path) throw Error(ErrorCode::Unreadable, "the shipped profiles.json was not found");
   try {
     return profile_of_name(read_profiles_bytes(read_bytes(*path)), name);
@@ -32,21 +25,24 @@ void override_by(Value& value, const auto& given) {
   if (given) value = *given;
 }
 
-// An option that takes one of a few words.
-template <class E, std::size_t N>
-void add_word(CLI::App& command, const std::string& name, std::optional<E>& value,
-              const NameTable<E, N>& words, const std::string& meaning) {
-  std::string list;
-  for (const auto& [meant, word] : words) list += std::string(list.empty() ? "" : "|") + word;
-  add_text(command, name, meaning, [&value, words, list](const auto& option, const auto& text) {
-    value = value_in(words, text);
-    if (value) return;
-    throw Error(ErrorCode::InvalidArgument,
-                option + ": expected " + list + ", found " + in_quotes(text));
-  })->type_name(list);
-}
-
 }  // namespace
+
+std::vector<ClaimCode> parse_claims(const std::string& text) {
+  std::vector<ClaimCode> claims;
+  for (const std::string& word : words_of(text)) {
+    const auto code = claim_of_name(word);
+    if (!code) {
+      std::string names;
+      for (const ClaimCode known : kAllClaims) {
+        names += (names.empty() ? "" : ", ") + std::string(name_of(known));
+      }
+      throw Error(ErrorCode::InvalidArgument,
+                  "--claims: expected names out of " + names + "; found " + in_quotes(word));
+    }
+    claims.push_back(*code);
+  }
+  return claims;
+}
 
 Promise PromiseOptions::promise(Asks asks_by_default) const {
   Promise result;
@@ -68,7 +64,7 @@ void add_promise_options(CLI::App& command, PromiseOptions& options) {
                      "other options override it");
   command.add_option("--tolerance", options.tolerance,
                      "let violations up to this distance pass: 1e-6, or 1e-9d of the diameter");
-  add_word(
+  add_choice(
       command, "--numbers", options.numbers, kPrecisionNames,
       "the numbers of input and output are doubles, or each is rounded to the nearest binary32 "
       "(default: binary64)");
@@ -81,9 +77,9 @@ void add_promise_options(CLI::App& command, PromiseOptions& options) {
 }
 
 void add_asking_options(CLI::App& command, PromiseOptions& options) {
-  add_word(command, "--asks", options.asks, kAsksNames,
-           "what the program writes: an enclosure, the hull, a solid inside it, or an "
-           "enclosure of {faces} facets (default: simplify with {faces}, else enclosure)");
+  add_choice(command, "--asks", options.asks, kAsksNames,
+             "what the program writes: an enclosure, the hull, a solid inside it, or an "
+             "enclosure of {faces} facets (default: simplify with {faces}, else enclosure)");
   command.add_flag("--allow-flat", options.allow_flat,
                    "accepting points without volume is not a failure");
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// promise_options.hpp - what a program promises, from --profile and single options.
+// promise_options.hpp - what a program promises, from --profile and single options, and which
+// claims are decided.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "convexact/conform.hpp"
+#include "convexact/verify.hpp"
 
 namespace convexact::cli {
 
@@ -26,5 +29,9 @@ struct PromiseOptions {
 void add_promise_options(CLI::App& command, PromiseOptions& options);
 /// --asks and --allow-flat.
 void add_asking_options(CLI::App& command, PromiseOptions& options);
+
+/// The value of --claims: names, separated by commas.
+/// @throws Error InvalidArgument, listing the names, for any other word, also an empty one.
+[[nodiscard]] std::vector<ClaimCode> parse_claims(const std::string& text);
 
 }  // namespace convexact::cli

@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: MIT
 // convexact report: error against run time, as data and as a page of plots.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <memory>
 #include <optional>
 
-#include "cli/build_info.hpp"
 #include "cli/command.hpp"
 #include "cli/outputs.hpp"
-#include "cli/quantity_option.hpp"
+#include "cli/progress.hpp"
 #include "convexact/scene.hpp"
 #include "io/json.hpp"
 #include "report/report.hpp"
-#include "report/report_page.hpp"
 
 namespace convexact::cli {
+
+// Of build_info.cpp, a library of its own.
+extern const char* const kCommit;    // "unknown" if it was built outside of a repository
+extern const char* const kFlags;     // of the compiler, as far as they change what is measured
+extern const char* const kCompiler;  // with its version
+
 namespace {
 
 constexpr const char* kReportFooter =
@@ -38,25 +41,16 @@ struct ReportArguments {
 };
 
 ReportSections parse_sections(const std::string& text) {
-  ReportSections sections{.precision = false,
-                          .tightness = false,
-                          .stages = false,
-                          .scaling = false,
-                          .stability = false};
-  const std::map<std::string, bool*> named = {{"precision", &sections.precision},
-                                              {"tightness", &sections.tightness},
-                                              {"stages", &sections.stages},
-                                              {"scaling", &sections.scaling},
-                                              {"stability", &sections.stability}};
-  for (const std::string& word : CLI::detail::split(text, ',')) {
-    const auto found = named.find(word);
-    if (found == named.end()) {
-      throw Error(ErrorCode::InvalidArgument,
-                  "--sections: expected names out of precision,tightness,stages,scaling,"
-                  "stability, found '" +
-                      word + "'");
-    }
-    *found->second = true;
+  using Section = bool ReportSections::*;
+  constexpr auto kSections = name_table<Section>({{&ReportSections::precision, "precision"},
+                                                  {&ReportSections::tightness, "tightness"},
+                                                  {&ReportSections::stages, "stages"},
+                                                  {&ReportSections::scaling, "scaling"},
+                                                  {&ReportSections::stability, "stability"}});
+  ReportSections sections;
+  for (const auto& [section, name] : kSections) sections.*section = false;
+  for (const Section section : parse_words("--sections", text, kSections)) {
+    sections.*section = true;
   }
   return sections;
 }
@@ -67,24 +61,12 @@ std::string without_folder(const std::string& name) {
   return slash == std::string::npos ? name : name.substr(slash + 1);
 }
 
-// One line of standard error, if that is a terminal.
-class StatusLine {
- public:
-  ~StatusLine() { show(""); }
-  void show(const std::string& text) {
-    if (isatty(STDERR_FILENO) == 0) return;
-    fmt::print(stderr, "\r\033[K{}", text);
-    std::fflush(stderr);
-  }
-};
-
-OutputFiles files_of(const std::string& folder, const nlohmann::ordered_json& document,
-                     const ReportData& report) {
+OutputFiles files_of(const std::string& folder, const nlohmann::ordered_json& document) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (failure) throw Error(ErrorCode::Unwritable, folder + ": " + failure.message());
   return {{folder + "/report.json", write_json(document, 1) + "\n"},
-          {folder + "/report.csv", report_csv(report)},
+          {folder + "/report.csv", report_csv(document)},
           {folder + "/report.html", report_page(write_json(document))}};
 }
 
@@ -117,28 +99,28 @@ int run_report(const ReportArguments& options) {
                       options.inputs);
   request.effort.seed = options.global.seed;
   request.effort.stop = &interrupted();
-  StatusLine status;
-  request.effort.progress = [&](const std::string& what) { status.show(what); };
+  Progress progress;
+  request.effort.progress = [&](const std::string& what) { progress(what, 0, 0); };
   std::vector<SceneObject> scene = read_scene(options.inputs, options.scene);
   ReportData report;
   for (const SceneObject& object : scene) {
-    auto measured = measure_input({without_folder(object.name), &object.shape}, request);
+    auto measured = measure_input(without_folder(object.name), object.shape, request);
     if (const auto* reason = std::get_if<NotSolid>(&measured)) {
       return report_not_solid(options.global, object.name, of_typed_rows(*reason, object.rows));
     }
     report.inputs.push_back(std::get<InputReport>(std::move(measured)));
   }
   measure_families(report, request);
-  status.show("");
+  progress.clear();
   const ReportOrigin origin{.version = CONVEXACT_VERSION,
                             .commit = kCommit,
                             .compiler = kCompiler,
                             .flags = kFlags,
                             .machine = this_machine()};
   const nlohmann::ordered_json document = report_json(report, request, origin);
-  write_together(
-      files_of(options.folder, document, report),
-      options.global.json ? write_json(document, 2) + "\n" : summary_of(report, options.folder));
+  write_together(files_of(options.folder, document), options.global.json
+                                                         ? write_json(document, 2) + "\n"
+                                                         : summary_of(report, options.folder));
   return 0;
 }
 
@@ -167,10 +149,7 @@ void add_report_command(CLI::App& program, int& exit_code) {
           "family of shapes for the section stability; default: every one that can be swept")
       ->check(CLI::IsMember(breakdown_families()));
   add_scene_options(command, options->scene);
-  add_global_options(command, options->global);
-  command.callback([options, &exit_code] {
-    exit_code = run_guarded(options->global, [&] { return run_report(*options); });
-  });
+  finish_command(command, options, exit_code, run_report);
 }
 
 }  // namespace convexact::cli

@@ -7,11 +7,11 @@
 #include <optional>
 #include <utility>
 
-#include "cli/claim_list.hpp"
 #include "cli/command.hpp"
 #include "cli/outputs.hpp"
 #include "cli/program_case.hpp"
 #include "cli/progress.hpp"
+#include "cli/promise_options.hpp"
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
 #include "convexact/linear_program.hpp"
@@ -268,10 +268,7 @@ void add_shrink_command(CLI::App& program, int& exit_code) {
   add_seconds(command, "--time-limit", options->program.limits.seconds, "time for each run");
   add_bytes(command, "--memory-limit", options->program.limits.memory,
             "address space for each run, e.g. 2GB; no limit by default");
-  add_global_options(command, options->global);
-  command.callback([options, &exit_code] {
-    exit_code = run_guarded(options->global, [&] { return run_shrink(*options); });
-  });
+  finish_command(command, options, exit_code, run_shrink);
 }
 
 }  // namespace convexact::cli

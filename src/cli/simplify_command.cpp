@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: MIT
 // convexact simplify: the main job.
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <memory>
 
-#include "cli/command.hpp"
 #include "cli/outputs.hpp"
-#include "cli/progress.hpp"
-#include "cli/quantity_option.hpp"
 #include "convexact/scene.hpp"
 #include "io/json.hpp"
 #include "scene/result_json.hpp"
-#include "scene/stage_log.hpp"
-#include "scene/summary.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -41,19 +33,6 @@ struct SimplifyArguments {
   bool exact_values = false;
 };
 
-// "5%" or "0.05".
-Rational parse_growth(std::string text) {
-  const bool percent = !text.empty() && text.back() == '%';
-  if (percent) text.pop_back();
-  try {
-    const Rational growth = parse_rational(text);
-    return percent ? Rational(growth / 100) : growth;
-  } catch (const Error&) {
-    throw Error(ErrorCode::InvalidArgument,
-                "--max-growth: expected a share such as 5% or 0.05, found '" + text + "'");
-  }
-}
-
 // "chebyshev" or "X,Y,Z".
 std::optional<RationalPoint> parse_center(const std::string& text) {
   if (text == "chebyshev") return std::nullopt;
@@ -72,7 +51,8 @@ std::optional<RationalPoint> parse_center(const std::string& text) {
 SimplifyRequest request_of(const SimplifyArguments& options) {
   SimplifyRequest request;
   if (options.faces != 0) request.faces = options.faces;
-  if (!options.max_growth.empty()) request.max_growth = parse_growth(options.max_growth);
+  if (!options.max_growth.empty())
+    request.max_growth = parse_share("--max-growth", options.max_growth);
   request.engine = options.engine;
   request.trace = !options.output.trace.empty();
   request.record = !options.output.proof.empty();
@@ -84,82 +64,34 @@ SimplifyRequest request_of(const SimplifyArguments& options) {
   return request;
 }
 
-struct SimplifiedObject {
-  SceneObject source;
-  SimplifyResult result;
-};
-
-nlohmann::ordered_json document_of(const std::vector<SimplifiedObject>& objects,
-                                   const StageLog& log) {
-  if (objects.size() == 1) {
-    nlohmann::ordered_json document = result_json(objects[0].result);
-    document["stages"] = stages_json(log.stages());
-    return document;
+std::string answer_of(const std::vector<FoundObject<SimplifyResult>>& objects,
+                      const std::vector<Stage>& stages, const SimplifyArguments& options) {
+  if (options.global.json) {
+    nlohmann::ordered_json document =
+        objects.size() == 1
+            ? result_json(objects[0].result)
+            : nlohmann::ordered_json{{"objects", objects_json(objects, result_json)}};
+    document["stages"] = stages_json(stages);
+    return write_json(document, 2) + "\n";
   }
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const SimplifiedObject& object : objects) {
-    nlohmann::ordered_json entry = {{"name", object.source.name}};
-    entry.update(result_json(object.result));
-    entry["stages"] = stages_json(object.result.stages);
-    list.push_back(entry);
-  }
-  return {{"objects", list}, {"stages", stages_json(log.stages())}};
-}
-
-std::string summary_of(const std::vector<SimplifiedObject>& objects, const StageLog& log,
-                       const OutputOptions& output, bool lists_stages) {
   std::string text;
-  for (const SimplifiedObject& object : objects) {
-    text += object.source.name + "\n" + summary(object.result);
-  }
-  for (const std::string& path : output.all_paths())
-    text += fmt::format("  written     {}\n", path);
-  if (output.all_paths().empty()) {
+  for (const auto& [source, result] : objects) text += source.name + "\n" + summary(result);
+  text += written_lines(options.output);
+  if (options.output.all_paths().empty()) {
     text += "  written     nothing; -o proxy.obj keeps the solid, --picture proxy.html shows it\n";
   }
-  return text + stage_text(log.stages(), lists_stages);
-}
-
-OutputFiles files_of(const std::vector<SimplifiedObject>& objects, const OutputOptions& options) {
-  std::vector<OutputObject> outputs;
-  for (const SimplifiedObject& object : objects) {
-    outputs.push_back({object.source, object.result.solid,
-                       object.result.run ? &*object.result.run : nullptr,
-                       object.result.start ? &*object.result.start : nullptr});
-  }
-  return output_files(outputs, options);
+  return text + stage_text(stages, options.global.stages);
 }
 
 int run_simplify(const SimplifyArguments& options) {
-  Progress progress;
-  StageLog log(progress.watch());
   SimplifyRequest request = request_of(options);
-  options.output.require_sensible();
-  require_other_files(options.output.all_paths(), options.inputs);
-  std::vector<SceneObject> scene =
-      log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
-  options.output.require_room_for(scene.size());
-  request.watch = progress.watch();
-  std::vector<SimplifiedObject> objects;
-  for (SceneObject& source : scene) {
-    SimplifyOutcome outcome = simplify(source.shape, request);
-    if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
-      progress.clear();
-      return report_not_solid(options.global, source.name, of_typed_rows(*reason, source.rows));
-    }
-    auto& result = std::get<SimplifyResult>(outcome);
-    log.add(result.stages);
-    to_typed_rows(result.redundant, source.rows);
-    objects.push_back({std::move(source), std::move(result)});
-  }
-  const OutputFiles files =
-      log.run("write", StageKind::Io, [&] { return files_of(objects, options.output); });
-  progress.clear();
-  const std::string text = options.global.json
-                               ? write_json(document_of(objects, log), 2) + "\n"
-                               : summary_of(objects, log, options.output, options.global.stages);
-  write_together(files, text);
-  return 0;
+  return run_on_inputs<SimplifyResult>(
+      options,
+      [&](const Shape& shape, const StageWatch& watch) {
+        request.watch = watch;
+        return simplify(shape, request);
+      },
+      [&](const auto& objects, const auto& stages) { return answer_of(objects, stages, options); });
 }
 
 }  // namespace
@@ -192,11 +124,8 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   command.add_flag("--exact-values", options->exact_values,
                    "with --json: volumes as fractions too");
-  add_global_options(command, options->global);
+  finish_command(command, options, exit_code, run_simplify);
   add_stages_option(command, options->global);
-  command.callback([options, &exit_code] {
-    exit_code = run_guarded(options->global, [&] { return run_simplify(*options); });
-  });
 }
 
 }  // namespace convexact::cli

@@ -6,12 +6,10 @@
 #include <memory>
 
 #include "cli/command.hpp"
-#include "cli/engine_list.hpp"
 #include "cli/progress.hpp"
-#include "cli/quantity_option.hpp"
-#include "cli/shipped_files.hpp"
 #include "convexact/io.hpp"
 #include "convexact/mesh.hpp"
+#include "scene/result_json.hpp"
 #include "stress/stress.hpp"
 #include "stress/stress_report.hpp"
 
@@ -55,8 +53,7 @@ StressFamily family_of_mesh(const std::string& path) {
 }
 
 StressFamily shipped_mesh(const std::string& name) {
-  const auto path = find_shipped(fs::path("data") / (name + ".obj"),
-                                 [](const fs::path& place) { return fs::exists(place); });
+  const auto path = find_shipped(fs::path("data") / (name + ".obj"));
   if (!path) throw Error(ErrorCode::Unreadable, "the shipped meshes were not found");
   return family_of_mesh(*path);
 }
@@ -100,21 +97,22 @@ void print_list(const StressArguments& options) {
 std::vector<StressInput> all_inputs(const StressArguments& options) {
   std::vector<StressInput> inputs;
   for (const StressFamily& family : chosen_families(options)) {
-    std::vector<StressInput> more = inputs_of(family, options.sweep);
+    SweepOptions sweep = options.sweep;
+    sweep.seed = options.global.seed;
+    std::vector<StressInput> more = inputs_of(family, sweep);
     std::move(more.begin(), more.end(), std::back_inserter(inputs));
   }
   return inputs;
 }
 
-int run_stress(StressArguments options) {
-  options.sweep.seed = options.global.seed;
+int run_stress(const StressArguments& options) {
   if (options.list) {
     print_list(options);
     return 0;
   }
   Progress progress;
   StressRequest request;
-  request.engines = parse_engines(options.engines, "--engines");
+  request.engines = parse_words("--engines", options.engines, kEngineNames);
   request.limits = options.limits;
   request.processes = options.jobs;
   request.stop = &interrupted();
@@ -168,11 +166,8 @@ void add_stress_command(CLI::App& program, int& exit_code) {
   command.footer(kStressFooter);
   add_sweep_options(command, *options);
   add_run_options(command, *options);
-  add_global_options(command, options->global);
+  finish_command(command, options, exit_code, run_stress);
   command.get_option("--seed")->description("the first seed of shapes and random orders");
-  command.callback([options, &exit_code] {
-    exit_code = run_guarded(options->global, [&] { return run_stress(*options); });
-  });
 }
 
 }  // namespace convexact::cli

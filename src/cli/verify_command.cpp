@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
 // convexact verify: the oracle.
+#include <csignal>
+#include <iostream>
 #include <memory>
 #include <optional>
 
-#include "cli/claim_list.hpp"
 #include "cli/command.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/promise_options.hpp"
-#include "cli/verify_stdio.hpp"
 #include "cli/verify_trace.hpp"
 #include "convexact/error.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/verify.hpp"
+#include "oracle/stdio_request.hpp"
 #include "oracle/verdict_report.hpp"
 #include "scene/result_json.hpp"
 #include "scene/stage_log.hpp"
-#include "scene/summary.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -120,6 +120,22 @@ int run_verify_candidate(const VerifyArguments& options) {
   return verdict.holds() ? 0 : 1;
 }
 
+// Answers each line of standard input with a line on standard output, at once, until the end of the
+// input; blank lines have no answer. Verdicts and errors are in the answers, so the exit code is 0.
+// A verdict that takes longer than the limit, in seconds, is an error.
+int run_verify_stdio(std::optional<double> time_limit) {
+  // The process mostly waits for a line, and it writes no files that could remain half-written.
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+  std::ios::sync_with_stdio(false);
+  std::cin.exceptions(std::ios::badbit);  // a line that no memory holds is not the end of the input
+  for (std::string line; std::getline(std::cin, line);) {
+    const bool is_blank = line.find_first_not_of(" \t\r") == std::string::npos;
+    if (!is_blank) print(answer_request(line, time_limit) + "\n");
+  }
+  return 0;
+}
+
 int run_verify(const VerifyArguments& options) {
   const bool has_input = !options.input.empty(), has_candidate = !options.candidate.empty(),
              has_trace = !options.trace.trace.empty();
@@ -158,9 +174,7 @@ void add_verify_command(CLI::App& program, int& exit_code) {
                    "let --max-facets merge exactly coplanar faces only");
   command.add_flag("--no-tightness", options->no_tightness,
                    "do not measure volume, area, mean width and distance");
-  add_choice<Decimal>(command, "--decimal", options->decimal,
-                      {{"nearest", Decimal::Nearest}, {"exact", Decimal::Exact}},
-                      "decimals in text mean the nearest double, or the number they spell");
+  add_decimal_option(command, options->decimal);
   add_trace_options(command, options->trace);
   command.add_flag("--stdio", options->stdio,
                    "answer requests on standard input, one JSON object per line, with one verdict "
@@ -171,11 +185,8 @@ void add_verify_command(CLI::App& program, int& exit_code) {
              options->time_limit = parse_seconds(name, text);
            })
       ->type_name("SECONDS");
-  add_global_options(command, options->global);
+  finish_command(command, options, exit_code, run_verify);
   add_stages_option(command, options->global);
-  command.callback([options, &exit_code] {
-    exit_code = run_guarded(options->global, [&] { return run_verify(*options); });
-  });
 }
 
 }  // namespace convexact::cli

@@ -2,7 +2,6 @@
 #include "cli/verify_trace.hpp"
 
 #include "cli/progress.hpp"
-#include "cli/quantity_option.hpp"
 #include "convexact/io.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/verify_run.hpp"
@@ -10,32 +9,16 @@
 #include "oracle/trace_verdict.hpp"
 #include "scene/result_json.hpp"
 #include "scene/solid.hpp"
-#include "scene/summary.hpp"
 
 namespace convexact::cli {
 namespace {
-
-// "5%", "0.05" or "1/20".
-Rational parse_regret(std::string text) {
-  const std::string spelled = text;
-  const bool percent = !text.empty() && text.back() == '%';
-  if (percent) text.pop_back();
-  try {
-    const Rational regret = parse_rational(text);
-    if (regret >= 0) return percent ? Rational(regret / 100) : regret;
-  } catch (const Error&) {  // told below
-  }
-  throw Error(ErrorCode::InvalidArgument,
-              "--max-regret: expected a share such as 5% or 0.05, found '" + spelled + "'");
-}
 
 // "1217,33".
 std::vector<HalfspaceId> parse_ids(const std::string& option, const std::string& text) {
   constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
   std::vector<HalfspaceId> ids;
-  for (std::size_t first = 0, comma = 0; comma != text.npos; first = comma + 1) {
-    comma = text.find(',', first);
-    ids.emplace_back(parse_count(option, text.substr(first, comma - first), {0, kMost}));
+  for (const std::string& word : words_of(text)) {
+    ids.emplace_back(parse_count(option, word, {0, kMost}));
   }
   return ids;
 }
@@ -114,7 +97,7 @@ void add_trace_options(CLI::App& command, TraceOptions& options) {
 int run_verify_trace(const GlobalOptions& global, const std::string& input, Decimal decimal,
                      const TraceOptions& options) {
   JudgeOptions judge_options;
-  judge_options.max_regret = parse_regret(options.max_regret);
+  judge_options.max_regret = parse_share("--max-regret", options.max_regret);
   judge_options.left_out = options.left_out;
   if (decimal == Decimal::Nearest32) judge_options.unit = 0x1p-24;
   judge_options.stop = &interrupted();

@@ -11,7 +11,7 @@
 #include "io/json.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
-#include "scene/summary.hpp"
+#include "scene/result_json.hpp"
 
 namespace convexact {
 namespace {

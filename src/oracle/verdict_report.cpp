@@ -11,7 +11,6 @@
 #include "number/precision.hpp"
 #include "number/text.hpp"
 #include "scene/result_json.hpp"
-#include "scene/summary.hpp"
 
 namespace convexact {
 namespace {

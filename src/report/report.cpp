@@ -34,21 +34,19 @@ std::string entry_of(const char* file, const std::string& name) {
 
 }  // namespace
 
-std::variant<InputReport, NotSolid> measure_input(const NamedShape& input,
+std::variant<InputReport, NotSolid> measure_input(const std::string& name, const Shape& shape,
                                                   const ReportRequest& request) {
   require_sensible(request);
   Effort effort = request.effort;
   if (effort.progress) {
-    effort.progress = [&](const std::string& what) {
-      request.effort.progress(input.name + ": " + what);
-    };
+    effort.progress = [&](const std::string& what) { request.effort.progress(name + ": " + what); };
   }
   StageLog log;
-  const SolidOutcome outcome = make_solid(*input.shape, effort.seed, true, log);
+  const SolidOutcome outcome = make_solid(shape, effort.seed, true, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   const auto& solid = std::get<Solid>(outcome);
   InputReport report;
-  report.name = input.name;
+  report.name = name;
   report.points = solid.input_points;
   report.hull_vertices = solid.extreme.size();
   report.halfspaces = solid.dual.halfspaces.size();
@@ -59,9 +57,9 @@ std::variant<InputReport, NotSolid> measure_input(const NamedShape& input,
     report.tightness = measure_tightness_curve(solid, request.faces, effort);
   }
   if (request.sections.stages) {
-    report.stages = measure_stage_times(*input.shape, request.faces, effort);
+    report.stages = measure_stage_times(shape, request.faces, effort);
   }
-  const auto* points = std::get_if<PointSet>(input.shape);
+  const auto* points = std::get_if<PointSet>(&shape);
   if (request.sections.scaling && points != nullptr) {
     report.scaling = measure_scaling(nested_subsets(*points, kLeastPoints, effort.seed), effort);
   }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -46,13 +47,9 @@ struct ReportData {
   std::vector<Breakdown> stability;
 };
 
-struct NamedShape {
-  std::string name;
-  const Shape* shape;
-};
-
 /// Measures one input. @throws Error InvalidArgument for an invalid request; Stopped.
-[[nodiscard]] std::variant<InputReport, NotSolid> measure_input(const NamedShape& input,
+[[nodiscard]] std::variant<InputReport, NotSolid> measure_input(const std::string& name,
+                                                                const Shape& shape,
                                                                 const ReportRequest& request);
 /// The measurements that do not depend on the inputs: spheres and stability.
 void measure_families(ReportData& report, const ReportRequest& request);
@@ -82,8 +79,13 @@ struct ReportOrigin {
                                                  const ReportRequest& request,
                                                  const ReportOrigin& origin);
 
-/// Every number of report_json() in a row of its own: section, subject, parameter, way, quantity,
+/// Every number of a report_json() in a row of its own: section, subject, parameter, way, quantity,
 /// value, unit. With a heading; a value that is not known is empty. RFC 4180.
-[[nodiscard]] std::string report_csv(const ReportData& report);
+[[nodiscard]] std::string report_csv(const nlohmann::ordered_json& report);
+
+/// A self-contained HTML page: no network, no further file. Its script draws the plots and writes
+/// the tables from the data that it carries, so the page shows what the JSON says.
+/// @param json  As write_json() prints it, UTF-8.
+[[nodiscard]] std::string report_page(std::string_view json);
 
 }  // namespace convexact

@@ -55,13 +55,6 @@ struct WorkPrecision {
   std::vector<WayResult> ways;
 };
 
-/// Ways of the float loop that a report shows, from few bits to many.
-struct LoopWay {
-  const char* name;
-  Numbers numbers;
-};
-[[nodiscard]] const std::vector<LoopWay>& loop_ways();
-
 /// Runs the engines and the loops on one dual hull, down to `faces` halfspaces.
 /// @param ways  Names of ways; empty: all of them.
 [[nodiscard]] WorkPrecision measure_work_precision(const Solid& solid, std::size_t faces,

@@ -23,22 +23,6 @@ Measured measure(const Compute& compute, int digits) {
   return {*bounds, std::nullopt};
 }
 
-// The solid without its dual, which only removals need, where the input is points.
-SolidOutcome solid_to_measure(const Shape& shape, std::uint64_t seed, StageLog& log) {
-  const auto* points = std::get_if<PointSet>(&shape);
-  if (points == nullptr) return make_solid(shape, seed, true, log);
-  auto outcome = make_hull(*points, seed, true, log);
-  if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
-  const auto& hull = std::get<Hull>(outcome);
-  log.skip("dual", "only removals need it");
-  Solid solid;
-  solid.polytope = log.run("polytope", [&] { return to_polytope(hull, *points); });
-  solid.points = *points;
-  solid.extreme = hull.vertices;
-  solid.input_points = points->size();
-  return solid;
-}
-
 // Each measure that is asked for, as a stage of its own.
 void add_measures(HullResult& result, const HullRequest& request, StageLog& log) {
   const Polytope& hull = result.solid.exact;
@@ -75,7 +59,7 @@ HullReport measure_hull(const Shape& shape, const HullRequest& request) {
     throw Error(ErrorCode::InvalidArgument, "digits: expected 1 to " + std::to_string(kMostDigits));
   }
   StageLog log(request.watch);
-  SolidOutcome outcome = solid_to_measure(shape, request.seed, log);
+  SolidOutcome outcome = make_solid(shape, request.seed, true, log, false);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   auto& made = std::get<Solid>(outcome);
   const BoundingBox box = bounding_box(made.polytope.vertices);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "scene/proof.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/linear_program.hpp"
+#include "scene/result_json.hpp"
 #include "simplify/cap.hpp"
 
 namespace convexact {

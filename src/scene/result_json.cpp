@@ -45,30 +45,22 @@ Json stored_json(const Stored& solid) {
   return stored_json("planes in integers", Growth{}, 0);
 }
 
-Json planes_json(const std::vector<Halfspace>& halfspaces) {
-  Json planes = Json::array();
-  for (const Halfspace& plane : halfspaces) planes.push_back(plane_json(plane));
-  return planes;
-}
-
 Json input_json(std::size_t points, std::size_t vertices, std::size_t halfspaces,
                 const std::vector<std::size_t>& redundant) {
   Json input = {{"points", points}, {"hull_vertices", vertices}, {"halfspaces", halfspaces}};
   if (points > 0) return input;
-  input["redundant"] = Json::array();
-  for (const std::size_t row : redundant) input["redundant"].push_back(row);
+  input["redundant"] = redundant;
   return input;
 }
 
 struct ProofJson {
   Json operator()(const FlatInput& flat) const {
-    Json basis = Json::array(), equations = Json::array();
+    Json basis = Json::array();
     for (const PointId id : flat.basis) basis.push_back(id.index());
-    for (const Halfspace& plane : flat.equations) equations.push_back(plane_json(plane));
     return {{"kind", "flat-points"},
             {"dimension", flat.dimension},
             {"basis", basis},
-            {"equations", equations}};
+            {"equations", flat.equations}};
   }
   Json operator()(const EmptyProof& proof) const {
     return {{"kind", "empty"}, {"farkas", multipliers_json(proof.farkas)}};
@@ -122,7 +114,7 @@ Json result_json(const SimplifyResult& result) {
   json["output"] = {{"halfspaces", result.solid.exact.planes.size()},
                     {"reached", result.stop != StopReason::AllUnbounded},
                     {"stop", stop_json(result)},
-                    {"planes", planes_json(result.solid.exact.planes)},
+                    {"planes", result.solid.exact.planes},
                     {"stored", stored_json(result.solid)}};
   // An upper bound, so that it never reads as less than 1.
   const Enclosure ratio = result.output_volume.bounds / result.input_volume.bounds;
@@ -139,9 +131,8 @@ Json result_json(const SimplifyResult& result) {
 
 Json hull_json(const HullResult& result, int digits) {
   const Polytope& hull = result.solid.exact;
-  Json vertices = Json::array(), facets = Json::array();
+  Json vertices = Json::array();
   for (const RationalPoint& vertex : hull.vertices) vertices.push_back(vector_json(vertex));
-  for (const auto& facet : hull.facets) facets.push_back(facet);
   Json json = {
       {"input",
        input_json(result.input_points, hull.vertices.size(), hull.planes.size(), result.redundant)},
@@ -151,9 +142,9 @@ Json hull_json(const HullResult& result, int digits) {
   if (result.volume) json["volume"] = measured_json(*result.volume, digits);
   if (result.area) json["area"] = measured_json(*result.area, digits);
   if (result.mean_width) json["mean_width"] = measured_json(*result.mean_width, digits);
-  json["planes"] = planes_json(hull.planes);
+  json["planes"] = hull.planes;
   json["vertices"] = vertices;
-  json["facets"] = facets;
+  json["facets"] = hull.facets;
   json["stored"] = stored_json(result.solid);
   return json;
 }

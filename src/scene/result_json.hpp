@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
-// result_json.hpp - what a run found, for machines: docs/schema/result.schema.json.
+// result_json.hpp - what a run found: for machines (docs/schema/result.schema.json), for people,
+// and for convexact-check.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "convexact/simplify.hpp"
+#include "convexact/stored.hpp"
 #include "io/names.hpp"
 
 namespace convexact {
@@ -26,5 +31,23 @@ inline constexpr auto kPrecisionNames =
 
 /// The proof that an input is no solid: its kind, and the numbers that a reader needs to check it.
 [[nodiscard]] nlohmann::ordered_json proof_json(const NotSolid& reason);
+
+/// A few lines: what was found, how tight it is, what was verified, how far it was pushed.
+[[nodiscard]] std::string summary(const SimplifyResult& result);
+/// Counts, box, and each measure with `digits` certain digits.
+[[nodiscard]] std::string summary(const HullResult& result, int digits);
+
+/// One line: the time of all stages, the longest of them, and how many were not needed. Or a table
+/// of all stages, those that were not needed with their reasons.
+[[nodiscard]] std::string stage_text(const std::vector<Stage>& stages, bool list_all);
+
+/// Writes the proof of a run; docs/proof-format.md has the format and why it proves what it does.
+/// The exact cost of every evaluation is computed here, by the exact engine's caps.
+/// @param points  That the run had to hold, in the order of the ids in `start`.
+/// @param stored  The result as it is stored; none where it is stored as exact integers.
+/// @throws Error  Internal if the run has no proof: then the run was wrong.
+/// @par Cost      An exact cap for each evaluation.
+[[nodiscard]] std::string write_proof(const RunStart& start, const Run& run, const PointSet& points,
+                                      const std::optional<StoredPlanes>& stored);
 
 }  // namespace convexact

@@ -16,13 +16,17 @@ void require(bool proven, const char* claim) {
   if (!proven) throw Error(ErrorCode::Internal, std::string("the certificate fails: ") + claim);
 }
 
-SolidOutcome solid_of_points(const PointSet& points, std::uint64_t seed, bool check,
-                             StageLog& log) {
+SolidOutcome solid_of_points(const PointSet& points, std::uint64_t seed, bool check, StageLog& log,
+                             bool wants_dual) {
   auto outcome = make_hull(points, seed, check, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   auto& hull = std::get<Hull>(outcome);
   Solid solid;
-  solid.dual = log.run("dual", [&] { return dual_of(hull, points); });
+  if (wants_dual) {
+    solid.dual = log.run("dual", [&] { return dual_of(hull, points); });
+  } else {
+    log.skip("dual", "only removals need it");
+  }
   solid.polytope = log.run("polytope", [&] { return to_polytope(hull, points); });
   solid.points = points;
   solid.extreme = hull.vertices;
@@ -114,9 +118,10 @@ std::variant<Polytope, NotSolid> make_polytope(std::span<const Halfspace> halfsp
   return std::get<Solid>(std::move(outcome)).polytope;
 }
 
-SolidOutcome make_solid(const Shape& shape, std::uint64_t seed, bool check, StageLog& log) {
+SolidOutcome make_solid(const Shape& shape, std::uint64_t seed, bool check, StageLog& log,
+                        bool wants_dual) {
   if (const auto* points = std::get_if<PointSet>(&shape)) {
-    return solid_of_points(*points, seed, check, log);
+    return solid_of_points(*points, seed, check, log, wants_dual);
   }
   return solid_of_halfspaces(std::get<std::vector<Halfspace>>(shape), seed, log);
 }
@@ -134,6 +139,25 @@ RationalPoint interior_point_of(const Solid& solid) {
   const auto center = short_dyadic_interior_point(solid.dual.halfspaces, mean);
   if (!center) throw Error(ErrorCode::Internal, "the mean of the vertices is not inside");
   return *center;
+}
+
+Stored store(Polytope exact, const PointSet& points, std::span<const PointId> extreme,
+             const StoreRequest& request, StageLog& log) {
+  Stored solid{std::move(exact), points, {}, {}};
+  if (request.planes) {
+    solid.planes = log.run("store planes", [&] {
+      return store_planes(solid.exact, points, extreme, *request.planes);
+    });
+  } else {
+    log.skip("store planes", "exact integers need no rounding");
+  }
+  if (request.mesh) {
+    solid.mesh = log.run("store mesh",
+                         [&] { return store_mesh(solid.exact, points, extreme, *request.mesh); });
+  } else {
+    log.skip("store mesh", "no mesh was requested");
+  }
+  return solid;
 }
 
 }  // namespace convexact

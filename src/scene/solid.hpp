@@ -40,10 +40,11 @@ using SolidOutcome = std::variant<Solid, NotSolid>;
                                                              std::uint64_t seed, StageLog& log);
 
 /// Runs the stages that the shape needs and notes in `log` those that it does not.
-/// @param check  Whether the certificates of the stages are checked, each a stage of its own.
+/// @param check       Whether the certificates of the stages are checked, each a stage of its own.
+/// @param wants_dual  Without it, the solid of points has no dual: only removals need it.
 /// @throws Error Internal if a certificate fails.
 [[nodiscard]] SolidOutcome make_solid(const Shape& shape, std::uint64_t seed, bool check,
-                                      StageLog& log);
+                                      StageLog& log, bool wants_dual = true);
 
 /// A point strictly inside for programs that need no deeper one: the one that is known, or the mean
 /// of the solid's vertices on a short grid.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "scene/summary.hpp"
 
 #include <fmt/format.h>
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "convexact/simplify.hpp"
-#include "scene/proof.hpp"
+#include "scene/result_json.hpp"
 
 /// The proof of a run on a solid shape, with planes in a format if one is given.
 inline std::string proof_of(const convexact::Shape& shape, convexact::Engine engine,

@@ -12,7 +12,6 @@
 #include "convexact/number.hpp"
 #include "convexact/shapes.hpp"
 #include "json_schema.hpp"
-#include "report/report_page.hpp"
 #include "scene/solid.hpp"
 #include "shapes/makers.hpp"
 
@@ -199,7 +198,7 @@ TEST_CASE("report: the files conform, and the page carries the JSON") {
   const Shape shape = PointSet(shapes::in_ball(24, 1));
   ReportData report;
   report.inputs.push_back(
-      std::get<InputReport>(measure_input({"a </script>, \"b\".obj", &shape}, request)));
+      std::get<InputReport>(measure_input("a </script>, \"b\".obj", shape, request)));
   measure_families(report, request);
   const nlohmann::ordered_json json = report_json(report, request,
                                                   {.version = "convexact",
@@ -212,7 +211,7 @@ TEST_CASE("report: the files conform, and the page carries the JSON") {
         "convexact report 'a </script>, \"b\".obj' --sections precision --faces 4 "
         "--repetitions 2 --budget 20 --seed 1");
 
-  const std::string csv = report_csv(report);
+  const std::string csv = report_csv(json);
   CHECK(csv.find("precision,\"a </script>, \"\"b\"\".obj\",,mpfr-24,seconds median,") !=
         std::string::npos);
   CHECK(csv.find("stability,needle,aspect 100,") != std::string::npos);

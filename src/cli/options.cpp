@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "cli/quantity_option.hpp"
+#include "cli/options.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-
-#include "convexact/error.hpp"
-#include "convexact/number.hpp"
-#include "number/text.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -48,25 +44,6 @@ std::optional<Integer> bytes_of_unit(std::string unit) {
   return Integer(1) << (10 * power);
 }
 
-}  // namespace
-
-std::string in_words(const CountRange& range) {
-  const bool is_endless = range.most >> 32 != 0;
-  return is_endless ? "" : fmt::format(", {} to {}", range.least, range.most);
-}
-
-std::uint64_t parse_count(const std::string& option, const std::string& text,
-                          const CountRange& range) {
-  std::uint64_t count = 0;
-  // from_chars accepts neither blanks nor octal numbers, but it accepts a minus sign.
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (!is_digits(text) || failure != std::errc() || end != text.data() + text.size() ||
-      count < range.least || count > range.most) {
-    expected(option, fmt::format("a whole number from {} to {}", range.least, range.most), text);
-  }
-  return count;
-}
-
 std::uint64_t parse_bytes(const std::string& option, const std::string& text) {
   const std::string number = text.substr(0, text.find_first_not_of("0123456789."));
   const std::optional<Integer> unit = bytes_of_unit(text.substr(number.size()));
@@ -78,6 +55,20 @@ std::uint64_t parse_bytes(const std::string& option, const std::string& text) {
     }
   }
   expected(option, "a size such as 512MB or 1.5GB, below 2^64 bytes", text);
+}
+
+}  // namespace
+
+std::uint64_t parse_count(const std::string& option, const std::string& text,
+                          const CountRange& range) {
+  std::uint64_t count = 0;
+  // from_chars accepts neither blanks nor octal numbers, but it accepts a minus sign.
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (!is_digits(text) || failure != std::errc() || end != text.data() + text.size() ||
+      count < range.least || count > range.most) {
+    expected(option, fmt::format("a whole number from {} to {}", range.least, range.most), text);
+  }
+  return count;
 }
 
 double parse_decimal(const std::string& option, const std::string& text) {
@@ -97,6 +88,21 @@ double parse_seconds(const std::string& option, const std::string& text) {
   expected(option, fmt::format("seconds, more than 0 and at most {:.0f}", kLongest), text);
 }
 
+Rational parse_share(const std::string& option, const std::string& text) {
+  const bool percent = text.ends_with('%');
+  try {
+    const Rational share = parse_rational(text.substr(0, text.size() - (percent ? 1 : 0)));
+    if (share >= 0) return percent ? Rational(share / 100) : share;
+  } catch (const Error&) {  // told below
+  }
+  expected(option, "a share such as 5% or 0.05", text);
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  // A comma at the end, since the splitter ignores an empty last word.
+  return CLI::detail::split(text + ",", ',');
+}
+
 CLI::Option* add_text(
     CLI::App& command, const std::string& names, const std::string& meaning,
     const std::function<void(const std::string& option, const std::string& text)>& take) {
@@ -113,14 +119,18 @@ CLI::Option* add_text(
       meaning);
 }
 
-CLI::Option* add_count(CLI::App& command, const std::string& names,
-                       std::optional<std::size_t>& value, const CountRange& range,
-                       const std::string& meaning) {
-  return add_text(command, names, meaning,
-                  [&value, range](const auto& name, const auto& text) {
-                    value = parse_count(name, text, range);
-                  })
-      ->type_name("COUNT");
+CLI::Option* add_count(CLI::App& command, const std::string& names, const CountRange& range,
+                       const std::string& meaning, std::optional<std::uint64_t> usual,
+                       const std::function<void(std::uint64_t)>& take) {
+  const bool is_endless = range.most >> 32 != 0;
+  const std::string limits = is_endless ? "" : fmt::format(", {} to {}", range.least, range.most);
+  CLI::Option* option = add_text(
+      command, names, meaning + limits,
+      [take, range](const auto& name, const auto& text) { take(parse_count(name, text, range)); });
+  if (usual && *usual >= range.least && *usual <= range.most) {
+    option->default_str(std::to_string(*usual));
+  }
+  return option->type_name("COUNT");
 }
 
 CLI::Option* add_bytes(CLI::App& command, const std::string& names, std::uint64_t& value,

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
+// A report as JSON, as rows of numbers and as a page.
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <span>
 
+#include "io/json.hpp"
+#include "report/page_parts.hpp"
 #include "report/report.hpp"
 #include "simplify/trace_json.hpp"
 
@@ -191,6 +194,112 @@ Json breakdown_json(const Breakdown& family, const Commands& commands) {
                 {commands.family(family.family), Commands::shape(family)});
 }
 
+// --- numbers as rows ----------------------------------------------------------------------------
+
+// A number of the JSON as a quantity of a row.
+struct Quantity {
+  const char* pointer;
+  const char* name;
+  const char* unit;
+};
+
+constexpr Quantity kSeconds[] = {{"/seconds/least", "seconds least", "s"},
+                                 {"/seconds/median", "seconds median", "s"},
+                                 {"/seconds/most", "seconds most", "s"},
+                                 {"/seconds/repetitions", "repetitions", "1"}};
+constexpr Quantity kErrors[] = {{"/left", "left", "1"},
+                                {"/stop", "stop", ""},
+                                {"/planes/value", "error of planes", "relative"},
+                                {"/cost_worst/value", "error of costs, worst", "relative"},
+                                {"/cost_median/value", "error of costs, median", "relative"},
+                                {"/volume/value", "error of volume", "relative"},
+                                {"/outside/value", "outside", "diameters"},
+                                {"/first_other", "first other step", "1"},
+                                {"/first_wrong/step", "first wrong step", "1"},
+                                {"/excess", "excess volume", "relative"}};
+constexpr Quantity kTightness[] = {{"/growth", "growth of volume", "relative"},
+                                   {"/hausdorff", "Hausdorff distance", "diameters"}};
+constexpr Quantity kLaw[] = {{"/exponent", "exponent", "1"},
+                             {"/standard_error", "standard error of the exponent", "1"}};
+
+// A field as RFC 4180 wants it.
+std::string field(const std::string& bytes) {
+  const std::string text = as_utf8(bytes);
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string escaped = "\"";
+  for (const char c : text) {
+    if (c == '"') escaped += c;
+    escaped += c;
+  }
+  return escaped + "\"";
+}
+
+std::string value_text(const Json& json, const char* pointer) {
+  const Json::json_pointer place(pointer);
+  if (!json.contains(place) || json.at(place).is_null()) return {};
+  const Json& value = json.at(place);
+  if (value.is_string()) return value.get<std::string>();
+  return value.is_number_float() ? fmt::format("{}", value.get<double>()) : value.dump();
+}
+
+// Rows of one section and subject.
+class Rows {
+ public:
+  Rows(std::string& csv, const std::string& section, const std::string& subject)
+      : csv_(csv), start_(field(section) + "," + field(subject) + ",") {}
+
+  // The quantities of one parameter and way.
+  void add(const std::string& parameter, const std::string& way, const Json& json,
+           std::span<const Quantity> quantities) {
+    const std::string key = start_ + field(parameter) + "," + field(way) + ",";
+    for (const auto& [pointer, name, unit] : quantities) {
+      csv_ += key + name + "," + field(value_text(json, pointer)) + "," + unit + "\r\n";
+    }
+  }
+  void add_ways(const std::string& parameter, const Json& precision) {
+    for (const Json& way : precision.at("ways")) {
+      add(parameter, way.at("way"), way, kSeconds);
+      if (!way.at("seconds").is_null()) add(parameter, way.at("way"), way, kErrors);
+    }
+  }
+  void add_scaling(const Json& scaling) {
+    for (const Json& series : scaling.at("series")) {
+      const std::string run = series.at("run"), counts = series.at("counts");
+      for (const Json& point : series.at("points")) {
+        add(point.at("size").dump() + " " + counts, run, point, kSeconds);
+      }
+      if (!series.at("law").is_null()) add("", run, series.at("law"), kLaw);
+    }
+  }
+
+ private:
+  std::string& csv_;
+  std::string start_;
+};
+
+void add_input_rows(std::string& csv, const Json& input) {
+  const std::string name = input.at("name");
+  if (input.contains("precision")) Rows(csv, "precision", name).add_ways("", input["precision"]);
+  if (input.contains("tightness")) {
+    Rows rows(csv, "tightness", name);
+    for (const Json& point : input["tightness"].at("points")) {
+      const std::string faces = point.at("faces").dump() + " faces";
+      rows.add(faces, "filtered", point, kTightness);
+      rows.add(faces, "filtered", point, kSeconds);
+    }
+  }
+  if (input.contains("stages")) {
+    Rows rows(csv, "stages", name);
+    for (const Json& run : input["stages"].at("runs")) {
+      rows.add("all", run.at("run"), run, kSeconds);
+      for (const Json& stage : run.at("stages")) {
+        rows.add(stage.at("name"), run.at("run"), stage, kSeconds);
+      }
+    }
+  }
+  if (input.contains("scaling")) Rows(csv, "scaling", name).add_scaling(input["scaling"]);
+}
+
 }  // namespace
 
 nlohmann::ordered_json report_json(const ReportData& report, const ReportRequest& request,
@@ -221,6 +330,29 @@ nlohmann::ordered_json report_json(const ReportData& report, const ReportRequest
   }
   if (!report.stability.empty()) json["stability"] = families;
   return json;
+}
+
+std::string report_csv(const Json& report) {
+  std::string csv = "section,subject,parameter,way,quantity,value,unit\r\n";
+  for (const Json& input : report.at("inputs")) add_input_rows(csv, input);
+  if (report.contains("spheres")) Rows(csv, "scaling", "sphere").add_scaling(report["spheres"]);
+  if (!report.contains("stability")) return csv;
+  for (const Json& family : report["stability"]) {
+    Rows rows(csv, "stability", family.at("family"));
+    for (const Json& point : family.at("points")) {
+      if (!point.contains("ways")) continue;
+      rows.add_ways(family.at("parameter").get<std::string>() + " " + value_text(point, "/value"),
+                    point);
+    }
+  }
+  return csv;
+}
+
+std::string report_page(std::string_view json) {
+  return fill_page(kReportPage, {{"STYLE", kReportStyle},
+                                 {"DATA", for_script_element(json)},
+                                 {"LIBRARY", kChartLibrary},
+                                 {"SCRIPT", kReportScript}});
 }
 
 }  // namespace convexact

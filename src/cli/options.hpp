@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// options.hpp - options of the command line: words, lists, numbers, sizes and seconds, read
+// strictly.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "convexact/error.hpp"
+#include "convexact/number.hpp"
+#include "io/names.hpp"
+#include "number/text.hpp"
+
+namespace convexact::cli {
+
+/// Inclusive.
+struct CountRange {
+  std::uint64_t least = 0;
+  std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+};
+
+/// A whole number as the command line spells it: decimal digits and nothing else, so `010` is ten.
+/// @param option  Its name, for the message.
+/// @throws Error InvalidArgument for a sign, a blank, a fraction, an exponent, and a number outside
+///               of the range, however long.
+[[nodiscard]] std::uint64_t parse_count(const std::string& option, const std::string& text,
+                                        const CountRange& range);
+
+/// Seconds: a decimal, more than 0 and at most a million. @throws Error InvalidArgument.
+[[nodiscard]] double parse_seconds(const std::string& option, const std::string& text);
+
+/// A decimal as nearest_double() reads it. @throws Error InvalidArgument.
+[[nodiscard]] double parse_decimal(const std::string& option, const std::string& text);
+
+/// A share, 0 or more: "5%", "0.05" or "1/20". @throws Error InvalidArgument.
+[[nodiscard]] Rational parse_share(const std::string& option, const std::string& text);
+
+/// The words between commas; an empty last one counts, too, so that "1," is no list of numbers.
+[[nodiscard]] std::vector<std::string> words_of(const std::string& text);
+
+/// The values of words such as "exact,float"; a comma may follow the last one.
+/// @param others  What else the option takes, for the message.
+/// @throws Error InvalidArgument, listing the words, for any other word, also an empty one.
+template <class Value, std::size_t N>
+[[nodiscard]] std::vector<Value> parse_words(const std::string& option, const std::string& text,
+                                             const NameTable<Value, N>& table,
+                                             const std::string& others = {}) {
+  std::vector<Value> values;
+  for (const std::string& word : CLI::detail::split(text, ',')) {
+    const std::optional<Value> value = value_in(table, word);
+    if (!value) {
+      std::string names;
+      for (const auto& [each, name] : table)
+        names += (names.empty() ? "" : ",") + std::string(name);
+      throw Error(ErrorCode::InvalidArgument, option + ": expected names out of " + names + others +
+                                                  ", found " + in_quotes(word));
+    }
+    values.push_back(*value);
+  }
+  return values;
+}
+
+/// An option whose text goes to `take`, with the option's name. An Error of `take` is wrong usage.
+CLI::Option* add_text(
+    CLI::App& command, const std::string& names, const std::string& meaning,
+    const std::function<void(const std::string& option, const std::string& text)>& take);
+
+/// An option that takes a count. The help shows the range unless its end is arbitrary, and the
+/// default unless there is none or it lies outside of the range, like a 0 that stands for "not
+/// given".
+CLI::Option* add_count(CLI::App& command, const std::string& names, const CountRange& range,
+                       const std::string& meaning, std::optional<std::uint64_t> usual,
+                       const std::function<void(std::uint64_t)>& take);
+
+/// `Number` holds every number of the range.
+template <class Number>
+CLI::Option* add_count(CLI::App& command, const std::string& names, Number& value,
+                       const CountRange& range, const std::string& meaning) {
+  return add_count(command, names, range, meaning, static_cast<std::uint64_t>(value),
+                   [&value](std::uint64_t count) { value = static_cast<Number>(count); });
+}
+
+inline CLI::Option* add_count(CLI::App& command, const std::string& names,
+                              std::optional<std::size_t>& value, const CountRange& range,
+                              const std::string& meaning) {
+  return add_count(command, names, range, meaning, std::nullopt,
+                   [&value](std::uint64_t count) { value = count; });
+}
+
+/// How many halfspaces to keep: 4 to 2^32.
+template <class Number>
+CLI::Option* add_faces(CLI::App& command, Number& value, const std::string& meaning) {
+  return add_count(command, "-k,--faces", value, {4, std::uint64_t(1) << 32}, meaning);
+}
+
+/// An option that takes a size in bytes; 0 for no limit. A size is digits, with a fraction if
+/// wanted, then nothing, B, KB, MB, GB or TB (powers of 1024; KiB or K mean the same), in either
+/// case. A fraction of a byte is dropped; anything else, and 2^64 and more, is wrong usage.
+CLI::Option* add_bytes(CLI::App& command, const std::string& names, std::uint64_t& value,
+                       const std::string& meaning);
+
+/// An option that takes seconds; the default is shown.
+CLI::Option* add_seconds(CLI::App& command, const std::string& names, double& value,
+                         const std::string& meaning);
+
+/// An option that takes one of a few words, in upper or lower case; the help shows them and the
+/// default, if there is one. @param value  A `Value`, or an optional one.
+template <class Value, class Target>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, Target& value,
+                        const std::map<std::string, Value>& words, const std::string& meaning) {
+  std::string list, marked;
+  for (const auto& [word, meant] : words) {
+    list += (list.empty() ? "" : ", ") + word;
+    marked += (marked.empty() ? "" : "|") + word + (value == meant ? "*" : "");
+  }
+  const std::string note = marked.find('*') == marked.npos ? "" : " (* is the default)";
+  return add_text(command, name, meaning + note,
+                  [&value, words, list](const auto& option, const auto& text) {
+                    const auto found = words.find(CLI::detail::to_lower(text));
+                    if (found == words.end()) {
+                      throw Error(ErrorCode::InvalidArgument, option + ": expected one of " + list +
+                                                                  ", found " + in_quotes(text));
+                    }
+                    value = found->second;
+                  })
+      ->type_name(marked);
+}
+
+template <class Value, std::size_t N, class Target>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, Target& value,
+                        const NameTable<Value, N>& table, const std::string& meaning) {
+  std::map<std::string, Value> words;
+  for (const auto& [meant, word] : table) words.emplace(word, meant);
+  return add_choice<Value>(command, name, value, words, meaning);
+}
+
+}  // namespace convexact::cli
