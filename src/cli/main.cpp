@@ -31,15 +31,12 @@ int main(int argc, char** argv) {
   program.set_version_flag("--version", CONVEXACT_VERSION);
   program.require_subcommand(1);
   int exit_code = 0;
-  convexact::cli::add_hull_command(program, exit_code);
-  convexact::cli::add_simplify_command(program, exit_code);
-  convexact::cli::add_verify_command(program, exit_code);
-  convexact::cli::add_diff_command(program, exit_code);
-  convexact::cli::add_report_command(program, exit_code);
-  convexact::cli::add_conform_command(program, exit_code);
-  convexact::cli::add_generate_command(program, exit_code);
-  convexact::cli::add_shrink_command(program, exit_code);
-  convexact::cli::add_stress_command(program, exit_code);
+  using namespace convexact::cli;
+  for (const auto add_to : {add_hull_command, add_simplify_command, add_verify_command,
+                            add_diff_command, add_report_command, add_conform_command,
+                            add_generate_command, add_shrink_command, add_stress_command}) {
+    add_to(program, exit_code);
+  }
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

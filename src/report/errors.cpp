@@ -63,14 +63,15 @@ class ScaledVertices {
   std::array<long, 3> down_{};
 };
 
-}  // namespace
-
+// log2 of x > 0, to about 12 digits.
 double log2_of(const Rational& x) {
   const long s =
       static_cast<long>(bit_length(numerator(x))) - static_cast<long>(bit_length(denominator(x)));
   return std::log2(to_double(scale_by_power_of_two(x, -s), Rounding::Nearest)) +
          static_cast<double>(s);
 }
+
+}  // namespace
 
 ErrorSize error_size(const Rational& error) {
   if (error == 0) return {};

@@ -22,9 +22,6 @@ struct ErrorSize {
   friend bool operator<(const ErrorSize& a, const ErrorSize& b) { return a.bits > b.bits; }
 };
 
-/// log2 of x > 0, to about 12 digits.
-[[nodiscard]] double log2_of(const Rational& x);
-
 [[nodiscard]] ErrorSize error_size(const Rational& error);
 /// sqrt(x), x >= 0.
 [[nodiscard]] ErrorSize root_size(const Rational& x);

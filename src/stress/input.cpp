@@ -139,7 +139,8 @@ Values powers_of_two(std::initializer_list<int> exponents) {
   return values;
 }
 
-void add_thin(std::vector<StressFamily>& list) {
+// Thin, nearly flat or round, of large valences, of extreme scales.
+void add_extreme(std::vector<StressFamily>& list) {
   const Values aspects{1,    10,   1e2,  1e4,  1e6,  1e8,   1e10,  1e12,  1e14,  1e15,
                        1e16, 1e17, 1e20, 1e30, 1e60, 1e100, 1e150, 1e200, 1e250, 1e300};
   list.push_back(sweep("needle", "aspect", aspects));
@@ -149,27 +150,18 @@ void add_thin(std::vector<StressFamily>& list) {
   list.push_back(sweep("tilted-lid", "tilt",
                        powers_of_two({0, -1, -2, -4, -8, -12, -16, -20, -24, -28, -32, -36, -40,
                                       -44, -48, -50, -51, -52})));
-}
-
-void add_near(std::vector<StressFamily>& list) {
   const Values counts{5, 8, 12, 20, 50, 100, 300, 1000};
   list.push_back(sweep("nearly-flat", "points", {8, 12, 20, 50, 100, 300, 1000}));
   list.push_back(sweep("nearly-coplanar", "points", counts, {3000}));
   list.push_back(sweep("random-sphere", "points", counts, {3000, 10000}));
   list.push_back(sweep("fibonacci-sphere", "points", counts, {3000, 10000}));
   list.push_back(sweep("nearly-cospherical", "ulps", {0, 1, 2, 16, 256, 4096, 65536, 0x1p20}));
-}
-
-void add_valence(std::vector<StressFamily>& list) {
   const Values valences{10, 30, 100, 300, 1000}, large{3000, 10000, 30000, 100000};
   list.push_back(sweep("pyramid", "k", valences, large));
   list.push_back(sweep("bipyramid", "k", valences, large));
   list.push_back(sweep("moment-curve", "points", valences, large));
   list.push_back(sweep("cone", "k", {10, 100, 1000}));
   list.push_back(sweep("cylinder", "k", {10, 100, 1000}, {10000}));
-}
-
-void add_scales(std::vector<StressFamily>& list) {
   list.push_back(
       sweep("scaled-ball", "exponent", {-1000, -800, -537, -400, -340, -300, -150, -126, -30, 0, 30,
                                         100,   126,  150,  300,  340,  400,  537,  800,  1000}));
@@ -181,7 +173,8 @@ void add_scales(std::vector<StressFamily>& list) {
                        {0, 1, 5, 10, 20, 26, 27, 52, 53, 100, 200, 300, 400, 500}));
 }
 
-void add_flat_faces(std::vector<StressFamily>& list) {
+// With large facets, symmetries and repeats.
+void add_regular(std::vector<StressFamily>& list) {
   const Values corners{3, 4, 5, 6, 7, 8, 12, 24, 60, 100, 360};
   list.push_back(sweep("prism", "k", corners, {1000, 10000, 100000}));
   list.push_back(sweep("antiprism", "k", corners, {1000, 10000, 100000}));
@@ -195,9 +188,6 @@ void add_flat_faces(std::vector<StressFamily>& list) {
   list.push_back(
       sweep("chamfered-box", "width", powers_of_two({-50, -48, -40, -30, -20, -10, -4, -2, -1})));
   list.push_back(sweep("cut-cube", "corners", {0, 1, 2, 3, 4, 5, 6, 7, 8}));
-}
-
-void add_symmetric(std::vector<StressFamily>& list) {
   for (const char* solid : {"tetrahedron", "cube", "octahedron", "dodecahedron",
                             "rounded-dodecahedron", "icosahedron"}) {
     list.push_back(sweep(solid, "", {}));
@@ -233,12 +223,8 @@ void add_others(std::vector<StressFamily>& list) {
 
 std::vector<StressFamily> make_families() {
   std::vector<StressFamily> list;
-  add_thin(list);
-  add_near(list);
-  add_valence(list);
-  add_scales(list);
-  add_flat_faces(list);
-  add_symmetric(list);
+  add_extreme(list);
+  add_regular(list);
   add_others(list);
   return list;
 }

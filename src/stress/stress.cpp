@@ -89,8 +89,6 @@ class Sweep {
   std::unique_ptr<ChildProcess> start(std::size_t i) const;
   std::unique_ptr<ChildProcess> start(const std::function<nlohmann::ordered_json()>& work) const;
   void finish(std::size_t i, const ChildEnd& end);
-  void finish_engine(std::size_t i, const ChildEnd& end);
-  void finish_judge(std::size_t i, const ChildEnd& end);
 
   std::span<const StressInput> inputs_;
   const StressRequest& request_;
@@ -155,38 +153,26 @@ std::unique_ptr<ChildProcess> Sweep::start(std::size_t i) const {
 }
 
 void Sweep::finish(std::size_t i, const ChildEnd& end) {
-  if (progress_[i].answers.size() < request_.engines.size()) {
-    finish_engine(i, end);
-  } else {
-    finish_judge(i, end);
-    progress_[i].done = true;
-    ++done_;
-    if (request_.progress) request_.progress(done_, inputs_.size());
-  }
-}
-
-void Sweep::finish_engine(std::size_t i, const ChildEnd& end) {
-  std::vector<EngineAnswer>& answers = progress_[i].answers;
-  EngineAnswer answer;
-  if (end.answer) {
-    answer = answer_in(*end.answer);
-  } else {
-    answer.end = end.end;
-    answer.why = end.why;
-  }
-  answer.engine = request_.engines[answers.size()];
-  answer.memory = end.memory;
-  answers.push_back(std::move(answer));
-}
-
-void Sweep::finish_judge(std::size_t i, const ChildEnd& end) {
   Progress& progress = progress_[i];
-  if (end.answer) {
-    progress.runs = stress_runs_in(*end.answer);
-  } else {
-    progress.runs = unjudged(inputs_[i], progress.answers, "the judge: " + end.why);
+  if (progress.answers.size() < request_.engines.size()) {
+    EngineAnswer answer;
+    if (end.answer) {
+      answer = answer_in(*end.answer);
+    } else {
+      answer.end = end.end;
+      answer.why = end.why;
+    }
+    answer.engine = request_.engines[progress.answers.size()];
+    answer.memory = end.memory;
+    progress.answers.push_back(std::move(answer));
+    return;
   }
+  progress.runs = end.answer ? stress_runs_in(*end.answer)
+                             : unjudged(inputs_[i], progress.answers, "the judge: " + end.why);
   progress.answers.clear();
+  progress.done = true;
+  ++done_;
+  if (request_.progress) request_.progress(done_, inputs_.size());
 }
 
 }  // namespace
