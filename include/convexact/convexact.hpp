@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // convexact.hpp - all of the library.
 #pragma once
+#include "convexact/angle_sum.hpp"
 #include "convexact/conform.hpp"
 #include "convexact/cost.hpp"
 #include "convexact/dual.hpp"
@@ -15,6 +16,7 @@
 #include "convexact/point_set.hpp"
 #include "convexact/polytope.hpp"
 #include "convexact/predicates.hpp"
+#include "convexact/root_sum.hpp"
 #include "convexact/run.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/shapes.hpp"

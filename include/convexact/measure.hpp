@@ -15,6 +15,7 @@
 #include "convexact/number.hpp"
 #include "convexact/point_set.hpp"
 #include "convexact/polytope.hpp"
+#include "convexact/root_sum.hpp"
 #include "convexact/watch.hpp"
 
 namespace convexact {
@@ -51,12 +52,6 @@ struct BoundingBox {
 /// common power of two, so the sum over the facets needs no fraction until the end.
 /// @par Cost  O(corners) products of integers as long as the spread of the coordinates.
 [[nodiscard]] Rational volume(const Hull& hull, const PointSet& points);
-
-/// factor * sqrt(radicand), radicand > 0.
-struct RootTerm {
-  Rational factor;
-  Integer radicand;
-};
 
 /// Exact area of each facet, in squared length units; radicand = n.n of the facet's primitive
 /// normal direction.

@@ -168,15 +168,16 @@ Enclosure atan2(const Enclosure& y, const Enclosure& x) {
   if (mpfr_zero_p(y.low_.data()) && x.sign().value_or(Sign::Zero) == Sign::Zero) {
     reject_operand("the angle of the origin");
   }
-  // Where y >= 0, the angle falls with x, and for a fixed x it is monotone in y: corners suffice.
-  Enclosure result(std::max(y.precision(), x.precision()));
   BigFloat low(y.low_), high(y.high_);  // without the sign of -0, whose angles are negative
   mpfr_abs(low.data(), low.data(), MPFR_RNDD);
   mpfr_abs(high.data(), high.data(), MPFR_RNDU);
-  Range range = range_at_corners(mpfr_atan2, {low.data(), high.data()},
-                                 {x.low_.data(), x.high_.data()}, result.precision());
-  result.low_ = std::move(range.low);
-  result.high_ = std::move(range.high);
+  // Where y >= 0, the angle falls with x; for a fixed x it rises with y if x > 0 and falls if x <
+  // 0.
+  const BigFloat& lowest_at = mpfr_sgn(x.high_.data()) > 0 ? low : high;
+  const BigFloat& highest_at = mpfr_sgn(x.low_.data()) > 0 ? high : low;
+  Enclosure result(std::max(y.precision(), x.precision()));
+  mpfr_atan2(result.low_.data(), lowest_at.data(), x.high_.data(), MPFR_RNDD);
+  mpfr_atan2(result.high_.data(), highest_at.data(), x.low_.data(), MPFR_RNDU);
   return result;
 }
 

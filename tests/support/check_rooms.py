@@ -14,7 +14,8 @@ ROOMS = ["error", "number", "geometry", "shapes", "io", "lp", "hull", "dual", "m
          "scene", "oracle", "report", "stress", "cli", "capi", "check"]
 # The room of each public header.
 PUBLIC = {
-    "error": "error", "watch": "error", "number": "number", "point_set": "geometry", "halfspace": "geometry",
+    "error": "error", "watch": "error", "number": "number", "root_sum": "number",
+    "angle_sum": "number", "point_set": "geometry", "halfspace": "geometry",
     "polytope": "geometry", "predicates": "geometry", "shapes": "shapes", "mesh": "io", "io": "io",
     "linear_program": "lp", "hull": "hull", "dual": "dual", "measure": "measure", "cost": "simplify", "run": "simplify",
     "stored": "stored", "scene": "scene", "simplify": "scene", "verify": "oracle", "verify_run": "oracle",
