@@ -2,32 +2,93 @@
 // cost.hpp - the amount that a removal adds to the measure that a run keeps small.
 #pragma once
 #include <compare>
+#include <memory>
+#include <string>
 #include <utility>
+#include <variant>
 
+#include "convexact/angle_sum.hpp"
 #include "convexact/number.hpp"
+#include "convexact/root_sum.hpp"
+#include "convexact/watch.hpp"
 
 namespace convexact {
 
-/// The exact cost of one removal. The only measure so far is the volume, in cubed length units, so
-/// a cost is a rational. Costs of other measures are other kinds of numbers, and this type is the
-/// one place that will know them; the order of two costs and their enclosures do not depend on it.
+/// The measure that a run keeps small.
+enum class CostMeasure {
+  Volume,     ///< In cubed length units; costs are rationals.
+  Area,       ///< Of the surface, in squared length units; costs are sums of roots.
+  MeanWidth,  ///< In length units; 4 pi times a cost is a sum of roots times angles.
+};
+
+/// The exact cost of one removal: of a measure, after minus before. Copies of areas and mean widths
+/// share their terms.
 class Cost {
  public:
   Cost(Rational volume) : value_(std::move(volume)) {}  // NOLINT: a rational is a cost
+  explicit Cost(RootSum area);
+  /// @param angles  4 pi times the mean width: the sum of length times exterior angle over edges.
+  explicit Cost(AngleSum angles);
 
-  /// The number itself.
-  const Rational& rational() const { return value_; }
-  /// The narrowest interval of that many bits around it.
-  Enclosure enclose(long precision) const { return {value_, precision}; }
+  CostMeasure measure() const { return static_cast<CostMeasure>(value_.index()); }
 
-  /// Exact for all sizes.
-  friend bool operator==(const Cost& a, const Cost& b) { return a.value_ == b.value_; }
+  /// The number itself. @throws Error InvalidArgument unless the measure is as the name says.
+  const Rational& rational() const;
+  const RootSum& area() const;
+  const AngleSum& angles() const;  ///< 4 pi times the mean width.
+
+  /// An interval around the cost itself (without the factor 4 pi). Of a volume: the narrowest one
+  /// of `precision` bits. Of other measures: one of at least that many bits, whose width is at most
+  /// 2^-precision times the number, as far as computing with 2^16 bits gives that.
+  /// @throws Error Stopped, as the watch says.
+  Enclosure enclose(long precision, const Watch& watch = {}) const;
+
+  /// Doubles that are surely not above, and not below, the number that is compared:
+  /// rational(), area() or angles(). Known before, unless it is a volume.
+  double low_double() const;
+  double high_double() const;
+
+  /// The cost itself with `digits` >= 1 significant digits, all certain; "0" for zero.
+  /// @throws Error Unrepresentable if a sum of angles is neither proven to be 0 nor apart from it.
+  std::string decimal(int digits) const;
+
+  /// The total order of volumes and that of areas, exact for all sizes.
+  /// @throws Error InvalidArgument for mean widths, which have compare() only, and for costs of
+  ///         different measures.
+  friend bool operator==(const Cost& a, const Cost& b) {
+    const Rational *x = std::get_if<Rational>(&a.value_), *y = std::get_if<Rational>(&b.value_);
+    return x != nullptr && y != nullptr ? *x == *y : order_of_areas(a, b) == 0;
+  }
   friend std::strong_ordering operator<=>(const Cost& a, const Cost& b) {
-    return a.value_.compare(b.value_) <=> 0;
+    const Rational *x = std::get_if<Rational>(&a.value_), *y = std::get_if<Rational>(&b.value_);
+    return x != nullptr && y != nullptr ? x->compare(*y) <=> 0 : order_of_areas(a, b);
   }
 
+  /// The order of two costs of one measure, and what it rests on.
+  /// @param limits  Of the comparison of two mean widths.
+  /// @throws Error  InvalidArgument for costs of different measures, or if limits.bits < 1;
+  /// Stopped,
+  ///                as the watch says.
+  friend Ordering compare(const Cost& a, const Cost& b, const CompareLimits& limits,
+                          const Watch& watch);
+
  private:
-  Rational value_;
+  // With bounds of the sum in doubles, which decide most comparisons.
+  template <class Sum>
+  struct Bounded {
+    Sum sum;
+    double low, high;
+  };
+
+  static std::strong_ordering order_of_areas(const Cost& a, const Cost& b);
+
+  // In the order of CostMeasure. Pointers keep volumes, which most runs have, small.
+  std::variant<Rational, std::shared_ptr<const Bounded<RootSum>>,
+               std::shared_ptr<const Bounded<AngleSum>>>
+      value_;
 };
+
+[[nodiscard]] Ordering compare(const Cost& a, const Cost& b, const CompareLimits& limits = {},
+                               const Watch& watch = {});
 
 }  // namespace convexact

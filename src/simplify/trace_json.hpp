@@ -3,6 +3,7 @@
 #pragma once
 #include <string>
 
+#include "convexact/cost.hpp"
 #include "convexact/run.hpp"
 #include "io/names.hpp"
 
@@ -13,6 +14,21 @@ inline constexpr auto kStopReasonNames =
                             {StopReason::GrowthLimit, "growth-limit"},
                             {StopReason::AllUnbounded, "all-unbounded"}});
 inline const char* name_of(StopReason reason) { return name_in(kStopReasonNames, reason); }
+
+inline constexpr auto kCostMeasureNames =
+    name_table<CostMeasure>({{CostMeasure::Volume, "volume"},
+                             {CostMeasure::Area, "area"},
+                             {CostMeasure::MeanWidth, "mean-width"}});
+inline const char* name_of(CostMeasure measure) { return name_in(kCostMeasureNames, measure); }
+
+inline constexpr auto kTieProofNames =
+    name_table<TieProof>({{TieProof::EqualRationals, "rational"},
+                          {TieProof::Congruent, "congruent"},
+                          {TieProof::SquareClasses, "square-classes"},
+                          {TieProof::NormalForm, "normal-form"},
+                          {TieProof::AngleBasis, "angle-basis"},
+                          {TieProof::Undecided, "undecided"}});
+inline const char* name_of(TieProof proof) { return name_in(kTieProofNames, proof); }
 
 /// One object as docs/schema/trace.schema.json describes it: integers of any size are strings, a
 /// cost is {"value": nearest double, or null beyond the largest one, "exact": "p/q"}.
