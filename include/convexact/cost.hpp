@@ -3,6 +3,7 @@
 #pragma once
 #include <compare>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -36,6 +37,8 @@ class Cost {
   const Rational& rational() const;
   const RootSum& area() const;
   const AngleSum& angles() const;  ///< 4 pi times the mean width.
+
+  Cost& operator*=(const Rational& factor);
 
   /// An interval around the cost itself (without the factor 4 pi). Of a volume: the narrowest one
   /// of `precision` bits. Of other measures: one of at least that many bits, whose width is at most
@@ -90,5 +93,9 @@ class Cost {
 
 [[nodiscard]] Ordering compare(const Cost& a, const Cost& b, const CompareLimits& limits = {},
                                const Watch& watch = {});
+
+/// The exact sum of n >= 1 costs of one measure.
+/// @throws Error InvalidArgument if there are none, or of different measures.
+[[nodiscard]] Cost sum_of(std::span<const Cost> costs);
 
 }  // namespace convexact

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "convexact/cost.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/number.hpp"
 #include "convexact/point_set.hpp"
@@ -73,6 +74,11 @@ struct BoundingBox {
 /// @par Source  [Schneider2014, sec. 4.2]; docs/measures.md derives it.
 [[nodiscard]] Enclosure mean_width(const Polytope& polytope, long precision,
                                    const Watch& watch = {});
+
+/// Volume, area or mean width as the exact number that costs are.
+/// @throws Error Stopped, as the watch says.
+[[nodiscard]] Cost exact_measure(const Polytope& polytope, CostMeasure measure,
+                                 const Watch& watch = {});
 
 /// Finds the nearest point of one polytope. Space outside is divided into the regions of points
 /// that are nearest to one facet, edge or vertex; each is bounded by planes, so that only signs of

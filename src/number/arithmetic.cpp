@@ -28,6 +28,11 @@ Integer gcd(const Integer& a, const Integer& b) {
   return g;
 }
 
+IntegerVector3 primitive_direction(const IntegerVector3& v) {
+  const Integer common = gcd(gcd(v[0], v[1]), v[2]);
+  return {v[0] / common, v[1] / common, v[2] / common};
+}
+
 void make_primitive(IntegerVector3& x, Integer& d) {
   // One after another, not in pairs: the first divisor is mostly short, and the rest cheap then.
   Integer divisor = gcd(d, x[0]);

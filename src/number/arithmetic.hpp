@@ -62,6 +62,9 @@ struct IntegerFraction {
 /// Divides (x, d), not all zero, by the greatest common divisor of all four.
 void make_primitive(IntegerVector3& x, Integer& d);
 
+/// A nonzero vector divided by the greatest common divisor of its components.
+[[nodiscard]] IntegerVector3 primitive_direction(const IntegerVector3& v);
+
 /// n >= 0 rationals times their least common denominator, which is returned (1 if n = 0).
 /// @param integers  Receives the multiples; n entries.
 Integer clear_denominators(std::span<const Rational> values, std::span<Integer> integers);

@@ -17,14 +17,14 @@ PUBLIC = {
     "error": "error", "watch": "error", "number": "number", "root_sum": "number",
     "angle_sum": "number", "point_set": "geometry", "halfspace": "geometry",
     "polytope": "geometry", "predicates": "geometry", "shapes": "shapes", "mesh": "io", "io": "io",
-    "linear_program": "lp", "hull": "hull", "dual": "dual", "measure": "measure", "cost": "simplify", "run": "simplify",
+    "linear_program": "lp", "hull": "hull", "dual": "dual", "measure": "measure", "cost": "number", "run": "simplify",
     "stored": "stored", "scene": "scene", "simplify": "scene", "verify": "oracle", "verify_run": "oracle",
     "conform": "oracle", "shrink": "oracle", "convexact": "capi"}
 # What stays apart on purpose, so that a mistake in one cannot hide in the other: (room, room it may
 # see little of): the headers that it may see.
 APART = {
-    # The engines are written twice; they share the record of a run and its costs.
-    ("fast", "simplify"): {"convexact/run.hpp", "convexact/cost.hpp"},
+    # The engines are written twice; they share the record of a run.
+    ("fast", "simplify"): {"convexact/run.hpp"},
     # The sceptic's checker shares nothing.
     **{("check", room): set() for room in ROOMS if room != "check"},
 }

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "convexact/cost.hpp"
 
+#include <functional>
+#include <vector>
+
 #include "convexact/error.hpp"
+#include "number/arithmetic.hpp"
 #include "number/ordering.hpp"
 #include "number/precision.hpp"
 
@@ -63,6 +67,18 @@ const RootSum& Cost::area() const {
 const AngleSum& Cost::angles() const {
   if (measure() != CostMeasure::MeanWidth) reject_measure();
   return std::get<2>(value_)->sum;
+}
+
+Cost& Cost::operator*=(const Rational& factor) {
+  switch (measure()) {
+    case CostMeasure::Volume:
+      return *this = Cost(Rational(rational() * factor));
+    case CostMeasure::Area:
+      return *this = Cost(RootSum(area()) *= factor);
+    case CostMeasure::MeanWidth:
+      break;
+  }
+  return *this = Cost(AngleSum(angles()) *= factor);
 }
 
 Enclosure Cost::enclose(long precision, const Watch& watch) const {
@@ -141,6 +157,32 @@ Ordering compare(const Cost& a, const Cost& b, const CompareLimits& limits, cons
   const auto &x = *std::get<2>(a.value_), &y = *std::get<2>(b.value_);
   const auto order = compare_bounds(x, y);
   return order ? *order : compare(x.sum, y.sum, limits, watch);
+}
+
+namespace {
+
+template <class Sum, class Of>
+Sum sum_of_terms(std::span<const Cost> costs, const Of& of) {
+  auto terms = of(costs[0]).terms();
+  for (const Cost& cost : costs.subspan(1)) {
+    terms.insert(terms.end(), of(cost).terms().begin(), of(cost).terms().end());
+  }
+  return Sum(std::move(terms));
+}
+
+}  // namespace
+
+Cost sum_of(std::span<const Cost> costs) {
+  if (costs.empty()) throw Error(ErrorCode::InvalidArgument, "a sum of costs has at least one");
+  if (costs[0].measure() == CostMeasure::Area) {
+    return Cost(sum_of_terms<RootSum>(costs, std::mem_fn(&Cost::area)));
+  }
+  if (costs[0].measure() == CostMeasure::MeanWidth) {
+    return Cost(sum_of_terms<AngleSum>(costs, std::mem_fn(&Cost::angles)));
+  }
+  std::vector<Rational> volumes;
+  for (const Cost& cost : costs) volumes.push_back(cost.rational());
+  return balanced_sum(std::move(volumes));
 }
 
 }  // namespace convexact
