@@ -116,11 +116,12 @@ void OrderMaker::rate(HalfspaceId removed, const definition::Cheapest& best,
     expected_.lower(TraceRating::Unbounded);
     return;
   }
-  if (*cost == *best.cost) {
+  if (*cost == best.cost->rational()) {
     expected_.other_ties += removed != best.tie.front() ? 1 : 0;
     return;
   }
-  if (*cost - *best.cost <= limit_ * *best.cost) return;
+  const Rational& least = best.cost->rational();
+  if (*cost - least <= limit_ * least) return;
   expected_.violate("trace-greedy");
   expected_.lower(TraceRating::NotGreedy);
 }

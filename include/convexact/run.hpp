@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // run.hpp - the record of a run: which halfspaces were removed, in which order, at what cost.
 #pragma once
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -15,6 +17,29 @@
 
 namespace convexact {
 
+/// What shows that several removals cost the same: of several proofs the least certain one, in the
+/// order of TieProof, with the most bits that any comparison of them took.
+struct TieEvidence {
+  std::optional<TieProof> proof = {};  ///< None if there is no tie.
+  long bits = 0;                       ///< Of enclosures, if the proof is Undecided.
+
+  void add(const TieEvidence& other) {
+    if (other.proof && (!proof || *proof < *other.proof)) proof = other.proof;
+    bits = std::max(bits, other.bits);
+  }
+};
+
+/// How the ties of a run were proven.
+struct TieTally {
+  std::array<std::size_t, 6> steps{};  ///< With a tie, by their TieProof.
+  long bits = 0;                       ///< Of the finest enclosures that still overlapped.
+
+  void add(const TieEvidence& evidence) {
+    if (evidence.proof) ++steps[static_cast<std::size_t>(*evidence.proof)];
+    if (evidence.proof == TieProof::Undecided) bits = std::max(bits, evidence.bits);
+  }
+};
+
 /// One removal. Parts that were not requested are empty.
 struct Step {
   HalfspaceId removed;
@@ -23,16 +48,17 @@ struct Step {
   std::vector<HalfspaceId> ring = {};  ///< One-ring of `removed` before the step.
   std::vector<DualTriangle> triangles = {};  ///< T_i: the ring's new triangulation.
   std::size_t left = 0;                      ///< Halfspaces after the step.
+  TieEvidence tie_evidence = {};             ///< Why the costs of `tie` count as equal.
 };
 
 /// Why a run ended.
 enum class StopReason {
   Reached,       ///< The wanted number of halfspaces, or it was already met.
-  GrowthLimit,   ///< The next step would exceed the wanted growth of volume.
+  GrowthLimit,   ///< The next step would exceed the wanted growth of the measure.
   AllUnbounded,  ///< Every further removal is unbounded.
 };
 
-/// A cap that an engine evaluated, and when. Costs of volume never decrease, so what an evaluation
+/// A cap that an engine evaluated, and when. Costs by volume never decrease, so what an evaluation
 /// shows stays a lower bound; with every evaluation that an engine made, each of its choices can be
 /// proven.
 struct Evaluation {
@@ -48,6 +74,7 @@ struct Run {
   std::vector<Halfspace> halfspaces;  ///< In canonical order, no redundant ones; ids are positions.
   std::vector<Step> steps;
   StopReason stop = StopReason::Reached;
+  CostMeasure measure = CostMeasure::Volume;  ///< Of the costs.
   /// Whether each removal is claimed to be the cheapest of its time; then each has its tie list.
   bool is_greedy = true;
   /// The dual hull of the halfspaces that are left, for to_polytope(); empty if it is not known.
@@ -84,7 +111,12 @@ enum class VerifyLevel {
 struct SimplifyOptions {
   /// Stop at this many halfspaces; at least 4. At or above the input's number the run has no steps.
   std::size_t faces = 4;
-  /// Stop before the volume exceeds (1 + max_growth) times the input's; >= 0.
+  /// The measure that each removal shall add the least to.
+  CostMeasure cost = CostMeasure::Volume;
+  /// Of comparisons of mean widths.
+  CompareLimits compare = {};
+  /// Stop before that measure exceeds (1 + max_growth) times the input's; >= 0. Where a comparison
+  /// of mean widths is undecided, it counts as exceeding.
   std::optional<Rational> max_growth = {};
   /// Of the random choices; the removals and their costs do not depend on it.
   std::uint64_t seed = 1;

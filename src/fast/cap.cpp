@@ -8,6 +8,7 @@
 
 #include "geometry/plane_determinants.hpp"
 #include "number/arithmetic.hpp"
+#include "number/precision.hpp"
 
 namespace convexact {
 namespace {
@@ -58,6 +59,72 @@ class ExactDeterminants {
   HalfspaceId low_, middle_, high_;
 };
 
+Integer squared_length(const IntegerVector3& v) { return dot(v, v); }
+
+// The same for a cap's area and mean width. With rows (n, d) for dual points, n_x x n_y lambda is
+// the roof edge itself, and 2 S_q = |n_q| * sum of lambda slack.
+
+// The area of a facet in plane i from twice it, divided by the length of its normal as it is.
+RootTerm area_term(const FastDual& dual, HalfspaceId i, const Rational& twice_per_normal) {
+  const IntegerVector3 &normal = dual.exact(i).normal(), direction = primitive_direction(normal);
+  int k = 0;
+  while (direction[k] == 0) ++k;
+  const Integer common = normal[k] / direction[k];
+  return {twice_per_normal * Rational(common) / 2, squared_length(direction)};
+}
+
+// Twice the area of the base, divided by the length of its normal, as in add_cone().
+Rational twice_base(std::uint32_t k, Roof<ExactDeterminants>& roof, ExactDeterminants& of) {
+  ExactDeterminants::Sum sum;
+  for (std::uint32_t q = 2; q < k; ++q) sum.add(roof.slack(0, q, of) * roof.base_edge(q, of));
+  return sum.total();
+}
+
+Cost exact_area(const FastDual& dual, HalfspaceId i, std::span<const HalfspaceId> ring,
+                std::span<const RingTriangle> triangles) {
+  const auto k = static_cast<std::uint32_t>(ring.size());
+  ExactDeterminants of(dual, i, ring);
+  Roof<ExactDeterminants> roof;
+  std::vector<ExactDeterminants::Sum> sides(k);
+  roof.for_each_edge(k, triangles, of,
+                     [&](std::uint32_t x, std::uint32_t y, const Rational& lambda) {
+                       if (lambda == 0) return;
+                       sides[x].add(lambda * roof.slack(x, y, of));
+                       sides[y].add(lambda * roof.slack(y, x, of));
+                     });
+  std::vector<RootTerm> terms;
+  for (std::uint32_t m = 0; m < k; ++m) {
+    terms.push_back(area_term(dual, ring[m], sides[m].total()));
+  }
+  terms.push_back(area_term(dual, i, -twice_base(k, roof, of)));
+  return Cost(RootSum(std::move(terms)));
+}
+
+// An edge in the planes x and y.
+AngleTerm angle_term(const FastDual& dual, HalfspaceId x, HalfspaceId y, const Rational& lambda,
+                     int factor) {
+  const IntegerVector3 &m = dual.exact(x).normal(), &n = dual.exact(y).normal();
+  const IntegerVector3 p = primitive_direction(m), q = primitive_direction(n);
+  return {factor, lambda * lambda * Rational(squared_length(m.cross(n))),
+          squared_length(p.cross(q)), dot(p, q)};
+}
+
+Cost exact_mean_width(const FastDual& dual, HalfspaceId i, std::span<const HalfspaceId> ring,
+                      std::span<const RingTriangle> triangles) {
+  const auto k = static_cast<std::uint32_t>(ring.size());
+  ExactDeterminants of(dual, i, ring);
+  Roof<ExactDeterminants> roof;
+  std::vector<AngleTerm> terms;
+  roof.for_each_edge(k, triangles, of,
+                     [&](std::uint32_t x, std::uint32_t y, const Rational& lambda) {
+                       terms.push_back(angle_term(dual, ring[x], ring[y], lambda, 1));
+                     });
+  for (std::uint32_t q = 0; q < k; ++q) {
+    terms.push_back(angle_term(dual, i, ring[q], roof.base_edge(q, of), -1));
+  }
+  return Cost(AngleSum(std::move(terms)));
+}
+
 std::uint32_t length(const OneRing& ring) {
   return static_cast<std::uint32_t>(ring.vertices.size());
 }
@@ -100,6 +167,12 @@ struct FilteredCap::ObservedBeyond : Beyond {
   }
 };
 
+FilteredCap::FilteredCap(const FastDual& dual, const HalfEdgeMesh& mesh, CostMeasure measure,
+                         std::uint64_t seed, CostObserver* observer)
+    : dual_(dual), mesh_(mesh), measure_(measure), observer_(observer), signs_(dual), seed_(seed) {
+  if (measure != CostMeasure::Volume) metric_.emplace(dual, measure);
+}
+
 void FilteredCap::prepare(HalfspaceId i) {
   if (prepared_ == i) return;
   mesh_.one_ring(i, ring_);
@@ -122,7 +195,9 @@ bool FilteredCap::is_bounded() const {
 }
 
 CostBounds<double> FilteredCap::in_doubles() {
-  CostBounds<double> bounds = cost_.bounds(geometry_, triangles_, Roundoff<double>::kUnit);
+  CostBounds<double> bounds =
+      metric_ ? metric_->bounds(geometry_, *prepared_, ring_.vertices, triangles_)
+              : cost_.bounds(geometry_, triangles_, Roundoff<double>::kUnit);
   if (bounds.kind == Boundedness::Doubtful && !is_bounded()) {
     bounds = {Boundedness::Unbounded, 0, 0};
   }
@@ -131,6 +206,11 @@ CostBounds<double> FilteredCap::in_doubles() {
 }
 
 CostBounds<DoubleDouble> FilteredCap::in_double_doubles() {
+  if (metric_) {
+    const auto [kind, lower, upper] =
+        metric_->bounds(geometry_, *prepared_, ring_.vertices, triangles_);
+    return {kind, DoubleDouble(lower), DoubleDouble(upper)};
+  }
   long_geometry_.load(*prepared_, ring_.vertices,
                       [&](HalfspaceId v) { return dual_.long_point(v); });
   const CostBounds<DoubleDouble> bounds =
@@ -139,10 +219,16 @@ CostBounds<DoubleDouble> FilteredCap::in_double_doubles() {
   return bounds;
 }
 
-Rational FilteredCap::exactly() const {
+Cost FilteredCap::exactly() const {
+  if (measure_ == CostMeasure::Area) {
+    return exact_area(dual_, *prepared_, ring_.vertices, triangles_);
+  }
+  if (measure_ == CostMeasure::MeanWidth) {
+    return exact_mean_width(dual_, *prepared_, ring_.vertices, triangles_);
+  }
   ExactDeterminants determinants(dual_, *prepared_, ring_.vertices);
   CapVolume<ExactDeterminants> volume;
-  return volume.six_times(length(ring_), triangles_, determinants) / 6;
+  return Rational(volume.six_times(length(ring_), triangles_, determinants) / 6);
 }
 
 // Between the vertices (i, m - 1, m) and (i, m, m + 1) there is an edge unless they are the same.
@@ -155,6 +241,25 @@ FacetOutline FilteredCap::outline() const {
     result.neighbours.push_back(v[m]);
   }
   return result;
+}
+
+Interval<double> cost_multiple(CostMeasure measure) {
+  switch (measure) {
+    case CostMeasure::Volume:
+      return {6, 6};
+    case CostMeasure::Area:
+      return {2, 2};
+    case CostMeasure::MeanWidth:
+      break;
+  }
+  constexpr double kBelow4Pi = 0x1.921fb54442d18p+3;  // 4 pi is 12.566370614359172953...
+  return {kBelow4Pi, next_above(kBelow4Pi)};
+}
+
+Interval<double> scaled_enclosure(const Cost& cost, long exponent) {
+  const Enclosure value = cost.enclose(kMeasureBits);
+  return {to_double(scale_by_power_of_two(value.low(), -exponent), Rounding::Down),
+          to_double(scale_by_power_of_two(value.high(), -exponent), Rounding::Up)};
 }
 
 CostBounds<double> six_times_volume(const FastDual& dual) {
@@ -180,8 +285,9 @@ CostBounds<double> six_times_volume(const FastDual& dual) {
           sum.total.upper * (1 + slop) + tiny};
 }
 
-Rational exact_volume(const FastDual& dual, std::span<const DualTriangle> triangles) {
-  const HalfEdgeMesh mesh(dual.size(), triangles);
+namespace {
+
+Rational volume_of(const FastDual& dual, const HalfEdgeMesh& mesh) {
   std::vector<Rational> cones;
   OneRing ring;
   for (const HalfspaceId i : mesh.vertices()) {
@@ -193,6 +299,39 @@ Rational exact_volume(const FastDual& dual, std::span<const DualTriangle> triang
     cones.push_back(cone.total() * -dual.exact(i)(dual.center()));
   }
   return Rational(balanced_sum(std::move(cones)) / 6);
+}
+
+// Facets as bases of caps: the area of each, or the edges to neighbours of a higher id.
+Cost metric_of(const FastDual& dual, const HalfEdgeMesh& mesh, CostMeasure measure) {
+  std::vector<RootTerm> areas;
+  std::vector<AngleTerm> edges;
+  OneRing ring;
+  for (const HalfspaceId i : mesh.vertices()) {
+    mesh.one_ring(i, ring);
+    const std::uint32_t k = length(ring);
+    ExactDeterminants of(dual, i, ring.vertices);
+    Roof<ExactDeterminants> roof;
+    roof.for_each_edge(k, {}, of, [](std::uint32_t, std::uint32_t, const Rational&) {});
+    if (measure == CostMeasure::Area) {
+      areas.push_back(area_term(dual, i, twice_base(k, roof, of)));
+      continue;
+    }
+    for (std::uint32_t q = 0; q < k; ++q) {
+      const HalfspaceId other = ring.vertices[q];
+      if (i < other) edges.push_back(angle_term(dual, i, other, roof.base_edge(q, of), 1));
+    }
+  }
+  return measure == CostMeasure::Area ? Cost(RootSum(std::move(areas)))
+                                      : Cost(AngleSum(std::move(edges)));
+}
+
+}  // namespace
+
+Cost exact_measure(const FastDual& dual, std::span<const DualTriangle> triangles,
+                   CostMeasure measure) {
+  const HalfEdgeMesh mesh(dual.size(), triangles);
+  return measure == CostMeasure::Volume ? Cost(volume_of(dual, mesh))
+                                        : metric_of(dual, mesh, measure);
 }
 
 }  // namespace convexact

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 // cap.hpp - what one removal costs in the filtered engine: the cap of a dual point, its
-// triangulation and its volume in three arithmetics.
+// triangulation, and its volume, area or mean width in the arithmetics that there are for it.
 #pragma once
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "convexact/cost.hpp"
 #include "convexact/number.hpp"
 #include "fast/cap_volume.hpp"
 #include "fast/dual.hpp"
 #include "fast/mesh.hpp"
+#include "fast/metric_cost.hpp"
 #include "fast/ring.hpp"
 #include "fast/signs.hpp"
 
@@ -43,9 +45,8 @@ class CostObserver {
 class FilteredCap {
  public:
   /// @param dual, mesh  Must outlive the object, as the observer.
-  FilteredCap(const FastDual& dual, const HalfEdgeMesh& mesh, std::uint64_t seed,
-              CostObserver* observer = nullptr)
-      : dual_(dual), mesh_(mesh), observer_(observer), signs_(dual), seed_(seed) {}
+  FilteredCap(const FastDual& dual, const HalfEdgeMesh& mesh, CostMeasure measure,
+              std::uint64_t seed, CostObserver* observer = nullptr);
 
   /// Reads the ring of i and triangulates it, unless it is the one read last.
   void prepare(HalfspaceId i);
@@ -54,14 +55,25 @@ class FilteredCap {
   const OneRing& ring() const { return ring_; }
   const std::vector<RingTriangle>& triangles() const { return triangles_; }
 
+  // Bounds are of multiples of the cost: 6 volumes, 2 areas, 4 pi mean widths, in units of
+  // 2^dual.cost_exponent().
+
   /// Quick: bounds from doubles. Never Doubtful if the cap is unbounded, though the upper bound of
   /// a doubtful one is infinite. This and the next two are of the prepared cap.
   CostBounds<double> in_doubles();
-  /// Sure: bounds with 85 bits. Precondition: the cap is bounded; so for exactly().
+  /// Sure: bounds of volumes with 85 bits; those of other measures are no better than in_doubles().
+  /// Precondition: the cap is bounded; so for exactly().
   CostBounds<DoubleDouble> in_double_doubles();
-  /// The volume itself (not six times), in the caller's cubed units.
-  Rational exactly() const;
+  /// The cost itself, in the caller's units.
+  Cost exactly() const;
   FacetOutline outline() const;
+  /// Of area and mean width: the terms of the bounds found last. None for volumes, whose costs
+  /// never fall.
+  std::span<const LastingTerm> lasting_terms() const {
+    return metric_ ? std::span<const LastingTerm>(metric_->terms())
+                   : std::span<const LastingTerm>();
+  }
+  CostMeasure measure() const { return measure_; }
 
   const SignCounts& sign_counts() const { return signs_.counts(); }
 
@@ -72,6 +84,7 @@ class FilteredCap {
 
   const FastDual& dual_;
   const HalfEdgeMesh& mesh_;
+  CostMeasure measure_;
   CostObserver* observer_;
   DualSigns signs_;
   std::optional<HalfspaceId> prepared_;
@@ -83,11 +96,19 @@ class FilteredCap {
   RingGeometry<DoubleDouble> long_geometry_;
   CapCost<double> cost_;
   CapCost<DoubleDouble> long_cost_;
+  std::optional<MetricCost> metric_;  // unless the measure is the volume
 };
+
+/// What the bounds of FilteredCap are multiples of: 6, 2, 4 pi costs.
+[[nodiscard]] Interval<double> cost_multiple(CostMeasure measure);
+/// A cost in units of 2^exponent, as two doubles around it.
+[[nodiscard]] Interval<double> scaled_enclosure(const Cost& cost, long exponent);
 
 /// Six times the volume of the initial solid, in units of 2^dual.volume_exponent().
 [[nodiscard]] CostBounds<double> six_times_volume(const FastDual& dual);
-/// Volume of the solid whose dual hull the triangles are, exactly, in the caller's cubed units.
-[[nodiscard]] Rational exact_volume(const FastDual& dual, std::span<const DualTriangle> triangles);
+/// Volume, area or mean width of the solid whose dual hull the triangles are, exactly, in the
+/// caller's units.
+[[nodiscard]] Cost exact_measure(const FastDual& dual, std::span<const DualTriangle> triangles,
+                                 CostMeasure measure);
 
 }  // namespace convexact

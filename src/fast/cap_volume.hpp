@@ -244,6 +244,8 @@ class IntervalDeterminants {
   }
   /// Whether every D asked for so far is proven positive.
   bool is_certain() const { return !doubtful_; }
+  /// Whether some D asked for so far is proven negative: then the cap is unbounded.
+  bool is_negative() const { return negative_; }
 
  private:
   Number lift(const Scalar& value, double error) const {

@@ -47,6 +47,13 @@ FastDual::~FastDual() = default;
 
 const Halfspace& FastDual::exact(HalfspaceId i) const { return (*planes_)[i.index()]; }
 
+// Areas have one factor |P|, mean widths two, and P in the caller's frame is 2^-least as large as
+// in_callers_frame(), least being the lowest exponent of the frame.
+long FastDual::cost_exponent(CostMeasure measure) const {
+  const long least = *std::min_element(frame_.begin(), frame_.end());
+  return volume_exponent() - static_cast<long>(measure) * least;
+}
+
 std::size_t FastDual::formed() const {
   const auto& formed = planes_->formed;
   return formed.size() -

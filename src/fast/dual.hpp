@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "convexact/cost.hpp"
 #include "convexact/dual.hpp"
 #include "convexact/hull.hpp"
 #include "number/double_double.hpp"
@@ -95,8 +96,17 @@ class FastDual {
     return {incident_.data() + incident_start_[i.index()],
             incident_.data() + incident_start_[i.index() + 1]};
   }
+  /// near(i) in the caller's frame: each axis scaled back, and all of them by one common power of
+  /// two. For lengths and angles, which scaling of single axes changes.
+  Triple<double> in_callers_frame(HalfspaceId i) const {
+    const Triple<double>& p = near(i);
+    return {p.x * axis_weight_[0], p.y * axis_weight_[1], p.z * axis_weight_[2]};
+  }
   /// Volumes in these coordinates times 2^this are volumes in the caller's cubed length unit.
   long volume_exponent() const { return long{frame_[0]} + frame_[1] + frame_[2]; }
+  /// Costs computed from determinants of these coordinates and, for area and mean width, from
+  /// points in_callers_frame(), times 2^this are costs in the caller's units.
+  long cost_exponent(CostMeasure measure) const;
 
   /// The halfspace itself; formed at the first call. Not to be called from two threads.
   const Halfspace& exact(HalfspaceId i) const;

@@ -41,6 +41,7 @@ struct FastResult {
   std::vector<DualTriangle> triangles;  ///< Their dual hull.
   StopReason stop = StopReason::Reached;
   FastCounts counts;
+  TieTally ties;
   std::optional<FloatBound> bound;  ///< Of the float engine.
 };
 

@@ -2,33 +2,47 @@
 #include "fast/filtered_loop.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "convexact/error.hpp"
 
 namespace convexact {
 
-GrowthBudget::GrowthBudget(const FastDual& dual, const std::optional<Rational>& max_growth)
-    : dual_(dual), max_growth_(max_growth) {
-  if (!max_growth_) return;
-  if (*max_growth_ < 0) throw Error(ErrorCode::InvalidArgument, "a growth limit is not negative");
-  const CostBounds<double> six_times = six_times_volume(dual);
-  limit_ = {std::max(0.0, next_below(next_below(six_times.lower / 6) *
-                                     to_double(*max_growth_, Rounding::Down))),
-            next_above(next_above(six_times.upper / 6) * to_double(*max_growth_, Rounding::Up))};
+GrowthBudget::GrowthBudget(const FastDual& dual, const SimplifyOptions& options)
+    : dual_(dual), options_(options) {
+  if (!options_.max_growth) return;
+  const Rational& share = *options_.max_growth;
+  if (share < 0) throw Error(ErrorCode::InvalidArgument, "a growth limit is not negative");
+  Interval<double> measure{};
+  if (options_.cost == CostMeasure::Volume) {
+    const CostBounds<double> six_times = six_times_volume(dual);
+    measure = {next_below(six_times.lower / 6), next_above(six_times.upper / 6)};
+  } else {
+    measure = scaled_enclosure(exact_measure(dual, dual.triangles(), options_.cost),
+                               dual.cost_exponent(options_.cost));
+  }
+  limit_ = {std::max(0.0, next_below(measure.lower * to_double(share, Rounding::Down))),
+            next_above(measure.upper * to_double(share, Rounding::Up))};
 }
 
 std::optional<bool> GrowthBudget::allows(const Interval<double>& cost) const {
-  if (!max_growth_) return true;
+  if (!options_.max_growth) return true;
   const Interval<double> grown = grown_with(cost);
   if (grown.lower > limit_.upper) return false;
   if (grown.upper <= limit_.lower) return true;
   return {};
 }
 
-bool GrowthBudget::allows_volume(const Rational& volume_after) {
-  if (!exact_limit_) exact_limit_ = (1 + *max_growth_) * exact_volume(dual_, dual_.triangles());
-  return volume_after <= *exact_limit_;
+bool GrowthBudget::allows_exactly(Cost before, const Cost& cost) {
+  if (!exact_limit_) {
+    exact_limit_ = exact_measure(dual_, dual_.triangles(), options_.cost);
+    *exact_limit_ *= Rational(1 + *options_.max_growth);
+  }
+  const std::array<Cost, 2> parts{std::move(before), cost};
+  const Order order =
+      compare(sum_of(parts), *exact_limit_, options_.compare, Watch(options_.stop)).order;
+  return order == Order::Less || order == Order::Equal;
 }
 
 FilteredLoop::FilteredLoop(const FastDual& dual, const SimplifyOptions& options,
@@ -36,11 +50,12 @@ FilteredLoop::FilteredLoop(const FastDual& dual, const SimplifyOptions& options,
     : dual_(dual),
       options_(options),
       mesh_(dual.size(), dual.triangles(), dual.twins()),
-      cap_(dual, mesh_, options.seed, observer),
+      cap_(dual, mesh_, options.cost, options.seed, observer),
       ties_(dual, cap_, counts_),
       queue_(dual.size()),
       upper_(dual.size()),
       stale_(dual.size(), false),
+      terms_(options.cost == CostMeasure::Volume ? 0 : dual.size()),
       check_(dual),
       left_(dual.size()) {
   if (options.faces < 4) throw Error(ErrorCode::InvalidArgument, "a solid has at least 4 faces");
@@ -48,7 +63,7 @@ FilteredLoop::FilteredLoop(const FastDual& dual, const SimplifyOptions& options,
 
 FastResult FilteredLoop::run(std::vector<Step>* steps) {
   FastResult result;
-  GrowthBudget growth(dual_, options_.max_growth);
+  GrowthBudget growth(dual_, options_);
   if (left_ > options_.faces) evaluate_all();
   while (left_ > options_.faces) {
     if (options_.stop != nullptr && *options_.stop) throw Error(ErrorCode::Stopped, "interrupted");
@@ -64,6 +79,7 @@ FastResult FilteredLoop::run(std::vector<Step>* steps) {
       break;
     }
     result.steps.push_back(step);
+    result.ties.add(evidence_);
     if (steps != nullptr) steps->push_back(record(*choice));
     if (options_.verify != VerifyLevel::None) verify(*choice);
     remove(*choice);
@@ -86,7 +102,7 @@ bool FilteredLoop::is_bounded(HalfspaceId i) {
   return queue_.contains(i);
 }
 
-// Of a fresh entry. An old lower bound is one still, and the higher of the two is better.
+// Of a fresh entry. The lower bound in the queue is one still, and the higher of the two is better.
 void FilteredLoop::set_bounds(HalfspaceId i, double lower, double upper) {
   upper_[i.index()] = upper;
   if (lower > queue_.key(i)) queue_.update(i, lower);
@@ -105,9 +121,20 @@ void FilteredLoop::evaluate(HalfspaceId i) {
   stale_[i.index()] = false;
   if (bounds.kind == Boundedness::Unbounded) {
     drop(i);  // for ever: a larger cap is not bounded either
-  } else {
-    set_bounds(i, bounds.lower, bounds.upper);
+    return;
   }
+  set_bounds(i, bounds.lower, bounds.upper);
+  if (!terms_.empty()) {
+    const std::span<const LastingTerm> terms = cap_.lasting_terms();
+    terms_[i.index()].assign(terms.begin(), terms.end());
+  }
+}
+
+// What is left of the bound of i once `removed` has gone.
+void FilteredLoop::forget_terms_of(HalfspaceId removed, HalfspaceId i) {
+  std::vector<LastingTerm>& terms = terms_[i.index()];
+  std::erase_if(terms, [&](const LastingTerm& t) { return t.x == removed || t.y == removed; });
+  queue_.update(i, MetricCost::lower_bound(terms));
 }
 
 void FilteredLoop::refine(HalfspaceId i) {
@@ -117,6 +144,7 @@ void FilteredLoop::refine(HalfspaceId i) {
 
 // The cheapest of all, first in canonical order where several are; candidates_ is the tie.
 std::optional<HalfspaceId> FilteredLoop::choose() {
+  evidence_ = {};
   for (;;) {
     if (queue_.empty()) return {};
     if (!tighten_top()) continue;
@@ -181,15 +209,17 @@ bool FilteredLoop::refine_candidates() {
 
 // Reduces refined candidates to the tie, in canonical order.
 void FilteredLoop::keep_cheapest() {
-  ties_.keep_cheapest(candidates_);
+  evidence_ = ties_.keep_cheapest(candidates_, options_.compare, Watch(options_.stop));
   std::sort(candidates_.begin(), candidates_.end(),
             [&](HalfspaceId a, HalfspaceId b) { return dual_.precedes(a, b); });
   if (!are_bounds_close(candidates_[0])) refine(candidates_[0]);
 }
 
 FastStep FilteredLoop::describe(HalfspaceId i) const {
-  return {i, static_cast<std::uint32_t>(candidates_.size()), next_below(queue_.key(i) / 6),
-          next_above(upper_[i.index()] / 6)};
+  const Interval<double> multiple = cost_multiple(options_.cost);
+  return {i, static_cast<std::uint32_t>(candidates_.size()),
+          next_below(queue_.key(i) / multiple.upper),
+          next_above(upper_[i.index()] / multiple.lower)};
 }
 
 // If so, the step counts from now on.
@@ -197,8 +227,8 @@ bool FilteredLoop::is_within(GrowthBudget& growth, const FastStep& step) {
   const Interval<double> cost{step.cost_lower, step.cost_upper};
   std::optional<bool> allowed = growth.allows(cost);
   if (!allowed) {
-    allowed = growth.allows_volume(exact_volume(dual_, mesh_.triangles()) +
-                                   ties_.exact_cost(step.removed));
+    allowed = growth.allows_exactly(exact_measure(dual_, mesh_.triangles(), options_.cost),
+                                    ties_.exact_cost(step.removed));
   }
   if (*allowed) growth.add(cost);
   return *allowed;
@@ -217,6 +247,7 @@ Step FilteredLoop::record(HalfspaceId i) {
   step.removed = i;
   step.cost = ties_.exact_cost(i);
   step.tie = candidates_;
+  step.tie_evidence = evidence_;
   step.ring = cap_.ring().vertices;
   list_new_triangles();
   step.triangles = new_triangles_;
@@ -239,6 +270,7 @@ void FilteredLoop::remove(HalfspaceId i) {
   for (const HalfspaceId r : cap_.ring().vertices) {
     stale_[r.index()] = true;
     ties_.forget(r);
+    if (!terms_.empty() && queue_.contains(r)) forget_terms_of(i, r);
   }
   cap_.invalidate();
 }

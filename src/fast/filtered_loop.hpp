@@ -16,18 +16,18 @@
 namespace convexact {
 
 /// The growth that max_growth still allows: the sum of costs stays within that share of the initial
-/// volume. Enclosures decide, and where they overlap the exact volumes.
+/// measure. Enclosures decide, and where they overlap the exact measures.
 class GrowthBudget {
  public:
-  /// @param max_growth  None: everything is allowed, and no volume is computed.
-  /// @throws Error      InvalidArgument if negative.
-  GrowthBudget(const FastDual& dual, const std::optional<Rational>& max_growth);
+  /// @param options  Without max_growth everything is allowed, and no measure is computed.
+  /// @throws Error   InvalidArgument if max_growth is negative.
+  GrowthBudget(const FastDual& dual, const SimplifyOptions& options);
 
-  /// Whether a step of this cost, in units of FastDual::volume_exponent(), may follow those that
-  /// were added; none if the enclosures overlap, so that volumes have to decide.
+  /// Whether a step of this cost, in units of 2^dual.cost_exponent(), may follow those that were
+  /// added; none if the enclosures overlap, so that exact measures have to decide.
   [[nodiscard]] std::optional<bool> allows(const Interval<double>& cost) const;
-  /// The same by the exact volume after the step.
-  [[nodiscard]] bool allows_volume(const Rational& volume_after);
+  /// The same by the exact measure before the step and its exact cost.
+  [[nodiscard]] bool allows_exactly(Cost before, const Cost& cost);
   void add(const Interval<double>& cost) { grown_ = grown_with(cost); }
 
  private:
@@ -36,15 +36,17 @@ class GrowthBudget {
   }
 
   const FastDual& dual_;
-  std::optional<Rational> max_growth_;
-  Interval<double> limit_{0, 0};         // max_growth times the initial volume
-  Interval<double> grown_{0, 0};         // the costs so far
-  std::optional<Rational> exact_limit_;  // (1 + max_growth) times that volume
+  const SimplifyOptions& options_;
+  Interval<double> limit_{0, 0};     // max_growth times the initial measure
+  Interval<double> grown_{0, 0};     // the costs so far
+  std::optional<Cost> exact_limit_;  // (1 + max_growth) times that measure
 };
 
-/// The queue holds, for every halfspace whose removal may be bounded, a lower bound of six times
-/// its cost. The cost never decreases, so the bound stays true while the ring changes; the entry is
-/// *stale* then, and evaluated again only when it comes near the top [Minoux1978].
+/// The queue holds, for every halfspace whose removal may be bounded, a lower bound of its cost, in
+/// units of FilteredCap's bounds. When its ring changes, the entry is *stale*, and evaluated again
+/// only when it comes near the top [Minoux1978]. That needs bounds that stay true. A volume never
+/// decreases, so its bound does. Areas and mean widths may fall; but those of their terms that do
+/// not name a removed plane do not, so the bound of a stale entry is the sum of these.
 class FilteredLoop {
  public:
   /// @param observer  Receives every sign and bound; null costs nothing.
@@ -63,7 +65,9 @@ class FilteredLoop {
   /// Whether the removal of i, which is still there, is bounded.
   bool is_bounded(HalfspaceId i);
   /// Precondition: is_bounded(i).
-  const Rational& exact_cost(HalfspaceId i) { return ties_.exact_cost(i); }
+  const Cost& cost(HalfspaceId i) { return ties_.exact_cost(i); }
+  /// The same of a volume. @throws Error InvalidArgument if the measure is another one.
+  const Rational& exact_cost(HalfspaceId i) { return cost(i).rational(); }
   /// Precondition: is_bounded(i).
   void remove(HalfspaceId i);
 
@@ -71,6 +75,7 @@ class FilteredLoop {
   void evaluate(HalfspaceId i);
   void refine(HalfspaceId i);
   void set_bounds(HalfspaceId i, double lower, double upper);
+  void forget_terms_of(HalfspaceId removed, HalfspaceId i);
   void drop(HalfspaceId i);
 
   bool are_bounds_close(HalfspaceId i) const;
@@ -95,7 +100,9 @@ class FilteredLoop {
   KeyedQueue<double> queue_;
   std::vector<double> upper_;
   std::vector<bool> stale_;
-  std::vector<HalfspaceId> candidates_;  // after choose(): the tie
+  std::vector<std::vector<LastingTerm>> terms_;  // empty if the measure is the volume
+  TieEvidence evidence_;                         // of the tie
+  std::vector<HalfspaceId> candidates_;          // after choose(): the tie
   StepCheck check_;
   std::vector<HalfspaceId> across_;
   std::vector<DualTriangle> new_triangles_;

@@ -108,19 +108,33 @@ bool TieBreaker::is_exact(HalfspaceId i) const {
   return refined != refined_.end() && refined->second.is_exact;
 }
 
-const Rational& TieBreaker::exact_cost(HalfspaceId i) {
+namespace {
+
+// Of the multiple of the cost that the bounds of FilteredCap are about.
+Interval<double> bounds_of(const Cost& cost, long exponent) {
+  if (cost.measure() == CostMeasure::Volume) {
+    const Rational scaled = scale_by_power_of_two(cost.rational() * 6, -exponent);
+    return {to_double(scaled, Rounding::Down), to_double(scaled, Rounding::Up)};
+  }
+  const Interval<double> value = scaled_enclosure(cost, exponent),
+                         multiple = cost_multiple(cost.measure());
+  return {next_below(value.lower * multiple.lower), next_above(value.upper * multiple.upper)};
+}
+
+}  // namespace
+
+const Cost& TieBreaker::exact_cost(HalfspaceId i) {
   Refined& refined = refined_[i];
   if (refined.cost_class == nullptr) refined.cost_class = new_class(i);
-  std::optional<Rational>& cost = refined.cost_class->cost;
+  std::optional<Cost>& cost = refined.cost_class->cost;
   if (!cost) {
     cap_.prepare(i);
     cost = cap_.exactly();
     ++counts_.exact;
   }
   if (!refined.is_exact) {
-    const Rational scaled = scale_by_power_of_two(*cost * 6, -dual_.volume_exponent());
-    refined.bounds = {Boundedness::Bounded, to_double(scaled, Rounding::Down),
-                      to_double(scaled, Rounding::Up)};
+    const auto [lower, upper] = bounds_of(*cost, dual_.cost_exponent(cost->measure()));
+    refined.bounds = {Boundedness::Bounded, lower, upper};
     refined.is_exact = true;
   }
   return *cost;
@@ -131,18 +145,45 @@ std::shared_ptr<TieBreaker::CostClass> TieBreaker::new_class(HalfspaceId i) {
   return std::make_shared<CostClass>(CostClass{cap_.outline(), {}});
 }
 
-void TieBreaker::keep_cheapest(std::vector<HalfspaceId>& candidates) {
+TieEvidence TieBreaker::keep_cheapest(std::vector<HalfspaceId>& candidates,
+                                      const CompareLimits& limits, const Watch& watch) {
   DoubleDouble best = refined_.at(candidates[0]).bounds.upper;
   for (const HalfspaceId i : candidates) {
     const DoubleDouble& upper = refined_.at(i).bounds.upper;
     if (upper < best) best = upper;
   }
   std::erase_if(candidates, [&](HalfspaceId i) { return refined_.at(i).bounds.lower > best; });
-  if (candidates.size() == 1 || are_all_congruent(candidates)) return;
+  if (candidates.size() == 1) return {};
+  if (are_all_congruent(candidates)) return {TieProof::Congruent, 0};
+  return keep_cheapest_class(candidates, limits, watch);
+}
 
-  Rational least = exact_cost(candidates[0]);
-  for (const HalfspaceId i : candidates) least = std::min(least, exact_cost(i));
-  std::erase_if(candidates, [&](HalfspaceId i) { return exact_cost(i) != least; });
+// What is not proven to be apart from the least counts as a tie. (That is no equivalence: mean
+// widths may be too close to tell, see CompareLimits.)
+TieEvidence TieBreaker::keep_cheapest_class(std::vector<HalfspaceId>& candidates,
+                                            const CompareLimits& limits, const Watch& watch) {
+  const auto are_congruent_now = [&](HalfspaceId i, HalfspaceId j) {
+    return refined_.at(i).cost_class == refined_.at(j).cost_class;
+  };
+  HalfspaceId least = candidates[0];
+  for (const HalfspaceId i : candidates) {
+    if (are_congruent_now(i, least)) continue;
+    const Ordering comparison = compare(exact_cost(i), exact_cost(least), limits, watch);
+    if (comparison.order == Order::Less) least = i;
+  }
+  TieEvidence evidence;
+  std::erase_if(candidates, [&](HalfspaceId i) {
+    if (i == least) return false;
+    if (are_congruent_now(i, least)) {
+      evidence.add({TieProof::Congruent, 0});
+      return false;
+    }
+    const Ordering comparison = compare(exact_cost(i), exact_cost(least), limits, watch);
+    if (comparison.order == Order::Greater) return true;
+    evidence.add({comparison.tie_proof, comparison.bits});
+    return false;
+  });
+  return evidence;
 }
 
 // Whether the tie is proven without computing a cost. Sorts all candidates into classes.

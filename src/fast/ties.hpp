@@ -27,14 +27,16 @@ class TieBreaker {
   TieBreaker(const FastDual& dual, FilteredCap& cap, FastCounts& counts)
       : dual_(dual), cap_(cap), counts_(counts) {}
 
-  /// Encloses six times the cost of i by the next better arithmetic, if there is one.
+  /// Encloses the cost of i, in units of FilteredCap's bounds, by the next better arithmetic, if
+  /// there is one.
   Interval<double> refine(HalfspaceId i);
   bool is_refined(HalfspaceId i) const { return refined_.contains(i); }
   bool is_exact(HalfspaceId i) const;
   /// Computed at the first call, for all caps that are known to be congruent.
-  const Rational& exact_cost(HalfspaceId i);
-  /// Reduces refined candidates to those of minimal cost: the tie, proven.
-  void keep_cheapest(std::vector<HalfspaceId>& candidates);
+  const Cost& exact_cost(HalfspaceId i);
+  /// Reduces refined candidates to those of minimal cost: the tie. @return  What proves it.
+  TieEvidence keep_cheapest(std::vector<HalfspaceId>& candidates, const CompareLimits& limits,
+                            const Watch& watch);
   /// The ring of i has changed, or is gone.
   void forget(HalfspaceId i) { refined_.erase(i); }
 
@@ -42,7 +44,7 @@ class TieBreaker {
   // Caps that are known to be equally large.
   struct CostClass {
     FacetOutline outline;  // of one of them, as it was when the class was made
-    std::optional<Rational> cost;
+    std::optional<Cost> cost;
   };
   struct Refined {
     CostBounds<DoubleDouble> bounds;
@@ -52,6 +54,8 @@ class TieBreaker {
 
   bool are_all_congruent(const std::vector<HalfspaceId>& candidates);
   std::shared_ptr<CostClass> new_class(HalfspaceId i);
+  TieEvidence keep_cheapest_class(std::vector<HalfspaceId>& candidates, const CompareLimits& limits,
+                                  const Watch& watch);
 
   const FastDual& dual_;
   FilteredCap& cap_;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/error.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/polytope.hpp"
 #include "number/arithmetic.hpp"
@@ -7,26 +6,40 @@
 namespace convexact {
 namespace {
 
-// The angle between two outward normals: 0 would be coplanar, pi a knife.
-Enclosure angle_between(const IntegerVector3& a, const IntegerVector3& b, long precision) {
-  const IntegerVector3 cross = a.cross(b);
-  return atan2(sqrt(Enclosure(dot(cross, cross), precision)), Enclosure(dot(a, b), precision));
-}
-
-}  // namespace
-
-Enclosure mean_width(const Polytope& polytope, long precision, const Watch& watch) {
-  Enclosure sum(precision);
+// 4 pi times the mean width: each edge with the angle between the outward normals of its facets;
+// 0 would be coplanar, pi a knife.
+AngleSum edges_times_angles(const Polytope& polytope, const Watch& watch) {
+  std::vector<AngleTerm> terms;
   const std::vector<Edge> all = edges(polytope);
   for (std::size_t i = 0; i < all.size(); ++i) {
     watch.at(i, all.size());
     const Edge& edge = all[i];
     const RationalVector3 along = polytope.vertices[edge.head] - polytope.vertices[edge.tail];
-    const Enclosure length = sqrt(Enclosure(along.squaredNorm(), precision));
-    sum += length * angle_between(polytope.planes[edge.left].normal(),
-                                  polytope.planes[edge.right].normal(), precision);
+    const IntegerVector3 &m = polytope.planes[edge.left].normal(),
+                         &n = polytope.planes[edge.right].normal();
+    const IntegerVector3 cross = m.cross(n);
+    terms.push_back({1, along.squaredNorm(), dot(cross, cross), dot(m, n)});
   }
-  return sum / (Enclosure(Integer(4), precision) * Enclosure::pi(precision));
+  return AngleSum(std::move(terms));
+}
+
+}  // namespace
+
+Enclosure mean_width(const Polytope& polytope, long precision, const Watch& watch) {
+  return edges_times_angles(polytope, watch).enclose(precision, watch) /
+         (Enclosure(Integer(4), precision) * Enclosure::pi(precision));
+}
+
+Cost exact_measure(const Polytope& polytope, CostMeasure measure, const Watch& watch) {
+  switch (measure) {
+    case CostMeasure::Volume:
+      return volume(polytope);
+    case CostMeasure::Area:
+      return Cost(RootSum(facet_areas(polytope, watch)));
+    case CostMeasure::MeanWidth:
+      break;
+  }
+  return Cost(edges_times_angles(polytope, watch));
 }
 
 }  // namespace convexact

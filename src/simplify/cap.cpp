@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "convexact/error.hpp"
 #include "number/arithmetic.hpp"
@@ -123,6 +124,80 @@ Rational volume(const Cap& cap) {
   }
   const Integer& d = cap.vertices[0].d;
   return sum_of(six_volumes, 6 * d * d * d);
+}
+
+namespace {
+
+// The area of a polygon in a plane of that normal, as a multiple of the root of n.n: by triangles
+// from its first corner, all of one orientation.
+RootTerm area_of(std::span<const DualPlane> vertices, std::span<const std::uint32_t> corners,
+                 const IntegerVector3& normal) {
+  const DualPlane& apex = vertices[corners[0]];
+  std::vector<Fraction> along;  // twice each triangle's area, times |n|
+  for (std::size_t c = 1; c + 1 < corners.size(); ++c) {
+    const Arm u = arm_from(apex, vertices[corners[c]]),
+              v = arm_from(apex, vertices[corners[c + 1]]);
+    along.push_back({abs(Integer(normal.dot(u.x.cross(v.x)))), Integer(u.d * v.d)});
+  }
+  const Integer squared = dot(normal, normal);
+  return {sum_of(along, Integer(2 * apex.d * apex.d * squared)), squared};
+}
+
+AngleTerm edge_of(const DualPlane& from, const DualPlane& to, const IntegerVector3& m,
+                  const IntegerVector3& n, int factor) {
+  const IntegerVector3 along = arm_from(from, to).x, cross = m.cross(n);
+  const Integer d = from.d * to.d;
+  return {factor, Rational(dot(along, along), Integer(d * d)), dot(cross, cross), dot(m, n)};
+}
+
+RootSum area(const Cap& cap, std::span<const DualPoint> points, HalfspaceId i,
+             std::span<const HalfspaceId> ring) {
+  const auto normal = [&](HalfspaceId id) { return primitive_direction(points[id.index()].n); };
+  std::vector<RootTerm> terms;
+  std::vector<std::uint32_t> base;
+  for (std::uint32_t t = 0; t < ring.size(); ++t) {
+    terms.push_back(area_of(cap.vertices, cap.sides[t], normal(ring[t])));
+    base.push_back(t);
+  }
+  terms.push_back(area_of(cap.vertices, base, normal(i)));
+  terms.back().factor = -terms.back().factor;
+  return RootSum(std::move(terms));
+}
+
+// Each directed edge of a side is met in the opposite direction on another side, or is on the base.
+AngleSum edges_times_angles(const Cap& cap, std::span<const DualPoint> points, HalfspaceId i,
+                            std::span<const HalfspaceId> ring) {
+  const std::size_t k = ring.size();
+  const IntegerVector3 base_normal = primitive_direction(points[i.index()].n);
+  std::vector<IntegerVector3> normals;
+  for (const HalfspaceId id : ring) normals.push_back(primitive_direction(points[id.index()].n));
+  std::map<std::array<std::uint32_t, 2>, std::size_t> side_of;
+  for (std::size_t t = 0; t < k; ++t) {
+    const std::vector<std::uint32_t>& side = cap.sides[t];
+    for (std::size_t c = 0; c < side.size(); ++c) {
+      side_of[{side[c], side[(c + 1) % side.size()]}] = t;
+    }
+  }
+  std::vector<AngleTerm> terms;
+  for (const auto& [ends, t] : side_of) {
+    const DualPlane &from = cap.vertices[ends[0]], &to = cap.vertices[ends[1]];
+    const auto across = side_of.find({ends[1], ends[0]});
+    if (across == side_of.end()) {
+      terms.push_back(edge_of(from, to, normals[t], base_normal, -1));
+    } else if (ends[0] < ends[1]) {
+      terms.push_back(edge_of(from, to, normals[t], normals[across->second], 1));
+    }
+  }
+  return AngleSum(std::move(terms));
+}
+
+}  // namespace
+
+Cost cost_of(const Cap& cap, std::span<const DualPoint> points, HalfspaceId i,
+             std::span<const HalfspaceId> ring, CostMeasure measure) {
+  if (measure == CostMeasure::Volume) return volume(cap);
+  return measure == CostMeasure::Area ? Cost(area(cap, points, i, ring))
+                                      : Cost(edges_times_angles(cap, points, i, ring));
 }
 
 }  // namespace convexact

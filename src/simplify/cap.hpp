@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "convexact/cost.hpp"
 #include "convexact/dual.hpp"
 #include "convexact/point_set.hpp"
 #include "simplify/ring_triangulation.hpp"
@@ -35,5 +36,13 @@ struct Cap {
 /// Exact volume by tetrahedra from base vertex 0; every one counts positive or zero.
 /// @par Cost  O(k) determinants, and a balanced sum of that many rationals.
 [[nodiscard]] Rational volume(const Cap& cap);
+
+/// What the solid gains in a measure if the cap is added: its volume; the areas of its sides less
+/// that of its base; the lengths times exterior angles of its edges that are not on the base, less
+/// those of the base.
+/// @param points  As for make_cap(), which made the cap of i and `ring`.
+/// @par Source    [Jacobson2026]; docs/design/costs.md
+[[nodiscard]] Cost cost_of(const Cap& cap, std::span<const DualPoint> points, HalfspaceId i,
+                           std::span<const HalfspaceId> ring, CostMeasure measure);
 
 }  // namespace convexact

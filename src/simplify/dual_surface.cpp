@@ -11,8 +11,11 @@ namespace convexact {
 
 DualSurface::DualSurface(std::span<const Halfspace> halfspaces,
                          std::span<const DualTriangle> triangles, const RationalPoint& center,
-                         std::uint64_t seed)
-    : adjacency_(halfspaces.size()), is_present_(halfspaces.size(), false), random_(seed) {
+                         std::uint64_t seed, CostMeasure measure)
+    : adjacency_(halfspaces.size()),
+      is_present_(halfspaces.size(), false),
+      measure_(measure),
+      random_(seed) {
   points_.reserve(halfspaces.size());
   for (const Halfspace& halfspace : halfspaces) points_.push_back(polar(halfspace, center));
   for (const DualTriangle& triangle : triangles) {
@@ -37,8 +40,8 @@ Removal DualSurface::removal_of(HalfspaceId i, RingObserver* observer) {
   if (!removal.roof.is_bounded()) return removal;
   // (4) The cap lies between the old vertices on plane i and the new ones.
   const Cap cap = make_cap(points_, i, removal.ring, removal.roof);
-  // (5) Its volume is the cost.
-  removal.cost = volume(cap);
+  // (5) What it adds to the measure is the cost.
+  removal.cost = cost_of(cap, points_, i, removal.ring, measure_);
   return removal;
 }
 

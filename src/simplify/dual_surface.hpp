@@ -18,7 +18,7 @@ struct Removal {
   HalfspaceId removed;
   std::vector<HalfspaceId> ring;  ///< One-ring of `removed`, counter-clockwise from outside.
   RingTriangulation roof;         ///< T_i, which closes the ring without `removed`.
-  std::optional<Cost> cost;       ///< Volume of the cap; none if it is unbounded.
+  std::optional<Cost> cost;       ///< What the cap adds to the measure; none if it is unbounded.
 };
 
 /// A closed convex surface of triangles on dual points, all of them exact. Every change keeps it
@@ -30,9 +30,11 @@ class DualSurface {
   /// @param triangles   The dual hull of some of them, none redundant. The others can be inserted.
   /// @param center      Strictly inside all halfspaces.
   /// @param seed        Of the choice among triangulations of level dual points.
+  /// @param measure     Of the costs of removals.
   /// @throws Error      InvalidArgument if the center is not strictly inside.
   DualSurface(std::span<const Halfspace> halfspaces, std::span<const DualTriangle> triangles,
-              const RationalPoint& center, std::uint64_t seed = 1);
+              const RationalPoint& center, std::uint64_t seed = 1,
+              CostMeasure measure = CostMeasure::Volume);
 
   /// How many halfspaces there are, and how many of them are on the surface.
   std::size_t size() const { return points_.size(); }
@@ -70,6 +72,7 @@ class DualSurface {
   AdjacencyMatrix adjacency_;
   std::vector<bool> is_present_;
   std::size_t left_;
+  CostMeasure measure_;
   Random random_;
 };
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "simplify/exact_engine.hpp"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
 #include "convexact/error.hpp"
+#include "number/precision.hpp"
 #include "simplify/dual_surface.hpp"
 #include "simplify/growth_limit.hpp"
 #include "simplify/step_verification.hpp"
@@ -16,11 +18,12 @@ namespace {
 class ExactEngine {
  public:
   ExactEngine(const DualHull& dual, const RationalPoint& center, const SimplifyOptions& options)
-      : surface_(dual.halfspaces, dual.triangles, center, options.seed),
-        keep_evaluations_(options.keep_evaluations),
-        removals_(surface_.size()) {}
+      : options_(options),
+        surface_(dual.halfspaces, dual.triangles, center, options.seed, options.cost),
+        removals_(surface_.size()),
+        place_(surface_.size()) {}
 
-  void evaluate_all(const std::atomic<bool>* stop);
+  void evaluate_all();
   std::size_t left() const { return surface_.left(); }
   bool every_removal_is_unbounded() const { return queue_.empty(); }
   Step cheapest() const;
@@ -29,49 +32,103 @@ class ExactEngine {
   std::vector<Evaluation>& evaluations() { return evaluations_; }
 
  private:
+  // A bounded removal, known by bounds of its cost; those of a volume are the volume itself.
+  struct Entry {
+    Rational low;
+    HalfspaceId halfspace;
+    Rational high;
+    friend bool operator<(const Entry& a, const Entry& b) {
+      const int order = a.low.compare(b.low);
+      return order != 0 ? order < 0 : a.halfspace < b.halfspace;
+    }
+  };
+
   void evaluate(HalfspaceId i);
   void forget(HalfspaceId i);
+  static Entry entry_of(HalfspaceId i, const Cost& cost);
+  std::vector<HalfspaceId> candidates() const;
+  const Cost& cost(HalfspaceId i) const { return *removals_[i.index()].cost; }
 
+  const SimplifyOptions& options_;
   DualSurface surface_;
-  bool keep_evaluations_;
   std::vector<Evaluation> evaluations_;
   std::vector<Removal> removals_;
-  std::set<std::pair<Cost, HalfspaceId>> queue_;  // bounded removals; ties in canonical order
+  std::set<Entry> queue_;
+  std::vector<std::set<Entry>::iterator> place_;  // of bounded removals
 };
 
 void stop_if_asked(const std::atomic<bool>* stop) {
   if (stop != nullptr && *stop) throw Error(ErrorCode::Stopped, "interrupted");
 }
 
-void ExactEngine::evaluate_all(const std::atomic<bool>* stop) {
+void ExactEngine::evaluate_all() {
   for (std::size_t i = 0; i < removals_.size(); ++i) {
-    stop_if_asked(stop);
+    stop_if_asked(options_.stop);
     evaluate(HalfspaceId(i));
   }
+}
+
+ExactEngine::Entry ExactEngine::entry_of(HalfspaceId i, const Cost& cost) {
+  if (cost.measure() == CostMeasure::Volume) return {cost.rational(), i, cost.rational()};
+  const Enclosure bounds = cost.enclose(kMeasureBits);
+  return {bounds.low(), i, bounds.high()};
 }
 
 void ExactEngine::evaluate(HalfspaceId i) {
   forget(i);
   Removal& removal = removals_[i.index()] = surface_.removal_of(i);
-  if (removal.cost) queue_.emplace(*removal.cost, i);
-  if (keep_evaluations_) {
+  if (removal.cost) place_[i.index()] = queue_.insert(entry_of(i, *removal.cost)).first;
+  if (options_.keep_evaluations) {
     evaluations_.push_back({surface_.size() - left(), i, removal.ring, removal.roof.triangles});
   }
 }
 
 void ExactEngine::forget(HalfspaceId i) {
   Removal& removal = removals_[i.index()];
-  if (removal.cost) queue_.erase({*removal.cost, i});
+  if (removal.cost) queue_.erase(place_[i.index()]);
   removal = {};
 }
 
-Step ExactEngine::cheapest() const {
-  const auto& [cost, i] = *queue_.begin();
-  const Removal& removal = removals_[i.index()];
-  Step step{i, cost, {}, removal.ring, removal.roof.triangles, left() - 1};
-  for (auto it = queue_.begin(); it != queue_.end() && it->first == cost; ++it) {
-    step.tie.push_back(it->second);
+// All that bounds do not tell from the cheapest, ascending.
+std::vector<HalfspaceId> ExactEngine::candidates() const {
+  const Rational* least = &queue_.begin()->high;
+  std::vector<HalfspaceId> ids;
+  auto entry = queue_.begin();
+  for (; entry != queue_.end() && entry->low <= *least; ++entry) {
+    if (entry->high < *least) least = &entry->high;
   }
+  for (auto each = queue_.begin(); each != entry; ++each) {
+    if (each->low <= *least) ids.push_back(each->halfspace);
+  }
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+// What is not proven to be apart from the least counts as a tie.
+Step ExactEngine::cheapest() const {
+  const std::vector<HalfspaceId> ids = candidates();
+  const auto compared = [&](HalfspaceId i, HalfspaceId j) {
+    return compare(cost(i), cost(j), options_.compare, Watch(options_.stop));
+  };
+  HalfspaceId least = ids.front();
+  for (const HalfspaceId i : ids) {
+    if (i != least && compared(i, least).order == Order::Less) least = i;
+  }
+  Step step;
+  for (const HalfspaceId i : ids) {
+    if (i != least) {
+      const Ordering comparison = compared(i, least);
+      if (comparison.order == Order::Greater) continue;
+      step.tie_evidence.add({comparison.tie_proof, comparison.bits});
+    }
+    step.tie.push_back(i);
+  }
+  const Removal& removal = removals_[step.tie.front().index()];
+  step.removed = step.tie.front();
+  step.cost = removal.cost;
+  step.ring = removal.ring;
+  step.triangles = removal.roof.triangles;
+  step.left = left() - 1;
   return step;
 }
 
@@ -91,14 +148,15 @@ Run simplify_exact(const DualHull& dual, const RationalPoint& center,
     throw Error(ErrorCode::InvalidArgument, "a solid needs at least 4 faces");
   }
   ExactEngine engine(dual, center, options);
-  StepVerification verification(dual, options.verify, options.seed);
+  StepVerification verification(dual, options.verify, options.seed, options.cost);
   std::optional<GrowthLimit> growth;
   if (options.max_growth) {
-    growth.emplace(to_polytope(dual.halfspaces, dual.triangles), *options.max_growth);
+    growth.emplace(to_polytope(dual.halfspaces, dual.triangles), options);
   }
   Run run;
   run.halfspaces = dual.halfspaces;
-  if (engine.left() > options.faces) engine.evaluate_all(options.stop);
+  run.measure = options.cost;
+  if (engine.left() > options.faces) engine.evaluate_all();
   while (engine.left() > options.faces) {
     stop_if_asked(options.stop);
     if (engine.every_removal_is_unbounded()) {
@@ -106,7 +164,7 @@ Run simplify_exact(const DualHull& dual, const RationalPoint& center,
       break;
     }
     Step step = engine.cheapest();
-    if (growth && !growth->allows(step.cost->rational())) {
+    if (growth && !growth->allows(*step.cost)) {
       run.stop = StopReason::GrowthLimit;
       break;
     }

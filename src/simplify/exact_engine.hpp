@@ -8,8 +8,9 @@
 
 namespace convexact {
 
-/// Removes one halfspace after another, each time the one whose removal adds the least volume; of
-/// equal ones the first in canonical order. Every sign is exact and every cost a rational.
+/// Removes one halfspace after another, each time the one whose removal adds the least to the
+/// measure of the options; of equal ones the first in canonical order. Every sign and every cost is
+/// exact. Mean widths whose comparison is undecided count as equal, and the step says so.
 /// @param dual    The dual hull of the input.
 /// @param center  Strictly inside the solid. Costs and ties do not depend on it.
 /// @throws Error  InvalidArgument if options.faces < 4, options.max_growth < 0, or the center is

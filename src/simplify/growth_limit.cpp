@@ -3,35 +3,56 @@
 
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
-#include "number/arithmetic.hpp"
 #include "number/precision.hpp"
 
 namespace convexact {
 
 // kMeasureBits decide all but equality up to 30 digits; the exact numbers are there for the rest.
 
-GrowthLimit::GrowthLimit(Polytope polytope, Rational max_growth)
+namespace {
+
+Enclosure enclosed_measure(const Polytope& polytope, CostMeasure measure) {
+  switch (measure) {
+    case CostMeasure::Volume:
+      return enclose_volume(polytope, kMeasureBits);
+    case CostMeasure::Area:
+      return surface_area(polytope, kMeasureBits);
+    case CostMeasure::MeanWidth:
+      break;
+  }
+  return mean_width(polytope, kMeasureBits);
+}
+
+}  // namespace
+
+GrowthLimit::GrowthLimit(Polytope polytope, const SimplifyOptions& options)
     : polytope_(std::move(polytope)),
-      max_growth_(std::move(max_growth)),
-      allowance_(Enclosure(max_growth_, kMeasureBits) * enclose_volume(polytope_, kMeasureBits)),
+      options_(options),
+      allowance_(Enclosure(*options.max_growth, kMeasureBits) *
+                 enclosed_measure(polytope_, options.cost)),
       spent_(kMeasureBits) {
-  if (max_growth_ < 0) {
-    throw Error(ErrorCode::InvalidArgument, "the growth of the volume cannot be limited below 0");
+  if (*options.max_growth < 0) {
+    throw Error(ErrorCode::InvalidArgument, "the growth of a measure cannot be limited below 0");
   }
 }
 
-bool GrowthLimit::allows(const Rational& cost) {
+bool GrowthLimit::allows_exactly(const Cost& cost) {
+  if (!exact_allowance_) {
+    exact_allowance_ = exact_measure(polytope_, options_.cost);
+    *exact_allowance_ *= *options_.max_growth;
+  }
+  std::vector<Cost> costs = costs_;
+  costs.push_back(cost);
+  const Order order =
+      compare(sum_of(costs), *exact_allowance_, options_.compare, Watch(options_.stop)).order;
+  return order == Order::Less || order == Order::Equal;
+}
+
+bool GrowthLimit::allows(const Cost& cost) {
+  const Enclosure spent = spent_ + cost.enclose(kMeasureBits);
+  const std::optional<Sign> slack = (allowance_ - spent).sign();
+  if (slack == Sign::Negative || (!slack && !allows_exactly(cost))) return false;
   costs_.push_back(cost);
-  const Enclosure spent = spent_ + Enclosure(cost, kMeasureBits);
-  std::optional<Sign> slack = (allowance_ - spent).sign();
-  if (!slack) {
-    if (!exact_allowance_) exact_allowance_ = max_growth_ * volume(polytope_);
-    slack = sign_of(Rational(*exact_allowance_ - balanced_sum(costs_)));
-  }
-  if (*slack == Sign::Negative) {
-    costs_.pop_back();
-    return false;
-  }
   spent_ = spent;
   return true;
 }

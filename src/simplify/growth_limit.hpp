@@ -1,33 +1,38 @@
 // SPDX-License-Identifier: MIT
-// growth_limit.hpp - how long a run may go on before its volume has grown too much.
+// growth_limit.hpp - how long a run may go on before its measure has grown too much.
 #pragma once
 #include <optional>
 #include <vector>
 
-#include "convexact/number.hpp"
+#include "convexact/cost.hpp"
 #include "convexact/polytope.hpp"
+#include "convexact/run.hpp"
 
 namespace convexact {
 
-/// Decides V <= (1 + g) V0, where V is V0 plus the costs of the steps so far.
+/// Decides M <= (1 + g) M0, where M is M0, the measure of the input, plus the costs of the steps so
+/// far.
 class GrowthLimit {
  public:
-  /// @param polytope    The input, of volume V0.
-  /// @param max_growth  g >= 0.
-  /// @throws Error      InvalidArgument if g < 0.
-  GrowthLimit(Polytope polytope, Rational max_growth);
+  /// @param polytope  The input.
+  /// @param options   The measure; g = max_growth; how far mean widths are compared.
+  /// @throws Error    InvalidArgument if g < 0.
+  GrowthLimit(Polytope polytope, const SimplifyOptions& options);
 
-  /// Whether a further step of this cost stays within the limit; if so, it counts from now on.
+  /// Whether a further step of this cost stays within the limit; if so, it counts from now on. An
+  /// undecided comparison counts as beyond.
   /// @par Cost  Constant while enclosures decide; an exact sum of all costs where they do not.
-  [[nodiscard]] bool allows(const Rational& cost);
+  [[nodiscard]] bool allows(const Cost& cost);
 
  private:
+  bool allows_exactly(const Cost& cost);
+
   Polytope polytope_;
-  Rational max_growth_;
-  Enclosure allowance_;  // g V0
+  const SimplifyOptions& options_;
+  Enclosure allowance_;  // g M0
   Enclosure spent_;      // the costs so far
-  std::vector<Rational> costs_;
-  std::optional<Rational> exact_allowance_;  // once it was needed
+  std::vector<Cost> costs_;
+  std::optional<Cost> exact_allowance_;  // once it was needed
 };
 
 }  // namespace convexact

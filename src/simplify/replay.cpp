@@ -21,8 +21,12 @@ Run replay(const DualHull& dual, const RationalPoint& center, std::span<const Ha
     }
     surface.apply(removal);
     run.evaluations.push_back({step, i, removal.ring, removal.roof.triangles});
-    run.steps.push_back(
-        {i, removal.cost, {}, removal.ring, removal.roof.triangles, surface.left()});
+    Step& made = run.steps.emplace_back();
+    made.removed = i;
+    made.cost = removal.cost;
+    made.ring = removal.ring;
+    made.triangles = removal.roof.triangles;
+    made.left = surface.left();
   }
   run.triangles = surface.triangles();
   return run;

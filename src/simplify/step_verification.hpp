@@ -17,7 +17,9 @@ class StepVerification {
  public:
   /// @param dual   The dual hull from which the run starts; must outlive this object.
   /// @param seed   Draws the two primes of the volume check.
-  StepVerification(const DualHull& dual, VerifyLevel level, std::uint64_t seed = 1);
+  /// @param measure  Of the costs of steps.
+  StepVerification(const DualHull& dual, VerifyLevel level, std::uint64_t seed = 1,
+                   CostMeasure measure = CostMeasure::Volume);
   ~StepVerification();
 
   /// Checks the next step. @throws Error Internal, naming the step (counted from 1) and the check.

@@ -30,8 +30,13 @@ inline constexpr auto kTieProofNames =
                           {TieProof::Undecided, "undecided"}});
 inline const char* name_of(TieProof proof) { return name_in(kTieProofNames, proof); }
 
+/// Version 1, which has neither version nor measure, knew volumes only; it is still read.
+inline constexpr int kTraceVersion = 2;
+
 /// One object as docs/schema/trace.schema.json describes it: integers of any size are strings, a
-/// cost is {"value": nearest double, or null beyond the largest one, "exact": "p/q"}.
+/// cost is {"value": nearest double, or null beyond the largest one, "decimal": 17 digits} with, by
+/// the measure, "exact": "p/q", "roots": [["q", "N"], ...], or
+/// "edges": [["factor", "squared length", "squared cross product", "dot product"], ...].
 /// Precondition: each step has its cost.
 [[nodiscard]] std::string write_trace_json(const Run& run);
 

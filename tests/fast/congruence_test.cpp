@@ -60,7 +60,7 @@ struct Caps {
   Caps(const DualHull& solid, const RationalPoint& center)
       : planes(solid.halfspaces), dual(FastDual::of(solid, center)) {
     const HalfEdgeMesh mesh(dual.size(), dual.triangles());
-    FilteredCap cap(dual, mesh, 1);
+    FilteredCap cap(dual, mesh, CostMeasure::Volume, 1);
     const RemovalOracle oracle(planes, center);
     for (std::size_t i = 0; i < planes.size(); ++i) {
       cap.prepare(HalfspaceId(i));

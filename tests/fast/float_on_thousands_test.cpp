@@ -100,7 +100,7 @@ bool are_signs_certain(const FastDual& dual, HalfspaceId i, const OneRing& ring)
 // or doubles cannot tell the topology of what would be left.
 void check_reason_to_end(const FastDual& dual, const FastResult& result) {
   const HalfEdgeMesh mesh(dual.size(), result.triangles);
-  FilteredCap cap(dual, mesh, 1);
+  FilteredCap cap(dual, mesh, CostMeasure::Volume, 1);
   for (const HalfspaceId i : result.survivors) {
     cap.prepare(i);
     if (cap.in_doubles().kind == Boundedness::Unbounded) continue;

@@ -17,7 +17,7 @@ using namespace convexact;
 
 namespace {
 
-struct Claim {
+struct StepClaim {
   HalfspaceId removed;
   std::vector<HalfspaceId> ring, across;
   std::vector<DualTriangle> triangles;
@@ -37,7 +37,7 @@ struct DualOfPoints {
         signs(dual) {}
 
   // Why a removal is refused; empty if it is accepted.
-  std::string refusal(const Claim& r) const {
+  std::string refusal(const StepClaim& r) const {
     try {
       StepCheck(dual).check({r.removed, r.ring, r.across, r.triangles});
       return "";
@@ -47,7 +47,7 @@ struct DualOfPoints {
   }
 
   // By the definition: the new vertices exist and are inside the ring's planes.
-  bool is_right(const Claim& r) const {
+  bool is_right(const StepClaim& r) const {
     for (const DualTriangle& t : r.triangles) {
       if (signs.determinant(t[0], t[1], t[2]) != Sign::Positive) return false;
       for (const HalfspaceId p : r.ring) {
@@ -58,15 +58,15 @@ struct DualOfPoints {
   }
 
   // Each ring of four with both triangulations of its quadrilateral.
-  std::vector<Claim> both_of_four() const {
+  std::vector<StepClaim> both_of_four() const {
     const HalfEdgeMesh mesh(dual.size(), dual.triangles());
-    std::vector<Claim> list;
+    std::vector<StepClaim> list;
     for (std::size_t i = 0; i < dual.size(); ++i) {
       OneRing ring;
       mesh.one_ring(HalfspaceId(i), ring);
       const auto& v = ring.vertices;
       if (v.size() != 4) continue;
-      Claim removal{HalfspaceId(i), v, {}, {{v[0], v[1], v[2]}, {v[0], v[2], v[3]}}};
+      StepClaim removal{HalfspaceId(i), v, {}, {{v[0], v[1], v[2]}, {v[0], v[2], v[3]}}};
       for (const std::uint32_t h : ring.outer) removal.across.push_back(mesh.apex(h));
       list.push_back(removal);
       removal.triangles = {{v[0], v[1], v[3]}, {v[1], v[2], v[3]}};
@@ -74,9 +74,9 @@ struct DualOfPoints {
     }
     return list;
   }
-  std::vector<Claim> right_ones() const {
-    std::vector<Claim> list = both_of_four();
-    std::erase_if(list, [&](const Claim& r) { return !is_right(r); });
+  std::vector<StepClaim> right_ones() const {
+    std::vector<StepClaim> list = both_of_four();
+    std::erase_if(list, [&](const StepClaim& r) { return !is_right(r); });
     REQUIRE(list.size() > 3);
     return list;
   }
@@ -93,7 +93,7 @@ bool says(const std::string& text, const std::string& part) {
 TEST_CASE("StepCheck: accepts a removal and refuses what is not one") {
   const DualOfPoints solid = round_solid();
   int steps = 0, refused = 0;
-  for (const Claim& removal : solid.both_of_four()) {
+  for (const StepClaim& removal : solid.both_of_four()) {
     if (!solid.is_right(removal)) {
       CHECK_FALSE(solid.refusal(removal).empty());
       ++refused;
@@ -102,7 +102,7 @@ TEST_CASE("StepCheck: accepts a removal and refuses what is not one") {
     CHECK(solid.refusal(removal) == "");
     ++steps;
     // Each of these is not a disk, or lies on the wrong side.
-    Claim wrong = removal;
+    StepClaim wrong = removal;
     wrong.triangles = {removal.triangles[0]};
     CHECK(says(solid.refusal(wrong), "k - 2 triangles"));
     wrong.triangles = {removal.triangles[0], removal.triangles[0]};
@@ -117,13 +117,13 @@ TEST_CASE("StepCheck: accepts a removal and refuses what is not one") {
 
 TEST_CASE("StepCheck: rings of nothing, of two, with a stranger, with a repeat") {
   const DualOfPoints solid = round_solid();
-  for (const Claim& removal : solid.right_ones()) {
+  for (const StepClaim& removal : solid.right_ones()) {
     const auto& v = removal.ring;
     CHECK(says(solid.refusal({removal.removed, {}, {}, {}}), "k - 2 triangles"));
     // What lies across is named so that no edge looks dented.
     CHECK(says(solid.refusal({removal.removed, {v[0], v[1]}, {v[0], v[1]}, {}}),
                "the ring bounds the new triangles"));
-    Claim wrong = removal;
+    StepClaim wrong = removal;
     wrong.triangles[0] = {removal.across[0], v[0], v[1]};
     CHECK(says(solid.refusal(wrong), "corners on the ring"));
     wrong = removal;
@@ -141,7 +141,7 @@ TEST_CASE("StepCheck: triangles that own every edge of the ring, and are no disk
     mesh.one_ring(HalfspaceId(i), ring);
     const auto& v = ring.vertices;
     if (v.size() != 6) continue;
-    Claim removal{HalfspaceId(i), v, {}, {}};
+    StepClaim removal{HalfspaceId(i), v, {}, {}};
     for (const std::uint32_t h : ring.outer) removal.across.push_back(mesh.apex(h));
     // Three ears own all six edges; the fourth triangle is one of them again, not the middle.
     removal.triangles = {
@@ -155,7 +155,7 @@ TEST_CASE("StepCheck: triangles that own every edge of the ring, and are no disk
 TEST_CASE("StepCheck: a cap that is open to infinity") {
   // Without a face of the cube the four around it are parallel in pairs: det = 0.
   const DualOfPoints cube(shapes::cube());
-  for (const Claim& removal : cube.both_of_four()) {
+  for (const StepClaim& removal : cube.both_of_four()) {
     CHECK(says(cube.refusal(removal), "every new triangle has a vertex"));
   }
 }
@@ -164,7 +164,7 @@ TEST_CASE("StepCheck: new vertices that lie strictly inside the plane that is re
   // A right cap under a plane elsewhere, of which the new vertices stay clear.
   const DualOfPoints solid = round_solid();
   int tried = 0;
-  for (const Claim& removal : solid.right_ones()) {
+  for (const StepClaim& removal : solid.right_ones()) {
     for (std::size_t j = 0; j < solid.dual.size(); ++j) {
       const HalfspaceId other(j);
       const auto cuts = [&](const DualTriangle& t) {
@@ -172,7 +172,7 @@ TEST_CASE("StepCheck: new vertices that lie strictly inside the plane that is re
       };
       if (std::any_of(removal.triangles.begin(), removal.triangles.end(), cuts)) continue;
       if (std::count(removal.ring.begin(), removal.ring.end(), other) > 0) continue;
-      Claim wrong = removal;
+      StepClaim wrong = removal;
       wrong.removed = other;
       CHECK(says(solid.refusal(wrong), "on or beyond the removed plane"));
       ++tried;
@@ -184,7 +184,7 @@ TEST_CASE("StepCheck: new vertices that lie strictly inside the plane that is re
 TEST_CASE("StepCheck: the triangulation whose inner edge is a dent") {
   const DualOfPoints solid = round_solid();
   int tried = 0;
-  for (const Claim& removal : solid.both_of_four()) {
+  for (const StepClaim& removal : solid.both_of_four()) {
     bool exists = true;
     for (const DualTriangle& t : removal.triangles) {
       exists = exists && solid.signs.determinant(t[0], t[1], t[2]) == Sign::Positive &&
@@ -200,9 +200,9 @@ TEST_CASE("StepCheck: the triangulation whose inner edge is a dent") {
 TEST_CASE("StepCheck: what is said to lie across an edge of the ring") {
   const DualOfPoints solid = round_solid();
   int dents = 0;
-  for (const Claim& removal : solid.right_ones()) {
+  for (const StepClaim& removal : solid.right_ones()) {
     const auto& v = removal.ring;
-    Claim wrong = removal;
+    StepClaim wrong = removal;
     wrong.across.push_back(wrong.across[0]);
     CHECK(says(solid.refusal(wrong), "every edge of the ring has an outside"));
     for (std::size_t m = 0; m < 4; ++m) {

@@ -56,7 +56,9 @@ TEST_CASE("trace_json: every part of a run stands in its trace") {
   }
   for (const StopReason stop :
        {StopReason::Reached, StopReason::GrowthLimit, StopReason::AllUnbounded}) {
-    const std::string text = write_trace_json({run.halfspaces, run.steps, stop});
+    Run ended = run;
+    ended.stop = stop;
+    const std::string text = write_trace_json(ended);
     CHECK(json::parse(text)["stop"] == name_of(stop));
     CHECK(complaint(json::parse(text)).empty());
   }
@@ -98,6 +100,27 @@ TEST_CASE("trace_json: conforms to its schema, and a mutated document does not")
     json bad = good;
     mutations[m](bad);
     CHECK_FALSE(complaint(bad).empty());
+  }
+}
+
+TEST_CASE("trace_json: areas and mean widths, with the terms of their sums") {
+  for (const CostMeasure measure : {CostMeasure::Area, CostMeasure::MeanWidth}) {
+    const Run run = simplify_points(shapes::cut_cube(3, 0.25), {.cost = measure});
+    const json document = json::parse(write_trace_json(run));
+    CHECK(complaint(document) == "");
+    CHECK(document["version"] == 2);
+    CHECK(document["measure"] == name_of(measure));
+    const json& step = document["steps"][0];
+    CHECK(step["tie_proof"].is_string());
+    CHECK_FALSE(step["cost"].contains("exact"));
+    if (measure == CostMeasure::Area) {
+      // (3 - sqrt 3) / 32: three right triangles of legs 1/4, less the cut.
+      CHECK(step["cost"]["roots"] == json::array({{"3/32", "1"}, {"-1/32", "3"}}));
+      CHECK(step["cost"]["decimal"] == "0.039623412263472585");
+    } else {
+      CHECK_FALSE(step["cost"]["edges"].empty());
+      CHECK(step["cost"]["decimal"] == "0.013116830775607213");  // half of legs 1/2
+    }
   }
 }
 

@@ -4,7 +4,9 @@
 #pragma once
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -27,7 +29,8 @@ struct Tally {
 /// Decides again every `stride`-th sign and cap that it hears of.
 class Auditor : public CostObserver, public Tally {
  public:
-  Auditor(const FastDual& dual, std::size_t stride) : dual_(dual), stride_(stride) {}
+  Auditor(const FastDual& dual, std::size_t stride, CostMeasure measure = CostMeasure::Volume)
+      : dual_(dual), stride_(stride), measure_(measure) {}
 
   void height(HalfspaceId a, HalfspaceId b, HalfspaceId c, HalfspaceId p,
               FilterSign sign) override {
@@ -79,11 +82,31 @@ class Auditor : public CostObserver, public Tally {
     REQUIRE(roof.is_bounded() == (bounds.kind == Boundedness::Bounded));
     ++caps_checked;
     if (bounds.kind != Boundedness::Bounded) return;
-    const Rational six_times = scale_by_power_of_two(
-        volume(make_cap(ring.vertices, base, roof)) * 6, -dual_.volume_exponent());
-    CHECK(exactly(bounds.lower) <= six_times);
+    const auto [low, high] = multiple(make_cap(ring.vertices, base, roof), i, ring.vertices);
+    CHECK(exactly(bounds.lower) <= low);
     const bool is_beyond_doubles = std::isinf(leading(bounds.upper));
-    CHECK((is_beyond_doubles || six_times <= exactly(bounds.upper)));
+    CHECK((is_beyond_doubles || high <= exactly(bounds.upper)));
+  }
+
+  // What the bounds are about, exactly or within 200 bits.
+  std::array<Rational, 2> multiple(const Cap& cap, HalfspaceId i,
+                                   std::span<const HalfspaceId> ring) {
+    const long exponent = -dual_.cost_exponent(measure_);
+    if (measure_ == CostMeasure::Volume) {
+      const Rational six_times = scale_by_power_of_two(volume(cap) * 6, exponent);
+      return {six_times, six_times};
+    }
+    constexpr long kBits = 200;
+    if (points_.empty()) {
+      for (std::size_t k = 0; k < dual_.size(); ++k) {
+        points_.push_back(polar(dual_.exact(HalfspaceId(k)), dual_.center()));
+      }
+    }
+    Enclosure value = cost_of(cap, points_, i, ring, measure_).enclose(kBits);
+    value *= measure_ == CostMeasure::Area ? Enclosure(Integer(2), kBits)
+                                           : Enclosure(Integer(4), kBits) * Enclosure::pi(kBits);
+    return {scale_by_power_of_two(value.low(), exponent),
+            scale_by_power_of_two(value.high(), exponent)};
   }
 
   static Rational exactly(double x) { return to_rational(x); }
@@ -93,6 +116,8 @@ class Auditor : public CostObserver, public Tally {
 
   const FastDual& dual_;
   std::size_t stride_;
+  CostMeasure measure_;
+  std::vector<DualPoint> points_;
 };
 
 struct Audited {
@@ -102,7 +127,7 @@ struct Audited {
 
 /// Runs the loop to `faces` halfspaces under an audit.
 inline Audited run(const FastDual& dual, std::size_t stride, const SimplifyOptions& options = {}) {
-  Auditor auditor(dual, stride);
+  Auditor auditor(dual, stride, options.cost);
   const FastResult result = FilteredLoop(dual, options, &auditor).run();
   return {auditor, result.counts};
 }

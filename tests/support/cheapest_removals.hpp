@@ -2,6 +2,9 @@
 // cheapest_removals.hpp - the cheapest removals, by the definition: the halfspaces are
 // intersected from scratch without each candidate.
 #pragma once
+#include <array>
+
+#include "convexact/error.hpp"
 #include "convexact/point_set.hpp"
 #include "halfspace_arrangement.hpp"
 
@@ -9,21 +12,40 @@ namespace definition {
 
 /// The removals of least cost; none if every one is unbounded.
 struct Cheapest {
-  std::optional<Rational> cost;
+  std::optional<Cost> cost;
   std::vector<HalfspaceId> tie;  // ascending
 };
 
-inline Cheapest cheapest_removals(const HalfspaceArrangement& arrangement, Subset left) {
-  const Rational before = arrangement.volume(left).value();
+/// The order of two costs of one measure. Those that this cannot tell apart are a failure of the
+/// test that asks.
+inline std::strong_ordering in_order(const Cost& a, const Cost& b) {
+  switch (compare(a, b).order) {
+    case Order::Less:
+      return std::strong_ordering::less;
+    case Order::Greater:
+      return std::strong_ordering::greater;
+    case Order::Equal:
+      return std::strong_ordering::equal;
+    case Order::Undecided:
+      break;
+  }
+  throw Error(ErrorCode::Internal, "undecided");
+}
+
+inline Cheapest cheapest_removals(const HalfspaceArrangement& arrangement, Subset left,
+                                  CostMeasure measure = CostMeasure::Volume) {
+  Cost before = arrangement.measure(left, measure).value();
+  before *= -1;
   Cheapest best;
   for (std::size_t i = 0; i < arrangement.size(); ++i) {
     const Subset bit = Subset{1} << i;
     if ((left & bit) == 0) continue;
-    const std::optional<Rational> after = arrangement.volume(left & ~bit);
+    const std::optional<Cost> after = arrangement.measure(left & ~bit, measure);
     if (!after) continue;
-    const Rational cost = *after - before;
-    if (!best.cost || cost < *best.cost) best = {cost, {}};
-    if (cost == *best.cost) best.tie.emplace_back(i);
+    const std::array<Cost, 2> parts{*after, before};
+    const Cost cost = sum_of(parts);
+    if (!best.cost || in_order(cost, *best.cost) < 0) best = {cost, {}};
+    if (in_order(cost, *best.cost) == 0) best.tie.emplace_back(i);
   }
   return best;
 }

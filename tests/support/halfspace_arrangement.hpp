@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "convexact/cost.hpp"
 #include "convexact/halfspace.hpp"
 #include "number/arithmetic.hpp"
 
@@ -32,6 +33,9 @@ class HalfspaceArrangement {
   bool is_bounded(Subset chosen) const;
   /// Volume of the intersection; none if it is unbounded.
   std::optional<Rational> volume(Subset chosen) const;
+  /// Volume, area or mean width of the intersection; none if it is unbounded.
+  /// Precondition: none of the halfspaces is redundant, and they span a volume.
+  std::optional<Cost> measure(Subset chosen, CostMeasure measure) const;
 
  private:
   struct Meeting {
@@ -43,8 +47,13 @@ class HalfspaceArrangement {
   static bool contains(Subset outer, Subset inner) { return (inner & ~outer) == 0; }
   static bool has(Subset set, std::size_t i) { return set >> i & 1; }
   bool is_vertex(const Meeting& meeting, Subset chosen) const;
+  std::vector<const Meeting*> vertices_of(Subset chosen) const;
+  std::vector<RationalVector3> corners_of(std::size_t i,
+                                          const std::vector<const Meeting*>& vertices) const;
   std::vector<Rational> facet_terms(std::size_t i,
                                     const std::vector<const Meeting*>& vertices) const;
+  Cost area(Subset chosen) const;
+  Cost mean_width(Subset chosen) const;
 
   std::vector<Halfspace> halfspaces_;
   std::vector<Meeting> meetings_;
@@ -106,23 +115,40 @@ inline bool HalfspaceArrangement::is_bounded(Subset chosen) const {
          });
 }
 
-// Six times the volume of the pyramid from the first vertex over facet i, in tetrahedra.
-inline std::vector<Rational> HalfspaceArrangement::facet_terms(
+inline std::vector<const HalfspaceArrangement::Meeting*> HalfspaceArrangement::vertices_of(
+    Subset chosen) const {
+  std::vector<const Meeting*> vertices;
+  for (const Meeting& m : meetings_) {
+    if (is_vertex(m, chosen)) vertices.push_back(&m);
+  }
+  return vertices;
+}
+
+// The vertices on plane i in order, relative to the first vertex of all. Seen from one corner the
+// others of a convex polygon span less than half a turn.
+inline std::vector<RationalVector3> HalfspaceArrangement::corners_of(
     std::size_t i, const std::vector<const Meeting*>& vertices) const {
-  std::vector<Rational> terms;
-  if (has(vertices[0]->on, i)) return terms;
   std::vector<RationalVector3> corners;
   for (const Meeting* m : vertices) {
     if (has(m->on, i)) corners.push_back(m->point - vertices[0]->point);
   }
-  if (corners.size() < 3) return terms;
-  // Seen from one corner the others of a convex polygon span less than half a turn.
+  if (corners.empty()) return corners;
   const RationalVector3 normal = halfspaces_[i].normal().cast<Rational>();
   std::sort(corners.begin() + 1, corners.end(),
             [&](const RationalVector3& u, const RationalVector3& v) {
               const RationalVector3 a = u - corners[0], b = v - corners[0];
               return normal.dot(a.cross(b)) > 0;
             });
+  return corners;
+}
+
+// Six times the volume of the pyramid from the first vertex over facet i, in tetrahedra.
+inline std::vector<Rational> HalfspaceArrangement::facet_terms(
+    std::size_t i, const std::vector<const Meeting*>& vertices) const {
+  std::vector<Rational> terms;
+  if (has(vertices[0]->on, i)) return terms;
+  const std::vector<RationalVector3> corners = corners_of(i, vertices);
+  if (corners.size() < 3) return terms;
   for (std::size_t c = 2; c < corners.size(); ++c) {
     terms.push_back(corners[0].dot(corners[c - 1].cross(corners[c])));
   }
@@ -131,10 +157,7 @@ inline std::vector<Rational> HalfspaceArrangement::facet_terms(
 
 inline std::optional<Rational> HalfspaceArrangement::volume(Subset chosen) const {
   if (!is_bounded(chosen)) return std::nullopt;
-  std::vector<const Meeting*> vertices;
-  for (const Meeting& m : meetings_) {
-    if (is_vertex(m, chosen)) vertices.push_back(&m);
-  }
+  const std::vector<const Meeting*> vertices = vertices_of(chosen);
   if (vertices.empty()) return Rational(0);
   std::vector<Rational> terms;
   for (std::size_t i = 0; i < size(); ++i) {
@@ -142,6 +165,51 @@ inline std::optional<Rational> HalfspaceArrangement::volume(Subset chosen) const
     for (Rational& term : facet_terms(i, vertices)) terms.push_back(std::move(term));
   }
   return balanced_sum(std::move(terms)) / 6;
+}
+
+// Half the length of the cross product of each facet's diagonals, by its component along n.
+inline Cost HalfspaceArrangement::area(Subset chosen) const {
+  const std::vector<const Meeting*> vertices = vertices_of(chosen);
+  RootSum sum;
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (!has(chosen, i)) continue;
+    const std::vector<RationalVector3> corners = corners_of(i, vertices);
+    RationalVector3 twice = RationalVector3::Zero();
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+      twice += corners[c].cross(corners[(c + 1) % corners.size()]);
+    }
+    sum.add(Rational(1, 2), twice.squaredNorm());
+  }
+  return Cost(std::move(sum));
+}
+
+// 4 pi times it: every two planes with two common vertices have an edge, and as no halfspace is
+// redundant, no third plane holds that.
+inline Cost HalfspaceArrangement::mean_width(Subset chosen) const {
+  const std::vector<const Meeting*> vertices = vertices_of(chosen);
+  std::vector<AngleTerm> terms;
+  for (std::size_t i = 0; i < size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!has(chosen, i) || !has(chosen, j)) continue;
+      std::vector<RationalPoint> ends;
+      for (const Meeting* m : vertices) {
+        if (has(m->on, i) && has(m->on, j)) ends.push_back(m->point);
+      }
+      if (ends.size() < 2) continue;
+      const IntegerVector3 &m = halfspaces_[i].normal(), &n = halfspaces_[j].normal();
+      terms.push_back({1, (ends[1] - ends[0]).squaredNorm(), m.cross(n).squaredNorm(), m.dot(n)});
+    }
+  }
+  return Cost(AngleSum(std::move(terms)));
+}
+
+inline std::optional<Cost> HalfspaceArrangement::measure(Subset chosen, CostMeasure measure) const {
+  if (measure == CostMeasure::Volume) {
+    const std::optional<Rational> exact = volume(chosen);
+    return exact ? std::optional<Cost>(*exact) : std::nullopt;
+  }
+  if (!is_bounded(chosen)) return std::nullopt;
+  return measure == CostMeasure::Area ? area(chosen) : mean_width(chosen);
 }
 
 }  // namespace definition

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// Area and mean width in the filtered engine: the same runs as the exact engine's, every enclosure
+// of whole runs against 200 bits, and the bound of its angles against the definition.
+#include "fast/metric_cost.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "auditor.hpp"
+#include "convexact/measure.hpp"
+#include "hill_climb.hpp"
+#include "same_run.hpp"
+#include "shapes/makers.hpp"
+#include "simplify_points.hpp"
+
+using namespace convexact;
+
+namespace {
+
+constexpr CostMeasure kMetrics[] = {CostMeasure::Area, CostMeasure::MeanWidth};
+
+void check_same(const std::vector<Point>& points) {
+  for (const CostMeasure measure : kMetrics) {
+    CAPTURE(static_cast<int>(measure));
+    check_same_solid(dual_of_doubles(points), {.cost = measure});
+  }
+}
+
+using Exact = Vector3<Rational>;
+
+Enclosure length(const Exact& v, long bits) { return sqrt(Enclosure(v.squaredNorm(), bits)); }
+
+Enclosure angle(const Exact& a, const Exact& b, long bits) {
+  return atan2(length(a.cross(b), bits), Enclosure(Rational(a.dot(b)), bits));
+}
+
+// sin(theta) (theta - alpha cos A - beta cos B) by the definition: cos A from the law of cosines.
+Enclosure excess(const Exact& i, const Exact& x, const Exact& y) {
+  constexpr long kBits = 400;
+  const auto cosine = [&](const Exact& a, const Exact& b) {
+    return Enclosure(Rational(a.dot(b)), kBits) / (length(a, kBits) * length(b, kBits));
+  };
+  const auto sine = [&](const Exact& a, const Exact& b) {
+    return length(a.cross(b), kBits) / (length(a, kBits) * length(b, kBits));
+  };
+  const auto part = [&](const Exact& a, const Exact& b) {
+    return angle(i, a, kBits) / sine(i, a) * (cosine(i, b) - cosine(i, a) * cosine(a, b));
+  };
+  return angle(x, y, kBits) * sine(x, y) - part(x, y) - part(y, x);
+}
+
+// Numbers in [-1, 1]: three for each of the points i, x, y, the last two `size` away from the first
+// and flattened, and three for how far each direction is off, in shares of the error allowed.
+struct NearNormals {
+  double size, flat;
+
+  // How much of the half width of the enclosure is used; 0 where there is none, or it ends at 0.
+  double used(const std::vector<double>& at) const {
+    const Point i{0.5 + at[0] / 4, 0.5 + at[1] / 4, 0.5 + at[2] / 4};
+    const auto beside = [&](std::size_t k) {
+      return Point{i[0] + size * at[k], i[1] + flat * size * at[k + 1], i[2] + size * at[k + 2]};
+    };
+    const Point x = beside(3), y = beside(6);
+    const auto moved = [&](const Point& p, std::size_t k) {
+      constexpr double kOff = (DualNormals::kDirectionError - 4) * kUnitRoundoff / 1.75;  // 4: own
+      const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+      return Triple<double>{p[0] / length + kOff * at[k], p[1] / length + kOff * at[k + 1],
+                            p[2] / length + kOff * at[k + 2]};
+    };
+    const Triple<double> n = moved(i, 9), p = moved(x, 12), q = moved(y, 15);
+    const Interval<double> bounds = angular_excess(p - n, q - n, q - p);
+    if (std::isinf(bounds.upper)) return 0;
+    const Enclosure truth = excess(to_rational(i), to_rational(x), to_rational(y));
+    REQUIRE(to_rational(bounds.lower) <= truth.low());
+    REQUIRE(truth.high() <= to_rational(bounds.upper));
+    const double middle = (bounds.upper + bounds.lower) / 2, half = bounds.upper - middle;
+    const double error = std::abs((truth.low() - to_rational(middle)).convert_to<double>());
+    return bounds.lower > 0 ? error / half : 0;
+  }
+};
+
+double most_used(const NearNormals& normals) {
+  return hill_climb::highest(18, 8, 240, 1,
+                             [&](const std::vector<double>& at) { return normals.used(at); });
+}
+
+}  // namespace
+
+TEST_CASE("metric costs: the same runs as the exact engine's") {
+  check_same(shapes::cube());
+  check_same(shapes::dodecahedron());
+  check_same(shapes::icosahedron());
+  check_same(shapes::cut_cube(8, 0.3));
+  check_same(shapes::chamfered_box({1, 2, 3}, 0.1));
+  for (const std::uint32_t k : {5u, 12u, 20u}) {
+    check_same(shapes::prism(k));
+    check_same(shapes::antiprism(k));
+    check_same(shapes::bipyramid(k));
+  }
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    CAPTURE(seed);
+    check_same(shapes::lattice(8 + static_cast<std::uint32_t>(seed % 20), 1 + seed % 3, seed));
+    check_same(shapes::centrally_symmetric(5, seed));
+  }
+}
+
+// Bounds from before a removal, kept in the queue, would choose wrongly here.
+TEST_CASE("metric costs: the same runs where costs fall") {
+  check_same({{-2, 3, 0},
+              {1, 3, -1},
+              {-4, 1, 0},
+              {1, 0, 0},
+              {1, 4, -1},
+              {-3, -1, 2},
+              {-3, -2, 4},
+              {-4, 3, -3}});
+  check_same(
+      {{4, -2, -3}, {-1, -2, 2}, {-2, -4, -2}, {3, -4, 0}, {-4, 3, -2}, {0, 1, 1}, {1, -2, 0}});
+}
+
+// Determinants do not see that axes are scaled; areas and angles do.
+TEST_CASE("metric costs: the same runs on needles and slabs") {
+  for (const double scale : {0x1p-4, 0x1p-20, 0x1p-60, 0x1p30}) {
+    CAPTURE(scale);
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<Point> points = shapes::lattice(14, 3, 7);
+      for (Point& p : points) p[axis] *= scale;
+      check_same(points);
+    }
+  }
+}
+
+TEST_CASE("metric costs: growth is limited by the measure of the cost") {
+  for (const CostMeasure measure : kMetrics) {
+    const DualHull dual = dual_of_doubles(shapes::dodecahedron());
+    const Run all = simplify_filtered(dual, mean_of_vertices(dual), {.cost = measure});
+    const auto value = [](const Cost& cost) { return cost.enclose(64).low(); };
+    const Rational first =
+        value(exact_measure(to_polytope(dual.halfspaces, dual.triangles), measure));
+    const Rational share = (value(*all.steps[0].cost) + value(*all.steps[1].cost)) / first;
+    for (const int per_mille : {999, 1001}) {
+      const SimplifyOptions options{.cost = measure, .max_growth = share * per_mille / 1000};
+      const Run run = simplify_filtered(dual, mean_of_vertices(dual), options);
+      CHECK(run.steps.size() == (per_mille < 1000 ? 1 : 2));
+      CHECK(run.stop == StopReason::GrowthLimit);
+    }
+  }
+}
+
+TEST_CASE("metric costs: every enclosure of whole runs holds the value to 200 bits") {
+  for (const CostMeasure measure : kMetrics) {
+    CAPTURE(static_cast<int>(measure));
+    for (const std::vector<Point>& points :
+         {shapes::dodecahedron(), shapes::lattice(40, 3, 5), shapes::prism(17),
+          shapes::centrally_symmetric(12, 2)}) {
+      const PointSet set(points);
+      const Hull hull = std::get<Hull>(convex_hull(set));
+      const audit::Audited audited =
+          audit::run(FastDual::of(hull, set), 1, {.faces = 4, .cost = measure});
+      CHECK(audited.tally.caps_checked > 10);
+    }
+  }
+}
+
+TEST_CASE("metric costs: the bound of the angles holds for the worst found, and is not vacuous") {
+  double near = 0, far = 0;
+  for (const double flat : {1.0, 0x1p-10}) {
+    for (const double size : {0x1p-4, 0x1p-7, 0x1p-12, 0x1p-20}) {
+      near = std::max(near, most_used({size, flat}));
+    }
+    for (const double size : {0.5, 1.0}) far = std::max(far, most_used({size, flat}));
+  }
+  CHECK(near > 1.0 / 16);
+  CHECK(far > 1.0 / 64);
+  MESSAGE("near " << near << ", far " << far);
+}
