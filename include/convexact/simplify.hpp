@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // simplify.hpp - the main job: enclose a shape in few halfspaces and prove that they hold it.
 #pragma once
+#include <array>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -32,10 +33,15 @@ enum class Engine {
 /// A request. At least one of `faces` and `max_growth` must be given.
 struct SimplifyRequest {
   std::optional<std::size_t> faces;    ///< Halfspaces to keep, >= 4.
-  std::optional<Rational> max_growth;  ///< Volume may grow to (1 + max_growth) times; >= 0.
+  std::optional<Rational> max_growth;  ///< `cost` may grow to (1 + max_growth) times; >= 0.
+  /// The measure that is kept small. The float engine knows the volume only.
+  CostMeasure cost = CostMeasure::Volume;
+  CompareLimits compare = {};  ///< Of mean widths.
   Engine engine = Engine::Filtered;
-  bool trace = false;   ///< Keep the full record of every step. Not for the float engine.
-  bool record = false;  ///< Keep the data for a proof of the run. For every engine.
+  bool trace = false;  ///< Keep the full record of every step. Not for the float engine.
+  /// Keep the data for a proof of the run. For every engine. Of a run by area or mean width the
+  /// proof is about its removals and their volumes, so it has no trace beside it.
+  bool record = false;
   /// How much of each step is proven again. The float engine proves no steps, only the result; Full
   /// makes the filtered engine keep the record that it needs.
   VerifyLevel verify = VerifyLevel::Local;
@@ -60,6 +66,10 @@ struct SimplifyResult {
   Stored solid;                   ///< The solid that encloses the input.
   Measured input_volume;          ///< Of the input's hull, in cubed length units.
   Measured output_volume;
+  CostMeasure cost = CostMeasure::Volume;
+  /// By area or mean width: the measure of the input's hull and of the result.
+  std::optional<std::array<Enclosure, 2>> measure;
+  TieTally ties;                  ///< Of the exact and the filtered engine.
   std::size_t tested_points = 0;  ///< Points tested directly against every survivor.
   Engine engine = Engine::Filtered;
   VerifyLevel verified = VerifyLevel::Local;

@@ -6,6 +6,7 @@
 #include "convexact/scene.hpp"
 #include "io/json.hpp"
 #include "scene/result_json.hpp"
+#include "simplify/trace_json.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -14,6 +15,8 @@ constexpr const char* kSimplifyFooter =
     "Examples:\n"
     "  convexact simplify bunny.obj --faces 18 -o proxy.obj --picture proxy.html\n"
     "  convexact simplify bunny.obj --max-growth 5% -o planes.json --precision 64\n"
+    "  convexact simplify bunny.obj --faces 18 --cost area -o fewer-ray-hits.obj\n"
+    "  convexact simplify bunny.obj --faces 18 --cost mean-width --tie-bits 8192\n"
     "  convexact simplify room.obj --parts --faces 12 -o proxies.obj\n"
     "  convexact simplify planes.ine --faces 6 --json --trace steps.json\n"
     "\n"
@@ -27,6 +30,8 @@ struct SimplifyArguments {
   OutputOptions output;
   std::size_t faces = 0;
   std::string max_growth;
+  CostMeasure cost = CostMeasure::Volume;
+  long tie_bits = CompareLimits{}.bits;
   std::string center = "chebyshev";
   Engine engine = Engine::Filtered;
   VerifyLevel verify = VerifyLevel::Local;
@@ -53,6 +58,8 @@ SimplifyRequest request_of(const SimplifyArguments& options) {
   if (options.faces != 0) request.faces = options.faces;
   if (!options.max_growth.empty())
     request.max_growth = parse_share("--max-growth", options.max_growth);
+  request.cost = options.cost;
+  request.compare.bits = options.tie_bits;
   request.engine = options.engine;
   request.trace = !options.output.trace.empty();
   request.record = !options.output.proof.empty();
@@ -98,13 +105,23 @@ int run_simplify(const SimplifyArguments& options) {
 
 void add_simplify_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<SimplifyArguments>();
-  CLI::App& command = *program.add_subcommand(
-      "simplify", "enclose a shape in few halfspaces, adding as little volume as possible");
+  CLI::App& command = *program.add_subcommand("simplify",
+                                              "enclose a shape in few halfspaces, adding as little "
+                                              "volume as possible, or area, or mean width");
   command.footer(kSimplifyFooter);
   add_input_argument(command, options->inputs);
   add_faces(command, options->faces, "how many halfspaces to keep, at least 4");
   command.add_option("--max-growth", options->max_growth,
-                     "stop before the volume grows by more, e.g. 5% or 0.05");
+                     "stop before what --cost names grows by more, e.g. 5% or 0.05");
+  add_choice(command, "--cost", options->cost, kCostMeasureNames,
+             "what the solid shall gain least of: for fewer false hits of points, of rays, or of "
+             "planes");
+  command
+      .add_option("--tie-bits", options->tie_bits,
+                  "mean widths that so many bits do not tell apart, and no proof, count as equal; "
+                  "the result says so")
+      ->check(CLI::Range(128L, 1L << 20))
+      ->capture_default_str();
   add_output_options(command, options->output);
   command.add_option("--trace", options->output.trace,
                      "every step as JSON, for a program that replays it");

@@ -100,6 +100,13 @@ void StepReader::read(const json& document, RemovalOrder& order) {
   if (!document.is_object() || !document.contains("steps") || !document["steps"].is_array()) {
     reject("an object with an array 'steps'");
   }
+  place_ = "measure";
+  if (document.contains("measure") && document["measure"] != "volume") {
+    throw Error(ErrorCode::InvalidArgument,
+                "the trace is by " + document["measure"].dump() +
+                    "; removals are judged by the volume that they add, so only traces of that "
+                    "measure can be judged");
+  }
   for (const json& step : document["steps"]) {
     const std::size_t row = order.steps.size() + 1;
     place_ = "step " + std::to_string(row);

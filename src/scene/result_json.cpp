@@ -99,6 +99,17 @@ Json stop_json(const SimplifyResult& result) {
   return is_doubt ? "none-certain" : name_of(result.stop);
 }
 
+// Steps with a tie by their proof; with undecided ones, the bits of enclosures that still overlap.
+Json ties_json(const TieTally& ties) {
+  Json json = Json::object();
+  for (const auto& [proof, name] : kTieProofNames) {
+    const std::size_t steps = ties.steps[static_cast<std::size_t>(proof)];
+    if (steps > 0) json[name] = steps;
+  }
+  if (ties.bits > 0) json["bits"] = ties.bits;
+  return json;
+}
+
 Json float_bound_json(const FloatBound& bound) {
   return {
       {"vouched", bound.is_vouched()}, {"cost", bound.cost}, {"regret", bound.regret},
@@ -121,6 +132,15 @@ Json result_json(const SimplifyResult& result) {
   json["volume"] = {{"input", measured_json(result.input_volume, kDigits)},
                     {"output", measured_json(result.output_volume, kDigits)},
                     {"ratio", ratio.high_double()}};
+  json["cost"] = name_of(result.cost);
+  if (result.measure) {
+    const auto& [before, after] = *result.measure;
+    json[result.cost == CostMeasure::Area ? "area" : "mean_width"] = {
+        {"input", measured_json({before, {}}, kDigits)},
+        {"output", measured_json({after, {}}, kDigits)},
+        {"ratio", (after / before).high_double()}};
+  }
+  if (!result.float_bound) json["ties"] = ties_json(result.ties);
   json["engine"] = name_of(result.engine);
   if (result.float_bound) json["float_bound"] = float_bound_json(*result.float_bound);
   json["verified"] = {{"level", name_in(kVerifyLevelNames, result.verified)},

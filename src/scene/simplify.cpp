@@ -23,6 +23,9 @@
 namespace convexact {
 namespace {
 
+// Of CompareLimits. Fewer bits than the first enclosures have would be none; more take minutes.
+constexpr long kLeastTieBits = 128, kMostTieBits = 1L << 20;
+
 void require_sensible(const SimplifyRequest& request) {
   if (!request.faces && !request.max_growth) {
     throw Error(ErrorCode::InvalidArgument, "give a number of faces, a growth of volume, or both");
@@ -31,7 +34,22 @@ void require_sensible(const SimplifyRequest& request) {
     throw Error(ErrorCode::InvalidArgument, "no bounded solid has fewer than 4 faces");
   }
   if (request.max_growth && *request.max_growth < 0) {
-    throw Error(ErrorCode::InvalidArgument, "the growth of volume cannot be negative");
+    throw Error(ErrorCode::InvalidArgument, "the growth cannot be negative");
+  }
+  if (request.compare.bits < kLeastTieBits || request.compare.bits > kMostTieBits) {
+    throw Error(ErrorCode::InvalidArgument,
+                fmt::format("mean widths are compared with {} to {} bits, not {}", kLeastTieBits,
+                            kMostTieBits, request.compare.bits));
+  }
+  if (request.cost != CostMeasure::Volume) {
+    if (request.engine == Engine::Float) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "the float engine removes by volume only; exact and filtered know every cost");
+    }
+    if (request.record && request.trace) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "of a run by area or mean width, ask for a trace or for a proof, not for both");
+    }
   }
   if (request.engine == Engine::Float && (request.trace || request.verify == VerifyLevel::Full)) {
     throw Error(ErrorCode::InvalidArgument,
@@ -43,9 +61,11 @@ SimplifyOptions options_of(const SimplifyRequest& request, std::size_t at_start)
   SimplifyOptions options;
   options.faces = request.faces.value_or(4);
   options.max_growth = request.max_growth;
+  options.cost = request.cost;
+  options.compare = request.compare;
   options.seed = request.seed;
   options.verify = request.verify;
-  options.keep_evaluations = request.record;
+  options.keep_evaluations = request.record && request.cost == CostMeasure::Volume;
   options.stop = request.watch.stop;
   if (request.watch.progress) {
     options.progress = [&request, at_start, faces = options.faces](std::size_t left) {
@@ -64,6 +84,7 @@ struct End {
   std::optional<Run> run;
   std::optional<FloatBound> bound;
   long volume_exponent = 0;  // of costs in `bound`
+  TieTally ties = {};
 };
 
 // What the result is measured against.
@@ -73,6 +94,7 @@ struct Reference {
   std::size_t input_points;
   std::vector<std::size_t> redundant;
   Measured volume;
+  std::optional<Enclosure> measure = {};  // that the run keeps small, unless it is the volume
 };
 
 RationalPoint chebyshev_stage(const std::vector<Halfspace>& halfspaces, std::uint64_t seed,
@@ -134,8 +156,8 @@ End run_lean(const FastDual& dual, const SimplifyRequest& request, StageLog& log
   });
   Polytope polytope =
       log.run("polytope", [&] { return polytope_of(result, dual, request.engine); });
-  End end{dual.size(), result.steps.size(), result.stop,           std::move(polytope), {},
-          {},          result.bound,        dual.volume_exponent()};
+  End end{dual.size(),  result.steps.size(),    result.stop, std::move(polytope), {}, {},
+          result.bound, dual.volume_exponent(), result.ties};
   for (const FastStep& step : result.steps) end.removed.push_back(step.removed);
   return end;
 }
@@ -151,7 +173,10 @@ End run_with_record(const Solid& solid, const RationalPoint& center, const Simpl
       log.run("polytope", [&] { return to_polytope(run.halfspaces, run.triangles); });
   const std::size_t halfspaces = run.halfspaces.size(), steps = run.steps.size();
   const StopReason stop = run.stop;
-  return {halfspaces, steps, stop, std::move(polytope), {}, std::move(run), {}};
+  End end{halfspaces, steps, stop, std::move(polytope), {}, {}, {}};
+  for (const Step& step : run.steps) end.ties.add(step.tie_evidence);
+  end.run = std::move(run);
+  return end;
 }
 
 // What the proof of a run needs beside the run.
@@ -171,6 +196,16 @@ RunStart start_of(const Shape& shape, const Solid& solid) {
     start.interior = sum / Rational(4);
   }
   return start;
+}
+
+const char* measure_stage(CostMeasure measure) {
+  return measure == CostMeasure::Area ? "area" : "mean width";
+}
+
+// Area or mean width.
+Enclosure enclose_measure(const Polytope& polytope, CostMeasure measure) {
+  return measure == CostMeasure::Area ? surface_area(polytope, kMeasureBits)
+                                      : mean_width(polytope, kMeasureBits);
 }
 
 Measured measure_volume(const Polytope& polytope, bool exact) {
@@ -208,6 +243,7 @@ bool is_growth_proven(const End& end, const Enclosure& before, const Enclosure& 
 }
 
 SimplifyResult finish(Reference reference, End end, const SimplifyRequest& request, StageLog& log) {
+  std::optional<std::array<Enclosure, 2>> result_measure;
   Measured output_volume =
       log.run("volume", [&] { return measure_volume(end.polytope, request.exact_volumes); });
   if (!request.exact_volumes) log.skip("exact volume", "the fraction was not requested");
@@ -215,7 +251,13 @@ SimplifyResult finish(Reference reference, End end, const SimplifyRequest& reque
     end.bound->is_end_proven &=
         is_growth_proven(end, reference.volume.bounds, output_volume.bounds, *request.max_growth);
   }
-  log.skip("area and mean width", "simplify does not report them; hull does");
+  if (reference.measure) {
+    result_measure = std::array<Enclosure, 2>{
+        *reference.measure, log.run(measure_stage(request.cost),
+                                    [&] { return enclose_measure(end.polytope, request.cost); })};
+  } else {
+    log.skip("area and mean width", "the run is by volume; hull reports them");
+  }
   const std::size_t tested =
       verify_containment(reference.points, end.polytope, request.verify, log);
   Stored stored =
@@ -231,6 +273,9 @@ SimplifyResult finish(Reference reference, End end, const SimplifyRequest& reque
                         .solid = std::move(stored),
                         .input_volume = std::move(reference.volume),
                         .output_volume = std::move(output_volume),
+                        .cost = request.cost,
+                        .measure = std::move(result_measure),
+                        .ties = end.ties,
                         .tested_points = tested,
                         .engine = request.engine,
                         .verified = request.verify,
@@ -267,14 +312,24 @@ SimplifyOutcome simplify_solid(const Shape& shape, const SimplifyRequest& reques
                    : run_lean(FastDual::of(solid.dual, center), request, log);
   Measured input_volume =
       log.run("volume", [&] { return measure_volume(solid.polytope, request.exact_volumes); });
+  std::optional<Enclosure> input_measure;
+  if (request.cost != CostMeasure::Volume) {
+    input_measure = log.run(measure_stage(request.cost),
+                            [&] { return enclose_measure(solid.polytope, request.cost); });
+  }
   std::optional<RunStart> start;
   if (request.record) start = start_of(shape, solid);
+  if (request.record && request.cost != CostMeasure::Volume) {
+    end.removed = removed_in(end.run.value());
+    end.run.reset();
+  }
   if (request.record && !end.run) {
     end.run =
         log.run("replay", [&] { return replay(solid.dual, center, end.removed, request.seed); });
   }
-  Reference reference{std::move(solid.points), std::move(solid.extreme), solid.input_points,
-                      std::move(solid.redundant), std::move(input_volume)};
+  Reference reference{std::move(solid.points), std::move(solid.extreme),
+                      solid.input_points,      std::move(solid.redundant),
+                      std::move(input_volume), std::move(input_measure)};
   SimplifyResult result = finish(std::move(reference), std::move(end), request, log);
   result.start = std::move(start);
   return result;
@@ -289,7 +344,8 @@ SimplifyOutcome simplify(const Shape& shape, const SimplifyRequest& request) {
                       request.verify == VerifyLevel::Full ||
                       (request.record && request.engine != Engine::Float);
   const auto* points = std::get_if<PointSet>(&shape);
-  if (points != nullptr && !record && !request.record && !request.center) {
+  const bool needs_polytope = request.center || request.cost != CostMeasure::Volume;
+  if (points != nullptr && !record && !request.record && !needs_polytope) {
     return simplify_lean(*points, request, log);
   }
   return simplify_solid(shape, request, record, log);

@@ -6,6 +6,7 @@
 #include "number/precision.hpp"
 #include "number/text.hpp"
 #include "scene/result_json.hpp"
+#include "simplify/trace_json.hpp"
 
 namespace convexact {
 namespace {
@@ -53,11 +54,10 @@ std::string certain(const Enclosure& bounds, int digits) {
   return "less than " + to_decimal(bounds.high(), 2);
 }
 
-std::string volume_line(const SimplifyResult& result) {
-  const Enclosure &before = result.input_volume.bounds, &after = result.output_volume.bounds;
+std::string growth_line(const Enclosure& before, const Enclosure& after, std::size_t steps) {
   const std::string text =
       certain(before, kSummaryDigits) + " -> " + certain(after, kSummaryDigits);
-  if (result.steps == 0) return text + ", unchanged";
+  if (steps == 0) return text + ", unchanged";
   const Enclosure hundred(Integer(100), kMeasureBits);
   return text + ", +" + certain(hundred * (after - before) / before, 4) + "%";
 }
@@ -75,6 +75,25 @@ std::string push_text(const Growth& growth) {
   if (growth.push == 0) return "without any change";
   return fmt::format("within {:.2g} of the diameter, volume times at most 1 + {:.2g}", growth.push,
                      std::max(0.0, growth.volume_ratio - 1));
+}
+
+// Of a run by exact numbers: in how many steps there was a choice, and why the costs are equal.
+std::string proven_ties_line(const SimplifyResult& result) {
+  std::vector<std::string> parts;
+  std::size_t ties = 0;
+  for (const auto& [proof, name] : kTieProofNames) {
+    const std::size_t steps = result.ties.steps[static_cast<std::size_t>(proof)];
+    ties += steps;
+    if (steps > 0) parts.push_back(fmt::format("{} {}", with_separators(steps), name));
+  }
+  if (ties == 0) return "";
+  const std::string undecided =
+      result.ties.bits > 0 ? fmt::format("; not told apart by {} bits", result.ties.bits) : "";
+  return summary_line(
+      "ties", fmt::format("in {} of {} several removals cost the same ({}{}); the first in order "
+                          "goes",
+                          with_separators(ties), counted(result.steps, "step", "steps"),
+                          fmt::join(parts, ", "), undecided));
 }
 
 std::string tie_line(const SimplifyResult& result) {
@@ -129,7 +148,14 @@ std::string summary(const SimplifyResult& result) {
       summary_line("input", input_line(result.input_points, result.hull_vertices,
                                        result.input_halfspaces, result.redundant.size()));
   text += summary_line("output", output_line(result));
-  text += summary_line("volume", volume_line(result));
+  if (result.measure) {
+    const auto& [before, after] = *result.measure;
+    text += summary_line(result.cost == CostMeasure::Area ? "area" : "mean width",
+                         growth_line(before, after, result.steps) + "; kept small");
+  }
+  text += summary_line(
+      "volume", growth_line(result.input_volume.bounds, result.output_volume.bounds, result.steps));
+  text += proven_ties_line(result);
   if (result.float_bound) text += float_lines(result) + tie_line(result);
   text += summary_line("verified", verified_line(result));
   return text + stored_lines(result.solid);
