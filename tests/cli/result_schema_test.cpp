@@ -34,6 +34,20 @@ TEST_CASE("--json: a result is as the schema says") {
   CHECK_FALSE(is_valid(document));
 }
 
+TEST_CASE("--json: runs by area and by mean width, their measure and their ties") {
+  for (const char* measure : {"area", "mean-width"}) {
+    CAPTURE(measure);
+    const auto ran = run_program("simplify " + data("spot.obj") + " --faces 580 --json --cost " +
+                                 std::string(measure));
+    REQUIRE(ran.exit == 0);
+    const json document = json::parse(ran.out);
+    CHECK(is_valid(document));
+    CHECK(document["cost"] == measure);
+    CHECK(document[std::string(measure) == "area" ? "area" : "mean_width"]["ratio"] > 1.0);
+    CHECK(document["ties"]["congruent"] > 0);  // the cow is its own mirror image
+  }
+}
+
 TEST_CASE("--json: a cube cannot lose a side, and that is said") {
   const ScratchFolder scratch;
   const std::string cube = scratch.write(

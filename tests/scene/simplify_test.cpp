@@ -9,6 +9,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/shapes.hpp"
+#include "expect_error.hpp"
 #include "halfspace_arrangement.hpp"
 #include "shapes/makers.hpp"
 
@@ -87,6 +88,42 @@ TEST_CASE("simplify: a box keeps its sides, with each engine, and its volume is 
     CHECK(result.input_volume.exact == Rational(48));
     CHECK(result.output_volume.exact == Rational(48));
     CHECK(result.output_volume.bounds.contains(48));
+  }
+}
+
+// A unit cube has the area 6 and the mean width 3/2.
+TEST_CASE("simplify: a cube with one corner cut, by area and by mean width") {
+  const Shape cube = PointSet(shapes::cut_cube(1, 0.5));
+  for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
+    for (const CostMeasure measure : {CostMeasure::Area, CostMeasure::MeanWidth}) {
+      SimplifyRequest request = request_for(6, engine);
+      request.cost = measure;
+      const SimplifyResult result = run(cube, request);
+      CHECK(result.steps == 1);
+      CHECK(result.cost == measure);
+      const Enclosure after = result.measure.value()[1];
+      CHECK(after.contains(measure == CostMeasure::Area ? Rational(6) : Rational(3, 2)));
+      CHECK(result.ties.steps == TieTally().steps);
+      request.record = true;  // for a proof: of the removals and their volumes
+      const SimplifyResult recorded = run(cube, request);
+      CHECK(recorded.run.value().steps[0].cost->rational() == Rational(1, 48));
+      CHECK_FALSE(recorded.run->is_greedy);
+    }
+  }
+}
+
+TEST_CASE("simplify: what a run by area or mean width cannot do is refused") {
+  const Shape cube = PointSet(shapes::cut_cube(1, 0.5));
+  SimplifyRequest request = request_for(6, Engine::Float);
+  request.cost = CostMeasure::Area;
+  CHECK(error_of([&] { return run(cube, request); }).code() == ErrorCode::InvalidArgument);
+  request.engine = Engine::Filtered;
+  request.trace = request.record = true;
+  CHECK(error_of([&] { return run(cube, request); }).code() == ErrorCode::InvalidArgument);
+  request.trace = request.record = false;
+  for (const long bits : {0L, 127L, (1L << 20) + 1}) {
+    request.compare.bits = bits;
+    CHECK(error_of([&] { return run(cube, request); }).code() == ErrorCode::InvalidArgument);
   }
 }
 
