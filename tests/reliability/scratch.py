@@ -36,7 +36,7 @@ UNITS = {
     'src/number/expansion.hpp': _EXPANSION,
     'src/geometry/orient3d_stages.hpp': _ORIENT,
     'src/number/double_double.hpp': ['tests/number/double_double_test.cpp', *_ROUNDED, *_AUDIT],
-    'src/fast/dual.hpp': ['src/fast/dual.cpp', *_AUDIT],
+    'src/fast/dual.hpp': ['src/fast/dual.cpp', 'src/fast/metric_cost.cpp', *_AUDIT],
     'src/fast/signs.hpp': ['tests/fast/plane_filter_test.cpp', *_ROUNDED, *_AUDIT],
     'src/fast/cap_volume.hpp': [_CAPS, 'src/fast/cap.cpp'],
     'src/fast/keyed_queue.hpp': ['src/fast/filtered_loop.cpp'],
