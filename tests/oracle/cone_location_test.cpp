@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Locating points over the triangles of a hull. By definition a point is outside if and only if it
 // is strictly beyond the plane of a facet; facet_halfspaces() and rationals decide that here.
-#include "oracle/second_way.hpp"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
+#include "oracle/second_way.hpp"
 #include "shapes/makers.hpp"
 
 using namespace convexact;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Runs doctored by hand on a cube with cut corners, followed to their ends: a cut of depth t costs
 // t^3 / 6, independently of the other cuts.
-#include "oracle/divergence.hpp"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
 #include "cut_box.hpp"
 #include "oracle/diff.hpp"
+#include "oracle/divergence.hpp"
 #include "shapes/makers.hpp"
 
 using namespace convexact;
