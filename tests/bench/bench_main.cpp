@@ -8,6 +8,7 @@ int main(int argc, char** argv) {
   const std::vector<BenchInput> inputs = bench_inputs();
   register_hull_bench(inputs);
   register_pipeline_bench(inputs);
+  register_loops_by_cost(inputs);
   register_exact_growth();
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();

@@ -8,7 +8,9 @@ Each time is the median of its repetitions, in milliseconds; a dash where a benc
 import json
 import sys
 
-COLUMNS = [("hull", "cgal"), ("hull", "qhull"), ("filtered", "cgal"), ("float", "cgal"), ("exact", "filtered")]
+COLUMNS = [("hull", "cgal"), ("hull", "qhull"), ("filtered", "cgal"), ("float", "cgal"), ("exact", "filtered"),
+           ("by-area", "by-volume"), ("by-mean-width", "by-volume"),
+           ("by-area-exact", "by-area"), ("by-mean-width-exact", "by-mean-width")]
 
 
 def medians(path):

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// How the exact engine grows: random spheres of 500 to 8,000 halfspaces down to 18. The hull and
-// its dual are not timed.
+// The loops of the engines to 18 halfspaces; the hull and its dual are not timed. The filtered
+// engine's by each cost, without verification; and how the exact engine grows, on random spheres of
+// 500 to 8,000 halfspaces.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
 #include "benches.hpp"
+#include "fast/filtered_engine.hpp"
 #include "shapes/makers.hpp"
 #include "simplify/exact_engine.hpp"
+#include "simplify/trace_json.hpp"
 
 using namespace convexact;
 
@@ -47,7 +50,52 @@ void spheres(benchmark::State& state) {
   simplify(state, shapes::on_sphere(halfspaces / 2 + 2, halfspaces), VerifyLevel::Local);
 }
 
+void loop_by_cost(benchmark::State& state, const std::vector<Point>& points, CostMeasure cost) {
+  const PointSet set(points);
+  const Hull hull = std::get<Hull>(convex_hull(set));
+  const FastDual dual = FastDual::of(hull, set);
+  SimplifyOptions options;
+  options.faces = kFaces;
+  options.verify = VerifyLevel::None;
+  options.cost = cost;
+  FastResult result;
+  for (auto _ : state) result = simplify_filtered(dual, options);
+  const auto removals = static_cast<double>(result.steps.size());
+  const double first = static_cast<double>(dual.size());
+  state.counters["evaluations"] =
+      (static_cast<double>(result.counts.evaluations) - first) / removals;
+  state.counters["exact"] = static_cast<double>(result.counts.exact);
+}
+
+void exact_loop_by_cost(benchmark::State& state, const std::vector<Point>& points,
+                        CostMeasure cost) {
+  const PointSet set(points);
+  const DualHull solid = dual_of(std::get<Hull>(convex_hull(set)), set);
+  const RationalPoint center = mean(solid.vertices);
+  SimplifyOptions options;
+  options.faces = kFaces;
+  options.verify = VerifyLevel::None;
+  options.cost = cost;
+  for (auto _ : state) benchmark::DoNotOptimize(simplify_exact(solid, center, options));
+}
+
 }  // namespace
+
+void register_loops_by_cost(const std::vector<BenchInput>& inputs) {
+  for (const BenchInput& input : inputs) {
+    if (!input.exact_too) continue;
+    for (const auto& [cost, name] : kCostMeasureNames) {
+      const std::string loop = input.name + "/by-" + name;
+      benchmark::RegisterBenchmark(loop.c_str(), loop_by_cost, input.points, cost)
+          ->Unit(benchmark::kMillisecond);
+      constexpr std::size_t kMostPoints = 4000;  // seconds per run
+      if (input.points.size() > kMostPoints) continue;
+      benchmark::RegisterBenchmark((loop + "-exact").c_str(), exact_loop_by_cost, input.points,
+                                   cost)
+          ->Unit(benchmark::kMillisecond);
+    }
+  }
+}
 
 void register_exact_growth() {
   benchmark::RegisterBenchmark("exact_growth", spheres)
