@@ -11,8 +11,7 @@
 namespace convexact {
 namespace {
 
-constexpr double kUnit = kUnitRoundoff;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoUpperEnd = std::numeric_limits<double>::infinity();
 
 // (E2) The chord |m - n| between two directions, at most 2. The directions are off by 8u each;
 // their differences are rounded by u relative, squares and sums by 3u, halved by the root, which
@@ -22,7 +21,7 @@ static_assert(kOfChord < kChordError);
 
 // (E3) The versine 1 - cos theta = chord^2 / 2: off by chord * 24u + (24u)^2 / 2, and rounded by 4u
 // relative, at most 2 chord u.
-double versine_error(double chord) { return kUnit * ((kChordError + 4) * chord + 0x1p-40); }
+double versine_error(double chord) { return kUnitRoundoff * ((kChordError + 4) * chord + 0x1p-40); }
 
 double dot_of(const Triple<double>& a, const Triple<double>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -88,8 +87,8 @@ double divided_psi(int terms, double a, double b) {
 //   terms of at most 0.35 d^2 rho^2, 0.05 d^4, and of |a - b| 6u d rho: less than
 //   (0.5 * 12 + 0.38 * 2 * 6 + ...) u d rho^2 / 1 <= 10u d rho^2.
 // - From what is cut off: 2^-55 of the terms, below u d rho^2.
-constexpr double kFromDirections = 53, kFromRounding = 10, kFromSeries = 1, kNearError = 72;
-static_assert(kFromDirections + kFromRounding + kFromSeries < kNearError);
+constexpr double kFromDirections = 53, kFromRounding = 10, kFromSeries = 1, kNearExcessError = 72;
+static_assert(kFromDirections + kFromRounding + kFromSeries < kNearExcessError);
 constexpr double kNear = 0.5;
 
 // Assumption on the C library: asin is off by at most this many units in the last place, of 2u.
@@ -102,13 +101,13 @@ constexpr double kArcSine = 4;
 // product (alpha / sin alpha) (cos - cos cos), whose second factor is at most 1.5, is off by
 // 155u * 1.5 + 2.42 (42u * 3 + 4u) < 550u; theta sin theta, theta <= 2.1, by
 // (48u + 26u) + 2.1 * 52u < 200u.
-constexpr double kOfFar = 2 * 550 + 200, kFarError = 2048;
-static_assert(kOfFar < kFarError);
+constexpr double kOfFar = 2 * 550 + 200, kFarExcessError = 2048;
+static_assert(kOfFar < kFarExcessError);
 static_assert(123 + 2.42 * (2 * kArcSine + 4) < 155 && 2.1 * (2 * kArcSine + 4) < 26);
 
 Interval<double> far_excess(double a, double b, double c) {
   constexpr double kWidest = 1.5;  // a versine of 120 degrees
-  if (!(std::max({a, b, c}) <= kWidest)) return {0, kInfinity};
+  if (!(std::max({a, b, c}) <= kWidest)) return {0, kNoUpperEnd};
   const auto angle = [](double versine) { return 2 * std::asin(std::sqrt(versine / 2)); };
   const auto sine = [](double versine) { return std::sqrt(versine * (2 - versine)); };
   const auto per_sine = [&](double versine) {
@@ -117,7 +116,7 @@ Interval<double> far_excess(double a, double b, double c) {
   const double cos_a = 1 - a, cos_b = 1 - b, cos_c = 1 - c;
   const double excess = angle(c) * sine(c) - per_sine(a) * (cos_b - cos_a * cos_c) -
                         per_sine(b) * (cos_a - cos_b * cos_c);
-  const double error = kFarError * kUnit;
+  const double error = kFarExcessError * kUnitRoundoff;
   return {std::max(excess - error, 0.0), std::max(excess, 0.0) + error};
 }
 
@@ -137,8 +136,9 @@ Interval<double> angular_excess(const Triple<double>& to_x, const Triple<double>
            without_constant(kSeries.q, terms, c)) -
       divided_psi(terms, a, b) * difference * difference;
   // The chords themselves are off, too, which widens the bound by next to nothing.
-  const double chord = std::sqrt(squared) + kChordError * kUnit;
-  const double error = kNearError * kUnit * chord * (2 * largest + kChordError * kUnit);
+  const double chord = std::sqrt(squared) + kChordError * kUnitRoundoff;
+  const double error =
+      kNearExcessError * kUnitRoundoff * chord * (2 * largest + kChordError * kUnitRoundoff);
   return {std::max(excess - error, 0.0), std::max(excess, 0.0) + error};
 }
 
@@ -228,7 +228,7 @@ namespace {
 
 // (E7) What is rounded away in a sum of n numbers: n u, and twice that leaves room for higher
 // orders.
-double sum_slop(std::size_t n) { return 2 * static_cast<double>(n) * kUnit; }
+double sum_slop(std::size_t n) { return 2 * static_cast<double>(n) * kUnitRoundoff; }
 // Below any term lie 5 determinants, each of whose ends is rounded once, 2 lengths (5u each), a
 // weight (2u), 7 products and quotients, and the additions to its side.
 constexpr std::size_t kOfTerm = 5 + 2 * 5 + 2 + 7;
@@ -249,7 +249,7 @@ CostBounds<double> MetricCost::bounds(const RingGeometry<double>& geometry, Half
                                       std::span<const RingTriangle> triangles) {
   const auto k = static_cast<std::uint32_t>(ring.size());
   load(i, ring);
-  Determinants determinants(geometry, kUnit);
+  Determinants determinants(geometry, kUnitRoundoff);
   const Interval<double> sum = measure_ == CostMeasure::Area
                                    ? area(k, triangles, determinants)
                                    : mean_width(k, triangles, determinants);
@@ -262,8 +262,8 @@ CostBounds<double> MetricCost::bounds(const RingGeometry<double>& geometry, Half
   const double of_terms = sum_slop(kOfTerm + k);
   for (LastingTerm& term : terms_) term.lower *= 1 - of_terms;
   const double lower = lower_bound(terms_);
-  if (!determinants.is_certain() || !(sum.upper < kInfinity)) {
-    return {Boundedness::Doubtful, lower, kInfinity};
+  if (!determinants.is_certain() || !(sum.upper < kNoUpperEnd)) {
+    return {Boundedness::Doubtful, lower, kNoUpperEnd};
   }
   return {Boundedness::Bounded, lower,
           sum.upper * (1 + of_terms + sum_slop(terms_.size())) + kTiny};
