@@ -56,6 +56,7 @@ class StepReader {
   }
   HalfspaceId facet(const json& number) const;
   void read_claims(const json& step, OrderedStep& ordered) const;
+  void require_volume(const json& name) const;
   StopReason stop_reason(const json& name) const;
 
   std::string place_ = "trace";
@@ -96,17 +97,24 @@ StopReason StepReader::stop_reason(const json& name) const {
   reject("reached, growth-limit or all-unbounded");
 }
 
+void StepReader::require_volume(const json& name) const {
+  const auto measure = name.is_string()
+                           ? value_in(kCostMeasureNames, name.get_ref<const std::string&>())
+                           : std::nullopt;
+  if (!measure) reject("volume, area or mean-width");
+  if (*measure == CostMeasure::Volume) return;
+  throw Error(ErrorCode::InvalidArgument,
+              std::string("the trace is by ") + name_of(*measure) +
+                  "; removals are judged by the volume that they add, so only traces of that "
+                  "measure can be judged");
+}
+
 void StepReader::read(const json& document, RemovalOrder& order) {
   if (!document.is_object() || !document.contains("steps") || !document["steps"].is_array()) {
     reject("an object with an array 'steps'");
   }
   place_ = "measure";
-  if (document.contains("measure") && document["measure"] != "volume") {
-    throw Error(ErrorCode::InvalidArgument,
-                "the trace is by " + document["measure"].dump() +
-                    "; removals are judged by the volume that they add, so only traces of that "
-                    "measure can be judged");
-  }
+  if (document.contains("measure")) require_volume(document["measure"]);
   for (const json& step : document["steps"]) {
     const std::size_t row = order.steps.size() + 1;
     place_ = "step " + std::to_string(row);

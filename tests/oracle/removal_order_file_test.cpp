@@ -154,6 +154,18 @@ TEST_CASE("facet list: every row counts, in each of the formats") {
   CHECK_THROWS_AS((void)read_facet_list("what is this", "list"), Error);
 }
 
+TEST_CASE("removal order: a trace of another measure is refused, one of no measure malformed") {
+  const DualHull solid = dual_of_doubles(shapes::cut_cube(3, 0.25));
+  const auto code = [&](const std::string& measure) {
+    const std::string bytes = R"({"version": 2, "measure": )" + measure + R"(, "steps": []})";
+    return error_of([&] { return read_removal_order(bytes, {}, solid.halfspaces); }).code();
+  };
+  CHECK(code(R"("area")") == ErrorCode::InvalidArgument);
+  CHECK(code(R"("mean-width")") == ErrorCode::InvalidArgument);
+  CHECK(code(R"("weight")") == ErrorCode::Malformed);
+  CHECK(code("7") == ErrorCode::Malformed);
+}
+
 TEST_CASE("removal order: a corrupted trace is read or refused, and judged without a failure") {
   const Run run = simplify_points(shapes::cut_cube(5, 0.25));
   const DualHull solid = dual_of_doubles(shapes::cut_cube(5, 0.25));
