@@ -173,7 +173,7 @@ TEST_CASE("removal order: a corrupted trace is read or refused, and judged witho
   const std::string good = write_trace_json(run);
   Random random(2604);
   std::size_t read_again = 0, violated = 0;
-  for (int repeat = 0; repeat < 3000; ++repeat) {
+  for (int repeat = 0; repeat < 4000; ++repeat) {
     std::string bytes = good;
     for (std::uint64_t k = uniform_below(random, 3) + 1; k > 0; --k) {
       const std::size_t at = uniform_below(random, bytes.size());
