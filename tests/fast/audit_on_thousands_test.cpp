@@ -6,9 +6,11 @@
 #include <string>
 
 #include "auditor.hpp"
+#include "convexact/io.hpp"
 #include "hard_inputs.hpp"
 #include "number/random.hpp"
 #include "shapes/makers.hpp"
+#include "shipped_meshes.hpp"
 
 using namespace convexact;
 
@@ -49,7 +51,8 @@ void audit_all(std::string_view kind) {
     if (hull == nullptr) return;
     const FastDual dual = FastDual::of(*hull, set);
     check_random_signs(dual, i);
-    const audit::Tally tally = audit::run(dual, stride_for(dual), {.seed = i}).tally;
+    const auto cost = static_cast<CostMeasure>(i % 3);
+    const audit::Tally tally = audit::run(dual, stride_for(dual), {.cost = cost, .seed = i}).tally;
     total.signs_checked += tally.signs_checked;
     total.unknown_signs += tally.unknown_signs;
     total.caps_checked += tally.caps_checked;
@@ -86,6 +89,22 @@ TEST_CASE("audit: needles and scales") {
 }
 TEST_CASE("audit: near planes") {
   for (const char* kind : {"near a plane", "repeated"}) audit_all(kind);
+}
+TEST_CASE("audit: whole runs by area and by mean width on shipped meshes") {
+  for (const std::string& path : shipped_meshes()) {
+    CAPTURE(path);
+    const PointSet set = read_mesh(path).points;
+    const Hull hull = std::get<Hull>(convex_hull(set));
+    const FastDual dual = FastDual::of(hull, set);
+    for (const CostMeasure cost : {CostMeasure::Area, CostMeasure::MeanWidth}) {
+      CAPTURE(static_cast<int>(cost));
+      const std::size_t stride = hard::stride();
+      const audit::Tally tally = audit::run(dual, stride, {.faces = 4, .cost = cost}).tally;
+      CHECK(tally.caps > dual.size());
+      CHECK(tally.caps_checked == tally.caps / stride);
+      MESSAGE(path << ": " << tally.caps_checked << " caps");
+    }
+  }
 }
 TEST_CASE("audit: rates") {
   // A filter that always asks the next one fails here. About a tenth of the signs are zero, because
