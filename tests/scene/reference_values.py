@@ -37,6 +37,9 @@ EXPECTED = {
     'bunny': [(1.05016, 1.06599, 1.05035), (1.09026, 1.11193, 1.07519), (1.55293, 1.57929, 1.32425),
               (1.09169, 1.08458, 1.03751), (1.13457, 1.14005, 1.08001), (1.72207, 1.66092, 1.33401)],
 }
+# The source took too large a volume (by 0.031%) and area (by 0.021%) for this hull: Qhull says 33.981979
+# and 62.943258, as does this program. So these two are compared from row to row.
+RELATIVE = {'fandisk'}
 MEASURES = ('volume', 'area', 'mean_width')
 RUNS = [(cost, faces) for cost in ('area', 'mean-width') for faces in (18, 12, 6)]
 # Half a unit of the fifth decimal, and the last of the nine digits of a measure.
@@ -67,19 +70,28 @@ def main():
                              capture_output=True, text=True, check=True)
         return json.loads(ran.stdout)
 
+    tolerance = TOLERANCE * (3 if options.mesh in RELATIVE else 1)  # a quotient of two, up to 1.5
+
+    def compared(ratios, first):
+        if options.mesh not in RELATIVE:
+            return ratios
+        return ratios[0] / first[0], ratios[1] / first[1], ratios[2]
+
     def measures(path):
         solid = answer('hull', path)
         return [solid[m]['value'] for m in MEASURES]
 
-    wrong = 0
+    wrong, first, rows = 0, None, EXPECTED[options.mesh]
     with tempfile.TemporaryDirectory() as scratch:
         result = pathlib.Path(scratch) / 'result.obj'
         before = measures(mesh)
-        for (cost, faces), expected in zip(RUNS, EXPECTED[options.mesh]):
+        for (cost, faces), expected in zip(RUNS, rows):
             answer('simplify', mesh, '--faces', str(faces), '--cost', cost, '--verify', 'none',
                    '-o', result)
             ratios = [y / x for x, y in zip(before, measures(result))]
-            is_right = all(abs(r - e) < TOLERANCE for r, e in zip(ratios, expected))
+            first = first or ratios
+            pairs = zip(compared(ratios, first), compared(expected, rows[0]))
+            is_right = all(abs(r - e) < tolerance for r, e in pairs)
             wrong += not is_right
             print(f'by {cost:10} to {faces:2}: ' + ' '.join(f'{r:.5f}' for r in ratios) +
                   ('' if is_right else f'  expected {expected}'))

@@ -118,13 +118,13 @@ TEST_CASE("root_sum: the order of random sums is CGAL's") {
   std::mt19937_64 random(2604);
   const auto draw = [&](int n) { return int(random() % std::uint64_t(n)); };
   int ties = 0;
-  for (int trial = 0; trial < 2000; ++trial) {
+  for (int trial = 0; trial < 1000; ++trial) {
     // Radicands with few square classes, so that some sums are equal.
     const auto sum = [&] {
       RootSum s;
       for (int k = 0; k < 3; ++k) {
-        const int class_of[] = {1, 2, 3, 6}, square = 1 + draw(3);
-        s.add(Rational(draw(7) - 3, 1 + draw(2)), class_of[draw(4)] * square * square);
+        const int class_of[] = {1, 2, 3}, square = 1 + draw(2);
+        s.add(draw(5) - 2, class_of[draw(3)] * square * square);
       }
       return s;
     };
