@@ -58,9 +58,9 @@ enum class StopReason {
   AllUnbounded,  ///< Every further removal is unbounded.
 };
 
-/// A cap that an engine evaluated, and when. Costs by volume never decrease, so what an evaluation
-/// shows stays a lower bound; with every evaluation that an engine made, each of its choices can be
-/// proven.
+/// A cap that an engine evaluated, and when. A volume never decreases, and those terms of an area
+/// that do not name a removed plane do not either, so an evaluation shows a lower bound for later
+/// steps; with every evaluation that an engine made, each of its choices can be proven.
 struct Evaluation {
   std::size_t step;  ///< Removals made before it.
   HalfspaceId halfspace;

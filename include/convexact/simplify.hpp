@@ -39,8 +39,9 @@ struct SimplifyRequest {
   CompareLimits compare = {};  ///< Of mean widths.
   Engine engine = Engine::Filtered;
   bool trace = false;  ///< Keep the full record of every step. Not for the float engine.
-  /// Keep the data for a proof of the run. For every engine. Of a run by area or mean width the
-  /// proof is about its removals and their volumes, so it has no trace beside it.
+  /// Keep the data for a proof of the run. For every engine and measure. By volume and by area the
+  /// proof shows that each removal was the cheapest; of mean widths, and of the float engine's
+  /// choices, it claims less (docs/proof-format.md).
   bool record = false;
   /// How much of each step is proven again. The float engine proves no steps, only the result; Full
   /// makes the filtered engine keep the record that it needs.

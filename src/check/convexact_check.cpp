@@ -8,6 +8,7 @@
 #include <set>
 
 #include "mesh_file.hpp"
+#include "root_sum.hpp"
 #include "text.hpp"
 
 namespace {
@@ -35,11 +36,17 @@ const Side& left_of(const Surface& surface, std::size_t a, std::size_t b) {
   return found->second;
 }
 
+// What the costs of a proof are. None has no claim about costs.
+enum class Measure { Volume, Area, None };
+
 // What is known of the removal of a plane.
 struct Removal {
   bool fresh = false;      // its ring has not changed since it was evaluated
   bool unbounded = false;  // for ever: fewer planes bound no more
-  Rational cost = 0;       // the last one proven, or 0: a lower bound, as costs never decrease
+  // The terms of its cost as evaluated last, each for as long as the plane named is there: 0 or
+  // more, and never less while that plane is there.
+  std::map<std::size_t, RootSum> terms;
+  Cost cost;  // their sum, a lower bound
   Ids ring;
   std::vector<Triangle> triangles;
 };
@@ -76,9 +83,7 @@ class Proof {
 
  private:
   std::string check_statements() {
-    expect(words_.take_if("convexact-proof") && words_.take_if("1"), "convexact-proof 1");
-    greedy_ = words_.take_if("greedy");
-    expect(greedy_ || words_.take_if("costs"), "greedy or costs");
+    read_claim();
     while (words_.take_if("row")) rows_.insert(scaled(words_.halfspace()));
     while (words_.take_if("point")) points_.push_back(words_.point());
     read_planes();
@@ -104,11 +109,34 @@ class Proof {
     const auto count = [](std::size_t n, const char* what) { return std::to_string(n) + what; };
     return "proven: " + count(planes_.size(), " planes bound exactly the ") +
            (rows_.empty() ? "hull of " : "input halfspaces, with ") +
-           count(points_.size(), " points\nproven: each of ") +
-           count(steps_, " removals adds the stated volume\n") +
-           (greedy_ ? "proven" : "not claimed") + ": each was the cheapest, " +
-           count(ties_, " of them tied, by ") + count(evaluations_, " evaluations\nproven: the ") +
+           count(points_.size(), " points\nproven: each of ") + count(steps_, " removals ") +
+           said_of_costs() + "proven: the " +
            count(left_.size(), " planes left are bounded and hold every point\n") + stored;
+  }
+  std::string said_of_costs() const {
+    if (measure_ == Measure::None) {
+      return "leaves a bounded solid\nnot claimed: what a removal adds, or that it was the "
+             "cheapest\n";
+    }
+    return "adds the stated " + name_of_measure() + "\n" + (greedy_ ? "proven" : "not claimed") +
+           ": each was the cheapest, " + std::to_string(ties_) + " of them tied, by " +
+           std::to_string(evaluations_) + " evaluations\n";
+  }
+  std::string name_of_measure() const { return measure_ == Measure::Volume ? "volume" : "area"; }
+
+  // Version 1 has two of the claims.
+  void read_claim() {
+    expect(words_.take_if("convexact-proof"), "convexact-proof");
+    WordList claims{"greedy", "costs"};
+    if (!words_.take_if("1")) {
+      expect(words_.take_if("2"), "version 1 or 2");
+      claims.insert(claims.end(), {"greedy-area", "costs-not-shown"});
+    }
+    const std::string claim = words_.take();
+    expect(is_one_of(claim, claims), "a claim");
+    greedy_ = claim.starts_with("greedy");
+    if (claim == "greedy-area") measure_ = Measure::Area;
+    if (claim == "costs-not-shown") measure_ = Measure::None;
   }
 
   // (1) The interior point is strictly inside each plane. The planes stand in canonical order.
@@ -123,7 +151,7 @@ class Proof {
       for (int k = 0; k < 3; ++k) direction[k] = plane[k] / common;
       require(planes_.empty() || previous < direction, "the order is not canonical");
       left_.insert(planes_.size());
-      queue_.insert({0, planes_.size()});
+      queue_.insert({Cost(), planes_.size()});
       planes_.push_back(plane);
     }
     removals_.resize(planes_.size());
@@ -230,10 +258,10 @@ class Proof {
     require(!removal.fresh && !removal.unbounded, "it has been evaluated in this state");
     ++evaluations_;
     queue_.erase({removal.cost, i});
+    removal.terms.clear();
     removal.unbounded = words_.take_if("unbounded");
     if (removal.unbounded) return require_ray(i, words_.direction());
-    expect(words_.take_if("cost"), "cost or unbounded");
-    const Rational stated = words_.rational();
+    const RootSum stated = read_cost();
     expect(words_.take_if("ring"), "ring");
     removal.ring = words_.ids(planes_.size());
     expect(words_.take_if("triangles"), "triangles");
@@ -242,10 +270,39 @@ class Proof {
     require_ring(i, removal.ring);
     const Surface cap = closed_cap(i, removal);
     require_cap_convex(i, removal, cap);
-    require(stated == volume(i, removal.ring, cap), "the volume of the cap is another one");
-    removal.cost = stated;
+    if (measure_ == Measure::Volume) add_term(removal.terms[i], 1, volume(i, cap));
+    if (measure_ == Measure::Area) removal.terms = areas(i, cap);
+    update_cost(i);
+    require(removal.cost == Cost(stated),
+            "the " + name_of_measure() + " of the cap is another one");
     removal.fresh = true;
-    queue_.insert({stated, i});
+  }
+  // A volume, or an area: factors and radicands of square roots.
+  RootSum read_cost() {
+    RootSum sum;
+    if (measure_ == Measure::Volume) {
+      expect(words_.take_if("cost"), "cost or unbounded");
+      add_term(sum, 1, words_.rational());
+    } else if (measure_ == Measure::Area) {
+      expect(words_.take_if("area"), "area or unbounded");
+      while (words_.at_number()) {
+        const Rational factor = words_.rational(), radicand = words_.rational();
+        expect(radicand > 0 && radicand.get_den() == 1, "a radicand, an integer > 0");
+        add_term(sum, radicand.get_num(), factor);
+      }
+    }
+    return sum;
+  }
+  // The cost is the sum of its terms; so is the lower bound once some of them are gone.
+  void update_cost(std::size_t i) {
+    Removal& removal = removals_[i];
+    queue_.erase({removal.cost, i});
+    RootSum sum;
+    for (const auto& [plane, term] : removal.terms) {
+      for (const auto& [radicand, factor] : term) add_term(sum, radicand, factor);
+    }
+    removal.cost = Cost(sum);
+    queue_.insert({removal.cost, i});
   }
 
   // (7) From any point of the solid the ray meets no plane but i.
@@ -294,19 +351,33 @@ class Proof {
     }
   }
 
-  // (11) Pyramids from an apex on plane i to the sides of the cap. Around the side in plane r, an
-  // edge leads from the vertex left of (s, r) to that left of (r, s). With a corner of the side it
-  // makes a triangle.
-  Rational volume(std::size_t i, const Ids& ring, const Surface& cap) const {
-    const Row& apex = left_of(surface_, i, ring[0]).vertex;
-    std::deque<Rational> terms;
+  // (11) The sides of the cap in triangles. Around the side in plane r, an edge leads from the
+  // vertex left of (s, r) to that left of (r, s). With a corner of the side it makes a triangle.
+  // The normal of the plane through it points inward, and is as long as twice the area times w.
+  struct SideTriangle {
+    std::size_t side;
+    Row plane;
+    Integer w;
+  };
+  std::vector<SideTriangle> side_triangles(std::size_t i, const Surface& cap) const {
+    std::vector<SideTriangle> triangles;
     for (const auto& [edge, left] : cap) {
       if (edge.first == i || edge.second == i) continue;
       const Row& corner = left_of(cap, edge.first, i).vertex;
       const Row& start = left_of(cap, edge.second, edge.first).vertex;
       const Row& end = left.vertex;
-      terms.push_back(quotient(dot(meet(corner, start, end), apex),
-                               6 * corner[3] * start[3] * end[3] * apex[3]));
+      triangles.push_back(
+          {edge.first, meet(corner, start, end), Integer(corner[3] * start[3] * end[3])});
+    }
+    return triangles;
+  }
+
+  // The volume: pyramids from an apex on plane i to the sides.
+  Rational volume(std::size_t i, const Surface& cap) const {
+    const Row& apex = left_of(surface_, i, removals_[i].ring[0]).vertex;
+    std::deque<Rational> terms;
+    for (const auto& [side, plane, w] : side_triangles(i, cap)) {
+      terms.push_back(quotient(dot(plane, apex), 6 * w * apex[3]));
     }
     // In pairs, since denominators grow with each sum.
     while (terms.size() > 1) {
@@ -314,6 +385,20 @@ class Proof {
       terms.erase(terms.begin(), terms.begin() + 2);
     }
     return terms[0];
+  }
+
+  // The area: of each side, less that of its image on plane i, along the normal of i. The images
+  // cover the base. With n.n = N, the side in a plane of normal n has the area s sqrt(N).
+  std::map<std::size_t, RootSum> areas(std::size_t i, const Surface& cap) const {
+    std::map<std::size_t, RootSum> terms;
+    const Row& base = planes_[i];
+    for (const auto& [side, plane, w] : side_triangles(i, cap)) {
+      const Row& n = planes_[side];
+      const Rational s = quotient(-dot3(plane, n), 2 * w * dot3(n, n));
+      add_term(terms[side], dot3(n, n), s);
+      add_term(terms[side], dot3(base, base), -s * quotient(dot3(base, n), dot3(base, base)));
+    }
+    return terms;
   }
 
   void remove() {
@@ -340,7 +425,7 @@ class Proof {
   }
 
   // (13) The new triangles meet in the stated vertices and take the place of those around i. The
-  // costs of its ring are stale now.
+  // costs of its ring are stale now, and those of their terms that name i are gone.
   void replace(std::size_t i, const Removal& removal) {
     const std::size_t k = removal.ring.size();
     for (std::size_t t = 0; t < k; ++t) {
@@ -349,6 +434,7 @@ class Proof {
       surface_.erase({a, b});
       surface_.erase({b, i});
       removals_[a].fresh = false;
+      if (removals_[a].terms.erase(i) > 0) update_cost(a);
     }
     for (const Triangle& t : removal.triangles) {
       expect(words_.take_if("vertex"), "the vertex of each new triangle");
@@ -444,6 +530,7 @@ class Proof {
 
   Words words_;
   bool greedy_ = false;
+  Measure measure_ = Measure::Volume;
   Row interior_;
   std::set<Row> rows_;
   std::vector<Row> points_, planes_;
@@ -451,7 +538,7 @@ class Proof {
   Surface surface_;          // of all planes that are left
   std::set<std::size_t> left_;
   std::vector<Removal> removals_;
-  std::set<std::pair<Rational, std::size_t>> queue_;  // by last proven cost, equal ones by id
+  std::set<std::pair<Cost, std::size_t>> queue_;  // by proven lower bound, equal ones by id
   std::size_t steps_ = 0, evaluations_ = 0, ties_ = 0;
 };
 

@@ -48,9 +48,9 @@ inline void end_if_memory_is_short() {
       nullptr);
 }
 
-inline Integer dot(const Row& a, const Row& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
-}
+// Of two normals.
+inline Integer dot3(const Row& a, const Row& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Integer dot(const Row& a, const Row& b) { return dot3(a, b) + a[3] * b[3]; }
 // The determinant of three columns of three rows: by default of three normals.
 inline Integer det(const Row& a, const Row& b, const Row& c, int i = 0, int j = 1, int k = 2) {
   return a[i] * (b[j] * c[k] - b[k] * c[j]) - a[j] * (b[i] * c[k] - b[k] * c[i]) +

@@ -60,12 +60,19 @@ class ProofWriter {
     add(halfspace.normal());
     add(halfspace.offset());
   }
+  void add(const RootSum& sum) {
+    for (const RootTerm& term : sum.terms()) {
+      add(term.factor);
+      add(term.radicand);
+    }
+  }
 
   void write_hull();
   void write_inside();
   void write_run();
   void write_evaluation(const Evaluation& evaluation);
   void write_removal(const Step& step);
+  bool shows_costs() const { return run_.measure != CostMeasure::MeanWidth; }
   void write_stored(const StoredPlanes& stored);
   Appraisal appraise(const Evaluation& evaluation) const;
 
@@ -78,7 +85,7 @@ class ProofWriter {
 };
 
 std::string ProofWriter::write(const std::optional<StoredPlanes>& stored) {
-  line("convexact-proof", "1", run_.is_greedy ? "greedy" : "costs");
+  line("convexact-proof", "2", proof_claim(run_));
   write_hull();
   write_inside();
   write_run();
@@ -136,8 +143,10 @@ ProofWriter::Appraisal ProofWriter::appraise(const Evaluation& evaluation) const
     // All dual points but the removed one have x.n <= d w, so x.n <= 0.
     if (roof.planes.back().d <= 0) appraisal.ray = roof.planes.back().x;
   }
-  if (!appraisal.ray) {
-    appraisal.cost = volume(make_cap(dual_points_, evaluation.halfspace, evaluation.ring, roof));
+  if (!appraisal.ray && shows_costs()) {
+    const HalfspaceId i = evaluation.halfspace;
+    appraisal.cost = cost_of(make_cap(dual_points_, i, evaluation.ring, roof), dual_points_, i,
+                             evaluation.ring, run_.measure);
   }
   return appraisal;
 }
@@ -148,20 +157,24 @@ void ProofWriter::write_evaluation(const Evaluation& evaluation) {
   // An unbounded removal stays unbounded, though an eager engine evaluates it again.
   if (known && known->ray) return;
   known = appraise(evaluation);
+  const auto& [step, halfspace, ring, triangles] = evaluation;
   if (known->ray) {
     line("evaluate", i, "unbounded", *known->ray);
+  } else if (!shows_costs()) {
+    line("evaluate", i, "ring", ring, "triangles", triangles);
+  } else if (run_.measure == CostMeasure::Area) {
+    line("evaluate", i, "area", known->cost->area(), "ring", ring, "triangles", triangles);
   } else {
-    line("evaluate", i, "cost", known->cost->rational(), "ring", evaluation.ring, "triangles",
-         evaluation.triangles);
+    line("evaluate", i, "cost", known->cost->rational(), "ring", ring, "triangles", triangles);
   }
 }
 
 void ProofWriter::write_removal(const Step& step) {
   const std::optional<Appraisal>& appraisal = appraisals_[step.removed.index()];
-  if (!appraisal || appraisal->cost != step.cost) {
+  if (!appraisal || (shows_costs() && appraisal->cost != step.cost)) {
     throw Error(ErrorCode::Internal, "a removal does not cost what its evaluation says");
   }
-  if (run_.is_greedy) {
+  if (run_.is_greedy && shows_costs()) {
     line("remove", step.removed, "tie", step.tie);
   } else {
     line("remove", step.removed);
@@ -176,9 +189,12 @@ void ProofWriter::write_run() {
   auto evaluation = run_.evaluations.begin();
   for (std::size_t s = 0; s <= run_.steps.size(); ++s) {
     for (; evaluation != run_.evaluations.end() && evaluation->step == s; ++evaluation) {
-      write_evaluation(*evaluation);
+      if (shows_costs()) write_evaluation(*evaluation);
     }
-    if (s < run_.steps.size()) write_removal(run_.steps[s]);
+    if (s == run_.steps.size()) break;
+    const Step& step = run_.steps[s];
+    if (!shows_costs()) write_evaluation({s, step.removed, step.ring, step.triangles});
+    write_removal(step);
   }
   line("survive", survivors(run_));
 }
@@ -200,6 +216,19 @@ void ProofWriter::write_stored(const StoredPlanes& stored) {
 }
 
 }  // namespace
+
+const char* proof_claim(const Run& run) {
+  switch (run.measure) {
+    case CostMeasure::Volume:
+      return run.is_greedy ? "greedy" : "costs";
+    case CostMeasure::Area:
+      if (run.is_greedy) return "greedy-area";
+      break;
+    case CostMeasure::MeanWidth:
+      return "costs-not-shown";
+  }
+  throw Error(ErrorCode::Internal, "no claim is about areas of removals that are not greedy");
+}
 
 std::string write_proof(const RunStart& start, const Run& run, const PointSet& points,
                         const std::optional<StoredPlanes>& stored) {

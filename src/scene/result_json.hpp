@@ -41,8 +41,14 @@ inline constexpr auto kPrecisionNames =
 /// of all stages, those that were not needed with their reasons.
 [[nodiscard]] std::string stage_text(const std::vector<Stage>& stages, bool list_all);
 
+/// The claim of the proof of a run, as docs/proof-format.md names it: "greedy", "costs",
+/// "greedy-area" or "costs-not-shown".
+/// @throws Error  Internal for a run by area that is not greedy.
+[[nodiscard]] const char* proof_claim(const Run& run);
+
 /// Writes the proof of a run; docs/proof-format.md has the format and why it proves what it does.
-/// The exact cost of every evaluation is computed here, by the exact engine's caps.
+/// The exact cost of every evaluation is computed here, by the exact engine's caps. By mean width
+/// it shows the removals, and no costs.
 /// @param points  That the run had to hold, in the order of the ids in `start`.
 /// @param stored  The result as it is stored; none where it is stored as exact integers.
 /// @throws Error  Internal if the run has no proof: then the run was wrong.

@@ -46,10 +46,6 @@ void require_sensible(const SimplifyRequest& request) {
       throw Error(ErrorCode::InvalidArgument,
                   "the float engine removes by volume only; exact and filtered know every cost");
     }
-    if (request.record && request.trace) {
-      throw Error(ErrorCode::InvalidArgument,
-                  "of a run by area or mean width, ask for a trace or for a proof, not for both");
-    }
   }
   if (request.engine == Engine::Float && (request.trace || request.verify == VerifyLevel::Full)) {
     throw Error(ErrorCode::InvalidArgument,
@@ -65,7 +61,8 @@ SimplifyOptions options_of(const SimplifyRequest& request, std::size_t at_start)
   options.compare = request.compare;
   options.seed = request.seed;
   options.verify = request.verify;
-  options.keep_evaluations = request.record && request.cost == CostMeasure::Volume;
+  // The proof of a run by mean width shows its removals only.
+  options.keep_evaluations = request.record && request.cost != CostMeasure::MeanWidth;
   options.stop = request.watch.stop;
   if (request.watch.progress) {
     options.progress = [&request, at_start, faces = options.faces](std::size_t left) {
@@ -319,10 +316,6 @@ SimplifyOutcome simplify_solid(const Shape& shape, const SimplifyRequest& reques
   }
   std::optional<RunStart> start;
   if (request.record) start = start_of(shape, solid);
-  if (request.record && request.cost != CostMeasure::Volume) {
-    end.removed = removed_in(end.run.value());
-    end.run.reset();
-  }
   if (request.record && !end.run) {
     end.run =
         log.run("replay", [&] { return replay(solid.dual, center, end.removed, request.seed); });

@@ -71,6 +71,15 @@ std::string verified_line(const SimplifyResult& result) {
                      result.verified == VerifyLevel::Local ? "local" : "full", points);
 }
 
+// What the proof of the run claims, and what it leaves out.
+std::string proof_text(const Run& run) {
+  const std::string claim = proof_claim(run);
+  if (claim == "greedy") return claim + ": each removal adds the least volume";
+  if (claim == "greedy-area") return claim + ": each removal adds the least area";
+  if (claim == "costs") return claim + ": the volume that each removal adds, not that it is least";
+  return claim + ": the removals; neither what they add nor that it is least";
+}
+
 std::string push_text(const Growth& growth) {
   if (growth.push == 0) return "without any change";
   return fmt::format("within {:.2g} of the diameter, volume times at most 1 + {:.2g}", growth.push,
@@ -158,6 +167,7 @@ std::string summary(const SimplifyResult& result) {
   text += proven_ties_line(result);
   if (result.float_bound) text += float_lines(result) + tie_line(result);
   text += summary_line("verified", verified_line(result));
+  if (result.start && result.run) text += summary_line("proof", proof_text(*result.run));
   return text + stored_lines(result.solid);
 }
 

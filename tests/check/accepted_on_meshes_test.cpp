@@ -16,6 +16,11 @@ void check_engines(const PointSet& points, std::size_t faces,
     CAPTURE(static_cast<int>(engine));
     const CheckerVerdict verdict = check_proof(proof_of(points, engine, faces, precision));
     CHECK_MESSAGE(verdict.exit_code == 0, verdict.said);
+    if (engine == Engine::Float) continue;
+    for (const CostMeasure cost : {CostMeasure::Area, CostMeasure::MeanWidth}) {
+      const CheckerVerdict metric = check_proof(proof_of(points, engine, faces, {}, cost));
+      CHECK_MESSAGE(metric.exit_code == 0, metric.said);
+    }
   }
 }
 

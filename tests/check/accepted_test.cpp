@@ -27,6 +27,9 @@ void check_engines(const Shape& shape, std::size_t faces) {
     check_accepted(proof_of(shape, engine, faces));
     check_accepted(proof_of(shape, engine, faces, Precision::Binary64));
     check_accepted(proof_of(shape, engine, faces, Precision::Binary32));
+    if (engine == Engine::Float) continue;
+    check_accepted(proof_of(shape, engine, faces, {}, CostMeasure::Area));
+    check_accepted(proof_of(shape, engine, faces, Precision::Binary64, CostMeasure::MeanWidth));
   }
 }
 
@@ -109,6 +112,7 @@ TEST_CASE("proof: coordinates far from one") {
     for (const Engine engine : kEngines) {
       check_accepted(proof_of(PointSet(points), engine, 5, Precision::Binary64));
     }
+    check_accepted(proof_of(PointSet(points), Engine::Filtered, 5, {}, CostMeasure::Area));
   }
 }
 
@@ -118,5 +122,7 @@ TEST_CASE("proof: a shipped mesh") {
     const PointSet points = read_mesh(path).points;
     check_accepted(proof_of(points, Engine::Filtered, 18, Precision::Binary64));
     check_accepted(proof_of(points, Engine::Float, 18, Precision::Binary32));
+    check_accepted(proof_of(points, Engine::Filtered, 18, {}, CostMeasure::Area));
+    check_accepted(proof_of(points, Engine::Filtered, 18, {}, CostMeasure::MeanWidth));
   }
 }

@@ -16,6 +16,14 @@ CheckerVerdict check_proof(const std::string& text, const std::string& mesh) {
   }
 }
 
+int sign_by_checker(const std::vector<std::array<std::string, 2>>& terms) {
+  check::RootSum sum;
+  for (const auto& [factor, radicand] : terms) {
+    check::add_term(sum, Integer(radicand, 10), check::number_of_proof(factor));
+  }
+  return check::sign(sum);
+}
+
 std::optional<std::vector<std::string>> rows_by_checker(const std::string& bytes,
                                                         const std::string& path, bool as_spelt) {
   std::vector<std::string> rows;

@@ -74,6 +74,37 @@ TEST_CASE("convexact-check: proofs that the program wrote") {
   }
 }
 
+TEST_CASE("convexact-check: by every measure, with a trace beside the proof") {
+  const ScratchFolder scratch;
+  std::string cube;
+  for (const Point& p : shapes::cut_cube(4, 0.25)) {
+    cube += "v " + std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) +
+            "\n";
+  }
+  const std::string input = scratch.write("cube.obj", cube), proof = scratch.file("proof");
+  const char* const cases[][3] = {
+      {"volume", "greedy: each removal adds the least volume", "proven: each was the cheapest"},
+      {"area", "greedy-area: each removal adds the least area", "proven: each was the cheapest"},
+      {"mean-width", "costs-not-shown: the removals; neither what they add nor that it is least",
+       "not claimed: what a removal adds, or that it was the cheapest"}};
+  for (const auto& [measure, claim, said] : cases) {
+    CAPTURE(measure);
+    const std::string command = "simplify " + input + " --faces 6 --cost " + measure + " --proof " +
+                                proof + " --trace " + scratch.file("trace.json");
+    const support::Ran ran = support::run_program(command);
+    REQUIRE_MESSAGE(ran.exit == 0, ran.err);
+    CHECK(ran.out.find(std::string("  proof       ") + claim + "\n") != std::string::npos);
+    const std::string kind = std::string(claim).substr(0, std::string(claim).find(':'));
+    CHECK(support::run_program(command + " --json").out.find("\"proof\": \"" + kind + "\"") !=
+          std::string::npos);
+    CHECK(bytes_of(proof).starts_with("convexact-proof 2 " + kind + "\n"));
+    CHECK(run_checker(proof + " " + input, scratch) == 0);
+    CHECK(bytes_of(scratch.file("out")).find(said) != std::string::npos);
+    CHECK(bytes_of(scratch.file("trace.json")).find(std::string("\"") + measure + "\"") !=
+          std::string::npos);
+  }
+}
+
 TEST_CASE("convexact-check: a mesh beside the proof, its exit codes and what it says (#13)") {
   const ScratchFolder scratch;
   const std::string mesh = scratch.write(
@@ -117,7 +148,7 @@ TEST_CASE("convexact-check: files that include nothing of ours but each other") 
     }
     ++files;
   }
-  CHECK(files == 4);
+  CHECK(files == 5);
   CHECK(has_gmp);
 }
 
