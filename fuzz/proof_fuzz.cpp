@@ -46,7 +46,12 @@ std::string some_proof(FuzzInput& in) {
   const std::size_t precision = in.below(3);
   if (precision == 1) request.store.planes = Precision::Binary64;
   if (precision == 2) request.store.planes = Precision::Binary32;
-  const SimplifyOutcome outcome = simplify(shape_of(in), request);
+  const Shape shape = shape_of(in);
+  if (request.engine != Engine::Float) {
+    request.cost = std::array{CostMeasure::Volume, CostMeasure::Area, CostMeasure::MeanWidth,
+                              CostMeasure::Area}[in.below(4)];
+  }
+  const SimplifyOutcome outcome = simplify(shape, request);
   const auto* result = std::get_if<SimplifyResult>(&outcome);
   if (result == nullptr) return "";
   return write_proof(result->start.value(), result->run.value(), result->solid.points,

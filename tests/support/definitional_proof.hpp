@@ -22,12 +22,13 @@ struct ProofClaims {
 
   struct Removal {
     std::size_t id;
-    Rational cost;
+    std::optional<Cost> cost;  // none if the proof shows no costs
     std::vector<HalfspaceId> tie;
     friend bool operator==(const Removal&, const Removal&) = default;
   };
 
   bool is_greedy = false;
+  CostMeasure measure = CostMeasure::Volume;  // of the costs, if there are any
   std::vector<Halfspace> rows, planes;
   std::vector<RationalPoint> points;
   std::vector<Removal> removals;
@@ -82,17 +83,27 @@ class ProofWords {
 
 inline ProofClaims::ProofClaims(const std::string& text) {
   ProofWords words(text);
-  std::vector<Rational> costs;
+  std::vector<std::optional<Cost>> costs;
   while (!words.next().empty()) {
     const std::string word = words.take();
-    if (word == "greedy") is_greedy = true;
+    if (word == "greedy" || word == "greedy-area") is_greedy = true;
+    if (word == "greedy-area") measure = CostMeasure::Area;
     if (word == "row") rows.push_back(words.halfspace());
     if (word == "point") points.push_back(words.point());
     if (word == "plane") planes.push_back(words.halfspace());
     costs.resize(planes.size());
     if (word == "evaluate") {
       const std::size_t id = words.id();
-      if (words.take() == "cost") costs[id] = words.number();
+      const std::string kind = words.take();
+      if (kind == "cost") costs[id] = words.number();
+      if (kind == "area") {
+        RootSum area;
+        while (words.at_number()) {
+          const Rational factor = words.number();
+          area.add(factor, words.number());
+        }
+        costs[id] = Cost(area);
+      }
     }
     if (word == "remove") {
       const std::size_t id = words.id();
@@ -130,10 +141,14 @@ inline bool ProofClaims::removals_are_true() const {
   for (const Removal& removal : removals) {
     const Subset bit = Subset{1} << removal.id;
     if ((left & bit) == 0) return false;
-    const auto before = arrangement.volume(left), after = arrangement.volume(left & ~bit);
-    if (!after || *after - *before != removal.cost) return false;
+    const std::optional<Cost> after = arrangement.measure(left & ~bit, measure);
+    if (!after) return false;
+    if (removal.cost) {
+      const std::array<Cost, 2> parts{arrangement.measure(left, measure).value(), *removal.cost};
+      if (sum_of(parts) != *after) return false;
+    }
     if (is_greedy) {
-      const Cheapest best = cheapest_removals(arrangement, left);
+      const Cheapest best = cheapest_removals(arrangement, left, measure);
       if (best.tie != removal.tie || removal.tie.front().index() != removal.id) return false;
     }
     left &= ~bit;
