@@ -160,4 +160,9 @@ FAULTS = [
     (STALE, _FAST + 'filtered_loop.hpp', 'next_above(grown_.upper + cost.upper)', 'next_above(cost.upper)', 'fast_agreement_sample'),
     (STALE, 'src/check/convexact_check.cpp', '      removals_[a].fresh = false;\n', '', 'check check_mutated'),
     (STALE, 'src/check/convexact_check.cpp', 'require(removals_[j].fresh,', 'require(true,', 'check check_mutated'),
+    (STALE, 'src/check/convexact_check.cpp', '      if (removals_[a].terms.erase(i) > 0) update_cost(a);\n', '', 'check check_mutated'),
+    (TIE, 'src/check/root_sum.hpp', 'if (mpz_perfect_square_p(product.get_mpz_t()) != 0) break;', 'if (n == m->first) break;', 'check check_mutated'),
+    (PUSH, 'src/check/root_sum.hpp', 'next = root + 1;', 'next = root;', 'check check_mutated'),
+    (SIGN, 'src/check/convexact_check.cpp', '-s * quotient(dot3(base, n), dot3(base, base))', '-s', 'check check_mutated'),
+    (SKIP, 'src/check/convexact_check.cpp', 'require(removal.cost == Cost(stated),', 'require(true,', 'check check_mutated'),
 ]

@@ -30,6 +30,7 @@ UNITS = {
     'src/check/mesh_file.hpp': ['tests/check/checker.cpp'],
     'src/check/text.hpp': ['tests/check/checker.cpp'],
     'src/check/exact.hpp': ['tests/check/checker.cpp'],
+    'src/check/root_sum.hpp': ['tests/check/checker.cpp'],
     'src/stored/near_products.hpp': ['src/stored/containment.cpp', 'src/stored/stored_planes.cpp',
                                      'src/stored/growth.cpp', 'tests/stored/containment_test.cpp'],
     'src/number/roundoff.hpp': [*_EXPANSION, 'tests/number/double_double_test.cpp', *_AUDIT],
