@@ -195,9 +195,10 @@ bool FilteredCap::is_bounded() const {
 }
 
 CostBounds<double> FilteredCap::in_doubles() {
-  CostBounds<double> bounds =
-      metric_ ? metric_->bounds(geometry_, *prepared_, ring_.vertices, triangles_)
-              : cost_.bounds(geometry_, triangles_, Roundoff<double>::kUnit);
+  CostBounds<double> bounds = metric_
+                                  ? metric_->bounds(geometry_, *prepared_, ring_.vertices,
+                                                    triangles_, Roundoff<double>::kUnit)
+                                  : cost_.bounds(geometry_, triangles_, Roundoff<double>::kUnit);
   if (bounds.kind == Boundedness::Doubtful && !is_bounded()) {
     bounds = {Boundedness::Unbounded, 0, 0};
   }
@@ -208,7 +209,7 @@ CostBounds<double> FilteredCap::in_doubles() {
 CostBounds<DoubleDouble> FilteredCap::in_double_doubles() {
   if (metric_) {
     const auto [kind, lower, upper] =
-        metric_->bounds(geometry_, *prepared_, ring_.vertices, triangles_);
+        metric_->bounds(geometry_, *prepared_, ring_.vertices, triangles_, Roundoff<double>::kUnit);
     return {kind, DoubleDouble(lower), DoubleDouble(upper)};
   }
   long_geometry_.load(*prepared_, ring_.vertices,

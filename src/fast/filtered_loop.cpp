@@ -130,13 +130,6 @@ void FilteredLoop::evaluate(HalfspaceId i) {
   }
 }
 
-// What is left of the bound of i once `removed` has gone.
-void FilteredLoop::forget_terms_of(HalfspaceId removed, HalfspaceId i) {
-  std::vector<LastingTerm>& terms = terms_[i.index()];
-  std::erase_if(terms, [&](const LastingTerm& t) { return t.x == removed || t.y == removed; });
-  queue_.update(i, MetricCost::lower_bound(terms));
-}
-
 void FilteredLoop::refine(HalfspaceId i) {
   const auto [lower, upper] = ties_.refine(i);
   set_bounds(i, lower, upper);
@@ -270,7 +263,9 @@ void FilteredLoop::remove(HalfspaceId i) {
   for (const HalfspaceId r : cap_.ring().vertices) {
     stale_[r.index()] = true;
     ties_.forget(r);
-    if (!terms_.empty() && queue_.contains(r)) forget_terms_of(i, r);
+    if (!terms_.empty() && queue_.contains(r)) {
+      queue_.update(r, forget_terms_of(i, terms_[r.index()]));
+    }
   }
   cap_.invalidate();
 }

@@ -75,7 +75,6 @@ class FilteredLoop {
   void evaluate(HalfspaceId i);
   void refine(HalfspaceId i);
   void set_bounds(HalfspaceId i, double lower, double upper);
-  void forget_terms_of(HalfspaceId removed, HalfspaceId i);
   void drop(HalfspaceId i);
 
   bool are_bounds_close(HalfspaceId i) const;

@@ -80,6 +80,7 @@ class FloatCap {
     return cost_.estimate(geometry_, triangles, arithmetic_.unit());
   }
   const RingGeometry<Scalar>& geometry() const { return geometry_; }
+  double unit() const { return arithmetic_.unit(); }
 
  private:
   struct Beyond {

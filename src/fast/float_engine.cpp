@@ -5,17 +5,20 @@
 
 namespace convexact {
 
-FloatErrors::FloatErrors(std::size_t halfspaces)
-    : lower_(halfspaces), upper_(halfspaces, std::numeric_limits<double>::infinity()) {
+FloatErrors::FloatErrors(std::size_t halfspaces, CostMeasure measure)
+    : lower_(halfspaces),
+      upper_(halfspaces, std::numeric_limits<double>::infinity()),
+      multiple_(cost_multiple(measure)) {
   for (std::size_t i = 0; i < halfspaces; ++i) lower_.append(HalfspaceId(i), 0);
 }
 
 void FloatErrors::remove(HalfspaceId i, double cost) {
   const double upper = upper_[i.index()], lower = lower_.key(i);
   lower_.erase(i);
-  // Off by the bounds of the enclosure, and by the division by six.
+  // Off by the bounds of the enclosure, and by the division by the multiple, which may be rounded.
+  const double of_quotient = 0x1p-52 + (multiple_.upper - multiple_.lower) / multiple_.lower;
   const double error =
-      next_above(next_above(std::max(upper - cost, cost - lower)) / lower) + 0x1p-52;
+      next_above(next_above(std::max(upper - cost, cost - lower)) / lower) + of_quotient;
   const double regret =
       lower_.empty() ? 0 : next_above(next_above(upper / lower_.key(lower_.top())) - 1);
   if (!(error <= FloatBound::kMost && regret <= FloatBound::kMost)) {
@@ -29,7 +32,7 @@ void FloatErrors::remove(HalfspaceId i, double cost) {
 FloatBound FloatErrors::bound(bool is_stuck) const {
   FloatBound bound = bound_;
   const double least = lower_.key(lower_.top());
-  bound.least_next = std::isinf(least) ? least : next_below(least / 6);
+  bound.least_next = std::isinf(least) ? least : next_below(least / multiple_.upper);
   bound.is_end_proven = !is_stuck || std::isinf(least);
   return bound;
 }

@@ -13,29 +13,38 @@
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "convexact/run.hpp"
+#include "fast/cap.hpp"
 #include "fast/cap_volume.hpp"
 #include "fast/filtered_engine.hpp"
 #include "fast/float_cap.hpp"
 #include "fast/keyed_queue.hpp"
 #include "fast/mesh.hpp"
+#include "fast/metric_cost.hpp"
 #include "fast/signs.hpp"
 
 namespace convexact {
 
-/// Keeps the FloatBound of a run. All costs are times six, in units of the dual.
+/// Keeps the FloatBound of a run. All costs are cost_multiple() times as large, in units of the
+/// dual.
 ///
 /// A removal is judged by the upper bound of its cost and by the least of all others' lower bounds.
-/// The latter stay true when rings change, since costs never decrease; so each halfspace keeps the
-/// best lower bound that was ever proven for it, 0 at first.
+/// Each halfspace keeps the best lower bound that is proven for it, 0 at first. Those of volumes
+/// stay true when rings change, since costs never decrease; others are lowered to what lasts.
 class FloatErrors {
  public:
-  explicit FloatErrors(std::size_t halfspaces);
+  FloatErrors(std::size_t halfspaces, CostMeasure measure);
 
   /// The cap of i has been evaluated: its cost is enclosed. Unbounded caps are (inf, inf), caps
   /// without a proven bound (0, inf).
   void enclose(HalfspaceId i, double lower, double upper) {
     upper_[i.index()] = upper;
     if (lower > lower_.key(i)) lower_.update(i, lower);
+  }
+  /// A halfspace of the ring of i was removed: of the bounds proven before, `lasting` is left. Caps
+  /// that are unbounded stay so.
+  void lower(HalfspaceId i, double lasting) {
+    const double key = lower_.key(i);
+    if (lasting < key && !std::isinf(key)) lower_.update(i, lasting);
   }
   /// The canonical order decides a step.
   void count_tie() { ++bound_.ties; }
@@ -47,6 +56,7 @@ class FloatErrors {
  private:
   KeyedQueue<double> lower_;
   std::vector<double> upper_;
+  Interval<double> multiple_;
   FloatBound bound_;
 };
 
@@ -72,7 +82,8 @@ bool is_loose(const CostEstimate<Scalar>& cap) {
 /// - Existence: a halfspace is removed only if every D of its cap is beyond its error bound.
 /// - Laziness: a changed cap is evaluated again when its *lower bound* comes to the top, not
 ///   its estimate, unless both are nearly the same; an ill-conditioned cap has a low one. (Without
-///   this guard a cap with too high an estimate would never be evaluated again.)
+///   this guard a cap with too high an estimate would never be evaluated again.) Areas and mean
+///   widths may fall, so theirs is the sum of the terms that last.
 /// - Doubt: a cap that is not found bounded, be it that some D is too close to zero or that T is
 ///   wrong, or its bounds far apart, is evaluated in the longer arithmetic. If that does not find
 ///   it bounded either, it is put off until its ring changes. (Facets that would be one, had their
@@ -92,18 +103,21 @@ class FloatLoop {
   FloatLoop(const FastDual& dual, const Arithmetic& arithmetic, const SimplifyOptions& options);
   FastResult run();
 
-  /// Six times the cost of a removal that run() made, as it was found.
-  const Scalar& six_times_cost(HalfspaceId removed) const { return estimate_[removed.index()]; }
+  /// cost_multiple() times the cost of a removal that run() made, as it was found.
+  const Scalar& scaled_cost(HalfspaceId removed) const { return estimate_[removed.index()]; }
 
  private:
   void prepare(HalfspaceId i);
   void load(HalfspaceId i);
   const Scalar& evaluate(HalfspaceId i);
+  template <class Estimate>
+  bool evaluate_by(HalfspaceId i, const Estimate& estimate);
   template <class Number>
   void keep(HalfspaceId i, const CostEstimate<Number>& cap);
   template <class Number>
   void enclose(HalfspaceId i, const CostEstimate<Number>& cap, bool is_right);
   bool is_unbounded_by_signs() const;
+  Scalar scaled_measure();
   Scalar six_times_volume();
   std::optional<HalfspaceId> choose();
   bool collect_tie(HalfspaceId top);
@@ -121,7 +135,7 @@ class FloatLoop {
   const Scalar narrow_;  // estimate over lower bound, at most
   KeyedQueue<Scalar> queue_;
   std::vector<unsigned char> state_;
-  std::vector<Scalar> lower_;     // of six times the cost, as last enclosed
+  std::vector<Scalar> lower_;     // of cost_multiple() times the cost, as last enclosed
   std::vector<Scalar> upper_;     // likewise
   std::vector<Scalar> estimate_;  // likewise; infinite if there is no such cap, or may be none
   // Changes of its ring to wait for before another look at a cap that was not found bounded: with a
@@ -131,6 +145,8 @@ class FloatLoop {
   OneRing ring_;
   FloatCap<Arithmetic> cap_;
   std::optional<typename LongerCapOf<Arithmetic>::Type> longer_cap_;
+  std::optional<MetricCost> metric_;             // unless the measure is the volume
+  std::vector<std::vector<LastingTerm>> terms_;  // empty if it is
   std::optional<FloatErrors> errors_;
   std::vector<RingTriangle> triangles_;
   std::vector<HalfspaceId> tied_;  // after choose(): the choice first, then its equals
@@ -151,9 +167,16 @@ FloatLoop<Arithmetic>::FloatLoop(const FastDual& dual, const Arithmetic& arithme
       upper_(dual.size()),
       estimate_(dual.size()),
       patience_(dual.size()),
-      cap_(arithmetic) {
+      cap_(arithmetic),
+      terms_(options.cost == CostMeasure::Volume ? 0 : dual.size()) {
   if constexpr (HasLonger<Arithmetic>) longer_cap_.emplace(arithmetic.longer());
-  if constexpr (HasSigns<Arithmetic>) errors_.emplace(dual.size());
+  if constexpr (HasSigns<Arithmetic>) errors_.emplace(dual.size(), options.cost);
+  if (options.cost != CostMeasure::Volume) {
+    if (!HasSigns<Arithmetic>) {
+      throw Error(ErrorCode::InvalidArgument, "rounded dual points have costs by volume only");
+    }
+    metric_.emplace(dual, options.cost);
+  }
   if (options.faces < 4) throw Error(ErrorCode::InvalidArgument, "a solid has at least 4 faces");
   if (options.max_growth && *options.max_growth < 0) {
     throw Error(ErrorCode::InvalidArgument, "a growth limit is not negative");
@@ -165,7 +188,7 @@ FastResult FloatLoop<Arithmetic>::run() {
   FastResult result;
   Scalar allowance = infinity_;
   if (options_.max_growth) {
-    allowance = Scalar(to_double(*options_.max_growth, Rounding::Nearest)) * six_times_volume();
+    allowance = Scalar(to_double(*options_.max_growth, Rounding::Nearest)) * scaled_measure();
   }
   std::size_t left = dual_.size();
   for (std::size_t i = 0; left > options_.faces && i < dual_.size(); ++i) {
@@ -186,7 +209,8 @@ FastResult FloatLoop<Arithmetic>::run() {
     }
     allowance = allowance - cost;
     const auto tied = static_cast<std::uint32_t>(tied_.size());
-    result.steps.push_back({*choice, tied, leading(cost) / 6, leading(cost) / 6});
+    const double in_units = leading(cost) / cost_multiple(options_.cost).lower;
+    result.steps.push_back({*choice, tied, in_units, in_units});
     if (errors_) errors_->remove(*choice, leading(cost));
     if (errors_ && tied > 1) errors_->count_tie();
     remove(*choice);
@@ -222,20 +246,37 @@ template <class Arithmetic>
 const typename FloatLoop<Arithmetic>::Scalar& FloatLoop<Arithmetic>::evaluate(HalfspaceId i) {
   load(i);
   ++evaluations_;
-  const CostEstimate<Scalar> cap = cap_.estimate(triangles_);
+  if (!metric_) {
+    evaluate_by(i, [&](auto& cap) { return cap.estimate(triangles_); });
+  } else if constexpr (HasSigns<Arithmetic>) {
+    const bool is_right = evaluate_by(i, [&](auto& cap) {
+      return metric_->estimate(cap.geometry(), i, ring_.vertices, triangles_, cap.unit());
+    });
+    terms_[i.index()].clear();
+    if (is_right) terms_[i.index()] = metric_->terms();
+  }
+  return estimate_[i.index()];
+}
+
+// By bounds and estimates of a cap in this arithmetic or in the longer one. Returns whether its T
+// is right, so that the bounds are.
+template <class Arithmetic>
+template <class Estimate>
+bool FloatLoop<Arithmetic>::evaluate_by(HalfspaceId i, const Estimate& estimate) {
+  const auto cap = estimate(cap_);
   keep(i, cap);
   if constexpr (HasLonger<Arithmetic>) {
     if (cap.kind != Boundedness::Bounded || !cap_.is_right() || is_loose(cap)) {
       longer_cap_->load(i, ring_, options_.seed, triangles_);
-      const auto long_cap = longer_cap_->estimate(triangles_);
+      const auto long_cap = estimate(*longer_cap_);
       keep(i, long_cap);
       state_[i.index()] |= kLonger;
       enclose(i, long_cap, longer_cap_->is_right());
-      return estimate_[i.index()];
+      return longer_cap_->is_right();
     }
   }
   enclose(i, cap, cap_.is_right());
-  return estimate_[i.index()];
+  return cap_.is_right();
 }
 
 // Records the bounds proven of i, whose ring and triangles are known.
@@ -276,7 +317,7 @@ void FloatLoop<Arithmetic>::keep(HalfspaceId i, const CostEstimate<Number>& cap)
   };
   Scalar& lower = lower_[i.index()];
   Scalar& estimate = estimate_[i.index()];
-  const bool is_bounded = cap.kind == Boundedness::Bounded;
+  const bool is_bounded = cap.kind == Boundedness::Bounded && std::isfinite(leading(cap.value));
   lower = is_bounded ? shortened(cap.lower) : Scalar(0.0);
   estimate = is_bounded ? shortened(cap.value) : infinity_;
   upper_[i.index()] = is_bounded ? shortened(cap.upper) : infinity_;
@@ -328,6 +369,15 @@ bool FloatLoop<Arithmetic>::collect_tie(HalfspaceId top) {
   return true;
 }
 
+// Of the initial solid.
+template <class Arithmetic>
+typename FloatLoop<Arithmetic>::Scalar FloatLoop<Arithmetic>::scaled_measure() {
+  if (!metric_) return six_times_volume();
+  const Cost exact = exact_measure(dual_, dual_.triangles(), options_.cost);
+  const double measure = scaled_enclosure(exact, dual_.cost_exponent(options_.cost)).lower;
+  return Scalar(measure * cost_multiple(options_.cost).lower);
+}
+
 // Of the initial solid; its lower bound if some D is doubtful, so that the growth limit is kept.
 template <class Arithmetic>
 typename FloatLoop<Arithmetic>::Scalar FloatLoop<Arithmetic>::six_times_volume() {
@@ -350,8 +400,12 @@ void FloatLoop<Arithmetic>::remove(HalfspaceId i) {
   queue_.erase(i);
   for (const HalfspaceId r : ring_.vertices) {
     state_[r.index()] |= kStale;
+    const double lasting = metric_ ? forget_terms_of(i, terms_[r.index()]) : 0;
+    if (metric_ && errors_) errors_->lower(r, lasting);
     if (patience_[r.index()] > 0) {
       --patience_[r.index()];
+    } else if (metric_) {
+      queue_.update(r, Scalar(lasting));
     } else if (state_[r.index()] & kWide) {
       queue_.update(r, lower_[r.index()]);
     }

@@ -105,41 +105,60 @@ constexpr double kOfFar = 2 * 550 + 200, kFarExcessError = 2048;
 static_assert(kOfFar < kFarExcessError);
 static_assert(123 + 2.42 * (2 * kArcSine + 4) < 155 && 2.1 * (2 * kArcSine + 4) < 26);
 
-Interval<double> far_excess(double a, double b, double c) {
-  constexpr double kWidest = 1.5;  // a versine of 120 degrees
-  if (!(std::max({a, b, c}) <= kWidest)) return {0, kNoUpperEnd};
+double far_excess(double a, double b, double c) {
   const auto angle = [](double versine) { return 2 * std::asin(std::sqrt(versine / 2)); };
   const auto sine = [](double versine) { return std::sqrt(versine * (2 - versine)); };
   const auto per_sine = [&](double versine) {
     return versine < 0x1p-60 ? 1 : angle(versine) / sine(versine);
   };
   const double cos_a = 1 - a, cos_b = 1 - b, cos_c = 1 - c;
-  const double excess = angle(c) * sine(c) - per_sine(a) * (cos_b - cos_a * cos_c) -
-                        per_sine(b) * (cos_a - cos_b * cos_c);
-  const double error = kFarExcessError * kUnitRoundoff;
-  return {std::max(excess - error, 0.0), std::max(excess, 0.0) + error};
+  return angle(c) * sine(c) - per_sine(a) * (cos_b - cos_a * cos_c) -
+         per_sine(b) * (cos_a - cos_b * cos_c);
+}
+
+double near_excess(double a, double b, double c, const Triple<double>& to_x,
+                   const Triple<double>& to_y, const Triple<double>& across) {
+  const int terms = terms_for(std::max({a, b, c}));
+  const Triple<double> twice_mean{to_x.x + to_y.x, to_x.y + to_y.y, to_x.z + to_y.z};
+  const double difference = dot_of(across, twice_mean) / 2;
+  return c * (without_constant(kSeries.g, terms, a) + without_constant(kSeries.g, terms, b) -
+              without_constant(kSeries.q, terms, c)) -
+         divided_psi(terms, a, b) * difference * difference;
+}
+
+struct Excess {
+  double value, error;
+};
+
+// The error is infinite where the angles are too large for a bound.
+Excess excess_of(const Triple<double>& to_x, const Triple<double>& to_y,
+                 const Triple<double>& across) {
+  constexpr double kWidest = 1.5;  // a versine of 120 degrees
+  const double a = dot_of(to_x, to_x) / 2, b = dot_of(to_y, to_y) / 2;
+  const double squared = dot_of(across, across), c = squared / 2;
+  const double largest = std::max({a, b, c});
+  if (!(2 * largest <= kNear * kNear)) {
+    return {far_excess(a, b, c),
+            largest <= kWidest ? kFarExcessError * kUnitRoundoff : kNoUpperEnd};
+  }
+  // The chords themselves are off, too, which widens the bound by next to nothing.
+  const double chord = std::sqrt(squared) + kChordError * kUnitRoundoff;
+  return {near_excess(a, b, c, to_x, to_y, across),
+          kNearExcessError * kUnitRoundoff * chord * (2 * largest + kChordError * kUnitRoundoff)};
 }
 
 }  // namespace
 
 Interval<double> angular_excess(const Triple<double>& to_x, const Triple<double>& to_y,
                                 const Triple<double>& across) {
-  const double a = dot_of(to_x, to_x) / 2, b = dot_of(to_y, to_y) / 2;
-  const double squared = dot_of(across, across), c = squared / 2;
-  const double largest = std::max({a, b, c});
-  if (!(2 * largest <= kNear * kNear)) return far_excess(a, b, c);
-  const int terms = terms_for(largest);
-  const Triple<double> twice_mean{to_x.x + to_y.x, to_x.y + to_y.y, to_x.z + to_y.z};
-  const double difference = dot_of(across, twice_mean) / 2;
-  const double excess =
-      c * (without_constant(kSeries.g, terms, a) + without_constant(kSeries.g, terms, b) -
-           without_constant(kSeries.q, terms, c)) -
-      divided_psi(terms, a, b) * difference * difference;
-  // The chords themselves are off, too, which widens the bound by next to nothing.
-  const double chord = std::sqrt(squared) + kChordError * kUnitRoundoff;
-  const double error =
-      kNearExcessError * kUnitRoundoff * chord * (2 * largest + kChordError * kUnitRoundoff);
+  const auto [excess, error] = excess_of(to_x, to_y, across);
+  if (!(error < kNoUpperEnd)) return {0, kNoUpperEnd};
   return {std::max(excess - error, 0.0), std::max(excess, 0.0) + error};
+}
+
+double rounded_angular_excess(const Triple<double>& to_x, const Triple<double>& to_y,
+                              const Triple<double>& across) {
+  return excess_of(to_x, to_y, across).value;
 }
 
 DualNormals::DualNormals(const FastDual& dual) {
@@ -174,54 +193,10 @@ void MetricCost::load(HalfspaceId i, std::span<const HalfspaceId> ring) {
   }
 }
 
-// Twice the area: for each side its weight |P_q| (1 - cos theta_iq).
-Interval<double> MetricCost::area(std::uint32_t k, std::span<const RingTriangle> triangles,
-                                  Determinants& determinants) {
-  sides_.assign(k, {0, 0});
-  const auto add = [&](std::uint32_t side, const Interval<double>& part) {
-    sides_[side].lower += part.lower;
-    sides_[side].upper += part.upper;
-  };
-  roof_.for_each_edge(k, triangles, determinants,
-                      [&](std::uint32_t x, std::uint32_t y, const Interval<double>& lambda) {
-                        // The base vertex of x lies on the next plane of the ring: no slack.
-                        if (y != (x + 1 == k ? 0 : x + 1)) {
-                          add(x, lambda * roof_.slack(x, y, determinants));
-                        }
-                        add(y, lambda * roof_.slack(y, x, determinants));
-                      });
-  Interval<double> sum{0, 0};
-  for (std::uint32_t m = 0; m < k; ++m) {
-    const Direction& q = ring_[m];
-    const double error = versine_error(q.chord);
-    const Interval<double> weight{q.length * std::max(q.versine - error, 0.0),
-                                  q.length * (q.versine + error)};
-    const Interval<double> term = sides_[m] * weight;
-    terms_.push_back({ids_[m], ids_[m], term.lower});
-    sum.lower += term.lower;
-    sum.upper += term.upper;
-  }
-  return sum;
-}
-
-// 4 pi times the mean width.
-Interval<double> MetricCost::mean_width(std::uint32_t k, std::span<const RingTriangle> triangles,
-                                        Determinants& determinants) {
-  Interval<double> sum{0, 0};
-  roof_.for_each_edge(
-      k, triangles, determinants,
-      [&](std::uint32_t x, std::uint32_t y, const Interval<double>& lambda) {
-        const Direction &p = ring_[x], &q = ring_[y];
-        const Triple<double> across = normals_[ids_[y]].direction - normals_[ids_[x]].direction;
-        const double lengths = p.length * q.length;
-        const Interval<double> excess = angular_excess(p.from_i, q.from_i, across);
-        const Interval<double> term =
-            lambda * Interval<double>{lengths * excess.lower, lengths * excess.upper};
-        terms_.push_back({ids_[x], ids_[y], term.lower});
-        sum.lower += term.lower;
-        sum.upper += term.upper;
-      });
-  return sum;
+// |P_q| (1 - cos theta_iq), by which a side's sum counts for twice the area.
+Interval<double> MetricCost::weight(const Direction& q) const {
+  const double error = versine_error(q.chord);
+  return {q.length * std::max(q.versine - error, 0.0), q.length * (q.versine + error)};
 }
 
 namespace {
@@ -230,10 +205,10 @@ namespace {
 // orders.
 double sum_slop(std::size_t n) { return 2 * static_cast<double>(n) * kUnitRoundoff; }
 // Below any term lie 5 determinants, each of whose ends is rounded once, 2 lengths (5u each), a
-// weight (2u), 7 products and quotients, and the additions to its side.
-constexpr std::size_t kOfTerm = 5 + 2 * 5 + 2 + 7;
+// weight (2u), 7 products and quotients, and the additions to its side; from longer arithmetic, one
+// rounding to doubles.
+constexpr std::size_t kOfTerm = 5 + 2 * 5 + 2 + 7 + 1;
 static_assert(DualNormals::kLengthError <= 5);
-// Underflow is as for volumes: no factor is larger than there.
 constexpr double kTiny = ExponentRange<double>::kVolumeUnderflow;
 
 }  // namespace
@@ -244,27 +219,22 @@ double MetricCost::lower_bound(std::span<const LastingTerm> terms) {
   return std::max(sum * (1 - sum_slop(terms.size())) - kTiny, 0.0);
 }
 
-CostBounds<double> MetricCost::bounds(const RingGeometry<double>& geometry, HalfspaceId i,
-                                      std::span<const HalfspaceId> ring,
-                                      std::span<const RingTriangle> triangles) {
-  const auto k = static_cast<std::uint32_t>(ring.size());
-  load(i, ring);
-  Determinants determinants(geometry, kUnitRoundoff);
-  const Interval<double> sum = measure_ == CostMeasure::Area
-                                   ? area(k, triangles, determinants)
-                                   : mean_width(k, triangles, determinants);
-  if (determinants.is_negative()) return {Boundedness::Unbounded, 0, 0};
+double forget_terms_of(HalfspaceId removed, std::vector<LastingTerm>& terms) {
+  std::erase_if(terms, [&](const LastingTerm& t) { return t.x == removed || t.y == removed; });
+  return MetricCost::lower_bound(terms);
+}
+
+// What was rounded away, of the terms and of their sum.
+CostBounds<double> MetricCost::widened(const Interval<double>& sum, bool is_certain) {
   // A direction that underflowed makes everything NaN.
   if (!(sum.lower >= 0)) {
     terms_.clear();
     return CostBounds<double>::doubtful();
   }
-  const double of_terms = sum_slop(kOfTerm + k);
+  const double of_terms = sum_slop(kOfTerm + ring_.size());
   for (LastingTerm& term : terms_) term.lower *= 1 - of_terms;
   const double lower = lower_bound(terms_);
-  if (!determinants.is_certain() || !(sum.upper < kNoUpperEnd)) {
-    return {Boundedness::Doubtful, lower, kNoUpperEnd};
-  }
+  if (!is_certain || !(sum.upper < kNoUpperEnd)) return {Boundedness::Doubtful, lower, kNoUpperEnd};
   return {Boundedness::Bounded, lower,
           sum.upper * (1 + of_terms + sum_slop(terms_.size())) + kTiny};
 }

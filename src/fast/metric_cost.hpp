@@ -2,7 +2,10 @@
 // metric_cost.hpp - what a removal adds to the area or the mean width, in doubles with proven
 // bounds.
 #pragma once
+#include <algorithm>
+#include <limits>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "convexact/cost.hpp"
@@ -19,6 +22,9 @@ struct LastingTerm {
   HalfspaceId x, y;  ///< Equal for a term of one plane.
   double lower;      ///< At most that part; >= 0.
 };
+
+/// Leaves out what names a plane that has gone. @return  MetricCost::lower_bound() of the rest.
+double forget_terms_of(HalfspaceId removed, std::vector<LastingTerm>& terms);
 
 /// Lengths and directions of dual points in the caller's frame, up to one common power of two.
 /// Neither is invariant under scaling single axes, as determinants are.
@@ -66,17 +72,23 @@ class MetricCost {
 
   /// Bounds of twice the area, or of 4 pi times the mean width, that the cap of i adds.
   /// @param ring  Ids of the ring of `geometry`. T is taken as it is.
-  CostBounds<double> bounds(const RingGeometry<double>& geometry, HalfspaceId i,
+  /// @param unit  As of Roundoff, of the arithmetic of `geometry`.
+  template <class Scalar>
+  CostBounds<double> bounds(const RingGeometry<Scalar>& geometry, HalfspaceId i,
                             std::span<const HalfspaceId> ring,
-                            std::span<const RingTriangle> triangles);
+                            std::span<const RingTriangle> triangles, double unit);
   /// The terms of the lower bound found last, one for each plane or pair of planes.
   const std::vector<LastingTerm>& terms() const { return terms_; }
+  /// The same as it is computed: the middle of the bounds, unless these are far apart.
+  template <class Scalar>
+  CostEstimate<double> estimate(const RingGeometry<Scalar>& geometry, HalfspaceId i,
+                                std::span<const HalfspaceId> ring,
+                                std::span<const RingTriangle> triangles, double unit);
 
   /// A lower bound of a cost by some of its terms.
   static double lower_bound(std::span<const LastingTerm> terms);
 
  private:
-  using Determinants = IntervalDeterminants<double>;
   struct Direction {
     Triple<double> from_i;  // to this normal
     double versine;         // 1 - cos theta_ix
@@ -84,14 +96,29 @@ class MetricCost {
     double length;          // |P_x|
   };
   void load(HalfspaceId i, std::span<const HalfspaceId> ring);
-  Interval<double> area(std::uint32_t k, std::span<const RingTriangle> triangles,
+  Triple<double> across(std::uint32_t x, std::uint32_t y) const {
+    return normals_[ids_[y]].direction - normals_[ids_[x]].direction;
+  }
+  template <class Determinants>
+  Interval<double> area(Roof<Determinants>& roof, std::span<const RingTriangle> triangles,
                         Determinants& determinants);
-  Interval<double> mean_width(std::uint32_t k, std::span<const RingTriangle> triangles,
+  template <class Determinants>
+  Interval<double> mean_width(Roof<Determinants>& roof, std::span<const RingTriangle> triangles,
                               Determinants& determinants);
+  template <class Determinants>
+  Interval<double> sum(Roof<Determinants>& roof, std::span<const RingTriangle> triangles,
+                       Determinants& determinants) {
+    return measure_ == CostMeasure::Area ? area(roof, triangles, determinants)
+                                         : mean_width(roof, triangles, determinants);
+  }
+  template <class Scalar>
+  double value(const RingGeometry<Scalar>& geometry, std::span<const RingTriangle> triangles);
+  Interval<double> weight(const Direction& q) const;
+  CostBounds<double> widened(const Interval<double>& sum, bool is_certain);
 
   DualNormals normals_;
   CostMeasure measure_;
-  Roof<Determinants> roof_;
+  Roof<IntervalDeterminants<double>> roof_;
   std::vector<Direction> ring_;
   std::span<const HalfspaceId> ids_;
   std::vector<Interval<double>> sides_;
@@ -105,5 +132,128 @@ class MetricCost {
 [[nodiscard]] Interval<double> angular_excess(const Triple<double>& to_x,
                                               const Triple<double>& to_y,
                                               const Triple<double>& across);
+/// The same as it is computed, for angles of any size; NaN next to opposite normals.
+[[nodiscard]] double rounded_angular_excess(const Triple<double>& to_x, const Triple<double>& to_y,
+                                            const Triple<double>& across);
+
+// Visits the sides of a cap: visit(m, part) for parts of the sum over the roof edges of ring plane
+// m, lambda slack(r, v_m).
+template <class Determinants, class Visit>
+void for_each_side_part(Roof<Determinants>& roof, std::uint32_t k,
+                        std::span<const RingTriangle> triangles, Determinants& determinants,
+                        Visit&& visit) {
+  using Number = typename Determinants::Number;
+  roof.for_each_edge(k, triangles, determinants,
+                     [&](std::uint32_t x, std::uint32_t y, const Number& lambda) {
+                       // The base vertex of x lies on the next plane of the ring: no slack.
+                       if (y != (x + 1 == k ? 0 : x + 1)) {
+                         visit(x, lambda * roof.slack(x, y, determinants));
+                       }
+                       visit(y, lambda * roof.slack(y, x, determinants));
+                     });
+}
+
+inline Interval<double> in_doubles(const Interval<double>& x) { return x; }
+template <class Scalar>
+Interval<double> in_doubles(const Interval<Scalar>& x) {
+  return {leading(x.lower), leading(x.upper)};
+}
+
+template <class Determinants>
+Interval<double> MetricCost::area(Roof<Determinants>& roof, std::span<const RingTriangle> triangles,
+                                  Determinants& determinants) {
+  const auto k = static_cast<std::uint32_t>(ring_.size());
+  sides_.assign(k, {0, 0});
+  for_each_side_part(roof, k, triangles, determinants,
+                     [&](std::uint32_t side, const typename Determinants::Number& part) {
+                       const Interval<double> x = in_doubles(part);
+                       sides_[side].lower += x.lower;
+                       sides_[side].upper += x.upper;
+                     });
+  Interval<double> sum{0, 0};
+  for (std::uint32_t m = 0; m < k; ++m) {
+    const Interval<double> term = sides_[m] * weight(ring_[m]);
+    terms_.push_back({ids_[m], ids_[m], term.lower});
+    sum.lower += term.lower;
+    sum.upper += term.upper;
+  }
+  return sum;
+}
+
+template <class Determinants>
+Interval<double> MetricCost::mean_width(Roof<Determinants>& roof,
+                                        std::span<const RingTriangle> triangles,
+                                        Determinants& determinants) {
+  Interval<double> sum{0, 0};
+  using Number = typename Determinants::Number;
+  roof.for_each_edge(static_cast<std::uint32_t>(ring_.size()), triangles, determinants,
+                     [&](std::uint32_t x, std::uint32_t y, const Number& lambda) {
+                       const Direction &p = ring_[x], &q = ring_[y];
+                       const double lengths = p.length * q.length;
+                       const auto excess = angular_excess(p.from_i, q.from_i, across(x, y));
+                       const Interval<double> term =
+                           in_doubles(lambda) *
+                           Interval<double>{lengths * excess.lower, lengths * excess.upper};
+                       terms_.push_back({ids_[x], ids_[y], term.lower});
+                       sum.lower += term.lower;
+                       sum.upper += term.upper;
+                     });
+  return sum;
+}
+
+template <class Scalar>
+double MetricCost::value(const RingGeometry<Scalar>& geometry,
+                         std::span<const RingTriangle> triangles) {
+  const auto k = static_cast<std::uint32_t>(ring_.size());
+  RoundedDeterminants<Scalar> determinants(geometry);
+  Roof<RoundedDeterminants<Scalar>> roof;
+  double sum = 0;
+  if (measure_ == CostMeasure::Area) {
+    for_each_side_part(roof, k, triangles, determinants, [&](std::uint32_t m, const Scalar& part) {
+      sum += leading(part) * ring_[m].length * ring_[m].versine;
+    });
+    return sum;
+  }
+  roof.for_each_edge(k, triangles, determinants,
+                     [&](std::uint32_t x, std::uint32_t y, const Scalar& lambda) {
+                       const Direction &p = ring_[x], &q = ring_[y];
+                       sum += leading(lambda) * p.length * q.length *
+                              rounded_angular_excess(p.from_i, q.from_i, across(x, y));
+                     });
+  return sum;
+}
+
+template <class Scalar>
+CostBounds<double> MetricCost::bounds(const RingGeometry<Scalar>& geometry, HalfspaceId i,
+                                      std::span<const HalfspaceId> ring,
+                                      std::span<const RingTriangle> triangles, double unit) {
+  // Underflow is as for volumes: no factor is larger than there.
+  static_assert(ExponentRange<Scalar>::kVolumeUnderflow == ExponentRange<double>::kVolumeUnderflow);
+  load(i, ring);
+  IntervalDeterminants<Scalar> determinants(geometry, unit);
+  Interval<double> total{};
+  if constexpr (std::is_same_v<Scalar, double>) {
+    total = sum(roof_, triangles, determinants);  // without allocations
+  } else {
+    Roof<IntervalDeterminants<Scalar>> roof;
+    total = sum(roof, triangles, determinants);
+  }
+  if (determinants.is_negative()) return {Boundedness::Unbounded, 0, 0};
+  return widened(total, determinants.is_certain());
+}
+
+template <class Scalar>
+CostEstimate<double> MetricCost::estimate(const RingGeometry<Scalar>& geometry, HalfspaceId i,
+                                          std::span<const HalfspaceId> ring,
+                                          std::span<const RingTriangle> triangles, double unit) {
+  constexpr double kClose = 1 + 0x1p-20;
+  const CostBounds<double> proven = bounds(geometry, i, ring, triangles, unit);
+  if (proven.kind == Boundedness::Bounded && proven.upper <= kClose * proven.lower) {
+    return {proven, proven.lower + (proven.upper - proven.lower) / 2};
+  }
+  if (proven.kind == Boundedness::Unbounded) return {proven, proven.lower};
+  const double computed = value(geometry, triangles);
+  return {proven, computed >= 0 ? computed : std::numeric_limits<double>::infinity()};
+}
 
 }  // namespace convexact

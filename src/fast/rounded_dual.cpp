@@ -103,7 +103,7 @@ class LoopOn : public RoundedDual {
     FloatLoop<Arithmetic> loop(dual_, arithmetic_, options);
     FastResult result = loop.run();
     costs_.clear();
-    for (const FastStep& step : result.steps) costs_.push_back(loop.six_times_cost(step.removed));
+    for (const FastStep& step : result.steps) costs_.push_back(loop.scaled_cost(step.removed));
     left_ = result.triangles;
     return result;
   }

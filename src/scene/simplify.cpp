@@ -41,12 +41,6 @@ void require_sensible(const SimplifyRequest& request) {
                 fmt::format("mean widths are compared with {} to {} bits, not {}", kLeastTieBits,
                             kMostTieBits, request.compare.bits));
   }
-  if (request.cost != CostMeasure::Volume) {
-    if (request.engine == Engine::Float) {
-      throw Error(ErrorCode::InvalidArgument,
-                  "the float engine removes by volume only; exact and filtered know every cost");
-    }
-  }
   if (request.engine == Engine::Float && (request.trace || request.verify == VerifyLevel::Full)) {
     throw Error(ErrorCode::InvalidArgument,
                 "the float engine keeps no record of its steps: no trace, no full verification");
@@ -80,7 +74,7 @@ struct End {
   std::vector<HalfspaceId> removed;  // by an engine that keeps no record
   std::optional<Run> run;
   std::optional<FloatBound> bound;
-  long volume_exponent = 0;  // of costs in `bound`
+  long cost_exponent = 0;  // of costs in `bound`
   TieTally ties = {};
 };
 
@@ -153,8 +147,11 @@ End run_lean(const FastDual& dual, const SimplifyRequest& request, StageLog& log
   });
   Polytope polytope =
       log.run("polytope", [&] { return polytope_of(result, dual, request.engine); });
-  End end{dual.size(),  result.steps.size(),    result.stop, std::move(polytope), {}, {},
-          result.bound, dual.volume_exponent(), result.ties};
+  End end{dual.size(),  result.steps.size(),
+          result.stop,  std::move(polytope),
+          {},           {},
+          result.bound, dual.cost_exponent(request.cost),
+          result.ties};
   for (const FastStep& step : result.steps) end.removed.push_back(step.removed);
   return end;
 }
@@ -227,7 +224,7 @@ std::size_t verify_containment(const PointSet& points, const Polytope& result, V
   return points.size();
 }
 
-// A growth limit is compared in doubles while the float engine runs; here are exact volumes.
+// A growth limit is compared in doubles while the float engine runs; here are enclosed measures.
 bool is_growth_proven(const End& end, const Enclosure& before, const Enclosure& after,
                       const Rational& max_growth) {
   const Rational most = 1 + max_growth;
@@ -235,7 +232,7 @@ bool is_growth_proven(const End& end, const Enclosure& before, const Enclosure& 
   if (!is_kept || end.stop != StopReason::GrowthLimit) return is_kept;
   if (std::isinf(end.bound->least_next)) return true;
   const Rational next =
-      scale_by_power_of_two(to_rational(end.bound->least_next), end.volume_exponent);
+      scale_by_power_of_two(to_rational(end.bound->least_next), end.cost_exponent);
   return after.low() + next > most * before.high();
 }
 
@@ -244,16 +241,17 @@ SimplifyResult finish(Reference reference, End end, const SimplifyRequest& reque
   Measured output_volume =
       log.run("volume", [&] { return measure_volume(end.polytope, request.exact_volumes); });
   if (!request.exact_volumes) log.skip("exact volume", "the fraction was not requested");
-  if (end.bound && request.max_growth) {
-    end.bound->is_end_proven &=
-        is_growth_proven(end, reference.volume.bounds, output_volume.bounds, *request.max_growth);
-  }
   if (reference.measure) {
     result_measure = std::array<Enclosure, 2>{
         *reference.measure, log.run(measure_stage(request.cost),
                                     [&] { return enclose_measure(end.polytope, request.cost); })};
   } else {
     log.skip("area and mean width", "the run is by volume; hull reports them");
+  }
+  if (end.bound && request.max_growth) {
+    const auto [before, after] =
+        result_measure.value_or(std::array{reference.volume.bounds, output_volume.bounds});
+    end.bound->is_end_proven &= is_growth_proven(end, before, after, *request.max_growth);
   }
   const std::size_t tested =
       verify_containment(reference.points, end.polytope, request.verify, log);
