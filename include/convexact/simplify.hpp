@@ -34,7 +34,7 @@ enum class Engine {
 struct SimplifyRequest {
   std::optional<std::size_t> faces;    ///< Halfspaces to keep, >= 4.
   std::optional<Rational> max_growth;  ///< `cost` may grow to (1 + max_growth) times; >= 0.
-  /// The measure that is kept small. The float engine knows the volume only.
+  /// The measure that is kept small.
   CostMeasure cost = CostMeasure::Volume;
   CompareLimits compare = {};  ///< Of mean widths.
   Engine engine = Engine::Filtered;

@@ -32,7 +32,7 @@ namespace convexact {
 /// stay true when rings change, since costs never decrease; others are lowered to what lasts.
 class FloatErrors {
  public:
-  FloatErrors(std::size_t halfspaces, CostMeasure measure);
+  explicit FloatErrors(std::size_t halfspaces, CostMeasure measure = CostMeasure::Volume);
 
   /// The cap of i has been evaluated: its cost is enclosed. Unbounded caps are (inf, inf), caps
   /// without a proven bound (0, inf).

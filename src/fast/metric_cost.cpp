@@ -105,6 +105,16 @@ constexpr double kOfFar = 2 * 550 + 200, kFarExcessError = 2048;
 static_assert(kOfFar < kFarExcessError);
 static_assert(123 + 2.42 * (2 * kArcSine + 4) < 155 && 2.1 * (2 * kArcSine + 4) < 26);
 
+// The same up to 176 degrees. Let h = cos(alpha / 2) of the widest angle, so that sin alpha = s h
+// and s <= 2. A chord is off by 24u, a cosine by 56u, an angle by 65u / h; alpha / sin alpha, at
+// most pi / h, grows by at most pi / h^3 per unit of s, and is off by 24 pi u / h^3 and its
+// rounding, 40u / h. The second factors are at most 2, off by 3 * 56u + 4u; theta sin theta is off
+// by 65u / h + pi 28u / h.
+constexpr double kPi = 3.15;  // not less
+constexpr double kOfWide = 2 * (2 * (24 * kPi + 40) + kPi * (3 * 56 + 4)) + 65 + 28 * kPi;
+constexpr double kWideExcessError = 2048, kLeastSquaredHalf = 0x1p-10;
+static_assert(kOfWide < kWideExcessError);
+
 double far_excess(double a, double b, double c) {
   const auto angle = [](double versine) { return 2 * std::asin(std::sqrt(versine / 2)); };
   const auto sine = [](double versine) { return std::sqrt(versine * (2 - versine)); };
@@ -130,7 +140,7 @@ struct Excess {
   double value, error;
 };
 
-// The error is infinite where the angles are too large for a bound.
+// The error is infinite where two normals are too close to opposite for a bound.
 Excess excess_of(const Triple<double>& to_x, const Triple<double>& to_y,
                  const Triple<double>& across) {
   constexpr double kWidest = 1.5;  // a versine of 120 degrees
@@ -138,8 +148,10 @@ Excess excess_of(const Triple<double>& to_x, const Triple<double>& to_y,
   const double squared = dot_of(across, across), c = squared / 2;
   const double largest = std::max({a, b, c});
   if (!(2 * largest <= kNear * kNear)) {
-    return {far_excess(a, b, c),
-            largest <= kWidest ? kFarExcessError * kUnitRoundoff : kNoUpperEnd};
+    const double excess = far_excess(a, b, c), squared_half = 1 - largest / 2;
+    if (largest <= kWidest) return {excess, kFarExcessError * kUnitRoundoff};
+    if (!(squared_half >= kLeastSquaredHalf)) return {excess, kNoUpperEnd};
+    return {excess, kWideExcessError * kUnitRoundoff / (squared_half * std::sqrt(squared_half))};
   }
   // The chords themselves are off, too, which widens the bound by next to nothing.
   const double chord = std::sqrt(squared) + kChordError * kUnitRoundoff;
@@ -234,7 +246,7 @@ CostBounds<double> MetricCost::widened(const Interval<double>& sum, bool is_cert
   const double of_terms = sum_slop(kOfTerm + ring_.size());
   for (LastingTerm& term : terms_) term.lower *= 1 - of_terms;
   const double lower = lower_bound(terms_);
-  if (!is_certain || !(sum.upper < kNoUpperEnd)) return {Boundedness::Doubtful, lower, kNoUpperEnd};
+  if (!is_certain) return {Boundedness::Doubtful, lower, kNoUpperEnd};
   return {Boundedness::Bounded, lower,
           sum.upper * (1 + of_terms + sum_slop(terms_.size())) + kTiny};
 }

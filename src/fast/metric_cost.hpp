@@ -125,8 +125,8 @@ class MetricCost {
   std::vector<LastingTerm> terms_;
 };
 
-/// sin theta times f of MetricCost, for normals i, x, y: of the differences between them. Where the
-/// angles are too large for a bound, the interval is [0, infinity].
+/// sin theta times f of MetricCost, for normals i, x, y: of the differences between them. Where two
+/// normals are nearly opposite, the interval is [0, infinity].
 /// @param to_x, to_y  The differences from normal i; `across` that from x to y. All as computed
 ///                    from directions of DualNormals.
 [[nodiscard]] Interval<double> angular_excess(const Triple<double>& to_x,

@@ -105,7 +105,7 @@ TEST_CASE("simplify: wrong usage") {
   for (const char* arguments :
        {"", "--max-growth -1", "--max-growth five", "--faces 4 --center 1,2",
         "--faces 4 --center 9,9,9", "--faces 4 -o b.abc", "--faces 4 -o b.stl --precision 64",
-        "--faces 4 --parts", "--faces 4 --cost weight", "--faces 4 --cost area --engine float",
+        "--faces 4 --parts", "--faces 4 --cost weight",
         "--faces 4 --cost mean-width --tie-bits 127", "--faces 4 --tie-bits x"}) {
     CAPTURE(arguments);
     CHECK(run_program("simplify " + good + " " + arguments).exit == 2);

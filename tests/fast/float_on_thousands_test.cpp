@@ -119,6 +119,10 @@ void check(std::uint32_t i, const std::vector<Point>& points, Seen& seen) {
   CHECK(result.survivors.size() + result.steps.size() == dual.size());
   check_bounded(dual, result);
   check_float_bound(dual, result);
+  if (i % 4 == 1) {
+    const CostMeasure cost = i % 8 == 1 ? CostMeasure::Area : CostMeasure::MeanWidth;
+    check_float_bound(dual, simplify_float(dual, {.cost = cost, .seed = i}), cost);
+  }
   seen.vouched += result.bound->is_vouched();
   if (result.survivors.size() > 4) {
     CHECK(result.stop == StopReason::AllUnbounded);

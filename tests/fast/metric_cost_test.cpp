@@ -166,14 +166,16 @@ TEST_CASE("metric costs: every enclosure of whole runs holds the value to 200 bi
 }
 
 TEST_CASE("metric costs: the bound of the angles holds for the worst found, and is not vacuous") {
-  double near = 0, far = 0;
+  double near = 0, far = 0, wide = 0;
   for (const double flat : {1.0, 0x1p-10}) {
     for (const double size : {0x1p-4, 0x1p-7, 0x1p-12, 0x1p-20}) {
       near = std::max(near, most_used({size, flat}));
     }
     for (const double size : {0.5, 1.0}) far = std::max(far, most_used({size, flat}));
+    for (const double size : {2.0, 4.0, 16.0}) wide = std::max(wide, most_used({size, flat}));
   }
   CHECK(near > 1.0 / 16);
   CHECK(far > 1.0 / 64);
-  MESSAGE("near " << near << ", far " << far);
+  CHECK(wide > 1.0 / 64);
+  MESSAGE("near " << near << ", far " << far << ", wide " << wide);
 }

@@ -12,11 +12,12 @@ namespace convexact {
 
 // The filtered loop, made to follow the float engine's removals, knows the exact cost of each and
 // of the cheapest at each state: it is tested against the definition elsewhere.
-inline void check_float_bound(const FastDual& dual, const FastResult& result) {
+inline void check_float_bound(const FastDual& dual, const FastResult& result,
+                              CostMeasure measure = CostMeasure::Volume) {
   REQUIRE(result.bound.has_value());
   const FloatBound& bound = *result.bound;
   CHECK(bound.doubtful <= result.steps.size());
-  const SimplifyOptions options;
+  const SimplifyOptions options{.cost = measure};
   FilteredLoop loop(dual, options);
   if (!result.steps.empty()) loop.evaluate_all();
   std::size_t worse = 0, wrong = 0;
@@ -24,12 +25,16 @@ inline void check_float_bound(const FastDual& dual, const FastResult& result) {
     const auto best = loop.choose();
     REQUIRE(best.has_value());
     REQUIRE(loop.is_bounded(step.removed));
-    const Rational least = loop.exact_cost(*best), cost = loop.exact_cost(step.removed);
-    worse += cost > (1 + to_rational(bound.regret)) * least;
-    const Rational scaled = scale_by_power_of_two(cost, -dual.volume_exponent());
-    wrong +=
-        !std::isfinite(step.cost_lower) ||
-        abs(Rational(to_rational(step.cost_lower) - scaled)) > to_rational(bound.cost) * scaled;
+    constexpr long kBits = 200;  // volumes are exact to about that, too
+    const Enclosure least = loop.cost(*best).enclose(kBits);
+    const Enclosure cost = loop.cost(step.removed).enclose(kBits);
+    worse += cost.low() > (1 + to_rational(bound.regret)) * least.high();
+    const long exponent = -dual.cost_exponent(measure);
+    const Rational low = scale_by_power_of_two(cost.low(), exponent);
+    const Rational high = scale_by_power_of_two(cost.high(), exponent);
+    const Rational share = to_rational(bound.cost);
+    wrong += !std::isfinite(step.cost_lower) || to_rational(step.cost_lower) < (1 - share) * low ||
+             to_rational(step.cost_lower) > (1 + share) * high;
     loop.remove(step.removed);
   }
   CHECK(worse <= bound.doubtful);
