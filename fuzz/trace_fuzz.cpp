@@ -161,9 +161,9 @@ void check_steps(const TraceVerdict& verdict, const Expected& expected) {
     FUZZ_CHECK(step.regret.has_value() == step.cost.has_value());
     if (!step.regret) continue;
     const Rational &paid = step.cost->rational(), &least = step.minimum->rational();
-    FUZZ_CHECK(*step.regret * least == paid - least);
-    const bool is_worse = worst && *step.regret > *verdict.steps[*worst].regret;
-    if (*step.regret > 0 && (!worst || is_worse)) worst = s;
+    FUZZ_CHECK(step.regret->rational() * least == paid - least);
+    const bool is_worse = worst && step.regret->is_above(*verdict.steps[*worst].regret);
+    if (step.regret->is_positive() && (!worst || is_worse)) worst = s;
   }
   FUZZ_CHECK(verdict.worst == worst);
   FUZZ_CHECK(verdict.other_ties == expected.other_ties);

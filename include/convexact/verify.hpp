@@ -81,6 +81,7 @@ enum class Status {
   Violated,
   NotAsked,       ///< Not among the claims to decide.
   NotApplicable,  ///< It has no meaning for this candidate; the sentence says why.
+  Undecided,      ///< Of removal orders by mean width: neither proven nor refuted.
 };
 [[nodiscard]] const char* name_of(Status status);
 

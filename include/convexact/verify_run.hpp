@@ -7,6 +7,8 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "convexact/cost.hpp"
@@ -38,25 +40,70 @@ struct RemovalOrder {
   /// facets, and not the planes removed.
   bool has_list = false;
   std::vector<OrderedStep> steps;
+  /// Each removal is to add the least to this measure. Costs that steps state are of it.
+  CostMeasure measure = CostMeasure::Volume;
   /// The stated reason of its end. Only AllUnbounded is a claim that can be judged.
   std::optional<StopReason> stop = {};
+};
+
+/// The share by which one cost exceeds another: of volumes the number itself, of areas and mean
+/// widths the number itself where it is 0, otherwise an interval.
+class Regret {
+ public:
+  Regret(Rational exact) : value_(std::move(exact)) {}  // NOLINT: a rational is a share
+  explicit Regret(Enclosure bounds) : value_(std::move(bounds)) {}
+
+  /// The number itself; null if only an interval is known.
+  const Rational* exact() const { return std::get_if<Rational>(&value_); }
+  /// The same. @throws Error InvalidArgument if only an interval is known.
+  const Rational& rational() const;
+  /// An interval around it: of 128 bits around a rational.
+  Enclosure bounds() const;
+  double near_double() const;  ///< The nearest double of a rational, else one within the interval.
+  double high_double() const;  ///< A double that is not below it.
+  /// Whether it is known to be more than 0.
+  bool is_positive() const { return exact() != nullptr ? *exact() > 0 : bounds().low() > 0; }
+  /// Whether it is known to be more than another one: intervals that overlap say no.
+  bool is_above(const Regret& other) const;
+
+  friend bool operator==(const Regret& a, const Rational& b) {
+    return a.exact() != nullptr && *a.exact() == b;
+  }
+
+ private:
+  std::variant<Rational, Enclosure> value_;
 };
 
 /// How much dearer than the cheapest: (cost - minimum) / minimum, for costs >= 0. None, infinite,
 /// for cost > 0 against a minimum of 0; 0 if both are 0. (No halfspace of a solid without redundant
 /// ones is free, so in a trace only an unbounded removal has infinite regret.)
-[[nodiscard]] std::optional<Rational> relative_regret(const Cost& cost, const Cost& minimum);
+///
+/// Of costs that are proven to be equal it is exactly 0, and of areas and mean widths that are
+/// proven to differ an interval of at least 128 bits. Of mean widths that `limits` leave undecided
+/// it is an interval of limits.bits around 0.
+/// @throws Error InvalidArgument for costs of different measures; Stopped, as the watch says.
+[[nodiscard]] std::optional<Regret> relative_regret(const Cost& cost, const Cost& minimum,
+                                                    const CompareLimits& limits = {},
+                                                    const Watch& watch = {});
 
 /// One removal, in the state that the removals before it left.
 struct JudgedStep {
   std::size_t row;  ///< Of the order.
   HalfspaceId removed;
-  std::optional<Cost> cost;        ///< Exact; none if the removal is unbounded.
-  std::optional<Cost> minimum;     ///< Of all removals; none if every one is unbounded.
-  std::vector<HalfspaceId> tie;    ///< All of that cost, in canonical order.
-  std::optional<Rational> regret;  ///< relative_regret(); none, infinite, if cost is none.
+  std::optional<Cost> cost;     ///< Exact; none if the removal is unbounded.
+  std::optional<Cost> minimum;  ///< Of all removals; none if every one is unbounded.
+  /// All of that cost, in canonical order. Where the evidence is Undecided, all that are not proven
+  /// to cost more.
+  std::vector<HalfspaceId> tie;
+  std::optional<Regret> regret;  ///< relative_regret(); none, infinite, if cost is none.
+  /// Whether the regret is within the limit; none if comparisons of mean widths leave it undecided.
+  std::optional<bool> is_within = false;
+  TieEvidence tie_evidence = {};  ///< Why the costs of the tie count as equal.
 
+  /// Whether the removal is proven to be one of the cheapest.
   bool is_greedy() const { return regret && *regret == 0; }
+  /// Whether another one is proven to be cheaper, or the removal is unbounded.
+  bool is_dearer() const { return !regret || regret->is_positive(); }
   /// Greedy, but not the first of the tie, which our engines remove.
   bool is_other_tie() const { return is_greedy() && removed != tie.front(); }
 };
@@ -64,7 +111,8 @@ struct JudgedStep {
 /// In a word. Steps are counted from 0.
 enum class TraceRating {
   Greedy,       ///< Every removal is one of the cheapest.
-  UpToRegret,   ///< No regret is above the limit, but some are above 0.
+  UpToRegret,   ///< No regret is above the limit, but some are, or may be, above 0.
+  Undecided,    ///< No regret is shown to be above the limit, but of step `at` it is not decided.
   NotGreedy,    ///< From step `at` on: the first regret above the limit.
   Unbounded,    ///< At step `at`: the remaining solid is unbounded.
   Meaningless,  ///< At step `at`, or from the start: the order cannot be followed.
@@ -87,9 +135,10 @@ struct TraceClaim {
 /// How an order does, in a word and two steps. Steps are counted from 0.
 struct OrderRating {
   TraceRating rating = TraceRating::Greedy;
-  std::optional<std::size_t> at;         ///< The step that decides a rating below UpToRegret.
-  std::optional<std::size_t> worst;      ///< The step of the largest regret above 0, the first one.
-  std::optional<Rational> worst_regret;  ///< Its regret.
+  std::optional<std::size_t> at;       ///< The step that decides a rating below UpToRegret.
+  std::optional<std::size_t> worst;    ///< The step of the largest regret above 0; of regrets that
+                                       ///< their intervals do not tell apart the first one.
+  std::optional<Regret> worst_regret;  ///< Its regret.
 };
 
 /// Facets that an order never removes, each at some step cheaper than what it removes there by more
@@ -113,8 +162,11 @@ struct TraceVerdict : OrderRating {
   std::size_t removals = 0;           ///< In the order; those behind an end are not judged.
   std::vector<JudgedStep> steps;      ///< Up to the end, or to the first that is unbounded.
   std::size_t other_ties = 0;         ///< Steps that are is_other_tie().
-  Rational max_regret;                ///< The limit.
-  std::vector<TraceClaim> claims;     ///< One per code, in a fixed order.
+  CostMeasure measure = CostMeasure::Volume;  ///< Of all costs.
+  std::size_t undecided = 0;                  ///< Steps of which is_within is not decided.
+  long tie_bits = 0;               ///< Of the finest enclosures of mean widths that may be equal.
+  Rational max_regret;             ///< The limit.
+  std::vector<TraceClaim> claims;  ///< One per code, in a fixed order.
   std::vector<HalfspaceId> left_out;  ///< As requested: removed before the first step.
   std::optional<LeftOut>
       never_removed;  ///< If trace-greedy or trace-bounded fails because of some.
@@ -125,7 +177,8 @@ struct TraceVerdict : OrderRating {
 };
 
 struct JudgeOptions {
-  Rational max_regret = 0;  ///< >= 0.
+  Rational max_regret = 0;     ///< >= 0.
+  CompareLimits compare = {};  ///< Of mean widths.
   /// Facets that are left out on purpose: the order is judged on the solid without them.
   std::vector<HalfspaceId> left_out = {};
   /// Unit roundoff of the numbers in which the order's planes are written: 2^-53 or 2^-24.
@@ -141,15 +194,18 @@ struct JudgeOptions {
 ///
 /// Costs, minima and ties are the filtered engine's, certified by enclosures and exact where it
 /// matters, in the state that *the order* has reached. They are not simply believed: what all
-/// removals cost together is computed again from the volumes of the solid before and after,
-/// intersected from scratch, and compared modulo two random primes; and at the step that decides
+/// removals cost together is computed again from the measures of the solid before and after,
+/// intersected from scratch, and compared: volumes modulo two random primes, areas and mean widths
+/// by enclosures of 256 bits; and at the step that decides
 /// (the worst, the unbounded one, else the last) both costs are computed from their definition.
-/// A plane that is no facet plane is the nearest facet's if rounding explains the difference; the
-/// verdict counts these.
+/// A regret against the limit is decided by the order of two costs, exact for volumes and areas.
+/// For mean widths it is as options.compare says; what that leaves undecided violates no claim, and
+/// the claim that it is about does not hold but is Status::Undecided. A plane that is no facet
+/// plane is the nearest facet's if rounding explains the difference; the verdict counts these.
 /// @param center  Strictly inside the solid.
 /// @throws Error  InvalidArgument for a negative limit, for a facet that is to be left out and does
-///                not exist, is removed, or bounds the rest; Stopped; Internal if these do not
-///                agree.
+///                not exist, is removed, or bounds the rest, or if options.compare.bits < 1;
+///                Stopped; Internal if these do not agree.
 /// @par Cost      A run of the filtered engine and one or two caps as rationals per step, again if
 ///                a facet that is never removed is to blame; five intersections from scratch,
 ///                expected O(n log n) each. For a plane that is no facet plane linear.

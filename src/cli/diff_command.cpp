@@ -11,6 +11,7 @@
 #include "oracle/diff.hpp"
 #include "scene/result_json.hpp"
 #include "scene/stage_log.hpp"
+#include "simplify/trace_json.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -19,6 +20,7 @@ constexpr const char* kDiffFooter =
     "Examples:\n"
     "  convexact diff bunny.obj --faces 18\n"
     "  convexact diff meshes/*.obj --engines filtered,float --json\n"
+    "  convexact diff bunny.obj --faces 18 --cost mean-width\n"
     "\n"
     "Where two runs differ, both costs are computed from scratch: the remaining halfspaces are\n"
     "intersected with and without each plane. A run of the float engine is followed to its end.\n"
@@ -31,6 +33,8 @@ struct DiffArguments {
   SceneOptions scene;
   std::size_t faces = 4;
   std::string engines = "exact,filtered,float";
+  CostMeasure cost = CostMeasure::Volume;
+  long tie_bits = CompareLimits{}.bits;
 };
 
 using DiffedObject = FoundObject<DiffReport>;
@@ -55,6 +59,8 @@ int run_diff(const DiffArguments& options) {
   DiffRequest request;
   request.faces = options.faces;
   request.engines = parse_words("--engines", options.engines, kEngineNames);
+  request.cost = options.cost;
+  request.compare.bits = options.tie_bits;
   request.seed = options.global.seed;
   request.watch = progress.watch();
   std::vector<SceneObject> scene =
@@ -88,6 +94,14 @@ void add_diff_command(CLI::App& program, int& exit_code) {
   command
       .add_option("--engines", options->engines,
                   "which to run; the first is the reference of the others")
+      ->capture_default_str();
+  add_choice(command, "--cost", options->cost, kCostMeasureNames,
+             "what each removal is to add the least to; the runs are judged by it");
+  command
+      .add_option("--tie-bits", options->tie_bits,
+                  "mean widths that so many bits do not tell apart, and no proof, count as equal; "
+                  "the result says so")
+      ->check(CLI::Range(128L, 1L << 20))
       ->capture_default_str();
   add_scene_options(command, options->scene);
   finish_command(command, options, exit_code, run_diff);

@@ -10,6 +10,7 @@
 #include "convexact/io.hpp"
 #include "convexact/mesh.hpp"
 #include "scene/result_json.hpp"
+#include "simplify/trace_json.hpp"
 #include "stress/stress.hpp"
 #include "stress/stress_report.hpp"
 
@@ -25,6 +26,7 @@ constexpr const char* kStressFooter =
     "  convexact stress needle --values 3e7,1e299 --size 200 --seed 5\n"
     "  convexact stress mixture --seeds 1000        random shapes, put together at random\n"
     "  convexact stress my_mesh.obj                 scaled and moved\n"
+    "  convexact stress lattice --cost area         greedy by area\n"
     "  convexact stress --json > stress.json\n"
     "\n"
     "Columns: early: runs that end above the wanted number; diff: runs that removed a halfspace\n"
@@ -38,6 +40,7 @@ struct StressArguments {
   std::vector<std::string> families;
   SweepOptions sweep;
   std::string engines = "exact,filtered,float";
+  CostMeasure cost = CostMeasure::Volume;
   StressLimits limits{120, std::uint64_t(4) << 30};
   std::size_t jobs = 2;
   bool list = false, cases = false;
@@ -113,6 +116,7 @@ int run_stress(const StressArguments& options) {
   Progress progress;
   StressRequest request;
   request.engines = parse_words("--engines", options.engines, kEngineNames);
+  request.cost = options.cost;
   request.limits = options.limits;
   request.processes = options.jobs;
   request.stop = &interrupted();
@@ -150,6 +154,8 @@ void add_sweep_options(CLI::App& command, StressArguments& options) {
 
 void add_run_options(CLI::App& command, StressArguments& options) {
   command.add_option("--engines", options.engines, "which to run")->capture_default_str();
+  add_choice(command, "--cost", options.cost, kCostMeasureNames,
+             "what each removal is to add the least to; every answer is judged by it");
   add_seconds(command, "--time-limit", options.limits.seconds,
               "processor time of each engine on each input, and of the judge");
   add_bytes(command, "--memory-limit", options.limits.memory,

@@ -27,6 +27,7 @@ constexpr const char* kVerifyFooter =
     "  convexact verify bunny.obj my_planes.json --max-facets 18 --json\n"
     "  convexact verify bunny.obj my_hull.stl --claims contains-input --tolerance 1e-9d\n"
     "  convexact verify bunny.obj --trace steps.json --max-regret 1%\n"
+    "  convexact verify bunny.obj --trace my_planes.txt --cost area\n"
     "  convexact verify --stdio <requests.jsonl\n"
     "\n"
     "A mesh stands for the convex hull of its points, a list of halfspaces for their\n"

@@ -9,6 +9,7 @@
 #include "oracle/trace_verdict.hpp"
 #include "scene/result_json.hpp"
 #include "scene/solid.hpp"
+#include "simplify/trace_json.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -49,7 +50,7 @@ RemovalOrder parse_files(const OrderFiles& files, const TraceOptions& options, c
       throw error.in_file(display_name(options.facets));
     }
   }
-  return read_removal_order(files.trace, facets, dual.halfspaces, decimal);
+  return read_removal_order(files.trace, facets, dual.halfspaces, decimal, options.cost);
 }
 
 TraceVerdict judge(const Solid& solid, const OrderFiles& files, const TraceOptions& options,
@@ -74,6 +75,19 @@ void add_trace_options(CLI::App& command, TraceOptions& options) {
   CLI::Option* trace =
       command.add_option("--trace", options.trace,
                          "judge a removal order: a trace, rows nx ny nz d, or rows of facet ids");
+  add_choice(
+      command, "--cost", options.cost, kCostMeasureNames,
+      "with --trace: what each removal is to add the least to (default: the measure that the "
+      "trace names, else volume)")
+      ->needs(trace);
+  command
+      .add_option(
+          "--tie-bits", options.tie_bits,
+          "with --trace: mean widths that so many bits do not tell apart, and no proof, are "
+          "not decided; the verdict says so")
+      ->check(CLI::Range(128L, 1L << 20))
+      ->capture_default_str()
+      ->needs(trace);
   command.add_option("--facets", options.facets,
                      "with --trace: the facets that its ids refer to, counted from 0: rows nx ny "
                      "nz d, JSON or .ine (default: the input's facets in canonical order)");
@@ -99,6 +113,7 @@ int run_verify_trace(const GlobalOptions& global, const std::string& input, Deci
   JudgeOptions judge_options;
   judge_options.max_regret = parse_share("--max-regret", options.max_regret);
   judge_options.left_out = options.left_out;
+  judge_options.compare.bits = options.tie_bits;
   if (decimal == Decimal::Nearest32) judge_options.unit = 0x1p-24;
   judge_options.stop = &interrupted();
   if ((input == "-") + (options.trace == "-") + (options.facets == "-") > 1) {

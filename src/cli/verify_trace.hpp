@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // verify_trace.hpp - verify INPUT --trace FILE: judges a removal order.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/command.hpp"
+#include "convexact/cost.hpp"
 #include "convexact/point_set.hpp"
 #include "convexact/scene.hpp"
 
@@ -14,10 +16,12 @@ struct TraceOptions {
   std::string trace;   ///< The file; empty without --trace.
   std::string facets;  ///< The file of the list that ids refer to; empty for canonical order.
   std::string max_regret = "0";
+  std::optional<CostMeasure> cost;  ///< None: the measure of the trace, or the volume.
+  long tie_bits = CompareLimits{}.bits;
   std::vector<HalfspaceId> left_out;  ///< In canonical order of the input's facets.
 };
 
-/// Adds --trace, --facets, --max-regret and --left-out.
+/// Adds --trace, --cost, --tie-bits, --facets, --max-regret and --left-out.
 void add_trace_options(CLI::App& command, TraceOptions& options);
 
 /// Judges the order, prints the verdict and returns the exit code: 0 if nothing is violated, else 1

@@ -62,6 +62,8 @@ class FilteredLoop {
   std::optional<HalfspaceId> choose();
   /// After choose(): all that cost as little, in canonical order.
   const std::vector<HalfspaceId>& tie() const { return candidates_; }
+  /// After choose(): why these count as equal; of a single one empty.
+  const TieEvidence& tie_evidence() const { return evidence_; }
   /// Whether the removal of i, which is still there, is bounded.
   bool is_bounded(HalfspaceId i);
   /// Precondition: is_bounded(i).

@@ -45,6 +45,8 @@ std::vector<Run> run_engines(const DiffCase& c) {
   for (const Engine engine : engines) {
     SimplifyOptions options;
     options.faces = c.request.faces;
+    options.cost = c.request.cost;
+    options.compare = c.request.compare;
     options.seed = c.request.seed;
     options.verify = VerifyLevel::None;
     options.stop = c.request.watch.stop;
@@ -60,21 +62,47 @@ std::vector<Run> run_engines(const DiffCase& c) {
   return runs;
 }
 
-std::optional<Enclosure> volume_ratio(const RationalPoint& center, const Run& reference,
-                                      const Run& other) {
+DivergenceOptions options_of(const DiffRequest& request) {
+  return {.compare = request.compare, .stop = request.watch.stop};
+}
+
+Enclosure enclose_measure(const Polytope& polytope, CostMeasure measure, const Watch& watch) {
+  switch (measure) {
+    case CostMeasure::Volume:
+      break;
+    case CostMeasure::Area:
+      return surface_area(polytope, kMeasureBits, watch);
+    case CostMeasure::MeanWidth:
+      return mean_width(polytope, kMeasureBits, watch);
+  }
+  return enclose_volume(polytope, kMeasureBits);
+}
+
+// Sets the ratios of what two runs end with.
+void compare_ends(const DiffCase& c, const Run& reference, const Run& other, Comparison& result) {
   const auto before = left_after(reference, reference.steps.size());
   const auto after = left_after(other, other.steps.size());
-  if (before == after) return Enclosure(Rational(1), kMeasureBits);
-  const auto first = intersect(before, center), second = intersect(after, center);
-  if (!first || !second) return std::nullopt;
-  return enclose_volume(*second, kMeasureBits) / enclose_volume(*first, kMeasureBits);
+  const bool is_metric = c.request.cost != CostMeasure::Volume;
+  if (before == after) {
+    result.volume_ratio = Enclosure(Rational(1), kMeasureBits);
+    if (is_metric) result.measure_ratio = result.volume_ratio;
+    return;
+  }
+  const auto first = intersect(before, c.center), second = intersect(after, c.center);
+  if (!first || !second) return;
+  const auto ratio = [&](CostMeasure measure) {
+    const Watch watch(c.request.watch.stop);
+    return enclose_measure(*second, measure, watch) / enclose_measure(*first, measure, watch);
+  };
+  result.volume_ratio = ratio(CostMeasure::Volume);
+  if (is_metric) result.measure_ratio = ratio(c.request.cost);
 }
 
 // Where a float run is not greedy after step `first`, the one at which it differs from another run.
 // @param is_reference  Whether the comparison has the float run first.
 std::vector<Divergence> later_divergences(const DiffCase& c, const Run& run, std::size_t first,
                                           bool is_reference) {
-  std::vector<Divergence> found = check_greedy(c.dual, c.center, run, c.request.watch.stop);
+  std::vector<Divergence> found = check_greedy(c.dual, c.center, run, options_of(c.request));
   std::erase_if(found, [&](const Divergence& divergence) { return divergence.step <= first; });
   if (!is_reference) return found;
   for (Divergence& divergence : found) {
@@ -90,8 +118,9 @@ Comparison compare(const DiffCase& c, const std::vector<Run>& runs, std::size_t 
   Comparison result{c.request.engines[0], c.request.engines[k]};
   result.judged = other.steps.size();
   result.with_records = have_records(reference, other);
-  const std::optional<Divergence> first =
-      c.log.run("costs by definition", [&] { return find_divergence(c.center, reference, other); });
+  const std::optional<Divergence> first = c.log.run("costs by definition", [&] {
+    return find_divergence(c.center, reference, other, options_of(c.request));
+  });
   std::vector<Divergence>& found = result.divergences;
   if (first) {
     found.push_back(*first);
@@ -111,8 +140,7 @@ Comparison compare(const DiffCase& c, const std::vector<Run>& runs, std::size_t 
   result.explained = std::all_of(found.begin(), found.end(), [&](const Divergence& divergence) {
     return is_explained(divergence, result.reference, result.other);
   });
-  result.volume_ratio =
-      c.log.run("final volumes", [&] { return volume_ratio(c.center, reference, other); });
+  c.log.run("final volumes", [&] { compare_ends(c, reference, other, result); });
   return result;
 }
 
@@ -123,9 +151,11 @@ Run run_engine(Engine engine, const DualHull& dual, const RationalPoint& center,
   if (engine == Engine::Exact) return simplify_exact(dual, center, options);
   if (engine == Engine::Filtered && record) return simplify_filtered(dual, center, options);
   const FastDual fast = FastDual::of(dual, center);
-  return run_of(
+  Run run = run_of(
       engine == Engine::Float ? simplify_float(fast, options) : simplify_filtered(fast, options),
       dual.halfspaces);
+  run.measure = options.cost;
+  return run;
 }
 
 bool DiffReport::holds() const {
@@ -144,6 +174,7 @@ DiffOutcome diff_engines(const Shape& shape, const DiffRequest& request) {
   const DiffCase diff{solid.dual, center, request, log};
 
   DiffReport report;
+  report.cost = request.cost;
   report.engines = request.engines;
   report.runs = run_engines(diff);
   for (std::size_t k = 1; k < report.runs.size(); ++k) {

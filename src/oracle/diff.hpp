@@ -25,8 +25,10 @@ struct DiffRequest {
   std::size_t faces = 4;  ///< Halfspaces at which each run ends, >= 4.
   /// At least two, all different; the others are compared with the first.
   std::vector<Engine> engines = {Engine::Exact, Engine::Filtered, Engine::Float};
-  std::uint64_t seed = 1;  ///< Of every random order. The answer is the same.
-  StageWatch watch = {};   ///< Removals are told as the progress of each engine's stage.
+  CostMeasure cost = CostMeasure::Volume;  ///< The measure that the runs keep small.
+  CompareLimits compare = {};              ///< Of mean widths, by the engines and the judge.
+  std::uint64_t seed = 1;                  ///< Of every random order. The answer is the same.
+  StageWatch watch = {};  ///< Removals are told as the progress of each engine's stage.
 };
 
 /// One engine against the reference.
@@ -45,12 +47,15 @@ struct Comparison {
   bool with_records = false;  ///< Costs and tie lists were compared, not only removals.
   /// Final volume of `other` over that of the reference; none if either is unbounded.
   std::optional<Enclosure> volume_ratio = {};
+  /// The same of the area or mean width, if that is the measure of the runs.
+  std::optional<Enclosure> measure_ratio = {};
 };
 
 struct DiffReport {
-  std::vector<Halfspace> halfspaces;  ///< Of the input, in canonical order; ids are positions.
-  std::vector<Engine> engines;        ///< In the order asked for.
-  std::vector<Run> runs;              ///< Of each of these engines.
+  CostMeasure cost = CostMeasure::Volume;  ///< Of all runs.
+  std::vector<Halfspace> halfspaces;       ///< Of the input, in canonical order; ids are positions.
+  std::vector<Engine> engines;             ///< In the order asked for.
+  std::vector<Run> runs;                   ///< Of each of these engines.
   std::vector<Comparison> comparisons;
   std::vector<Stage> stages;
 

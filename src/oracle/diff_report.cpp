@@ -21,13 +21,24 @@ using Json = nlohmann::ordered_json;
 
 Json choice_json(const Choice& choice, const std::vector<Halfspace>& halfspaces) {
   if (!choice.removed) return {{"removed", nullptr}};
+  Json cost = nullptr;
+  if (choice.cost) {
+    cost = choice.cost->measure() == CostMeasure::Volume ? quantity_json(choice.cost->rational())
+                                                         : cost_json(*choice.cost);
+  }
   return {{"removed", *choice.removed},
           {"plane", halfspaces[choice.removed->index()]},
-          {"cost", choice.cost ? quantity_json(choice.cost->rational()) : Json(nullptr)}};
+          {"cost", std::move(cost)}};
 }
 
 Json shortened(const std::optional<Rational>& x) {
   return x ? measured_json({Enclosure(*x, kMeasureBits), std::nullopt}, kDigits) : Json(nullptr);
+}
+
+// Null also for an interval around 0.
+Json shortened(const std::optional<Regret>& x) {
+  if (!x || (x->exact() == nullptr && !x->is_positive())) return nullptr;
+  return measured_json({x->bounds(), std::nullopt}, kDigits);
 }
 
 const char* at_fault(const Comparison& comparison, const Divergence& found) {
@@ -36,27 +47,36 @@ const char* at_fault(const Comparison& comparison, const Divergence& found) {
 
 Json divergence_json(const Comparison& comparison, const Divergence& found,
                      const std::vector<Halfspace>& halfspaces) {
-  return {{"step", found.step},
-          {"left", found.left},
-          {"class", name_of(found.kind)},
-          {"at_fault", at_fault(comparison, found)},
-          {"reference", choice_json(found.reference, halfspaces)},
-          {"other", choice_json(found.other, halfspaces)},
-          {"regret", shortened(found.regret)},
-          {"rounding", shortened(found.rounding)}};
+  Json json = {{"step", found.step},
+               {"left", found.left},
+               {"class", name_of(found.kind)},
+               {"at_fault", at_fault(comparison, found)},
+               {"reference", choice_json(found.reference, halfspaces)},
+               {"other", choice_json(found.other, halfspaces)},
+               {"regret", shortened(found.regret)},
+               {"rounding", shortened(found.rounding)}};
+  if (found.is_undecided) json["undecided"] = true;
+  return json;
 }
 
 // Without planes and costs, of which there may be thousands of thousands of digits.
 Json brief_json(const Comparison& comparison, const Divergence& found) {
-  return {{"step", found.step},
-          {"class", name_of(found.kind)},
-          {"at_fault", at_fault(comparison, found)},
-          {"reference", or_null(found.reference.removed)},
-          {"other", or_null(found.other.removed)},
-          {"regret", shortened(found.regret)}};
+  Json json = {{"step", found.step},
+               {"class", name_of(found.kind)},
+               {"at_fault", at_fault(comparison, found)},
+               {"reference", or_null(found.reference.removed)},
+               {"other", or_null(found.other.removed)},
+               {"regret", shortened(found.regret)}};
+  if (found.is_undecided) json["undecided"] = true;
+  return json;
 }
 
-Json comparison_json(const Comparison& comparison, const std::vector<Halfspace>& halfspaces) {
+Json ratio_json(const std::optional<Enclosure>& ratio) {
+  return ratio ? measured_json({*ratio, std::nullopt}, kDigits) : Json(nullptr);
+}
+
+Json comparison_json(const Comparison& comparison, const std::vector<Halfspace>& halfspaces,
+                     CostMeasure cost) {
   const std::vector<Divergence>& all = comparison.divergences;
   Json json = {{"reference", name_of(comparison.reference)},
                {"other", name_of(comparison.other)},
@@ -71,9 +91,8 @@ Json comparison_json(const Comparison& comparison, const std::vector<Halfspace>&
   }
   json["divergences"] = Json::array();
   for (const Divergence& found : all) json["divergences"].push_back(brief_json(comparison, found));
-  json["volume_ratio"] = comparison.volume_ratio
-                             ? measured_json({*comparison.volume_ratio, std::nullopt}, kDigits)
-                             : Json(nullptr);
+  json["volume_ratio"] = ratio_json(comparison.volume_ratio);
+  if (cost != CostMeasure::Volume) json["measure_ratio"] = ratio_json(comparison.measure_ratio);
   return json;
 }
 
@@ -92,6 +111,12 @@ std::string share_text(const std::optional<Rational>& share) {
   return share ? to_decimal(*share, kShareDigits) : "-";
 }
 
+std::string share_text(const std::optional<Regret>& share) {
+  if (!share) return "-";
+  if (const Rational* exact = share->exact()) return to_decimal(*exact, kShareDigits);
+  return to_decimal(share->bounds(), kShareDigits).value_or("open");
+}
+
 std::string plane_text(const Halfspace& plane) {
   return fmt::format("({}, {}, {}, {})", to_string(plane.normal()[0]), to_string(plane.normal()[1]),
                      to_string(plane.normal()[2]), to_string(plane.offset()));
@@ -100,10 +125,10 @@ std::string plane_text(const Halfspace& plane) {
 std::string choice_line(Engine engine, const Choice& choice,
                         const std::vector<Halfspace>& halfspaces) {
   if (!choice.removed) return fmt::format("    {:<9} ended\n", name_of(engine));
-  return fmt::format(
-      "    {:<9} removed {}, cost {}\n              {}\n", name_of(engine), choice.removed->index(),
-      choice.cost ? to_decimal(choice.cost->rational(), kCostDigits) : "infinite: unbounded",
-      plane_text(halfspaces[choice.removed->index()]));
+  return fmt::format("    {:<9} removed {}, cost {}\n              {}\n", name_of(engine),
+                     choice.removed->index(),
+                     choice.cost ? choice.cost->decimal(kCostDigits) : "infinite: unbounded",
+                     plane_text(halfspaces[choice.removed->index()]));
 }
 
 struct DiffRow {
@@ -121,8 +146,23 @@ std::string difference_text(const Comparison& comparison) {
   return all.size() == 1 ? text : fmt::format("{}, {} in all", text, with_separators(all.size()));
 }
 
+// All objects are compared by the same measure.
+const char* final_name(const std::vector<NamedDiff>& objects) {
+  switch (objects.empty() ? CostMeasure::Volume : objects[0].report->cost) {
+    case CostMeasure::Area:
+      return "final area";
+    case CostMeasure::MeanWidth:
+      return "final width";
+    case CostMeasure::Volume:
+      break;
+  }
+  return "final volume";
+}
+
 std::string row_text(const DiffRow& row, std::size_t name_width) {
   const Comparison& comparison = *row.comparison;
+  const auto& ratio =
+      row.report->cost == CostMeasure::Volume ? comparison.volume_ratio : comparison.measure_ratio;
   const Divergence* worst =
       comparison.divergences.empty() ? nullptr : &worst_of(comparison.divergences);
   return fmt::format(
@@ -131,7 +171,7 @@ std::string row_text(const DiffRow& row, std::size_t name_width) {
       name_of(comparison.other), comparison.with_records ? "removals, costs, ties" : "removals",
       with_separators(comparison.judged), difference_text(comparison),
       worst ? share_text(worst->regret) : "", worst ? share_text(worst->rounding) : "",
-      ratio_text(comparison.volume_ratio), comparison.explained ? "ok" : "DIFFERENT");
+      ratio_text(ratio), comparison.explained ? "ok" : "DIFFERENT");
 }
 
 std::string divergence_text(const DiffRow& row, const Divergence& found, const char* what) {
@@ -163,12 +203,14 @@ Json diff_json(const DiffReport& report) {
                        {"stop", name_of(run.stop)}});
   }
   for (const Comparison& comparison : report.comparisons) {
-    comparisons.push_back(comparison_json(comparison, report.halfspaces));
+    comparisons.push_back(comparison_json(comparison, report.halfspaces, report.cost));
   }
-  return {{"halfspaces", report.halfspaces.size()},
-          {"explained", report.holds()},
-          {"engines", engines},
-          {"comparisons", comparisons}};
+  Json json = {{"halfspaces", report.halfspaces.size()}};
+  if (report.cost != CostMeasure::Volume) json["cost"] = name_of(report.cost);
+  json["explained"] = report.holds();
+  json["engines"] = engines;
+  json["comparisons"] = comparisons;
+  return json;
 }
 
 std::string diff_table(const std::vector<NamedDiff>& objects) {
@@ -183,7 +225,7 @@ std::string diff_table(const std::vector<NamedDiff>& objects) {
   std::string text =
       fmt::format("{:<{}}  {:>10}  {:<17}  {:<21}  {:>6}  {:<42}  {:>9}  {:>9}  {:>12}\n", "object",
                   width, "halfspaces", " reference other", "compared", "steps", "difference",
-                  "regret", "rounding", "final volume");
+                  "regret", "rounding", final_name(objects));
   for (const DiffRow& row : rows) text += row_text(row, width);
   for (const DiffRow& row : rows) text += witness_text(row);
   return text;

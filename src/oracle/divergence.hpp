@@ -9,6 +9,7 @@
 #include "convexact/dual.hpp"
 #include "convexact/run.hpp"
 #include "convexact/simplify.hpp"
+#include "convexact/watch.hpp"
 #include "io/names.hpp"
 #include "oracle/removal_cost.hpp"
 
@@ -16,7 +17,8 @@ namespace convexact {
 
 /// The kind of a difference between two runs, judged by exact costs from the definition.
 enum class DivergenceKind {
-  Tie,               ///< Equal costs; the canonical order should have decided.
+  Tie,               ///< Equal costs, or mean widths that are not decided to differ; the canonical
+                     ///< order should have decided.
   BelowRounding,     ///< Costs so close that planes rounded to doubles cannot tell them apart; or
                      ///< the end where such planes may not bound the cheapest cap.
   WrongTopology,     ///< Costs further apart: its cost cannot come from the right cap.
@@ -46,28 +48,39 @@ struct Divergence {
   /// Else `other` is: it chose the higher cost or, in a tie, the higher id.
   bool reference_at_fault = false;
   /// (higher cost - lower cost) / lower cost. None where it is infinite or a cost is missing.
-  std::optional<Rational> regret = {};
+  std::optional<Regret> regret = {};
   /// How large a regret rounding explains: RemovalCost::rounding of both, over the lower cost. None
   /// as for the regret, or if any is explained.
   std::optional<Rational> rounding = {};
+  bool is_undecided = false;  ///< Of a tie: its costs are not proven to be equal.
+};
+
+/// How runs are judged.
+struct DivergenceOptions {
+  CompareLimits compare = {};               ///< Of mean widths.
+  const std::atomic<bool>* stop = nullptr;  ///< When it becomes true: Error Stopped.
+
+  Watch watch() const { return stop; }
 };
 
 /// Two different choices on what the first `step` removals of `run` leave, judged by the
 /// definition. At least one of them is a removal.
-/// @param run     With the halfspaces of the solid.
+/// @param run     With the halfspaces of the solid; costs are of its measure.
 /// @param center  Strictly inside.
-/// @throws Error  InvalidArgument if what they leave is unbounded.
+/// @throws Error  InvalidArgument if what they leave is unbounded; Stopped, as the options say.
 /// @par Cost      Three intersections of what is left, from scratch: expected O(n log n).
 [[nodiscard]] Divergence judge_choices(const Run& run, const RationalPoint& center,
                                        std::size_t step, std::optional<HalfspaceId> reference,
-                                       std::optional<HalfspaceId> other);
+                                       std::optional<HalfspaceId> other,
+                                       const DivergenceOptions& options = {});
 
 /// The first step where two runs differ; none if they made the same removals, ended for the same
 /// reason and, where both kept them, recorded the same costs and ties.
-/// @throws Error  InvalidArgument if the runs agree on a prefix that leaves an unbounded solid.
-/// Otherwise as judge_choices().
+/// @throws Error  InvalidArgument if the runs agree on a prefix that leaves an unbounded solid, or
+/// are of different measures. Otherwise as judge_choices().
 [[nodiscard]] std::optional<Divergence> find_divergence(const RationalPoint& center,
-                                                        const Run& reference, const Run& other);
+                                                        const Run& reference, const Run& other,
+                                                        const DivergenceOptions& options = {});
 
 /// Whether both runs kept costs and tie lists, so that these were compared too.
 [[nodiscard]] bool have_records(const Run& a, const Run& b);
@@ -90,18 +103,18 @@ struct Divergence {
 /// solid is the last one to be judged.
 /// @param dual    What the run started from.
 /// @param center  Strictly inside.
-/// @param stop    When it becomes true: Error Stopped.
+/// @throws Error  Stopped, as the options say.
 /// @par Cost      A run of the filtered engine; for each tie a cap as a rational, for other
 ///                divergences the cost of judge_choices().
 [[nodiscard]] std::vector<Divergence> check_greedy(const DualHull& dual,
                                                    const RationalPoint& center, const Run& run,
-                                                   const std::atomic<bool>* stop = nullptr);
+                                                   const DivergenceOptions& options = {});
 
 /// The first of these divergences that is no tie; none if every removal was one of the cheapest.
 /// @par Cost      As check_greedy() up to that step, with at most one judge_choices().
 [[nodiscard]] std::optional<Divergence> first_wrong_step(const DualHull& dual,
                                                          const RationalPoint& center,
                                                          const Run& run,
-                                                         const std::atomic<bool>* stop = nullptr);
+                                                         const DivergenceOptions& options = {});
 
 }  // namespace convexact

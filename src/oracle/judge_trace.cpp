@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // judge_trace(): follows an order of removals and compares every step with the cheapest one.
 #include <algorithm>
+#include <array>
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "convexact/verify_run.hpp"
 #include "convexact/watch.hpp"
 #include "fast/filtered_loop.hpp"
+#include "number/precision.hpp"
 #include "oracle/facet_match.hpp"
 #include "oracle/removal_cost.hpp"
 #include "oracle/trace_verdict.hpp"
@@ -20,7 +22,17 @@ std::string id_text(HalfspaceId id) { return std::to_string(id.index()); }
 
 std::string removal_text(HalfspaceId id, const std::optional<Cost>& cost) {
   if (!cost) return "removes " + id_text(id) + ", which leaves the solid unbounded";
-  return "removes " + id_text(id) + " at cost " + to_decimal(cost->rational(), kCostDigits);
+  return "removes " + id_text(id) + " at cost " + cost->decimal(kCostDigits);
+}
+
+// Both to so many digits that they differ, if they do. Volumes are fractions instead.
+std::array<std::string, 2> distinct_texts(const Cost& a, const Cost& b) {
+  if (a.measure() == CostMeasure::Volume) return {to_string(a.rational()), to_string(b.rational())};
+  constexpr int kMostDigits = 1000;
+  for (int digits = kCostDigits;; digits *= 4) {
+    std::array<std::string, 2> texts{a.decimal(digits), b.decimal(digits)};
+    if (texts[0] != texts[1] || digits > kMostDigits) return texts;
+  }
 }
 
 std::string list_text(const std::vector<HalfspaceId>& ids) {
@@ -47,6 +59,13 @@ class TraceClaims {
     TraceClaim& claim = at(code);
     if (claim.status == Status::Violated) return;
     claim.status = Status::Violated;
+    claim.witness = std::move(witness);
+  }
+  // Of each claim that is not violated either the first such place is kept.
+  void leave_open(TraceCode code, TraceWitness witness) {
+    TraceClaim& claim = at(code);
+    if (claim.status == Status::Violated || claim.status == Status::Undecided) return;
+    claim.status = Status::Undecided;
     claim.witness = std::move(witness);
   }
   // A claim that only some files make: it holds unless it is violated.
@@ -90,6 +109,8 @@ class TraceJudge {
         options_(options),
         purpose_(purpose),
         facets_(dual, order, options.unit),
+        watch_(options.stop),
+        engine_options_{.cost = order.measure, .compare = options.compare, .stop = options.stop},
         fast_(FastDual::of(dual, center)),
         loop_(fast_, engine_options_),
         gone_at_(dual.halfspaces.size()),
@@ -101,22 +122,35 @@ class TraceJudge {
   void leave_out();
   void remove_unlisted(HalfspaceId id);
   bool is_too_dear(HalfspaceId removed, HalfspaceId cheapest);
+  std::optional<bool> is_within(const Cost& cost, const Cost& minimum,
+                                const std::optional<Regret>& regret) const;
+  void judge_open_tie(JudgedStep& judged);
   bool is_blamed(const JudgedStep& judged) const;
   std::optional<LeftOut> find_never_removed() const;
   bool follow(const OrderedStep& removal);
   std::optional<HalfspaceId> resolve(const OrderedStep& removal);
   JudgedStep judge(const OrderedStep& removal, HalfspaceId removed);
   void rate(const JudgedStep& judged);
+  TraceWitness witness_of(const JudgedStep& judged) const;
   void violate_choice(TraceCode code, const JudgedStep& judged);
   void compare_claims(const OrderedStep& removal, const JudgedStep& judged);
+  void compare_cost(const OrderedStep& removal, const JudgedStep& judged);
   void compare_ties(const OrderedStep& removal, const JudgedStep& judged);
+  bool may_be_tie(const std::vector<HalfspaceId>& claimed, const std::vector<HalfspaceId>& tie);
   void check_stop();
   void confirm() const;
 
   std::size_t step() const { return verdict_.steps.size(); }
+  Ordering order_of(const Cost& a, const Cost& b) const {
+    return compare(a, b, options_.compare, watch_);
+  }
   void violate(TraceCode code, const OrderedStep& removal, std::string found,
                std::string expected) {
     claims_.violate(code, {step(), removal.row, std::move(found), std::move(expected)});
+  }
+  void leave_open(TraceCode code, const OrderedStep& removal, std::string found,
+                  std::string expected) {
+    claims_.leave_open(code, {step(), removal.row, std::move(found), std::move(expected)});
   }
   void lower_rating(TraceRating rating) {
     if (verdict_.at) return;
@@ -130,12 +164,14 @@ class TraceJudge {
   const JudgeOptions& options_;
   const Purpose purpose_;
   const NamedFacets facets_;
-  const FastDual fast_;
+  const Watch watch_;
   const SimplifyOptions engine_options_;
+  const FastDual fast_;
   FilteredLoop loop_;
   std::vector<std::optional<std::size_t>> gone_at_;
   std::vector<bool> is_removed_;  // anywhere in the order
   TraceClaims claims_;
+  std::optional<std::size_t> first_undecided_;  // step
   TraceVerdict verdict_;
 };
 
@@ -143,6 +179,8 @@ TraceVerdict TraceJudge::run() {
   verdict_.halfspaces = dual_.halfspaces;
   verdict_.removals = order_.steps.size();
   verdict_.max_regret = options_.max_regret;
+  verdict_.measure = order_.measure;
+  verdict_.tie_bits = options_.compare.bits;
   verdict_.listed = facets_.listed();
   loop_.evaluate_all();
   leave_out();
@@ -150,6 +188,10 @@ TraceVerdict TraceJudge::run() {
                                        [&](const OrderedStep& r) { return follow(r); });
   if (is_complete) check_stop();
   if (verdict_.worst && !verdict_.at) verdict_.rating = TraceRating::UpToRegret;
+  if (first_undecided_ && !verdict_.at) {
+    verdict_.rating = TraceRating::Undecided;
+    verdict_.at = first_undecided_;
+  }
   if (purpose_ == Purpose::Verdict) {
     verdict_.never_removed = find_never_removed();
     if (options_.confirm) confirm();
@@ -184,7 +226,7 @@ void TraceJudge::remove_unlisted(HalfspaceId id) {
 
 // Whether a step is too dear, and a facet that the order never removes is as cheap as can be.
 bool TraceJudge::is_blamed(const JudgedStep& judged) const {
-  if (judged.regret && *judged.regret <= options_.max_regret) return false;
+  if (judged.is_within.value_or(true)) return false;
   return std::any_of(judged.tie.begin(), judged.tie.end(),
                      [&](HalfspaceId i) { return !is_removed_[i.index()]; });
 }
@@ -216,7 +258,7 @@ std::optional<LeftOut> TraceJudge::find_never_removed() const {
 
 // Whether the order can be followed beyond this removal.
 bool TraceJudge::follow(const OrderedStep& removal) {
-  Watch(options_.stop).ask();
+  watch_.ask();
   const std::optional<HalfspaceId> removed = resolve(removal);
   if (!removed) {
     lower_rating(TraceRating::Meaningless);
@@ -262,20 +304,65 @@ JudgedStep TraceJudge::judge(const OrderedStep& removal, HalfspaceId removed) {
     remove_unlisted(*cheapest);
   }
   if (cheapest) {
-    judged.minimum = loop_.exact_cost(*cheapest);
+    judged.minimum = loop_.cost(*cheapest);
     judged.tie = loop_.tie();
+    judged.tie_evidence = loop_.tie_evidence();
   }
   if (!loop_.is_bounded(removed)) return judged;
   const bool is_tied = std::find(judged.tie.begin(), judged.tie.end(), removed) != judged.tie.end();
-  judged.cost = is_tied ? *judged.minimum : loop_.exact_cost(removed);
-  judged.regret = relative_regret(*judged.cost, *judged.minimum);
+  if (judged.tie_evidence.proof == TieProof::Undecided) {
+    judged.cost = loop_.cost(removed);
+    judge_open_tie(judged);
+    return judged;
+  }
+  judged.cost = is_tied ? *judged.minimum : loop_.cost(removed);
+  judged.regret = is_tied
+                      ? Rational(0)
+                      : relative_regret(*judged.cost, *judged.minimum, options_.compare, watch_);
+  judged.is_within = is_within(*judged.cost, *judged.minimum, judged.regret);
   return judged;
+}
+
+// The removal against each one that may be the cheapest: what is proven against any of them counts.
+void TraceJudge::judge_open_tie(JudgedStep& judged) {
+  judged.regret = Rational(0);
+  judged.is_within = true;
+  for (const HalfspaceId i : judged.tie) {
+    if (i == judged.removed) continue;
+    const Cost minimum = loop_.cost(i);
+    const Order order = order_of(*judged.cost, minimum).order;
+    if (order == Order::Less || order == Order::Equal) continue;
+    const auto regret = relative_regret(*judged.cost, minimum, options_.compare, watch_);
+    const std::optional<bool> is_near = is_within(*judged.cost, minimum, regret);
+    if (!is_near.value_or(true) || judged.is_within.value_or(false)) judged.is_within = is_near;
+    if (order == Order::Greater || *judged.regret == 0) judged.regret = regret;
+    if (order == Order::Greater) judged.minimum = minimum;
+  }
+}
+
+std::optional<bool> TraceJudge::is_within(const Cost& cost, const Cost& minimum,
+                                          const std::optional<Regret>& regret) const {
+  if (!regret) return false;
+  if (const Rational* exact = regret->exact()) return *exact <= options_.max_regret;
+  Cost limit = minimum;
+  limit *= Rational(1 + options_.max_regret);
+  switch (order_of(cost, limit).order) {
+    case Order::Less:
+    case Order::Equal:
+      return true;
+    case Order::Greater:
+      return false;
+    case Order::Undecided:
+      break;
+  }
+  return std::nullopt;
 }
 
 bool TraceJudge::is_too_dear(HalfspaceId removed, HalfspaceId cheapest) {
   if (!loop_.is_bounded(removed)) return true;
-  const auto regret = relative_regret(loop_.exact_cost(removed), loop_.exact_cost(cheapest));
-  return !regret || *regret > options_.max_regret;
+  const Cost cost = loop_.cost(removed), minimum = loop_.cost(cheapest);
+  const auto regret = relative_regret(cost, minimum, options_.compare, watch_);
+  return !is_within(cost, minimum, regret).value_or(true);
 }
 
 void TraceJudge::rate(const JudgedStep& judged) {
@@ -286,29 +373,52 @@ void TraceJudge::rate(const JudgedStep& judged) {
     lower_rating(TraceRating::Unbounded);
     return;
   }
-  if (!verdict_.worst || *judged.regret > *verdict_.worst_regret) {
+  const bool is_known = judged.is_within.has_value() || judged.regret->is_positive();
+  if (is_known && (!verdict_.worst || judged.regret->is_above(*verdict_.worst_regret))) {
     verdict_.worst = step();
     verdict_.worst_regret = judged.regret;
   }
-  if (*judged.regret <= options_.max_regret) return;
+  if (!judged.is_within) {
+    ++verdict_.undecided;
+    if (!first_undecided_) first_undecided_ = step();
+    claims_.leave_open(TraceCode::Greedy, witness_of(judged));
+    return;
+  }
+  if (*judged.is_within) return;
   violate_choice(TraceCode::Greedy, judged);
   lower_rating(TraceRating::NotGreedy);
 }
 
+TraceWitness TraceJudge::witness_of(const JudgedStep& judged) const {
+  return {step(), judged.row, removal_text(judged.removed, judged.cost),
+          judged.tie.empty() ? "the end: every removal is unbounded"
+                             : removal_text(judged.tie.front(), judged.minimum)};
+}
+
 void TraceJudge::violate_choice(TraceCode code, const JudgedStep& judged) {
-  claims_.violate(code, {step(), judged.row, removal_text(judged.removed, judged.cost),
-                         judged.tie.empty() ? "the end: every removal is unbounded"
-                                            : removal_text(judged.tie.front(), judged.minimum)});
+  claims_.violate(code, witness_of(judged));
+}
+
+void TraceJudge::compare_cost(const OrderedStep& removal, const JudgedStep& judged) {
+  const Cost& claimed = *removal.step.cost;
+  if (!judged.cost) {
+    const std::string text = claimed.measure() == CostMeasure::Volume
+                                 ? to_string(claimed.rational())
+                                 : claimed.decimal(kCostDigits);
+    return violate(TraceCode::Cost, removal, text, "unbounded");
+  }
+  const Order order = order_of(claimed, *judged.cost).order;
+  if (order == Order::Equal) return;
+  const auto [found, expected] = distinct_texts(claimed, *judged.cost);
+  if (order == Order::Undecided) return leave_open(TraceCode::Cost, removal, found, expected);
+  violate(TraceCode::Cost, removal, found, expected);
 }
 
 void TraceJudge::compare_claims(const OrderedStep& removal, const JudgedStep& judged) {
   const Step& claim = removal.step;
   if (claim.cost) {
     claims_.ask(TraceCode::Cost);
-    if (claim.cost != judged.cost) {
-      violate(TraceCode::Cost, removal, to_string(claim.cost->rational()),
-              judged.cost ? to_string(judged.cost->rational()) : "unbounded");
-    }
+    compare_cost(removal, judged);
   }
   if (removal.claims_tie) {
     claims_.ask(TraceCode::Ties);
@@ -335,9 +445,29 @@ void TraceJudge::compare_ties(const OrderedStep& removal, const JudgedStep& judg
     claimed.push_back(*id);
   }
   std::sort(claimed.begin(), claimed.end());
-  if (claimed != judged.tie) {
+  const bool is_open = judged.tie_evidence.proof == TieProof::Undecided;
+  if (claimed != judged.tie && !(is_open && may_be_tie(claimed, judged.tie))) {
     violate(TraceCode::Ties, removal, list_text(claimed), list_text(judged.tie));
+  } else if (is_open) {
+    leave_open(TraceCode::Ties, removal, list_text(claimed),
+               list_text(judged.tie) + ", as far as is known");
   }
+}
+
+// Whether some of those that may be the cheapest can be all that are: at least one, and with each
+// one all that are proven to cost the same.
+bool TraceJudge::may_be_tie(const std::vector<HalfspaceId>& claimed,
+                            const std::vector<HalfspaceId>& tie) {
+  if (claimed.empty() || !std::includes(tie.begin(), tie.end(), claimed.begin(), claimed.end())) {
+    return false;
+  }
+  return std::all_of(tie.begin(), tie.end(), [&](HalfspaceId i) {
+    if (std::binary_search(claimed.begin(), claimed.end(), i)) return true;
+    const Cost cost = loop_.cost(i);
+    return std::none_of(claimed.begin(), claimed.end(), [&](HalfspaceId j) {
+      return order_of(loop_.cost(j), cost).order == Order::Equal;
+    });
+  });
 }
 
 void TraceJudge::check_stop() {
@@ -347,7 +477,7 @@ void TraceJudge::check_stop() {
     claims_.violate(TraceCode::Stop, {step(),
                                       {},
                                       "ends because every removal is unbounded",
-                                      removal_text(*missed, loop_.exact_cost(*missed))});
+                                      removal_text(*missed, loop_.cost(*missed))});
   }
 }
 
@@ -355,17 +485,53 @@ void TraceJudge::confirm() const {
   if (verdict_.steps.empty()) return;
   const bool is_bounded = verdict_.steps.back().cost.has_value();
   const std::size_t last = verdict_.steps.size() - 1;
-  confirm_step(verdict_, center_, is_bounded ? verdict_.worst.value_or(last) : last);
-  confirm_sum(verdict_, center_);
+  confirm_step(verdict_, center_, is_bounded ? verdict_.worst.value_or(last) : last, watch_);
+  confirm_sum(verdict_, center_, watch_);
 }
 
 }  // namespace
 
-std::optional<Rational> relative_regret(const Cost& cost, const Cost& minimum) {
-  if (cost == minimum) return Rational(0);
-  const Rational &paid = cost.rational(), &least = minimum.rational();
-  if (least == 0) return std::nullopt;
-  return Rational((paid - least) / least);
+const Rational& Regret::rational() const {
+  if (exact() == nullptr) throw Error(ErrorCode::InvalidArgument, "a regret within an interval");
+  return *exact();
+}
+
+Enclosure Regret::bounds() const {
+  if (exact() != nullptr) return {*exact(), kMeasureBits};
+  return std::get<Enclosure>(value_);
+}
+
+double Regret::near_double() const {
+  return to_double(exact() != nullptr ? *exact() : bounds().low(), Rounding::Nearest);
+}
+
+double Regret::high_double() const {
+  return exact() != nullptr ? to_double(*exact(), Rounding::Up) : bounds().high_double();
+}
+
+bool Regret::is_above(const Regret& other) const {
+  if (exact() != nullptr && other.exact() != nullptr) return *exact() > *other.exact();
+  return bounds().low() > other.bounds().high();
+}
+
+std::optional<Regret> relative_regret(const Cost& cost, const Cost& minimum,
+                                      const CompareLimits& limits, const Watch& watch) {
+  if (cost.measure() == CostMeasure::Volume && minimum.measure() == CostMeasure::Volume) {
+    const Rational &paid = cost.rational(), &least = minimum.rational();
+    if (paid == least) return Rational(0);
+    if (least == 0) return std::nullopt;
+    return Rational((paid - least) / least);
+  }
+  const Order order = compare(cost, minimum, limits, watch).order;
+  if (order == Order::Equal) return Rational(0);
+  const bool is_open = order == Order::Undecided;
+  const long bits = is_open ? std::max(limits.bits, kMeasureBits) : kMeasureBits;
+  const Enclosure least = minimum.enclose(bits, watch);
+  if (least.sign() != Sign::Positive) return std::nullopt;
+  if (is_open) return Regret((cost.enclose(bits, watch) - least) / least);
+  std::array<Cost, 2> parts{cost, minimum};
+  parts[1] *= Rational(-1);
+  return Regret(sum_of(parts).enclose(bits, watch) / least);
 }
 
 bool TraceVerdict::holds() const {

@@ -6,9 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "convexact/cost.hpp"
 #include "convexact/halfspace.hpp"
 #include "convexact/polytope.hpp"
 #include "convexact/verify_run.hpp"
+#include "convexact/watch.hpp"
 
 namespace convexact {
 
@@ -20,8 +22,8 @@ inline constexpr double kPlaneRounding = 64 * 0x1p-52;
 
 /// The price of one removal from a bounded solid.
 struct RemovalCost {
-  /// Exact volume added, in cubed length units; none if what is left is unbounded.
-  std::optional<Rational> cost;
+  /// What is added to the measure, exactly; none if what is left is unbounded.
+  std::optional<Cost> cost;
   /// By how much a cost can come out wrong when each plane is off by kPlaneRounding, in units of
   /// the cost; 0 if it is unbounded; none if a plane so far off may not bound the cap at all.
   ///
@@ -34,6 +36,20 @@ struct RemovalCost {
   ///   3 e k (2 cone + cost),  cone = the pyramid from the center over the facet.
   /// With e k >= 1, P.x = 1 +- e k may be 0 or less: seen from the center, the plane is turned
   /// away.
+  ///
+  /// Areas and mean widths, to first order too. A plane at the distance w from the center moves by
+  /// e k w at most along its normal, at each point of the cap. Where two planes meet in an edge of
+  /// length l at the exterior angle theta, the area changes by l tan(theta / 2) times the sum of
+  /// both motions; so the area of the cap's edges, on the base or not, by
+  ///   e k sum of l (w_q + w_r) tan(theta / 2).
+  /// The mean width is the integral over all directions of the support function h, over 2 pi. What
+  /// h is before and after the removal differs, for planes that are off too, only in directions
+  /// between the normals of planes through corners of the cap (where several planes share a corner,
+  /// those off may meet the cap that did not before). If rho, the largest angle between these and
+  /// the normal removed, is at most a right angle, that is a share of (1 - cos rho) / 2 of the
+  /// sphere, or less. There h is at most the distance R from the center to the farthest point of
+  /// the cap, and it is off by e k h, with these planes in k, hence
+  ///   e k 2 R (1 - cos rho).
   std::optional<Rational> rounding;
 };
 
@@ -42,18 +58,22 @@ struct RemovalCost {
 class RemovalOracle {
  public:
   /// @param halfspaces  None redundant. @param center  Strictly inside.
-  /// @throws Error  InvalidArgument if the center is not inside or the intersection is unbounded.
+  /// @throws Error  InvalidArgument if the center is not inside or the intersection is unbounded;
+  ///                Stopped, as the watch says.
   /// @par Cost      Expected O(n log n).
-  RemovalOracle(std::vector<Halfspace> halfspaces, const RationalPoint& center);
+  RemovalOracle(std::vector<Halfspace> halfspaces, const RationalPoint& center,
+                CostMeasure measure = CostMeasure::Volume, const Watch& watch = {});
 
-  /// volume(all but `removed`) - volume(all). @par Cost  Expected O(n log n) again.
+  /// The measure of all but `removed` less that of all. @par Cost  Expected O(n log n) again.
   RemovalCost without(const Halfspace& removed) const;
 
  private:
   std::vector<Halfspace> halfspaces_;
   RationalPoint center_;
+  CostMeasure measure_;
+  Watch watch_;
   Polytope polytope_;
-  Rational volume_;
+  Cost whole_ = Rational(0);
 };
 
 /// The intersection of halfspaces from scratch; none if it is unbounded.
@@ -67,11 +87,13 @@ class RemovalOracle {
 
 /// Checks cost and boundedness of the removal that a step made and of the one that it should have
 /// made.
-/// @throws Error Internal if they are not what the step says.
-void confirm_step(const TraceVerdict& verdict, const RationalPoint& center, std::size_t step);
+/// @throws Error Internal if they are not what the step says; Stopped, as the watch says.
+void confirm_step(const TraceVerdict& verdict, const RationalPoint& center, std::size_t step,
+                  const Watch& watch = {});
 
-/// V(before the first step) + costs = V(after the last bounded one), modulo two random primes.
-/// @throws Error Internal if not.
-void confirm_sum(const TraceVerdict& verdict, const RationalPoint& center);
+/// The measure before the first step, and all costs, are together the measure after the last
+/// bounded one: volumes modulo two random primes, areas and mean widths by enclosures of 256 bits.
+/// @throws Error Internal if not; Stopped, as the watch says.
+void confirm_sum(const TraceVerdict& verdict, const RationalPoint& center, const Watch& watch = {});
 
 }  // namespace convexact

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "convexact/error.hpp"
 #include "io/halfspace_formats.hpp"
@@ -47,6 +48,7 @@ HalfspaceId facet_of(std::uint64_t number) {
 // Reads the steps of a document; `place_` is where in it the reader is, for messages.
 class StepReader {
  public:
+  explicit StepReader(std::optional<CostMeasure> asked) : asked_(asked) {}
   void read(const json& document, RemovalOrder& order);
   const std::string& place() const { return place_; }
 
@@ -55,10 +57,13 @@ class StepReader {
     throw Error(ErrorCode::Malformed, place_ + ": expected " + expected);
   }
   HalfspaceId facet(const json& number) const;
-  void read_claims(const json& step, OrderedStep& ordered) const;
-  void require_volume(const json& name) const;
+  void read_claims(const json& step, CostMeasure measure, OrderedStep& ordered) const;
+  std::optional<Cost> claimed_cost(const json& cost, CostMeasure measure) const;
+  CostMeasure measure_of(const json& document) const;
   StopReason stop_reason(const json& name) const;
 
+  const std::optional<CostMeasure> asked_;
+  bool states_measure_ = false;
   std::string place_ = "trace";
 };
 
@@ -68,15 +73,26 @@ HalfspaceId StepReader::facet(const json& number) const {
   return kNoFacet;
 }
 
-void StepReader::read_claims(const json& step, OrderedStep& ordered) const {
-  if (step.contains("cost") && step["cost"].is_object() && step["cost"].contains("exact")) {
-    const json& exact = step["cost"]["exact"];
-    if (!exact.is_string()) reject("the exact cost as a string");
-    try {
-      ordered.step.cost = parse_rational(exact.get_ref<const std::string&>());
-    } catch (const Error&) {
-      reject("the exact cost as p or p/q");
-    }
+// A cost of another measure than the order's says that the order is not what it is taken for.
+std::optional<Cost> StepReader::claimed_cost(const json& cost, CostMeasure measure) const {
+  for (const auto& [spelled, key] :
+       {std::pair(CostMeasure::Volume, "exact"), std::pair(CostMeasure::Area, "roots"),
+        std::pair(CostMeasure::MeanWidth, "edges")}) {
+    if (spelled == measure || !cost.contains(key)) continue;
+    if (states_measure_) reject(std::string("a cost by ") + name_of(measure) + ", found " + key);
+    throw Error(ErrorCode::InvalidArgument, place_ + " states a cost by " + name_of(spelled) +
+                                                ", and the order is judged by " + name_of(measure));
+  }
+  try {
+    return cost_in_json(cost, measure);
+  } catch (const Error& error) {
+    throw Error(ErrorCode::Malformed, place_ + ": " + error.what());
+  }
+}
+
+void StepReader::read_claims(const json& step, CostMeasure measure, OrderedStep& ordered) const {
+  if (step.contains("cost") && step["cost"].is_object()) {
+    ordered.step.cost = claimed_cost(step["cost"], measure);
   }
   if (step.contains("tie")) {
     if (!step["tie"].is_array()) reject("the tie as an array");
@@ -97,16 +113,16 @@ StopReason StepReader::stop_reason(const json& name) const {
   reject("reached, growth-limit or all-unbounded");
 }
 
-void StepReader::require_volume(const json& name) const {
+CostMeasure StepReader::measure_of(const json& document) const {
+  if (!document.contains("measure")) return asked_.value_or(CostMeasure::Volume);
+  const json& name = document["measure"];
   const auto measure = name.is_string()
                            ? value_in(kCostMeasureNames, name.get_ref<const std::string&>())
                            : std::nullopt;
   if (!measure) reject("volume, area or mean-width");
-  if (*measure == CostMeasure::Volume) return;
-  throw Error(ErrorCode::InvalidArgument,
-              std::string("the trace is by ") + name_of(*measure) +
-                  "; removals are judged by the volume that they add, so only traces of that "
-                  "measure can be judged");
+  if (!asked_ || *measure == *asked_) return *measure;
+  throw Error(ErrorCode::InvalidArgument, std::string("the trace is by ") + name_of(*measure) +
+                                              ", so it cannot be judged by " + name_of(*asked_));
 }
 
 void StepReader::read(const json& document, RemovalOrder& order) {
@@ -114,7 +130,8 @@ void StepReader::read(const json& document, RemovalOrder& order) {
     reject("an object with an array 'steps'");
   }
   place_ = "measure";
-  if (document.contains("measure")) require_volume(document["measure"]);
+  order.measure = measure_of(document);
+  states_measure_ = document.contains("measure");
   for (const json& step : document["steps"]) {
     const std::size_t row = order.steps.size() + 1;
     place_ = "step " + std::to_string(row);
@@ -124,17 +141,18 @@ void StepReader::read(const json& document, RemovalOrder& order) {
     ordered.row = row;
     ordered.text = "the id " + in_quotes(removed.dump());
     ordered.step.removed = facet(removed);
-    read_claims(step, ordered);
+    read_claims(step, order.measure, ordered);
   }
   place_ = "stop";
   if (document.contains("stop")) order.stop = stop_reason(document["stop"]);
 }
 
 RemovalOrder read_json_order(std::string_view bytes, const std::optional<ListedFacets>& facets,
-                             std::span<const Halfspace> canonical, Decimal decimal) {
+                             std::span<const Halfspace> canonical, Decimal decimal,
+                             std::optional<CostMeasure> measure) {
   const json document = parse_json(bytes);
   RemovalOrder order;
-  StepReader reader;
+  StepReader reader(measure);
   try {
     reader.read(document, order);
   } catch (const json::exception&) {  // invalid UTF-8 in a message, say
@@ -222,11 +240,14 @@ ListedFacets read_facet_list(std::string_view bytes, const std::string& path, De
 }
 
 RemovalOrder read_removal_order(std::string_view bytes, const std::optional<ListedFacets>& facets,
-                                std::span<const Halfspace> canonical, Decimal decimal) {
+                                std::span<const Halfspace> canonical, Decimal decimal,
+                                std::optional<CostMeasure> measure) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   const bool is_json = first != std::string_view::npos && bytes[first] == '{';
-  return is_json ? read_json_order(bytes, facets, canonical, decimal)
-                 : read_text_order(bytes, facets, canonical, decimal);
+  if (is_json) return read_json_order(bytes, facets, canonical, decimal, measure);
+  RemovalOrder order = read_text_order(bytes, facets, canonical, decimal);
+  order.measure = measure.value_or(CostMeasure::Volume);
+  return order;
 }
 
 }  // namespace convexact

@@ -26,17 +26,21 @@ using ListedFacets = std::vector<std::optional<Halfspace>>;
 
 /// Reads an order of one of three kinds, distinguished by the first character and the first row:
 /// - JSON, an object with `steps`: our trace (docs/schema/trace.schema.json), or a part of one: a
-///   step needs only `removed`; `cost.exact`, `tie` and `left` are claims; ids are positions in
-///   `halfspaces` if that is there;
+///   step needs only `removed`; `cost`, as far as it is spelled exactly, `tie` and `left` are
+///   claims; ids are positions in `halfspaces` if that is there;
 /// - text with four numbers per row: the planes n.x + d = 0 in order of removal;
 /// - text with an integer per row: ids in order of removal. Any integer: one that is out of range
 ///   becomes an id that names no facet.
 /// @param facets     The list that ids refer to; none: `canonical`, the input's own halfspaces.
+/// @param measure    What the order is to be judged by; none: the measure that it states, or the
+///                   volume.
 /// @throws Error     Malformed or NotFinite with the line or, in JSON, the place; InvalidArgument
-///                   if `facets` are given to an order that spells out its planes.
+///                   if `facets` are given to an order that spells out its planes, or if it states
+///                   another measure, or costs of another one.
 [[nodiscard]] RemovalOrder read_removal_order(std::string_view bytes,
                                               const std::optional<ListedFacets>& facets,
                                               std::span<const Halfspace> canonical,
-                                              Decimal decimal = Decimal::Nearest);
+                                              Decimal decimal = Decimal::Nearest,
+                                              std::optional<CostMeasure> measure = {});
 
 }  // namespace convexact

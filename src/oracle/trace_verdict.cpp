@@ -12,6 +12,7 @@
 #include "number/precision.hpp"
 #include "number/text.hpp"
 #include "scene/result_json.hpp"
+#include "simplify/trace_json.hpp"
 
 namespace convexact {
 namespace {
@@ -21,17 +22,32 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json cost_json(const std::optional<Cost>& cost) {
-  return cost ? quantity_json(cost->rational()) : Json(nullptr);
+  if (!cost) return nullptr;
+  return cost->measure() == CostMeasure::Volume ? quantity_json(cost->rational())
+                                                : convexact::cost_json(*cost);
 }
 
-Json step_json(const JudgedStep& step, std::size_t number) {
-  return {{"step", number},
-          {"row", step.row},
-          {"removed", step.removed},
-          {"cost", cost_json(step.cost)},
-          {"minimum", cost_json(step.minimum)},
-          {"tie", step.tie},
-          {"regret", quantity_json(step.regret)}};
+// Null also for an interval around 0.
+Json regret_json(const std::optional<Regret>& regret) {
+  if (!regret) return nullptr;
+  if (regret->exact() != nullptr) return quantity_json(regret->rational());
+  if (!regret->is_positive()) return nullptr;
+  return measured_json({regret->bounds(), std::nullopt}, kDigits);
+}
+
+Json step_json(const JudgedStep& step, std::size_t number, CostMeasure measure) {
+  Json json = {{"step", number},
+               {"row", step.row},
+               {"removed", step.removed},
+               {"cost", cost_json(step.cost)},
+               {"minimum", cost_json(step.minimum)},
+               {"tie", step.tie},
+               {"regret", regret_json(step.regret)}};
+  if (measure == CostMeasure::Volume) return json;
+  if (const auto& proof = step.tie_evidence.proof) json["tie_proof"] = name_of(*proof);
+  if (step.tie_evidence.proof == TieProof::Undecided) json["bits"] = step.tie_evidence.bits;
+  if (!step.is_within) json["undecided"] = true;
+  return json;
 }
 
 Json claim_json(const TraceClaim& claim) {
@@ -47,7 +63,7 @@ Json claim_json(const TraceClaim& claim) {
 
 Json worst_json(const OrderRating& rating) {
   if (!rating.worst) return nullptr;
-  return {{"step", *rating.worst}, {"regret", quantity_json(rating.worst_regret)}};
+  return {{"step", *rating.worst}, {"regret", regret_json(rating.worst_regret)}};
 }
 
 Json notes_json(const TraceVerdict& verdict) {
@@ -62,6 +78,16 @@ Json notes_json(const TraceVerdict& verdict) {
                      {"rating", name_of(left_out->rating)},
                      {"at", or_null(left_out->at)},
                      {"worst", worst_json(*left_out)}});
+  }
+  if (verdict.undecided > 0) {
+    const auto undecided =
+        std::find_if(verdict.steps.begin(), verdict.steps.end(),
+                     [](const JudgedStep& step) { return !step.is_within.has_value(); });
+    notes.push_back({{"code", "undecided"},
+                     {"text", sentence_on_undecided(verdict)},
+                     {"steps", verdict.undecided},
+                     {"first", undecided - verdict.steps.begin()},
+                     {"bits", verdict.tie_bits}});
   }
   if (verdict.listed.rounded + verdict.listed.unknown > 0) {
     notes.push_back({{"code", "facet-list"},
@@ -86,18 +112,18 @@ constexpr std::size_t kWorstSteps = 5;  // as many as are shown
 constexpr std::size_t kLongest = 100;   // of what a witness may take of a line
 
 std::string cost_text(const std::optional<Cost>& cost, const char* none) {
-  return cost ? to_decimal(cost->rational(), kTraceDigits) : none;
+  return cost ? cost->decimal(kTraceDigits) : none;
 }
 
-// Not greedy, the worst first; an unbounded one is worse than any.
+// Dearer than another, the worst first; an unbounded one is worse than any.
 std::vector<std::size_t> worst_steps(const std::vector<JudgedStep>& steps) {
   std::vector<std::size_t> worst;
   for (std::size_t s = 0; s < steps.size(); ++s) {
-    if (!steps[s].is_greedy()) worst.push_back(s);
+    if (steps[s].is_dearer()) worst.push_back(s);
   }
   std::stable_sort(worst.begin(), worst.end(), [&](std::size_t a, std::size_t b) {
-    const std::optional<Rational>&x = steps[a].regret, &y = steps[b].regret;
-    return y && (!x || *x > *y);
+    const std::optional<Regret>&x = steps[a].regret, &y = steps[b].regret;
+    return y && (!x || x->is_above(*y));
   });
   return worst;
 }
@@ -117,7 +143,8 @@ std::string claim_text(const TraceClaim& claim) {
   if (witness.step) where += fmt::format("step {}", *witness.step);
   if (witness.row) where += fmt::format("{}row {}", where.empty() ? "" : ", ", *witness.row);
   if (!where.empty()) where = " at " + where;
-  return row(claim.code, "VIOLATED" + where + ": " + shortened(witness.found)) +
+  const char* how = claim.status == Status::Violated ? "VIOLATED" : "UNDECIDED";
+  return row(claim.code, how + where + ": " + shortened(witness.found)) +
          row("", "expected " + shortened(witness.expected));
 }
 
@@ -128,7 +155,7 @@ std::string step_row(std::size_t number, const JudgedStep& step) {
                      cost_text(step.cost, "unbounded"),
                      step.tie.empty() ? "none" : std::to_string(step.tie.front().index()),
                      cost_text(step.minimum, "-"),
-                     step.regret ? to_decimal(*step.regret, kRegretDigits) : "infinite");
+                     step.regret ? regret_text(*step.regret) : "infinite");
 }
 
 std::string worst_table(const TraceVerdict& verdict) {
@@ -153,7 +180,10 @@ std::string totals_text(const TraceVerdict& verdict) {
       "removals judged",
       fmt::format("{} of {}, from {} halfspaces", with_separators(verdict.steps.size()),
                   with_separators(verdict.removals), with_separators(verdict.halfspaces.size())));
-  text += row("volume added", to_decimal(added, kTraceDigits).value_or("?"));
+  const char* what = verdict.measure == CostMeasure::Volume ? "volume added"
+                     : verdict.measure == CostMeasure::Area ? "area added"
+                                                            : "mean width added";
+  text += row(what, to_decimal(added, kTraceDigits).value_or("?"));
   if (verdict.other_ties > 0) {
     text += row("tie-order", with_separators(verdict.other_ties) +
                                  " ties broken otherwise than in canonical order");
@@ -176,20 +206,45 @@ std::string facets_text(const std::vector<HalfspaceId>& facets) {
 Json trace_verdict_json(const TraceVerdict& verdict) {
   Json claims = Json::array(), steps = Json::array();
   for (const TraceClaim& claim : verdict.claims) claims.push_back(claim_json(claim));
-  for (const JudgedStep& step : verdict.steps) steps.push_back(step_json(step, steps.size()));
-  return {{"verdict", verdict_line(verdict)},
-          {"rating", name_of(verdict.rating)},
-          {"at", or_null(verdict.at)},
-          {"holds", verdict.holds()},
-          {"max_regret", quantity_json(verdict.max_regret)},
-          {"worst", worst_json(verdict)},
-          {"left_out", verdict.left_out},
-          {"halfspaces", verdict.halfspaces.size()},
-          {"removals", verdict.removals},
-          {"judged", verdict.steps.size()},
-          {"claims", claims},
-          {"notes", notes_json(verdict)},
-          {"steps", steps}};
+  for (const JudgedStep& step : verdict.steps) {
+    steps.push_back(step_json(step, steps.size(), verdict.measure));
+  }
+  Json json = {{"verdict", verdict_line(verdict)},
+               {"rating", name_of(verdict.rating)},
+               {"at", or_null(verdict.at)},
+               {"holds", verdict.holds()}};
+  if (verdict.measure != CostMeasure::Volume) {
+    json["measure"] = name_of(verdict.measure);
+    json["undecided"] = verdict.undecided;
+  }
+  json["max_regret"] = quantity_json(verdict.max_regret);
+  json["worst"] = worst_json(verdict);
+  json["left_out"] = verdict.left_out;
+  json["halfspaces"] = verdict.halfspaces.size();
+  json["removals"] = verdict.removals;
+  json["judged"] = verdict.steps.size();
+  json["claims"] = claims;
+  json["notes"] = notes_json(verdict);
+  json["steps"] = steps;
+  return json;
+}
+
+std::string regret_text(const Regret& regret) {
+  if (const Rational* exact = regret.exact()) return to_decimal(*exact, kRegretDigits);
+  const Enclosure bounds = regret.bounds();
+  if (const auto text = to_decimal(bounds, kRegretDigits)) return *text;
+  return "at most " + to_decimal(bounds.high(), kRegretDigits);
+}
+
+std::string sentence_on_undecided(const TraceVerdict& verdict) {
+  if (verdict.undecided == 0) return "";
+  return fmt::format(
+      "{} of {} steps are not decided: {} bits do not tell their costs apart from the limit, and "
+      "no "
+      "proof shows that they are equal. They are neither accepted nor refuted; --tie-bits allows "
+      "for more.",
+      with_separators(verdict.undecided), with_separators(verdict.steps.size()),
+      with_separators(static_cast<std::uint64_t>(verdict.tie_bits)));
 }
 
 std::string ids_text(std::span<const HalfspaceId> ids, const char* separator) {
@@ -205,8 +260,10 @@ std::string verdict_line(const OrderRating& rating) {
     case TraceRating::Greedy:
       return "greedy";
     case TraceRating::UpToRegret:
-      return fmt::format("greedy up to regret {} (step {})",
-                         to_decimal(*rating.worst_regret, kRegretDigits), *rating.worst);
+      return fmt::format("greedy up to regret {} (step {})", regret_text(*rating.worst_regret),
+                         *rating.worst);
+    case TraceRating::Undecided:
+      return fmt::format("undecided at step {}", *rating.at);
     case TraceRating::NotGreedy:
       return fmt::format("not greedy from step {}", *rating.at);
     case TraceRating::Unbounded:
@@ -218,7 +275,10 @@ std::string verdict_line(const OrderRating& rating) {
 }
 
 std::string verdict_line(const TraceVerdict& verdict) {
-  const std::string line = verdict_line(static_cast<const OrderRating&>(verdict));
+  std::string line = verdict_line(static_cast<const OrderRating&>(verdict));
+  if (verdict.measure != CostMeasure::Volume && line != "unreadable") {
+    line += fmt::format(" by {}", verdict.measure == CostMeasure::Area ? "area" : "mean width");
+  }
   return verdict.left_out.empty() ? line : line + " without " + facets_text(verdict.left_out);
 }
 
@@ -265,7 +325,9 @@ std::string sentence(const ListedPlanes& listed) {
 std::string trace_verdict_text(const TraceVerdict& verdict) {
   std::string text = row("verdict", verdict_line(verdict));
   if (verdict.never_removed) text += row("note", sentence(*verdict.never_removed, verdict));
-  if (const std::string note = sentence(verdict.listed); !note.empty()) text += row("note", note);
+  for (const std::string& note : {sentence_on_undecided(verdict), sentence(verdict.listed)}) {
+    if (!note.empty()) text += row("note", note);
+  }
   text += totals_text(verdict);
   for (const TraceClaim& claim : verdict.claims) text += claim_text(claim);
   return text + worst_table(verdict);

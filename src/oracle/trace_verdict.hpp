@@ -14,21 +14,28 @@ namespace convexact {
 inline constexpr auto kTraceRatingNames =
     name_table<TraceRating>({{TraceRating::Greedy, "greedy"},
                              {TraceRating::UpToRegret, "up-to-regret"},
+                             {TraceRating::Undecided, "undecided"},
                              {TraceRating::NotGreedy, "not-greedy"},
                              {TraceRating::Unbounded, "unbounded"},
                              {TraceRating::Meaningless, "meaningless"}});
 inline const char* name_of(TraceRating rating) { return name_in(kTraceRatingNames, rating); }
 
-/// "greedy", "greedy up to regret 0.0123 (step 5)", "not greedy from step 7", "unbounded at step
-/// 7", "cannot be followed from step 7" or "unreadable"; " without facet 12" if it is left out.
+/// "greedy", "greedy up to regret 0.0123 (step 5)", "undecided at step 4", "not greedy from step
+/// 7", "unbounded at step 7", "cannot be followed from step 7" or "unreadable"; " by area" if the
+/// measure is not the volume; " without facet 12" if it is left out.
 /// Steps are counted from 0.
 [[nodiscard]] std::string verdict_line(const TraceVerdict& verdict);
-/// The same without the facets.
+/// The same without the measure and the facets.
 [[nodiscard]] std::string verdict_line(const OrderRating& rating);
 
 /// "7, 12, 30", for the separator ", ".
 [[nodiscard]] std::string ids_text(std::span<const HalfspaceId> ids, const char* separator);
 
+/// "0.0123"; of an interval around 0 its upper end: "at most 1.2e-1233".
+[[nodiscard]] std::string regret_text(const Regret& regret);
+
+/// How many steps are not decided, and what may decide them; empty if all are.
+[[nodiscard]] std::string sentence_on_undecided(const TraceVerdict& verdict);
 /// Which facets cause the violation, and the rating of the order without them.
 [[nodiscard]] std::string sentence(const LeftOut& left_out, const TraceVerdict& verdict);
 /// Which planes of the list are facet planes up to rounding only; empty if all are exactly.

@@ -182,7 +182,8 @@ static_assert(kClaimNames.size() == kAllClaims.size());
 constexpr auto kStatusNames = name_table<Status>({{Status::Holds, "holds"},
                                                   {Status::Violated, "violated"},
                                                   {Status::NotAsked, "not-asked"},
-                                                  {Status::NotApplicable, "not-applicable"}});
+                                                  {Status::NotApplicable, "not-applicable"},
+                                                  {Status::Undecided, "undecided"}});
 
 }  // namespace
 

@@ -170,10 +170,10 @@ void Workbench::judge_order(WayResult& result, const std::vector<HalfspaceId>& r
   run.halfspaces = dual_.halfspaces;
   run.stop = result.stop;
   for (const HalfspaceId id : removed) run.steps.push_back({id});
-  const auto wrong = first_wrong_step(dual_, center_, run, effort_.stop);
+  const auto wrong = first_wrong_step(dual_, center_, run, {.stop = effort_.stop});
   if (!wrong) return;
   result.first_wrong = WrongStep{wrong->step, std::nullopt};
-  if (wrong->regret) result.first_wrong->regret = to_double(*wrong->regret, Rounding::Nearest);
+  if (wrong->regret) result.first_wrong->regret = wrong->regret->near_double();
 }
 
 // `left` is the exact volume of the remaining solid.

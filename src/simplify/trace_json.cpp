@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "io/json.hpp"
 #include "number/precision.hpp"
@@ -43,23 +44,98 @@ void add_exactly(ordered_json& object, const Cost& cost) {
   }
 }
 
-ordered_json to_json(const Cost& cost) {
-  constexpr int kDigits = 17;
+}  // namespace
+
+ordered_json cost_json(const Cost& cost) {
+  constexpr int kCertainDigits = 17;
   const Rational near =
       cost.measure() == CostMeasure::Volume ? cost.rational() : cost.enclose(kMeasureBits).low();
   const double value = to_double(near, Rounding::Nearest);
   ordered_json object = {{"value", std::isfinite(value) ? ordered_json(value) : ordered_json()},
-                         {"decimal", cost.decimal(kDigits)}};
+                         {"decimal", cost.decimal(kCertainDigits)}};
   add_exactly(object, cost);
   return object;
 }
 
+namespace {
+
+[[noreturn]] void reject(const char* expected) {
+  throw Error(ErrorCode::Malformed, std::string("expected ") + expected);
+}
+
+// An entry of a term; `expected` says what the whole is.
+Rational number_in(const nlohmann::json& entry, const char* expected) {
+  if (!entry.is_string()) reject(expected);
+  try {
+    return parse_rational(entry.get_ref<const std::string&>());
+  } catch (const Error&) {
+    reject(expected);
+  }
+}
+
+Integer integer_in(const nlohmann::json& entry, const char* expected) {
+  const Rational x = number_in(entry, expected);
+  if (denominator(x) != 1) reject(expected);
+  return numerator(x);
+}
+
+RootSum roots_in(const nlohmann::json& list) {
+  constexpr const char* kExpected = "the roots as [q, N] in strings, N > 0 an integer";
+  if (!list.is_array()) reject(kExpected);
+  std::vector<RootTerm> terms;
+  for (const nlohmann::json& term : list) {
+    if (!term.is_array() || term.size() != 2) reject(kExpected);
+    terms.push_back({number_in(term[0], kExpected), integer_in(term[1], kExpected)});
+    if (terms.back().radicand <= 0) reject(kExpected);
+  }
+  return RootSum(std::move(terms));
+}
+
+AngleSum edges_in(const nlohmann::json& list) {
+  constexpr const char* kExpected =
+      "the edges as [f, L, C, D] in strings, L, C >= 0, C and D integers that are not both 0";
+  if (!list.is_array()) reject(kExpected);
+  std::vector<AngleTerm> terms;
+  for (const nlohmann::json& term : list) {
+    if (!term.is_array() || term.size() != 4) reject(kExpected);
+    const AngleTerm& edge = terms.emplace_back(
+        AngleTerm{number_in(term[0], kExpected), number_in(term[1], kExpected),
+                  integer_in(term[2], kExpected), integer_in(term[3], kExpected)});
+    if (edge.squared_length < 0 || edge.squared_cross < 0 ||
+        (edge.squared_cross == 0 && edge.dot == 0)) {
+      reject(kExpected);
+    }
+  }
+  return AngleSum(std::move(terms));
+}
+
+}  // namespace
+
+std::optional<Cost> cost_in_json(const nlohmann::json& object, CostMeasure measure) {
+  switch (measure) {
+    case CostMeasure::Volume:
+      if (!object.contains("exact")) return std::nullopt;
+      if (!object["exact"].is_string()) reject("the exact cost as a string");
+      return Cost(number_in(object["exact"], "the exact cost as p or p/q"));
+    case CostMeasure::Area:
+      if (!object.contains("roots")) return std::nullopt;
+      return Cost(roots_in(object["roots"]));
+    case CostMeasure::MeanWidth:
+      break;
+  }
+  if (!object.contains("edges")) return std::nullopt;
+  return Cost(edges_in(object["edges"]));
+}
+
+namespace {
+
 ordered_json to_json(const Step& step) {
   ordered_json triangles = ordered_json::array();
   for (const auto& [a, b, c] : step.triangles) triangles.push_back({a.value, b.value, c.value});
-  ordered_json object = {{"removed", step.removed.value},     {"cost", to_json(step.cost.value())},
-                         {"tie", to_json(step.tie)},          {"ring", to_json(step.ring)},
-                         {"triangles", std::move(triangles)}, {"left", step.left}};
+  ordered_json object = {
+      {"removed", step.removed.value},     {"cost", cost_json(step.cost.value())},
+      {"tie", to_json(step.tie)},          {"ring", to_json(step.ring)},
+      {"triangles", std::move(triangles)}, {"left", step.left}};
   const TieEvidence& evidence = step.tie_evidence;
   if (evidence.proof) object["tie_proof"] = name_of(*evidence.proof);
   if (evidence.proof == TieProof::Undecided) object["bits"] = evidence.bits;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // trace_json.hpp - a run as JSON text, a trace: enough for another program to replay every step.
 #pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
 #include "convexact/cost.hpp"
@@ -32,6 +34,14 @@ inline const char* name_of(TieProof proof) { return name_in(kTieProofNames, proo
 
 /// Version 1, which has neither version nor measure, knew volumes only; it is still read.
 inline constexpr int kTraceVersion = 2;
+
+/// A cost as a trace has it, see write_trace_json().
+[[nodiscard]] nlohmann::ordered_json cost_json(const Cost& cost);
+
+/// The exact number of such an object: what "exact", "roots" or "edges" spell, by the measure; none
+/// if the object does not have that key.
+/// @throws Error Malformed if the key holds anything else.
+[[nodiscard]] std::optional<Cost> cost_in_json(const nlohmann::json& object, CostMeasure measure);
 
 /// One object as docs/schema/trace.schema.json describes it: integers of any size are strings, a
 /// cost is {"value": nearest double, or null beyond the largest one, "decimal": 17 digits} with, by

@@ -24,9 +24,8 @@ double processor_time() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-ReportedVolume reported(const Measured& measured) {
-  return {measured.bounds.low(), measured.bounds.high()};
-}
+ReportedVolume reported(const Enclosure& bounds) { return {bounds.low(), bounds.high()}; }
+ReportedVolume reported(const Measured& measured) { return reported(measured.bounds); }
 
 HalfspaceId canonical_id(const std::vector<Halfspace>& halfspaces, const Halfspace& plane) {
   const auto found = std::lower_bound(halfspaces.begin(), halfspaces.end(), plane);
@@ -71,6 +70,9 @@ Polytope run_pipeline(const Shape& shape, const SimplifyRequest& request, Engine
       result->stop == StopReason::AllUnbounded ? StressEnd::AllUnbounded : StressEnd::Reached;
   answer.input_volume = reported(result->input_volume);
   answer.output_volume = reported(result->output_volume);
+  if (const auto& measure = result->measure) {
+    answer.measure = {reported((*measure)[0]), reported((*measure)[1])};
+  }
   answer.left = result->solid.exact.planes;
   if (const auto& bound = result->float_bound) {
     answer.claim = {bound->cost, bound->regret, bound->doubtful, bound->is_end_proven,
@@ -86,11 +88,12 @@ void take_lean_run(const FastDual& dual, const Question& question, std::size_t f
   SimplifyOptions options;
   options.faces = faces;
   options.seed = question.seed;
+  options.cost = question.cost;
   const FastResult result = question.engine == Engine::Float ? simplify_float(dual, options)
                                                              : simplify_filtered(dual, options);
   const auto exact = [&](double x) -> std::optional<Rational> {
     if (!std::isfinite(x) || x < 0) return std::nullopt;  // no cost is negative
-    return scale_by_power_of_two(to_rational(x), dual.volume_exponent());
+    return scale_by_power_of_two(to_rational(x), dual.cost_exponent(question.cost));
   };
   for (const FastStep& step : result.steps) {
     answer.lean.push_back({.removed = canonical_id(answer.run.halfspaces, dual.exact(step.removed)),
@@ -159,6 +162,7 @@ void answer_for(const Shape& shape, const Question& question, EngineAnswer& answ
   const std::size_t faces = faces_for(question, solid.polytope);
   request.faces = faces;
   request.engine = question.engine;
+  request.cost = question.cost;
   request.seed = question.seed;
   request.trace = question.engine == Engine::Exact;
   const Polytope result = run_pipeline(shape, request, answer);
@@ -187,6 +191,7 @@ void answer_for(const Shape& shape, const Question& question, EngineAnswer& answ
 EngineAnswer answer_of(const Shape& shape, const Question& question) {
   EngineAnswer answer;
   answer.engine = question.engine;
+  answer.run.measure = question.cost;
   try {
     answer_for(shape, question, answer);
   } catch (const Error& error) {

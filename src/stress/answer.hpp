@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // answer.hpp - everything that an engine says about one input, for a judge in another process.
 #pragma once
+#include <array>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -19,7 +20,7 @@ struct StoredBytes {
   std::string bytes;    ///< JSON for planes, OBJ for a mesh; empty if refused.
 };
 
-/// A volume as an engine reports it: in this interval. An end that says nothing is none.
+/// A measure or a cost as an engine reports it: in this interval. An end that says nothing is none.
 struct ReportedVolume {
   std::optional<Rational> low, high;
 };
@@ -43,7 +44,9 @@ struct EngineAnswer {
 
   std::vector<Halfspace> left;                 ///< The result of the pipeline.
   ReportedVolume input_volume, output_volume;  ///< The volumes that it reports.
-  std::optional<StressClaim> claim;            ///< Of the float engine.
+  /// By area or mean width: this measure of the same two.
+  std::optional<std::array<ReportedVolume, 2>> measure;
+  std::optional<StressClaim> claim;  ///< Of the float engine.
   std::vector<StoredBytes> stored;
   double seconds = 0;        ///< Of processor time: the pipeline with the exact result, not stored.
   std::uint64_t memory = 0;  ///< Peak of its process, known to the parent only.
@@ -53,6 +56,7 @@ struct Question {
   Engine engine = Engine::Exact;
   std::size_t faces = 4;
   std::uint64_t seed = 1;
+  CostMeasure cost = CostMeasure::Volume;
 };
 
 /// Runs an engine through the pipeline, as users do; again where needed for the record of its
@@ -61,8 +65,8 @@ struct Question {
 /// answer.
 [[nodiscard]] EngineAnswer answer_of(const Shape& shape, const Question& question);
 
-/// From one process to another. Numbers stay exact; of each step only removal, cost and tie are
-/// kept.
+/// From one process to another. Costs are of run.measure. Numbers stay exact; of each step only
+/// removal, cost and tie are kept.
 [[nodiscard]] nlohmann::ordered_json answer_json(const EngineAnswer& answer);
 [[nodiscard]] EngineAnswer answer_in(const nlohmann::ordered_json& json);
 

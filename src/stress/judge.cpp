@@ -8,6 +8,7 @@
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
 #include "convexact/verify.hpp"
+#include "number/precision.hpp"
 #include "oracle/removal_cost.hpp"
 #include "scene/solid.hpp"
 
@@ -157,11 +158,12 @@ void Judge::judge_promised_order(const EngineAnswer& answer, StressRun& run) {
   double regret = 0;
   for (std::size_t s = 0; s < verdict.steps.size(); ++s) {
     const JudgedStep& step = verdict.steps[s];
-    if (!run.first_difference && !step.is_greedy()) run.first_difference = s;
-    if (step.regret) regret = std::max(regret, to_double(*step.regret, Rounding::Up));
+    if (!run.first_difference && step.is_dearer()) run.first_difference = s;
+    if (step.regret) regret = std::max(regret, step.regret->high_double());
   }
   run.regret = regret;
   run.other_ties = verdict.other_ties;
+  run.undecided = verdict.undecided;
 }
 
 // The run without a record makes the same removals; its ranges hold the costs.
@@ -179,7 +181,7 @@ void Judge::judge_lean_run(const EngineAnswer& answer, StressRun& run) const {
   double largest = 0;
   for (std::size_t s = 0; s < steps.size(); ++s) {
     const ReportedVolume& reported = answer.lean[s].cost;
-    const Rational& cost = steps[s].cost.value().rational();
+    const Cost& cost = steps[s].cost.value();
     largest = std::max(largest, error_of_cost(reported, cost));
     if (!holds(reported, cost) || answer.lean[s].tied != steps[s].tie.size()) {
       run.faults.push_back(
@@ -199,7 +201,7 @@ void Judge::compare_with_others(const EngineAnswer& answer, StressRun& run) cons
     if (other.engine == Engine::Float || answer.engine == Engine::Float) continue;
     for (std::size_t s = 0; s < common; ++s) {
       const Step &a = answer.run.steps[s], &b = other.run.steps[s];
-      if (a.removed == b.removed && a.cost == b.cost && a.tie == b.tie) continue;
+      if (a.removed == b.removed && a.tie == b.tie && may_be_same(a.cost, b.cost)) continue;
       run.faults.push_back(fmt::format("exact and filtered differ at step {}", s));
       return;
     }
@@ -236,7 +238,14 @@ void Judge::measure_volume_error(const EngineAnswer& answer, StressRun& run) con
     run.volume_error.reset();
     return;
   }
-  run.volume_error = to_double(Rational(volume(*ours) / volume(*best) - 1), Rounding::Nearest);
+  const CostMeasure measure = answer.run.measure;
+  if (measure == CostMeasure::Volume) {
+    run.volume_error = to_double(Rational(volume(*ours) / volume(*best) - 1), Rounding::Nearest);
+    return;
+  }
+  const Enclosure ratio = exact_measure(*ours, measure).enclose(kMeasureBits) /
+                          exact_measure(*best, measure).enclose(kMeasureBits);
+  run.volume_error = to_double(Rational(ratio.low() - 1), Rounding::Nearest);
 }
 
 }  // namespace

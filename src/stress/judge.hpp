@@ -29,8 +29,12 @@ struct CenteredDual {
   RationalPoint center;  ///< Strictly inside.
 };
 
-/// Whether the value is in the interval.
-[[nodiscard]] bool holds(const ReportedVolume& reported, const Rational& value);
+/// Whether the value is in the interval. A root or an angle is known to 256 bits: the answer is no
+/// where these show that it is outside.
+[[nodiscard]] bool holds(const ReportedVolume& reported, const Cost& value);
+
+/// Whether both are missing, or nothing shows that they differ.
+[[nodiscard]] bool may_be_same(const std::optional<Cost>& a, const std::optional<Cost>& b);
 
 /// Whether the removals are different halfspaces of the run's, and leave at least four.
 [[nodiscard]] bool is_valid_order(const Run& run);
@@ -49,7 +53,8 @@ struct CenteredDual {
                                                             const EngineAnswer& answer);
 
 /// Whether the volumes that the pipeline reports are those of what it started from and of what it
-/// ended with, both intersected from scratch, and differ by the sum of the costs.
+/// ended with, both intersected from scratch; likewise the measure of the costs, and whether both
+/// differ by the sum of the costs.
 /// Of large solids only what they end with.
 [[nodiscard]] std::vector<std::string> faults_of_volume(const CenteredDual& solid,
                                                         const EngineAnswer& answer);
@@ -61,6 +66,6 @@ void judge_float(const EngineAnswer& answer, const TraceVerdict& verdict, Stress
 
 /// How far the ends of a reported cost are from the true one at most, relative to that; rounded up,
 /// infinite if one of them is.
-[[nodiscard]] double error_of_cost(const ReportedVolume& reported, const Rational& cost);
+[[nodiscard]] double error_of_cost(const ReportedVolume& reported, const Cost& cost);
 
 }  // namespace convexact

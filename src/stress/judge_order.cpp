@@ -9,6 +9,7 @@
 #include "convexact/measure.hpp"
 #include "number/arithmetic.hpp"
 #include "oracle/removal_cost.hpp"
+#include "simplify/trace_json.hpp"
 #include "stress/judge.hpp"
 
 namespace convexact {
@@ -19,35 +20,58 @@ constexpr std::size_t kDefinition = 12;
 // Solids of more halfspaces are large. Of these costs, minima and ties are computed again for the
 // first `kSteps` removals, and nothing of that size is intersected from scratch.
 constexpr std::size_t kLarge = 2500, kSteps = 200;
+// Of enclosures of areas and mean widths.
+constexpr long kCheckedBits = 256;
 
 bool has_record(const EngineAnswer& answer) { return answer.engine != Engine::Float; }
 
 // All removals from what is left, by the definition: none if every one is unbounded.
 struct Cheapest {
-  std::optional<Rational> cost;
+  std::optional<Cost> cost;
   std::vector<HalfspaceId> tie;
 };
 
 Cheapest cheapest_of(const CenteredDual& solid, const Run& run, std::size_t steps) {
   const std::vector<Halfspace>& all = solid.dual.halfspaces;
   const std::vector<Halfspace> left = left_after(run, steps);
-  const RemovalOracle oracle(left, solid.center);
+  const RemovalOracle oracle(left, solid.center, run.measure);
   Cheapest found;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!std::binary_search(left.begin(), left.end(), all[i])) continue;
-    const std::optional<Rational> cost = oracle.without(all[i]).cost;
-    if (!cost || (found.cost && *found.cost < *cost)) continue;
-    if (found.cost != cost) found.tie.clear();
-    found.cost = cost;
+    const std::optional<Cost> cost = oracle.without(all[i]).cost;
+    if (!cost) continue;
+    const Order order = found.cost ? compare(*cost, *found.cost).order : Order::Less;
+    if (order == Order::Greater) continue;
+    if (order == Order::Less) {
+      found.cost = cost;
+      found.tie.clear();
+    }
     found.tie.emplace_back(i);
   }
   return found;
 }
 
-void check_reported(const char* what, const Rational& value, const ReportedVolume& reported,
+void check_reported(const char* what, const Cost& value, const ReportedVolume& reported,
                     std::vector<std::string>& faults) {
   if (holds(reported, value)) return;
-  faults.push_back(fmt::format("the reported volume of the {} does not hold the true one", what));
+  faults.push_back(fmt::format("the reported {} of the {} does not hold the true one",
+                               name_of(value.measure()), what));
+}
+
+// Of a volume the number itself.
+Enclosure bounds_of(const Cost& cost) { return cost.enclose(kCheckedBits); }
+
+// Whether the costs are together what the measure has grown by: volumes exactly.
+bool add_up(const std::vector<Step>& steps, const Cost& first, const Cost& last) {
+  if (first.measure() == CostMeasure::Volume) {
+    std::vector<Rational> costs;
+    for (const Step& step : steps) costs.push_back(step.cost.value().rational());
+    return first.rational() + balanced_sum(std::move(costs)) == last.rational();
+  }
+  Enclosure sum = bounds_of(first);
+  for (const Step& step : steps) sum += bounds_of(step.cost.value());
+  const Enclosure expected = bounds_of(last);
+  return expected.low() <= sum.high() && sum.low() <= expected.high();
 }
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -66,8 +90,19 @@ bool is_as_claimed(const StressClaim& claim, double cost_error, double regret) {
 
 }  // namespace
 
-bool holds(const ReportedVolume& reported, const Rational& value) {
-  return (!reported.low || *reported.low <= value) && (!reported.high || value <= *reported.high);
+bool holds(const ReportedVolume& reported, const Cost& value) {
+  const auto is_in = [&](const Rational& low, const Rational& high) {
+    return (!reported.low || *reported.low <= high) && (!reported.high || low <= *reported.high);
+  };
+  if (value.measure() == CostMeasure::Volume) return is_in(value.rational(), value.rational());
+  const Enclosure bounds = bounds_of(value);
+  return is_in(bounds.low(), bounds.high());
+}
+
+bool may_be_same(const std::optional<Cost>& a, const std::optional<Cost>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  const Order order = compare(*a, *b).order;
+  return order == Order::Equal || order == Order::Undecided;
 }
 
 bool is_valid_order(const Run& run) {
@@ -80,6 +115,7 @@ bool is_valid_order(const Run& run) {
 
 TraceVerdict follow(const CenteredDual& solid, const EngineAnswer& answer) {
   RemovalOrder order;
+  order.measure = answer.run.measure;
   for (const Halfspace& h : answer.run.halfspaces) order.facets.emplace_back(h);
   const bool is_large = answer.run.halfspaces.size() > kLarge;
   const std::size_t all = answer.run.steps.size();
@@ -131,7 +167,7 @@ std::vector<std::string> faults_by_definition(const CenteredDual& solid,
   std::size_t s = size > kDefinition ? size - kDefinition : 0;
   for (; s < steps.size(); ++s) {
     const Cheapest cheapest = cheapest_of(solid, answer.run, s);
-    if (cheapest.cost != steps[s].cost || cheapest.tie != steps[s].tie ||
+    if (!may_be_same(cheapest.cost, steps[s].cost) || cheapest.tie != steps[s].tie ||
         cheapest.tie.front() != steps[s].removed) {
       return {fmt::format("step {} is not what the definition says", s)};
     }
@@ -157,26 +193,39 @@ std::vector<std::string> faults_of_volume(const CenteredDual& solid, const Engin
     faults.push_back("what is left is unbounded");
     return faults;
   }
-  const Rational last = volume(*after);
-  check_reported("result", last, answer.output_volume, faults);
+  check_reported("result", volume(*after), answer.output_volume, faults);
   if (answer.run.halfspaces.size() > kLarge) return faults;
-  const Rational first = volume(intersect(solid.dual.halfspaces, solid.center).value());
-  check_reported("input", first, answer.input_volume, faults);
-  if (!has_record(answer)) return faults;
-  std::vector<Rational> costs;
-  for (const Step& step : answer.run.steps) costs.push_back(step.cost.value().rational());
-  if (first + balanced_sum(std::move(costs)) != last) {
-    faults.push_back("the costs do not add up to the growth of the volume");
+  const Polytope before = intersect(solid.dual.halfspaces, solid.center).value();
+  check_reported("input", volume(before), answer.input_volume, faults);
+  const CostMeasure measure = answer.run.measure;
+  if (measure == CostMeasure::Volume && !has_record(answer)) return faults;
+  const Cost first = exact_measure(before, measure), last = exact_measure(*after, measure);
+  if (measure != CostMeasure::Volume) {
+    if (!answer.measure) {
+      faults.push_back(fmt::format("it reports no {}", name_of(measure)));
+    } else {
+      check_reported("input", first, (*answer.measure)[0], faults);
+      check_reported("result", last, (*answer.measure)[1], faults);
+    }
+  }
+  if (has_record(answer) && !add_up(answer.run.steps, first, last)) {
+    faults.push_back(
+        fmt::format("the costs do not add up to the growth of the {}", name_of(measure)));
   }
   return faults;
 }
 
-double error_of_cost(const ReportedVolume& reported, const Rational& cost) {
+double error_of_cost(const ReportedVolume& reported, const Cost& cost) {
   if (!reported.low || !reported.high) return kInfinity;
+  const bool is_volume = cost.measure() == CostMeasure::Volume;
+  const Enclosure bounds = bounds_of(cost);
+  const Rational least = is_volume ? cost.rational() : bounds.low(),
+                 most = is_volume ? cost.rational() : bounds.high();
   const Rational error =
-      std::max<Rational>(abs(Rational(*reported.low - cost)), abs(Rational(*reported.high - cost)));
+      std::max({abs(Rational(*reported.low - least)), abs(Rational(*reported.low - most)),
+                abs(Rational(*reported.high - least)), abs(Rational(*reported.high - most))});
   if (error == 0) return 0;
-  return cost == 0 ? kInfinity : to_double(Rational(error / cost), Rounding::Up);
+  return least <= 0 ? kInfinity : to_double(Rational(error / least), Rounding::Up);
 }
 
 void judge_float(const EngineAnswer& answer, const TraceVerdict& verdict, StressRun& run) {
@@ -188,14 +237,15 @@ void judge_float(const EngineAnswer& answer, const TraceVerdict& verdict, Stress
       run.faults.push_back(fmt::format("step {} leaves an unbounded solid", s));
       return;
     }
-    if (!run.first_difference && !step.is_greedy()) run.first_difference = s;
-    const double step_error = error_of_cost(answer.lean[s].cost, step.cost->rational());
-    const double step_regret = step.regret ? to_double(*step.regret, Rounding::Up) : kInfinity;
+    if (!run.first_difference && step.is_dearer()) run.first_difference = s;
+    const double step_error = error_of_cost(answer.lean[s].cost, *step.cost);
+    const double step_regret = step.regret ? step.regret->high_double() : kInfinity;
     cost_error = std::max(cost_error, step_error);
     regret = std::max(regret, step_regret);
     if (answer.claim) beyond_claim += !is_as_claimed(*answer.claim, step_error, step_regret);
   }
   run.other_ties = verdict.other_ties;
+  run.undecided = verdict.undecided;
   run.cost_error = cost_error;
   run.regret = regret;
   if (!answer.claim) return;

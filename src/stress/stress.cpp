@@ -145,10 +145,13 @@ std::unique_ptr<ChildProcess> Sweep::start(std::size_t i) const {
   const StressInput& input = inputs_[i];
   const std::vector<EngineAnswer>& answers = progress_[i].answers;
   if (answers.size() == request_.engines.size()) {
-    return start([&] { return stress_json({judge_answers(input, input.make(), answers), 0}); });
+    return start([&] {
+      return stress_json({judge_answers(input, input.make(), answers), 0, request_.cost});
+    });
   }
   const Engine engine = request_.engines[answers.size()];
-  const Question question{.engine = engine, .faces = input.faces, .seed = input.seed};
+  const Question question{
+      .engine = engine, .faces = input.faces, .seed = input.seed, .cost = request_.cost};
   return start([&] { return answer_json(request_.answer(input.make(), question)); });
 }
 
@@ -163,6 +166,7 @@ void Sweep::finish(std::size_t i, const ChildEnd& end) {
       answer.why = end.why;
     }
     answer.engine = request_.engines[progress.answers.size()];
+    answer.run.measure = request_.cost;
     answer.memory = end.memory;
     progress.answers.push_back(std::move(answer));
     return;
@@ -181,6 +185,7 @@ StressReport stress(std::span<const StressInput> inputs, const StressRequest& re
   require_sensible(request);
   const auto start = std::chrono::steady_clock::now();
   StressReport report;
+  report.cost = request.cost;
   report.runs = Sweep(inputs, request).run();
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;

@@ -5,6 +5,7 @@
 #include "convexact/error.hpp"
 #include "io/json.hpp"
 #include "scene/result_json.hpp"
+#include "simplify/trace_json.hpp"
 #include "stress/answer.hpp"
 
 namespace convexact {
@@ -114,7 +115,7 @@ ReportedVolume volume_in(const Json& json) {
 Json steps_json(const std::vector<Step>& steps) {
   Json list = Json::array();
   for (const Step& step : steps) {
-    const Json cost = step.cost ? Json(step.cost->rational()) : Json(nullptr);
+    const Json cost = step.cost ? cost_json(*step.cost) : Json(nullptr);
     list.push_back({{"removed", step.removed}, {"cost", cost}, {"tie", step.tie}});
   }
   return list;
@@ -143,6 +144,7 @@ Json run_json(const StressRun& run) {
   json["cost_error"] = optional_json(run.cost_error);
   json["first_difference"] = optional_json(run.first_difference);
   json["other_ties"] = run.other_ties;
+  if (run.undecided > 0) json["undecided"] = run.undecided;
   json["regret"] = optional_json(run.regret);
   json["claim"] = claim_json(run.claim);
   json["stored"] = Json::array();
@@ -170,6 +172,7 @@ StressRun run_in(const Json& json) {
   take(run.cost_error, json.at("cost_error"));
   take(run.first_difference, json.at("first_difference"));
   run.other_ties = json.at("other_ties");
+  run.undecided = json.value("undecided", std::size_t(0));
   take(run.regret, json.at("regret"));
   run.claim = claim_in(json.at("claim"));
   for (const Json& stored : json.at("stored")) run.stored.push_back(stored_in(stored));
@@ -182,7 +185,10 @@ StressRun run_in(const Json& json) {
 Json stress_json(const StressReport& report) {
   Json runs = Json::array();
   for (const StressRun& run : report.runs) runs.push_back(run_json(run));
-  return {{"passes", report.passes()}, {"seconds", report.seconds}, {"runs", runs}};
+  Json json = {{"passes", report.passes()}, {"seconds", report.seconds}};
+  if (report.cost != CostMeasure::Volume) json["cost"] = name_of(report.cost);
+  json["runs"] = runs;
+  return json;
 }
 
 std::vector<StressRun> stress_runs_in(const Json& json) {
@@ -196,9 +202,15 @@ Json answer_json(const EngineAnswer& answer) {
   for (const StoredBytes& kept : answer.stored) {
     stored.push_back({{"stored", stored_json(kept.stored)}, {"bytes", kept.bytes}});
   }
+  Json measure = nullptr;
+  if (answer.measure) {
+    measure = {volume_json((*answer.measure)[0]), volume_json((*answer.measure)[1])};
+  }
   return {{"engine", name_of(answer.engine)},
           {"end", name_of(answer.end)},
           {"why", answer.why},
+          {"cost", name_of(answer.run.measure)},
+          {"measure", measure},
           {"halfspaces", answer.run.halfspaces},
           {"steps", steps_json(answer.run.steps)},
           {"lean", lean_json(answer.lean)},
@@ -215,11 +227,15 @@ EngineAnswer answer_in(const Json& json) {
   answer.engine = enumerator_in(kEngineNames, json.at("engine"));
   answer.end = enumerator_in(kStressEndNames, json.at("end"));
   answer.why = json.at("why");
+  answer.run.measure = enumerator_in(kCostMeasureNames, json.at("cost"));
+  if (const Json& measure = json.at("measure"); !measure.is_null()) {
+    answer.measure = {volume_in(measure.at(0)), volume_in(measure.at(1))};
+  }
   answer.run.halfspaces = json.at("halfspaces").get<std::vector<Halfspace>>();
   for (const Json& entry : json.at("steps")) {
     Step& step = answer.run.steps.emplace_back();
     step.removed = entry.at("removed").get<HalfspaceId>();
-    if (!entry.at("cost").is_null()) step.cost = entry.at("cost").get<Rational>();
+    step.cost = cost_in_json(nlohmann::json(entry.at("cost")), answer.run.measure);
     step.tie = entry.at("tie").get<std::vector<HalfspaceId>>();
   }
   for (const Json& entry : json.at("lean")) {

@@ -80,13 +80,15 @@ struct StressRun {
   double seconds = 0;        ///< Processor time of the pipeline, to the exact result.
   std::uint64_t memory = 0;  ///< Peak of the process, bytes.
 
-  /// Volume after `steps` over that of the exact engine's run after as many steps, minus 1.
+  /// Measure of the run after `steps` over that of the exact engine's run after as many steps,
+  /// minus 1.
   std::optional<double> volume_error;
   /// Largest relative error of a reported cost.
   std::optional<double> cost_error;
   /// First step that removes none of the cheapest, in the state that this run had reached.
   std::optional<std::size_t> first_difference;
-  std::size_t other_ties = 0;    ///< Steps that remove another one of exactly tied halfspaces.
+  std::size_t other_ties = 0;  ///< Steps that remove another one of exactly tied halfspaces.
+  std::size_t undecided = 0;   ///< Steps by mean width that the judge neither accepts nor refutes.
   std::optional<double> regret;  ///< Largest (cost - minimum) / minimum of a step; may be infinite.
   std::optional<StressClaim> claim;  ///< Of the float engine.
 
@@ -100,8 +102,9 @@ struct StressRun {
 };
 
 struct StressReport {
-  std::vector<StressRun> runs;  ///< By family and value; of one input by engine.
-  double seconds = 0;           ///< Wall time of the sweep.
+  std::vector<StressRun> runs;             ///< By family and value; of one input by engine.
+  double seconds = 0;                      ///< Wall time of the sweep.
+  CostMeasure cost = CostMeasure::Volume;  ///< Of all runs.
 
   bool passes() const {
     return std::all_of(runs.begin(), runs.end(), [](const StressRun& r) { return r.passes(); });

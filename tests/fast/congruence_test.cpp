@@ -65,7 +65,8 @@ struct Caps {
     for (std::size_t i = 0; i < planes.size(); ++i) {
       cap.prepare(HalfspaceId(i));
       outlines.push_back(cap.outline());
-      costs.push_back(oracle.without(planes[i]).cost);
+      const auto cost = oracle.without(planes[i]).cost;
+      costs.push_back(cost ? std::optional(cost->rational()) : std::nullopt);
     }
   }
 };

@@ -34,7 +34,7 @@ void check_against_definition(const TraceVerdict& verdict) {
     REQUIRE(step.regret.has_value() == after.has_value());
     if (!after) continue;
     REQUIRE(*step.cost == *after - before);
-    REQUIRE(*step.regret * expected.cost->rational() ==
+    REQUIRE(step.regret->rational() * expected.cost->rational() ==
             step.cost->rational() - expected.cost->rational());
   }
 }

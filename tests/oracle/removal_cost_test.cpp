@@ -70,21 +70,58 @@ std::vector<Halfspace> rounded_planes(const DualHull& solid, const RationalPoint
 }  // namespace
 
 TEST_CASE("removal cost: planes off by one rounding move a cost by a 64th of what is allowed") {
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    CAPTURE(seed);
-    const DualHull solid = dual_of_doubles(shapes::in_ball(20, seed));
-    const RationalPoint center = center_of(solid);
-    Random random(seed);
-    const std::vector<Halfspace> rounded = rounded_planes(solid, center, random);
-    const RemovalOracle exact(solid.halfspaces, center), off(rounded, center);
-    for (std::size_t i = 0; i < rounded.size(); ++i) {
-      const RemovalCost before = exact.without(solid.halfspaces[i]);
-      const RemovalCost after = off.without(rounded[i]);
-      REQUIRE(before.cost.has_value() == after.cost.has_value());
-      if (!before.cost) continue;
-      const Rational moved = abs(Rational(*after.cost - *before.cost));
-      // To first order in 2^-52: the rest is far below a millionth of it.
-      CHECK(moved * 64 <= *before.rounding * Rational(1000001, 1000000));
+  for (const CostMeasure measure :
+       {CostMeasure::Volume, CostMeasure::Area, CostMeasure::MeanWidth}) {
+    CAPTURE(static_cast<int>(measure));
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      CAPTURE(seed);
+      const DualHull solid = dual_of_doubles(shapes::in_ball(20, seed));
+      const RationalPoint center = center_of(solid);
+      Random random(seed);
+      const std::vector<Halfspace> rounded = rounded_planes(solid, center, random);
+      const RemovalOracle exact(solid.halfspaces, center, measure), off(rounded, center, measure);
+      for (std::size_t i = 0; i < rounded.size(); ++i) {
+        const RemovalCost before = exact.without(solid.halfspaces[i]);
+        const RemovalCost after = off.without(rounded[i]);
+        REQUIRE(before.cost.has_value() == after.cost.has_value());
+        if (!before.cost) continue;
+        REQUIRE(before.rounding.has_value());
+        const Enclosure moved = after.cost->enclose(256) - before.cost->enclose(256);
+        const Rational most = std::max(abs(moved.low()), abs(moved.high()));
+        // To first order in 2^-52: the rest is far below a millionth of it.
+        CHECK(most * 64 <= *before.rounding * Rational(1000001, 1000000));
+      }
     }
+  }
+}
+
+// A cut of a corner at the depths x, y, z along its edges: (xy + yz + zx - |(yz, zx, xy)|) / 2 of
+// area, and of 4 pi times the mean width (x + y + z) pi / 2 less the lengths times angles of the
+// base: an edge of length |(x, y)|, say, at the angle of the cut and the side z = 0.
+TEST_CASE("removal cost: a corner of a box in closed form, by area and by mean width") {
+  const Rational depths[][3] = {{1, 1, 1}, {1, 2, 3}, {Rational(1, 3), 2, Rational(5, 4)}};
+  for (const auto& [x, y, z] : depths) {
+    std::vector<Halfspace> planes = cube_sides();
+    const Halfspace cut(RationalVector3(-1 / x, -1 / y, -1 / z), 1);
+    planes.push_back(cut);
+    const auto by = [&](CostMeasure measure) {
+      return RemovalOracle(planes, kCutBoxCenter, measure).without(cut).cost.value();
+    };
+    RootSum area(Rational((x * y + y * z + z * x) / 2));
+    area.add(Rational(-1, 2), x * x * y * y + y * y * z * z + z * z * x * x);
+    CHECK(by(CostMeasure::Area) == Cost(area));
+    // The outward normals are those of the cut, -(1/x, 1/y, 1/z) times the product, and of a side.
+    AngleSum width = AngleSum::pi((x + y + z) / 2);
+    const RationalVector3 n(y * z, z * x, x * y);
+    const Rational legs[] = {x, y, z};
+    const Integer scale = 144;  // of the denominators of n
+    for (int side = 0; side < 3; ++side) {
+      const Rational &u = legs[(side + 1) % 3], &v = legs[(side + 2) % 3];
+      const Rational across = n.squaredNorm() - n[side] * n[side];
+      width -= AngleSum(
+          std::vector<AngleTerm>{{1, u * u + v * v, numerator(Rational(across * scale * scale)),
+                                  numerator(Rational(n[side] * scale))}});
+    }
+    CHECK(compare(by(CostMeasure::MeanWidth), Cost(width)).order == Order::Equal);
   }
 }

@@ -28,6 +28,34 @@ Error refusal_of(const std::string& text) {
   return error_of([&] { return read(text); });
 }
 
+// Of many corruptions enough are read, and enough of these are wrong.
+void corrupt_and_judge(const std::string& good, int repeats, const DualHull& solid,
+                       const RationalPoint& center, Random& random) {
+  int read_again = 0, violated = 0;
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    std::string bytes = good;
+    for (std::uint64_t k = uniform_below(random, 3) + 1; k > 0; --k) {
+      const std::size_t at = uniform_below(random, bytes.size());
+      // Mostly a digit for a digit: most other changes leave no JSON.
+      const bool digit = bytes[at] >= '0' && bytes[at] <= '9' && random() % 8 != 0;
+      bytes[at] = static_cast<char>(digit ? '0' + uniform_below(random, 10) : random() % 256);
+    }
+    CAPTURE(bytes);
+    try {
+      const RemovalOrder order = read_removal_order(bytes, {}, solid.halfspaces);
+      const TraceVerdict verdict = judge_trace(solid, center, order);
+      ++read_again;
+      if (!verdict.holds()) ++violated;
+    } catch (const Error& error) {
+      const ErrorCode code = error.code();
+      REQUIRE((code == ErrorCode::Malformed || code == ErrorCode::NotFinite ||
+               code == ErrorCode::InvalidArgument));
+    }
+  }
+  CHECK(read_again > repeats * 3 / 40);
+  CHECK(violated > repeats / 40);
+}
+
 }  // namespace
 
 TEST_CASE("removal order: ids refer to canonical order, or to the list that is given") {
@@ -154,43 +182,75 @@ TEST_CASE("facet list: every row counts, in each of the formats") {
   CHECK_THROWS_AS((void)read_facet_list("what is this", "list"), Error);
 }
 
-TEST_CASE("removal order: a trace of another measure is refused, one of no measure malformed") {
-  const DualHull solid = dual_of_doubles(shapes::cut_cube(3, 0.25));
-  const auto code = [&](const std::string& measure) {
-    const std::string bytes = R"({"version": 2, "measure": )" + measure + R"(, "steps": []})";
-    return error_of([&] { return read_removal_order(bytes, {}, solid.halfspaces); }).code();
+TEST_CASE("removal order: the measure is the one that is asked for, or the trace's, or volume") {
+  using Asked = std::optional<CostMeasure>;
+  const auto read_by = [](const std::string& text, Asked asked) {
+    return read_removal_order(text, {}, kCanonical, Decimal::Nearest, asked);
   };
-  CHECK(code(R"("area")") == ErrorCode::InvalidArgument);
-  CHECK(code(R"("mean-width")") == ErrorCode::InvalidArgument);
-  CHECK(code(R"("weight")") == ErrorCode::Malformed);
-  CHECK(code("7") == ErrorCode::Malformed);
+  const auto trace = [](const std::string& measure) {
+    return R"({"version": 2, "measure": )" + measure + R"(, "steps": []})";
+  };
+  for (const char* text : {"0\n", "1 0 0 -4\n", R"({"steps": [{"removed": 1}]})"}) {
+    CHECK(read_by(text, {}).measure == CostMeasure::Volume);
+    CHECK(read_by(text, CostMeasure::Area).measure == CostMeasure::Area);
+    CHECK(read_by(text, CostMeasure::MeanWidth).measure == CostMeasure::MeanWidth);
+  }
+  CHECK(read_by(trace(R"("area")"), {}).measure == CostMeasure::Area);
+  CHECK(read_by(trace(R"("area")"), CostMeasure::Area).measure == CostMeasure::Area);
+  CHECK(read_by(trace(R"("mean-width")"), {}).measure == CostMeasure::MeanWidth);
+  const auto code = [&](const std::string& text, Asked asked) {
+    return error_of([&] { return read_by(text, asked); }).code();
+  };
+  CHECK(code(trace(R"("area")"), CostMeasure::Volume) == ErrorCode::InvalidArgument);
+  CHECK(code(trace(R"("volume")"), CostMeasure::MeanWidth) == ErrorCode::InvalidArgument);
+  CHECK(code(trace(R"("weight")"), {}) == ErrorCode::Malformed);
+  CHECK(code(trace("7"), {}) == ErrorCode::Malformed);
+}
+
+TEST_CASE("removal order: costs are spelled as the measure has them") {
+  const auto step = [](const std::string& measure, const std::string& cost) {
+    const std::string named = measure.empty() ? "" : R"("measure": ")" + measure + R"(", )";
+    return "{" + named + R"("steps": [{"removed": 1, "cost": {)" + cost + "}}]}";
+  };
+  const auto cost = [&](const std::string& measure, const std::string& text) {
+    return read(step(measure, text)).steps.at(0).step.cost.value();
+  };
+  RootSum area(Rational(3, 8));
+  area.add(Rational(-1, 8), 3);
+  CHECK(cost("area", R"("value": 0.1, "roots": [["3/8", "1"], ["-1/8", "3"]])") == Cost(area));
+  CHECK(compare(cost("mean-width", R"("edges": [["1", "4", "1", "0"]])"), Cost(AngleSum::pi(1)))
+            .order == Order::Equal);
+  CHECK_FALSE(read(step("area", R"("value": 0.1)")).steps[0].step.cost.has_value());
+  const auto code = [&](const std::string& measure, const std::string& text) {
+    return refusal_of(step(measure, text)).code();
+  };
+  for (const char* roots :
+       {"3", "[3]", R"(["3"])", R"([["1"]])", R"([["1", "2", "3"]])", R"([["1", "0"]])",
+        R"([["1", "-2"]])", R"([["1", "1/2"]])", R"([[1, "2"]])", R"([["x", "2"]])"}) {
+    CAPTURE(roots);
+    CHECK(code("area", R"("roots": )" + std::string(roots)) == ErrorCode::Malformed);
+  }
+  for (const char* edges : {"{}", R"([["1", "4", "1"]])", R"([["1", "-4", "1", "0"]])",
+                            R"([["1", "4", "-1", "0"]])", R"([["1", "4", "0", "0"]])",
+                            R"([["1", "4", "1/2", "0"]])", R"([["1", "4", "1", "1/2"]])"}) {
+    CAPTURE(edges);
+    CHECK(code("mean-width", R"("edges": )" + std::string(edges)) == ErrorCode::Malformed);
+  }
+  // A number of another kind: the trace contradicts itself, or was taken for another one.
+  CHECK(code("area", R"("exact": "1/2")") == ErrorCode::Malformed);
+  CHECK(code("mean-width", R"("roots": [])") == ErrorCode::Malformed);
+  CHECK(code("", R"("roots": [["1", "2"]])") == ErrorCode::InvalidArgument);
 }
 
 TEST_CASE("removal order: a corrupted trace is read or refused, and judged without a failure") {
-  const Run run = simplify_points(shapes::cut_cube(5, 0.25));
   const DualHull solid = dual_of_doubles(shapes::cut_cube(5, 0.25));
   const RationalPoint center = center_of(solid);
-  const std::string good = write_trace_json(run);
   Random random(2604);
-  std::size_t read_again = 0, violated = 0;
-  for (int repeat = 0; repeat < 4000; ++repeat) {
-    std::string bytes = good;
-    for (std::uint64_t k = uniform_below(random, 3) + 1; k > 0; --k) {
-      const std::size_t at = uniform_below(random, bytes.size());
-      // Mostly a digit for a digit: most other changes leave no JSON.
-      const bool digit = bytes[at] >= '0' && bytes[at] <= '9' && random() % 8 != 0;
-      bytes[at] = static_cast<char>(digit ? '0' + uniform_below(random, 10) : random() % 256);
-    }
-    CAPTURE(bytes);
-    try {
-      const RemovalOrder order = read_removal_order(bytes, {}, solid.halfspaces);
-      const TraceVerdict verdict = judge_trace(solid, center, order);
-      ++read_again;
-      if (!verdict.holds()) ++violated;
-    } catch (const Error& error) {
-      REQUIRE((error.code() == ErrorCode::Malformed || error.code() == ErrorCode::NotFinite));
-    }
+  for (const auto& [measure, repeats] :
+       {std::pair(CostMeasure::Volume, 4000), std::pair(CostMeasure::Area, 600),
+        std::pair(CostMeasure::MeanWidth, 600)}) {
+    const std::string good =
+        write_trace_json(simplify_points(shapes::cut_cube(5, 0.25), {.cost = measure}));
+    corrupt_and_judge(good, repeats, solid, center, random);
   }
-  CHECK(read_again > 300);
-  CHECK(violated > 100);
 }

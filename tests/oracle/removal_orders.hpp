@@ -35,6 +35,7 @@ inline RemovalOrder order_of(const Run& trace) {
   RemovalOrder order;
   order.facets.assign(trace.halfspaces.begin(), trace.halfspaces.end());
   order.stop = trace.stop;
+  order.measure = trace.measure;
   for (const Step& step : trace.steps) {
     order.steps.push_back(
         {order.steps.size() + 1, std::to_string(step.removed.index()), step, true, true});
