@@ -116,3 +116,24 @@ TEST_CASE("diff: bad input and wrong usage have the exit codes of the manual") {
   CHECK(flat.exit == 4);
   CHECK(complaint(json::parse(flat.out)) == "");
 }
+
+TEST_CASE("diff --cost: the engines agree by area and by mean width, as the schema says") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("cut.json", kCutCube);
+  for (const std::string cost : {"area", "mean-width"}) {
+    CAPTURE(cost);
+    const std::string arguments = "diff " + input + " --engines exact,filtered --cost " + cost;
+    const auto ran = run_program(arguments + " --json");
+    REQUIRE(ran.exit == 0);
+    const json document = json::parse(ran.out);
+    CHECK(complaint(document) == "");
+    const json& object = document["objects"][0];
+    CHECK(object["cost"] == cost);
+    CHECK(object["comparisons"][0]["same"] == true);
+    CHECK(object["comparisons"][0]["compared"] == json{"removals", "costs", "ties"});
+    CHECK(object["comparisons"][0]["measure_ratio"]["decimal"] == "1");
+    const auto table = run_program(arguments);
+    CHECK(table.out.find(cost == "area" ? "final area" : "final width") != std::string::npos);
+  }
+  CHECK(run_program("diff " + input + " --cost weight").exit == 2);
+}

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "json_schema.hpp"
 #include "process.hpp"
@@ -210,4 +211,61 @@ TEST_CASE("verify --trace: files that are not there, inputs without interior, wr
   CHECK(run_program("verify " + cut + " --trace " + order + " --facets " +
                     scratch.write("list.json", "[[1]]"))
             .exit == 1);
+}
+
+// The cuts cost (3 - sqrt 3) depth^2 / 2 of area, depths 3 and 2, and a multiple of the depth of
+// mean width.
+TEST_CASE("verify --trace --cost: planes and ids are judged by the measure that is named") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("cut.txt", kCutCubeRows);
+  const std::string good = scratch.write("good", "1 1 -1 -6\n-1 -1 -1 3\n");
+  const std::string bad = scratch.write("bad", "-1 -1 -1 3\n1 1 -1 -6\n");
+  for (const auto& [cost, words, regret] :
+       {std::tuple("area", "area", "5/4"), std::tuple("mean-width", "mean width", "1/2")}) {
+    CAPTURE(cost);
+    const std::string options = std::string(" --cost ") + cost;
+    const auto right = run_program("verify " + input + " --trace " + good + options + " --json");
+    CHECK(right.exit == 0);
+    const json verdict = json::parse(right.out);
+    CHECK(schema_complaint("trace_verdict", verdict) == "");
+    CHECK(verdict["verdict"] == std::string("greedy by ") + words);
+    CHECK(verdict["measure"] == cost);
+    CHECK(verdict["undecided"] == 0);
+    const auto wrong = run_program("verify " + input + " --trace " + bad + options + " --json");
+    CHECK(wrong.exit == 1);
+    CHECK(schema_complaint("trace_verdict", json::parse(wrong.out)) == "");
+    CHECK(violated(json::parse(wrong.out)) == Codes{"trace-greedy"});
+    CHECK(run_program("verify " + input + " --trace " + bad + options + " --max-regret " + regret)
+              .exit == 0);
+    CHECK(run_program("verify " + input + " --trace " + bad + options +
+                      " --max-regret 0.499999999999")
+              .exit == 1);
+    const auto table = run_program("verify " + input + " --trace " + good + options);
+    CHECK(table.out.find(std::string(words) + " added") != std::string::npos);
+  }
+  const json area =
+      json::parse(run_program("verify " + input + " --trace " + good + " --cost area --json").out);
+  // 4 (3 - sqrt 3) / 2
+  CHECK(area["steps"][0]["cost"]["roots"] == json{{"6", "1"}, {"-2", "3"}});
+}
+
+TEST_CASE("verify --trace --cost: a trace names its measure, and another one is wrong usage") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("cut.txt", kCutCubeRows);
+  for (const std::string cost : {"volume", "area", "mean-width"}) {
+    const std::string trace = scratch.file(cost + ".json");
+    REQUIRE(run_program("simplify " + input + " --faces 6 --cost " + cost + " --trace " + trace +
+                        " -o " + scratch.file(cost + ".obj"))
+                .exit == 0);
+    for (const std::string other : {"volume", "area", "mean-width"}) {
+      const auto ran = run_program("verify " + input + " --trace " + trace + " --cost " + other);
+      CHECK(ran.exit == (cost == other ? 0 : 2));
+      if (cost != other) CHECK(ran.err.find("the trace is by " + cost) != std::string::npos);
+    }
+    CHECK(run_program("verify " + input + " --trace " + trace).exit == 0);
+  }
+  const std::string order = scratch.write("order", "6\n");
+  CHECK(run_program("verify " + input + " --trace " + order + " --cost weight").exit == 2);
+  CHECK(run_program("verify " + input + " --trace " + order + " --tie-bits 1").exit == 2);
+  CHECK(run_program("verify " + input + " " + input + " --cost area").exit == 2);
 }

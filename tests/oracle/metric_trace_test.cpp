@@ -341,6 +341,26 @@ TEST_CASE("judge trace: traces of both exact engines are accepted by their measu
   }
 }
 
+TEST_CASE("confirm_costs: areas and mean widths are computed again, by the definition") {
+  const DualHull solid = cut_box(kDepths);
+  for (const CostMeasure measure : kMetrics) {
+    CAPTURE(static_cast<int>(measure));
+    const TraceVerdict right = judge(solid, by(measure, cuts_in_order(solid, kDepths)));
+    CHECK_NOTHROW(confirm_sum(right, kCutBoxCenter));
+    for (std::size_t s = 0; s < 3; ++s) {
+      CHECK_NOTHROW(confirm_step(right, kCutBoxCenter, s));
+      const Rational more = 1 + scale_by_power_of_two(Rational(1), -200);
+      TraceVerdict wrong = right;
+      *wrong.steps[s].cost *= more;
+      CHECK_THROWS_AS(confirm_step(wrong, kCutBoxCenter, s), Error);
+      CHECK_THROWS_AS(confirm_sum(wrong, kCutBoxCenter), Error);
+      wrong = right;
+      *wrong.steps[s].minimum *= more;
+      CHECK_THROWS_AS(confirm_step(wrong, kCutBoxCenter, s), Error);
+    }
+  }
+}
+
 TEST_CASE("judge trace: facets that are left out are found by every measure") {
   const DualHull solid = cut_box(kDepths);
   for (const CostMeasure measure : kMetrics) {

@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "cut_box.hpp"
 #include "number/random.hpp"
 #include "shapes/makers.hpp"
@@ -24,6 +26,26 @@ TEST_CASE("removal cost: a corner cut at depth t costs t^3 / 6") {
     // for the cut.
     const Rational reach = t * t * (6 - t) / 3 + t * t * t / 6;
     CHECK(cost.rounding == Rational(to_rational(kPlaneRounding) * 3 * 6 / (6 - t) * reach));
+  }
+}
+
+// The edges beyond the cut have the length t, between sides at the distance 2 from the center;
+// those of the base t sqrt 2, between a side and the cut, at the angle of which the cosine is 1 /
+// sqrt 3. The farthest point is the corner, at 2 sqrt 3.
+TEST_CASE("removal cost: the rounding of area and mean width in closed form") {
+  const double root = std::sqrt(3.0);
+  for (const double t : {1.0, 0.25, 1.5}) {
+    const DualHull solid = cut_box({to_rational(t)});
+    const auto rounding = [&](CostMeasure measure) {
+      const RemovalOracle oracle(solid.halfspaces, kCutBoxCenter, measure);
+      return oracle.without(corner_cut(0, to_rational(t))).rounding.value().convert_to<double>();
+    };
+    const double share = kPlaneRounding * 6 / (6 - t);
+    CHECK(rounding(CostMeasure::Area) ==
+          doctest::Approx(share * (12 * t + 3 * t * (root - 1) * (2 + (6 - t) / root)))
+              .epsilon(1e-12));
+    CHECK(rounding(CostMeasure::MeanWidth) ==
+          doctest::Approx(share * 2 * (2 * root) * (1 - 1 / root)).epsilon(1e-12));
   }
 }
 

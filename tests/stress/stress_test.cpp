@@ -332,3 +332,62 @@ TEST_CASE(
   CHECK(list.exit == 0);
   CHECK(schema_complaint("stress", nlohmann::json::parse(list.out)) == "");
 }
+
+TEST_CASE("stress --cost: honest engines pass by area and by mean width") {
+  std::vector<StressInput> inputs = one_input();
+  for (const auto& more : {tied_input(), inputs_at("needle", {1, 1e9}), inputs_at("prism", {12}),
+                           inputs_at("collinear", {5}), inputs_at("mixture", {2}),
+                           inputs_at("mixed-halfspaces", {1, 2})}) {
+    inputs.insert(inputs.end(), more.begin(), more.end());
+  }
+  for (const CostMeasure cost : {CostMeasure::Area, CostMeasure::MeanWidth}) {
+    CAPTURE(static_cast<int>(cost));
+    StressRequest request;
+    request.engines = {Engine::Exact, Engine::Filtered};
+    request.cost = cost;
+    const StressReport report = stress(inputs, request);
+    CHECK(report.cost == cost);
+    for (const StressRun& run : report.runs) {
+      CAPTURE(run.family);
+      CAPTURE(run.value);
+      CHECK_MESSAGE(run.passes(), (run.passes() ? "" : run.faults[0]));
+      CHECK(run.undecided == 0);
+    }
+    const auto json = nlohmann::json::parse(stress_json(report).dump());
+    CHECK(schema_complaint("stress", json) == "");
+    CHECK(json["cost"] == (cost == CostMeasure::Area ? "area" : "mean-width"));
+  }
+}
+
+TEST_CASE("stress --cost: wrong costs, measures and choices by area and mean width are faults") {
+  for (const CostMeasure cost : {CostMeasure::Area, CostMeasure::MeanWidth}) {
+    CAPTURE(static_cast<int>(cost));
+    const auto faults_of = [&](const Question& asked, const Corruption& corrupt) {
+      const StressInput input = one_input()[0];
+      EngineAnswer answer = answer_of(input.make(), asked);
+      corrupt(answer);
+      const EngineAnswer read =
+          answer_in(nlohmann::ordered_json::parse(answer_json(answer).dump()));
+      return judge_answers(input, input.make(), std::span(&read, 1)).at(0).faults;
+    };
+    for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
+      const Question asked{.engine = engine, .cost = cost};
+      CHECK(faults_of(asked, [](EngineAnswer&) {}).empty());
+      const Rational more = 1 + scale_by_power_of_two(Rational(1), -100);
+      CHECK_FALSE(faults_of(asked, [&](EngineAnswer& a) { *a.run.steps[1].cost *= more; }).empty());
+      CHECK_FALSE(faults_of(asked, [&](EngineAnswer& a) { (*a.measure)[0].high = 0; }).empty());
+      CHECK_FALSE(faults_of(asked, [&](EngineAnswer& a) { (*a.measure)[1].low = 1000; }).empty());
+      CHECK_FALSE(faults_of(asked, [&](EngineAnswer& a) { a.measure.reset(); }).empty());
+      CHECK_FALSE(faults_of(asked, [&](EngineAnswer& a) {
+                    a.run.steps[0].tie.push_back(a.run.steps[1].removed);
+                  }).empty());
+      CHECK_FALSE(faults_of(asked, [&](EngineAnswer& a) {
+                    std::swap(a.run.steps[0], a.run.steps[1]);
+                    make_lean_removals_equal(a);
+                  }).empty());
+    }
+    CHECK_FALSE(faults_of({.engine = Engine::Filtered, .cost = cost}, [](EngineAnswer& a) {
+                  a.lean[0].cost.low = *a.lean[0].cost.high + 1;
+                }).empty());
+  }
+}
