@@ -204,7 +204,7 @@ Json answer_json(const EngineAnswer& answer) {
   }
   Json measure = nullptr;
   if (answer.measure) {
-    measure = {volume_json((*answer.measure)[0]), volume_json((*answer.measure)[1])};
+    measure = Json::array({volume_json((*answer.measure)[0]), volume_json((*answer.measure)[1])});
   }
   return {{"engine", name_of(answer.engine)},
           {"end", name_of(answer.end)},

@@ -246,7 +246,7 @@ TEST_CASE("verify --trace --cost: planes and ids are judged by the measure that 
   const json area =
       json::parse(run_program("verify " + input + " --trace " + good + " --cost area --json").out);
   // 4 (3 - sqrt 3) / 2
-  CHECK(area["steps"][0]["cost"]["roots"] == json{{"6", "1"}, {"-2", "3"}});
+  CHECK(area["steps"][0]["cost"]["roots"] == json::parse(R"([["6", "1"], ["-2", "3"]])"));
 }
 
 TEST_CASE("verify --trace --cost: a trace names its measure, and another one is wrong usage") {

@@ -16,7 +16,7 @@ using namespace convexact;
 
 namespace {
 
-constexpr CostMeasure kMetrics[] = {CostMeasure::Area, CostMeasure::MeanWidth};
+constexpr CostMeasure kComparedMeasures[] = {CostMeasure::Area, CostMeasure::MeanWidth};
 
 // Removes the cuts of those corners, without a record.
 Run run_of_cuts(const DualHull& solid, CostMeasure measure, const std::vector<Rational>& depths,
@@ -61,7 +61,7 @@ TEST_CASE("divergence: a dearer removal by area or mean width is wrong topology"
 }
 
 TEST_CASE("divergence: equal cuts tie, and nearly equal ones are below rounding") {
-  for (const CostMeasure measure : kMetrics) {
+  for (const CostMeasure measure : kComparedMeasures) {
     CAPTURE(static_cast<int>(measure));
     for (const int power : {0, 60, 20}) {
       CAPTURE(power);
@@ -84,7 +84,7 @@ TEST_CASE("divergence: equal cuts tie, and nearly equal ones are below rounding"
 TEST_CASE("divergence: records by area and mean width are compared, and the wrong one is named") {
   const std::vector<Rational> depths = {Rational(1), Rational(1), Rational(3, 2)};
   const DualHull solid = cut_box(depths);
-  for (const CostMeasure measure : kMetrics) {
+  for (const CostMeasure measure : kComparedMeasures) {
     CAPTURE(static_cast<int>(measure));
     const Run exact = simplify_exact(solid, kCutBoxCenter, {.cost = measure});
     REQUIRE(exact.steps.size() == 3);
@@ -110,7 +110,7 @@ TEST_CASE("divergence: records by area and mean width are compared, and the wron
 }
 
 TEST_CASE("diff: exact and filtered agree by area and by mean width") {
-  for (const CostMeasure measure : kMetrics) {
+  for (const CostMeasure measure : kComparedMeasures) {
     CAPTURE(static_cast<int>(measure));
     for (const auto& points : {shapes::cut_cube(8, 0.3), shapes::in_ball(40, 2)}) {
       const DiffOutcome outcome = diff_engines(
