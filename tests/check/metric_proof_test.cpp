@@ -90,6 +90,24 @@ TEST_CASE("roots by the checker: differences of any size have their sign") {
   }
 }
 
+// The n-th power of sqrt 2 + sqrt 3 - 3 = 0.146 is p + q sqrt 2 + r sqrt 3 + s sqrt 6 > 0, and no
+// two of its terms cancel by themselves. So what is lost by rounding them adds up.
+TEST_CASE("roots by the checker: a sum of four roots that nearly cancel has its sign") {
+  std::array<Integer, 4> x = {1, 0, 0, 0};
+  for (int n = 0; n < 400; ++n) {
+    CAPTURE(n);
+    const auto [p, q, r, s] = x;
+    x = {-3 * p + 2 * q + 3 * r, p - 3 * q + 3 * s, p - 3 * r + 2 * s, q + r - 3 * s};
+    for (const int sign : {1, -1}) {
+      Terms terms;
+      for (std::size_t k = 0; k < 4; ++k) {
+        terms.push_back({to_string(Integer(sign * x[k])), std::to_string(k == 3 ? 6 : k + 1)});
+      }
+      REQUIRE(sign_by_checker(terms) == sign);
+    }
+  }
+}
+
 // A corner of legs 1/4 cut off the unit cube: three sides of 1/32 each, and a base of
 // sqrt 3 / 2 * 1/16.
 TEST_CASE("proof by area: closed forms, ties and what is said") {

@@ -37,12 +37,15 @@ TEST_CASE("--json: a result is as the schema says") {
 TEST_CASE("--json: runs by area and by mean width, their measure and their ties") {
   for (const char* measure : {"area", "mean-width"}) {
     CAPTURE(measure);
+    const ScratchFolder scratch;
     const auto ran = run_program("simplify " + data("spot.obj") + " --faces 580 --json --cost " +
-                                 std::string(measure));
+                                 std::string(measure) + " --proof " + scratch.file("proof"));
     REQUIRE(ran.exit == 0);
     const json document = json::parse(ran.out);
     CHECK(is_valid(document));
     CHECK(document["cost"] == measure);
+    CHECK(document["proof"] ==
+          (std::string(measure) == "area" ? "greedy-area" : "costs-not-shown"));
     CHECK(document[std::string(measure) == "area" ? "area" : "mean_width"]["ratio"] > 1.0);
     CHECK(document["ties"]["congruent"] > 0);  // the cow is its own mirror image
   }
