@@ -46,8 +46,10 @@ class Cost {
   /// @throws Error Stopped, as the watch says.
   Enclosure enclose(long precision, const Watch& watch = {}) const;
 
-  /// Doubles that are surely not above, and not below, the number that is compared:
-  /// rational(), area() or angles(). Known before, unless it is a volume.
+  /// An interval around the number that is compared, rational(), area() or angles(), from
+  /// operations of 128 bits. Known before, unless it is a volume.
+  Enclosure bounds() const;
+  /// Doubles that are surely not above, and not below, that number. Likewise.
   double low_double() const;
   double high_double() const;
 
@@ -76,10 +78,12 @@ class Cost {
                           const Watch& watch);
 
  private:
-  // With bounds of the sum in doubles, which decide most comparisons.
+  // With bounds of the sum; those in doubles decide most comparisons.
   template <class Sum>
   struct Bounded {
+    explicit Bounded(Sum x);
     Sum sum;
+    Enclosure bounds;
     double low, high;
   };
 

@@ -42,17 +42,17 @@ std::optional<Ordering> compare_bounds(const Bounded& a, const Bounded& b) {
 
 }  // namespace
 
-Cost::Cost(RootSum area) {
-  const Enclosure bounds = area.enclose(kMeasureBits);
-  value_ = std::make_shared<const Bounded<RootSum>>(
-      Bounded<RootSum>{std::move(area), bounds.low_double(), bounds.high_double()});
-}
+template <class Sum>
+Cost::Bounded<Sum>::Bounded(Sum x)
+    : sum(std::move(x)),
+      bounds(sum.enclose(kMeasureBits)),
+      low(bounds.low_double()),
+      high(bounds.high_double()) {}
 
-Cost::Cost(AngleSum angles) {
-  const Enclosure bounds = angles.enclose(kMeasureBits);
-  value_ = std::make_shared<const Bounded<AngleSum>>(
-      Bounded<AngleSum>{std::move(angles), bounds.low_double(), bounds.high_double()});
-}
+Cost::Cost(RootSum area) : value_(std::make_shared<const Bounded<RootSum>>(std::move(area))) {}
+
+Cost::Cost(AngleSum angles)
+    : value_(std::make_shared<const Bounded<AngleSum>>(std::move(angles))) {}
 
 const Rational& Cost::rational() const {
   if (measure() != CostMeasure::Volume) reject_measure();
@@ -92,6 +92,18 @@ Enclosure Cost::enclose(long precision, const Watch& watch) const {
                               precision);
   }
   return {rational(), precision};
+}
+
+Enclosure Cost::bounds() const {
+  switch (measure()) {
+    case CostMeasure::Volume:
+      break;
+    case CostMeasure::Area:
+      return std::get<1>(value_)->bounds;
+    case CostMeasure::MeanWidth:
+      return std::get<2>(value_)->bounds;
+  }
+  return {rational(), kMeasureBits};
 }
 
 double Cost::low_double() const {

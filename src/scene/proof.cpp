@@ -19,6 +19,7 @@ class ProofWriter {
     for (const Halfspace& halfspace : run.halfspaces) {
       dual_points_.push_back(polar(halfspace, start.interior));
     }
+    directions_ = primitive_directions(dual_points_);
   }
   std::string write(const std::optional<StoredPlanes>& stored);
 
@@ -80,6 +81,7 @@ class ProofWriter {
   const Run& run_;
   const PointSet& points_;
   std::vector<DualPoint> dual_points_;
+  std::vector<IntegerVector3> directions_;            // of their normals
   std::vector<std::optional<Appraisal>> appraisals_;  // by halfspace: the last one
   std::string text_;
 };
@@ -145,7 +147,7 @@ ProofWriter::Appraisal ProofWriter::appraise(const Evaluation& evaluation) const
   }
   if (!appraisal.ray && shows_costs()) {
     const HalfspaceId i = evaluation.halfspace;
-    appraisal.cost = cost_of(make_cap(dual_points_, i, evaluation.ring, roof), dual_points_, i,
+    appraisal.cost = cost_of(make_cap(dual_points_, i, evaluation.ring, roof), directions_, i,
                              evaluation.ring, run_.measure);
   }
   return appraisal;

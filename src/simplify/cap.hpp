@@ -40,9 +40,13 @@ struct Cap {
 /// What the solid gains in a measure if the cap is added: its volume; the areas of its sides less
 /// that of its base; the lengths times exterior angles of its edges that are not on the base, less
 /// those of the base.
-/// @param points  As for make_cap(), which made the cap of i and `ring`.
-/// @par Source    [Jacobson2026]; docs/design/costs.md
-[[nodiscard]] Cost cost_of(const Cap& cap, std::span<const DualPoint> points, HalfspaceId i,
-                           std::span<const HalfspaceId> ring, CostMeasure measure);
+/// @param directions  primitive_directions() of all halfspaces; of volumes none are needed.
+/// @param ring        Of i, from which the cap was made.
+/// @par Source        [Jacobson2026]; docs/design/costs.md
+[[nodiscard]] Cost cost_of(const Cap& cap, std::span<const IntegerVector3> directions,
+                           HalfspaceId i, std::span<const HalfspaceId> ring, CostMeasure measure);
+
+/// Of each dual point the direction of its halfspace's normal, as coprime integers.
+[[nodiscard]] std::vector<IntegerVector3> primitive_directions(std::span<const DualPoint> points);
 
 }  // namespace convexact

@@ -18,6 +18,7 @@ DualSurface::DualSurface(std::span<const Halfspace> halfspaces,
       random_(seed) {
   points_.reserve(halfspaces.size());
   for (const Halfspace& halfspace : halfspaces) points_.push_back(polar(halfspace, center));
+  if (measure != CostMeasure::Volume) directions_ = primitive_directions(points_);
   for (const DualTriangle& triangle : triangles) {
     adjacency_.add(triangle);
     for (const HalfspaceId i : triangle) is_present_[i.index()] = true;
@@ -41,7 +42,7 @@ Removal DualSurface::removal_of(HalfspaceId i, RingObserver* observer) {
   // (4) The cap lies between the old vertices on plane i and the new ones.
   const Cap cap = make_cap(points_, i, removal.ring, removal.roof);
   // (5) What it adds to the measure is the cost.
-  removal.cost = cost_of(cap, points_, i, removal.ring, measure_);
+  removal.cost = cost_of(cap, directions_, i, removal.ring, measure_);
   return removal;
 }
 

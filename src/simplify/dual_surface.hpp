@@ -69,6 +69,7 @@ class DualSurface {
   DualPlane plane_of(const DualTriangle& t) const;
 
   std::vector<DualPoint> points_;
+  std::vector<IntegerVector3> directions_;  // of the normals; none if the measure is the volume
   AdjacencyMatrix adjacency_;
   std::vector<bool> is_present_;
   std::size_t left_;

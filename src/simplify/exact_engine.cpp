@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "convexact/error.hpp"
-#include "number/precision.hpp"
 #include "simplify/dual_surface.hpp"
 #include "simplify/growth_limit.hpp"
 #include "simplify/step_verification.hpp"
@@ -70,7 +69,7 @@ void ExactEngine::evaluate_all() {
 
 ExactEngine::Entry ExactEngine::entry_of(HalfspaceId i, const Cost& cost) {
   if (cost.measure() == CostMeasure::Volume) return {cost.rational(), i, cost.rational()};
-  const Enclosure bounds = cost.enclose(kMeasureBits);
+  const Enclosure bounds = cost.bounds();
   return {bounds.low(), i, bounds.high()};
 }
 

@@ -163,6 +163,29 @@ TEST_CASE("enclosure: the angle of a box holds the angle of each of its points")
   }
 }
 
+// Of narrow boxes one end is computed and the other bounded by how far apart they can be.
+TEST_CASE("enclosure: the angle of a narrow box holds those of its corners, and little more") {
+  for (const int exponent : {-17, -20, -60, -150}) {
+    const Rational wider = 1 + scale_by_power_of_two(Rational(1), exponent);
+    for (int x = -3; x <= 3; ++x) {
+      for (const int y : {1, 2, 1000}) {
+        if (x == 0) continue;
+        const auto around = [&](int v) {
+          return Enclosure(std::min(Rational(v), Rational(v * wider)),
+                           std::max(Rational(v), Rational(v * wider)), 200);
+        };
+        const Enclosure box = atan2(around(y), around(x));
+        for (const Rational& u : {Rational(x), Rational(x * wider)}) {
+          for (const Rational& v : {Rational(y), Rational(y * wider)}) {
+            CHECK(inside(atan2(Enclosure(v, 300), Enclosure(u, 300)), box));
+          }
+        }
+        CHECK(box.width() <= scale_by_power_of_two(box.high(), exponent + 3));
+      }
+    }
+  }
+}
+
 TEST_CASE("enclosure: outward doubles agree with the rounding of rationals") {
   const Rational tiny = scale_by_power_of_two(Rational(1, 3), -1074);
   const Rational huge = scale_by_power_of_two(Rational(1), 1024);

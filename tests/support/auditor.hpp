@@ -97,12 +97,14 @@ class Auditor : public CostObserver, public Tally {
       return {six_times, six_times};
     }
     constexpr long kBits = 200;
-    if (points_.empty()) {
+    if (directions_.empty()) {
+      std::vector<DualPoint> points;
       for (std::size_t k = 0; k < dual_.size(); ++k) {
-        points_.push_back(polar(dual_.exact(HalfspaceId(k)), dual_.center()));
+        points.push_back(polar(dual_.exact(HalfspaceId(k)), dual_.center()));
       }
+      directions_ = primitive_directions(points);
     }
-    Enclosure value = cost_of(cap, points_, i, ring, measure_).enclose(kBits);
+    Enclosure value = cost_of(cap, directions_, i, ring, measure_).enclose(kBits);
     value *= measure_ == CostMeasure::Area ? Enclosure(Integer(2), kBits)
                                            : Enclosure(Integer(4), kBits) * Enclosure::pi(kBits);
     return {scale_by_power_of_two(value.low(), exponent),
@@ -117,7 +119,7 @@ class Auditor : public CostObserver, public Tally {
   const FastDual& dual_;
   std::size_t stride_;
   CostMeasure measure_;
-  std::vector<DualPoint> points_;
+  std::vector<IntegerVector3> directions_;
 };
 
 struct Audited {
