@@ -24,7 +24,7 @@ FloatBound checked_bound(const PointSet& points, CostMeasure measure = CostMeasu
   return *result.bound;
 }
 
-constexpr CostMeasure kMetrics[] = {CostMeasure::Area, CostMeasure::MeanWidth};
+constexpr CostMeasure kAreaAndWidth[] = {CostMeasure::Area, CostMeasure::MeanWidth};
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -98,7 +98,7 @@ TEST_CASE("FloatErrors: of bounds from before a removal only what lasts is left"
 }
 
 TEST_CASE("FloatBound: holds by area and by mean width on every family of shapes") {
-  for (const CostMeasure measure : kMetrics) {
+  for (const CostMeasure measure : kAreaAndWidth) {
     std::size_t vouched = 0;
     for (const shapes::Family& family : shapes::families()) {
       CAPTURE(family.name);
@@ -123,7 +123,7 @@ TEST_CASE("FloatBound: holds by area and by mean width where costs fall") {
 
 TEST_CASE("FloatBound: by area and by mean width on the shipped meshes") {
   for (const std::string& path : shipped_meshes()) {
-    for (const CostMeasure measure : kMetrics) {
+    for (const CostMeasure measure : kAreaAndWidth) {
       CAPTURE(path);
       CAPTURE(static_cast<int>(measure));
       const FloatBound bound = checked_bound(read_mesh(path).points, measure);
