@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The loops of the engines to 18 halfspaces; the hull and its dual are not timed. The filtered
-// engine's by each cost, without verification; and how the exact engine grows, on random spheres of
-// 500 to 8,000 halfspaces.
+// The loops of the engines to 18 halfspaces; the hull and its dual are not timed. Those by each
+// cost run without verification. On random spheres of 500 to 8,000 halfspaces: how the exact engine
+// grows.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
 #include "benches.hpp"
 #include "fast/filtered_engine.hpp"
+#include "fast/float_engine.hpp"
 #include "shapes/makers.hpp"
 #include "simplify/exact_engine.hpp"
 #include "simplify/trace_json.hpp"
@@ -50,7 +51,8 @@ void spheres(benchmark::State& state) {
   simplify(state, shapes::on_sphere(halfspaces / 2 + 2, halfspaces), VerifyLevel::Local);
 }
 
-void loop_by_cost(benchmark::State& state, const std::vector<Point>& points, CostMeasure cost) {
+void loop_by_cost(benchmark::State& state, const std::vector<Point>& points, CostMeasure cost,
+                  FastResult (*engine)(const FastDual&, const SimplifyOptions&)) {
   const PointSet set(points);
   const Hull hull = std::get<Hull>(convex_hull(set));
   const FastDual dual = FastDual::of(hull, set);
@@ -59,7 +61,7 @@ void loop_by_cost(benchmark::State& state, const std::vector<Point>& points, Cos
   options.verify = VerifyLevel::None;
   options.cost = cost;
   FastResult result;
-  for (auto _ : state) result = simplify_filtered(dual, options);
+  for (auto _ : state) result = engine(dual, options);
   const auto removals = static_cast<double>(result.steps.size());
   const double first = static_cast<double>(dual.size());
   state.counters["evaluations"] =
@@ -86,7 +88,13 @@ void register_loops_by_cost(const std::vector<BenchInput>& inputs) {
     if (!input.exact_too) continue;
     for (const auto& [cost, name] : kCostMeasureNames) {
       const std::string loop = input.name + "/by-" + name;
-      benchmark::RegisterBenchmark(loop.c_str(), loop_by_cost, input.points, cost)
+      const auto filtered = [](const FastDual& dual, const SimplifyOptions& options) {
+        return simplify_filtered(dual, options);
+      };
+      benchmark::RegisterBenchmark(loop.c_str(), loop_by_cost, input.points, cost, filtered)
+          ->Unit(benchmark::kMillisecond);
+      benchmark::RegisterBenchmark((loop + "-float").c_str(), loop_by_cost, input.points, cost,
+                                   simplify_float)
           ->Unit(benchmark::kMillisecond);
       constexpr std::size_t kMostPoints = 4000;  // seconds per run
       if (input.points.size() > kMostPoints) continue;
