@@ -34,7 +34,8 @@ extern "C" {
 typedef enum convexact_status {
   CONVEXACT_OK = 0,
   CONVEXACT_INVALID_ARGUMENT = 2, /* A null pointer, a count of 0, fewer than 4 planes wanted, a
-                                     face that is none, a tolerance that is none. */
+                                     face that is none, a tolerance that is none, a measure or
+                                     a number of bits that is none. */
   CONVEXACT_NOT_FINITE = 3,       /* A number is NaN or infinite. */
   CONVEXACT_NO_INTERIOR = 4,      /* Points lie in one plane where a solid is needed. */
   CONVEXACT_UNREPRESENTABLE = 5,  /* Doubles cannot hold the result; ask for fewer planes. */
@@ -132,6 +133,28 @@ typedef struct convexact_solid convexact_solid;
  * verified exactly. */
 CONVEXACT_API convexact_status convexact_simplify(const double* points, size_t point_count,
                                                   size_t plane_count, convexact_solid** result);
+
+/* What the solid gains least of. The values stay what they are; further ones may follow. */
+typedef enum convexact_cost {
+  CONVEXACT_COST_VOLUME = 0,
+  CONVEXACT_COST_AREA = 1,      /* Of the surface. */
+  CONVEXACT_COST_MEAN_WIDTH = 2 /* Of the distances of parallel planes around the solid. */
+} convexact_cost;
+
+/* The same, where each removal adds the least to the measure `cost`, a convexact_cost. Volumes and
+ * areas are compared exactly. Mean widths that enclosures of tie_bits bits do not tell apart, and no
+ * proof shows to be equal, count as equal: 128 to 1048576, 0 for 4096. Where several removals cost
+ * the same, the first in canonical order goes. */
+CONVEXACT_API convexact_status convexact_simplify_by(const double* points, size_t point_count,
+                                                     size_t plane_count, int cost, long tie_bits,
+                                                     convexact_solid** result);
+
+/* In how many steps several removals cost the same, or were not told apart. */
+CONVEXACT_API size_t convexact_solid_tie_count(const convexact_solid* result);
+/* Of how many of these it is not proven that the costs are equal; 0 unless by mean width. */
+CONVEXACT_API size_t convexact_solid_undecided_count(const convexact_solid* result);
+/* The most bits that did not tell such costs apart; 0 if there are none. */
+CONVEXACT_API long convexact_solid_undecided_bits(const convexact_solid* result);
 
 CONVEXACT_API size_t convexact_solid_plane_count(const convexact_solid* result);
 /* Plane i < plane count as doubles, rounded outward: all planes together are proven to be bounded

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <numeric>
 
 #include "capi/arrays.hpp"
 #include "capi/guarded.hpp"
@@ -8,19 +9,35 @@
 struct convexact_solid {
   std::vector<std::array<double, 4>> planes;
   std::vector<std::string> texts;  // before rounding
+  convexact::TieTally ties;
 };
 
 namespace convexact::capi {
 namespace {
 
-convexact_solid simplify_points(PointSet points, std::size_t plane_count) {
+CostMeasure measure_of(int cost) {
+  switch (cost) {
+    case CONVEXACT_COST_VOLUME:
+      return CostMeasure::Volume;
+    case CONVEXACT_COST_AREA:
+      return CostMeasure::Area;
+    case CONVEXACT_COST_MEAN_WIDTH:
+      return CostMeasure::MeanWidth;
+  }
+  throw Error(ErrorCode::InvalidArgument, "no such measure");
+}
+
+convexact_solid simplify_points(PointSet points, std::size_t plane_count, int cost = 0,
+                                long tie_bits = 0) {
   SimplifyRequest request;
   request.faces = plane_count;
+  request.cost = measure_of(cost);
+  if (tie_bits != 0) request.compare.bits = tie_bits;
   request.store.planes = Precision::Binary64;
   const SimplifyOutcome outcome = simplify(std::move(points), request);
   const auto* result = std::get_if<SimplifyResult>(&outcome);
   if (result == nullptr) throw Error(ErrorCode::NoInterior, "the points lie in one plane");
-  convexact_solid solid{result->solid.planes->planes, {}};
+  convexact_solid solid{result->solid.planes->planes, {}, result->ties};
   for (const Halfspace& plane : result->solid.exact.planes) solid.texts.push_back(to_text(plane));
   return solid;
 }
@@ -36,6 +53,20 @@ convexact_status convexact_simplify(const double* points, size_t point_count, si
                  [&] { return simplify_points(to_points(points, point_count), plane_count); });
 }
 
+convexact_status convexact_simplify_by(const double* points, size_t point_count, size_t plane_count,
+                                       int cost, long tie_bits, convexact_solid** result) {
+  return guarded(result, [&] {
+    return simplify_points(to_points(points, point_count), plane_count, cost, tie_bits);
+  });
+}
+
+size_t convexact_solid_tie_count(const convexact_solid* result) {
+  return std::accumulate(result->ties.steps.begin(), result->ties.steps.end(), std::size_t{0});
+}
+size_t convexact_solid_undecided_count(const convexact_solid* result) {
+  return result->ties.steps[static_cast<std::size_t>(convexact::TieProof::Undecided)];
+}
+long convexact_solid_undecided_bits(const convexact_solid* result) { return result->ties.bits; }
 size_t convexact_solid_plane_count(const convexact_solid* result) { return result->planes.size(); }
 void convexact_solid_plane(const convexact_solid* result, size_t i, double plane[4]) {
   std::copy_n(result->planes[i].begin(), 4, plane);

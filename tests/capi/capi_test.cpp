@@ -275,6 +275,76 @@ TEST_CASE("C interface: simplify encloses, in doubles and exactly") {
   CHECK(convexact_simplify(points.data(), 8, 6, nullptr) == CONVEXACT_INVALID_ARGUMENT);
 }
 
+namespace {
+
+// [0, 4]^3 without the corner of legs a, a, a at the origin, and without that of legs 15/4, 1/2 and
+// 1/2 at (4, 4, 4).
+Numbers twice_cut(double a) {
+  return {a, 0, 0, 0, a, 0, 0, 0, a, 4,    0, 0, 0, 4,   0, 4, 4, 0,
+          0, 0, 4, 4, 0, 4, 0, 4, 4, 0.25, 4, 4, 4, 3.5, 4, 4, 4, 3.5};
+}
+
+// Whether seven planes of it, by this cost, are without the one at the origin.
+bool fills_origin(double a, int cost) {
+  const Numbers points = twice_cut(a);
+  convexact_solid* solid = nullptr;
+  REQUIRE(convexact_simplify_by(points.data(), points.size() / 3, 7, cost, 0, &solid) ==
+          CONVEXACT_OK);
+  CHECK(convexact_solid_plane_count(solid) == 7);
+  CHECK(convexact_solid_tie_count(solid) == 0);
+  bool fills = true;
+  for (std::size_t i = 0; i < convexact_solid_plane_count(solid); ++i) {
+    double plane[4];
+    convexact_solid_plane(solid, i, plane);
+    if (plane[0] < 0 && plane[1] < 0 && plane[2] < 0) fills = false;
+  }
+  convexact_solid_free(solid);
+  return fills;
+}
+
+}  // namespace
+
+// A corner of legs p, q, r adds pqr / 6 to the volume and (pq + qr + rp - sqrt(ppqq + qqrr + rrpp))
+// / 2 to the area; 4 pi times what it adds to the mean width is (p + q + r) pi / 2 less, for each
+// edge of the cut, its length times the angle between the cut and the cube there. The long corner
+// adds 0.15625, 0.668 and 0.442; that at the origin 0.16667, 0.634 and 0.659 if a = 1, and 0.0703,
+// 0.357 and 0.494 if a = 3/4.
+TEST_CASE("C interface: the measure of the costs decides which planes stay") {
+  CHECK_FALSE(fills_origin(1, CONVEXACT_COST_VOLUME));
+  CHECK(fills_origin(1, CONVEXACT_COST_AREA));
+  CHECK_FALSE(fills_origin(1, CONVEXACT_COST_MEAN_WIDTH));
+  CHECK(fills_origin(0.75, CONVEXACT_COST_VOLUME));
+  CHECK(fills_origin(0.75, CONVEXACT_COST_AREA));
+  CHECK_FALSE(fills_origin(0.75, CONVEXACT_COST_MEAN_WIDTH));
+}
+
+// Two opposite corners of a cube, cut off alike: the first removal is one of two that cost the
+// same, the second is the other.
+TEST_CASE("C interface: ties are counted, and proven for each measure") {
+  const Numbers points = {1, 0, 0, 0, 1, 0, 0, 0, 1, 4, 0, 0, 0, 4, 0, 4, 4, 0,
+                          0, 0, 4, 4, 0, 4, 0, 4, 4, 3, 4, 4, 4, 3, 4, 4, 4, 3};
+  for (const int cost : {CONVEXACT_COST_VOLUME, CONVEXACT_COST_AREA, CONVEXACT_COST_MEAN_WIDTH}) {
+    CAPTURE(cost);
+    convexact_solid* solid = nullptr;
+    REQUIRE(convexact_simplify_by(points.data(), 12, 6, cost, 128, &solid) == CONVEXACT_OK);
+    CHECK(convexact_solid_plane_count(solid) == 6);
+    CHECK(convexact_solid_tie_count(solid) == 1);
+    CHECK(convexact_solid_undecided_count(solid) == 0);
+    CHECK(convexact_solid_undecided_bits(solid) == 0);
+    convexact_solid_free(solid);
+  }
+  convexact_solid* solid = nullptr;
+  for (const int cost : {-1, 3}) {
+    CHECK(convexact_simplify_by(points.data(), 12, 6, cost, 0, &solid) ==
+          CONVEXACT_INVALID_ARGUMENT);
+  }
+  for (const long bits : {-1L, 127L, 1048577L}) {
+    CHECK(convexact_simplify_by(points.data(), 12, 6, CONVEXACT_COST_MEAN_WIDTH, bits, &solid) ==
+          CONVEXACT_INVALID_ARGUMENT);
+    CHECK(solid == nullptr);
+  }
+}
+
 TEST_CASE("C interface: many threads at once come to the same verdicts") {
   std::vector<Verdict> verdicts(4);
   std::vector<std::thread> threads;

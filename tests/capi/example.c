@@ -3,7 +3,7 @@
  *
  *     cc example.c -lconvexact_c -o example && ./example
  *
- * encloses some points in few halfspaces, asks whether these enclose the points, and asks the same
+ * encloses some points in few halfspaces of little area, asks whether these enclose the points, and asks the same
  * of a box that does not; then it judges the faces of that box, and lets a quarter pass. */
 #include <convexact.h>
 #include <stdio.h>
@@ -37,11 +37,12 @@ static int report(const convexact_containment* verdict) {
 /* Six halfspaces around the points. */
 static int enclose(void) {
   convexact_solid* solid;
-  require(convexact_simplify(&points[0][0], point_count, 6, &solid));
+  require(convexact_simplify_by(&points[0][0], point_count, 6, CONVEXACT_COST_AREA, 0, &solid));
   const size_t plane_count = convexact_solid_plane_count(solid);
   double* planes = malloc(4 * plane_count * sizeof *planes);
   if (planes == NULL) exit(EXIT_FAILURE);
-  printf("%zu points in %zu halfspaces:\n", point_count, plane_count);
+  printf("%zu points in %zu halfspaces, by area, with %zu ties:\n", point_count, plane_count,
+         convexact_solid_tie_count(solid));
   for (size_t i = 0; i < plane_count; ++i) {
     double* plane = planes + 4 * i;
     convexact_solid_plane(solid, i, plane);
