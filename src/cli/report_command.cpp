@@ -12,6 +12,7 @@
 #include "convexact/scene.hpp"
 #include "io/json.hpp"
 #include "report/report.hpp"
+#include "simplify/trace_json.hpp"
 
 namespace convexact::cli {
 
@@ -26,6 +27,7 @@ constexpr const char* kReportFooter =
     "Examples:\n"
     "  convexact report bunny.obj fandisk.obj -o out\n"
     "  convexact report bunny.obj --sections precision,tightness --repetitions 9\n"
+    "  convexact report bunny.obj --sections tightness --cost area\n"
     "  convexact report --sections stability --family needle --family slab\n"
     "\n"
     "Writes report.html, which opens without a network, and the same numbers as report.json\n"
@@ -138,6 +140,9 @@ void add_report_command(CLI::App& program, int& exit_code) {
   command.add_option("--sections", options->sections, "what to measure")->capture_default_str();
   ReportRequest& request = options->request;
   add_faces(command, request.faces, "halfspaces at which runs end, at least 4");
+  add_choice(command, "--cost", request.cost, kCostMeasureNames,
+             "what the runs of the section tightness gain least of, and what it shows; the other "
+             "sections are by volume");
   add_count(command, "--repetitions", request.effort.repetitions, {1, 1000},
             "repetitions of every timed run");
   add_seconds(command, "--budget", request.effort.budget,

@@ -54,7 +54,7 @@ std::variant<InputReport, NotSolid> measure_input(const std::string& name, const
     report.precision = measure_work_precision(solid, request.faces, {}, effort);
   }
   if (request.sections.tightness) {
-    report.tightness = measure_tightness_curve(solid, request.faces, effort);
+    report.tightness = measure_tightness_curve(solid, request.faces, effort, request.cost);
   }
   if (request.sections.stages) {
     report.stages = measure_stage_times(shape, request.faces, effort);

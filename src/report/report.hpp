@@ -25,6 +25,8 @@ struct ReportSections {
 
 struct ReportRequest {
   std::size_t faces = 4;  ///< Halfspaces at which runs end, >= 4.
+  /// Of the tightness: the measure that its runs keep small, and whose growth it shows.
+  CostMeasure cost = CostMeasure::Volume;
   ReportSections sections;
   std::vector<std::string> families;  ///< Of the stability; empty: all breakdown_families().
   Effort effort;

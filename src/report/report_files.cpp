@@ -2,6 +2,7 @@
 // A report as JSON, as rows of numbers and as a page.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -73,7 +74,8 @@ Json tightness_json(const TightnessCurve& curve) {
                       {"hausdorff", number_or_null(point.hausdorff)},
                       {"seconds", spread_json(point.seconds)}});
   }
-  return {{"halfspaces", curve.halfspaces}, {"points", points}};
+  return {
+      {"halfspaces", curve.halfspaces}, {"measure", name_of(curve.measure)}, {"points", points}};
 }
 
 Json runs_json(const std::vector<RunTimes>& runs) {
@@ -116,6 +118,9 @@ class Commands {
  public:
   explicit Commands(const ReportRequest& request)
       : faces_(request.faces),
+        cost_(request.cost == CostMeasure::Volume
+                  ? std::string()
+                  : fmt::format(" --cost {}", name_of(request.cost))),
         options_(fmt::format("--faces {} --repetitions {} --budget {} --seed {}", request.faces,
                              request.effort.repetitions, request.effort.budget,
                              request.effort.seed)) {}
@@ -134,14 +139,16 @@ class Commands {
     return fmt::format("convexact generate {} --{} VALUE -o shape.obj", family.family,
                        family.parameter);
   }
-  static std::string tightness(const std::string& input) {
-    return fmt::format(
-        "convexact simplify {0} --faces K -o proxy.json; convexact verify {0} proxy.json --json",
-        input);
+  std::vector<std::string> tightness(const std::string& input) const {
+    return {section(input, "tightness") + cost_,
+            fmt::format("convexact simplify {0} --faces K{1} -o proxy.json; convexact verify {0} "
+                        "proxy.json --json",
+                        input, cost_)};
   }
 
  private:
   std::size_t faces_;
+  std::string cost_;  // as an option, unless it is the default
   std::string options_;
 };
 
@@ -165,8 +172,7 @@ Json input_json(const InputReport& input, const Commands& commands) {
         figure(precision_json(*input.precision), {commands.section(name, "precision")});
   }
   if (input.tightness) {
-    json["tightness"] = figure(tightness_json(*input.tightness),
-                               {commands.section(name, "tightness"), Commands::tightness(name)});
+    json["tightness"] = figure(tightness_json(*input.tightness), commands.tightness(name));
   }
   if (!input.stages.empty()) {
     json["stages"] = figure({{"runs", runs_json(input.stages)}},
@@ -217,8 +223,6 @@ constexpr Quantity kErrors[] = {{"/left", "left", "1"},
                                 {"/first_other", "first other step", "1"},
                                 {"/first_wrong/step", "first wrong step", "1"},
                                 {"/excess", "excess volume", "relative"}};
-constexpr Quantity kTightness[] = {{"/growth", "growth of volume", "relative"},
-                                   {"/hausdorff", "Hausdorff distance", "diameters"}};
 constexpr Quantity kLaw[] = {{"/exponent", "exponent", "1"},
                              {"/standard_error", "standard error of the exponent", "1"}};
 
@@ -282,9 +286,13 @@ void add_input_rows(std::string& csv, const Json& input) {
   if (input.contains("precision")) Rows(csv, "precision", name).add_ways("", input["precision"]);
   if (input.contains("tightness")) {
     Rows rows(csv, "tightness", name);
+    std::string growth = "growth of " + input["tightness"].at("measure").get<std::string>();
+    std::replace(growth.begin(), growth.end(), '-', ' ');
+    const Quantity tightness[] = {{"/growth", growth.c_str(), "relative"},
+                                  {"/hausdorff", "Hausdorff distance", "diameters"}};
     for (const Json& point : input["tightness"].at("points")) {
       const std::string faces = point.at("faces").dump() + " faces";
-      rows.add(faces, "filtered", point, kTightness);
+      rows.add(faces, "filtered", point, tightness);
       rows.add(faces, "filtered", point, kSeconds);
     }
   }
@@ -320,6 +328,7 @@ nlohmann::ordered_json report_json(const ReportData& report, const ReportRequest
                  {"memory", origin.machine.memory}}},
                {"request",
                 {{"faces", request.faces},
+                 {"cost", name_of(request.cost)},
                  {"repetitions", request.effort.repetitions},
                  {"budget", request.effort.budget},
                  {"seed", request.effort.seed}}},

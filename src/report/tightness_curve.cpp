@@ -40,11 +40,12 @@ class Arrivals {
   Stopwatch watch_;
 };
 
-void time_progressive_runs(const FastDual& dual, std::size_t least, Arrivals& arrivals,
-                           const Effort& effort) {
+void time_progressive_runs(const FastDual& dual, std::size_t least, CostMeasure measure,
+                           Arrivals& arrivals, const Effort& effort) {
   (void)time_repeatedly(effort, [&](Deadline& deadline) {
     SimplifyOptions options;
     options.faces = least;
+    options.cost = measure;
     options.seed = effort.seed;
     deadline.apply_to(options);
     const auto check = options.progress;
@@ -58,8 +59,20 @@ void time_progressive_runs(const FastDual& dual, std::size_t least, Arrivals& ar
   });
 }
 
-double growth_of(const Enclosure& volume, const Enclosure& before) {
-  const Enclosure growth = (volume - before) / before;
+Enclosure measure_of_left(const Polytope& left, CostMeasure measure) {
+  switch (measure) {
+    case CostMeasure::Volume:
+      return enclose_volume(left, kMeasureBits);
+    case CostMeasure::Area:
+      return surface_area(left, kMeasureBits);
+    case CostMeasure::MeanWidth:
+      break;
+  }
+  return mean_width(left, kMeasureBits);
+}
+
+double growth_of(const Enclosure& after, const Enclosure& before) {
+  const Enclosure growth = (after - before) / before;
   return to_double(Rational((growth.low() + growth.high()) / 2), Rounding::Nearest);
 }
 
@@ -79,19 +92,19 @@ std::vector<std::size_t> spaced_by_ratio(std::size_t least, std::size_t most, st
   return list;
 }
 
-TightnessCurve measure_tightness_curve(const Solid& solid, std::size_t least,
-                                       const Effort& effort) {
+TightnessCurve measure_tightness_curve(const Solid& solid, std::size_t least, const Effort& effort,
+                                       CostMeasure measure) {
   const DualHull& dual_hull = solid.dual;
   const FastDual dual = FastDual::of(dual_hull, interior_point_of(solid));
   const std::vector<std::size_t> faces =
       spaced_by_ratio(std::min(least, dual.size()), dual.size(), kPoints);
   if (effort.progress) effort.progress("tightness: progressive runs");
   Arrivals arrivals(faces);
-  time_progressive_runs(dual, least, arrivals, effort);
+  time_progressive_runs(dual, least, measure, arrivals, effort);
 
-  TightnessCurve curve{dual.size(), {}};
+  TightnessCurve curve{dual.size(), measure, {}};
   const Rational squared_diameter = bounding_box(dual_hull.vertices).squared_diameter();
-  const Enclosure whole = enclose_volume(solid.polytope, kMeasureBits);
+  const Enclosure whole = measure_of_left(solid.polytope, measure);
   const Deadline deadline(effort);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const std::optional<Spread> seconds = arrivals.of(i);
@@ -100,12 +113,13 @@ TightnessCurve measure_tightness_curve(const Solid& solid, std::size_t least,
       effort.progress("tightness at " + std::to_string(faces[i]) + " halfspaces");
     SimplifyOptions options;
     options.faces = faces[i];
+    options.cost = measure;
     options.verify = VerifyLevel::None;
     options.stop = effort.stop;
     const FastResult result = simplify_filtered(dual, options);
     const Polytope left = to_polytope(dual_hull.halfspaces, result.triangles);
     TightnessPoint point{.faces = faces[i],
-                         .growth = growth_of(enclose_volume(left, kMeasureBits), whole),
+                         .growth = growth_of(measure_of_left(left, measure), whole),
                          .hausdorff = {},
                          .seconds = *seconds};
     if (!deadline.has_passed()) {

@@ -13,7 +13,8 @@ namespace convexact {
 /// The solid of k halfspaces after the greedy removals.
 struct TightnessPoint {
   std::size_t faces = 0;
-  double growth = 0;  ///< Volume over that of the solid, minus 1; the nearest double, about.
+  /// The measure of the curve over that of the solid, minus 1; the nearest double, about.
+  double growth = 0;
   /// Hausdorff distance to the solid, over the diameter of its box: the nearest double. None where
   /// the effort's budget was spent before.
   std::optional<double> hausdorff;
@@ -22,8 +23,9 @@ struct TightnessPoint {
 };
 
 struct TightnessCurve {
-  std::size_t halfspaces = 0;          ///< Of the solid.
-  std::vector<TightnessPoint> points;  ///< Ascending by `faces`, from `least` to all.
+  std::size_t halfspaces = 0;                 ///< Of the solid.
+  CostMeasure measure = CostMeasure::Volume;  ///< That each removal adds the least to.
+  std::vector<TightnessPoint> points;         ///< Ascending by `faces`, from `least` to all.
 };
 
 /// About `count` numbers from `most` down to `least`, evenly spaced by their logarithms; both ends
@@ -33,8 +35,9 @@ struct TightnessCurve {
 
 /// The filtered engine's removals, which are the exact engine's, down to `least` >= 4 halfspaces or
 /// where they end.
-/// @par Cost  The timed runs; for each point a further run, a volume and a Hausdorff distance.
+/// @par Cost  The timed runs; for each point a further run, a measure and a Hausdorff distance.
 [[nodiscard]] TightnessCurve measure_tightness_curve(const Solid& solid, std::size_t least,
-                                                     const Effort& effort);
+                                                     const Effort& effort,
+                                                     CostMeasure measure = CostMeasure::Volume);
 
 }  // namespace convexact

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -148,6 +149,23 @@ TEST_CASE("tightness curve: the octahedron ends as a tetrahedron of twice its vo
   CHECK(curve.points.front().growth == doctest::Approx(1));
   // Its corner (1, 1, 1) is 2 / sqrt(3) from the facet; the box has the diameter 2 sqrt(3).
   CHECK(curve.points.front().hausdorff.value() == doctest::Approx(1.0 / 3));
+}
+
+// With 8 faces that touch one ball the area is proportional to the volume, so it doubles as well.
+// The mean width is that of 12 edges of length sqrt(2) and exterior angle a = acos(1/3), then of 6
+// edges of length 2 sqrt(2) and exterior angle pi - a.
+TEST_CASE("tightness curve: the octahedron's area doubles, its mean width grows by (pi - a) / a") {
+  const Solid solid = solid_of(PointSet(shapes::octahedron()));
+  const double angle = std::acos(1.0 / 3);
+  for (const CostMeasure measure : {CostMeasure::Area, CostMeasure::MeanWidth}) {
+    const TightnessCurve curve = measure_tightness_curve(solid, 4, little(), measure);
+    CHECK(curve.measure == measure);
+    REQUIRE(curve.points.front().faces == 4);
+    CHECK(
+        curve.points.front().growth ==
+        doctest::Approx(measure == CostMeasure::Area ? 1 : (std::acos(-1.0) - angle) / angle - 1));
+    CHECK(curve.points.back().growth == 0);
+  }
 }
 
 TEST_CASE("stage times: everything runs every stage, the planned run leaves stages out") {

@@ -245,19 +245,20 @@ function orderSummary(input) {
 
 function tightnessFigures(parent, input, base) {
   const {points, commands} = input.tightness;
+  const measure = input.tightness.measure.replace("-", " "), growth = `growth of ${measure}`;
   const p = `${base}/tightness/points`;
-  const tables = () => [table("Tightness of k halfspaces", ["k", "growth of volume", "Hausdorff distance / diameter", ...spreadHeads],
+  const tables = () => [table("Tightness of k halfspaces", ["k", growth, "Hausdorff distance / diameter", ...spreadHeads],
     points.map((point, i) => [point.faces, numberCell(`${p}/${i}/growth`), numberCell(`${p}/${i}/hausdorff`), ...spreadCells(`${p}/${i}/seconds`)]))];
   const mark = (i, x, y, more = {}) => y > 0 && x > 0 ? [{x, y, point: points[i], ...more}] : [];
   const lines = point => [`k = ${point.faces}`, `growth ${text(point.growth)}`, `Hausdorff ${text(point.hausdorff)} diameters`, spread(point.seconds)];
   figure(parent, {
     title: `Tightness against the number of halfspaces: ${input.name}`, short: "Tightness against the number of halfspaces",
-    how: "Lower is tighter: the volume that k halfspaces add, and how far out they reach; both are 0 with all planes.",
+    how: `Lower is tighter: the ${measure} that k halfspaces add, and how far out they reach; both are 0 with all planes.`,
     made: commands, tables: tables(),
     configure: () => ({
       type: "scatter",
       data: {datasets: [
-        series("growth of volume", 0, points.flatMap((point, i) => mark(i, point.faces, point.growth, {pointer: `${p}/${i}/growth`})), {showLine: true}),
+        series(growth, 0, points.flatMap((point, i) => mark(i, point.faces, point.growth, {pointer: `${p}/${i}/growth`})), {showLine: true}),
         series("Hausdorff distance / diameter", 1, points.flatMap((point, i) => mark(i, point.faces, point.hausdorff, {pointer: `${p}/${i}/hausdorff`})), {showLine: true})]},
       options: options({x: axis("halfspaces k", {ticks: {callback: countTick}}), y: axis("relative to the input")}, m => lines(m.point))
     })
@@ -268,9 +269,9 @@ function tightnessFigures(parent, input, base) {
     made: commands, tables: tables(),
     configure: () => ({
       type: "scatter",
-      data: {datasets: [series("growth of volume", 0, points.flatMap((point, i) => mark(i, point.seconds.median, point.growth,
+      data: {datasets: [series(growth, 0, points.flatMap((point, i) => mark(i, point.seconds.median, point.growth,
         {name: String(point.faces), spread: {axis: "x", ...point.seconds}, pointer: `${p}/${i}/growth`})), {named: true, showLine: true})]},
-      options: options({x: axis("time since the dual hull was complete", {type: "linear", min: 0, max: 1.02 * Math.max(...points.map(point => point.seconds.most)), ticks: {callback: x => x === 0 ? "0" : seconds(x), maxTicksLimit: 6}}), y: axis("growth of volume")}, m => lines(m.point))
+      options: options({x: axis("time since the dual hull was complete", {type: "linear", min: 0, max: 1.02 * Math.max(...points.map(point => point.seconds.most)), ticks: {callback: x => x === 0 ? "0" : seconds(x), maxTicksLimit: 6}}), y: axis(growth)}, m => lines(m.point))
     })
   });
 }
