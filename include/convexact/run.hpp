@@ -74,6 +74,9 @@ struct Run {
   std::vector<Halfspace> halfspaces;  ///< In canonical order, no redundant ones; ids are positions.
   std::vector<Step> steps;
   StopReason stop = StopReason::Reached;
+  /// Where neither a proof nor enclosures of so many bits told whether the next step stays within
+  /// the growth limit, so that it was not made. 0 if that was decided.
+  long growth_bits = 0;
   CostMeasure measure = CostMeasure::Volume;  ///< Of the costs.
   /// Whether each removal is claimed to be the cheapest of its time; then each has its tie list.
   bool is_greedy = true;
@@ -115,9 +118,11 @@ struct SimplifyOptions {
   CostMeasure cost = CostMeasure::Volume;
   /// Of comparisons of mean widths.
   CompareLimits compare = {};
-  /// Stop before that measure exceeds (1 + max_growth) times the input's; >= 0. Where a comparison
-  /// of mean widths is undecided, it counts as exceeding.
+  /// Stop before the measure growth_measure() exceeds (1 + max_growth) times the input's; >= 0.
+  /// Where a comparison of mean widths is undecided, it counts as exceeding.
   std::optional<Rational> max_growth = {};
+  /// The measure that max_growth limits; unset: `cost`. The float engine takes no other one.
+  std::optional<CostMeasure> growth_of = {};
   /// Of the random choices; the removals and their costs do not depend on it.
   std::uint64_t seed = 1;
   VerifyLevel verify = VerifyLevel::Local;
@@ -127,6 +132,8 @@ struct SimplifyOptions {
   std::function<void(std::size_t left)> progress = {};
   /// When it becomes true, the run ends with Error(Stopped). May be set by a signal handler.
   const std::atomic<bool>* stop = nullptr;
+
+  CostMeasure growth_measure() const { return growth_of.value_or(cost); }
 };
 
 /// How far a run of the float engine can be from one in exact numbers. Proven, but for `doubtful`

@@ -32,8 +32,11 @@ enum class Engine {
 
 /// A request. At least one of `faces` and `max_growth` must be given.
 struct SimplifyRequest {
-  std::optional<std::size_t> faces;    ///< Halfspaces to keep, >= 4.
-  std::optional<Rational> max_growth;  ///< `cost` may grow to (1 + max_growth) times; >= 0.
+  std::optional<std::size_t> faces;  ///< Halfspaces to keep, >= 4.
+  /// The measure `growth_of` may grow to (1 + max_growth) times; >= 0.
+  std::optional<Rational> max_growth;
+  /// Unset: `cost`. Only with max_growth, and not another one than `cost` for the float engine.
+  std::optional<CostMeasure> growth_of;
   /// The measure that is kept small.
   CostMeasure cost = CostMeasure::Volume;
   CompareLimits compare = {};  ///< Of mean widths.
@@ -70,6 +73,11 @@ struct SimplifyResult {
   CostMeasure cost = CostMeasure::Volume;
   /// By area or mean width: the measure of the input's hull and of the result.
   std::optional<std::array<Enclosure, 2>> measure;
+  /// The measure whose growth was limited, if it was; and, unless it is the volume or `cost`, that
+  /// measure of the input's hull and of the result.
+  std::optional<CostMeasure> growth_of;
+  std::optional<std::array<Enclosure, 2>> limited;
+  long growth_bits = 0;           ///< As in Run.
   TieTally ties;                  ///< Of the exact and the filtered engine.
   std::size_t tested_points = 0;  ///< Points tested directly against every survivor.
   Engine engine = Engine::Filtered;

@@ -15,6 +15,7 @@ constexpr const char* kSimplifyFooter =
     "Examples:\n"
     "  convexact simplify bunny.obj --faces 18 -o proxy.obj --picture proxy.html\n"
     "  convexact simplify bunny.obj --max-growth 5% -o planes.json --precision 64\n"
+    "  convexact simplify bunny.obj --max-growth 5% --growth-of area -o proxy.obj\n"
     "  convexact simplify bunny.obj --faces 18 --cost area -o fewer-ray-hits.obj\n"
     "  convexact simplify bunny.obj --faces 18 --cost mean-width --tie-bits 8192\n"
     "  convexact simplify room.obj --parts --faces 12 -o proxies.obj\n"
@@ -30,6 +31,7 @@ struct SimplifyArguments {
   OutputOptions output;
   std::size_t faces = 0;
   std::string max_growth;
+  std::optional<CostMeasure> growth_of;
   CostMeasure cost = CostMeasure::Volume;
   long tie_bits = CompareLimits{}.bits;
   std::string center = "chebyshev";
@@ -58,6 +60,13 @@ SimplifyRequest request_of(const SimplifyArguments& options) {
   if (options.faces != 0) request.faces = options.faces;
   if (!options.max_growth.empty())
     request.max_growth = parse_share("--max-growth", options.max_growth);
+  if (options.growth_of) {
+    if (!request.max_growth) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "--growth-of says what --max-growth limits: give --max-growth as well");
+    }
+    request.growth_of = options.growth_of;
+  }
   request.cost = options.cost;
   request.compare.bits = options.tie_bits;
   request.engine = options.engine;
@@ -113,6 +122,8 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
   add_faces(command, options->faces, "how many halfspaces to keep, at least 4");
   command.add_option("--max-growth", options->max_growth,
                      "stop before what --cost names grows by more, e.g. 5% or 0.05");
+  add_choice(command, "--growth-of", options->growth_of, kCostMeasureNames,
+             "what --max-growth limits, if not what --cost names");
   add_choice(command, "--cost", options->cost, kCostMeasureNames,
              "what the solid shall gain least of: for fewer false hits of points, of rays, or of "
              "planes");

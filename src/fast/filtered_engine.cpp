@@ -38,6 +38,7 @@ Run run_of(const FastResult& result, std::vector<Halfspace> halfspaces) {
   Run run;
   run.halfspaces = std::move(halfspaces);
   run.stop = result.stop;
+  run.growth_bits = result.growth_bits;
   run.is_greedy = !result.bound;
   std::size_t left = run.halfspaces.size();
   for (const FastStep& fast : result.steps) {
@@ -58,6 +59,7 @@ Run simplify_filtered(const DualHull& dual_hull, const RationalPoint& center,
   FastResult result =
       FilteredLoop(dual, options, options.keep_evaluations ? &recorder : nullptr).run(&run.steps);
   run.stop = result.stop;
+  run.growth_bits = result.growth_bits;
   run.triangles = std::move(result.triangles);
   return run;
 }

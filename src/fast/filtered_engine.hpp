@@ -40,6 +40,7 @@ struct FastResult {
   std::vector<HalfspaceId> survivors;   ///< Ascending.
   std::vector<DualTriangle> triangles;  ///< Their dual hull.
   StopReason stop = StopReason::Reached;
+  long growth_bits = 0;  ///< As in Run.
   FastCounts counts;
   TieTally ties;
   std::optional<FloatBound> bound;  ///< Of the float engine.

@@ -15,12 +15,13 @@ GrowthBudget::GrowthBudget(const FastDual& dual, const SimplifyOptions& options)
   const Rational& share = *options_.max_growth;
   if (share < 0) throw Error(ErrorCode::InvalidArgument, "a growth limit is not negative");
   Interval<double> measure{};
-  if (options_.cost == CostMeasure::Volume) {
+  const CostMeasure limited = options_.growth_measure();
+  if (limited == CostMeasure::Volume) {
     const CostBounds<double> six_times = six_times_volume(dual);
     measure = {next_below(six_times.lower / 6), next_above(six_times.upper / 6)};
   } else {
-    measure = scaled_enclosure(exact_measure(dual, dual.triangles(), options_.cost),
-                               dual.cost_exponent(options_.cost));
+    measure = scaled_enclosure(exact_measure(dual, dual.triangles(), limited),
+                               dual.cost_exponent(limited));
   }
   limit_ = {std::max(0.0, next_below(measure.lower * to_double(share, Rounding::Down))),
             next_above(measure.upper * to_double(share, Rounding::Up))};
@@ -36,13 +37,14 @@ std::optional<bool> GrowthBudget::allows(const Interval<double>& cost) const {
 
 bool GrowthBudget::allows_exactly(Cost before, const Cost& cost) {
   if (!exact_limit_) {
-    exact_limit_ = exact_measure(dual_, dual_.triangles(), options_.cost);
+    exact_limit_ = exact_measure(dual_, dual_.triangles(), options_.growth_measure());
     *exact_limit_ *= Rational(1 + *options_.max_growth);
   }
   const std::array<Cost, 2> parts{std::move(before), cost};
-  const Order order =
-      compare(sum_of(parts), *exact_limit_, options_.compare, Watch(options_.stop)).order;
-  return order == Order::Less || order == Order::Equal;
+  const Ordering ordering =
+      compare(sum_of(parts), *exact_limit_, options_.compare, Watch(options_.stop));
+  undecided_bits_ = ordering.order == Order::Undecided ? ordering.bits : 0;
+  return ordering.order == Order::Less || ordering.order == Order::Equal;
 }
 
 FilteredLoop::FilteredLoop(const FastDual& dual, const SimplifyOptions& options,
@@ -59,6 +61,9 @@ FilteredLoop::FilteredLoop(const FastDual& dual, const SimplifyOptions& options,
       check_(dual),
       left_(dual.size()) {
   if (options.faces < 4) throw Error(ErrorCode::InvalidArgument, "a solid has at least 4 faces");
+  if (options.max_growth && options.growth_measure() != options.cost) {
+    limited_cap_.emplace(dual, mesh_, options.growth_measure(), options.seed);
+  }
 }
 
 FastResult FilteredLoop::run(std::vector<Step>* steps) {
@@ -76,6 +81,7 @@ FastResult FilteredLoop::run(std::vector<Step>* steps) {
     const FastStep step = describe(*choice);
     if (!is_within(growth, step)) {
       result.stop = StopReason::GrowthLimit;
+      result.growth_bits = growth.undecided_bits();
       break;
     }
     result.steps.push_back(step);
@@ -215,13 +221,29 @@ FastStep FilteredLoop::describe(HalfspaceId i) const {
           next_above(upper_[i.index()] / multiple.lower)};
 }
 
+// What the step adds to the measure whose growth is limited.
+Interval<double> FilteredLoop::added_by(const FastStep& step) {
+  if (!limited_cap_) return {step.cost_lower, step.cost_upper};
+  limited_cap_->invalidate();  // the mesh has changed
+  limited_cap_->prepare(step.removed);
+  const CostBounds<double> bounds = limited_cap_->in_doubles();
+  if (bounds.kind == Boundedness::Doubtful) {
+    return scaled_enclosure(limited_cap_->exactly(),
+                            dual_.cost_exponent(options_.growth_measure()));
+  }
+  const Interval<double> multiple = cost_multiple(options_.growth_measure());
+  return {next_below(bounds.lower / multiple.upper), next_above(bounds.upper / multiple.lower)};
+}
+
 // If so, the step counts from now on.
 bool FilteredLoop::is_within(GrowthBudget& growth, const FastStep& step) {
-  const Interval<double> cost{step.cost_lower, step.cost_upper};
+  if (!options_.max_growth) return true;
+  const Interval<double> cost = added_by(step);
   std::optional<bool> allowed = growth.allows(cost);
   if (!allowed) {
-    allowed = growth.allows_exactly(exact_measure(dual_, mesh_.triangles(), options_.cost),
-                                    ties_.exact_cost(step.removed));
+    allowed = growth.allows_exactly(
+        exact_measure(dual_, mesh_.triangles(), options_.growth_measure()),
+        limited_cap_ ? limited_cap_->exactly() : ties_.exact_cost(step.removed));
   }
   if (*allowed) growth.add(cost);
   return *allowed;

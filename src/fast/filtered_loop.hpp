@@ -15,19 +15,22 @@
 
 namespace convexact {
 
-/// The growth that max_growth still allows: the sum of costs stays within that share of the initial
-/// measure. Enclosures decide, and where they overlap the exact measures.
+/// The growth that max_growth still allows: what the steps add to growth_measure() stays within
+/// that share of its initial value. Enclosures decide, and where they overlap the exact measures.
 class GrowthBudget {
  public:
   /// @param options  Without max_growth everything is allowed, and no measure is computed.
   /// @throws Error   InvalidArgument if max_growth is negative.
   GrowthBudget(const FastDual& dual, const SimplifyOptions& options);
 
-  /// Whether a step of this cost, in units of 2^dual.cost_exponent(), may follow those that were
-  /// added; none if the enclosures overlap, so that exact measures have to decide.
+  /// Whether a step of this cost, in that measure and in units of 2^dual.cost_exponent() of it, may
+  /// follow those that were added; none if the enclosures overlap, so that exact measures have to
+  /// decide.
   [[nodiscard]] std::optional<bool> allows(const Interval<double>& cost) const;
   /// The same by the exact measure before the step and its exact cost.
   [[nodiscard]] bool allows_exactly(Cost before, const Cost& cost);
+  /// If that was undecided: the bits of its enclosures; else 0.
+  long undecided_bits() const { return undecided_bits_; }
   void add(const Interval<double>& cost) { grown_ = grown_with(cost); }
 
  private:
@@ -37,8 +40,9 @@ class GrowthBudget {
 
   const FastDual& dual_;
   const SimplifyOptions& options_;
-  Interval<double> limit_{0, 0};     // max_growth times the initial measure
-  Interval<double> grown_{0, 0};     // the costs so far
+  Interval<double> limit_{0, 0};  // max_growth times the initial measure
+  Interval<double> grown_{0, 0};  // the costs so far
+  long undecided_bits_ = 0;
   std::optional<Cost> exact_limit_;  // (1 + max_growth) times that measure
 };
 
@@ -89,6 +93,7 @@ class FilteredLoop {
   FastStep describe(HalfspaceId i) const;
   Step record(HalfspaceId i);
   bool is_within(GrowthBudget& growth, const FastStep& step);
+  Interval<double> added_by(const FastStep& step);
   void verify(HalfspaceId i);
   void list_new_triangles();
 
@@ -97,6 +102,7 @@ class FilteredLoop {
   HalfEdgeMesh mesh_;
   FastCounts counts_;
   FilteredCap cap_;
+  std::optional<FilteredCap> limited_cap_;  // if the growth of another measure is limited
   TieBreaker ties_;
   KeyedQueue<double> queue_;
   std::vector<double> upper_;

@@ -181,6 +181,10 @@ FloatLoop<Arithmetic>::FloatLoop(const FastDual& dual, const Arithmetic& arithme
   if (options.max_growth && *options.max_growth < 0) {
     throw Error(ErrorCode::InvalidArgument, "a growth limit is not negative");
   }
+  if (options.max_growth && options.growth_measure() != options.cost) {
+    throw Error(ErrorCode::InvalidArgument,
+                "the float engine limits the growth of the measure of its costs only");
+  }
 }
 
 template <class Arithmetic>

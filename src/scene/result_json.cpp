@@ -110,6 +110,17 @@ Json ties_json(const TieTally& ties) {
   return json;
 }
 
+const char* measure_key(CostMeasure measure) {
+  return measure == CostMeasure::Area ? "area" : "mean_width";
+}
+
+Json growth_json(const std::array<Enclosure, 2>& measure) {
+  const auto& [before, after] = measure;
+  return {{"input", measured_json({before, {}}, kDigits)},
+          {"output", measured_json({after, {}}, kDigits)},
+          {"ratio", (after / before).high_double()}};
+}
+
 Json float_bound_json(const FloatBound& bound) {
   return {
       {"vouched", bound.is_vouched()}, {"cost", bound.cost}, {"regret", bound.regret},
@@ -133,13 +144,10 @@ Json result_json(const SimplifyResult& result) {
                     {"output", measured_json(result.output_volume, kDigits)},
                     {"ratio", ratio.high_double()}};
   json["cost"] = name_of(result.cost);
-  if (result.measure) {
-    const auto& [before, after] = *result.measure;
-    json[result.cost == CostMeasure::Area ? "area" : "mean_width"] = {
-        {"input", measured_json({before, {}}, kDigits)},
-        {"output", measured_json({after, {}}, kDigits)},
-        {"ratio", (after / before).high_double()}};
-  }
+  if (result.measure) json[measure_key(result.cost)] = growth_json(*result.measure);
+  if (result.growth_of) json["growth_of"] = name_of(*result.growth_of);
+  if (result.limited) json[measure_key(*result.growth_of)] = growth_json(*result.limited);
+  if (result.growth_bits > 0) json["growth_undecided_bits"] = result.growth_bits;
   if (!result.float_bound) json["ties"] = ties_json(result.ties);
   json["engine"] = name_of(result.engine);
   if (result.float_bound) json["float_bound"] = float_bound_json(*result.float_bound);

@@ -28,7 +28,11 @@ constexpr long kLeastTieBits = 128, kMostTieBits = 1L << 20;
 
 void require_sensible(const SimplifyRequest& request) {
   if (!request.faces && !request.max_growth) {
-    throw Error(ErrorCode::InvalidArgument, "give a number of faces, a growth of volume, or both");
+    throw Error(ErrorCode::InvalidArgument, "give a number of faces, a growth limit, or both");
+  }
+  if (request.growth_of && !request.max_growth) {
+    throw Error(ErrorCode::InvalidArgument,
+                "a measure whose growth is limited needs a limit: give the growth as well");
   }
   if (request.faces && *request.faces < 4) {
     throw Error(ErrorCode::InvalidArgument, "no bounded solid has fewer than 4 faces");
@@ -45,12 +49,18 @@ void require_sensible(const SimplifyRequest& request) {
     throw Error(ErrorCode::InvalidArgument,
                 "the float engine keeps no record of its steps: no trace, no full verification");
   }
+  if (request.engine == Engine::Float && request.growth_of.value_or(request.cost) != request.cost) {
+    throw Error(ErrorCode::InvalidArgument,
+                "the float engine limits the growth of the measure of its costs only; the filtered "
+                "engine limits any");
+  }
 }
 
 SimplifyOptions options_of(const SimplifyRequest& request, std::size_t at_start) {
   SimplifyOptions options;
   options.faces = request.faces.value_or(4);
   options.max_growth = request.max_growth;
+  options.growth_of = request.growth_of;
   options.cost = request.cost;
   options.compare = request.compare;
   options.seed = request.seed;
@@ -76,6 +86,7 @@ struct End {
   std::optional<FloatBound> bound;
   long cost_exponent = 0;  // of costs in `bound`
   TieTally ties = {};
+  long growth_bits = 0;
 };
 
 // What the result is measured against.
@@ -86,6 +97,7 @@ struct Reference {
   std::vector<std::size_t> redundant;
   Measured volume;
   std::optional<Enclosure> measure = {};  // that the run keeps small, unless it is the volume
+  std::optional<Enclosure> limited = {};  // whose growth is limited, unless it is one of those
 };
 
 RationalPoint chebyshev_stage(const std::vector<Halfspace>& halfspaces, std::uint64_t seed,
@@ -151,7 +163,7 @@ End run_lean(const FastDual& dual, const SimplifyRequest& request, StageLog& log
           result.stop,  std::move(polytope),
           {},           {},
           result.bound, dual.cost_exponent(request.cost),
-          result.ties};
+          result.ties,  result.growth_bits};
   for (const FastStep& step : result.steps) end.removed.push_back(step.removed);
   return end;
 }
@@ -169,6 +181,7 @@ End run_with_record(const Solid& solid, const RationalPoint& center, const Simpl
   const StopReason stop = run.stop;
   End end{halfspaces, steps, stop, std::move(polytope), {}, {}, {}};
   for (const Step& step : run.steps) end.ties.add(step.tie_evidence);
+  end.growth_bits = run.growth_bits;
   end.run = std::move(run);
   return end;
 }
@@ -200,6 +213,15 @@ const char* measure_stage(CostMeasure measure) {
 Enclosure enclose_measure(const Polytope& polytope, CostMeasure measure) {
   return measure == CostMeasure::Area ? surface_area(polytope, kMeasureBits)
                                       : mean_width(polytope, kMeasureBits);
+}
+
+// If it is neither the measure of the costs nor the volume: a further one to be reported.
+std::optional<CostMeasure> limited_measure(const SimplifyRequest& request) {
+  if (!request.growth_of || request.growth_of == request.cost ||
+      request.growth_of == CostMeasure::Volume) {
+    return {};
+  }
+  return request.growth_of;
 }
 
 Measured measure_volume(const Polytope& polytope, bool exact) {
@@ -248,6 +270,12 @@ SimplifyResult finish(Reference reference, End end, const SimplifyRequest& reque
   } else {
     log.skip("area and mean width", "the run is by volume; hull reports them");
   }
+  std::optional<std::array<Enclosure, 2>> limited;
+  if (const auto measure = limited_measure(request)) {
+    limited = std::array<Enclosure, 2>{*reference.limited, log.run(measure_stage(*measure), [&] {
+                                         return enclose_measure(end.polytope, *measure);
+                                       })};
+  }
   if (end.bound && request.max_growth) {
     const auto [before, after] =
         result_measure.value_or(std::array{reference.volume.bounds, output_volume.bounds});
@@ -270,6 +298,11 @@ SimplifyResult finish(Reference reference, End end, const SimplifyRequest& reque
                         .output_volume = std::move(output_volume),
                         .cost = request.cost,
                         .measure = std::move(result_measure),
+                        .growth_of = request.max_growth
+                                         ? std::optional(request.growth_of.value_or(request.cost))
+                                         : std::nullopt,
+                        .limited = std::move(limited),
+                        .growth_bits = end.growth_bits,
                         .ties = end.ties,
                         .tested_points = tested,
                         .engine = request.engine,
@@ -312,6 +345,11 @@ SimplifyOutcome simplify_solid(const Shape& shape, const SimplifyRequest& reques
     input_measure = log.run(measure_stage(request.cost),
                             [&] { return enclose_measure(solid.polytope, request.cost); });
   }
+  std::optional<Enclosure> input_limited;
+  if (const auto measure = limited_measure(request)) {
+    input_limited =
+        log.run(measure_stage(*measure), [&] { return enclose_measure(solid.polytope, *measure); });
+  }
   std::optional<RunStart> start;
   if (request.record) start = start_of(shape, solid);
   if (request.record && !end.run) {
@@ -320,7 +358,8 @@ SimplifyOutcome simplify_solid(const Shape& shape, const SimplifyRequest& reques
   }
   Reference reference{std::move(solid.points), std::move(solid.extreme),
                       solid.input_points,      std::move(solid.redundant),
-                      std::move(input_volume), std::move(input_measure)};
+                      std::move(input_volume), std::move(input_measure),
+                      std::move(input_limited)};
   SimplifyResult result = finish(std::move(reference), std::move(end), request, log);
   result.start = std::move(start);
   return result;
@@ -335,7 +374,8 @@ SimplifyOutcome simplify(const Shape& shape, const SimplifyRequest& request) {
                       request.verify == VerifyLevel::Full ||
                       (request.record && request.engine != Engine::Float);
   const auto* points = std::get_if<PointSet>(&shape);
-  const bool needs_polytope = request.center || request.cost != CostMeasure::Volume;
+  const bool needs_polytope =
+      request.center || request.cost != CostMeasure::Volume || limited_measure(request);
   if (points != nullptr && !record && !request.record && !needs_polytope) {
     return simplify_lean(*points, request, log);
   }

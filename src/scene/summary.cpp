@@ -36,6 +36,12 @@ std::string output_line(const SimplifyResult& result) {
     case StopReason::Reached:
       return text + (result.steps == 0 ? ": as many as the input has" : "");
     case StopReason::GrowthLimit:
+      if (result.growth_bits > 0) {
+        return text + fmt::format(
+                          ": {} bits do not tell whether one more would exceed the growth "
+                          "allowed",
+                          result.growth_bits);
+      }
       return text + ": removing one more would exceed the growth allowed";
     case StopReason::AllUnbounded:
       break;
@@ -161,6 +167,11 @@ std::string summary(const SimplifyResult& result) {
     const auto& [before, after] = *result.measure;
     text += summary_line(result.cost == CostMeasure::Area ? "area" : "mean width",
                          growth_line(before, after, result.steps) + "; kept small");
+  }
+  if (result.limited) {
+    const auto& [before, after] = *result.limited;
+    text += summary_line(result.growth_of == CostMeasure::Area ? "area" : "mean width",
+                         growth_line(before, after, result.steps) + "; its growth is limited");
   }
   text += summary_line(
       "volume", growth_line(result.input_volume.bounds, result.output_volume.bounds, result.steps));

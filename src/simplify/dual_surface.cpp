@@ -46,6 +46,12 @@ Removal DualSurface::removal_of(HalfspaceId i, RingObserver* observer) {
   return removal;
 }
 
+Cost DualSurface::added_by(const Removal& removal, CostMeasure measure) const {
+  if (measure == measure_) return removal.cost.value();
+  const Cap cap = make_cap(points_, removal.removed, removal.ring, removal.roof);
+  return cost_of(cap, points_, removal.removed, removal.ring, measure);
+}
+
 void DualSurface::apply(const Removal& removal) {
   CONVEXACT_ASSERT(removal.cost);
   const std::vector<HalfspaceId>& ring = removal.ring;

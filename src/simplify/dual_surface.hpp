@@ -50,6 +50,9 @@ class DualSurface {
   /// @par Source      [Jacobson2026]; docs/construction.md has the steps.
   [[nodiscard]] Removal removal_of(HalfspaceId i, RingObserver* observer = nullptr);
 
+  /// What a removal adds to any measure. Preconditions: those of apply().
+  [[nodiscard]] Cost added_by(const Removal& removal, CostMeasure measure) const;
+
   /// Makes a removal. Preconditions: it is bounded, and it was computed when the triangles around
   /// removed halfspace were what they are now.
   void apply(const Removal& removal);

@@ -26,6 +26,10 @@ class ExactEngine {
   std::size_t left() const { return surface_.left(); }
   bool every_removal_is_unbounded() const { return queue_.empty(); }
   Step cheapest() const;
+  // Of a bounded removal, in any measure.
+  Cost added_by(HalfspaceId i, CostMeasure measure) const {
+    return surface_.added_by(removals_[i.index()], measure);
+  }
   void remove(HalfspaceId i);
   std::vector<DualTriangle> triangles() const { return surface_.triangles(); }
   std::vector<Evaluation>& evaluations() { return evaluations_; }
@@ -163,8 +167,9 @@ Run simplify_exact(const DualHull& dual, const RationalPoint& center,
       break;
     }
     Step step = engine.cheapest();
-    if (growth && !growth->allows(*step.cost)) {
+    if (growth && !growth->allows(engine.added_by(step.removed, options.growth_measure()))) {
       run.stop = StopReason::GrowthLimit;
+      run.growth_bits = growth->undecided_bits();
       break;
     }
     verification.check(step);

@@ -29,7 +29,7 @@ GrowthLimit::GrowthLimit(Polytope polytope, const SimplifyOptions& options)
     : polytope_(std::move(polytope)),
       options_(options),
       allowance_(Enclosure(*options.max_growth, kMeasureBits) *
-                 enclosed_measure(polytope_, options.cost)),
+                 enclosed_measure(polytope_, options.growth_measure())),
       spent_(kMeasureBits) {
   if (*options.max_growth < 0) {
     throw Error(ErrorCode::InvalidArgument, "the growth of a measure cannot be limited below 0");
@@ -38,14 +38,15 @@ GrowthLimit::GrowthLimit(Polytope polytope, const SimplifyOptions& options)
 
 bool GrowthLimit::allows_exactly(const Cost& cost) {
   if (!exact_allowance_) {
-    exact_allowance_ = exact_measure(polytope_, options_.cost);
+    exact_allowance_ = exact_measure(polytope_, options_.growth_measure());
     *exact_allowance_ *= *options_.max_growth;
   }
   std::vector<Cost> costs = costs_;
   costs.push_back(cost);
-  const Order order =
-      compare(sum_of(costs), *exact_allowance_, options_.compare, Watch(options_.stop)).order;
-  return order == Order::Less || order == Order::Equal;
+  const Ordering ordering =
+      compare(sum_of(costs), *exact_allowance_, options_.compare, Watch(options_.stop));
+  undecided_bits_ = ordering.order == Order::Undecided ? ordering.bits : 0;
+  return ordering.order == Order::Less || ordering.order == Order::Equal;
 }
 
 bool GrowthLimit::allows(const Cost& cost) {

@@ -10,19 +10,22 @@
 
 namespace convexact {
 
-/// Decides M <= (1 + g) M0, where M is M0, the measure of the input, plus the costs of the steps so
-/// far.
+/// Decides M <= (1 + g) M0, where M is M0, the measure of the input, plus what the steps so far
+/// have added to it.
 class GrowthLimit {
  public:
   /// @param polytope  The input.
-  /// @param options   The measure; g = max_growth; how far mean widths are compared.
+  /// @param options   The measure, growth_measure(); g = max_growth; how far mean widths are
+  ///                  compared.
   /// @throws Error    InvalidArgument if g < 0.
   GrowthLimit(Polytope polytope, const SimplifyOptions& options);
 
-  /// Whether a further step of this cost stays within the limit; if so, it counts from now on. An
-  /// undecided comparison counts as beyond.
+  /// Whether a further step of this cost, in the measure of the limit, stays within it; if so, it
+  /// counts from now on. An undecided comparison counts as beyond.
   /// @par Cost  Constant while enclosures decide; an exact sum of all costs where they do not.
   [[nodiscard]] bool allows(const Cost& cost);
+  /// If the last comparison was undecided: the bits of its enclosures; else 0.
+  long undecided_bits() const { return undecided_bits_; }
 
  private:
   bool allows_exactly(const Cost& cost);
@@ -32,6 +35,7 @@ class GrowthLimit {
   Enclosure allowance_;  // g M0
   Enclosure spent_;      // the costs so far
   std::vector<Cost> costs_;
+  long undecided_bits_ = 0;
   std::optional<Cost> exact_allowance_;  // once it was needed
 };
 

@@ -150,6 +150,37 @@ TEST_CASE("metric costs: growth is limited by the measure of the cost") {
   }
 }
 
+// By the definition: the longest prefix of the unlimited run whose solids stay within the limit.
+TEST_CASE("metric costs: the growth of any measure can be limited") {
+  constexpr CostMeasure kAll[] = {CostMeasure::Volume, CostMeasure::Area, CostMeasure::MeanWidth};
+  const DualHull dual = dual_of_doubles(shapes::lattice(24, 3, 5));
+  const RationalPoint center = mean_of_vertices(dual);
+  for (const CostMeasure cost : kAll) {
+    const Run all = simplify_filtered(dual, center, {.cost = cost});
+    REQUIRE(all.steps.size() > 4);
+    for (const CostMeasure limited : kAll) {
+      CAPTURE(static_cast<int>(cost));
+      CAPTURE(static_cast<int>(limited));
+      const auto after = [&](std::size_t steps) {
+        const DualHull left = dual_of(left_after(all, steps), center).dual;
+        return exact_measure(to_polytope(left.halfspaces, left.triangles), limited)
+            .enclose(128)
+            .low();
+      };
+      const std::size_t wanted = all.steps.size() / 2;
+      const Rational share = (after(wanted) + after(wanted + 1)) / 2 / after(0) - 1;
+      const SimplifyOptions options{.cost = cost, .max_growth = share, .growth_of = limited};
+      const Run filtered = simplify_filtered(dual, center, options);
+      CHECK(filtered.steps.size() == wanted);
+      CHECK(filtered.stop == StopReason::GrowthLimit);
+      CHECK(filtered.growth_bits == 0);
+      const Run exact = simplify_exact(dual, center, options);
+      CHECK(removed_in(exact) == removed_in(filtered));
+      CHECK(exact.stop == StopReason::GrowthLimit);
+    }
+  }
+}
+
 TEST_CASE("metric costs: every enclosure of whole runs holds the value to 200 bits") {
   for (const CostMeasure measure : kMetrics) {
     CAPTURE(static_cast<int>(measure));

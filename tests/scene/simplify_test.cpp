@@ -258,3 +258,77 @@ TEST_CASE("measure_hull: a box, by closed form, with as many digits as asked for
   request.digits = 0;
   CHECK_THROWS_AS((void)measure_hull(box, request), Error);
 }
+
+// The cube [-1, 1]^3 without a corner of legs 1, 1 and 2. All planes touch the unit ball, so the
+// area is three times the volume, and both grow by (1/3) / (23/3) = 1/23 when the corner returns.
+TEST_CASE("simplify: the limit of another measure is decided exactly") {
+  const Shape cut = std::vector<Halfspace>{halfspace(1, 0, 0, -1), halfspace(-1, 0, 0, -1),
+                                           halfspace(0, 1, 0, -1), halfspace(0, -1, 0, -1),
+                                           halfspace(0, 0, 1, -1), halfspace(0, 0, -1, -1),
+                                           halfspace(2, 2, 1, -3)};
+  constexpr CostMeasure kAll[] = {CostMeasure::Volume, CostMeasure::Area, CostMeasure::MeanWidth};
+  for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
+    for (const CostMeasure cost : kAll) {
+      for (const CostMeasure limited : {CostMeasure::Volume, CostMeasure::Area}) {
+        CAPTURE(static_cast<int>(engine));
+        CAPTURE(static_cast<int>(cost));
+        CAPTURE(static_cast<int>(limited));
+        SimplifyRequest request = request_for(6, engine);
+        request.cost = cost;
+        request.growth_of = limited;
+        request.max_growth = Rational(1, 23);
+        const SimplifyResult allowed = run(cut, request);
+        CHECK(allowed.steps == 1);
+        CHECK(allowed.growth_of == limited);
+        CHECK(allowed.limited.has_value() == (limited != cost && limited == CostMeasure::Area));
+        request.max_growth = Rational(1, 23) - scale_by_power_of_two(Rational(1), -200);
+        const SimplifyResult refused = run(cut, request);
+        CHECK(refused.steps == 0);
+        CHECK(refused.stop == StopReason::GrowthLimit);
+        CHECK(refused.growth_bits == 0);
+      }
+    }
+  }
+}
+
+// A limit within 2^-300 of the growth of the mean width is undecided with 128 bits.
+TEST_CASE("simplify: a limit of mean width that is not decided is not exceeded, and told") {
+  const PointSet cut(shapes::cut_cube(1, 0.5));
+  const SimplifyResult all = run(cut, request_for(6, Engine::Exact));
+  const Enclosure after(Rational(3, 2), 400);
+  const Enclosure before =
+      exact_measure(to_polytope(all.run->halfspaces,
+                                dual_of(all.run->halfspaces,
+                                        RationalPoint(RationalPoint::Constant(Rational(1, 2))))
+                                    .dual.triangles),
+                    CostMeasure::MeanWidth)
+          .enclose(400);
+  const Rational above = Rational((after / before).high() - 1);
+  for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
+    SimplifyRequest request = request_for(6, engine);
+    request.growth_of = CostMeasure::MeanWidth;
+    request.max_growth = above;
+    request.compare.bits = 128;
+    const SimplifyResult undecided = run(cut, request);
+    CHECK(undecided.steps == 0);
+    CHECK(undecided.stop == StopReason::GrowthLimit);
+    CHECK(undecided.growth_bits >= 128);
+    request.compare.bits = 4096;
+    const SimplifyResult decided = run(cut, request);
+    CHECK(decided.steps == 1);
+    CHECK(decided.growth_bits == 0);
+  }
+}
+
+TEST_CASE("simplify: what limits no growth, or not that of its costs, is refused") {
+  const Shape cube = PointSet(shapes::box({1, 1, 1}));
+  SimplifyRequest request = request_for(4, Engine::Filtered);
+  request.growth_of = CostMeasure::Area;
+  CHECK_THROWS_AS((void)simplify(cube, request), Error);
+  request.max_growth = Rational(1);
+  CHECK_NOTHROW((void)simplify(cube, request));
+  request.engine = Engine::Float;
+  CHECK_THROWS_AS((void)simplify(cube, request), Error);
+  request.cost = CostMeasure::Area;
+  CHECK_NOTHROW((void)simplify(cube, request));
+}
