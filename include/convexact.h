@@ -142,9 +142,9 @@ typedef enum convexact_cost {
 } convexact_cost;
 
 /* The same, where each removal adds the least to the measure `cost`, a convexact_cost. Volumes and
- * areas are compared exactly. Mean widths that enclosures of tie_bits bits do not tell apart, and no
- * proof shows to be equal, count as equal: 128 to 1048576, 0 for 4096. Where several removals cost
- * the same, the first in canonical order goes. */
+ * areas are compared exactly. Mean widths that enclosures of tie_bits bits do not tell apart, and
+ * no proof shows to be equal, count as equal: 128 to 1048576, 0 for 4096. Where several removals
+ * cost the same, the first in canonical order goes. */
 CONVEXACT_API convexact_status convexact_simplify_by(const double* points, size_t point_count,
                                                      size_t plane_count, int cost, long tie_bits,
                                                      convexact_solid** result);

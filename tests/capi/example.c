@@ -3,8 +3,9 @@
  *
  *     cc example.c -lconvexact_c -o example && ./example
  *
- * encloses some points in few halfspaces of little area, asks whether these enclose the points, and asks the same
- * of a box that does not; then it judges the faces of that box, and lets a quarter pass. */
+ * encloses some points in few halfspaces of little area, asks whether these enclose the points, and
+ * asks the same of a box that does not; then it judges the faces of that box, and lets a quarter
+ * pass. */
 #include <convexact.h>
 #include <stdio.h>
 #include <stdlib.h>
