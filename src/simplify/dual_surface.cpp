@@ -46,10 +46,13 @@ Removal DualSurface::removal_of(HalfspaceId i, RingObserver* observer) {
   return removal;
 }
 
-Cost DualSurface::added_by(const Removal& removal, CostMeasure measure) const {
+Cost DualSurface::added_by(const Removal& removal, CostMeasure measure) {
   if (measure == measure_) return removal.cost.value();
+  if (measure != CostMeasure::Volume && directions_.empty()) {
+    directions_ = primitive_directions(points_);
+  }
   const Cap cap = make_cap(points_, removal.removed, removal.ring, removal.roof);
-  return cost_of(cap, points_, removal.removed, removal.ring, measure);
+  return cost_of(cap, directions_, removal.removed, removal.ring, measure);
 }
 
 void DualSurface::apply(const Removal& removal) {

@@ -51,7 +51,7 @@ class DualSurface {
   [[nodiscard]] Removal removal_of(HalfspaceId i, RingObserver* observer = nullptr);
 
   /// What a removal adds to any measure. Preconditions: those of apply().
-  [[nodiscard]] Cost added_by(const Removal& removal, CostMeasure measure) const;
+  [[nodiscard]] Cost added_by(const Removal& removal, CostMeasure measure);
 
   /// Makes a removal. Preconditions: it is bounded, and it was computed when the triangles around
   /// removed halfspace were what they are now.
@@ -72,7 +72,7 @@ class DualSurface {
   DualPlane plane_of(const DualTriangle& t) const;
 
   std::vector<DualPoint> points_;
-  std::vector<IntegerVector3> directions_;  // of the normals; none if the measure is the volume
+  std::vector<IntegerVector3> directions_;  // of the normals; none while only volumes are needed
   AdjacencyMatrix adjacency_;
   std::vector<bool> is_present_;
   std::size_t left_;

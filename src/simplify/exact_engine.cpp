@@ -27,7 +27,7 @@ class ExactEngine {
   bool every_removal_is_unbounded() const { return queue_.empty(); }
   Step cheapest() const;
   // Of a bounded removal, in any measure.
-  Cost added_by(HalfspaceId i, CostMeasure measure) const {
+  Cost added_by(HalfspaceId i, CostMeasure measure) {
     return surface_.added_by(removals_[i.index()], measure);
   }
   void remove(HalfspaceId i);
