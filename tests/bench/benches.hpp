@@ -9,8 +9,9 @@
 void register_hull_bench(const std::vector<BenchInput>& inputs);
 /// INPUT/filtered, /float, /exact: from points to 18 proven planes, by the pipeline.
 void register_pipeline_bench(const std::vector<BenchInput>& inputs);
-/// INPUT/by-volume, /by-area, /by-mean-width, and these with -exact: the loops of the filtered and of
-/// the exact engine alone, to 18 halfspaces. Counters: evaluations for each removal, exact costs.
+/// INPUT/by-volume, /by-area, /by-mean-width, and these with -exact: the loops of the filtered and
+/// of the exact engine alone, to 18 halfspaces. Counters: evaluations for each removal, exact
+/// costs.
 void register_loops_by_cost(const std::vector<BenchInput>& inputs);
 /// exact_growth/HALFSPACES: the exact engine alone.
 void register_exact_growth();
