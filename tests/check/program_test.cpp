@@ -87,7 +87,8 @@ TEST_CASE("convexact-check: by every measure, with a trace beside the proof") {
       {"area", "greedy-area: each removal adds the least area", "proven: each was the cheapest"},
       {"mean-width", "costs-not-shown: the removals; neither what they add nor that it is least",
        "not claimed: what a removal adds, or that it was the cheapest"}};
-  for (const auto& [measure, claim, said] : cases) {
+  for (const auto& row : cases) {
+    const std::string measure = row[0], claim = row[1], said = row[2];
     CAPTURE(measure);
     const std::string command = "simplify " + input + " --faces 6 --cost " + measure + " --proof " +
                                 proof + " --trace " + scratch.file("trace.json");

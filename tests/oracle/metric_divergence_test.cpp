@@ -36,8 +36,8 @@ Run run_of_cuts(const DualHull& solid, CostMeasure measure, const std::vector<Ra
 TEST_CASE("divergence: a dearer removal by area or mean width is wrong topology") {
   const std::vector<Rational> depths = {Rational(1), Rational(3, 2)};
   const DualHull solid = cut_box(depths);
-  for (const auto& [measure, regret] : {std::pair(CostMeasure::Area, Rational(5, 4)),
-                                        std::pair(CostMeasure::MeanWidth, Rational(1, 2))}) {
+  for (const CostMeasure measure : {CostMeasure::Area, CostMeasure::MeanWidth}) {
+    const Rational regret = measure == CostMeasure::Area ? Rational(5, 4) : Rational(1, 2);
     CAPTURE(static_cast<int>(measure));
     const Run right = run_of_cuts(solid, measure, depths, {0, 1});
     const Run wrong = run_of_cuts(solid, measure, depths, {1, 0});

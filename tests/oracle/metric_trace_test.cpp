@@ -107,8 +107,8 @@ TEST_CASE("judge trace: the limit on regret is exact and inclusive for roots and
       solid, {id_of(solid, corner_cut(0, kDepths[0])), id_of(solid, corner_cut(2, kDepths[2])),
               id_of(solid, corner_cut(1, kDepths[1]))});
   const Rational tiny = scale_by_power_of_two(Rational(1), -500);
-  for (const auto& [measure, regret] : {std::pair(CostMeasure::Area, Rational(5, 4)),
-                                        std::pair(CostMeasure::MeanWidth, Rational(1, 2))}) {
+  for (const CostMeasure measure : {CostMeasure::Area, CostMeasure::MeanWidth}) {
+    const Rational regret = measure == CostMeasure::Area ? Rational(5, 4) : Rational(1, 2);
     CAPTURE(static_cast<int>(measure));
     TraceVerdict verdict = judge(solid, by(measure, order));
     CHECK(verdict.rating == TraceRating::NotGreedy);
