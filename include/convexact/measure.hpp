@@ -75,7 +75,12 @@ struct BoundingBox {
 [[nodiscard]] Enclosure mean_width(const Polytope& polytope, long precision,
                                    const Watch& watch = {});
 
-/// Volume, area or mean width as the exact number that costs are.
+/// Volume, area or mean width, relative width about 2^-precision.
+/// @throws Error Stopped, as the watch says.
+[[nodiscard]] Enclosure enclose_measure(const Polytope& polytope, CostMeasure measure,
+                                        long precision, const Watch& watch = {});
+
+/// The same as the exact number that costs are.
 /// @throws Error Stopped, as the watch says.
 [[nodiscard]] Cost exact_measure(const Polytope& polytope, CostMeasure measure,
                                  const Watch& watch = {});

@@ -97,12 +97,9 @@ void add_diff_command(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   add_choice(command, "--cost", options->cost, kCostMeasureNames,
              "what each removal is to add the least to; the runs are judged by it");
-  command
-      .add_option("--tie-bits", options->tie_bits,
-                  "mean widths that so many bits do not tell apart, and no proof, count as equal; "
-                  "the result says so")
-      ->check(CLI::Range(128L, 1L << 20))
-      ->capture_default_str();
+  add_tie_bits(command, options->tie_bits,
+               "mean widths that so many bits do not tell apart, and no proof, count as equal; the "
+               "result says so");
   add_scene_options(command, options->scene);
   finish_command(command, options, exit_code, run_diff);
   add_stages_option(command, options->global);

@@ -140,6 +140,12 @@ CLI::Option* add_bytes(CLI::App& command, const std::string& names, std::uint64_
       ->type_name("SIZE");
 }
 
+CLI::Option* add_tie_bits(CLI::App& command, long& bits, const std::string& meaning) {
+  return command.add_option("--tie-bits", bits, meaning)
+      ->check(CLI::Range(128L, 1L << 20))
+      ->capture_default_str();
+}
+
 CLI::Option* add_seconds(CLI::App& command, const std::string& names, double& value,
                          const std::string& meaning) {
   return add_text(

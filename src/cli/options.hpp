@@ -108,6 +108,9 @@ CLI::Option* add_bytes(CLI::App& command, const std::string& names, std::uint64_
 CLI::Option* add_seconds(CLI::App& command, const std::string& names, double& value,
                          const std::string& meaning);
 
+/// --tie-bits, the precision up to which mean widths are compared; the default is shown.
+CLI::Option* add_tie_bits(CLI::App& command, long& bits, const std::string& meaning);
+
 /// An option that takes one of a few words, in upper or lower case; the help shows them and the
 /// default, if there is one. @param value  A `Value`, or an optional one.
 template <class Value, class Target>

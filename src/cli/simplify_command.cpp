@@ -127,12 +127,9 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
   add_choice(command, "--cost", options->cost, kCostMeasureNames,
              "what the solid shall gain least of: for fewer false hits of points, of rays, or of "
              "planes");
-  command
-      .add_option("--tie-bits", options->tie_bits,
-                  "mean widths that so many bits do not tell apart, and no proof, count as equal; "
-                  "the result says so")
-      ->check(CLI::Range(128L, 1L << 20))
-      ->capture_default_str();
+  add_tie_bits(command, options->tie_bits,
+               "mean widths that so many bits do not tell apart, and no proof, count as equal; the "
+               "result says so");
   add_output_options(command, options->output);
   command.add_option("--trace", options->output.trace,
                      "every step as JSON, for a program that replays it");

@@ -80,13 +80,9 @@ void add_trace_options(CLI::App& command, TraceOptions& options) {
       "with --trace: what each removal is to add the least to (default: the measure that the "
       "trace names, else volume)")
       ->needs(trace);
-  command
-      .add_option(
-          "--tie-bits", options.tie_bits,
-          "with --trace: mean widths that so many bits do not tell apart, and no proof, are "
-          "not decided; the verdict says so")
-      ->check(CLI::Range(128L, 1L << 20))
-      ->capture_default_str()
+  add_tie_bits(command, options.tie_bits,
+               "with --trace: mean widths that so many bits do not tell apart, and no proof, are "
+               "not decided; the verdict says so")
       ->needs(trace);
   command.add_option("--facets", options.facets,
                      "with --trace: the facets that its ids refer to, counted from 0: rows nx ny "

@@ -30,6 +30,19 @@ Enclosure mean_width(const Polytope& polytope, long precision, const Watch& watc
          (Enclosure(Integer(4), precision) * Enclosure::pi(precision));
 }
 
+Enclosure enclose_measure(const Polytope& polytope, CostMeasure measure, long precision,
+                          const Watch& watch) {
+  switch (measure) {
+    case CostMeasure::Volume:
+      return enclose_volume(polytope, precision);
+    case CostMeasure::Area:
+      return surface_area(polytope, precision, watch);
+    case CostMeasure::MeanWidth:
+      break;
+  }
+  return mean_width(polytope, precision, watch);
+}
+
 Cost exact_measure(const Polytope& polytope, CostMeasure measure, const Watch& watch) {
   switch (measure) {
     case CostMeasure::Volume:

@@ -66,18 +66,6 @@ DivergenceOptions options_of(const DiffRequest& request) {
   return {.compare = request.compare, .stop = request.watch.stop};
 }
 
-Enclosure enclose_measure(const Polytope& polytope, CostMeasure measure, const Watch& watch) {
-  switch (measure) {
-    case CostMeasure::Volume:
-      break;
-    case CostMeasure::Area:
-      return surface_area(polytope, kMeasureBits, watch);
-    case CostMeasure::MeanWidth:
-      return mean_width(polytope, kMeasureBits, watch);
-  }
-  return enclose_volume(polytope, kMeasureBits);
-}
-
 // Sets the ratios of what two runs end with.
 void compare_ends(const DiffCase& c, const Run& reference, const Run& other, Comparison& result) {
   const auto before = left_after(reference, reference.steps.size());
@@ -92,7 +80,8 @@ void compare_ends(const DiffCase& c, const Run& reference, const Run& other, Com
   if (!first || !second) return;
   const auto ratio = [&](CostMeasure measure) {
     const Watch watch(c.request.watch.stop);
-    return enclose_measure(*second, measure, watch) / enclose_measure(*first, measure, watch);
+    return enclose_measure(*second, measure, kMeasureBits, watch) /
+           enclose_measure(*first, measure, kMeasureBits, watch);
   };
   result.volume_ratio = ratio(CostMeasure::Volume);
   if (is_metric) result.measure_ratio = ratio(c.request.cost);

@@ -59,18 +59,6 @@ void time_progressive_runs(const FastDual& dual, std::size_t least, CostMeasure 
   });
 }
 
-Enclosure measure_of_left(const Polytope& left, CostMeasure measure) {
-  switch (measure) {
-    case CostMeasure::Volume:
-      return enclose_volume(left, kMeasureBits);
-    case CostMeasure::Area:
-      return surface_area(left, kMeasureBits);
-    case CostMeasure::MeanWidth:
-      break;
-  }
-  return mean_width(left, kMeasureBits);
-}
-
 double growth_of(const Enclosure& after, const Enclosure& before) {
   const Enclosure growth = (after - before) / before;
   return to_double(Rational((growth.low() + growth.high()) / 2), Rounding::Nearest);
@@ -104,7 +92,7 @@ TightnessCurve measure_tightness_curve(const Solid& solid, std::size_t least, co
 
   TightnessCurve curve{dual.size(), measure, {}};
   const Rational squared_diameter = bounding_box(dual_hull.vertices).squared_diameter();
-  const Enclosure whole = measure_of_left(solid.polytope, measure);
+  const Enclosure whole = enclose_measure(solid.polytope, measure, kMeasureBits);
   const Deadline deadline(effort);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const std::optional<Spread> seconds = arrivals.of(i);
@@ -119,7 +107,7 @@ TightnessCurve measure_tightness_curve(const Solid& solid, std::size_t least, co
     const FastResult result = simplify_filtered(dual, options);
     const Polytope left = to_polytope(dual_hull.halfspaces, result.triangles);
     TightnessPoint point{.faces = faces[i],
-                         .growth = growth_of(measure_of_left(left, measure), whole),
+                         .growth = growth_of(enclose_measure(left, measure, kMeasureBits), whole),
                          .hausdorff = {},
                          .seconds = *seconds};
     if (!deadline.has_passed()) {

@@ -209,12 +209,6 @@ const char* measure_stage(CostMeasure measure) {
   return measure == CostMeasure::Area ? "area" : "mean width";
 }
 
-// Area or mean width.
-Enclosure enclose_measure(const Polytope& polytope, CostMeasure measure) {
-  return measure == CostMeasure::Area ? surface_area(polytope, kMeasureBits)
-                                      : mean_width(polytope, kMeasureBits);
-}
-
 // If it is neither the measure of the costs nor the volume: a further one to be reported.
 std::optional<CostMeasure> limited_measure(const SimplifyRequest& request) {
   if (!request.growth_of || request.growth_of == request.cost ||
@@ -264,17 +258,19 @@ SimplifyResult finish(Reference reference, End end, const SimplifyRequest& reque
       log.run("volume", [&] { return measure_volume(end.polytope, request.exact_volumes); });
   if (!request.exact_volumes) log.skip("exact volume", "the fraction was not requested");
   if (reference.measure) {
-    result_measure = std::array<Enclosure, 2>{
-        *reference.measure, log.run(measure_stage(request.cost),
-                                    [&] { return enclose_measure(end.polytope, request.cost); })};
+    result_measure =
+        std::array<Enclosure, 2>{*reference.measure, log.run(measure_stage(request.cost), [&] {
+                                   return enclose_measure(end.polytope, request.cost, kMeasureBits);
+                                 })};
   } else {
     log.skip("area and mean width", "the run is by volume; hull reports them");
   }
   std::optional<std::array<Enclosure, 2>> limited;
   if (const auto measure = limited_measure(request)) {
-    limited = std::array<Enclosure, 2>{*reference.limited, log.run(measure_stage(*measure), [&] {
-                                         return enclose_measure(end.polytope, *measure);
-                                       })};
+    limited =
+        std::array<Enclosure, 2>{*reference.limited, log.run(measure_stage(*measure), [&] {
+                                   return enclose_measure(end.polytope, *measure, kMeasureBits);
+                                 })};
   }
   if (end.bound && request.max_growth) {
     const auto [before, after] =
@@ -342,13 +338,15 @@ SimplifyOutcome simplify_solid(const Shape& shape, const SimplifyRequest& reques
       log.run("volume", [&] { return measure_volume(solid.polytope, request.exact_volumes); });
   std::optional<Enclosure> input_measure;
   if (request.cost != CostMeasure::Volume) {
-    input_measure = log.run(measure_stage(request.cost),
-                            [&] { return enclose_measure(solid.polytope, request.cost); });
+    input_measure = log.run(measure_stage(request.cost), [&] {
+      return enclose_measure(solid.polytope, request.cost, kMeasureBits);
+    });
   }
   std::optional<Enclosure> input_limited;
   if (const auto measure = limited_measure(request)) {
-    input_limited =
-        log.run(measure_stage(*measure), [&] { return enclose_measure(solid.polytope, *measure); });
+    input_limited = log.run(measure_stage(*measure), [&] {
+      return enclose_measure(solid.polytope, *measure, kMeasureBits);
+    });
   }
   std::optional<RunStart> start;
   if (request.record) start = start_of(shape, solid);

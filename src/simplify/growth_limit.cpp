@@ -9,27 +9,11 @@ namespace convexact {
 
 // kMeasureBits decide all but equality up to 30 digits; the exact numbers are there for the rest.
 
-namespace {
-
-Enclosure enclosed_measure(const Polytope& polytope, CostMeasure measure) {
-  switch (measure) {
-    case CostMeasure::Volume:
-      return enclose_volume(polytope, kMeasureBits);
-    case CostMeasure::Area:
-      return surface_area(polytope, kMeasureBits);
-    case CostMeasure::MeanWidth:
-      break;
-  }
-  return mean_width(polytope, kMeasureBits);
-}
-
-}  // namespace
-
 GrowthLimit::GrowthLimit(Polytope polytope, const SimplifyOptions& options)
     : polytope_(std::move(polytope)),
       options_(options),
       allowance_(Enclosure(*options.max_growth, kMeasureBits) *
-                 enclosed_measure(polytope_, options.growth_measure())),
+                 enclose_measure(polytope_, options.growth_measure(), kMeasureBits)),
       spent_(kMeasureBits) {
   if (*options.max_growth < 0) {
     throw Error(ErrorCode::InvalidArgument, "the growth of a measure cannot be limited below 0");
