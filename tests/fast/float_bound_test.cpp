@@ -16,10 +16,11 @@ using namespace convexact;
 
 namespace {
 
-FloatBound checked_bound(const PointSet& points, CostMeasure measure = CostMeasure::Volume) {
+FloatBound checked_bound(const PointSet& points, CostMeasure measure = CostMeasure::Volume,
+                         std::size_t faces = 4) {
   const Hull hull = std::get<Hull>(convex_hull(points));
   const FastDual dual = FastDual::of(hull, points);
-  const FastResult result = simplify_float(dual, {.cost = measure});
+  const FastResult result = simplify_float(dual, {.faces = faces, .cost = measure});
   check_float_bound(dual, result, measure);
   return *result.bound;
 }
@@ -117,8 +118,11 @@ TEST_CASE("FloatBound: holds by area and by mean width where costs fall") {
                                    {1, 4, -1}, {-3, -1, 2}, {-3, -2, 4}, {-4, 3, -3}};
   const std::vector<Point> by_width{{4, -2, -3}, {-1, -2, 2}, {-2, -4, -2}, {3, -4, 0},
                                     {-4, 3, -2}, {0, 1, 1},   {1, -2, 0}};
-  CHECK(checked_bound(PointSet(by_area), CostMeasure::Area).is_vouched());
-  CHECK(checked_bound(PointSet(by_width), CostMeasure::MeanWidth).is_vouched());
+  for (std::size_t faces = 4; faces <= 14; ++faces) {  // each end says what a further one costs
+    CAPTURE(faces);
+    CHECK(checked_bound(PointSet(by_area), CostMeasure::Area, faces).is_vouched());
+    CHECK(checked_bound(PointSet(by_width), CostMeasure::MeanWidth, faces).is_vouched());
+  }
 }
 
 TEST_CASE("FloatBound: by area and by mean width on the shipped meshes") {

@@ -232,6 +232,27 @@ TEST_CASE("StepVerification: a wrong cost shows in the volume, at level full") {
   CHECK(verdict(VerifyLevel::Local, 5, wrong).empty());  // local proves the step, not its price
 }
 
+TEST_CASE("StepVerification: a wrong cost shows in the area and in the mean width, at level full") {
+  const Rational little = scale_by_power_of_two(Rational(1), -200);
+  for (const CostMeasure measure : {CostMeasure::Area, CostMeasure::MeanWidth}) {
+    CAPTURE(static_cast<int>(measure));
+    const Run run = simplify_exact(round_solid(), center_of(round_solid()),
+                                   {.faces = 40, .cost = measure, .verify = VerifyLevel::None});
+    REQUIRE(run.steps.size() >= 2);
+    StepVerification right(round_solid(), VerifyLevel::Full, 1, measure);
+    for (const Step& step : run.steps) CHECK_NOTHROW(right.check(step));
+    for (const Rational& error : {little, Rational(-little)}) {
+      StepVerification verification(round_solid(), VerifyLevel::Full, 1, measure);
+      verification.check(run.steps[0]);
+      Step step = run.steps[1];
+      step.cost = measure == CostMeasure::Area
+                      ? Cost(step.cost->area() + RootSum(error))
+                      : Cost(AngleSum(step.cost->angles()) += AngleSum::pi(error));
+      CHECK_THROWS_WITH_AS(verification.check(step), doctest::Contains("grew by the cost"), Error);
+    }
+  }
+}
+
 // Both residues are blind to a multiple of both primes; the rationals at the end are not.
 TEST_CASE(
     "StepVerification: a cost that two primes cannot tell from the true one is found at the end") {

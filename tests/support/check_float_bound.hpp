@@ -19,7 +19,7 @@ inline void check_float_bound(const FastDual& dual, const FastResult& result,
   CHECK(bound.doubtful <= result.steps.size());
   const SimplifyOptions options{.cost = measure};
   FilteredLoop loop(dual, options);
-  if (!result.steps.empty()) loop.evaluate_all();
+  loop.evaluate_all();
   std::size_t worse = 0, wrong = 0;
   for (const FastStep& step : result.steps) {
     const auto best = loop.choose();
@@ -39,6 +39,12 @@ inline void check_float_bound(const FastDual& dual, const FastResult& result,
   }
   CHECK(worse <= bound.doubtful);
   CHECK(wrong <= bound.doubtful);
+  if (const auto next = loop.choose()) {
+    CHECK(std::isfinite(bound.least_next));
+    const Rational cost = loop.cost(*next).enclose(200).high();
+    CHECK(to_rational(bound.least_next) <=
+          scale_by_power_of_two(cost, -dual.cost_exponent(measure)));
+  }
   if (bound.is_end_proven && result.stop == StopReason::AllUnbounded) {
     CHECK_FALSE(loop.choose().has_value());
   }
