@@ -9,6 +9,7 @@
 #include "convexact/halfspace.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/io.hpp"
+#include "convexact/keep.hpp"
 #include "convexact/linear_program.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/mesh.hpp"

@@ -53,9 +53,10 @@ struct Step {
 
 /// Why a run ended.
 enum class StopReason {
-  Reached,       ///< The wanted number of halfspaces, or it was already met.
-  GrowthLimit,   ///< The next step would exceed the wanted growth of the measure.
-  AllUnbounded,  ///< Every further removal is unbounded.
+  Reached,             ///< The wanted number of halfspaces, or it was already met.
+  GrowthLimit,         ///< The next step would exceed the wanted growth of the measure.
+  AllUnbounded,        ///< Every further removal is unbounded.
+  AllKeptOrUnbounded,  ///< The same of all that are not to be kept, in a run that keeps some.
 };
 
 /// A cap that an engine evaluated, and when. A volume never decreases, and those terms of an area
@@ -72,6 +73,7 @@ struct Evaluation {
 /// make it, a trace and a proof are it in writing, replay() and the judges read it.
 struct Run {
   std::vector<Halfspace> halfspaces;  ///< In canonical order, no redundant ones; ids are positions.
+  std::vector<HalfspaceId> kept = {};  ///< Never removed, and no removal is compared with theirs.
   std::vector<Step> steps;
   StopReason stop = StopReason::Reached;
   /// Where neither a proof nor enclosures of so many bits told whether the next step stays within
@@ -114,6 +116,8 @@ enum class VerifyLevel {
 struct SimplifyOptions {
   /// Stop at this many halfspaces; at least 4. At or above the input's number the run has no steps.
   std::size_t faces = 4;
+  /// Halfspaces that are not removed, whatever they cost; no entry of the queue and of no tie.
+  std::vector<HalfspaceId> keep = {};
   /// The measure that each removal shall add the least to.
   CostMeasure cost = CostMeasure::Volume;
   /// Of comparisons of mean widths.
@@ -134,6 +138,10 @@ struct SimplifyOptions {
   const std::atomic<bool>* stop = nullptr;
 
   CostMeasure growth_measure() const { return growth_of.value_or(cost); }
+  /// Why a run ends when it finds no bounded removal.
+  StopReason when_stuck() const {
+    return keep.empty() ? StopReason::AllUnbounded : StopReason::AllKeptOrUnbounded;
+  }
 };
 
 /// How far a run of the float engine can be from one in exact numbers. Proven, but for `doubtful`

@@ -72,6 +72,7 @@ struct SceneObject {
   Shape shape;
   std::vector<std::vector<std::uint32_t>> polygons;  ///< Of point input, for its picture.
   TypedRows rows = {};                               ///< Of halfspace input.
+  std::vector<MeshPart> groups = {};                 ///< Of its polygons, by name.
 };
 
 struct SceneOptions {

@@ -8,6 +8,7 @@
 
 #include "convexact/dual.hpp"
 #include "convexact/hull.hpp"
+#include "convexact/keep.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/run.hpp"
 #include "convexact/scene.hpp"
@@ -33,6 +34,8 @@ enum class Engine {
 /// A request. At least one of `faces` and `max_growth` must be given.
 struct SimplifyRequest {
   std::optional<std::size_t> faces;  ///< Halfspaces to keep, >= 4.
+  /// Facets of the input that stay. With all of them the result has at least as many halfspaces.
+  std::vector<KeepSelector> keep = {};
   /// The measure `growth_of` may grow to (1 + max_growth) times; >= 0.
   std::optional<Rational> max_growth;
   /// Unset: `cost`. Only with max_growth, and not another one than `cost` for the float engine.
@@ -56,6 +59,12 @@ struct SimplifyRequest {
   StageWatch watch = {};       ///< Reports removals as the progress of stage::kSimplify.
 };
 
+/// A facet that a run was asked to keep.
+struct KeptFacet {
+  HalfspaceId id;     ///< Among the facets of the input, in canonical order.
+  std::size_t plane;  ///< Its place in the planes of the result.
+};
+
 struct SimplifyResult {
   std::size_t input_points = 0;  ///< 0 where the input is halfspaces.
   std::size_t hull_vertices = 0;
@@ -63,6 +72,7 @@ struct SimplifyResult {
   std::size_t input_halfspaces = 0;    ///< Of the hull, redundant ones not counted.
   std::size_t steps = 0;               ///< Halfspaces removed.
   StopReason stop = StopReason::Reached;
+  std::vector<KeptFacet> kept;  ///< What the selectors of the request selected, ascending.
   /// If its trace or record was asked for, and by the exact engine. The float engine's run is made
   /// again in exact numbers.
   std::optional<Run> run;

@@ -42,8 +42,10 @@ struct RemovalOrder {
   std::vector<OrderedStep> steps;
   /// Each removal is to add the least to this measure. Costs that steps state are of it.
   CostMeasure measure = CostMeasure::Volume;
-  /// The stated reason of its end. Only AllUnbounded is a claim that can be judged.
+  /// The stated reason of its end. Only that nothing could be removed is a claim to be judged.
   std::optional<StopReason> stop = {};
+  /// The facets that it states to keep, in any order; none if it states nothing.
+  std::optional<std::vector<HalfspaceId>> kept = {};
 };
 
 /// The share by which one cost exceeds another: of volumes the number itself, of areas and mean
@@ -168,6 +170,7 @@ struct TraceVerdict : OrderRating {
   Rational max_regret;             ///< The limit.
   std::vector<TraceClaim> claims;  ///< One per code, in a fixed order.
   std::vector<HalfspaceId> left_out;  ///< As requested: removed before the first step.
+  std::vector<HalfspaceId> kept;      ///< As requested.
   std::optional<LeftOut>
       never_removed;  ///< If trace-greedy or trace-bounded fails because of some.
   ListedPlanes listed;
@@ -181,6 +184,9 @@ struct JudgeOptions {
   CompareLimits compare = {};  ///< Of mean widths.
   /// Facets that are left out on purpose: the order is judged on the solid without them.
   std::vector<HalfspaceId> left_out = {};
+  /// Facets that are to be kept, ascending: the order must not remove them, and its removals are
+  /// compared with the others. An order that states other ones violates a claim.
+  std::vector<HalfspaceId> kept = {};
   /// Unit roundoff of the numbers in which the order's planes are written: 2^-53 or 2^-24.
   double unit = 0x1p-53;
   /// Whether costs are confirmed from their definition, by some ten intersections from scratch.
@@ -204,7 +210,8 @@ struct JudgeOptions {
 /// plane is the nearest facet's if rounding explains the difference; the verdict counts these.
 /// @param center  Strictly inside the solid.
 /// @throws Error  InvalidArgument for a negative limit, for a facet that is to be left out and does
-///                not exist, is removed, or bounds the rest, or if options.compare.bits < 1;
+///                not exist, is removed, or bounds the rest, or for one to be kept that does not
+///                exist or is to be left out, or if options.compare.bits < 1;
 ///                Stopped; Internal if these do not agree.
 /// @par Cost      A run of the filtered engine and one or two caps as rationals per step, again if
 ///                a facet that is never removed is to blame; five intersections from scratch,

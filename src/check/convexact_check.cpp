@@ -43,6 +43,7 @@ enum class Measure { Volume, Area, None };
 struct Removal {
   bool fresh = false;      // its ring has not changed since it was evaluated
   bool unbounded = false;  // for ever: fewer planes bound no more
+  bool kept = false;       // for ever, and not in the queue
   // The terms of its cost as evaluated last, each for as long as the plane named is there: 0 or
   // more, and never less while that plane is there.
   std::map<std::size_t, RootSum> terms;
@@ -91,6 +92,7 @@ class Proof {
     require_convex();
     read_other_points();
     require_input_rows();
+    read_kept();
     for (;;) {
       if (words_.take_if("evaluate")) {
         evaluate();
@@ -118,18 +120,21 @@ class Proof {
       return "leaves a bounded solid\nnot claimed: what a removal adds, or that it was the "
              "cheapest\n";
     }
+    const std::string others =
+        kept_ == 0 ? "" : " but for " + std::to_string(kept_) + " planes to be kept";
     return "adds the stated " + name_of_measure() + "\n" + (greedy_ ? "proven" : "not claimed") +
-           ": each was the cheapest, " + std::to_string(ties_) + " of them tied, by " +
-           std::to_string(evaluations_) + " evaluations\n";
+           ": each was the cheapest" + others + ", " + std::to_string(ties_) +
+           " of them tied, by " + std::to_string(evaluations_) + " evaluations\n";
   }
   std::string name_of_measure() const { return measure_ == Measure::Volume ? "volume" : "area"; }
 
-  // Version 1 has two of the claims.
+  // Version 1 has two of the claims, and planes are kept from version 3 on.
   void read_claim() {
     expect(words_.take_if("convexact-proof"), "convexact-proof");
     WordList claims{"greedy", "costs"};
     if (!words_.take_if("1")) {
-      expect(words_.take_if("2"), "version 1 or 2");
+      may_keep_ = words_.take_if("3");
+      expect(may_keep_ || words_.take_if("2"), "version 1, 2 or 3");
       claims.insert(claims.end(), {"greedy-area", "costs-not-shown"});
     }
     const std::string claim = words_.take();
@@ -250,11 +255,23 @@ class Proof {
     for (const Row& p : points_) require(dot(plane, p) <= 0, "a point of the input is outside");
   }
 
+  // For (12): planes that are not to be removed. They leave the queue, since nothing is compared
+  // with their costs, and are never evaluated, so that no removal of theirs can be shown.
+  void read_kept() {
+    for (; may_keep_ && words_.take_if("keep"); ++kept_) {
+      const std::size_t i = words_.id(planes_.size());
+      require(!removals_[i].kept, "it is kept already");
+      removals_[i].kept = true;
+      queue_.erase({Cost(), i});
+    }
+  }
+
   // What the removal of i would add, in the state at hand. A plane that is gone has no ring and
   // bounds no ray, so (7) or (8) refuses it.
   void evaluate() {
     const std::size_t i = words_.id(planes_.size());
     Removal& removal = removals_[i];
+    require(!removal.kept, "it is kept");
     require(!removal.fresh && !removal.unbounded, "it has been evaluated in this state");
     ++evaluations_;
     queue_.erase({removal.cost, i});
@@ -529,7 +546,7 @@ class Proof {
   }
 
   Words words_;
-  bool greedy_ = false;
+  bool greedy_ = false, may_keep_ = false;
   Measure measure_ = Measure::Volume;
   Row interior_;
   std::set<Row> rows_;
@@ -539,7 +556,7 @@ class Proof {
   std::set<std::size_t> left_;
   std::vector<Removal> removals_;
   std::set<std::pair<Cost, std::size_t>> queue_;  // by proven lower bound, equal ones by id
-  std::size_t steps_ = 0, evaluations_ = 0, ties_ = 0;
+  std::size_t steps_ = 0, evaluations_ = 0, ties_ = 0, kept_ = 0;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "cli/command.hpp"
+#include "cli/keep_option.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "convexact/scene.hpp"
@@ -32,6 +33,7 @@ struct DiffArguments {
   std::vector<std::string> inputs;
   SceneOptions scene;
   std::size_t faces = 4;
+  std::vector<std::string> keep;
   std::string engines = "exact,filtered,float";
   CostMeasure cost = CostMeasure::Volume;
   long tie_bits = CompareLimits{}.bits;
@@ -65,8 +67,12 @@ int run_diff(const DiffArguments& options) {
   request.watch = progress.watch();
   std::vector<SceneObject> scene =
       log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
-  const auto found = on_each_object<DiffReport>(
-      std::move(scene), log, [&](const Shape& shape) { return diff_engines(shape, request); });
+  const auto keep = keep_selectors(options.keep, scene);
+  const auto found =
+      on_each_object<DiffReport>(std::move(scene), log, [&](const Shape& shape, std::size_t k) {
+        request.keep = keep[k];
+        return diff_engines(shape, request);
+      });
   progress.clear();
   if (const auto* flat = std::get_if<FlatObject>(&found)) {
     return report_not_solid(options.global, flat->name, flat->reason);
@@ -91,6 +97,7 @@ void add_diff_command(CLI::App& program, int& exit_code) {
   command.footer(kDiffFooter);
   add_input_argument(command, options->inputs);
   add_faces(command, options->faces, "how many halfspaces to keep, at least 4");
+  add_keep_option(command, options->keep);
   command
       .add_option("--engines", options->engines,
                   "which to run; the first is the reference of the others")

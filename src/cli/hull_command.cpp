@@ -63,11 +63,8 @@ int run_hull(const HullArguments& options) {
   request.seed = options.global.seed;
   request.store = options.output.store_request();
   return run_on_inputs<HullResult>(
-      options,
-      [&](const Shape& shape, const StageWatch& watch) {
-        request.watch = watch;
-        return measure_hull(shape, request);
-      },
+      options, [&](const auto& scene) { return std::vector<HullRequest>(scene.size(), request); },
+      measure_hull,
       [&](const auto& objects, const auto& stages) { return answer_of(objects, stages, options); });
 }
 

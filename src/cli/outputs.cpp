@@ -53,6 +53,7 @@ std::string picture_bytes(const std::vector<OutputObject>& objects) {
   PictureLayer input{.name = "input", .color = "#cd965a"};
   PictureLayer solids{
       .name = "enclosing solid", .color = "#5b8def", .opacity = 0.25, .edges = true};
+  PictureLayer kept{.name = "kept faces", .color = "#c2402f", .edges = true};
   std::set<std::string> files;
   for (const OutputObject& object : objects) {
     files.insert(file_of(object.source));
@@ -60,6 +61,7 @@ std::string picture_bytes(const std::vector<OutputObject>& objects) {
       input.add(points->doubles(), object.source.polygons);
     }
     solids.add(object.solid.exact);
+    for (const std::size_t plane : object.kept) kept.add_facet(object.solid.exact, plane);
   }
   Picture picture;
   picture.title = as_utf8(file_of(objects[0].source));
@@ -73,6 +75,7 @@ std::string picture_bytes(const std::vector<OutputObject>& objects) {
     picture.layers.push_back(std::move(input));
     if (is_surface && !loose.points.empty()) picture.layers.push_back(std::move(loose));
   }
+  if (!kept.polygons.empty()) picture.layers.push_back(std::move(kept));
   picture.layers.push_back(std::move(solids));
   return picture_html(picture);
 }

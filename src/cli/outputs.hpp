@@ -55,14 +55,14 @@ struct FlatObject {
   NotSolid reason;
 };
 
-/// What `work` finds about each object, with its stages in the log; or the first object without
-/// volume.
+/// What `work` finds about each object, by its shape and its number, with its stages in the log; or
+/// the first object without volume.
 template <class Result, class Work>
 std::variant<std::vector<FoundObject<Result>>, FlatObject> on_each_object(
     std::vector<SceneObject> scene, StageLog& log, Work&& work) {
   std::vector<FoundObject<Result>> found;
   for (SceneObject& object : scene) {
-    std::variant<Result, NotSolid> outcome = work(object.shape);
+    std::variant<Result, NotSolid> outcome = work(object.shape, found.size());
     if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
       return FlatObject{object.name, of_typed_rows(*reason, object.rows)};
     }
@@ -96,8 +96,9 @@ void add_scene_options(CLI::App& command, SceneOptions& options);
 struct OutputObject {
   const SceneObject& source;
   const Stored& solid;
-  const Run* run = nullptr;         ///< Set wherever a trace or a proof may be asked for.
-  const RunStart* start = nullptr;  ///< Set wherever a proof may be asked for.
+  std::vector<std::size_t> kept = {};  ///< Planes of the solid that were to be kept.
+  const Run* run = nullptr;            ///< Set wherever a trace or a proof may be asked for.
+  const RunStart* start = nullptr;     ///< Set wherever a proof may be asked for.
 };
 
 /// Path and bytes of each output.
@@ -117,10 +118,11 @@ using OutputFiles = std::vector<std::pair<std::string, std::string>>;
 void write_together(const OutputFiles& files, const std::string& summary);
 
 /// Runs a subcommand that reads objects, does `work` on each, watched, and writes the outputs and
-/// the answer; returns the exit code. @param answer  The document or the summary, from the objects
-/// and all stages.
-template <class Result, class Arguments, class Work, class Answer>
-int run_on_inputs(const Arguments& options, Work&& work, Answer&& answer) {
+/// the answer; returns the exit code.
+/// @param requests  From all objects to a list with what is asked about each of them.
+/// @param answer    The document or the summary, from the objects and all stages.
+template <class Result, class Arguments, class Requests, class Work, class Answer>
+int run_on_inputs(const Arguments& options, Requests&& requests, Work&& work, Answer&& answer) {
   options.output.require_sensible();
   require_other_files(options.output.all_paths(), options.inputs);
   Progress progress;
@@ -128,8 +130,12 @@ int run_on_inputs(const Arguments& options, Work&& work, Answer&& answer) {
   std::vector<SceneObject> scene =
       log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
   options.output.require_room_for(scene.size());
-  auto found = on_each_object<Result>(
-      std::move(scene), log, [&](const Shape& shape) { return work(shape, progress.watch()); });
+  auto asked = requests(scene);
+  auto found =
+      on_each_object<Result>(std::move(scene), log, [&](const Shape& shape, std::size_t k) {
+        asked[k].watch = progress.watch();
+        return work(shape, asked[k]);
+      });
   if (const auto* flat = std::get_if<FlatObject>(&found)) {
     progress.clear();
     return report_not_solid(options.global, flat->name, flat->reason);
@@ -141,6 +147,7 @@ int run_on_inputs(const Arguments& options, Work&& work, Answer&& answer) {
     to_typed_rows(result.redundant, object.source.rows);
     OutputObject& output = outputs.emplace_back(OutputObject{object.source, result.solid});
     if constexpr (requires { result.run; }) {
+      for (const auto& kept : result.kept) output.kept.push_back(kept.plane);
       if (result.run) output.run = &*result.run;
       if (result.start) output.start = &*result.start;
     }

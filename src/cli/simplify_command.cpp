@@ -2,6 +2,7 @@
 // convexact simplify: the main job.
 #include <memory>
 
+#include "cli/keep_option.hpp"
 #include "cli/outputs.hpp"
 #include "convexact/scene.hpp"
 #include "io/json.hpp"
@@ -18,6 +19,8 @@ constexpr const char* kSimplifyFooter =
     "  convexact simplify bunny.obj --max-growth 5% --growth-of area -o proxy.obj\n"
     "  convexact simplify bunny.obj --faces 18 --cost area -o fewer-ray-hits.obj\n"
     "  convexact simplify bunny.obj --faces 18 --cost mean-width --tie-bits 8192\n"
+    "  convexact simplify hammer.obj --faces 12 --keep normal:0,0,-1 --keep group:head -o "
+    "proxy.obj\n"
     "  convexact simplify room.obj --parts --faces 12 -o proxies.obj\n"
     "  convexact simplify planes.ine --faces 6 --json --trace steps.json\n"
     "\n"
@@ -30,6 +33,7 @@ struct SimplifyArguments {
   SceneOptions scene;
   OutputOptions output;
   std::size_t faces = 0;
+  std::vector<std::string> keep;
   std::string max_growth;
   std::optional<CostMeasure> growth_of;
   CostMeasure cost = CostMeasure::Volume;
@@ -100,13 +104,15 @@ std::string answer_of(const std::vector<FoundObject<SimplifyResult>>& objects,
 }
 
 int run_simplify(const SimplifyArguments& options) {
-  SimplifyRequest request = request_of(options);
+  const SimplifyRequest request = request_of(options);
+  const auto requests = [&](const std::vector<SceneObject>& scene) {
+    std::vector<SimplifyRequest> each(scene.size(), request);
+    const auto keep = keep_selectors(options.keep, scene);
+    for (std::size_t k = 0; k < scene.size(); ++k) each[k].keep = keep[k];
+    return each;
+  };
   return run_on_inputs<SimplifyResult>(
-      options,
-      [&](const Shape& shape, const StageWatch& watch) {
-        request.watch = watch;
-        return simplify(shape, request);
-      },
+      options, requests, simplify,
       [&](const auto& objects, const auto& stages) { return answer_of(objects, stages, options); });
 }
 
@@ -120,6 +126,7 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
   command.footer(kSimplifyFooter);
   add_input_argument(command, options->inputs);
   add_faces(command, options->faces, "how many halfspaces to keep, at least 4");
+  add_keep_option(command, options->keep);
   command.add_option("--max-growth", options->max_growth,
                      "stop before what --cost names grows by more, e.g. 5% or 0.05");
   add_choice(command, "--growth-of", options->growth_of, kCostMeasureNames,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/verify_trace.hpp"
 
+#include "cli/keep_option.hpp"
 #include "cli/progress.hpp"
 #include "convexact/io.hpp"
 #include "convexact/scene.hpp"
@@ -102,6 +103,7 @@ void add_trace_options(CLI::App& command, TraceOptions& options) {
       })
       ->type_name("ID,...")
       ->needs(trace);
+  add_keep_option(command, options.keep)->needs(trace);
 }
 
 int run_verify_trace(const GlobalOptions& global, const std::string& input, Decimal decimal,
@@ -127,6 +129,10 @@ int run_verify_trace(const GlobalOptions& global, const std::string& input, Deci
     progress.clear();
     return report_not_solid(global, scene[0].name, of_typed_rows(*reason, scene[0].rows));
   }
+  const auto* points = std::get_if<PointSet>(&scene[0].shape);
+  judge_options.kept = select_facets(std::get<Solid>(outcome).dual.halfspaces,
+                                     points != nullptr ? *points : PointSet(),
+                                     keep_selectors(options.keep, scene)[0]);
   const std::size_t halfspaces = std::get<Solid>(outcome).dual.halfspaces.size();
   judge_options.progress = [&](std::size_t judged) {
     progress("judging removals", judged, halfspaces - 4);

@@ -19,9 +19,10 @@ struct TraceOptions {
   std::optional<CostMeasure> cost;  ///< None: the measure of the trace, or the volume.
   long tie_bits = CompareLimits{}.bits;
   std::vector<HalfspaceId> left_out;  ///< In canonical order of the input's facets.
+  std::vector<std::string> keep;      ///< Selectors of facets that the order is to keep.
 };
 
-/// Adds --trace, --cost, --tie-bits, --facets, --max-regret and --left-out.
+/// Adds --trace, --cost, --tie-bits, --facets, --max-regret, --left-out and --keep.
 void add_trace_options(CLI::App& command, TraceOptions& options);
 
 /// Judges the order, prints the verdict and returns the exit code: 0 if nothing is violated, else 1

@@ -54,6 +54,7 @@ Run simplify_filtered(const DualHull& dual_hull, const RationalPoint& center,
   const FastDual dual = FastDual::of(dual_hull, center);
   Run run;
   run.halfspaces = dual_hull.halfspaces;
+  run.kept = options.keep;
   run.measure = options.cost;
   EvaluationRecorder recorder(run.steps, run.evaluations);
   FastResult result =

@@ -74,7 +74,7 @@ FastResult FilteredLoop::run(std::vector<Step>* steps) {
     if (options_.stop != nullptr && *options_.stop) throw Error(ErrorCode::Stopped, "interrupted");
     const std::optional<HalfspaceId> choice = choose();
     if (!choice) {
-      result.stop = StopReason::AllUnbounded;
+      result.stop = options_.when_stuck();
       break;
     }
     cap_.prepare(*choice);
@@ -100,7 +100,10 @@ FastResult FilteredLoop::run(std::vector<Step>* steps) {
 
 void FilteredLoop::evaluate_all() {
   for (std::size_t i = 0; i < dual_.size(); ++i) queue_.append(HalfspaceId(i), 0);
-  for (std::size_t i = 0; i < dual_.size(); ++i) evaluate(HalfspaceId(i));
+  for (const HalfspaceId i : options_.keep) queue_.erase(i);
+  for (std::size_t i = 0; i < dual_.size(); ++i) {
+    if (queue_.contains(HalfspaceId(i))) evaluate(HalfspaceId(i));
+  }
 }
 
 bool FilteredLoop::is_bounded(HalfspaceId i) {

@@ -46,7 +46,8 @@ class GrowthBudget {
   std::optional<Cost> exact_limit_;  // (1 + max_growth) times that measure
 };
 
-/// The queue holds, for every halfspace whose removal may be bounded, a lower bound of its cost, in
+/// The queue holds, for every halfspace that is not to be kept and whose removal may be bounded, a
+/// lower bound of its cost, in
 /// units of FilteredCap's bounds. When its ring changes, the entry is *stale*, and evaluated again
 /// only when it comes near the top [Minoux1978]. That needs bounds that stay true. A volume never
 /// decreases, so its bound does. Areas and mean widths may fall; but those of their terms that do
@@ -68,7 +69,7 @@ class FilteredLoop {
   const std::vector<HalfspaceId>& tie() const { return candidates_; }
   /// After choose(): why these count as equal; of a single one empty.
   const TieEvidence& tie_evidence() const { return evidence_; }
-  /// Whether the removal of i, which is still there, is bounded.
+  /// Whether the removal of i, which is still there and not to be kept, is bounded.
   bool is_bounded(HalfspaceId i);
   /// Precondition: is_bounded(i).
   const Cost& cost(HalfspaceId i) { return ties_.exact_cost(i); }

@@ -195,15 +195,21 @@ FastResult FloatLoop<Arithmetic>::run() {
     allowance = Scalar(to_double(*options_.max_growth, Rounding::Nearest)) * scaled_measure();
   }
   std::size_t left = dual_.size();
+  std::vector<bool> is_kept(dual_.size(), false);
+  for (const HalfspaceId i : options_.keep) {
+    is_kept.at(i.index()) = true;
+    // No removal is judged against it.
+    if (errors_) errors_->enclose(i, leading(infinity_), leading(infinity_));
+  }
   for (std::size_t i = 0; left > options_.faces && i < dual_.size(); ++i) {
-    queue_.append(HalfspaceId(i), evaluate(HalfspaceId(i)));
+    if (!is_kept[i]) queue_.append(HalfspaceId(i), evaluate(HalfspaceId(i)));
   }
   queue_.make_heap();
   while (left > options_.faces) {
     if (options_.stop != nullptr && *options_.stop) throw Error(ErrorCode::Stopped, "interrupted");
     const std::optional<HalfspaceId> choice = choose();
     if (!choice) {
-      result.stop = StopReason::AllUnbounded;
+      result.stop = options_.when_stuck();
       break;
     }
     const Scalar& cost = estimate_[choice->index()];
@@ -224,7 +230,7 @@ FastResult FloatLoop<Arithmetic>::run() {
   result.triangles = mesh_.triangles();
   result.survivors = mesh_.vertices();
   result.counts.evaluations = evaluations_;
-  if (errors_) result.bound = errors_->bound(result.stop == StopReason::AllUnbounded);
+  if (errors_) result.bound = errors_->bound(result.stop == options_.when_stuck());
   return result;
 }
 
@@ -335,6 +341,7 @@ void FloatLoop<Arithmetic>::keep(HalfspaceId i, const CostEstimate<Number>& cap)
 template <class Arithmetic>
 std::optional<HalfspaceId> FloatLoop<Arithmetic>::choose() {
   for (;;) {
+    if (queue_.empty()) return {};  // all that are left are kept
     const HalfspaceId top = queue_.top();
     if (state_[top.index()] & kStale) {
       queue_.update(top, evaluate(top));
@@ -403,6 +410,7 @@ void FloatLoop<Arithmetic>::remove(HalfspaceId i) {
   mesh_.remove(i, ring_, triangles_);
   queue_.erase(i);
   for (const HalfspaceId r : ring_.vertices) {
+    if (!queue_.contains(r)) continue;  // it is kept
     state_[r.index()] |= kStale;
     const double lasting = metric_ ? forget_terms_of(i, terms_[r.index()]) : 0;
     if (metric_ && errors_) errors_->lower(r, lasting);

@@ -36,6 +36,7 @@ struct DiffCase {
   RationalPoint center;
   const DiffRequest& request;
   StageLog& log;
+  std::vector<HalfspaceId> keep;
 };
 
 std::vector<Run> run_engines(const DiffCase& c) {
@@ -45,6 +46,7 @@ std::vector<Run> run_engines(const DiffCase& c) {
   for (const Engine engine : engines) {
     SimplifyOptions options;
     options.faces = c.request.faces;
+    options.keep = c.keep;
     options.cost = c.request.cost;
     options.compare = c.request.compare;
     options.seed = c.request.seed;
@@ -144,6 +146,7 @@ Run run_engine(Engine engine, const DualHull& dual, const RationalPoint& center,
       engine == Engine::Float ? simplify_float(fast, options) : simplify_filtered(fast, options),
       dual.halfspaces);
   run.measure = options.cost;
+  run.kept = options.keep;
   return run;
 }
 
@@ -160,9 +163,13 @@ DiffOutcome diff_engines(const Shape& shape, const DiffRequest& request) {
   auto& solid = std::get<Solid>(outcome);
   log.skip("Chebyshev center", "any interior point serves, and all engines get the same");
   const RationalPoint center = log.run("center", [&] { return interior_point_of(solid); });
-  const DiffCase diff{solid.dual, center, request, log};
+  const auto* points = std::get_if<PointSet>(&shape);
+  const std::vector<HalfspaceId> keep = select_facets(
+      solid.dual.halfspaces, points != nullptr ? *points : PointSet(), request.keep, request.faces);
+  const DiffCase diff{solid.dual, center, request, log, keep};
 
   DiffReport report;
+  report.kept = keep;
   report.cost = request.cost;
   report.engines = request.engines;
   report.runs = run_engines(diff);

@@ -22,7 +22,8 @@ namespace convexact {
                              const SimplifyOptions& options, bool record);
 
 struct DiffRequest {
-  std::size_t faces = 4;  ///< Halfspaces at which each run ends, >= 4.
+  std::size_t faces = 4;                ///< Halfspaces at which each run ends, >= 4.
+  std::vector<KeepSelector> keep = {};  ///< Facets that no run removes.
   /// At least two, all different; the others are compared with the first.
   std::vector<Engine> engines = {Engine::Exact, Engine::Filtered, Engine::Float};
   CostMeasure cost = CostMeasure::Volume;  ///< The measure that the runs keep small.
@@ -54,6 +55,7 @@ struct Comparison {
 struct DiffReport {
   CostMeasure cost = CostMeasure::Volume;  ///< Of all runs.
   std::vector<Halfspace> halfspaces;       ///< Of the input, in canonical order; ids are positions.
+  std::vector<HalfspaceId> kept;           ///< What no run removes.
   std::vector<Engine> engines;             ///< In the order asked for.
   std::vector<Run> runs;                   ///< Of each of these engines.
   std::vector<Comparison> comparisons;

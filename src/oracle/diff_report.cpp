@@ -207,6 +207,7 @@ Json diff_json(const DiffReport& report) {
   }
   Json json = {{"halfspaces", report.halfspaces.size()}};
   if (report.cost != CostMeasure::Volume) json["cost"] = name_of(report.cost);
+  if (!report.kept.empty()) json["kept"] = report.kept;
   json["explained"] = report.holds();
   json["engines"] = engines;
   json["comparisons"] = comparisons;

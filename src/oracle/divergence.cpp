@@ -191,7 +191,7 @@ void follow(const DualHull& dual, const RationalPoint& center, const Run& run,
             const DivergenceOptions& options, Tell&& tell) {
   const FastDual fast = FastDual::of(dual, center);
   const SimplifyOptions loop_options{
-      .cost = run.measure, .compare = options.compare, .stop = options.stop};
+      .keep = run.kept, .cost = run.measure, .compare = options.compare, .stop = options.stop};
   FilteredLoop loop(fast, loop_options);
   loop.evaluate_all();
   for (std::size_t step = 0; step < run.steps.size(); ++step) {
@@ -218,7 +218,7 @@ void follow(const DualHull& dual, const RationalPoint& center, const Run& run,
     }
     loop.remove(chosen);
   }
-  if (run.stop != StopReason::AllUnbounded) return;
+  if (run.stop != loop_options.when_stuck()) return;
   if (const std::optional<HalfspaceId> missed = loop.choose()) {
     tell(judge_choices(run, center, run.steps.size(), missed, {}, options));
   }

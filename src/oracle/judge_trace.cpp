@@ -49,6 +49,7 @@ enum class TraceCode : unsigned char {
   Cost,
   Ties,
   Left,
+  Kept,
   Stop,
 };
 
@@ -92,6 +93,7 @@ class TraceClaims {
                                      {"trace-cost", Status::NotAsked},
                                      {"trace-ties", Status::NotAsked},
                                      {"trace-left", Status::NotAsked},
+                                     {"trace-kept", Status::NotAsked},
                                      {"trace-stop", Status::NotAsked}};
 };
 
@@ -110,7 +112,10 @@ class TraceJudge {
         purpose_(purpose),
         facets_(dual, order, options.unit),
         watch_(options.stop),
-        engine_options_{.cost = order.measure, .compare = options.compare, .stop = options.stop},
+        engine_options_{.keep = options.kept,
+                        .cost = order.measure,
+                        .compare = options.compare,
+                        .stop = options.stop},
         fast_(FastDual::of(dual, center)),
         loop_(fast_, engine_options_),
         gone_at_(dual.halfspaces.size()),
@@ -120,6 +125,10 @@ class TraceJudge {
 
  private:
   void leave_out();
+  void compare_kept();
+  bool is_kept(HalfspaceId i) const {
+    return std::find(options_.kept.begin(), options_.kept.end(), i) != options_.kept.end();
+  }
   void remove_unlisted(HalfspaceId id);
   bool is_too_dear(HalfspaceId removed, HalfspaceId cheapest);
   std::optional<bool> is_within(const Cost& cost, const Cost& minimum,
@@ -182,6 +191,8 @@ TraceVerdict TraceJudge::run() {
   verdict_.measure = order_.measure;
   verdict_.tie_bits = options_.compare.bits;
   verdict_.listed = facets_.listed();
+  verdict_.kept = options_.kept;
+  compare_kept();
   loop_.evaluate_all();
   leave_out();
   const bool is_complete = std::all_of(order_.steps.begin(), order_.steps.end(),
@@ -200,6 +211,35 @@ TraceVerdict TraceJudge::run() {
   return std::move(verdict_);
 }
 
+// The list that the order states, if it states one. That none of them is removed is judged step by
+// step.
+void TraceJudge::compare_kept() {
+  for (const HalfspaceId id : options_.kept) {
+    if (id.index() < is_removed_.size()) continue;
+    throw Error(ErrorCode::InvalidArgument, "facet " + id_text(id) +
+                                                " is to be kept: expected an id below " +
+                                                std::to_string(is_removed_.size()));
+  }
+  if (order_.kept || !options_.kept.empty()) claims_.ask(TraceCode::Kept);
+  if (!order_.kept) return;
+  std::vector<HalfspaceId> stated;
+  for (const HalfspaceId facet : *order_.kept) {
+    const std::optional<HalfspaceId> id = facets_.find(facet);
+    if (!id) {
+      claims_.violate(
+          TraceCode::Kept,
+          {{}, {}, "keeps a plane that is no facet of the input", list_text(options_.kept)});
+      return;
+    }
+    stated.push_back(*id);
+  }
+  std::sort(stated.begin(), stated.end());
+  if (stated == options_.kept) return;
+  claims_.violate(
+      TraceCode::Kept,
+      {{}, {}, "keeps " + list_text(stated), list_text(options_.kept) + ", as --keep selects"});
+}
+
 void TraceJudge::leave_out() {
   const auto refuse = [](HalfspaceId id, const std::string& why) {
     throw Error(ErrorCode::InvalidArgument, "facet " + id_text(id) + " is to be left out" + why);
@@ -212,6 +252,7 @@ void TraceJudge::leave_out() {
       refuse(id, ": expected an id below " + std::to_string(is_removed_.size()));
     }
     if (is_removed_[id.index()]) refuse(id, ", and the order removes it");
+    if (is_kept(id)) refuse(id, ", and to be kept");
     const auto& gone = verdict_.left_out;
     if (std::find(gone.begin(), gone.end(), id) != gone.end()) continue;
     if (!loop_.is_bounded(id)) refuse(id, ", and without it the input is unbounded");
@@ -290,6 +331,10 @@ std::optional<HalfspaceId> TraceJudge::resolve(const OrderedStep& removal) {
     violate(TraceCode::RemovedTwice, removal,
             "removes " + id_text(*id) + ", gone since step " + std::to_string(*gone),
             "a halfspace that is still there");
+    return std::nullopt;
+  }
+  if (is_kept(*id)) {
+    violate(TraceCode::Kept, removal, "removes " + id_text(*id), "a facet that is not to be kept");
     return std::nullopt;
   }
   return id;
@@ -471,12 +516,14 @@ bool TraceJudge::may_be_tie(const std::vector<HalfspaceId>& claimed,
 }
 
 void TraceJudge::check_stop() {
-  if (order_.stop != StopReason::AllUnbounded) return;
+  if (order_.stop != StopReason::AllUnbounded && order_.stop != StopReason::AllKeptOrUnbounded) {
+    return;
+  }
   claims_.ask(TraceCode::Stop);
   if (const std::optional<HalfspaceId> missed = loop_.choose()) {
     claims_.violate(TraceCode::Stop, {step(),
                                       {},
-                                      "ends because every removal is unbounded",
+                                      "ends because no other removal is bounded",
                                       removal_text(*missed, loop_.cost(*missed))});
   }
 }

@@ -110,7 +110,7 @@ StopReason StepReader::stop_reason(const json& name) const {
   if (name.is_string()) {
     if (const auto reason = value_in(kStopReasonNames, name.get<std::string>())) return *reason;
   }
-  reject("reached, growth-limit or all-unbounded");
+  reject("reached, growth-limit, all-unbounded or all-kept-or-unbounded");
 }
 
 CostMeasure StepReader::measure_of(const json& document) const {
@@ -145,6 +145,11 @@ void StepReader::read(const json& document, RemovalOrder& order) {
   }
   place_ = "stop";
   if (document.contains("stop")) order.stop = stop_reason(document["stop"]);
+  place_ = "kept";
+  if (!document.contains("kept")) return;
+  if (!document["kept"].is_array()) reject("an array of ids");
+  order.kept.emplace();
+  for (const json& number : document["kept"]) order.kept->push_back(facet(number));
 }
 
 RemovalOrder read_json_order(std::string_view bytes, const std::optional<ListedFacets>& facets,

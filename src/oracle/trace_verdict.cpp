@@ -220,6 +220,7 @@ Json trace_verdict_json(const TraceVerdict& verdict) {
   json["max_regret"] = quantity_json(verdict.max_regret);
   json["worst"] = worst_json(verdict);
   json["left_out"] = verdict.left_out;
+  if (!verdict.kept.empty()) json["kept"] = verdict.kept;
   json["halfspaces"] = verdict.halfspaces.size();
   json["removals"] = verdict.removals;
   json["judged"] = verdict.steps.size();
@@ -279,6 +280,7 @@ std::string verdict_line(const TraceVerdict& verdict) {
   if (verdict.measure != CostMeasure::Volume && line != "unreadable") {
     line += fmt::format(" by {}", verdict.measure == CostMeasure::Area ? "area" : "mean width");
   }
+  if (!verdict.kept.empty()) line += ", with " + facets_text(verdict.kept) + " kept";
   return verdict.left_out.empty() ? line : line + " without " + facets_text(verdict.left_out);
 }
 

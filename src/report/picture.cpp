@@ -307,16 +307,33 @@ void PictureLayer::add(std::span<const Point> more,
   }
 }
 
-void PictureLayer::add(const Polytope& solid) {
+namespace {
+
+Point drawn_at(const RationalPoint& vertex) {
   constexpr double kLargest = std::numeric_limits<double>::max();
-  std::vector<Point> corners;
-  for (const RationalPoint& vertex : solid.vertices) {
-    Point& corner = corners.emplace_back();
-    for (int k = 0; k < 3; ++k) {
-      corner[k] = std::clamp(to_double(vertex[k], Rounding::Nearest), -kLargest, kLargest);
-    }
+  Point corner;
+  for (int k = 0; k < 3; ++k) {
+    corner[k] = std::clamp(to_double(vertex[k], Rounding::Nearest), -kLargest, kLargest);
   }
+  return corner;
+}
+
+}  // namespace
+
+void PictureLayer::add(const Polytope& solid) {
+  std::vector<Point> corners;
+  for (const RationalPoint& vertex : solid.vertices) corners.push_back(drawn_at(vertex));
   add(corners, solid.facets);
+}
+
+void PictureLayer::add_facet(const Polytope& solid, std::size_t facet) {
+  std::vector<Point> corners;
+  std::vector<std::uint32_t> polygon;
+  for (const std::uint32_t corner : solid.facets[facet]) {
+    polygon.push_back(static_cast<std::uint32_t>(corners.size()));
+    corners.push_back(drawn_at(solid.vertices[corner]));
+  }
+  add(corners, {polygon});
 }
 
 std::string picture_html(const Picture& picture) {

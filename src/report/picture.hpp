@@ -26,6 +26,8 @@ struct PictureLayer {
   void add(std::span<const Point> more, const std::vector<std::vector<std::uint32_t>>& faces);
   /// Adds a solid, its corners rounded to nearest.
   void add(const Polytope& solid);
+  /// Adds one facet of it.
+  void add_facet(const Polytope& solid, std::size_t facet);
 };
 
 /// What a picture shows. Layers are drawn one after another: inner ones should come first.

@@ -30,6 +30,7 @@ SceneObject extract_part(const Mesh& mesh, const MeshPart& part, const std::stri
       corner = entry->second;
     }
   }
+  object.groups = {{part.name, 0, object.polygons.size()}};
   object.shape =
       mesh.points.is_binary() ? PointSet(std::move(doubles)) : PointSet(std::move(rationals));
   return object;
@@ -41,7 +42,12 @@ void read_mesh_objects(const std::string& path, const std::string& bytes,
   Mesh mesh =
       read_mesh_bytes(bytes, {.decimal = options.decimal, .format = mesh_format_of_path(path)});
   if (!options.parts) {
-    objects.push_back({file, stem_of(path), std::move(mesh.points), std::move(mesh.polygons)});
+    objects.push_back({file,
+                       stem_of(path),
+                       std::move(mesh.points),
+                       std::move(mesh.polygons),
+                       {},
+                       std::move(mesh.parts)});
     return;
   }
   const std::size_t before = objects.size();

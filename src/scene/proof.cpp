@@ -87,9 +87,10 @@ class ProofWriter {
 };
 
 std::string ProofWriter::write(const std::optional<StoredPlanes>& stored) {
-  line("convexact-proof", "2", proof_claim(run_));
+  line("convexact-proof", run_.kept.empty() ? "2" : "3", proof_claim(run_));
   write_hull();
   write_inside();
+  for (const HalfspaceId i : run_.kept) line("keep", i);
   write_run();
   if (stored) write_stored(*stored);
   const auto lines = static_cast<std::size_t>(std::count(text_.begin(), text_.end(), '\n'));

@@ -92,10 +92,24 @@ Json stages_json(const std::vector<Stage>& stages) {
 
 namespace {
 
+bool is_reached(StopReason stop) {
+  return stop == StopReason::Reached || stop == StopReason::GrowthLimit;
+}
+
+// Ids among the input's facets, and the places of these planes in the output.
+Json kept_json(const std::vector<KeptFacet>& kept) {
+  Json ids = Json::array(), planes = Json::array();
+  for (const auto& [id, plane] : kept) {
+    ids.push_back(id.value);
+    planes.push_back(plane);
+  }
+  return {{"ids", ids}, {"planes", planes}};
+}
+
 Json stop_json(const SimplifyResult& result) {
   // What doubles cannot prove to be bounded need not be unbounded.
-  const bool is_doubt = result.stop == StopReason::AllUnbounded && result.float_bound &&
-                        !result.float_bound->is_end_proven;
+  const bool is_doubt =
+      !is_reached(result.stop) && result.float_bound && !result.float_bound->is_end_proven;
   return is_doubt ? "none-certain" : name_of(result.stop);
 }
 
@@ -134,10 +148,11 @@ Json result_json(const SimplifyResult& result) {
   json["input"] = input_json(result.input_points, result.hull_vertices, result.input_halfspaces,
                              result.redundant);
   json["output"] = {{"halfspaces", result.solid.exact.planes.size()},
-                    {"reached", result.stop != StopReason::AllUnbounded},
+                    {"reached", is_reached(result.stop)},
                     {"stop", stop_json(result)},
                     {"planes", result.solid.exact.planes},
                     {"stored", stored_json(result.solid)}};
+  if (!result.kept.empty()) json["kept"] = kept_json(result.kept);
   // An upper bound, so that it never reads as less than 1.
   const Enclosure ratio = result.output_volume.bounds / result.input_volume.bounds;
   json["volume"] = {{"input", measured_json(result.input_volume, kDigits)},

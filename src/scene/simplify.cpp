@@ -56,8 +56,10 @@ void require_sensible(const SimplifyRequest& request) {
   }
 }
 
-SimplifyOptions options_of(const SimplifyRequest& request, std::size_t at_start) {
+SimplifyOptions options_of(const SimplifyRequest& request, std::size_t at_start,
+                           std::vector<HalfspaceId> keep) {
   SimplifyOptions options;
+  options.keep = std::move(keep);
   options.faces = request.faces.value_or(4);
   options.max_growth = request.max_growth;
   options.growth_of = request.growth_of;
@@ -151,9 +153,11 @@ Polytope polytope_of(const FastResult& result, const FastDual& dual, Engine engi
   return to_polytope(halfspaces, triangles);
 }
 
-End run_lean(const FastDual& dual, const SimplifyRequest& request, StageLog& log) {
+// @param keep  Of a dual whose ids are canonical.
+End run_lean(const FastDual& dual, const std::vector<HalfspaceId>& keep,
+             const SimplifyRequest& request, StageLog& log) {
   const FastResult result = log.run(stage::kSimplify, [&] {
-    const SimplifyOptions options = options_of(request, dual.size());
+    const SimplifyOptions options = options_of(request, dual.size(), keep);
     return request.engine == Engine::Float ? simplify_float(dual, options)
                                            : simplify_filtered(dual, options);
   });
@@ -168,10 +172,11 @@ End run_lean(const FastDual& dual, const SimplifyRequest& request, StageLog& log
   return end;
 }
 
-End run_with_record(const Solid& solid, const RationalPoint& center, const SimplifyRequest& request,
+End run_with_record(const Solid& solid, const RationalPoint& center,
+                    const std::vector<HalfspaceId>& keep, const SimplifyRequest& request,
                     StageLog& log) {
   Run run = log.run(stage::kSimplify, [&] {
-    const SimplifyOptions options = options_of(request, solid.dual.halfspaces.size());
+    const SimplifyOptions options = options_of(request, solid.dual.halfspaces.size(), keep);
     return request.engine == Engine::Exact ? simplify_exact(solid.dual, center, options)
                                            : simplify_filtered(solid.dual, center, options);
   });
@@ -287,6 +292,7 @@ SimplifyResult finish(Reference reference, End end, const SimplifyRequest& reque
                         .input_halfspaces = end.halfspaces,
                         .steps = end.steps,
                         .stop = end.stop,
+                        .kept = {},
                         .run = std::move(end.run),
                         .start = {},
                         .solid = std::move(stored),
@@ -316,7 +322,7 @@ SimplifyOutcome simplify_lean(const PointSet& points, const SimplifyRequest& req
   log.skip("Chebyshev center", "any interior point serves this engine");
   log.skip("exact planes", "formed for the remaining halfspaces, and where doubles cannot decide");
   const FastDual dual = log.run("dual", [&] { return FastDual::of(hull, points); });
-  End end = run_lean(dual, request, log);
+  End end = run_lean(dual, {}, request, log);
   Measured input_volume = log.run("volume", [&] {
     const Rational exact = volume(hull, points);
     return Measured{Enclosure(exact, kMeasureBits), exact};
@@ -326,14 +332,31 @@ SimplifyOutcome simplify_lean(const PointSet& points, const SimplifyRequest& req
   return finish(std::move(reference), std::move(end), request, log);
 }
 
+// Where the result has them. @throws Error Internal if it has lost one.
+std::vector<KeptFacet> find_kept(const std::vector<Halfspace>& halfspaces,
+                                 const std::vector<HalfspaceId>& keep,
+                                 const std::vector<Halfspace>& planes) {
+  std::vector<KeptFacet> kept;
+  for (const HalfspaceId id : keep) {
+    const auto plane = std::find(planes.begin(), planes.end(), halfspaces[id.index()]);
+    if (plane == planes.end()) throw Error(ErrorCode::Internal, "a facet to be kept is gone");
+    kept.push_back({id, static_cast<std::size_t>(plane - planes.begin())});
+  }
+  return kept;
+}
+
 SimplifyOutcome simplify_solid(const Shape& shape, const SimplifyRequest& request, bool record,
                                StageLog& log) {
   SolidOutcome outcome = make_solid(shape, request.seed, request.verify != VerifyLevel::None, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   auto& solid = std::get<Solid>(outcome);
   const RationalPoint center = find_center(solid, request, log);
-  End end = record ? run_with_record(solid, center, request, log)
-                   : run_lean(FastDual::of(solid.dual, center), request, log);
+  const auto* points = std::get_if<PointSet>(&shape);
+  const std::vector<HalfspaceId> keep = select_facets(
+      solid.dual.halfspaces, points != nullptr ? *points : PointSet(), request.keep, request.faces);
+  End end = record ? run_with_record(solid, center, keep, request, log)
+                   : run_lean(FastDual::of(solid.dual, center), keep, request, log);
+  const std::vector<KeptFacet> kept = find_kept(solid.dual.halfspaces, keep, end.polytope.planes);
   Measured input_volume =
       log.run("volume", [&] { return measure_volume(solid.polytope, request.exact_volumes); });
   std::optional<Enclosure> input_measure;
@@ -353,6 +376,7 @@ SimplifyOutcome simplify_solid(const Shape& shape, const SimplifyRequest& reques
   if (request.record && !end.run) {
     end.run =
         log.run("replay", [&] { return replay(solid.dual, center, end.removed, request.seed); });
+    end.run->kept = keep;
   }
   Reference reference{std::move(solid.points), std::move(solid.extreme),
                       solid.input_points,      std::move(solid.redundant),
@@ -360,6 +384,7 @@ SimplifyOutcome simplify_solid(const Shape& shape, const SimplifyRequest& reques
                       std::move(input_limited)};
   SimplifyResult result = finish(std::move(reference), std::move(end), request, log);
   result.start = std::move(start);
+  result.kept = kept;
   return result;
 }
 
@@ -372,8 +397,8 @@ SimplifyOutcome simplify(const Shape& shape, const SimplifyRequest& request) {
                       request.verify == VerifyLevel::Full ||
                       (request.record && request.engine != Engine::Float);
   const auto* points = std::get_if<PointSet>(&shape);
-  const bool needs_polytope =
-      request.center || request.cost != CostMeasure::Volume || limited_measure(request);
+  const bool needs_polytope = request.center || request.cost != CostMeasure::Volume ||
+                              limited_measure(request) || !request.keep.empty();
   if (points != nullptr && !record && !request.record && !needs_polytope) {
     return simplify_lean(*points, request, log);
   }

@@ -44,7 +44,11 @@ std::string output_line(const SimplifyResult& result) {
       }
       return text + ": removing one more would exceed the growth allowed";
     case StopReason::AllUnbounded:
+    case StopReason::AllKeptOrUnbounded:
       break;
+  }
+  if (!result.kept.empty() && !result.float_bound) {
+    return text + ": all others are kept, or leave the solid unbounded if removed";
   }
   return text + (result.float_bound && !result.float_bound->is_end_proven
                      ? ": doubles cannot prove that any further removal is bounded; --engine "

@@ -20,7 +20,10 @@ class ExactEngine {
       : options_(options),
         surface_(dual.halfspaces, dual.triangles, center, options.seed, options.cost),
         removals_(surface_.size()),
-        place_(surface_.size()) {}
+        place_(surface_.size()),
+        is_kept_(surface_.size(), false) {
+    for (const HalfspaceId i : options.keep) is_kept_.at(i.index()) = true;
+  }
 
   void evaluate_all();
   std::size_t left() const { return surface_.left(); }
@@ -58,6 +61,7 @@ class ExactEngine {
   std::vector<Removal> removals_;
   std::set<Entry> queue_;
   std::vector<std::set<Entry>::iterator> place_;  // of bounded removals
+  std::vector<bool> is_kept_;
 };
 
 void stop_if_asked(const std::atomic<bool>* stop) {
@@ -78,6 +82,7 @@ ExactEngine::Entry ExactEngine::entry_of(HalfspaceId i, const Cost& cost) {
 }
 
 void ExactEngine::evaluate(HalfspaceId i) {
+  if (is_kept_[i.index()]) return;
   forget(i);
   Removal& removal = removals_[i.index()] = surface_.removal_of(i);
   if (removal.cost) place_[i.index()] = queue_.insert(entry_of(i, *removal.cost)).first;
@@ -158,12 +163,13 @@ Run simplify_exact(const DualHull& dual, const RationalPoint& center,
   }
   Run run;
   run.halfspaces = dual.halfspaces;
+  run.kept = options.keep;
   run.measure = options.cost;
   if (engine.left() > options.faces) engine.evaluate_all();
   while (engine.left() > options.faces) {
     stop_if_asked(options.stop);
     if (engine.every_removal_is_unbounded()) {
-      run.stop = StopReason::AllUnbounded;
+      run.stop = options.when_stuck();
       break;
     }
     Step step = engine.cheapest();

@@ -148,11 +148,12 @@ std::string write_trace_json(const Run& run) {
   ordered_json halfspaces = ordered_json::array(), steps = ordered_json::array();
   for (const Halfspace& halfspace : run.halfspaces) halfspaces.push_back(plane_json(halfspace));
   for (const Step& step : run.steps) steps.push_back(to_json(step));
-  const ordered_json document = {{"version", kTraceVersion},
-                                 {"measure", name_of(run.measure)},
-                                 {"halfspaces", std::move(halfspaces)},
-                                 {"steps", std::move(steps)},
-                                 {"stop", name_of(run.stop)}};
+  ordered_json document = {{"version", kTraceVersion},
+                           {"measure", name_of(run.measure)},
+                           {"halfspaces", std::move(halfspaces)},
+                           {"steps", std::move(steps)},
+                           {"stop", name_of(run.stop)}};
+  if (!run.kept.empty()) document["kept"] = to_json(run.kept);
   return write_json(document) + "\n";
 }
 

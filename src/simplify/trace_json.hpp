@@ -14,7 +14,8 @@ namespace convexact {
 inline constexpr auto kStopReasonNames =
     name_table<StopReason>({{StopReason::Reached, "reached"},
                             {StopReason::GrowthLimit, "growth-limit"},
-                            {StopReason::AllUnbounded, "all-unbounded"}});
+                            {StopReason::AllUnbounded, "all-unbounded"},
+                            {StopReason::AllKeptOrUnbounded, "all-kept-or-unbounded"}});
 inline const char* name_of(StopReason reason) { return name_in(kStopReasonNames, reason); }
 
 inline constexpr auto kCostMeasureNames =

@@ -32,14 +32,15 @@ inline std::strong_ordering in_order(const Cost& a, const Cost& b) {
   throw Error(ErrorCode::Internal, "undecided");
 }
 
+/// @param kept  What must stay, whatever it costs.
 inline Cheapest cheapest_removals(const HalfspaceArrangement& arrangement, Subset left,
-                                  CostMeasure measure = CostMeasure::Volume) {
+                                  CostMeasure measure = CostMeasure::Volume, Subset kept = 0) {
   Cost before = arrangement.measure(left, measure).value();
   before *= -1;
   Cheapest best;
   for (std::size_t i = 0; i < arrangement.size(); ++i) {
     const Subset bit = Subset{1} << i;
-    if ((left & bit) == 0) continue;
+    if ((left & ~kept & bit) == 0) continue;
     const std::optional<Cost> after = arrangement.measure(left & ~bit, measure);
     if (!after) continue;
     const std::array<Cost, 2> parts{*after, before};

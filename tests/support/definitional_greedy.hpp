@@ -9,22 +9,24 @@
 
 namespace definition {
 
-/// Every step is the cheapest one, with exactly the ties that there are; a run that says so has
-/// really nothing bounded left to remove.
+/// Every step is the cheapest one of those that are not kept, with exactly the ties that there are;
+/// a run that says so has really nothing bounded left to remove.
 inline void check_against_definition(const Run& trace, CostMeasure measure = CostMeasure::Volume) {
   const HalfspaceArrangement arrangement(trace.halfspaces);
-  Subset left = arrangement.all();
+  Subset left = arrangement.all(), kept = 0;
+  for (const HalfspaceId i : trace.kept) kept |= Subset{1} << i.index();
   for (const Step& step : trace.steps) {
     CAPTURE(step.left);
-    const Cheapest expected = cheapest_removals(arrangement, left, measure);
+    const Cheapest expected = cheapest_removals(arrangement, left, measure, kept);
     REQUIRE(expected.cost.has_value());
     REQUIRE(in_order(step.cost.value(), *expected.cost) == 0);
     REQUIRE(step.tie == expected.tie);
     REQUIRE(step.removed == expected.tie.front());
     left &= ~(Subset{1} << step.removed.index());
   }
-  if (trace.stop == StopReason::AllUnbounded) {
-    REQUIRE_FALSE(cheapest_removals(arrangement, left, measure).cost.has_value());
+  if (trace.stop == StopReason::AllUnbounded || trace.stop == StopReason::AllKeptOrUnbounded) {
+    REQUIRE((trace.stop == StopReason::AllUnbounded) == trace.kept.empty());
+    REQUIRE_FALSE(cheapest_removals(arrangement, left, measure, kept).cost.has_value());
   }
 }
 

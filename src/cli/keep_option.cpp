@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "cli/keep_option.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "cli/options.hpp"
+#include "convexact/error.hpp"
+#include "number/text.hpp"
+
+namespace convexact::cli {
+namespace {
+
+constexpr std::array<std::string_view, 4> kKinds = {"id:", "plane:", "normal:", "group:"};
+
+[[noreturn]] void refuse(const std::string& text, const std::string& why) {
+  throw Error(ErrorCode::InvalidArgument, "--keep " + text + ": " + why);
+}
+
+// PART/SELECTOR. A part's name may hold slashes and colons, so the first slash that a kind of
+// selector follows ends it.
+struct KeepText {
+  std::string part;  // empty if none is named
+  std::string_view kind;
+  std::string what;
+};
+
+KeepText parse(const std::string& text) {
+  std::size_t start = 0;
+  for (;;) {
+    const std::string_view rest = std::string_view(text).substr(start);
+    for (const std::string_view kind : kKinds) {
+      if (!rest.starts_with(kind)) continue;
+      const std::string part = start == 0 ? "" : text.substr(0, start - 1);
+      return {part, kind, std::string(rest.substr(kind.size()))};
+    }
+    start = text.find('/', start);
+    if (start == text.npos) {
+      refuse(text, "expected id:N,..., plane:NX,NY,NZ,D, normal:X,Y,Z[:DEGREES] or group:NAME");
+    }
+    ++start;
+  }
+}
+
+// `count` numbers with commas between them.
+std::vector<Rational> numbers(const std::string& text, const std::string& list, std::size_t count) {
+  const std::vector<std::string> words = words_of(list);
+  const std::string expected =
+      "expected " + std::to_string(count) + " numbers, found '" + list + "'";
+  if (words.size() != count) refuse(text, expected);
+  std::vector<Rational> values;
+  try {
+    for (const std::string& word : words) values.push_back(parse_rational(word));
+  } catch (const Error&) {
+    refuse(text, expected);
+  }
+  return values;
+}
+
+KeepIds parse_ids(const std::string& text, const std::string& list) {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+  KeepIds wanted;
+  for (const std::string& word : words_of(list)) {
+    wanted.ids.emplace_back(parse_count("--keep " + text, word, {0, kMost}));
+  }
+  return wanted;
+}
+
+KeepPlane parse_plane(const std::string& text, const std::string& list) {
+  const std::vector<Rational> x = numbers(text, list, 4);
+  return {{x[0], x[1], x[2]}, x[3]};
+}
+
+KeepNormal parse_normal(const std::string& text, const std::string& what) {
+  const std::size_t colon = what.find(':');
+  const std::vector<Rational> x = numbers(text, what.substr(0, colon), 3);
+  KeepNormal wanted{{x[0], x[1], x[2]}, std::nullopt};
+  if (colon != what.npos) wanted.degrees = parse_decimal("--keep " + text, what.substr(colon + 1));
+  return wanted;
+}
+
+KeepFaces faces_of_group(const std::string& text, const std::string& name,
+                         const SceneObject& object) {
+  KeepFaces wanted;
+  bool is_found = false;
+  for (const MeshPart& group : object.groups) {
+    if (group.name != name) continue;
+    is_found = true;
+    for (std::size_t k = group.first_polygon; k < group.last_polygon; ++k) {
+      wanted.polygons.push_back(object.polygons[k]);
+    }
+  }
+  if (!is_found) refuse(text, "the file " + object.name + " has no group of that name");
+  return wanted;
+}
+
+KeepSelector selector_of(const std::string& text, const KeepText& parsed,
+                         const SceneObject& object) {
+  KeepSelector selector{KeepIds{}, "--keep " + text};
+  if (parsed.kind == "id:") {
+    selector.facets = parse_ids(text, parsed.what);
+  } else if (parsed.kind == "plane:") {
+    selector.facets = parse_plane(text, parsed.what);
+  } else if (parsed.kind == "normal:") {
+    selector.facets = parse_normal(text, parsed.what);
+  } else {
+    selector.facets = faces_of_group(text, parsed.what, object);
+  }
+  return selector;
+}
+
+}  // namespace
+
+CLI::Option* add_keep_option(CLI::App& command, std::vector<std::string>& texts) {
+  return command
+      .add_option("--keep", texts,
+                  "facets that stay, by id:N,..., plane:NX,NY,NZ,D, normal:X,Y,Z[:DEGREES] or "
+                  "group:NAME; of several objects PART/id:N; may be repeated")
+      ->expected(1)
+      ->take_all()
+      ->type_name("SELECTOR");
+}
+
+std::vector<std::vector<KeepSelector>> keep_selectors(const std::vector<std::string>& texts,
+                                                      const std::vector<SceneObject>& scene) {
+  std::vector<std::vector<KeepSelector>> selectors(scene.size());
+  for (const std::string& text : texts) {
+    const KeepText parsed = parse(text);
+    if (parsed.part.empty() && scene.size() > 1) {
+      refuse(text, "there are several objects: expected PART/SELECTOR");
+    }
+    bool is_used = false;
+    for (std::size_t k = 0; k < scene.size(); ++k) {
+      if (!parsed.part.empty() && scene[k].part != parsed.part) continue;
+      selectors[k].push_back(selector_of(text, parsed, scene[k]));
+      is_used = true;
+    }
+    if (!is_used) refuse(text, "no object is called " + in_quotes(parsed.part));
+  }
+  return selectors;
+}
+
+}  // namespace convexact::cli
