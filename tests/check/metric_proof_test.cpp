@@ -152,7 +152,7 @@ TEST_CASE("proof by mean width: the removals, and a plain word on what it leaves
   }
 }
 
-TEST_CASE("proof: version 1 has two claims, version 2 four, and there is no other version") {
+TEST_CASE("proof: version 1 has two claims, versions 2 and 3 four, and there is no other version") {
   const Shape shape = PointSet(shapes::cut_cube(2, 0.25));
   const auto exit_code = [](ProofText proof, const std::string& version, const std::string& claim) {
     proof.lines[0] = {"convexact-proof", version, claim};
@@ -161,13 +161,13 @@ TEST_CASE("proof: version 1 has two claims, version 2 four, and there is no othe
   const ProofText greedy(proof_of(shape, Engine::Filtered, 6)),
       costs(proof_of(shape, Engine::Float, 6)), area(area_proof(shape, Engine::Filtered, 6)),
       width(proof_of(shape, Engine::Filtered, 6, {}, CostMeasure::MeanWidth));
-  for (const std::string version : {"1", "2"}) {
+  for (const std::string version : {"1", "2", "3"}) {
     CHECK(exit_code(greedy, version, "greedy") == 0);
     CHECK(exit_code(costs, version, "costs") == 0);
     CHECK(exit_code(area, version, "greedy-area") == (version == "1" ? 3 : 0));
     CHECK(exit_code(width, version, "costs-not-shown") == (version == "1" ? 3 : 0));
   }
-  for (const std::string version : {"0", "3", "11", "greedy", ""}) {
+  for (const std::string version : {"0", "4", "11", "greedy", ""}) {
     CHECK(exit_code(greedy, version, "greedy") == 3);
   }
   for (const std::string claim : {"area", "greedy-volume", "greedy-mean-width", ""}) {

@@ -20,7 +20,7 @@ namespace {
 
 // [0, 1]^3 without the corner cut off at x + y + z <= 5/2. The cut is facet 6; -x, -y, -z are 0, 1,
 // 2, and z, y, x at 1 are 3, 4, 5. With the cut kept, one of these three goes at 25/48.
-const std::string kCutCube =
+const std::string kGroupedCutCube =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv .5 1 1\nv 1 .5 1\nv 1 1 .5\n"
     "g cut\nf 8 9 10\ng bottom/left\nf 1 3 4 2\nf 1 5 3\n";
 
@@ -39,7 +39,7 @@ std::string refusal(const std::string& arguments) {
   return ran.err;
 }
 
-bool has(const std::string& text, const std::string& part) {
+bool says(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -47,7 +47,7 @@ bool has(const std::string& text, const std::string& part) {
 
 TEST_CASE("--keep: four ways to name one facet") {
   const ScratchFolder scratch;
-  const std::string input = scratch.write("cut.obj", kCutCube);
+  const std::string input = scratch.write("cut.obj", kGroupedCutCube);
   for (const std::string selector :
        {"id:6", "plane:2,2,2,-5", "plane:1/3,1/3,1/3,-5/6", "normal:1,1,1", "normal:2,2,2:0",
         "normal:3,3,4:10", "group:cut"}) {
@@ -67,18 +67,18 @@ TEST_CASE("--keep: four ways to name one facet") {
 
 TEST_CASE("--keep: an end above K, with exit code 0") {
   const ScratchFolder scratch;
-  const std::string input = scratch.write("cut.obj", kCutCube);
+  const std::string input = scratch.write("cut.obj", kGroupedCutCube);
   const json document = simplified(input + " --faces 4 --keep id:3,4,5,6");
   CHECK(document["output"]["reached"] == false);
   CHECK(document["output"]["stop"] == "all-kept-or-unbounded");
   CHECK(document["output"]["halfspaces"] == 7);
   const auto summary = run_program("simplify " + input + " --faces 4 --keep id:3,4,5,6");
-  CHECK(has(summary.out, "all others are kept, or leave the solid unbounded"));
+  CHECK(says(summary.out, "all others are kept, or leave the solid unbounded"));
 }
 
 TEST_CASE("--keep: what is refused, by name") {
   const ScratchFolder scratch;
-  const std::string input = scratch.write("cut.obj", kCutCube);
+  const std::string input = scratch.write("cut.obj", kGroupedCutCube);
   const std::string output = scratch.file("out.obj");
   const std::string run = "simplify " + input + " --faces 4 -o " + output + " --keep ";
   for (const auto& [selector, why] : std::vector<std::pair<std::string, std::string>>{
@@ -105,16 +105,16 @@ TEST_CASE("--keep: what is refused, by name") {
            {"lid/id:6", "no object is called 'lid'"},
        }) {
     const std::string said = refusal(run + selector);
-    CHECK_MESSAGE(has(said, why), selector + ": " + said);
-    CHECK_MESSAGE(has(said, "keep"), said);
+    CHECK_MESSAGE(says(said, why), selector << ": " << said);
+    CHECK_MESSAGE(says(said, "keep"), said);
   }
   CHECK(scratch.count() == 1);
 }
 
 TEST_CASE("--keep: in a scene after the part's name") {
   const ScratchFolder scratch;
-  std::string two =
-      "o a/b\n" + kCutCube.substr(0, kCutCube.find("g cut")) + "f 8 9 10\nf 1 3 4 2\n";
+  std::string two = "o a/b\n" + kGroupedCutCube.substr(0, kGroupedCutCube.find("g cut")) +
+                    "f 8 9 10\nf 1 3 4 2\n";
   two += "f 1 2 5\nf 3 7 4\no c\n";
   for (const char* v : {"5 0 0", "6 0 0", "5 1 0", "5 0 1"}) two += std::string("v ") + v + "\n";
   two += "f 11 13 12\nf 11 12 14\nf 11 14 13\nf 12 13 14\n";
@@ -124,8 +124,8 @@ TEST_CASE("--keep: in a scene after the part's name") {
   const json document = simplified(run + "c/id:0 --keep a/b/normal:1,1,1");
   CHECK(document["objects"][0]["kept"]["ids"].size() == 1);
   CHECK(document["objects"][1]["kept"]["ids"] == json{0});
-  CHECK(has(refusal("simplify " + run + "id:0"), "PART/SELECTOR"));
-  CHECK(has(refusal("simplify " + run + "d/id:0"), "no object is called 'd'"));
+  CHECK(says(refusal("simplify " + run + "id:0"), "PART/SELECTOR"));
+  CHECK(says(refusal("simplify " + run + "d/id:0"), "no object is called 'd'"));
 }
 
 TEST_CASE("--keep: halfspace input, and every place where a run is judged or replayed") {
@@ -141,7 +141,7 @@ TEST_CASE("--keep: halfspace input, and every place where a run is judged or rep
     const json written = json::parse(bytes_of(trace));
     CHECK(schema_complaint("trace", written) == "");
     CHECK(written["kept"] == json{6});
-    CHECK(has(bytes_of(picture), "kept faces"));
+    CHECK(says(bytes_of(picture), "kept faces"));
     const auto judged =
         run_program("verify " + input + " --trace " + trace + " --keep plane:2,2,2,-5 --json");
     CHECK(judged.exit == 0);
@@ -156,7 +156,7 @@ TEST_CASE("--keep: halfspace input, and every place where a run is judged or rep
     CHECK(schema_complaint("diff", report) == "");
     CHECK(report["objects"][0]["kept"] == json{6});
   }
-  CHECK(has(refusal("simplify " + input + " --faces 6 --keep group:cut"), "no group"));
+  CHECK(says(refusal("simplify " + input + " --faces 6 --keep group:cut"), "no group"));
   CHECK(run_program("verify " + input + " " + input + " --keep id:6").exit == 2);
 }
 
