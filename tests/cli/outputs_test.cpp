@@ -23,7 +23,7 @@ const std::string kLatin1 =
 
 std::string quoted(const std::string& path) { return "'" + path + "'"; }
 
-bool has(const std::string& text, const std::string& part) {
+bool includes(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -42,8 +42,8 @@ TEST_CASE("outputs: object names that are not UTF-8 stay in OBJ and are replaced
     const auto document = nlohmann::json::parse(ran.out);
     CHECK(document["objects"][0]["name"] == input + ": caf\xef\xbf\xbd");
     CHECK(document["objects"][1]["name"] == input + ": na\xef\xbf\xbdve");
-    CHECK(has(bytes_of(output), "o caf\xe9\n"));
-    CHECK(has(bytes_of(output), "o na\xefve\n"));
+    CHECK(includes(bytes_of(output), "o caf\xe9\n"));
+    CHECK(includes(bytes_of(output), "o na\xefve\n"));
   }
   const auto compared = run_program("diff --parts --json " + input);
   CHECK(compared.exit == 0);
@@ -58,26 +58,26 @@ TEST_CASE("outputs: file names that are not UTF-8 (#13)") {
   const auto name_of = [](const support::Ran& ran) {
     return nlohmann::json::parse(ran.out).value("name", std::string());
   };
-  CHECK(has(name_of(run_program("hull --json " + quoted(input))), "caf\xef\xbf\xbd.obj"));
+  CHECK(includes(name_of(run_program("hull --json " + quoted(input))), "caf\xef\xbf\xbd.obj"));
   CHECK(run_program("simplify --faces 4 --json " + quoted(input) + " --picture " + quoted(page))
             .exit == 0);
-  CHECK(has(bytes_of(page), "<title>caf\xef\xbf\xbd.obj</title>"));
-  CHECK_FALSE(has(bytes_of(page), "caf\xe9.obj"));
+  CHECK(includes(bytes_of(page), "<title>caf\xef\xbf\xbd.obj</title>"));
+  CHECK_FALSE(includes(bytes_of(page), "caf\xe9.obj"));
   CHECK(run_program("verify --json " + quoted(input) + " " + quoted(input)).exit <= 1);
   CHECK(run_program("report --json --sections tightness " + quoted(input) + " -o " + folder).exit ==
         0);
-  CHECK(has(bytes_of(scratch.file("r\xe9sultat/report.csv")), "caf\xef\xbf\xbd.obj"));
-  CHECK(has(bytes_of(scratch.file("r\xe9sultat/report.html")), "caf\xef\xbf\xbd.obj"));
+  CHECK(includes(bytes_of(scratch.file("r\xe9sultat/report.csv")), "caf\xef\xbf\xbd.obj"));
+  CHECK(includes(bytes_of(scratch.file("r\xe9sultat/report.html")), "caf\xef\xbf\xbd.obj"));
   const auto shrunk = run_program("shrink --json " + quoted(input) + " -o " +
                                   quoted(scratch.file("m\xe9.obj")) + " -- false {input}");
   CHECK(shrunk.exit == 0);
-  CHECK(has(nlohmann::json::parse(shrunk.out)["output"], "m\xef\xbf\xbd.obj"));
+  CHECK(includes(nlohmann::json::parse(shrunk.out)["output"], "m\xef\xbf\xbd.obj"));
   const std::string table = scratch.file("table.md");
   const auto conformed =
       run_program("conform --json --level 1 --flag ties --vectors " + support::data("../vectors") +
                   " -o " + table + " -- cat {input} {faces} {output} 'caf\xe9'");
-  CHECK(has(nlohmann::json::parse(conformed.out)["program"], "caf\xef\xbf\xbd"));
-  CHECK(has(bytes_of(table), "caf\xef\xbf\xbd"));
+  CHECK(includes(nlohmann::json::parse(conformed.out)["program"], "caf\xef\xbf\xbd"));
+  CHECK(includes(bytes_of(table), "caf\xef\xbf\xbd"));
 }
 
 TEST_CASE("outputs: the title of a picture is the file's name, without folder and part (#14)") {
@@ -127,7 +127,7 @@ TEST_CASE("outputs: option values that are not UTF-8 are refused in JSON that ca
         "shrink " + input + " -o " + scratch.file("b.obj") + " -- " + bad + " {input}"}) {
     CAPTURE(arguments);
     const auto ran = run_program(arguments + " --json");
-    const bool behind_program = has(arguments, " -- ");
+    const bool behind_program = includes(arguments, " -- ");
     CAPTURE(ran.err);
     CHECK((ran.exit == 2 || ran.exit == 3));
     if (!behind_program) CHECK(nlohmann::json::parse(ran.out)["error"]["exit"] == ran.exit);
@@ -177,7 +177,7 @@ TEST_CASE("inputs: standard input can be read only once (#13)") {
     const bool twice = command != "hull - ";
     const auto ran = run_program(command + " <" + input);
     CHECK(ran.exit == (twice ? 2 : 0));
-    CHECK(has(ran.err, twice ? "once" : ""));
+    CHECK(includes(ran.err, twice ? "once" : ""));
   }
 }
 
@@ -197,11 +197,11 @@ TEST_CASE("hull: measures that are not asked for are neither computed nor told (
       const auto& word = measure.first;
       const auto& stage = measure.second;
       CAPTURE(word);
-      const bool is_asked = has(asked, word);
+      const bool is_asked = includes(asked, word);
       CHECK(document.contains(word == "mean-width" ? "mean_width" : word) == is_asked);
-      CHECK(has(text, stage + "  ") == true);  // as a number, or among the stages not needed
-      CHECK(has(text, stage + std::string(24 - stage.size(), ' ') +
-                          "not needed: not among the measures asked for") != is_asked);
+      CHECK(includes(text, stage + "  ") == true);  // as a number, or among the stages not needed
+      CHECK(includes(text, stage + std::string(24 - stage.size(), ' ') +
+                               "not needed: not among the measures asked for") != is_asked);
       for (const auto& listed : document["stages"]) {
         if (listed["name"] == stage) CHECK(listed.contains("skipped") != is_asked);
       }
@@ -212,6 +212,7 @@ TEST_CASE("hull: measures that are not asked for are neither computed nor told (
     CAPTURE(bad);
     const auto ran = run_program("hull " + input + " --measures " + bad);
     CHECK(ran.exit == 2);
-    CHECK(has(ran.err, has(bad, " ") ? "leaves the volume out" : "expected names out of"));
+    CHECK(
+        includes(ran.err, includes(bad, " ") ? "leaves the volume out" : "expected names out of"));
   }
 }
