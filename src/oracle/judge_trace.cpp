@@ -2,6 +2,7 @@
 // judge_trace(): follows an order of removals and compares every step with the cheapest one.
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
@@ -214,11 +215,11 @@ TraceVerdict TraceJudge::run() {
 // The list that the order states, if it states one. That none of them is removed is judged step by
 // step.
 void TraceJudge::compare_kept() {
-  for (const HalfspaceId id : options_.kept) {
-    if (id.index() < is_removed_.size()) continue;
-    throw Error(ErrorCode::InvalidArgument, "facet " + id_text(id) +
-                                                " is to be kept: expected an id below " +
-                                                std::to_string(is_removed_.size()));
+  const std::vector<HalfspaceId>& kept = options_.kept;
+  if (std::adjacent_find(kept.begin(), kept.end(), std::greater_equal<>()) != kept.end() ||
+      (!kept.empty() && kept.back().index() >= is_removed_.size())) {
+    throw Error(ErrorCode::InvalidArgument, "the facets to be kept: expected different ids below " +
+                                                std::to_string(is_removed_.size()) + ", ascending");
   }
   if (order_.kept || !options_.kept.empty()) claims_.ask(TraceCode::Kept);
   if (!order_.kept) return;

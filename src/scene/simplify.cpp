@@ -123,9 +123,9 @@ RationalPoint find_center(const Solid& solid, const SimplifyRequest& request, St
     }
     return *request.center;
   }
-  if (request.engine != Engine::Exact && solid.interior) {
-    log.skip("Chebyshev center", "any interior point serves this engine, and one is known");
-    return *solid.interior;
+  if (request.engine != Engine::Exact) {
+    log.skip("Chebyshev center", "any interior point serves this engine");
+    return log.run("center", [&] { return interior_point_of(solid); });
   }
   return chebyshev_stage(halfspaces, request.seed, log);
 }

@@ -32,6 +32,7 @@ std::string input_line(std::size_t points, std::size_t vertices, std::size_t hal
 
 std::string output_line(const SimplifyResult& result) {
   std::string text = counted(result.solid.exact.planes.size(), "halfspace", "halfspaces");
+  if (!result.kept.empty()) text += fmt::format(", {} of them kept on request", result.kept.size());
   switch (result.stop) {
     case StopReason::Reached:
       return text + (result.steps == 0 ? ": as many as the input has" : "");

@@ -146,8 +146,10 @@ std::vector<HalfspaceId> select_facets(std::span<const Halfspace> halfspaces,
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   if (most && all.size() > *most) {
-    refuse(fmt::format("{} facets are to be kept, more than the {} halfspaces of the result",
-                       all.size(), *most));
+    refuse(fmt::format(
+        "{} facets are to be kept, more than the {} halfspaces of the result: ask for more of "
+        "these, or keep fewer",
+        all.size(), *most));
   }
   return all;
 }

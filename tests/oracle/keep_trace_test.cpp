@@ -105,7 +105,8 @@ TEST_CASE("kept in a trace: runs by all measures hold, and steps that cost more 
       definition::check_against_definition(run, measure);
       CHECK(judge_kept(solid, stated(run), keep).holds());
       CHECK(check_greedy(solid, center_of(solid), run).empty());
-      if (run.steps.size() < 2 || definition::in_order(*run.steps[1].cost, *run.steps[0].cost) == 0) continue;
+      if (run.steps.size() < 2 || definition::in_order(*run.steps[1].cost, *run.steps[0].cost) == 0)
+        continue;
       Run swapped = run;
       std::swap(swapped.steps[0].removed, swapped.steps[1].removed);
       RemovalOrder order = stated(swapped);
@@ -121,6 +122,14 @@ TEST_CASE("kept and left out at once is refused") {
   const Error error = error_of(
       [&] { return judge_trace(solid, center_of(solid), order_of(solid, Ids{}), options); });
   CHECK(error.code() == ErrorCode::InvalidArgument);
+}
+
+TEST_CASE("kept ids that do not exist, repeat or descend are refused") {
+  const DualHull solid = cut_cube();
+  for (const Ids& wrong : {Ids{HalfspaceId(7)}, Ids{kCut, kCut}, Ids{kCut, kTop}}) {
+    const Error error = error_of([&] { return judge_kept(solid, order_of(solid, Ids{}), wrong); });
+    CHECK(error.code() == ErrorCode::InvalidArgument);
+  }
 }
 
 TEST_CASE("kept facets in all engines at once") {

@@ -95,6 +95,15 @@ TEST_CASE("plan: simplify skips what neither the engine nor the input needs") {
   check_only("Chebyshev center", reference, planes);
   check_only("Chebyshev center", reference, centered);
   check_only("hull certificate", reference, lean);
+  Plan area, kept;
+  request = request_for(Engine::Filtered);
+  request.cost = CostMeasure::Area;
+  simplify_in(area, ball(), request);
+  check_only("Chebyshev center", reference, area);
+  request.cost = CostMeasure::Volume;
+  request.keep = {{KeepIds{{HalfspaceId(0)}}, "the first"}};
+  simplify_in(kept, ball(), request);
+  check_only("Chebyshev center", reference, kept);
   check_only("hull", lean, planes);
   check_only("empty, flat, bounded", planes, lean);
   check_only("hull of dual points", planes, lean);
