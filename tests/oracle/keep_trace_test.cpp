@@ -63,7 +63,7 @@ TEST_CASE("kept in a trace: the cheapest of the others is greedy, with the same 
   CHECK(free.steps[0].minimum == Rational(1, 48));
   CHECK(witness(free, "trace-kept").found == "keeps {6}");
   // Other selectors than the trace states.
-  CHECK(violated(judge_kept(solid, order, {kCut, HalfspaceId(4)})) ==
+  CHECK(violated(judge_kept(solid, order, {HalfspaceId(4), kCut})) ==
         Codes{"trace-ties", "trace-kept"});
 }
 
