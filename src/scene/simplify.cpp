@@ -352,8 +352,13 @@ SimplifyOutcome simplify_solid(const Shape& shape, const SimplifyRequest& reques
   auto& solid = std::get<Solid>(outcome);
   const RationalPoint center = find_center(solid, request, log);
   const auto* points = std::get_if<PointSet>(&shape);
-  const std::vector<HalfspaceId> keep = select_facets(
-      solid.dual.halfspaces, points != nullptr ? *points : PointSet(), request.keep, request.faces);
+  std::vector<HalfspaceId> keep;
+  if (!request.keep.empty()) {
+    keep = log.run("facets to keep", [&] {
+      return select_facets(solid.dual.halfspaces, points != nullptr ? *points : PointSet(),
+                           request.keep, request.faces);
+    });
+  }
   End end = record ? run_with_record(solid, center, keep, request, log)
                    : run_lean(FastDual::of(solid.dual, center), keep, request, log);
   const std::vector<KeptFacet> kept = find_kept(solid.dual.halfspaces, keep, end.polytope.planes);

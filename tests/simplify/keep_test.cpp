@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "convexact/dual.hpp"
 #include "convexact/simplify.hpp"
@@ -151,6 +152,39 @@ TEST_CASE("keep: planes that hold all corners of a face") {
   refusal(KeepFaces{{{0, 1, 2}}});  // halfspaces have no points
   const PointSet rationals(std::vector<RationalPoint>{{0, Rational(1, 3), 1}, {0, 0, 0}});
   CHECK(selected(KeepFaces{{{0}}}, kCutCube, rationals) == ids({0, 3}));
+}
+
+// Every facet of a hull holds its corners, at any scale; the tip of a spike an ulp long lies on
+// none of the others.
+TEST_CASE("keep: faces of huge, tiny and nearly coplanar points") {
+  for (const int exponent : {0, 970, -970, -1060, 1015}) {
+    CAPTURE(exponent);
+    std::vector<Point> points;
+    for (const Point& p : shapes::lattice(20, 3, 5)) {
+      points.push_back(p.unaryExpr([&](double x) { return std::ldexp(x, exponent); }));
+    }
+    const PointSet set(points);
+    const Hull hull = std::get<Hull>(convex_hull(set));
+    std::vector<Halfspace> halfspaces = facet_halfspaces(hull, set);
+    for (std::size_t f = 0; f < halfspaces.size(); ++f) {
+      std::vector<std::uint32_t> corners;
+      for (const PointId p : hull.facets[f]) corners.push_back(p.value);
+      CHECK(selected(KeepFaces{{corners}}, halfspaces, set) == ids({f}));
+    }
+    // By the definition: all facets whose planes hold a point.
+    for (std::uint32_t p = 0; p < points.size(); ++p) {
+      Ids expected;
+      for (std::size_t f = 0; f < halfspaces.size(); ++f) {
+        if (halfspaces[f](set[PointId(p)]) == 0) expected.emplace_back(f);
+      }
+      if (expected.empty()) continue;
+      CHECK(selected(KeepFaces{{{p}}}, halfspaces, set) == expected);
+    }
+  }
+  const double next = std::nextafter(1.0, 2.0);
+  const PointSet spike(std::vector<Point>{{1, 0.25, 0.25}, {next, 0.25, 0.25}, {1, 0.5, 0.25}});
+  CHECK(selected(KeepFaces{{{0, 2}}}, kCutCube, spike) == ids({5}));
+  CHECK_THROWS(selected(KeepFaces{{{1}}}, kCutCube, spike));
 }
 
 TEST_CASE("keep: more than may be kept") {
