@@ -81,7 +81,7 @@ TEST_CASE("--keep: what is refused, by name") {
   const std::string input = scratch.write("cut.obj", kGroupedCutCube);
   const std::string output = scratch.file("out.obj");
   const std::string run = "simplify " + input + " --faces 4 -o " + output + " --keep ";
-  for (const auto& [selector, why] : std::vector<std::pair<std::string, std::string>>{
+  for (const auto& refused : std::vector<std::pair<std::string, std::string>>{
            {"id:7", "ids below 7"},
            {"id:-1", "whole number"},
            {"id:", "whole number"},
@@ -104,8 +104,8 @@ TEST_CASE("--keep: what is refused, by name") {
            {"id:0,1,2,3,4", "5 facets are to be kept"},
            {"lid/id:6", "no object is called 'lid'"},
        }) {
-    const std::string said = refusal(run + selector);
-    CHECK_MESSAGE(says(said, why), selector << ": " << said);
+    const std::string said = refusal(run + refused.first);
+    CHECK_MESSAGE(says(said, refused.second), refused.first << ": " << said);
     CHECK_MESSAGE((says(said, "--keep") || says(said, "to be kept")), said);
   }
   CHECK(scratch.count() == 1);
