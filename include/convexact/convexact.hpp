@@ -17,6 +17,7 @@
 #include "convexact/point_set.hpp"
 #include "convexact/polytope.hpp"
 #include "convexact/predicates.hpp"
+#include "convexact/query.hpp"
 #include "convexact/root_sum.hpp"
 #include "convexact/run.hpp"
 #include "convexact/scene.hpp"

@@ -35,6 +35,7 @@ void add_conform_command(CLI::App& program, int& exit_code);
 void add_diff_command(CLI::App& program, int& exit_code);
 void add_generate_command(CLI::App& program, int& exit_code);
 void add_hull_command(CLI::App& program, int& exit_code);
+void add_query_command(CLI::App& program, int& exit_code);
 void add_report_command(CLI::App& program, int& exit_code);
 void add_shrink_command(CLI::App& program, int& exit_code);
 void add_simplify_command(CLI::App& program, int& exit_code);

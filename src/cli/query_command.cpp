@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+// convexact query: overlap of two solids, rays against one, false positives of one around another.
+#include <memory>
+#include <optional>
+
+#include "cli/outputs.hpp"
+#include "cli/progress.hpp"
+#include "convexact/io.hpp"
+#include "convexact/query.hpp"
+#include "convexact/scene.hpp"
+#include "io/json.hpp"
+#include "query/query_report.hpp"
+#include "scene/result_json.hpp"
+#include "scene/solid.hpp"
+
+namespace convexact::cli {
+namespace {
+
+constexpr const char* kQueryFooter =
+    "Examples:\n"
+    "  convexact query overlap bunny.obj box.json\n"
+    "  convexact query rays bunny.obj rays.txt --json\n"
+    "  convexact query false-positives bunny.obj bunny12.json\n"
+    "\n"
+    "Every answer is exact and checked by its definition before it is printed. A mesh stands for\n"
+    "the convex hull of its points, a list of halfspaces for their intersection. Solids are\n"
+    "closed: touching counts. Halfspaces are named by their positions in canonical order, as\n"
+    "convexact hull --json lists them.";
+
+constexpr const char* kOverlapFooter =
+    "Example:\n"
+    "  convexact query overlap bunny.obj box.json --json\n"
+    "\n"
+    "Prints a common point; or halfspaces of both that no point satisfies together, with their\n"
+    "multipliers, and a plane strictly between the two. Exit code 0 for either answer.";
+
+constexpr const char* kRaysFooter =
+    "Example:\n"
+    "  convexact query rays bunny.obj rays.txt\n"
+    "\n"
+    "FILE has a ray origin + t direction, t >= 0, on each line: ox oy oz ux uy uz. Entry and exit\n"
+    "are those of the ray's whole line, as fractions, each with all halfspaces that the line\n"
+    "crosses there; a ray that begins inside has an entry below 0.";
+
+constexpr const char* kFalsePositivesFooter =
+    "Example:\n"
+    "  convexact query false-positives bunny.obj bunny12.json --lines 20000 --planes 0 --points 0\n"
+    "\n"
+    "The rate is the share of the probes that hit B and miss A, among those that hit B. If A is\n"
+    "inside B, it is expected to be 1 - M(A)/M(B): M is the area for lines, the mean width for\n"
+    "planes, the volume for points; sigma is its standard deviation. If A is not inside B, this\n"
+    "is said, and no rate is predicted.";
+
+struct QueryArguments {
+  GlobalOptions global;
+  std::string a, b, rays;
+  SceneOptions scene;
+  FalsePositiveRequest probes;
+};
+
+// The solids of the inputs, with their stages; the first one that is none ends the query.
+class QueriedSolids {
+ public:
+  QueriedSolids(const QueryArguments& options, const std::vector<std::string>& paths)
+      : log_(progress_.watch()) {
+    std::vector<SceneObject> scene =
+        log_.run("read", StageKind::Io, [&] { return read_scene(paths, options.scene); });
+    for (SceneObject& object : scene) {
+      StageLog log(progress_.watch());
+      SolidOutcome outcome = make_solid(object.shape, options.global.seed, true, log, false);
+      log_.add(log.stages());
+      if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
+        flat_ = FlatObject{object.name, of_typed_rows(*reason, object.rows)};
+        return;
+      }
+      names_.push_back(object.name);
+      solids_.push_back(std::get<Solid>(std::move(outcome)).polytope);
+    }
+  }
+
+  const std::optional<FlatObject>& flat() const { return flat_; }
+  NamedPolytope operator[](std::size_t k) const { return {names_[k], solids_[k]}; }
+  StageLog& log() { return log_; }
+  void clear_progress() { progress_.clear(); }
+
+ private:
+  Progress progress_;
+  StageLog log_;
+  std::optional<FlatObject> flat_;
+  std::vector<std::string> names_;
+  std::vector<Polytope> solids_;
+};
+
+void require(bool is_true) {
+  if (!is_true) throw Error(ErrorCode::Internal, "the answer to a query fails its check");
+}
+
+int report_flat(const QueryArguments& options, QueriedSolids& solids) {
+  solids.clear_progress();
+  return report_not_solid(options.global, solids.flat()->name, solids.flat()->reason);
+}
+
+int print_answer(const QueryArguments& options, QueriedSolids& solids, nlohmann::ordered_json json,
+                 const std::string& text) {
+  solids.clear_progress();
+  json["stages"] = stages_json(solids.log().stages());
+  if (options.global.json) {
+    print(json);
+  } else {
+    print(text + stage_text(solids.log().stages(), options.global.stages));
+  }
+  return 0;
+}
+
+std::vector<Ray> rays_of(const QueryArguments& options) {
+  const std::string file = display_name(options.rays), bytes = read_bytes(options.rays);
+  remember_input(file, bytes);
+  try {
+    return read_rays_bytes(bytes, options.scene.decimal);
+  } catch (const Error& error) {
+    throw error.in_file(file);
+  }
+}
+
+int run_overlap(const QueryArguments& options) {
+  QueriedSolids solids(options, {options.a, options.b});
+  if (solids.flat()) return report_flat(options, solids);
+  const NamedPolytope a = solids[0], b = solids[1];
+  const Overlap answer = solids.log().run(
+      "overlap", [&] { return find_overlap(a.solid, b.solid, options.global.seed); });
+  solids.log().run("check", [&] { require(check(a.solid, b.solid, answer)); });
+  return print_answer(options, solids, overlap_json(a, b, answer), overlap_text(a, b, answer));
+}
+
+int run_rays(const QueryArguments& options) {
+  if (options.a == "-" && options.rays == "-") {
+    throw Error(ErrorCode::InvalidArgument, "standard input, -, can be read only once");
+  }
+  const std::vector<Ray> rays = rays_of(options);
+  QueriedSolids solids(options, {options.a});
+  if (solids.flat()) return report_flat(options, solids);
+  const NamedPolytope a = solids[0];
+  const std::vector<RayAnswer> answers = solids.log().run("rays", [&] {
+    const Watch watch = solids.log().watch("rays");
+    std::vector<RayAnswer> list;
+    for (const Ray& ray : rays) {
+      watch.at(list.size(), rays.size());
+      list.push_back(cast_ray(a.solid, ray));
+    }
+    return list;
+  });
+  solids.log().run("check", [&] {
+    const Watch watch = solids.log().watch("check");
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      watch.at(i, rays.size());
+      require(check(a.solid, rays[i], answers[i]));
+    }
+  });
+  return print_answer(options, solids, rays_json(a, answers), rays_text(a, answers));
+}
+
+int run_false_positives(const QueryArguments& options) {
+  QueriedSolids solids(options, {options.a, options.b});
+  if (solids.flat()) return report_flat(options, solids);
+  const NamedPolytope a = solids[0], b = solids[1];
+  FalsePositiveRequest request = options.probes;
+  request.seed = options.global.seed;
+  request.watch = solids.log().watch("probes");
+  const FalsePositives found =
+      solids.log().run("probes", [&] { return count_false_positives(a.solid, b.solid, request); });
+  return print_answer(options, solids, false_positives_json(a, b, found),
+                      false_positives_text(a, b, found));
+}
+
+void add_solid(CLI::App& command, const std::string& name, std::string& path,
+               const std::string& meaning) {
+  command
+      .add_option(name, path,
+                  meaning +
+                      ": mesh or points (OBJ, OFF, PLY, STL, XYZ) or halfspaces (JSON, .ine, "
+                      "rows); - is standard input")
+      ->required();
+}
+
+void finish_query(CLI::App& command, const std::shared_ptr<QueryArguments>& options, int& exit_code,
+                  int (*run)(const QueryArguments&)) {
+  options->scene.on_read = remember_input;
+  add_decimal_option(command, options->scene.decimal);
+  finish_command(command, options, exit_code, run);
+  add_stages_option(command, options->global);
+}
+
+void add_probes(CLI::App& command, const std::string& name, std::size_t& samples,
+                const std::string& meaning) {
+  add_count(command, name, samples, {0, 1'000'000'000}, meaning);
+}
+
+}  // namespace
+
+void add_query_command(CLI::App& program, int& exit_code) {
+  CLI::App& command =
+      *program.add_subcommand("query", "overlap, rays and false positives, answered exactly");
+  command.footer(kQueryFooter);
+  command.require_subcommand(1);
+
+  CLI::App& overlap =
+      *command.add_subcommand("overlap", "whether two solids have a point in common");
+  overlap.footer(kOverlapFooter);
+  auto options = std::make_shared<QueryArguments>();
+  add_solid(overlap, "A", options->a, "a solid");
+  add_solid(overlap, "B", options->b, "another one");
+  finish_query(overlap, options, exit_code, run_overlap);
+
+  CLI::App& rays = *command.add_subcommand("rays", "where rays enter and leave a solid");
+  rays.footer(kRaysFooter);
+  options = std::make_shared<QueryArguments>();
+  add_solid(rays, "A", options->a, "a solid");
+  rays.add_option("FILE", options->rays,
+                  "the rays, a line of six numbers each; - is standard input")
+      ->required();
+  finish_query(rays, options, exit_code, run_rays);
+
+  CLI::App& probes = *command.add_subcommand(
+      "false-positives", "how often random probes hit a solid and not one inside it");
+  probes.footer(kFalsePositivesFooter);
+  options = std::make_shared<QueryArguments>();
+  add_solid(probes, "A", options->a, "a solid");
+  add_solid(probes, "B", options->b, "the one around it");
+  add_probes(probes, "--lines", options->probes.lines, "lines through a ball around both");
+  add_probes(probes, "--planes", options->probes.planes, "planes through it");
+  add_probes(probes, "--points", options->probes.points, "points of it");
+  finish_query(probes, options, exit_code, run_false_positives);
+  probes.get_option("--seed")->description("seed of the probes");
+}
+
+}  // namespace convexact::cli

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "query/probed_solid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "convexact/error.hpp"
+#include "convexact/measure.hpp"
+#include "number/arithmetic.hpp"
+#include "number/roundoff.hpp"
+
+namespace convexact {
+namespace {
+
+constexpr double kU = kUnitRoundoff;
+
+// Error of the value of a plane at a point, |y_k| <= 1, or at a vertex, whose coordinates are
+// rounded as well. The normal's components are at most 1, each off by at most u/2; the offset is
+// below 2, because the plane meets the frame's ball, so off by at most u: together 5u/2. The
+// vertex's coordinates are off by u/2 each: 3u/2. Three products of at most 1 are off by u/2 each:
+// 3u/2. The sums are at most 2, 3 and 5, so off by at most u, 2u and 4u. All of it is 25u/2.
+// Values themselves are at most 5. For a ProbePlane at a vertex the same terms are smaller.
+constexpr double kPlaneError = 16 * kU;
+
+// Of the difference w of two such values, at most 10: twice that, and its rounding, 8u.
+constexpr double kSlopeError = 3 * kPlaneError;
+
+// Of v + t w for |t| <= 4: kPlaneError + 4 kSlopeError, and roundings of a product and a sum of at
+// most 45, 64u, so below 17 kPlaneError. Of v_i w_j - w_i v_j: two products of values of at most 5
+// and slopes of at most 10, each off by 5 kSlopeError + 10 kPlaneError, and by products of errors
+// below kPlaneError; and the roundings of numbers of at most 100, 64u each: below 64 kPlaneError.
+constexpr double kLineError = 64 * kPlaneError;
+
+Point nearest(const RationalPoint& x) {
+  return {to_double(x[0], Rounding::Nearest), to_double(x[1], Rounding::Nearest),
+          to_double(x[2], Rounding::Nearest)};
+}
+
+// Whether the vertices, as values of one function, lie on both sides of 0 or on it.
+class Sides {
+ public:
+  void add(Sign side) {
+    touches_ = touches_ || side == Sign::Zero;
+    above_ = above_ || side == Sign::Positive;
+    below_ = below_ || side == Sign::Negative;
+  }
+  bool meet() const { return touches_ || (above_ && below_); }
+
+ private:
+  bool touches_ = false, above_ = false, below_ = false;
+};
+
+}  // namespace
+
+RationalPoint ProbeFrame::operator()(const RationalPoint& x) const {
+  RationalPoint y;
+  for (int k = 0; k < 3; ++k) y[k] = scale_by_power_of_two(x[k] - center[k], -exponent);
+  return y;
+}
+
+// n.x + d = 2^exponent n.y + (n.center + d).
+Halfspace ProbeFrame::operator()(const Halfspace& h) const {
+  const RationalVector3 normal = h.normal().cast<Rational>();
+  return {normal, scale_by_power_of_two(h(center), -exponent)};
+}
+
+ProbeFrame frame_around(const Polytope& a, const Polytope& b) {
+  std::vector<RationalPoint> vertices = a.vertices;
+  vertices.insert(vertices.end(), b.vertices.begin(), b.vertices.end());
+  const BoundingBox box = bounding_box(vertices);
+  ProbeFrame frame;
+  frame.center = (box.low + box.high) / Rational(2);
+  Rational squared = 0;
+  for (const RationalPoint& v : vertices) {
+    const RationalVector3 from_center = v - frame.center;
+    squared = std::max<Rational>(squared, from_center.squaredNorm());
+  }
+  // 2^(e-2) < squared < 2^e, so with m = ceil(e / 2) + 1 the square is below 1/4 in units of 4^m.
+  const long e = exponent_of(squared);
+  frame.exponent = (e >= 0 ? (e + 1) / 2 : -(-e / 2)) + 1;
+  const Rational in_frame = scale_by_power_of_two(squared, -2 * frame.exponent);
+  frame.radius = std::sqrt(to_double(in_frame, Rounding::Nearest));
+  while (to_rational(frame.radius) * to_rational(frame.radius) < in_frame) {
+    frame.radius = std::nextafter(frame.radius, 1.0);
+  }
+  return frame;
+}
+
+ProbedSolid::ProbedSolid(const Polytope& solid, const ProbeFrame& frame) {
+  exact_.facets = solid.facets;
+  for (const Halfspace& plane : solid.planes) {
+    const Halfspace& moved = exact_.planes.emplace_back(frame(plane));
+    const long bits = static_cast<long>(bit_length(moved.normal()));
+    const auto rounded = [bits](const Integer& x) {
+      return to_double(scale_by_power_of_two(Rational(x), -bits), Rounding::Nearest);
+    };
+    const IntegerVector3& n = moved.normal();
+    planes_.push_back({{rounded(n[0]), rounded(n[1]), rounded(n[2])}, rounded(moved.offset())});
+  }
+  for (const RationalPoint& vertex : solid.vertices) {
+    vertices_.push_back(nearest(exact_.vertices.emplace_back(frame(vertex))));
+  }
+}
+
+bool ProbedSolid::is_hit(const Point& point) const {
+  bool is_certain = true;
+  for (const NearPlane& plane : planes_) {
+    const double value = plane(point);
+    if (value > kPlaneError) return false;
+    is_certain = is_certain && value < -kPlaneError;
+  }
+  if (is_certain) return true;
+  ++exact_decisions_;
+  const RationalPoint y = to_rational(point);
+  return std::all_of(exact_.planes.begin(), exact_.planes.end(),
+                     [&](const Halfspace& plane) { return plane(y) <= 0; });
+}
+
+// With v the values of the facets at `first` and w the differences to those at `second`, the line
+// hits iff some t has v_i + t w_i <= 0 for all i. A t that satisfies all of them by more than their
+// errors proves a hit. Facets with w_i < 0 < w_j prove a miss if w_j v_i - w_i v_j > 0: this sum,
+// with two positive factors, is the same for every t, and would be <= 0 on a hit.
+bool ProbedSolid::is_hit(const ProbeLine& line) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kMostT = 4;
+  double low = -kInfinity, high = kInfinity;
+  TwoTerms entry{}, exit{};  // v and w of the facets that give the ends
+  for (const NearPlane& plane : planes_) {
+    const double v = plane(line.first), w = plane(line.second) - v;
+    if (w < -kSlopeError && -v / w > low) {
+      low = -v / w;
+      entry = {v, w};
+    } else if (w > kSlopeError && -v / w < high) {
+      high = -v / w;
+      exit = {v, w};
+    }
+  }
+  if (low > -kInfinity && high < kInfinity) {
+    if (entry.high * exit.low - entry.low * exit.high > kLineError) return false;
+    const double t = low + (high - low) / 2;
+    if (std::abs(t) <= kMostT &&
+        std::all_of(planes_.begin(), planes_.end(), [&](const NearPlane& plane) {
+          const double v = plane(line.first), w = plane(line.second) - v;
+          return v + t * w < -kLineError;
+        })) {
+      return true;
+    }
+  }
+  ++exact_decisions_;
+  const RationalPoint first = to_rational(line.first), second = to_rational(line.second);
+  return cast_ray(exact_, {first, second - first}).line.has_value();
+}
+
+bool ProbedSolid::is_hit(const ProbePlane& plane) const {
+  const Point& u = plane.normal;
+  Sides sides;
+  bool is_certain = true;
+  for (const Point& y : vertices_) {
+    const double value = u[0] * y[0] + u[1] * y[1] + u[2] * y[2] - plane.offset;
+    if (std::abs(value) > kPlaneError) {
+      sides.add(value > 0 ? Sign::Positive : Sign::Negative);
+    } else {
+      is_certain = false;
+    }
+    if (sides.meet()) return true;
+  }
+  if (is_certain) return false;
+  ++exact_decisions_;
+  const RationalVector3 normal = to_rational(u);
+  const Rational offset = to_rational(plane.offset);
+  for (const RationalPoint& y : exact_.vertices) {
+    sides.add(sign_of(Rational(normal.dot(y) - offset)));
+    if (sides.meet()) return true;
+  }
+  return false;
+}
+
+std::optional<EscapingVertex> ProbedSolid::first_outside(const ProbedSolid& inner) const {
+  for (std::size_t v = 0; v < inner.vertices_.size(); ++v) {
+    for (std::size_t f = 0; f < planes_.size(); ++f) {
+      const double value = planes_[f](inner.vertices_[v]);
+      if (value < -kPlaneError) continue;
+      if (value > kPlaneError || exact_.planes[f](inner.exact_.vertices[v]) > 0) {
+        return EscapingVertex{static_cast<std::uint32_t>(v), HalfspaceId(f)};
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace convexact

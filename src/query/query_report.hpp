@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// query_report.hpp - the answers to queries: for machines (docs/schema/query.schema.json) and for
+// people.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "convexact/query.hpp"
+
+namespace convexact {
+
+/// A solid that is asked about, under the name of its file.
+struct NamedPolytope {
+  std::string name;
+  const Polytope& solid;
+};
+
+/// "overlap", and "witness" or "farkas" and "separating_plane".
+[[nodiscard]] nlohmann::ordered_json overlap_json(const NamedPolytope& a, const NamedPolytope& b,
+                                                  const Overlap& answer);
+[[nodiscard]] std::string overlap_text(const NamedPolytope& a, const NamedPolytope& b,
+                                       const Overlap& answer);
+
+/// "rays", in the order of the file, and "hits", their number.
+[[nodiscard]] nlohmann::ordered_json rays_json(const NamedPolytope& a,
+                                               std::span<const RayAnswer> answers);
+/// A line for each ray.
+[[nodiscard]] std::string rays_text(const NamedPolytope& a, std::span<const RayAnswer> answers);
+
+/// "inside", the ball, and "lines", "planes" and "points", each if there are samples.
+[[nodiscard]] nlohmann::ordered_json false_positives_json(const NamedPolytope& a,
+                                                          const NamedPolytope& b,
+                                                          const FalsePositives& found);
+/// A table.
+[[nodiscard]] std::string false_positives_text(const NamedPolytope& a, const NamedPolytope& b,
+                                               const FalsePositives& found);
+
+}  // namespace convexact
