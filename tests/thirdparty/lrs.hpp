@@ -41,15 +41,7 @@ class Lrs {
   std::vector<convexact::RationalPoint> vertices(
       std::span<const convexact::Halfspace> halfspaces) const {
     using namespace convexact;
-    std::ostringstream input;  // rows (b, A) with b + A x >= 0, so (-d, -n)
-    input << "halfspaces\nH-representation\nbegin\n" << halfspaces.size() << " 4 rational\n";
-    for (const Halfspace& h : halfspaces) {
-      input << to_string(Integer(-h.offset()));
-      for (int k = 0; k < 3; ++k) input << ' ' << to_string(Integer(-h.normal()[k]));
-      input << '\n';
-    }
-    input << "end\n";
-    const std::string output = run(input.str());
+    const std::string output = run(h_representation(halfspaces));
     std::istringstream rows(output.substr(output.find("rational") + 8));
     std::vector<RationalPoint> result;
     for (std::string kind, x, y, z; rows >> kind && kind != "end";) {
@@ -59,7 +51,31 @@ class Lrs {
     return result;
   }
 
+  /// Whether no point satisfies the halfspaces.
+  bool is_empty(std::span<const convexact::Halfspace> halfspaces) const {
+    const std::string output = run(h_representation(halfspaces));
+    if (output.find("No feasible solution") != std::string::npos) return true;
+    if (output.find("\n 1 ") == std::string::npos) {
+      throw std::runtime_error("lrs finds no vertex:\n" + output);
+    }
+    return false;
+  }
+
  private:
+  // Rows (b, A) with b + A x >= 0, so (-d, -n).
+  static std::string h_representation(std::span<const convexact::Halfspace> halfspaces) {
+    using namespace convexact;
+    std::ostringstream input;
+    input << "halfspaces\nH-representation\nbegin\n" << halfspaces.size() << " 4 rational\n";
+    for (const Halfspace& h : halfspaces) {
+      input << to_string(Integer(-h.offset()));
+      for (int k = 0; k < 3; ++k) input << ' ' << to_string(Integer(-h.normal()[k]));
+      input << '\n';
+    }
+    input << "end\n";
+    return input.str();
+  }
+
   std::string run(const std::string& input) const {
     const std::string in = base_ + ".in", out = base_ + ".out";
     std::ofstream(in) << input;
