@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
@@ -63,7 +64,10 @@ TEST_CASE("growth: a scaled cube, either way round") {
 TEST_CASE("growth: the push is rounded up") {
   const double step = 0x1p-20;
   const Polytope inner = box(1, 1, 1), outer = box(1 + step, 1 + step, 1 + step);
-  for (int d = 1; d <= 400; ++d) {
+  // Of the first three, the quotient rounded down has a root that is too small even one unit higher.
+  std::vector<int> divisors{1529, 1531, 3347};
+  for (int d = 1; d <= 400; ++d) divisors.push_back(d);
+  for (const int d : divisors) {
     const Rational squared = 3 * to_rational(step * step) / Rational(d);
     const double push = growth(inner, outer, kOrigin, Rational(d)).push;
     const double below = push * (1 - 3 * 0x1p-52);
