@@ -67,35 +67,54 @@ FilteredLoop::FilteredLoop(const FastDual& dual, const SimplifyOptions& options,
 }
 
 FastResult FilteredLoop::run(std::vector<Step>* steps) {
-  FastResult result;
   GrowthBudget growth(dual_, options_);
+  StopReason stop = StopReason::Reached;
   if (left_ > options_.faces) evaluate_all();
   while (left_ > options_.faces) {
-    if (options_.stop != nullptr && *options_.stop) throw Error(ErrorCode::Stopped, "interrupted");
-    const std::optional<HalfspaceId> choice = choose();
-    if (!choice) {
-      result.stop = options_.when_stuck();
+    const std::optional<FastStep> step = next();
+    if (!step) {
+      stop = options_.when_stuck();
       break;
     }
-    cap_.prepare(*choice);
-    const FastStep step = describe(*choice);
-    if (!is_within(growth, step)) {
-      result.stop = StopReason::GrowthLimit;
-      result.growth_bits = growth.undecided_bits();
+    if (!is_within(growth, *step)) {
+      stop = StopReason::GrowthLimit;
       break;
     }
-    result.steps.push_back(step);
-    result.ties.add(evidence_);
-    if (steps != nullptr) steps->push_back(record(*choice));
-    if (options_.verify != VerifyLevel::None) verify(*choice);
-    remove(*choice);
+    make(*step, steps);
     if (options_.progress) options_.progress(left_);
   }
-  result.triangles = mesh_.triangles();
-  result.survivors = mesh_.vertices();
-  counts_.signs = cap_.sign_counts();
-  result.counts = counts_;
+  FastResult result = finish(stop);
+  if (stop == StopReason::GrowthLimit) result.growth_bits = growth.undecided_bits();
   return result;
+}
+
+std::optional<FastStep> FilteredLoop::next() {
+  if (options_.stop != nullptr && *options_.stop) throw Error(ErrorCode::Stopped, "interrupted");
+  const std::optional<HalfspaceId> choice = choose();
+  if (!choice) return {};
+  cap_.prepare(*choice);
+  return describe(*choice);
+}
+
+void FilteredLoop::make(const FastStep& step, std::vector<Step>* steps) {
+  result_.steps.push_back(step);
+  result_.ties.add(evidence_);
+  if (steps != nullptr) steps->push_back(record(step.removed));
+  if (options_.verify != VerifyLevel::None) verify(step.removed);
+  remove(step.removed);
+}
+
+FastResult FilteredLoop::finish(StopReason stop) {
+  result_.stop = stop;
+  result_.triangles = mesh_.triangles();
+  result_.survivors = mesh_.vertices();
+  counts_.signs = cap_.sign_counts();
+  result_.counts = counts_;
+  return std::move(result_);
+}
+
+Cost FilteredLoop::measure(CostMeasure kind) const {
+  return exact_measure(dual_, mesh_.triangles(), kind);
 }
 
 void FilteredLoop::evaluate_all() {
@@ -238,15 +257,17 @@ Interval<double> FilteredLoop::added_by(const FastStep& step) {
   return {next_below(bounds.lower / multiple.upper), next_above(bounds.upper / multiple.lower)};
 }
 
+Cost FilteredLoop::exactly_added_by(const FastStep& step) {
+  return limited_cap_ ? limited_cap_->exactly() : ties_.exact_cost(step.removed);
+}
+
 // If so, the step counts from now on.
 bool FilteredLoop::is_within(GrowthBudget& growth, const FastStep& step) {
   if (!options_.max_growth) return true;
   const Interval<double> cost = added_by(step);
   std::optional<bool> allowed = growth.allows(cost);
   if (!allowed) {
-    allowed = growth.allows_exactly(
-        exact_measure(dual_, mesh_.triangles(), options_.growth_measure()),
-        limited_cap_ ? limited_cap_->exactly() : ties_.exact_cost(step.removed));
+    allowed = growth.allows_exactly(measure(options_.growth_measure()), exactly_added_by(step));
   }
   if (*allowed) growth.add(cost);
   return *allowed;
@@ -293,6 +314,34 @@ void FilteredLoop::remove(HalfspaceId i) {
     }
   }
   cap_.invalidate();
+}
+
+RecordedLoop::RecordedLoop(const DualHull& dual_hull, const RationalPoint& center,
+                           const SimplifyOptions& options)
+    : dual_(FastDual::of(dual_hull, center)),
+      recorder_(run_),
+      loop_(dual_, options, options.keep_evaluations ? &recorder_ : nullptr) {
+  run_.halfspaces = dual_hull.halfspaces;
+  run_.kept = options.keep;
+  run_.measure = options.cost;
+}
+
+Run RecordedLoop::finish(FastResult result) {
+  run_.stop = result.stop;
+  run_.growth_bits = result.growth_bits;
+  run_.triangles = std::move(result.triangles);
+  return std::move(run_);
+}
+
+void RecordedLoop::Recorder::in_doubles(HalfspaceId i, const OneRing& ring,
+                                        const std::vector<RingTriangle>& triangles,
+                                        const CostBounds<double>&) {
+  const auto& v = ring.vertices;
+  Evaluation evaluation{run_.steps.size(), i, v, {}};
+  for (const RingTriangle& t : triangles) {
+    evaluation.triangles.push_back({v[t.low], v[t.middle], v[t.high]});
+  }
+  run_.evaluations.push_back(std::move(evaluation));
 }
 
 }  // namespace convexact

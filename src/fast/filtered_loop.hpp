@@ -61,8 +61,25 @@ class FilteredLoop {
   /// @param steps  If not null, the full record of every step is appended.
   FastResult run(std::vector<Step>* steps = nullptr);
 
-  /// The loop step by step, to remove other halfspaces than the cheapest. First:
+  /// Halfspaces that are left.
+  std::size_t left() const { return left_; }
+  /// The loop step by step, for loops that advance several, or decide otherwise what is removed and
+  /// when it ends. First:
   void evaluate_all();
+  /// The next removal with its bounds; none if no removal is bounded. Until it is made, calls of
+  /// cost() may refer to it alone.
+  std::optional<FastStep> next();
+  /// Of next(): what it adds to the measure whose growth is limited, in units of
+  /// 2^dual.cost_exponent() of that measure; and exactly, in the caller's units.
+  Interval<double> added_by(const FastStep& step);
+  Cost exactly_added_by(const FastStep& step);
+  /// A measure of the solid that is left, exactly.
+  Cost measure(CostMeasure kind) const;
+  /// Makes next(). @param steps  As for run().
+  void make(const FastStep& step, std::vector<Step>* steps = nullptr);
+  /// After the last step.
+  FastResult finish(StopReason stop);
+
   /// The cheapest, first in canonical order; none if every removal is unbounded.
   std::optional<HalfspaceId> choose();
   /// After choose(): all that cost as little, in canonical order.
@@ -94,7 +111,6 @@ class FilteredLoop {
   FastStep describe(HalfspaceId i) const;
   Step record(HalfspaceId i);
   bool is_within(GrowthBudget& growth, const FastStep& step);
-  Interval<double> added_by(const FastStep& step);
   void verify(HalfspaceId i);
   void list_new_triangles();
 
@@ -115,6 +131,40 @@ class FilteredLoop {
   std::vector<HalfspaceId> across_;
   std::vector<DualTriangle> new_triangles_;
   std::size_t left_;
+  FastResult result_;
+};
+
+/// The loop with the full record of every step, from a dual of its own.
+class RecordedLoop {
+ public:
+  /// @param dual_hull, options  Must outlive the object.
+  RecordedLoop(const DualHull& dual_hull, const RationalPoint& center,
+               const SimplifyOptions& options);
+
+  const FastDual& dual() const { return dual_; }
+  FilteredLoop& loop() { return loop_; }
+  /// Where the loop is to record its steps.
+  std::vector<Step>* steps() { return &run_.steps; }
+  /// The record. @param result  What the loop returned.
+  Run finish(FastResult result);
+
+ private:
+  // Keeps which caps the loop evaluates. Their bounds in DoubleDouble are of the same caps again.
+  class Recorder : public CostObserver {
+   public:
+    /// @param run  Its steps are as many as were made so far.
+    explicit Recorder(Run& run) : run_(run) {}
+    void in_doubles(HalfspaceId i, const OneRing& ring, const std::vector<RingTriangle>& triangles,
+                    const CostBounds<double>&) override;
+
+   private:
+    Run& run_;
+  };
+
+  FastDual dual_;
+  Run run_;
+  Recorder recorder_;
+  FilteredLoop loop_;
 };
 
 }  // namespace convexact

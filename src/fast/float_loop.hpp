@@ -103,6 +103,17 @@ class FloatLoop {
   FloatLoop(const FastDual& dual, const Arithmetic& arithmetic, const SimplifyOptions& options);
   FastResult run();
 
+  /// The loop step by step, as that of the filtered engine. First:
+  /// @param removes_any  Whether there will be a step.
+  void evaluate_all(bool removes_any = true);
+  std::size_t left() const { return left_; }
+  /// The next removal with its cost as estimated; none if no removal is found bounded.
+  std::optional<FastStep> next();
+  /// Makes next().
+  void make(const FastStep& step);
+  /// After the last step. @param stop  options.when_stuck() if next() was none.
+  FastResult finish(StopReason stop);
+
   /// cost_multiple() times the cost of a removal that run() made, as it was found.
   const Scalar& scaled_cost(HalfspaceId removed) const { return estimate_[removed.index()]; }
 
@@ -151,6 +162,8 @@ class FloatLoop {
   std::vector<RingTriangle> triangles_;
   std::vector<HalfspaceId> tied_;  // after choose(): the choice first, then its equals
   std::uint64_t evaluations_ = 0;
+  std::size_t left_;
+  FastResult result_;
 };
 
 template <class Arithmetic>
@@ -168,7 +181,8 @@ FloatLoop<Arithmetic>::FloatLoop(const FastDual& dual, const Arithmetic& arithme
       estimate_(dual.size()),
       patience_(dual.size()),
       cap_(arithmetic),
-      terms_(options.cost == CostMeasure::Volume ? 0 : dual.size()) {
+      terms_(options.cost == CostMeasure::Volume ? 0 : dual.size()),
+      left_(dual.size()) {
   if constexpr (HasLonger<Arithmetic>) longer_cap_.emplace(arithmetic.longer());
   if constexpr (HasSigns<Arithmetic>) errors_.emplace(dual.size(), options.cost);
   if (options.cost != CostMeasure::Volume) {
@@ -189,49 +203,71 @@ FloatLoop<Arithmetic>::FloatLoop(const FastDual& dual, const Arithmetic& arithme
 
 template <class Arithmetic>
 FastResult FloatLoop<Arithmetic>::run() {
-  FastResult result;
   Scalar allowance = infinity_;
   if (options_.max_growth) {
     allowance = Scalar(to_double(*options_.max_growth, Rounding::Nearest)) * scaled_measure();
   }
-  std::size_t left = dual_.size();
+  StopReason stop = StopReason::Reached;
+  evaluate_all(left_ > options_.faces);
+  while (left_ > options_.faces) {
+    const std::optional<FastStep> step = next();
+    if (!step) {
+      stop = options_.when_stuck();
+      break;
+    }
+    const Scalar cost = scaled_cost(step->removed);
+    if (!(cost <= allowance)) {
+      stop = StopReason::GrowthLimit;
+      break;
+    }
+    allowance = allowance - cost;
+    make(*step);
+    if (options_.progress) options_.progress(left_);
+  }
+  return finish(stop);
+}
+
+// What is kept has no entry.
+template <class Arithmetic>
+void FloatLoop<Arithmetic>::evaluate_all(bool removes_any) {
   std::vector<bool> is_kept(dual_.size(), false);
   for (const HalfspaceId i : options_.keep) {
     is_kept.at(i.index()) = true;
     // No removal is judged against it.
     if (errors_) errors_->enclose(i, leading(infinity_), leading(infinity_));
   }
-  for (std::size_t i = 0; left > options_.faces && i < dual_.size(); ++i) {
+  for (std::size_t i = 0; removes_any && i < dual_.size(); ++i) {
     if (!is_kept[i]) queue_.append(HalfspaceId(i), evaluate(HalfspaceId(i)));
   }
   queue_.make_heap();
-  while (left > options_.faces) {
-    if (options_.stop != nullptr && *options_.stop) throw Error(ErrorCode::Stopped, "interrupted");
-    const std::optional<HalfspaceId> choice = choose();
-    if (!choice) {
-      result.stop = options_.when_stuck();
-      break;
-    }
-    const Scalar& cost = estimate_[choice->index()];
-    if (!(cost <= allowance)) {
-      result.stop = StopReason::GrowthLimit;
-      break;
-    }
-    allowance = allowance - cost;
-    const auto tied = static_cast<std::uint32_t>(tied_.size());
-    const double in_units = leading(cost) / cost_multiple(options_.cost).lower;
-    result.steps.push_back({*choice, tied, in_units, in_units});
-    if (errors_) errors_->remove(*choice, leading(cost));
-    if (errors_ && tied > 1) errors_->count_tie();
-    remove(*choice);
-    --left;
-    if (options_.progress) options_.progress(left);
-  }
-  result.triangles = mesh_.triangles();
-  result.survivors = mesh_.vertices();
-  result.counts.evaluations = evaluations_;
-  if (errors_) result.bound = errors_->bound(result.stop == options_.when_stuck());
-  return result;
+}
+
+template <class Arithmetic>
+std::optional<FastStep> FloatLoop<Arithmetic>::next() {
+  if (options_.stop != nullptr && *options_.stop) throw Error(ErrorCode::Stopped, "interrupted");
+  const std::optional<HalfspaceId> choice = choose();
+  if (!choice) return {};
+  const double in_units = leading(scaled_cost(*choice)) / cost_multiple(options_.cost).lower;
+  return FastStep{*choice, static_cast<std::uint32_t>(tied_.size()), in_units, in_units};
+}
+
+template <class Arithmetic>
+void FloatLoop<Arithmetic>::make(const FastStep& step) {
+  result_.steps.push_back(step);
+  if (errors_) errors_->remove(step.removed, leading(scaled_cost(step.removed)));
+  if (errors_ && step.tied > 1) errors_->count_tie();
+  remove(step.removed);
+  --left_;
+}
+
+template <class Arithmetic>
+FastResult FloatLoop<Arithmetic>::finish(StopReason stop) {
+  result_.stop = stop;
+  result_.triangles = mesh_.triangles();
+  result_.survivors = mesh_.vertices();
+  result_.counts.evaluations = evaluations_;
+  if (errors_) result_.bound = errors_->bound(stop == options_.when_stuck());
+  return std::move(result_);
 }
 
 // The ring of i, triangulated in the arithmetic that holds its cap.

@@ -6,12 +6,19 @@
 #include <utility>
 
 #include "convexact/error.hpp"
+#include "convexact/measure.hpp"
 #include "simplify/dual_surface.hpp"
 #include "simplify/growth_limit.hpp"
 #include "simplify/step_verification.hpp"
 
 namespace convexact {
 namespace {
+
+void stop_if_asked(const std::atomic<bool>* stop) {
+  if (stop != nullptr && *stop) throw Error(ErrorCode::Stopped, "interrupted");
+}
+
+}  // namespace
 
 // The greedy loop. It is eager: `removals_` and `queue_` are right for every halfspace at any time.
 class ExactEngine {
@@ -63,10 +70,6 @@ class ExactEngine {
   std::vector<std::set<Entry>::iterator> place_;  // of bounded removals
   std::vector<bool> is_kept_;
 };
-
-void stop_if_asked(const std::atomic<bool>* stop) {
-  if (stop != nullptr && *stop) throw Error(ErrorCode::Stopped, "interrupted");
-}
 
 void ExactEngine::evaluate_all() {
   for (std::size_t i = 0; i < removals_.size(); ++i) {
@@ -148,45 +151,96 @@ void ExactEngine::remove(HalfspaceId i) {
   for (const HalfspaceId j : removal.ring) evaluate(j);
 }
 
-}  // namespace
+struct ExactRun::State {
+  State(const DualHull& dual, const RationalPoint& center, const SimplifyOptions& asked)
+      : options(asked),
+        engine(dual, center, options),
+        verification(dual, options.verify, options.seed, options.cost) {
+    run.halfspaces = dual.halfspaces;
+    run.kept = options.keep;
+    run.measure = options.cost;
+  }
 
-Run simplify_exact(const DualHull& dual, const RationalPoint& center,
+  const SimplifyOptions& options;
+  ExactEngine engine;
+  StepVerification verification;
+  bool is_evaluated = false;
+  std::optional<Step> next;
+  Run run;
+};
+
+ExactRun::ExactRun(const DualHull& dual, const RationalPoint& center,
                    const SimplifyOptions& options) {
   if (options.faces < 4) {
     throw Error(ErrorCode::InvalidArgument, "a solid needs at least 4 faces");
   }
-  ExactEngine engine(dual, center, options);
-  StepVerification verification(dual, options.verify, options.seed, options.cost);
+  state_ = std::make_unique<State>(dual, center, options);
+}
+
+ExactRun::~ExactRun() = default;
+
+std::size_t ExactRun::left() const { return state_->engine.left(); }
+
+const Step* ExactRun::next() {
+  State& state = *state_;
+  stop_if_asked(state.options.stop);
+  if (!state.is_evaluated) state.engine.evaluate_all();
+  state.is_evaluated = true;
+  if (!state.next && !state.engine.every_removal_is_unbounded()) {
+    state.next = state.engine.cheapest();
+  }
+  return state.next ? &*state.next : nullptr;
+}
+
+Cost ExactRun::added(CostMeasure measure) {
+  return state_->engine.added_by(state_->next.value().removed, measure);
+}
+
+Cost ExactRun::measure(CostMeasure kind) const {
+  return exact_measure(to_polytope(state_->run.halfspaces, state_->engine.triangles()), kind);
+}
+
+void ExactRun::make() {
+  State& state = *state_;
+  Step step = std::move(state.next.value());
+  state.next.reset();
+  state.verification.check(step);
+  state.engine.remove(step.removed);
+  state.run.steps.push_back(std::move(step));
+}
+
+Run ExactRun::finish(StopReason stop) {
+  State& state = *state_;
+  state.verification.finish();
+  state.run.stop = stop;
+  state.run.triangles = state.engine.triangles();
+  state.run.evaluations = std::move(state.engine.evaluations());
+  return std::move(state.run);
+}
+
+Run simplify_exact(const DualHull& dual, const RationalPoint& center,
+                   const SimplifyOptions& options) {
+  ExactRun run(dual, center, options);
   std::optional<GrowthLimit> growth;
   if (options.max_growth) {
     growth.emplace(to_polytope(dual.halfspaces, dual.triangles), options);
   }
-  Run run;
-  run.halfspaces = dual.halfspaces;
-  run.kept = options.keep;
-  run.measure = options.cost;
-  if (engine.left() > options.faces) engine.evaluate_all();
-  while (engine.left() > options.faces) {
-    stop_if_asked(options.stop);
-    if (engine.every_removal_is_unbounded()) {
-      run.stop = options.when_stuck();
+  StopReason stop = StopReason::Reached;
+  while (run.left() > options.faces) {
+    if (run.next() == nullptr) {
+      stop = options.when_stuck();
       break;
     }
-    Step step = engine.cheapest();
-    if (growth && !growth->allows(engine.added_by(step.removed, options.growth_measure()))) {
-      run.stop = StopReason::GrowthLimit;
-      run.growth_bits = growth->undecided_bits();
+    if (growth && !growth->allows(run.added(options.growth_measure()))) {
+      stop = StopReason::GrowthLimit;
       break;
     }
-    verification.check(step);
-    engine.remove(step.removed);
-    run.steps.push_back(std::move(step));
-    if (options.progress) options.progress(engine.left());
+    run.make();
+    if (options.progress) options.progress(run.left());
   }
-  verification.finish();
-  run.triangles = engine.triangles();
-  run.evaluations = std::move(engine.evaluations());
-  return run;
+  Run record = run.finish(stop);
+  if (stop == StopReason::GrowthLimit) record.growth_bits = growth->undecided_bits();
+  return record;
 }
 
 }  // namespace convexact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // exact_engine.hpp - the greedy simplification in exact arithmetic: the reference engine.
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "convexact/dual.hpp"
@@ -21,5 +22,32 @@ namespace convexact {
 /// @par Source    [Jacobson2026]
 [[nodiscard]] Run simplify_exact(const DualHull& dual, const RationalPoint& center,
                                  const SimplifyOptions& options = {});
+
+/// The run of simplify_exact(), step by step, for a loop that advances several of them and decides
+/// when they end.
+class ExactRun {
+ public:
+  /// As simplify_exact(). The arguments must outlive the object.
+  ExactRun(const DualHull& dual, const RationalPoint& center, const SimplifyOptions& options);
+  ExactRun(const ExactRun&) = delete;
+  ExactRun& operator=(const ExactRun&) = delete;
+  ~ExactRun();
+
+  /// Halfspaces that are left.
+  std::size_t left() const;
+  /// The next removal, found at the first call after each make(); null if there is no bounded one.
+  const Step* next();
+  /// What it adds to any measure. Precondition: next() is not null; so for make().
+  Cost added(CostMeasure measure);
+  void make();
+  /// A measure of the solid that is left.
+  Cost measure(CostMeasure kind) const;
+  /// The record, with the reason why the loop ends.
+  Run finish(StopReason stop);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace convexact
