@@ -24,6 +24,7 @@
 #include "convexact/shapes.hpp"
 #include "convexact/shrink.hpp"
 #include "convexact/simplify.hpp"
+#include "convexact/simplify_scene.hpp"
 #include "convexact/stored.hpp"
 #include "convexact/verify.hpp"
 #include "convexact/verify_run.hpp"

@@ -117,12 +117,12 @@ using OutputFiles = std::vector<std::pair<std::string, std::string>>;
 /// @throws Error as AtomicOutput and print().
 void write_together(const OutputFiles& files, const std::string& summary);
 
-/// Runs a subcommand that reads objects, does `work` on each, watched, and writes the outputs and
-/// the answer; returns the exit code.
-/// @param requests  From all objects to a list with what is asked about each of them.
-/// @param answer    The document or the summary, from the objects and all stages.
-template <class Result, class Arguments, class Requests, class Work, class Answer>
-int run_on_inputs(const Arguments& options, Requests&& requests, Work&& work, Answer&& answer) {
+/// Runs a subcommand that reads objects, finds something about them, watched, and writes the
+/// outputs and the answer; returns the exit code.
+/// @param find    From all objects to what is found about each, or to one without volume.
+/// @param answer  The document or the summary, from the objects and all stages.
+template <class Result, class Arguments, class Find, class Answer>
+int run_on_scene(const Arguments& options, Find&& find, Answer&& answer) {
   options.output.require_sensible();
   require_other_files(options.output.all_paths(), options.inputs);
   Progress progress;
@@ -130,12 +130,8 @@ int run_on_inputs(const Arguments& options, Requests&& requests, Work&& work, An
   std::vector<SceneObject> scene =
       log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
   options.output.require_room_for(scene.size());
-  auto asked = requests(scene);
-  auto found =
-      on_each_object<Result>(std::move(scene), log, [&](const Shape& shape, std::size_t k) {
-        asked[k].watch = progress.watch();
-        return work(shape, asked[k]);
-      });
+  std::variant<std::vector<FoundObject<Result>>, FlatObject> found =
+      find(std::move(scene), log, progress.watch());
   if (const auto* flat = std::get_if<FlatObject>(&found)) {
     progress.clear();
     return report_not_solid(options.global, flat->name, flat->reason);
@@ -157,6 +153,20 @@ int run_on_inputs(const Arguments& options, Requests&& requests, Work&& work, An
   progress.clear();
   write_together(files, answer(objects, log.stages()));
   return 0;
+}
+
+/// The same with `work` on each object.
+/// @param requests  From all objects to a list with what is asked about each of them.
+template <class Result, class Arguments, class Requests, class Work, class Answer>
+int run_on_inputs(const Arguments& options, Requests&& requests, Work&& work, Answer&& answer) {
+  const auto find = [&](std::vector<SceneObject> scene, StageLog& log, const StageWatch& watch) {
+    auto asked = requests(scene);
+    return on_each_object<Result>(std::move(scene), log, [&](const Shape& shape, std::size_t k) {
+      asked[k].watch = watch;
+      return work(shape, asked[k]);
+    });
+  };
+  return run_on_scene<Result>(options, find, answer);
 }
 
 }  // namespace convexact::cli

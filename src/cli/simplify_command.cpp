@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // convexact simplify: the main job.
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "cli/keep_option.hpp"
 #include "cli/outputs.hpp"
 #include "convexact/scene.hpp"
+#include "convexact/simplify_scene.hpp"
 #include "io/json.hpp"
 #include "scene/result_json.hpp"
 #include "simplify/trace_json.hpp"
@@ -22,6 +25,7 @@ constexpr const char* kSimplifyFooter =
     "  convexact simplify hammer.obj --faces 12 --keep normal:0,0,-1 --keep group:head -o "
     "proxy.obj\n"
     "  convexact simplify room.obj --parts --faces 12 -o proxies.obj\n"
+    "  convexact simplify room.obj --parts --total-faces 144 -o proxies.obj\n"
     "  convexact simplify planes.ine --faces 6 --json --trace steps.json\n"
     "\n"
     "Without --precision, planes are written as exact integers and meshes in binary64 (STL: 32).\n"
@@ -33,6 +37,7 @@ struct SimplifyArguments {
   SceneOptions scene;
   OutputOptions output;
   std::size_t faces = 0;
+  std::optional<std::size_t> total_faces;
   std::vector<std::string> keep;
   std::string max_growth;
   std::optional<CostMeasure> growth_of;
@@ -59,9 +64,22 @@ std::optional<RationalPoint> parse_center(const std::string& text) {
               "--center: expected chebyshev or three numbers X,Y,Z, found '" + text + "'");
 }
 
+// --total-faces is for several parts. How many there are, the files say.
+void require_scene(const SimplifyArguments& options) {
+  const auto reject = [](const std::string& why) {
+    throw Error(ErrorCode::InvalidArgument, "--total-faces " + why);
+  };
+  if (options.faces != 0) reject("is for all parts together and --faces for each: name one");
+  if (!options.scene.parts && options.inputs.size() < 2) {
+    reject("is for several parts: give --parts, or several inputs");
+  }
+  if (options.center != "chebyshev") reject("has a center for each part: leave --center out");
+}
+
 SimplifyRequest request_of(const SimplifyArguments& options) {
   SimplifyRequest request;
   if (options.faces != 0) request.faces = options.faces;
+  if (options.total_faces) require_scene(options);
   if (!options.max_growth.empty())
     request.max_growth = parse_share("--max-growth", options.max_growth);
   if (options.growth_of) {
@@ -84,18 +102,28 @@ SimplifyRequest request_of(const SimplifyArguments& options) {
   return request;
 }
 
-std::string answer_of(const std::vector<FoundObject<SimplifyResult>>& objects,
+using FoundSolids = std::vector<FoundObject<SimplifyResult>>;
+
+/// Of all objects of a scene together.
+struct FoundTotals {
+  SceneTotals totals;
+  Gaps gaps;
+};
+
+std::string answer_of(const FoundSolids& objects, const std::optional<FoundTotals>& together,
                       const std::vector<Stage>& stages, const SimplifyArguments& options) {
   if (options.global.json) {
     nlohmann::ordered_json document =
-        objects.size() == 1
+        objects.size() == 1 && !together
             ? result_json(objects[0].result)
             : nlohmann::ordered_json{{"objects", objects_json(objects, result_json)}};
+    if (together) document["total"] = totals_json(together->totals, together->gaps);
     document["stages"] = stages_json(stages);
     return write_json(document, 2) + "\n";
   }
   std::string text;
   for (const auto& [source, result] : objects) text += source.name + "\n" + summary(result);
+  if (together) text += summary(together->totals, together->gaps);
   text += written_lines(options.output);
   if (options.output.all_paths().empty()) {
     text += "  written     nothing; -o proxy.obj keeps the solid, --picture proxy.html shows it\n";
@@ -103,17 +131,68 @@ std::string answer_of(const std::vector<FoundObject<SimplifyResult>>& objects,
   return text + stage_text(stages, options.global.stages);
 }
 
-int run_simplify(const SimplifyArguments& options) {
-  const SimplifyRequest request = request_of(options);
+int run_each(const SimplifyArguments& options, const SimplifyRequest& request) {
   const auto requests = [&](const std::vector<SceneObject>& scene) {
     std::vector<SimplifyRequest> each(scene.size(), request);
     const auto keep = keep_selectors(options.keep, scene);
     for (std::size_t k = 0; k < scene.size(); ++k) each[k].keep = keep[k];
     return each;
   };
-  return run_on_inputs<SimplifyResult>(
-      options, requests, simplify,
-      [&](const auto& objects, const auto& stages) { return answer_of(objects, stages, options); });
+  return run_on_inputs<SimplifyResult>(options, requests, simplify,
+                                       [&](const auto& objects, const auto& stages) {
+                                         return answer_of(objects, {}, stages, options);
+                                       });
+}
+
+// The parts of a scene with one budget, and their gaps.
+std::variant<FoundSolids, FlatObject> simplify_together(std::vector<SceneObject> scene,
+                                                        const SceneRequest& request, StageLog& log,
+                                                        std::optional<FoundTotals>& together) {
+  std::vector<Shape> shapes;
+  for (SceneObject& object : scene) shapes.push_back(std::move(object.shape));
+  SceneOutcome outcome = simplify_scene(shapes, request);
+  for (std::size_t k = 0; k < scene.size(); ++k) scene[k].shape = std::move(shapes[k]);
+  if (const auto* flat = std::get_if<NotSolidPart>(&outcome)) {
+    const SceneObject& object = scene[flat->part];
+    return FlatObject{object.name, of_typed_rows(flat->reason, object.rows)};
+  }
+  auto& result = std::get<SceneResult>(outcome);
+  together.emplace();
+  together->gaps = log.run("gaps", [&] {
+    std::vector<std::vector<Halfspace>> solids;
+    for (const SimplifyResult& part : result.parts) solids.push_back(part.solid.exact.planes);
+    return find_gaps(scene, solids, request.each.watch.stop);
+  });
+  FoundSolids found;
+  for (std::size_t k = 0; k < scene.size(); ++k) {
+    log.add(result.parts[k].stages);
+    found.push_back({std::move(scene[k]), std::move(result.parts[k])});
+  }
+  log.add(result.stages);
+  together->totals = std::move(static_cast<SceneTotals&>(result));
+  return found;
+}
+
+int run_together(const SimplifyArguments& options, const SimplifyRequest& each) {
+  std::optional<FoundTotals> together;
+  const auto find = [&](std::vector<SceneObject> scene, StageLog& log, const StageWatch& watch) {
+    if (*options.total_faces / 4 < scene.size()) {
+      throw Error(ErrorCode::InvalidArgument,
+                  fmt::format("--total-faces {}: {} parts need 4 each, so at least {}",
+                              *options.total_faces, scene.size(), 4 * scene.size()));
+    }
+    SceneRequest request{each, *options.total_faces, keep_selectors(options.keep, scene)};
+    request.each.watch = watch;
+    return simplify_together(std::move(scene), request, log, together);
+  };
+  return run_on_scene<SimplifyResult>(options, find, [&](const auto& objects, const auto& stages) {
+    return answer_of(objects, together, stages, options);
+  });
+}
+
+int run_simplify(const SimplifyArguments& options) {
+  const SimplifyRequest request = request_of(options);
+  return options.total_faces ? run_together(options, request) : run_each(options, request);
 }
 
 }  // namespace
@@ -126,6 +205,9 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
   command.footer(kSimplifyFooter);
   add_input_argument(command, options->inputs);
   add_faces(command, options->faces, "how many halfspaces to keep, at least 4");
+  add_count(command, "--total-faces", options->total_faces, {4, std::uint64_t(1) << 32},
+            "how many halfspaces to keep in all parts together, at least 4 for each: the cheapest "
+            "removal of all parts goes first");
   add_keep_option(command, options->keep);
   command.add_option("--max-growth", options->max_growth,
                      "stop before what --cost names grows by more, e.g. 5% or 0.05");

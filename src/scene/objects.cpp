@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "scene/objects.hpp"
+
 #include <algorithm>
 #include <filesystem>
 #include <unordered_map>
@@ -50,13 +52,7 @@ void read_mesh_objects(const std::string& path, const std::string& bytes,
                        std::move(mesh.parts)});
     return;
   }
-  const std::size_t before = objects.size();
-  for (const MeshPart& part : mesh.parts) {
-    if (part.first_polygon < part.last_polygon) objects.push_back(extract_part(mesh, part, file));
-  }
-  if (objects.size() == before) {
-    throw Error(ErrorCode::InvalidArgument, "--parts: the file has no faces, so no parts");
-  }
+  for (SceneObject& part : parts_of(mesh, file)) objects.push_back(std::move(part));
 }
 
 SceneObject halfspace_object(const std::string& path, HalfspaceList list) {
@@ -70,6 +66,17 @@ SceneObject halfspace_object(const std::string& path, HalfspaceList list) {
 }
 
 }  // namespace
+
+std::vector<SceneObject> parts_of(const Mesh& mesh, const std::string& file) {
+  std::vector<SceneObject> parts;
+  for (const MeshPart& part : mesh.parts) {
+    if (part.first_polygon < part.last_polygon) parts.push_back(extract_part(mesh, part, file));
+  }
+  if (parts.empty()) {
+    throw Error(ErrorCode::InvalidArgument, "--parts: the file has no faces, so no parts");
+  }
+  return parts;
+}
 
 void to_typed_rows(std::vector<std::size_t>& redundant, const TypedRows& rows) {
   if (rows.rows.empty()) return;

@@ -106,11 +106,9 @@ Json kept_json(const std::vector<KeptFacet>& kept) {
   return {{"ids", ids}, {"planes", planes}};
 }
 
-Json stop_json(const SimplifyResult& result) {
-  // What doubles cannot prove to be bounded need not be unbounded.
-  const bool is_doubt =
-      !is_reached(result.stop) && result.float_bound && !result.float_bound->is_end_proven;
-  return is_doubt ? "none-certain" : name_of(result.stop);
+// What doubles cannot prove to be bounded need not be unbounded.
+Json stop_json(StopReason stop, bool is_end_proven) {
+  return !is_reached(stop) && !is_end_proven ? "none-certain" : name_of(stop);
 }
 
 // Steps with a tie by their proof; with undecided ones, the bits of enclosures that still overlap.
@@ -128,11 +126,15 @@ const char* measure_key(CostMeasure measure) {
   return measure == CostMeasure::Area ? "area" : "mean_width";
 }
 
+// The ratio is an upper bound, so that it never reads as less than 1.
+Json growth_json(const Measured& before, const Measured& after) {
+  return {{"input", measured_json(before, kDigits)},
+          {"output", measured_json(after, kDigits)},
+          {"ratio", (after.bounds / before.bounds).high_double()}};
+}
+
 Json growth_json(const std::array<Enclosure, 2>& measure) {
-  const auto& [before, after] = measure;
-  return {{"input", measured_json({before, {}}, kDigits)},
-          {"output", measured_json({after, {}}, kDigits)},
-          {"ratio", (after / before).high_double()}};
+  return growth_json({measure[0], {}}, {measure[1], {}});
 }
 
 Json float_bound_json(const FloatBound& bound) {
@@ -147,17 +149,14 @@ Json result_json(const SimplifyResult& result) {
   Json json;
   json["input"] = input_json(result.input_points, result.hull_vertices, result.input_halfspaces,
                              result.redundant);
-  json["output"] = {{"halfspaces", result.solid.exact.planes.size()},
-                    {"reached", is_reached(result.stop)},
-                    {"stop", stop_json(result)},
-                    {"planes", result.solid.exact.planes},
-                    {"stored", stored_json(result.solid)}};
+  json["output"] = {
+      {"halfspaces", result.solid.exact.planes.size()},
+      {"reached", is_reached(result.stop)},
+      {"stop", stop_json(result.stop, !result.float_bound || result.float_bound->is_end_proven)},
+      {"planes", result.solid.exact.planes},
+      {"stored", stored_json(result.solid)}};
   if (!result.kept.empty()) json["kept"] = kept_json(result.kept);
-  // An upper bound, so that it never reads as less than 1.
-  const Enclosure ratio = result.output_volume.bounds / result.input_volume.bounds;
-  json["volume"] = {{"input", measured_json(result.input_volume, kDigits)},
-                    {"output", measured_json(result.output_volume, kDigits)},
-                    {"ratio", ratio.high_double()}};
+  json["volume"] = growth_json(result.input_volume, result.output_volume);
   json["cost"] = name_of(result.cost);
   if (result.measure) json[measure_key(result.cost)] = growth_json(*result.measure);
   if (result.growth_of) json["growth_of"] = name_of(*result.growth_of);
@@ -170,6 +169,29 @@ Json result_json(const SimplifyResult& result) {
   json["verified"] = {{"level", name_in(kVerifyLevelNames, result.verified)},
                       {"steps", result.steps},
                       {"violations", 0}};
+  return json;
+}
+
+Json gaps_json(const Gaps& gaps) {
+  return {{"faces", gaps.faces},
+          {"out_of_own_part", gaps.out_of_own.size()},
+          {"in_no_part", gaps.in_no_part.size()}};
+}
+
+Json totals_json(const SceneTotals& totals, const Gaps& gaps) {
+  Json json = {{"input", {{"halfspaces", totals.input_halfspaces}}},
+               {"output",
+                {{"halfspaces", totals.output_halfspaces},
+                 {"reached", is_reached(totals.stop)},
+                 {"stop", stop_json(totals.stop, totals.is_end_proven)}}},
+               {"volume", growth_json(totals.input_volume, totals.output_volume)},
+               {"cost", name_of(totals.cost)}};
+  if (totals.measure) json[measure_key(totals.cost)] = growth_json(*totals.measure);
+  if (totals.growth_of) json["growth_of"] = name_of(*totals.growth_of);
+  if (totals.limited) json[measure_key(*totals.growth_of)] = growth_json(*totals.limited);
+  if (totals.growth_bits > 0) json["growth_undecided_bits"] = totals.growth_bits;
+  if (totals.engine != Engine::Float) json["ties"] = ties_json(totals.ties);
+  if (gaps.faces > 0) json["gaps"] = gaps_json(gaps);
   return json;
 }
 

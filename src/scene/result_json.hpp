@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "convexact/simplify.hpp"
+#include "convexact/simplify_scene.hpp"
 #include "convexact/stored.hpp"
 #include "io/names.hpp"
 
@@ -27,6 +28,9 @@ inline constexpr auto kPrecisionNames =
 
 /// One result without its stages.
 [[nodiscard]] nlohmann::ordered_json result_json(const SimplifyResult& result);
+/// All parts of a scene together, without stages.
+[[nodiscard]] nlohmann::ordered_json totals_json(const SceneTotals& totals, const Gaps& gaps);
+[[nodiscard]] nlohmann::ordered_json gaps_json(const Gaps& gaps);
 [[nodiscard]] nlohmann::ordered_json hull_json(const HullResult& result, int digits);
 
 /// The proof that an input is no solid: its kind, and the numbers that a reader needs to check it.
@@ -34,6 +38,8 @@ inline constexpr auto kPrecisionNames =
 
 /// A few lines: what was found, how tight it is, what was verified, how far it was pushed.
 [[nodiscard]] std::string summary(const SimplifyResult& result);
+/// The same of all parts of a scene together.
+[[nodiscard]] std::string summary(const SceneTotals& totals, const Gaps& gaps);
 /// Counts, box, and each measure with `digits` certain digits.
 [[nodiscard]] std::string summary(const HullResult& result, int digits);
 

@@ -30,6 +30,12 @@ std::string input_line(std::size_t points, std::size_t vertices, std::size_t hal
   return hull + "; " + counted(redundant, "redundant one", "redundant ones") + " left out";
 }
 
+std::string growth_limit_text(long undecided_bits) {
+  if (undecided_bits == 0) return ": removing one more would exceed the growth allowed";
+  return fmt::format(": {} bits do not tell whether one more would exceed the growth allowed",
+                     undecided_bits);
+}
+
 std::string output_line(const SimplifyResult& result) {
   std::string text = counted(result.solid.exact.planes.size(), "halfspace", "halfspaces");
   if (!result.kept.empty()) text += fmt::format(", {} of them kept on request", result.kept.size());
@@ -37,13 +43,7 @@ std::string output_line(const SimplifyResult& result) {
     case StopReason::Reached:
       return text + (result.steps == 0 ? ": as many as the input has" : "");
     case StopReason::GrowthLimit:
-      if (result.growth_bits > 0) {
-        return text + fmt::format(
-                          ": {} bits do not tell whether one more would exceed the growth "
-                          "allowed",
-                          result.growth_bits);
-      }
-      return text + ": removing one more would exceed the growth allowed";
+      return text + growth_limit_text(result.growth_bits);
     case StopReason::AllUnbounded:
     case StopReason::AllKeptOrUnbounded:
       break;
@@ -97,23 +97,23 @@ std::string push_text(const Growth& growth) {
                      std::max(0.0, growth.volume_ratio - 1));
 }
 
-// Of a run by exact numbers: in how many steps there was a choice, and why the costs are equal.
-std::string proven_ties_line(const SimplifyResult& result) {
-  std::vector<std::string> parts;
+// In how many steps there was a choice, and why the costs are equal.
+std::string ties_text(const TieTally& tally, std::size_t steps, const char* what_ties,
+                      const char* what_goes) {
+  std::vector<std::string> proofs;
   std::size_t ties = 0;
   for (const auto& [proof, name] : kTieProofNames) {
-    const std::size_t steps = result.ties.steps[static_cast<std::size_t>(proof)];
-    ties += steps;
-    if (steps > 0) parts.push_back(fmt::format("{} {}", with_separators(steps), name));
+    const std::size_t count = tally.steps[static_cast<std::size_t>(proof)];
+    ties += count;
+    if (count > 0) proofs.push_back(fmt::format("{} {}", with_separators(count), name));
   }
   if (ties == 0) return "";
   const std::string undecided =
-      result.ties.bits > 0 ? fmt::format("; not told apart by {} bits", result.ties.bits) : "";
+      tally.bits > 0 ? fmt::format("; not told apart by {} bits", tally.bits) : "";
   return summary_line(
-      "ties", fmt::format("in {} of {} several removals cost the same ({}{}); the first in order "
-                          "goes",
-                          with_separators(ties), counted(result.steps, "step", "steps"),
-                          fmt::join(parts, ", "), undecided));
+      "ties", fmt::format("in {} of {} {} cost the same ({}{}); {} goes", with_separators(ties),
+                          counted(steps, "step", "steps"), what_ties, fmt::join(proofs, ", "),
+                          undecided, what_goes));
 }
 
 std::string tie_line(const SimplifyResult& result) {
@@ -180,11 +180,44 @@ std::string summary(const SimplifyResult& result) {
   }
   text += summary_line(
       "volume", growth_line(result.input_volume.bounds, result.output_volume.bounds, result.steps));
-  text += proven_ties_line(result);
+  text += ties_text(result.ties, result.steps, "several removals", "the first in order");
   if (result.float_bound) text += float_lines(result) + tie_line(result);
   text += summary_line("verified", verified_line(result));
   if (result.start && result.run) text += summary_line("proof", proof_text(*result.run));
   return text + stored_lines(result.solid);
+}
+
+std::string summary(const SceneTotals& totals, const Gaps& gaps) {
+  const std::size_t steps = totals.order.size();
+  std::string output = counted(totals.output_halfspaces, "halfspace", "halfspaces") + " of " +
+                       with_separators(totals.input_halfspaces);
+  if (totals.stop == StopReason::GrowthLimit) output += growth_limit_text(totals.growth_bits);
+  if (totals.stop == StopReason::AllUnbounded) {
+    output += ": no removal in any part is found bounded";
+  }
+  if (totals.stop == StopReason::AllKeptOrUnbounded) {
+    output += ": all others are kept, or no removal is found bounded";
+  }
+  std::string text = "all parts together\n" + summary_line("output", output);
+  if (totals.measure) {
+    text += summary_line(
+        totals.cost == CostMeasure::Area ? "area" : "mean width",
+        growth_line((*totals.measure)[0], (*totals.measure)[1], steps) + "; kept small");
+  }
+  if (totals.limited) {
+    text += summary_line(
+        totals.growth_of == CostMeasure::Area ? "area" : "mean width",
+        growth_line((*totals.limited)[0], (*totals.limited)[1], steps) + "; its growth is limited");
+  }
+  text += summary_line("volume",
+                       growth_line(totals.input_volume.bounds, totals.output_volume.bounds, steps));
+  if (totals.engine != Engine::Float) {
+    text += ties_text(totals.ties, steps, "the next removals of several parts", "the first part");
+  }
+  if (gaps.faces == 0) return text;
+  return text + summary_line("gaps", fmt::format("{} of {} outside the solid of their part: proven",
+                                                 with_separators(gaps.out_of_own.size()),
+                                                 counted(gaps.faces, "face is", "faces are")));
 }
 
 std::string summary(const HullResult& result, int digits) {

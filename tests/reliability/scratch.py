@@ -41,8 +41,8 @@ UNITS = {
     'src/fast/signs.hpp': ['tests/fast/plane_filter_test.cpp', *_ROUNDED, *_AUDIT],
     'src/fast/cap_volume.hpp': [_CAPS, 'src/fast/cap.cpp'],
     'src/fast/keyed_queue.hpp': ['src/fast/filtered_loop.cpp'],
-    'src/fast/filtered_loop.hpp': ['src/fast/filtered_loop.cpp', 'src/fast/filtered_engine.cpp'],
-    'src/fast/float_loop.hpp': ['src/fast/float_engine.cpp'],
+    'src/fast/filtered_loop.hpp': ['src/fast/filtered_loop.cpp', 'src/fast/filtered_engine.cpp', 'src/scene/part_runs.cpp'],
+    'src/fast/float_loop.hpp': ['src/fast/float_engine.cpp', 'src/scene/part_runs.cpp'],
     'src/hull/near_geometry.hpp': _HULL,
     'src/hull/exact_points.hpp': _HULL,
 }

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// shared_run.hpp - one queue over the runs of several parts: the cheapest next removal of all goes
+// first.
+#pragma once
+#include <compare>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "convexact/cost.hpp"
+#include "convexact/run.hpp"
+
+namespace convexact {
+
+/// mantissa * 2^exponent >= 0, with the mantissa in [1/2, 1) where it is finite and not 0: numbers
+/// of parts whose duals are scaled differently have an order, however large they are.
+struct WideDouble {
+  /// Of x * 2^exponent; what is below 0 counts as 0.
+  static WideDouble of(double x, long exponent);
+
+  long exponent;
+  double mantissa;
+  friend auto operator<=>(const WideDouble&, const WideDouble&) = default;
+};
+
+class ExactPartRun;
+
+/// The run of one part, step by step, whichever engine makes it. Costs are in the caller's units.
+class PartRun {
+ public:
+  virtual ~PartRun() = default;
+  virtual std::size_t left() const = 0;
+  /// Finds the next removal. False if there is none, now and later.
+  virtual bool find_next() = 0;
+
+  // Of the next removal:
+  struct Bounds {
+    WideDouble low, high;
+  };
+  virtual Bounds cost_bounds() = 0;
+  /// What it adds to the measure whose growth is limited.
+  virtual Enclosure added() = 0;
+  virtual void make() = 0;
+
+  /// The same in exact numbers; null if none choose, so that the bounds are the estimate that does.
+  virtual ExactPartRun* exact() = 0;
+};
+
+/// What the run of an engine with exact numbers knows besides.
+class ExactPartRun {
+ public:
+  virtual ~ExactPartRun() = default;
+  /// Of the next removal, likewise.
+  virtual const Cost& exact_cost() = 0;
+  virtual Cost exactly_added() = 0;
+  /// The measure whose growth is limited: of the part as it is now, and before the first removal.
+  virtual Cost measure_now() = 0;
+  virtual Cost measure_before() = 0;
+};
+
+struct SharedOptions {
+  std::size_t total_faces;
+  CompareLimits compare = {};
+  std::optional<Rational> max_growth = {};
+  /// With max_growth: the sum of the parts' measures before the first removal.
+  std::optional<Enclosure> measure = {};
+  StopReason when_stuck = StopReason::AllUnbounded;
+  std::function<void(std::size_t left)> progress = {};
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// How a shared run went.
+struct SharedEnd {
+  StopReason stop = StopReason::Reached;
+  std::vector<std::uint32_t> order;  ///< The part of each removal.
+  TieTally ties;                     ///< Between parts.
+  long growth_bits = 0;              ///< As in Run.
+};
+
+/// Advances the runs, each time the one whose next removal costs least, of several the first.
+/// @param parts  None of them has found its next removal.
+[[nodiscard]] SharedEnd run_shared(std::span<const std::unique_ptr<PartRun>> parts,
+                                   const SharedOptions& options);
+
+}  // namespace convexact

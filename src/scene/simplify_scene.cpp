@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/simplify_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "convexact/error.hpp"
+#include "number/precision.hpp"
+#include "scene/part_runs.hpp"
+
+namespace convexact {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) {
+  throw Error(ErrorCode::InvalidArgument, message);
+}
+
+void require_sensible_scene(std::size_t parts, const SceneRequest& request) {
+  if (parts == 0) refuse("a scene needs a part");
+  if (request.each.faces || request.each.center || !request.each.keep.empty()) {
+    refuse("of a scene, faces, center and what is kept are not the same for every part");
+  }
+  if (!request.keep.empty() && request.keep.size() != parts) {
+    refuse("what is kept is not given for each part");
+  }
+  if (request.total_faces / 4 < parts) {
+    refuse(fmt::format("{} parts need at least {} faces, 4 for each; {} are too few", parts,
+                       4 * parts, request.total_faces));
+  }
+}
+
+// The request for one part of the scene.
+SimplifyRequest part_request(const SceneRequest& request, std::size_t part) {
+  SimplifyRequest own = request.each;
+  if (!request.keep.empty()) own.keep = request.keep[part];
+  return own;
+}
+
+struct Part {
+  SimplifyRequest request;
+  StageLog log;
+  std::unique_ptr<RunInput> input;
+  std::optional<InputMeasures> before;
+};
+
+std::variant<std::vector<Part>, NotSolidPart> prepare_parts(std::span<const Shape> shapes,
+                                                            const SceneRequest& request) {
+  std::vector<Part> parts;
+  for (std::size_t k = 0; k < shapes.size(); ++k) {
+    Part& part = parts.emplace_back(
+        Part{part_request(request, k), StageLog(request.each.watch), nullptr, {}});
+    auto prepared = prepare_run(shapes[k], part.request, part.log);
+    if (auto* reason = std::get_if<NotSolid>(&prepared)) return NotSolidPart{k, *reason};
+    part.input = std::get<std::unique_ptr<RunInput>>(std::move(prepared));
+    part.before = measure_input(*part.input, part.request, part.log);
+  }
+  return parts;
+}
+
+SharedOptions options_of(const SceneRequest& request, const std::vector<Part>& parts,
+                         std::size_t halfspaces) {
+  const SimplifyRequest& each = request.each;
+  SharedOptions options{.total_faces = request.total_faces,
+                        .compare = each.compare,
+                        .max_growth = each.max_growth,
+                        .stop = each.watch.stop};
+  if (each.max_growth) {
+    options.measure = Enclosure(kMeasureBits);
+    for (const Part& part : parts) {
+      *options.measure += part.before->of(each.growth_of.value_or(each.cost), each.cost);
+    }
+  }
+  const bool keeps_any = std::any_of(parts.begin(), parts.end(),
+                                     [](const Part& part) { return !part.input->keep.empty(); });
+  if (keeps_any) options.when_stuck = StopReason::AllKeptOrUnbounded;
+  if (each.watch.progress) {
+    options.progress = [&each, halfspaces, total = request.total_faces](std::size_t left) {
+      each.watch.progress(stage::kSimplify, halfspaces - left, halfspaces - total);
+    };
+  }
+  return options;
+}
+
+// In order, so that the sums are the same everywhere.
+Measured sum_of_volumes(std::span<const SimplifyResult> parts, Measured SimplifyResult::*volume) {
+  Measured sum{Enclosure(kMeasureBits), Rational(0)};
+  for (const SimplifyResult& part : parts) {
+    const Measured& term = part.*volume;
+    sum.bounds += term.bounds;
+    if (term.exact && sum.exact) {
+      *sum.exact += *term.exact;
+    } else {
+      sum.exact.reset();
+    }
+  }
+  return sum;
+}
+
+std::optional<std::array<Enclosure, 2>> sum_of_measures(
+    std::span<const SimplifyResult> parts,
+    std::optional<std::array<Enclosure, 2>> SimplifyResult::*measure) {
+  if (!(parts[0].*measure)) return {};
+  std::array<Enclosure, 2> sum{Enclosure(kMeasureBits), Enclosure(kMeasureBits)};
+  for (const SimplifyResult& part : parts) {
+    for (std::size_t k = 0; k < 2; ++k) sum[k] += (*(part.*measure))[k];
+  }
+  return sum;
+}
+
+void add_up(SceneResult& scene) {
+  for (const SimplifyResult& part : scene.parts) {
+    scene.input_halfspaces += part.input_halfspaces;
+    scene.output_halfspaces += part.solid.exact.planes.size();
+  }
+  scene.input_volume = sum_of_volumes(scene.parts, &SimplifyResult::input_volume);
+  scene.output_volume = sum_of_volumes(scene.parts, &SimplifyResult::output_volume);
+  scene.measure = sum_of_measures(scene.parts, &SimplifyResult::measure);
+  scene.limited = sum_of_measures(scene.parts, &SimplifyResult::limited);
+  scene.growth_of = scene.parts[0].growth_of;
+}
+
+// The float engine compared the growth in doubles: every part knows whether that is proven.
+void vouch_for_growth(SceneResult& scene, const std::vector<Part>& parts,
+                      const SimplifyRequest& request) {
+  std::optional<Rational> least;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const auto next = least_next(*scene.parts[k].float_bound, *parts[k].input, request.cost);
+    if (next && (!least || *next < *least)) least = next;
+  }
+  const auto measure =
+      scene.measure.value_or(std::array{scene.input_volume.bounds, scene.output_volume.bounds});
+  const bool is_proven =
+      is_growth_proven(scene.order.size(), scene.stop, least, measure, *request.max_growth);
+  for (SimplifyResult& part : scene.parts) part.float_bound->is_end_proven &= is_proven;
+}
+
+}  // namespace
+
+SceneOutcome simplify_scene(std::span<const Shape> shapes, const SceneRequest& request) {
+  require_sensible_scene(shapes.size(), request);
+  SimplifyRequest whole = request.each;
+  whole.faces = request.total_faces;
+  require_sensible(whole);
+  auto prepared = prepare_parts(shapes, request);
+  if (auto* flat = std::get_if<NotSolidPart>(&prepared)) return *flat;
+  auto& parts = std::get<std::vector<Part>>(prepared);
+
+  StageLog log(request.each.watch);
+  SceneResult scene;
+  std::vector<std::unique_ptr<PartRun>> runs;
+  std::vector<ScenePartRun*> ends;
+  std::size_t halfspaces = 0;
+  std::size_t kept = 0;
+  for (const Part& part : parts) {
+    halfspaces += part.input->halfspaces();
+    kept += part.input->keep.size();
+  }
+  if (kept > request.total_faces) {
+    refuse(fmt::format("{} faces are to be kept, but only {} in all", kept, request.total_faces));
+  }
+  SharedEnd end = log.run(stage::kSimplify, [&] {
+    for (const Part& part : parts) {
+      auto run = start_part(*part.input, part.request);
+      ends.push_back(run.get());
+      runs.push_back(std::move(run));
+    }
+    return run_shared(runs, options_of(request, parts, halfspaces));
+  });
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    Part& part = parts[k];
+    RunEnd own = ends[k]->finish(end.stop, part.log);
+    own.growth_bits = end.growth_bits;
+    scene.parts.push_back(
+        finish_run(*part.input, std::move(*part.before), std::move(own), part.request, part.log));
+  }
+  scene.order = std::move(end.order);
+  scene.stop = end.stop;
+  scene.growth_bits = end.growth_bits;
+  scene.ties = end.ties;
+  scene.cost = request.each.cost;
+  scene.engine = request.each.engine;
+  add_up(scene);
+  if (request.each.engine == Engine::Float && request.each.max_growth) {
+    vouch_for_growth(scene, parts, request.each);
+  }
+  scene.is_end_proven =
+      std::all_of(scene.parts.begin(), scene.parts.end(), [](const SimplifyResult& part) {
+        return !part.float_bound || part.float_bound->is_end_proven;
+      });
+  scene.stages = log.stages();
+  return scene;
+}
+
+}  // namespace convexact
