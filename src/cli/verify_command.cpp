@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // convexact verify: the oracle.
+#include <algorithm>
 #include <csignal>
 #include <iostream>
 #include <memory>
@@ -11,8 +12,10 @@
 #include "cli/promise_options.hpp"
 #include "cli/verify_trace.hpp"
 #include "convexact/error.hpp"
+#include "convexact/io.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/verify.hpp"
+#include "oracle/scene_verdict.hpp"
 #include "oracle/stdio_request.hpp"
 #include "oracle/verdict_report.hpp"
 #include "scene/result_json.hpp"
@@ -26,6 +29,7 @@ constexpr const char* kVerifyFooter =
     "  convexact verify bunny.obj my_hull.obj\n"
     "  convexact verify bunny.obj my_planes.json --max-facets 18 --json\n"
     "  convexact verify bunny.obj my_hull.stl --claims contains-input --tolerance 1e-9d\n"
+    "  convexact verify room.obj proxies.obj --parts\n"
     "  convexact verify bunny.obj --trace steps.json --max-regret 1%\n"
     "  convexact verify bunny.obj --trace my_planes.txt --cost area\n"
     "  convexact verify --stdio <requests.jsonl\n"
@@ -37,13 +41,15 @@ constexpr const char* kVerifyFooter =
     "Exit code 0: every claim holds. 1: one is violated, or the CANDIDATE is malformed. 3: a\n"
     "file is missing, or INPUT is malformed. 4: INPUT has no volume.";
 
+constexpr const char* kNoGaps = "no-gaps";
+
 struct VerifyArguments {
   GlobalOptions global;
   std::string input, candidate;
   std::optional<std::string> claims;
   Decimal decimal = Decimal::Nearest;
   PromiseOptions promise;
-  bool exact_facets = false, no_tightness = false;
+  bool exact_facets = false, no_tightness = false, parts = false;
   TraceOptions trace;
   bool stdio = false;
   std::optional<double> time_limit;
@@ -85,12 +91,52 @@ VerifyRequest verify_request(const VerifyArguments& options, const Promise& prom
   return request;
 }
 
+// Each part of the input with the part of the candidate, and the gaps between these.
+int run_verify_parts(VerifyArguments options) {
+  SceneVerifyRequest request;
+  if (options.claims) {
+    std::vector<std::string> names = words_of(*options.claims);
+    request.judges_gaps = std::erase(names, kNoGaps) > 0;
+    request.judges_parts = !names.empty();
+    options.claims = CLI::detail::join(names, ",");
+    if (names.empty()) options.claims.reset();
+  }
+  const Promise promise = promise_of(options);
+  request.each = verify_request(options, promise);
+  const Decimal decimal = meaning_of_numbers(promise, options.decimal);
+  Progress progress;
+  StageLog log(progress.watch());
+  const std::vector<SceneObject> input = log.run("read input", StageKind::Io, [&] {
+    return read_scene({options.input},
+                      {.decimal = decimal, .parts = true, .on_read = remember_input});
+  });
+  const Candidate candidate = log.run("read candidate", StageKind::Io,
+                                      [&] { return read_candidate(options.candidate, decimal); });
+  request.each.watch = progress.watch();
+  const auto outcome = verify_scene(input, candidate, request);
+  progress.clear();
+  if (const auto* flat = std::get_if<NotSolidPart>(&outcome)) {
+    const SceneObject& part = input[flat->part];
+    return report_not_solid(options.global, part.name, of_typed_rows(flat->reason, part.rows));
+  }
+  const auto& verdict = std::get<SceneVerdict>(outcome);
+  for (const PartVerdict& part : verdict.parts) log.add(part.verdict.stages);
+  const std::string name = display_name(options.input);
+  if (options.global.json) {
+    nlohmann::ordered_json document = {{"input", name}, {"file", options.candidate}};
+    document.update(scene_verdict_json(verdict));
+    document["stages"] = stages_json(log.stages());
+    print(document);
+  } else {
+    print(options.candidate + " as enclosures of the parts of " + name + "\n" +
+          scene_verdict_text(verdict) + "\n" + stage_text(log.stages(), options.global.stages));
+  }
+  return verdict.holds() ? 0 : 1;
+}
+
 int run_verify_candidate(const VerifyArguments& options) {
   const Promise promise = promise_of(options);
   VerifyRequest request = verify_request(options, promise);
-  if (options.input == "-" && options.candidate == "-") {
-    throw Error(ErrorCode::InvalidArgument, "standard input, -, can be read only once");
-  }
   const Decimal decimal = meaning_of_numbers(promise, options.decimal);
   Progress progress;
   StageLog log(progress.watch());
@@ -140,7 +186,7 @@ int run_verify_stdio(std::optional<double> time_limit) {
 int run_verify(const VerifyArguments& options) {
   const bool has_input = !options.input.empty(), has_candidate = !options.candidate.empty(),
              has_trace = !options.trace.trace.empty();
-  if (options.stdio && (has_input || has_candidate || has_trace)) {
+  if (options.stdio && (has_input || has_candidate || has_trace || options.parts)) {
     throw Error(ErrorCode::InvalidArgument, "--stdio takes everything from standard input");
   }
   if (options.stdio) return run_verify_stdio(options.time_limit);
@@ -150,6 +196,16 @@ int run_verify(const VerifyArguments& options) {
   if (!has_input || has_candidate == has_trace) {
     throw Error(ErrorCode::InvalidArgument,
                 "name an INPUT, and a CANDIDATE or a --trace, but not both; or --stdio");
+  }
+  if (has_trace && options.parts) {
+    throw Error(ErrorCode::InvalidArgument, "--parts: a trace describes one object");
+  }
+  if (!has_trace && options.input == "-" && options.candidate == "-") {
+    throw Error(ErrorCode::InvalidArgument, "standard input, -, can be read only once");
+  }
+  if (options.parts) return run_verify_parts(options);
+  if (options.claims && std::ranges::count(words_of(*options.claims), kNoGaps) > 0) {
+    throw Error(ErrorCode::InvalidArgument, "--claims: no-gaps needs --parts");
   }
   if (!has_trace) return run_verify_candidate(options);
   return run_verify_trace(options.global, options.input,
@@ -170,6 +226,9 @@ void add_verify_command(CLI::App& program, int& exit_code) {
       "CANDIDATE", options->candidate,
       "the output to be judged: a mesh, or halfspaces (JSON, .ine, rows n1 n2 n3 d)");
   command.add_option("--claims", options->claims, "decide these claims only, separated by commas");
+  command.add_flag("--parts", options->parts,
+                   "judge each object of INPUT by the object of CANDIDATE with its name, and "
+                   "whether the faces of INPUT lie in the solids of their parts: claim no-gaps");
   add_promise_options(command, options->promise);
   command.add_flag("--exact-facets", options->exact_facets,
                    "let --max-facets merge exactly coplanar faces only");

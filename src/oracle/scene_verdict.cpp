@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "oracle/scene_verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <unordered_map>
+
+#include "convexact/error.hpp"
+#include "convexact/hull.hpp"
+#include "io/json.hpp"
+#include "number/text.hpp"
+#include "oracle/verdict_report.hpp"
+#include "scene/objects.hpp"
+#include "scene/result_json.hpp"
+#include "scene/solid.hpp"
+
+namespace convexact {
+namespace {
+
+// The halfspaces of the hull of a part's points; none if these span no volume.
+std::vector<Halfspace> hull_planes(const PointSet& points, const VerifyRequest& request) {
+  StageLog within(StageWatch{.stop = request.watch.stop});
+  const auto outcome = make_hull(points, request.seed, true, within);
+  const auto* hull = std::get_if<Hull>(&outcome);
+  return hull != nullptr ? to_polytope(*hull, points).planes : std::vector<Halfspace>();
+}
+
+// Of a face that is not inside the solid of its part.
+GapVerdict::Witness witness_of(const PartFace& face, const SceneObject& part,
+                               const std::vector<Halfspace>& solid) {
+  const auto& points = std::get<PointSet>(part.shape);
+  const auto& corners = part.polygons[face.face];
+  for (const std::uint32_t corner : corners) {
+    const RationalPoint point = points[PointId(corner)];
+    const auto beyond = std::find_if(solid.begin(), solid.end(), [&](const Halfspace& halfspace) {
+      return halfspace(point) > 0;
+    });
+    if (beyond != solid.end()) return {face, part.part, point, *beyond};
+  }
+  return {face, part.part, points[PointId(corners[0])], {}};
+}
+
+GapVerdict judge_gaps(const std::vector<SceneObject>& input,
+                      const std::vector<std::vector<Halfspace>>& solids,
+                      const std::atomic<bool>* stop) {
+  GapVerdict found{find_gaps(input, solids, stop), {}, {}};
+  const Gaps& gaps = found.gaps;
+  if (gaps.out_of_own.empty()) {
+    found.sentence = fmt::format("each of {} faces is inside the candidate of its part",
+                                 with_separators(gaps.faces));
+    return found;
+  }
+  // A face that no part covers says more than one that another part covers.
+  const PartFace& worst = (gaps.in_no_part.empty() ? gaps.out_of_own : gaps.in_no_part).front();
+  found.witness = witness_of(worst, input[worst.part], solids[worst.part]);
+  found.sentence = fmt::format(
+      "{} of {} faces are not inside the candidate of their part, and {} of these in no other; "
+      "face "
+      "{} of part {} is one",
+      with_separators(gaps.out_of_own.size()), with_separators(gaps.faces),
+      with_separators(gaps.in_no_part.size()), worst.face, in_quotes(found.witness->part));
+  return found;
+}
+
+std::vector<std::string> names_of(const std::vector<SceneObject>& parts) {
+  std::vector<std::string> names;
+  for (const SceneObject& part : parts) names.push_back(part.part);
+  return names;
+}
+
+}  // namespace
+
+bool SceneVerdict::holds() const {
+  return !(gaps && gaps->witness) &&
+         std::all_of(parts.begin(), parts.end(),
+                     [](const PartVerdict& part) { return part.verdict.holds(); });
+}
+
+std::vector<std::size_t> match_parts(const std::vector<std::string>& input,
+                                     const std::vector<std::string>& candidate) {
+  if (input.size() != candidate.size()) {
+    throw Error(ErrorCode::InvalidArgument,
+                fmt::format("--parts: INPUT has {} parts and CANDIDATE has {}", input.size(),
+                            candidate.size()));
+  }
+  std::vector<std::size_t> in_order;
+  for (std::size_t k = 0; k < input.size(); ++k) in_order.push_back(k);
+  if (input == candidate) return in_order;
+  std::unordered_map<std::string, std::size_t> place;
+  for (std::size_t k = 0; k < candidate.size(); ++k) place.emplace(candidate[k], k);
+  const auto missing = std::find_if(input.begin(), input.end(),
+                                    [&](const auto& name) { return !place.contains(name); });
+  const bool none = std::none_of(input.begin(), input.end(),
+                                 [&](const auto& name) { return place.contains(name); });
+  if (none) return in_order;
+  if (missing != input.end()) {
+    throw Error(ErrorCode::InvalidArgument,
+                "--parts: CANDIDATE has no part " + in_quotes(*missing) + ", but others by name");
+  }
+  const std::set<std::string> once(input.begin(), input.end());
+  if (once.size() != input.size() || place.size() != candidate.size()) {
+    throw Error(ErrorCode::InvalidArgument,
+                "--parts: several parts have one name, and they are in another order in CANDIDATE");
+  }
+  std::vector<std::size_t> by_name;
+  for (const std::string& name : input) by_name.push_back(place.at(name));
+  return by_name;
+}
+
+std::variant<SceneVerdict, NotSolidPart> verify_scene(const std::vector<SceneObject>& input,
+                                                      const Candidate& candidate,
+                                                      const SceneVerifyRequest& request) {
+  if (std::holds_alternative<HalfspaceList>(candidate)) {
+    throw Error(ErrorCode::InvalidArgument,
+                "--parts: CANDIDATE is a list of halfspaces, which has no parts");
+  }
+  const auto* mesh = std::get_if<Mesh>(&candidate);
+  std::vector<SceneObject> parts;
+  std::vector<std::size_t> place;
+  if (mesh != nullptr) {
+    parts = parts_of(*mesh, "CANDIDATE");
+    place = match_parts(names_of(input), names_of(parts));
+  }
+  SceneVerdict verdict;
+  std::vector<std::vector<Halfspace>> solids;
+  for (std::size_t k = 0; k < input.size(); ++k) {
+    Candidate own = mesh != nullptr ? Candidate(Mesh{}) : candidate;
+    std::string name;
+    if (mesh != nullptr) {
+      const SceneObject& part = parts[place[k]];
+      own = Mesh{std::get<PointSet>(part.shape), part.polygons, {}};
+      name = part.part;
+      if (request.judges_gaps) {
+        solids.push_back(hull_planes(std::get<PointSet>(part.shape), request.each));
+      }
+    }
+    if (mesh != nullptr && !request.judges_parts) continue;
+    VerifyOutcome outcome = verify(input[k].shape, own, request.each);
+    if (const auto* reason = std::get_if<NotSolid>(&outcome)) return NotSolidPart{k, *reason};
+    verdict.parts.push_back({input[k].part, name, std::get<Verdict>(std::move(outcome))});
+  }
+  if (mesh != nullptr && request.judges_gaps) {
+    verdict.gaps = judge_gaps(input, solids, request.each.watch.stop);
+  }
+  return verdict;
+}
+
+nlohmann::ordered_json scene_verdict_json(const SceneVerdict& verdict) {
+  using Json = nlohmann::ordered_json;
+  Json parts = Json::array();
+  bool is_violated = verdict.gaps && verdict.gaps->witness;
+  for (const PartVerdict& part : verdict.parts) {
+    Json json = {{"part", part.part}, {"candidate_part", part.candidate}};
+    json.update(verdict_json(part.verdict));
+    json["stages"] = stages_json(part.verdict.stages);
+    is_violated = is_violated || json["verdict"] == "violated";
+    parts.push_back(std::move(json));
+  }
+  Json document = {{"verdict", verdict.holds() ? "holds"
+                               : is_violated   ? "violated"
+                                               : "undecided"},
+                   {"parts", std::move(parts)}};
+  if (!verdict.gaps) return document;
+  const auto& [gaps, sentence, witness] = *verdict.gaps;
+  Json& json = document["gaps"] = {
+      {"code", "no-gaps"}, {"status", witness ? "violated" : "holds"}, {"sentence", sentence}};
+  json.update(gaps_json(gaps));
+  if (witness) {
+    json["witness"] = {{"part", witness->part},
+                       {"face", witness->face.face},
+                       {"point", vector_json(witness->point)}};
+    if (witness->plane) json["witness"]["plane"] = plane_json(*witness->plane);
+  }
+  return document;
+}
+
+std::string scene_verdict_text(const SceneVerdict& verdict) {
+  std::string text;
+  for (const PartVerdict& part : verdict.parts) {
+    text += "part " + part.part + "\n" + verdict_table(part.verdict);
+  }
+  if (!verdict.gaps) return text;
+  return text + fmt::format("all parts\n  {:<19} {:<15} {}\n", "no-gaps",
+                            verdict.gaps->witness ? "violated" : "holds", verdict.gaps->sentence);
+}
+
+}  // namespace convexact

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// scene_verdict.hpp - a candidate for each part of an input, and the gaps between the candidates.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "convexact/simplify_scene.hpp"
+#include "convexact/verify.hpp"
+
+namespace convexact {
+
+/// The claim no-gaps: every face of the input lies inside the candidate of its own part.
+struct GapVerdict {
+  Gaps gaps;
+  std::string sentence;
+  /// If it is violated: a face, which of its points is outside, and a plane that it is beyond; no
+  /// plane if the candidate encloses no volume.
+  struct Witness {
+    PartFace face;
+    std::string part;
+    RationalPoint point;
+    std::optional<Halfspace> plane;
+  };
+  std::optional<Witness> witness;
+};
+
+struct PartVerdict {
+  std::string part, candidate;  ///< Names.
+  Verdict verdict;
+};
+
+struct SceneVerdict {
+  std::vector<PartVerdict> parts;  ///< As the input has them; empty if no-gaps alone was asked for.
+  std::optional<GapVerdict> gaps;  ///< If it was asked for, and the candidate can be read.
+
+  bool holds() const;
+};
+
+struct SceneVerifyRequest {
+  VerifyRequest each;
+  bool judges_parts = true;  ///< A candidate that cannot be read is judged in any case.
+  bool judges_gaps = true;
+};
+
+/// For each part of the input its candidate: by name if the names of both are the same in another
+/// order, each once; by position if they are the same in order, or if none is in both.
+/// @throws Error InvalidArgument, with a name, if there are more of one, or if only some names
+///               match.
+[[nodiscard]] std::vector<std::size_t> match_parts(const std::vector<std::string>& input,
+                                                   const std::vector<std::string>& candidate);
+
+/// Judges each part of a mesh as an enclosure of the same part of the input, and the gaps.
+/// @param candidate  A mesh, or the error of its reader, which every part then has.
+/// @throws Error InvalidArgument for halfspaces, for a mesh without faces, and as match_parts(); as
+///               verify().
+[[nodiscard]] std::variant<SceneVerdict, NotSolidPart> verify_scene(
+    const std::vector<SceneObject>& input, const Candidate& candidate,
+    const SceneVerifyRequest& request);
+
+[[nodiscard]] nlohmann::ordered_json scene_verdict_json(const SceneVerdict& verdict);
+[[nodiscard]] std::string scene_verdict_text(const SceneVerdict& verdict);
+
+}  // namespace convexact
