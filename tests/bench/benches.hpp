@@ -15,3 +15,6 @@ void register_pipeline_bench(const std::vector<BenchInput>& inputs);
 void register_loops_by_cost(const std::vector<BenchInput>& inputs);
 /// exact_growth/HALFSPACES: the exact engine alone.
 void register_exact_growth();
+/// scene/shared and scene/own: the meshes' points as parts, once with one budget of 18 halfspaces
+/// for each on average, and once each on its own to the same ends. Without verification.
+void register_scene_bench(const std::vector<BenchInput>& inputs);
