@@ -120,7 +120,9 @@ struct VerifyQuestion {
     std::size_t points;
     Rational squared_distance;  ///< Of the worst one; 0 if none is outside.
   };
+  /// Input points outside of the candidate; of an inner solid its vertices outside of the input.
   std::optional<Outside> outside;
+  bool inner = false;  ///< Whether the candidate is judged as an inner solid.
 };
 
 /// The question: is the input refused, and why?

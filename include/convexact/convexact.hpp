@@ -8,6 +8,8 @@
 #include "convexact/error.hpp"
 #include "convexact/halfspace.hpp"
 #include "convexact/hull.hpp"
+#include "convexact/inner.hpp"
+#include "convexact/inner_run.hpp"
 #include "convexact/io.hpp"
 #include "convexact/keep.hpp"
 #include "convexact/linear_program.hpp"

@@ -64,7 +64,10 @@ enum class ClaimCode {
   MaxFacets,          ///< At most so many facets; of a mesh, as meant.
   MaxVertices,        ///< At most so many vertices, those inside a facet or an edge not counted.
   MaxFacetVertices,   ///< No facet has more corners.
+  InsideInput,        ///< Of an inner solid: no vertex lies outside of the input's hull.
 };
+/// The claims about an enclosure. An inner solid has InsideInput besides; ContainsInput is asked of
+/// it by name only.
 inline constexpr std::array kAllClaims = {
     ClaimCode::CandidateReadable, ClaimCode::CandidateFinite, ClaimCode::CandidateSolid,
     ClaimCode::CandidateBounded,  ClaimCode::MeshClosed,      ClaimCode::MeshOriented,
@@ -171,6 +174,8 @@ struct VerifyRequest {
   std::optional<std::size_t> max_facets = {}, max_vertices = {}, max_facet_vertices = {};
   /// Whether `max_facets` is for the facets of a mesh as they are, not as they were meant.
   bool exact_facets = false;
+  /// Whether the candidate is meant to lie in the hull of the input, not around it.
+  bool inner = false;
   /// The facets as meant are also looked for with this Slack::ulps_of_largest, if it is not 0; the
   /// fewer count.
   unsigned slack_ulps = 0;
@@ -211,7 +216,9 @@ struct SmallestTolerance {
 };
 
 struct Verdict {
-  std::vector<Claim> claims;  ///< One for each of kAllClaims, in that order.
+  /// One for each of kAllClaims, in that order; then InsideInput, if the candidate is judged as an
+  /// inner solid.
+  std::vector<Claim> claims;
   CandidateSize size;
   std::optional<Outside> outside;      ///< If containment was decided.
   std::optional<Tightness> tightness;  ///< If asked for, and the candidate is a bounded solid.

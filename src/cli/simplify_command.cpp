@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "cli/inner_run.hpp"
 #include "cli/keep_option.hpp"
 #include "cli/outputs.hpp"
 #include "convexact/scene.hpp"
@@ -27,6 +28,7 @@ constexpr const char* kSimplifyFooter =
     "  convexact simplify room.obj --parts --faces 12 -o proxies.obj\n"
     "  convexact simplify room.obj --parts --total-faces 144 -o proxies.obj\n"
     "  convexact simplify planes.ine --faces 6 --json --trace steps.json\n"
+    "  convexact simplify bunny.obj --inner --vertices 32 -o inside.obj\n"
     "\n"
     "Without --precision, planes are written as exact integers and meshes in binary64 (STL: 32).\n"
     "Every result that is written was tested, on the stored numbers, to hold every input point.";
@@ -47,6 +49,7 @@ struct SimplifyArguments {
   Engine engine = Engine::Filtered;
   VerifyLevel verify = VerifyLevel::Local;
   bool exact_values = false;
+  InnerOnly only;
 };
 
 // "chebyshev" or "X,Y,Z".
@@ -131,6 +134,21 @@ std::string answer_of(const FoundSolids& objects, const std::optional<FoundTotal
   return text + stage_text(stages, options.global.stages);
 }
 
+// --inner, without the options that mean something for halfspaces only.
+int run_inward(const SimplifyArguments& options) {
+  std::vector<std::string> foreign;
+  if (options.cost != CostMeasure::Volume) foreign.emplace_back("--cost");
+  if (!options.max_growth.empty()) foreign.emplace_back("--max-growth");
+  if (options.growth_of) foreign.emplace_back("--growth-of");
+  if (options.tie_bits != CompareLimits{}.bits) foreign.emplace_back("--tie-bits");
+  if (!options.keep.empty()) foreign.emplace_back("--keep");
+  if (options.total_faces) foreign.emplace_back("--total-faces");
+  if (options.center != "chebyshev") foreign.emplace_back("--center");
+  return run_inner({options.global, options.inputs, options.scene, options.output, options.only,
+                    options.faces, options.engine, options.verify, options.exact_values},
+                   foreign);
+}
+
 int run_each(const SimplifyArguments& options, const SimplifyRequest& request) {
   const auto requests = [&](const std::vector<SceneObject>& scene) {
     std::vector<SimplifyRequest> each(scene.size(), request);
@@ -191,6 +209,8 @@ int run_together(const SimplifyArguments& options, const SimplifyRequest& each) 
 }
 
 int run_simplify(const SimplifyArguments& options) {
+  require_inner(options.only);
+  if (options.only.inner) return run_inward(options);
   const SimplifyRequest request = request_of(options);
   return options.total_faces ? run_together(options, request) : run_each(options, request);
 }
@@ -238,6 +258,7 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   command.add_flag("--exact-values", options->exact_values,
                    "with --json: volumes as fractions too");
+  add_inner_options(command, options->only);
   finish_command(command, options, exit_code, run_simplify);
   add_stages_option(command, options->global);
 }

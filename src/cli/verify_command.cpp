@@ -30,6 +30,7 @@ constexpr const char* kVerifyFooter =
     "  convexact verify bunny.obj my_planes.json --max-facets 18 --json\n"
     "  convexact verify bunny.obj my_hull.stl --claims contains-input --tolerance 1e-9d\n"
     "  convexact verify room.obj proxies.obj --parts\n"
+    "  convexact verify --inner bunny.obj my_inner_hull.obj\n"
     "  convexact verify bunny.obj --trace steps.json --max-regret 1%\n"
     "  convexact verify bunny.obj --trace my_planes.txt --cost area\n"
     "  convexact verify --stdio <requests.jsonl\n"
@@ -49,7 +50,7 @@ struct VerifyArguments {
   std::optional<std::string> claims;
   Decimal decimal = Decimal::Nearest;
   PromiseOptions promise;
-  bool exact_facets = false, no_tightness = false, parts = false;
+  bool exact_facets = false, no_tightness = false, parts = false, inner = false;
   TraceOptions trace;
   bool stdio = false;
   std::optional<double> time_limit;
@@ -68,11 +69,11 @@ Decimal meaning_of_numbers(const Promise& promise, Decimal decimal) {
 // The promise of the profile; an enclosure without one.
 Promise promise_of(const VerifyArguments& options) {
   const Promise promise = options.promise.promise(Asks::Enclosure);
-  if (promise.asks != Asks::Inner) return promise;
+  if (promise.asks != Asks::Inner || options.inner) return promise;
   throw Error(ErrorCode::InvalidArgument,
               "--profile " + options.promise.profile +
-                  ": this program writes inner solids, which do not contain their input: judge "
-                  "them by conform");
+                  ": this program writes inner solids, which do not contain their input: add "
+                  "--inner, or judge them by conform");
 }
 
 VerifyRequest verify_request(const VerifyArguments& options, const Promise& promise) {
@@ -86,6 +87,7 @@ VerifyRequest verify_request(const VerifyArguments& options, const Promise& prom
   }
   request.max_vertices = promise.max_vertices;
   request.max_facet_vertices = promise.max_facet_vertices;
+  request.inner = options.inner;
   request.tightness = !options.no_tightness;
   request.seed = options.global.seed;
   return request;
@@ -161,8 +163,9 @@ int run_verify_candidate(const VerifyArguments& options) {
     document["stages"] = stages_json(log.stages());
     print(document);
   } else {
-    print(options.candidate + " as an enclosure of " + input.name + "\n" + verdict_table(verdict) +
-          "\n" + stage_text(log.stages(), options.global.stages));
+    print(options.candidate + (options.inner ? " inside of " : " as an enclosure of ") +
+          input.name + "\n" + verdict_table(verdict) + "\n" +
+          stage_text(log.stages(), options.global.stages));
   }
   return verdict.holds() ? 0 : 1;
 }
@@ -189,6 +192,9 @@ int run_verify(const VerifyArguments& options) {
   if (options.stdio && (has_input || has_candidate || has_trace || options.parts)) {
     throw Error(ErrorCode::InvalidArgument, "--stdio takes everything from standard input");
   }
+  if (options.stdio && options.inner) {
+    throw Error(ErrorCode::InvalidArgument, "--stdio takes \"inner\": true in a request");
+  }
   if (options.stdio) return run_verify_stdio(options.time_limit);
   if (options.time_limit) {
     throw Error(ErrorCode::InvalidArgument, "--time-limit is for each request of --stdio");
@@ -202,6 +208,9 @@ int run_verify(const VerifyArguments& options) {
   }
   if (!has_trace && options.input == "-" && options.candidate == "-") {
     throw Error(ErrorCode::InvalidArgument, "standard input, -, can be read only once");
+  }
+  if (options.inner && (has_trace || options.parts)) {
+    throw Error(ErrorCode::InvalidArgument, "--inner judges one CANDIDATE: no --trace, no --parts");
   }
   if (options.parts) return run_verify_parts(options);
   if (options.claims && std::ranges::count(words_of(*options.claims), kNoGaps) > 0) {
@@ -232,6 +241,8 @@ void add_verify_command(CLI::App& program, int& exit_code) {
   add_promise_options(command, options->promise);
   command.add_flag("--exact-facets", options->exact_facets,
                    "let --max-facets merge exactly coplanar faces only");
+  command.add_flag("--inner", options->inner,
+                   "judge an inner solid: whether it lies in the hull of INPUT, not around it");
   command.add_flag("--no-tightness", options->no_tightness,
                    "do not measure volume, area, mean width and distance");
   add_decimal_option(command, options->decimal);

@@ -166,6 +166,7 @@ VerifyQuestion to_verify_question(const json& question, const json& expected) {
   result.max_facets = budget("max_facets");
   result.max_vertices = budget("max_vertices");
   result.max_facet_vertices = budget("max_facet_vertices");
+  result.inner = question.contains("inner") && question["inner"].get<bool>();
   for (const auto& [name, status] : expected.at("claims").items()) {
     const std::optional<ClaimCode> code = claim_of_name(name);
     if (!code) fail("expected the code of a claim, found " + in_quotes(name));

@@ -91,6 +91,8 @@ void judge_faces(Trial& trial);
 void find_facets_as_meant(Trial& trial);
 /// Contains the input. Where it does not, the candidate's polytope is found, to measure how far.
 void judge_containment(Trial& trial);
+/// Of an inner solid: no vertex lies outside of the input's hull.
+void judge_inside_input(Trial& trial);
 /// The three budgets.
 void judge_budgets(Trial& trial);
 /// How many facets are in a facet plane of the input's hull. Precondition: there is a polytope.

@@ -194,6 +194,7 @@ bool judge_reading(Trial& trial) {
   for (const ClaimCode code : kAllClaims) {
     trial.not_applicable(code, "the candidate could not be read");
   }
+  trial.not_applicable(InsideInput, "the candidate could not be read");
   const bool is_number = error->code() == ErrorCode::NotFinite;
   trial.not_applicable(is_number ? CandidateReadable : CandidateFinite,
                        "reading ended at that place");

@@ -125,6 +125,7 @@ std::vector<ClaimCode> claims(const json& names) {
 VerifyRequest questions(const json& request) {
   VerifyRequest asked;
   if (request.contains("claims")) asked.claims = claims(request["claims"]);
+  asked.inner = flag(request, "inner").value_or(false);
   asked.tightness = flag(request, "tightness").value_or(false);
   if (request.contains("tolerance")) {
     const json& tolerance = request["tolerance"];
@@ -210,7 +211,7 @@ ordered_json answer(const json& request, std::optional<double> time_limit) {
   require_known_keys(
       request,
       {"id", "points", "candidate", "claims", "tolerance", "tightness", "decimal", "numbers",
-       "max_facets", "max_vertices", "max_facet_vertices", "exact_facets", "time_limit"},
+       "max_facets", "max_vertices", "max_facet_vertices", "exact_facets", "inner", "time_limit"},
       "the request");
   if (request.contains("id") && request["id"].is_structured()) {
     reject("an id that is a number, a string, true, false or null");

@@ -32,7 +32,9 @@ Trial::Trial(const Input& given, const Candidate& judged, const VerifyRequest& a
              StageLog& stages)
     : input(given), candidate(judged), request(asked), log(stages) {
   verdict.squared_diameter = input.squared_diameter;
-  for (const ClaimCode code : kAllClaims) {
+  std::vector<ClaimCode> codes(kAllClaims.begin(), kAllClaims.end());
+  if (request.inner) codes.push_back(ClaimCode::InsideInput);
+  for (const ClaimCode code : codes) {
     const bool is_named = !request.claims.empty() || budget_of(request, code) != nullptr;
     verdict.claims.push_back({code, Status::NotAsked, "", {}, is_named && asks(code)});
   }
@@ -41,6 +43,8 @@ Trial::Trial(const Input& given, const Candidate& judged, const VerifyRequest& a
 bool Trial::asks(ClaimCode code) const {
   if (const auto* budget = budget_of(request, code)) return budget->has_value();
   const auto& list = request.claims;
+  if (code == ClaimCode::InsideInput && !request.inner) return false;
+  if (code == ClaimCode::ContainsInput && request.inner && list.empty()) return false;
   return list.empty() || std::find(list.begin(), list.end(), code) != list.end();
 }
 
@@ -159,6 +163,7 @@ void judge(Trial& trial) {
   judge_faces(trial);
   find_facets_as_meant(trial);
   judge_containment(trial);
+  judge_inside_input(trial);
   judge_budgets(trial);
   find_smallest_tolerance(trial);
   measure(trial);
@@ -176,8 +181,9 @@ constexpr auto kClaimNames =
                            {ClaimCode::ContainsInput, "contains-input"},
                            {ClaimCode::MaxFacets, "max-facets"},
                            {ClaimCode::MaxVertices, "max-vertices"},
-                           {ClaimCode::MaxFacetVertices, "max-facet-vertices"}});
-static_assert(kClaimNames.size() == kAllClaims.size());
+                           {ClaimCode::MaxFacetVertices, "max-facet-vertices"},
+                           {ClaimCode::InsideInput, "inside-input"}});
+static_assert(kClaimNames.size() == kAllClaims.size() + 1);
 
 constexpr auto kStatusNames = name_table<Status>({{Status::Holds, "holds"},
                                                   {Status::Violated, "violated"},
@@ -194,7 +200,7 @@ std::optional<ClaimCode> claim_of_name(const std::string& name) {
 const char* name_of(Status status) { return name_in(kStatusNames, status); }
 
 const Claim& Verdict::operator[](ClaimCode code) const {
-  return claims[static_cast<std::size_t>(code)];
+  return claims.at(static_cast<std::size_t>(code));
 }
 
 bool Verdict::holds() const {
@@ -208,6 +214,10 @@ VerifyOutcome verify(const Shape& shape, const Candidate& candidate, const Verif
     throw Error(ErrorCode::InvalidArgument, "a tolerance cannot be negative");
   }
   for (const ClaimCode code : request.claims) {
+    if (code == ClaimCode::InsideInput && !request.inner) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "the claim inside-input is of an inner solid: give --inner as well");
+    }
     const auto* budget = budget_of(request, code);
     if (budget == nullptr || *budget) continue;
     const std::string name = name_of(code);

@@ -184,5 +184,16 @@ FAULTS = [
     (TIE, 'src/check/root_sum.hpp', 'if (mpz_perfect_square_p(product.get_mpz_t()) != 0) break;', 'if (n == m->first) break;', 'check check_mutated'),
     (PUSH, 'src/check/root_sum.hpp', 'next = root + 1;', 'next = root;', 'check check_mutated'),
     (SIGN, 'src/check/convexact_check.cpp', '-s * quotient(dot3(base, n), dot3(base, base))', '-s', 'check check_mutated'),
+    # Inner runs.
+    (STALE, _FAST + 'filtered_inner.cpp', '    queue_.update(r, FilteredLoss::lower_bound(terms));\n', '', 'inner fast_inner_agreement'),
+    (STALE, _FAST + 'filtered_inner.cpp', 'return t.a == v || t.b == v || t.c == v;', 'return t.a == v;', 'inner fast_inner_agreement'),
+    (STALE, 'src/simplify/exact_inner.cpp', '    forget(r);\n    evaluate(r);\n', '', 'inner'),
+    (TIE, _FAST + 'filtered_inner.cpp', '  std::sort(candidates_.begin(), candidates_.end());\n', '', 'inner fast_inner_agreement'),
+    (TIE, 'src/simplify/exact_inner.cpp', 'if (cost != queue_.begin()->first) break;', 'if (!tie.empty()) break;', 'inner'),
+    (TIE, 'src/simplify/inner_run.cpp', 'if (p[k] != q[k]) return p[k] < q[k];', 'if (p[k] != q[k]) return p[k] > q[k];', 'inner'),
+    (CONSTANT, _FAST + 'near_vertices.hpp', 'kProductFactor = 64;', 'kProductFactor = 4;', 'fast_inner_agreement'),
+    (SKIP, 'src/simplify/inner_verification.cpp', 'determinants_.volume(six_volumes_) - *step.cost == determinants_.volume(after)', 'true', 'inner'),
+    (SKIP, 'src/simplify/inner_verification.cpp', 'require(!is_beyond(t, r), ', 'require(true, ', 'inner'),
+    (SKIP, 'src/oracle/judge_inside.cpp', 'if (outside.empty())', 'if (true)', 'cli'),
     (SKIP, 'src/check/convexact_check.cpp', 'require(removal.cost == Cost(stated),', 'require(true,', 'check check_mutated'),
 ]

@@ -17,19 +17,19 @@ PUBLIC = {
     "error": "error", "watch": "error", "number": "number", "root_sum": "number",
     "angle_sum": "number", "point_set": "geometry", "halfspace": "geometry",
     "polytope": "geometry", "predicates": "geometry", "shapes": "shapes", "mesh": "io", "io": "io",
-    "linear_program": "lp", "hull": "hull", "dual": "dual", "measure": "measure", "cost": "number", "run": "simplify", "keep": "simplify",
-    "stored": "stored", "scene": "scene", "simplify": "scene", "simplify_scene": "scene", "query": "query", "verify": "oracle", "verify_run": "oracle",
+    "linear_program": "lp", "hull": "hull", "dual": "dual", "measure": "measure", "cost": "number", "run": "simplify", "inner_run": "simplify", "keep": "simplify",
+    "stored": "stored", "scene": "scene", "simplify": "scene", "inner": "scene", "simplify_scene": "scene", "query": "query", "verify": "oracle", "verify_run": "oracle",
     "conform": "oracle", "shrink": "oracle", "convexact": "capi"}
 # What stays apart on purpose, so that a mistake in one cannot hide in the other: (room, room it may
 # see little of): the headers that it may see.
 APART = {
     # The engines are written twice; they share the record of a run.
-    ("fast", "simplify"): {"convexact/run.hpp"},
+    ("fast", "simplify"): {"convexact/run.hpp", "convexact/inner_run.hpp"},
     # The sceptic's checker shares nothing.
     **{("check", room): set() for room in ROOMS if room != "check"},
 }
 # Files that verify steps, and what they must not see: the surface and the cap that they verify.
-VERIFICATION = re.compile(r"src/simplify/(step_verification|plain_\w+|whole_dual|modular_volume)\.[hc]pp")
+VERIFICATION = re.compile(r"src/simplify/(step_verification|inner_verification|plain_\w+|whole_dual|modular_volume)\.[hc]pp")
 VERIFIED = re.compile(r"simplify/(dual_surface|cap|ring_triangulation|exact_engine)\.hpp")
 INCLUDE = re.compile(r'#include "([^"]+)"')
 

@@ -189,6 +189,7 @@ def add_verify(collection):
         verify_cases.dented,
         verify_cases.sharp_edges,
         verify_cases.surfaces,
+        verify_cases.inner_solids,
     ):
         for name, title, points, candidate, request, expected, flags, level, why in family():
             if "outside" in expected:

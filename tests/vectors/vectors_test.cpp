@@ -110,6 +110,7 @@ TEST_CASE("vectors: both exact engines remove at the known costs, with the known
 TEST_CASE("vectors: candidates get the known verdict, with the exact distance") {
   for_each<VerifyQuestion>([](const TestVector& vector, const VerifyQuestion& question) {
     VerifyRequest request;
+    request.inner = question.inner;
     request.exact_facets = true;  // budgets are counted by definition
     request.max_facets = question.max_facets;
     request.max_vertices = question.max_vertices;
@@ -125,6 +126,12 @@ TEST_CASE("vectors: candidates get the known verdict, with the exact distance") 
       CHECK(std::string(name_of(verdict[code].status)) == name_of(claim.second));
     }
     if (!question.outside) return;
+    if (question.inner) {
+      const std::optional<Rational>& beyond =
+          verdict[ClaimCode::InsideInput].witness.squared_distance;
+      CHECK(beyond.value_or(0) == question.outside->squared_distance);
+      return;
+    }
     REQUIRE(verdict.outside.has_value());
     CHECK(verdict.outside->points == question.outside->points);
     const std::optional<Rational>& distance =

@@ -575,3 +575,84 @@ def surfaces():
             "coplanar",
             "duplicates",
         ], 2, why
+
+
+INNER_BASES = ("octahedron", "brick", "ball", "lattice", "needle", "offset")
+
+
+def judged_inner(points, corners, extra=None):
+    """What the definition says of a solid that is meant to lie inside the hull of the points."""
+    outside, worst = farthest_outside(list(hull_planes(points)), corners)
+    claims = {
+        "candidate-readable": "holds",
+        "candidate-finite": "holds",
+        "candidate-solid": "holds",
+        "candidate-bounded": "holds",
+        "inside-input": status(outside == 0),
+    }
+    claims.update(extra or {})
+    return {"claims": claims, "outside": {"points": outside, "squared_distance": worst}}
+
+
+def inner_solids():
+    """Candidates that shall lie inside. Yields name, title, input, candidate, request, expected, flags, level, why."""
+    why = "every vertex of the candidate against every facet plane of the input's hull, in fractions"
+    inner = {"inner": True}
+    for name, title, points, flags, level in bases():
+        if name not in INNER_BASES:
+            continue
+        vertices, faces = hull_mesh(points)
+        yield (
+            f"{name}-inner-hull",
+            f"{title}: its own hull, as an inner solid",
+            points,
+            {"points": vertices, "faces": faces},
+            inner,
+            judged_inner(points, vertices),
+            flags,
+            level,
+            why,
+        )
+        rest, rest_faces = hull_mesh(vertices[1:])
+        yield (
+            f"{name}-inner-less-one",
+            f"{title}: the hull of all its vertices but the first",
+            points,
+            {"points": rest, "faces": rest_faces},
+            inner,
+            judged_inner(points, rest),
+            flags,
+            level,
+            why,
+        )
+        beyond = move_inward(points, rest, -1)
+        beyond_vertices, beyond_faces = hull_mesh(beyond)
+        yield (
+            f"{name}-inner-one-ulp",
+            f"{title}: the same with one corner moved outward by an ulp",
+            points,
+            {"points": beyond_vertices, "faces": beyond_faces},
+            inner,
+            judged_inner(points, beyond_vertices),
+            flags,
+            level,
+            why,
+        )
+        if name == "brick":
+            continue
+        least = [min(p[k] for p in points) for k in range(3)]
+        most = [max(p[k] for p in points) for k in range(3)]
+        walls = [[-(k == j) for k in range(3)] + [least[j]] for j in range(3)]
+        walls += [[int(k == j) for k in range(3)] + [-most[j]] for j in range(3)]
+        corners = [tuple((least, most)[m >> k & 1][k] for k in range(3)) for m in range(8)]
+        yield (
+            f"{name}-inner-walls",
+            f"{title}: the walls of its bounding box, which lie outside",
+            points,
+            {"halfspaces": walls},
+            inner,
+            judged_inner(points, corners),
+            flags,
+            level,
+            why,
+        )

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "cli/inner_run.hpp"
+
+#include "io/json.hpp"
+#include "report/picture.hpp"
+#include "scene/inner_report.hpp"
+#include "simplify/inner_trace.hpp"
+
+namespace convexact::cli {
+namespace {
+
+[[noreturn]] void reject_inner(const std::string& message) {
+  throw Error(ErrorCode::InvalidArgument, message);
+}
+
+void require_sensible(const InnerArguments& options, const std::vector<std::string>& foreign) {
+  if (!foreign.empty()) reject_inner(foreign[0] + ": an inner run (--inner) does not have it");
+  if (options.engine == Engine::Float) {
+    reject_inner("--engine float: an inner run has the engines exact and filtered");
+  }
+  if (!options.output.proof.empty()) {
+    reject_inner(
+        "--proof: convexact-check proves outer runs; --trace holds every step of an inner "
+        "one");
+  }
+  if (options.only.vertices && options.triangles != 0) {
+    reject_inner("--vertices and --faces: give one of them; n vertices have 2 n - 4 triangles");
+  }
+  options.output.require_sensible();
+  if (options.output.precision == 32) {
+    reject_inner(
+        "--precision 32: an inner run keeps vertices of the input as they are, in "
+        "binary64");
+  }
+  for (const std::string& path : options.output.results) {
+    if (mesh_format_of_path(path) == MeshFormat::Stl) {
+      reject_inner("-o " + path +
+                   ": STL holds binary32; an inner run keeps vertices of the input "
+                   "as they are, in binary64");
+    }
+    if (halfspace_format_of_path(path) && options.output.precision == 64) {
+      throw Error(ErrorCode::Unrepresentable,
+                  "-o " + path +
+                      ": planes in binary64 would have to be pushed inward, which is not "
+                      "proven; without --precision they are exact integers");
+    }
+  }
+}
+
+InnerRequest request_of(const InnerArguments& options) {
+  InnerRequest request;
+  request.vertices = options.only.vertices;
+  if (options.triangles != 0) request.vertices = options.triangles / 2 + 2;  // 2 v - 4 triangles
+  if (!options.only.max_loss.empty()) {
+    request.max_loss = parse_share("--max-loss", options.only.max_loss);
+  }
+  request.engine = options.engine;
+  request.verify = options.verify;
+  request.seed = options.global.seed;
+  for (const std::string& path : options.output.results) {
+    request.mesh = request.mesh || mesh_format_of_path(path);
+  }
+  return request;
+}
+
+std::string picture_of(const std::vector<FoundObject<InnerResult>>& objects) {
+  PictureLayer inner{.name = "inner hull", .color = "#5b8def", .edges = true};
+  PictureLayer input{.name = "input", .color = "#cd965a", .shown = false};
+  PictureLayer hull{.name = "hull of the input", .color = "#8f8f8f", .opacity = 0.25};
+  for (const auto& [source, result] : objects) {
+    inner.add(result.solid);
+    input.add(std::get<PointSet>(source.shape).doubles(), source.polygons);
+    std::vector<std::vector<std::uint32_t>> triangles;
+    for (const auto& [a, b, c] : result.start.triangles) {
+      triangles.push_back({a.value, b.value, c.value});
+    }
+    hull.add(result.start.points.doubles(), triangles);
+  }
+  return picture_html(
+      {.title = as_utf8(objects[0].source.name),
+       .caption = "The hull of the vertices that are left, inside the input's hull.",
+       .layers = {std::move(inner), std::move(input), std::move(hull)}});
+}
+
+OutputFiles files_of(const std::vector<FoundObject<InnerResult>>& objects,
+                     const OutputOptions& options) {
+  OutputFiles files;
+  std::vector<NamedInner> results;
+  for (const auto& [source, result] : objects) results.push_back({source.part, &result});
+  for (const std::string& path : options.results) {
+    files.emplace_back(path, proven_inner_bytes(results, path));
+  }
+  if (!options.picture.empty()) files.emplace_back(options.picture, picture_of(objects));
+  if (!options.trace.empty()) {
+    const InnerResult& result = objects[0].result;
+    files.emplace_back(options.trace, write_inner_trace_json(result.start, result.run));
+  }
+  return files;
+}
+
+std::string answer_of(const std::vector<FoundObject<InnerResult>>& objects,
+                      const std::vector<Stage>& stages, const InnerArguments& options) {
+  if (options.global.json) {
+    nlohmann::ordered_json document =
+        objects.size() == 1
+            ? inner_json(objects[0].result)
+            : nlohmann::ordered_json{{"objects", objects_json(objects, inner_json)}};
+    document["stages"] = stages_json(stages);
+    return write_json(document, 2) + "\n";
+  }
+  std::string text;
+  for (const auto& [source, result] : objects) text += source.name + "\n" + summary(result);
+  text += written_lines(options.output);
+  if (options.output.all_paths().empty()) {
+    text += "  written     nothing; -o inner.obj keeps the solid\n";
+  }
+  return text + stage_text(stages, options.global.stages);
+}
+
+}  // namespace
+
+void add_inner_options(CLI::App& command, InnerOnly& options) {
+  command.add_flag("--inner", options.inner,
+                   "remove vertices of the hull instead: a solid inside, losing as little volume "
+                   "as possible");
+  add_count(command, "--vertices", options.vertices, {4, std::uint64_t(1) << 32},
+            "with --inner: how many vertices to keep; or --faces, at most so many triangles");
+  command.add_option("--max-loss", options.max_loss,
+                     "with --inner: stop before more of the volume is lost, e.g. 5% or 0.05");
+}
+
+void require_inner(const InnerOnly& options) {
+  const char* option = options.vertices           ? "--vertices"
+                       : options.max_loss.empty() ? nullptr
+                                                  : "--max-loss";
+  if (option == nullptr || options.inner) return;
+  reject_inner(std::string(option) + ": only an inner run has it; give --inner as well");
+}
+
+int run_inner(const InnerArguments& options, const std::vector<std::string>& foreign) {
+  require_sensible(options, foreign);
+  const InnerRequest wanted = request_of(options);
+  require_other_files(options.output.all_paths(), options.inputs);
+  Progress progress;
+  StageLog log(progress.watch());
+  std::vector<SceneObject> scene =
+      log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
+  for (const SceneObject& object : scene) {
+    if (std::holds_alternative<PointSet>(object.shape)) continue;
+    reject_inner("--inner: " + object.name +
+                 " is a list of halfspaces; an inner run removes vertices of points or a mesh");
+  }
+  options.output.require_room_for(scene.size());
+  auto found =
+      on_each_object<InnerResult>(std::move(scene), log, [&](const Shape& shape, std::size_t) {
+        InnerRequest request = wanted;
+        request.watch = progress.watch();
+        return simplify_inner(std::get<PointSet>(shape), request);
+      });
+  if (const auto* flat = std::get_if<FlatObject>(&found)) {
+    progress.clear();
+    return report_not_solid(options.global, flat->name, flat->reason);
+  }
+  auto& objects = std::get<std::vector<FoundObject<InnerResult>>>(found);
+  if (!options.exact_values) {
+    for (auto& object : objects) {
+      object.result.input_volume.exact.reset();
+      object.result.output_volume.exact.reset();
+    }
+  }
+  const OutputFiles files =
+      log.run("write", StageKind::Io, [&] { return files_of(objects, options.output); });
+  progress.clear();
+  write_together(files, answer_of(objects, log.stages(), options));
+  return 0;
+}
+
+}  // namespace convexact::cli

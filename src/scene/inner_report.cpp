@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "scene/inner_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "convexact/error.hpp"
+#include "convexact/io.hpp"
+#include "convexact/stored.hpp"
+#include "io/json.hpp"
+#include "number/precision.hpp"
+#include "number/text.hpp"
+#include "scene/result_json.hpp"
+#include "simplify/inner_trace.hpp"
+
+namespace convexact {
+namespace {
+
+std::size_t tied_steps(const InnerRun& run) {
+  return static_cast<std::size_t>(
+      std::count_if(run.steps.begin(), run.steps.end(),
+                    [](const InnerStep& step) { return step.tie.size() > 1; }));
+}
+
+void require_right(bool holds, const std::string& path, const char* claim) {
+  if (holds) return;
+  throw Error(ErrorCode::Internal, "read back from its bytes, " + path + claim);
+}
+
+// Several results in one mesh: points and polygons one after another, a part for each.
+Mesh joined_inner(std::span<const NamedInner> results) {
+  if (results.size() == 1) return results[0].result->mesh.value();
+  Mesh all;
+  std::vector<Point> points;
+  for (const NamedInner& part : results) {
+    const Mesh& mesh = part.result->mesh.value();
+    const auto first_point = static_cast<std::uint32_t>(points.size());
+    const std::size_t first_polygon = all.polygons.size();
+    points.insert(points.end(), mesh.points.doubles().begin(), mesh.points.doubles().end());
+    for (std::vector<std::uint32_t> polygon : mesh.polygons) {
+      for (std::uint32_t& corner : polygon) corner += first_point;
+      all.polygons.push_back(std::move(polygon));
+    }
+    all.parts.push_back({part.name, first_polygon, all.polygons.size()});
+  }
+  all.points = PointSet(std::move(points));
+  return all;
+}
+
+// The file's points are the vertices of the results, one result after another, bit for bit but for
+// the sign of zeros; and they lie in the exact hulls of the inputs.
+void prove_mesh(const std::string& bytes, const std::string& path, MeshFormat format,
+                std::span<const NamedInner> results) {
+  const Mesh mesh = read_mesh_bytes(bytes, {.format = format});
+  std::size_t first = 0;
+  for (const NamedInner& part : results) {
+    const auto expected = part.result->mesh->points.doubles();
+    require_right(mesh.points.is_binary() && first + expected.size() <= mesh.points.size(), path,
+                  " lacks vertices");
+    const auto found = mesh.points.doubles().subspan(first, expected.size());
+    require_right(std::equal(expected.begin(), expected.end(), found.begin()), path,
+                  " has a vertex that is no point of the input");
+    const PointSet corners(std::vector<Point>(found.begin(), found.end()));
+    require_right(count_outside(part.result->hull, corners) == 0, path,
+                  " has a vertex outside of the input's hull");
+    first += expected.size();
+  }
+  require_right(first == mesh.points.size(), path, " has points of no result");
+}
+
+}  // namespace
+
+nlohmann::ordered_json inner_json(const InnerResult& result) {
+  using Json = nlohmann::ordered_json;
+  Json kept = Json::array();
+  for (const PointId id : result.kept) kept.push_back(id.value);
+  // A lower bound, so that it never reads as more than was kept.
+  const Enclosure ratio = result.output_volume.bounds / result.input_volume.bounds;
+  return {{"inner", true},
+          {"input",
+           {{"points", result.input_points},
+            {"hull_vertices", result.start.ids.size()},
+            {"halfspaces", result.input_halfspaces}}},
+          {"output",
+           {{"vertices", result.kept.size()},
+            {"triangles", result.run.triangles.size()},
+            {"stop", name_of(result.run.stop)},
+            {"points", std::move(kept)},
+            {"planes", result.solid.planes}}},
+          {"volume",
+           {{"input", measured_json(result.input_volume, kDigits)},
+            {"output", measured_json(result.output_volume, kDigits)},
+            {"ratio", ratio.low_double()}}},
+          {"ties", tied_steps(result.run)},
+          {"engine", name_of(result.engine)},
+          {"verified",
+           {{"level", name_in(kVerifyLevelNames, result.verified)},
+            {"steps", result.run.steps.size()},
+            {"violations", 0}}}};
+}
+
+std::string summary(const InnerResult& result) {
+  const auto line = [](const char* label, const std::string& text) {
+    return fmt::format("  {:<12}{}\n", label, text);
+  };
+  const auto decimal = [](const Measured& x) { return to_decimal(x.bounds, 6).value_or("?"); };
+  const std::size_t steps = result.run.steps.size(), ties = tied_steps(result.run);
+  std::string text =
+      line("input", fmt::format("{} points; their hull has {} vertices and {} halfspaces",
+                                with_separators(result.input_points),
+                                with_separators(result.start.ids.size()),
+                                with_separators(result.input_halfspaces)));
+  std::string output = fmt::format("{} vertices, {} triangles", with_separators(result.kept.size()),
+                                   with_separators(result.run.triangles.size()));
+  if (result.run.stop == InnerStop::LossLimit) {
+    output += ": removing one more would exceed the loss allowed";
+  } else if (steps == 0) {
+    output += ": as many as the hull has";
+  }
+  text += line("output", output);
+  std::string volume = decimal(result.input_volume) + " -> " + decimal(result.output_volume);
+  if (steps == 0) {
+    volume += ", unchanged";
+  } else {
+    const Enclosure hundred(Integer(100), kMeasureBits);
+    const Enclosure kept = hundred * (result.output_volume.bounds / result.input_volume.bounds);
+    volume += ", " + to_decimal(kept, 5).value_or("?") + "% kept";
+  }
+  text += line("volume", volume);
+  if (ties > 0) {
+    text += line("ties", fmt::format("in {} of {} steps several vertices cost the same, exactly; "
+                                     "the first by x, then y, then z goes",
+                                     with_separators(ties), with_separators(steps)));
+  }
+  if (result.verified == VerifyLevel::None) return text + line("verified", "nothing, as requested");
+  return text +
+         line("verified",
+              fmt::format("{} steps proven again, exactly ({}); each vertex is an input "
+                          "point inside every halfspace of the hull",
+                          with_separators(steps), name_in(kVerifyLevelNames, result.verified)));
+}
+
+std::string proven_inner_bytes(std::span<const NamedInner> results, const std::string& path) {
+  if (const auto format = mesh_format_of_path(path)) {
+    if (*format == MeshFormat::Stl) {
+      throw Error(ErrorCode::Unrepresentable,
+                  path + ": STL holds binary32, which would move vertices of the result");
+    }
+    std::string bytes = write_mesh(joined_inner(results), *format);
+    prove_mesh(bytes, path, *format, results);
+    return bytes;
+  }
+  const HalfspaceFormat format = halfspace_format_of_path(path).value();
+  const std::vector<Halfspace>& planes = results[0].result->solid.planes;
+  std::string bytes = write_halfspaces(planes, format);
+  require_right(read_halfspaces_bytes(bytes, format).halfspaces == planes, path,
+                " has other halfspaces than the result");
+  return bytes;
+}
+
+}  // namespace convexact
