@@ -339,3 +339,30 @@ TEST_CASE("stdio: facets as meant, and exactly (#13)") {
   request.erase("max_facets");
   CHECK(json::parse(answer_request(request.dump()))["error"]["exit"] == 3);
 }
+
+TEST_CASE("stdio: an inner solid is judged by inside-input") {
+  // Half of the cube lies inside of it. The cube twice as wide reaches out by 1, beyond x <= 1.
+  json half = cube_planes();
+  half[0] = {2, 0, 0, -1};
+  json asked = request({{"planes", half}});
+  CHECK(ask(asked)["verdict"] == "violated");  // it misses points
+  asked["inner"] = true;
+  json answer = ask(asked);
+  CHECK(answer["verdict"] == "holds");
+  CHECK(claim(answer, "inside-input")["status"] == "holds");
+  CHECK(claim(answer, "contains-input") == nullptr);
+  json wide = cube_planes();
+  wide[0] = {1, 0, 0, -2};
+  asked = request({{"planes", wide}});
+  CHECK(ask(asked)["verdict"] == "holds");
+  asked["inner"] = true;
+  answer = ask(asked);
+  CHECK(answer["verdict"] == "violated");
+  const json witness = claim(answer, "inside-input")["witness"];
+  CHECK(witness["distance"]["squared"] == "1");
+  CHECK(witness["plane"] == json({"1", "0", "0", "-1"}));
+  asked["tolerance"] = "1";
+  CHECK(ask(asked)["verdict"] == "holds");
+  asked["inner"] = "yes";
+  CHECK(json::parse(answer_request(asked.dump())).contains("error"));
+}
