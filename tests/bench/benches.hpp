@@ -13,6 +13,9 @@ void register_pipeline_bench(const std::vector<BenchInput>& inputs);
 /// of the exact engine alone, to 18 halfspaces. Counters: evaluations for each removal, exact
 /// costs.
 void register_loops_by_cost(const std::vector<BenchInput>& inputs);
+/// INPUT/query-overlap/K, /query-ray/K, /query-line/K: one query against K halfspaces, 6 to 32, or
+/// the hull: two solids, a ray with entry and exit as fractions, whether a line hits.
+void register_query_bench(const std::vector<BenchInput>& inputs);
 /// exact_growth/HALFSPACES: the exact engine alone.
 void register_exact_growth();
 /// scene/shared and scene/own: the meshes' points as parts, once with one budget of 18 halfspaces
