@@ -58,35 +58,50 @@ struct QueryArguments {
   FalsePositiveRequest probes;
 };
 
-// The solids of the inputs, with their stages; the first one that is none ends the query.
-class QueriedSolids {
+// A query as it runs: its stages, and the solids that it is about.
+class RunningQuery {
  public:
-  QueriedSolids(const QueryArguments& options, const std::vector<std::string>& paths)
-      : log_(progress_.watch()) {
+  explicit RunningQuery(const QueryArguments& options)
+      : options_(options), log_(progress_.watch()) {}
+
+  /// The exit code if one of the inputs is no solid, which is then reported.
+  std::optional<int> read_solids(const std::vector<std::string>& paths) {
     std::vector<SceneObject> scene =
-        log_.run("read", StageKind::Io, [&] { return read_scene(paths, options.scene); });
+        log_.run("read", StageKind::Io, [&] { return read_scene(paths, options_.scene); });
     for (SceneObject& object : scene) {
       StageLog log(progress_.watch());
-      SolidOutcome outcome = make_solid(object.shape, options.global.seed, true, log, false);
+      SolidOutcome outcome = make_solid(object.shape, options_.global.seed, true, log, false);
       log_.add(log.stages());
       if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
-        flat_ = FlatObject{object.name, of_typed_rows(*reason, object.rows)};
-        return;
+        progress_.clear();
+        return report_not_solid(options_.global, object.name, of_typed_rows(*reason, object.rows));
       }
       names_.push_back(object.name);
       solids_.push_back(std::get<Solid>(std::move(outcome)).polytope);
     }
+    return {};
   }
-
-  const std::optional<FlatObject>& flat() const { return flat_; }
   NamedPolytope operator[](std::size_t k) const { return {names_[k], solids_[k]}; }
   StageLog& log() { return log_; }
-  void clear_progress() { progress_.clear(); }
+
+  /// Prints what one of the two makes, with the stages, and returns the exit code.
+  template <class Json, class Text>
+  int print_answer(Json&& json, Text&& text) {
+    progress_.clear();
+    if (options_.global.json) {
+      nlohmann::ordered_json document = json();
+      document["stages"] = stages_json(log_.stages());
+      print(document);
+    } else {
+      print(text() + stage_text(log_.stages(), options_.global.stages));
+    }
+    return 0;
+  }
 
  private:
+  const QueryArguments& options_;
   Progress progress_;
   StageLog log_;
-  std::optional<FlatObject> flat_;
   std::vector<std::string> names_;
   std::vector<Polytope> solids_;
 };
@@ -95,24 +110,21 @@ void require(bool is_true) {
   if (!is_true) throw Error(ErrorCode::Internal, "the answer to a query fails its check");
 }
 
-int report_flat(const QueryArguments& options, QueriedSolids& solids) {
-  solids.clear_progress();
-  return report_not_solid(options.global, solids.flat()->name, solids.flat()->reason);
-}
-
-int print_answer(const QueryArguments& options, QueriedSolids& solids, nlohmann::ordered_json json,
-                 const std::string& text) {
-  solids.clear_progress();
-  json["stages"] = stages_json(solids.log().stages());
-  if (options.global.json) {
-    print(json);
-  } else {
-    print(text + stage_text(solids.log().stages(), options.global.stages));
-  }
-  return 0;
+int run_overlap(const QueryArguments& options) {
+  RunningQuery query(options);
+  if (const auto exit = query.read_solids({options.a, options.b})) return *exit;
+  const NamedPolytope a = query[0], b = query[1];
+  const Overlap answer = query.log().run(
+      "overlap", [&] { return find_overlap(a.solid, b.solid, options.global.seed); });
+  query.log().run("check", [&] { require(check(a.solid, b.solid, answer)); });
+  return query.print_answer([&] { return overlap_json(a, b, answer); },
+                            [&] { return overlap_text(a, b, answer); });
 }
 
 std::vector<Ray> rays_of(const QueryArguments& options) {
+  if (options.a == "-" && options.rays == "-") {
+    throw Error(ErrorCode::InvalidArgument, "standard input, -, can be read only once");
+  }
   const std::string file = display_name(options.rays), bytes = read_bytes(options.rays);
   remember_input(file, bytes);
   try {
@@ -122,54 +134,42 @@ std::vector<Ray> rays_of(const QueryArguments& options) {
   }
 }
 
-int run_overlap(const QueryArguments& options) {
-  QueriedSolids solids(options, {options.a, options.b});
-  if (solids.flat()) return report_flat(options, solids);
-  const NamedPolytope a = solids[0], b = solids[1];
-  const Overlap answer = solids.log().run(
-      "overlap", [&] { return find_overlap(a.solid, b.solid, options.global.seed); });
-  solids.log().run("check", [&] { require(check(a.solid, b.solid, answer)); });
-  return print_answer(options, solids, overlap_json(a, b, answer), overlap_text(a, b, answer));
-}
-
 int run_rays(const QueryArguments& options) {
-  if (options.a == "-" && options.rays == "-") {
-    throw Error(ErrorCode::InvalidArgument, "standard input, -, can be read only once");
-  }
-  const std::vector<Ray> rays = rays_of(options);
-  QueriedSolids solids(options, {options.a});
-  if (solids.flat()) return report_flat(options, solids);
-  const NamedPolytope a = solids[0];
-  const std::vector<RayAnswer> answers = solids.log().run("rays", [&] {
-    const Watch watch = solids.log().watch("rays");
-    std::vector<RayAnswer> list;
+  RunningQuery query(options);
+  const std::vector<Ray> rays =
+      query.log().run("read", StageKind::Io, [&] { return rays_of(options); });
+  if (const auto exit = query.read_solids({options.a})) return *exit;
+  const NamedPolytope a = query[0];
+  std::vector<RayAnswer> answers;
+  query.log().run("rays", [&] {
+    const Watch watch = query.log().watch("rays");
     for (const Ray& ray : rays) {
-      watch.at(list.size(), rays.size());
-      list.push_back(cast_ray(a.solid, ray));
+      watch.at(answers.size(), rays.size());
+      answers.push_back(cast_ray(a.solid, ray));
     }
-    return list;
   });
-  solids.log().run("check", [&] {
-    const Watch watch = solids.log().watch("check");
+  query.log().run("check", [&] {
+    const Watch watch = query.log().watch("check");
     for (std::size_t i = 0; i < rays.size(); ++i) {
       watch.at(i, rays.size());
       require(check(a.solid, rays[i], answers[i]));
     }
   });
-  return print_answer(options, solids, rays_json(a, answers), rays_text(a, answers));
+  return query.print_answer([&] { return rays_json(a, answers); },
+                            [&] { return rays_text(a, answers); });
 }
 
 int run_false_positives(const QueryArguments& options) {
-  QueriedSolids solids(options, {options.a, options.b});
-  if (solids.flat()) return report_flat(options, solids);
-  const NamedPolytope a = solids[0], b = solids[1];
+  RunningQuery query(options);
+  if (const auto exit = query.read_solids({options.a, options.b})) return *exit;
+  const NamedPolytope a = query[0], b = query[1];
   FalsePositiveRequest request = options.probes;
   request.seed = options.global.seed;
-  request.watch = solids.log().watch("probes");
+  request.watch = query.log().watch("probes");
   const FalsePositives found =
-      solids.log().run("probes", [&] { return count_false_positives(a.solid, b.solid, request); });
-  return print_answer(options, solids, false_positives_json(a, b, found),
-                      false_positives_text(a, b, found));
+      query.log().run("probes", [&] { return count_false_positives(a.solid, b.solid, request); });
+  return query.print_answer([&] { return false_positives_json(a, b, found); },
+                            [&] { return false_positives_text(a, b, found); });
 }
 
 void add_solid(CLI::App& command, const std::string& name, std::string& path,

@@ -14,7 +14,8 @@ void register_pipeline_bench(const std::vector<BenchInput>& inputs);
 /// costs.
 void register_loops_by_cost(const std::vector<BenchInput>& inputs);
 /// INPUT/query-overlap/K, /query-ray/K, /query-line/K: one query against K halfspaces, 6 to 32, or
-/// the hull: two solids, a ray with entry and exit as fractions, whether a line hits.
+/// the hull: two solids, a ray with entry and exit as fractions, whether a line hits. The counter
+/// "query" is the processor time of one.
 void register_query_bench(const std::vector<BenchInput>& inputs);
 /// exact_growth/HALFSPACES: the exact engine alone.
 void register_exact_growth();

@@ -54,6 +54,23 @@ double size_of(const BoundingBox& box) {
   return std::sqrt(to_double(box.squared_diameter(), Rounding::Nearest));
 }
 
+// Each iteration asks all of a list. The counter "query" is the processor time of one of them,
+// "yes" the share of those that hit or overlap.
+template <class Query, class Ask>
+void ask_all(benchmark::State& state, const Polytope& solid, const std::vector<Query>& queries,
+             Ask&& ask) {
+  std::size_t yes = 0;
+  for (auto _ : state) {
+    yes = 0;
+    for (const Query& query : queries) yes += ask(query);
+  }
+  const auto count = static_cast<double>(queries.size());
+  state.counters["halfspaces"] = static_cast<double>(solid.planes.size());
+  state.counters["yes"] = static_cast<double>(yes) / count;
+  state.counters["query"] = benchmark::Counter(
+      count, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
 // The solid against copies of it, moved by 0.3 to 0.8 of the diameter of the hull's box.
 void overlaps(benchmark::State& state, const PointSet& points, std::size_t faces) {
   const QuerySolid made = solid_for_queries(points, faces);
@@ -63,14 +80,9 @@ void overlaps(benchmark::State& state, const PointSet& points, std::size_t faces
     const double away = size_of(made.box) * (0.3 + 0.5 * uniform_unit(random));
     others.push_back(moved_by(made.solid, to_rational(Point(away * direction(random)))));
   }
-  std::size_t i = 0, overlapping = 0, asked = 0;
-  for (auto _ : state) {
-    overlapping += std::holds_alternative<CommonPoint>(find_overlap(made.solid, others[i]));
-    ++asked;
-    i = (i + 1) % kPairs;
-  }
-  state.counters["halfspaces"] = static_cast<double>(made.solid.planes.size());
-  state.counters["overlapping"] = static_cast<double>(overlapping) / static_cast<double>(asked);
+  ask_all(state, made.solid, others, [&](const Polytope& other) {
+    return std::holds_alternative<CommonPoint>(find_overlap(made.solid, other));
+  });
 }
 
 // Lines through two points of a sphere around the box of the hull.
@@ -94,14 +106,8 @@ void rays(benchmark::State& state, const PointSet& points, std::size_t faces) {
   for (const ProbeLine& line : lines_around(made.box)) {
     list.push_back({to_rational(line.first), to_rational(Point(line.second - line.first))});
   }
-  std::size_t i = 0, hits = 0, asked = 0;
-  for (auto _ : state) {
-    hits += cast_ray(made.solid, list[i]).is_hit();
-    ++asked;
-    i = (i + 1) % kRays;
-  }
-  state.counters["halfspaces"] = static_cast<double>(made.solid.planes.size());
-  state.counters["hits"] = static_cast<double>(hits) / static_cast<double>(asked);
+  ask_all(state, made.solid, list,
+          [&](const Ray& ray) { return cast_ray(made.solid, ray).is_hit(); });
 }
 
 // Whether lines hit, in doubles first.
@@ -115,14 +121,7 @@ void lines(benchmark::State& state, const PointSet& points, std::size_t faces) {
     const Point first = frame.radius * direction(random);
     list.push_back({first, frame.radius * direction(random)});
   }
-  std::size_t i = 0, hits = 0, asked = 0;
-  for (auto _ : state) {
-    hits += probed.is_hit(list[i]);
-    ++asked;
-    i = (i + 1) % kRays;
-  }
-  state.counters["halfspaces"] = static_cast<double>(made.solid.planes.size());
-  state.counters["hits"] = static_cast<double>(hits) / static_cast<double>(asked);
+  ask_all(state, made.solid, list, [&](const ProbeLine& line) { return probed.is_hit(line); });
 }
 
 }  // namespace

@@ -112,6 +112,30 @@ TEST_CASE("false positives: a solid that is not inside has a witness and no pred
   CHECK_FALSE(count_false_positives(b, a).outside);
 }
 
+TEST_CASE("false positives: a solid larger or smaller by far less than doubles tell") {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const Polytope b = solid(shapes::on_sphere(12, seed));
+    for (const int side : {1, -1}) {
+      Polytope a = b;
+      const Rational factor = 1 + side * scale_by_power_of_two(Rational(1), -90);
+      for (RationalPoint& v : a.vertices) v *= factor;
+      for (Halfspace& plane : a.planes) {
+        plane = Halfspace(RationalVector3(plane.normal().cast<Rational>()),
+                          Rational(plane.offset()) * factor);
+      }
+      const FalsePositives found =
+          count_false_positives(a, b, {.lines = 0, .planes = 0, .points = 1});
+      REQUIRE(found.outside.has_value() == (side == 1));
+      if (side < 0) continue;
+      // Of the first vertex, as each is outside; the first facet by the definition.
+      CHECK(found.outside->vertex == 0);
+      std::size_t first = 0;
+      while (b.planes[first](a.vertices[0]) <= 0) ++first;
+      CHECK(found.outside->facet == HalfspaceId(first));
+    }
+  }
+}
+
 TEST_CASE("false positives: scale, place and other kinds of probes change no count; seeds do") {
   Random random(8);
   const Polytope a = solid(shapes::on_sphere(20, 4)), b = cube_of(1);
@@ -179,6 +203,64 @@ TEST_CASE("false positives: hits of points, lines and planes, by the definition"
   CHECK(left_open > 100);  // the degenerate ones
   CHECK(hits > 200);
   CHECK(probes - hits > 200);
+}
+
+TEST_CASE("false positives: probes that miss touching by their rounding alone") {
+  // Points in facets, lines that touch edges, planes through vertices, each rounded to doubles:
+  // what remains of their distance is as large as the errors of doubles, so a bound too small
+  // decides some of them wrongly.
+  Random random(31);
+  const auto unit = [&] { return 2 * uniform_unit(random) - 1; };
+  const auto rounded = [](const RationalPoint& x) {
+    return Point(to_double(x[0], Rounding::Nearest), to_double(x[1], Rounding::Nearest),
+                 to_double(x[2], Rounding::Nearest));
+  };
+  std::size_t left_open = 0, hits = 0, probes = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    std::vector<Point> points = shapes::on_sphere(12, seed);
+    for (Point& p : points) p = 0.95 * p + Point(0.01, 0.02, 0.03);  // |y_k| <= 1
+    const Polytope solid = ::solid(points);
+    const ProbedSolid probed(solid, ProbeFrame{});
+    const auto holds = [&](const RationalPoint& x) {
+      return std::all_of(solid.planes.begin(), solid.planes.end(),
+                         [&](const Halfspace& plane) { return plane(x) <= 0; });
+    };
+    for (std::size_t f = 0; f < solid.facets.size(); ++f) {
+      const auto corner = [&](std::size_t k) { return solid.vertices[solid.facets[f][k]]; };
+      for (int k = 0; k < 40; ++k) {
+        const Rational s = to_rational(uniform_unit(random)) / Rational(2),
+                       t = to_rational(uniform_unit(random)) / Rational(2);
+        const RationalPoint in_facet =
+            corner(0) + s * (corner(1) - corner(0)) + t * (corner(2) - corner(0));
+        const Point point = rounded(in_facet);
+        const bool inside = holds(to_rational(point));
+        CHECK(probed.is_hit(point) == inside);
+        // A line in the facet's plane, away from its other facets.
+        const RationalVector3 along = corner(1) - corner(0);
+        const RationalVector3 across = to_rational(unit()) * along + corner(2) - corner(0);
+        const RationalPoint on_edge = corner(0) + s * along;
+        const ProbeLine line{rounded(on_edge - across / Rational(4)),
+                             rounded(on_edge + across / Rational(4))};
+        const RationalPoint first = to_rational(line.first);
+        const Ray ray{first, to_rational(line.second) - first};
+        CHECK(probed.is_hit(line) == cast_ray(solid, ray).line.has_value());
+        const Point u = Point(unit(), unit(), unit()).normalized();
+        Rational most = to_rational(u).dot(solid.vertices[0]);
+        for (const RationalPoint& v : solid.vertices) {
+          most = std::max<Rational>(most, to_rational(u).dot(v));
+        }
+        const double offset = to_double(most, Rounding::Nearest);
+        const bool meets = to_rational(offset) <= most;
+        CHECK(probed.is_hit(ProbePlane{u, offset}) == meets);
+        hits += inside + meets;
+        probes += 2;
+      }
+    }
+    left_open += probed.exact_decisions();
+  }
+  CHECK(left_open > probes / 2);
+  CHECK(hits > probes / 5);
+  CHECK(hits < probes - probes / 5);
 }
 
 TEST_CASE("false positives: doubles decide nearly all probes of common solids") {

@@ -44,8 +44,14 @@ FAULTS = [
     (FORGOTTEN, 'src/stored/near_products.hpp', 'return 0x1p-1070 + 0x1p-1070 * largest', 'return 0 * largest', _STORED),
     (CONSTANT, 'src/number/double_double.hpp', 'kUnit = 0x1p-102', 'kUnit = 0x1p-106', 'number ' + _AUDIT),
     (CONSTANT, 'src/number/roundoff.hpp', '0x8000001p0 * x', '0x800001p0 * x', 'number geometry ' + _AUDIT),
+    (CONSTANT, 'src/query/probed_solid.cpp', 'kPlaneError = 16 * kU', 'kPlaneError = kU', 'query'),
 
     # Tie rules.
+    (TIE, 'src/query/overlap.cpp', 'return facet(x) <= 0;', 'return facet(x) < 0;', 'query'),
+    (TIE, 'src/query/rays.cpp', 'if (side != -better) facets', 'if (side == better) facets', 'query'),
+    (TIE, 'src/query/probed_solid.cpp', 'return plane(y) <= 0; });', 'return plane(y) < 0; });', 'query'),
+    (SIGN, 'src/query/rays.cpp', 'id, Sign::Negative);\n    } else', 'id, Sign::Positive);\n    } else', 'query'),
+    (SKIP, 'src/query/overlap.cpp', 'std::all_of(b.vertices.begin(), b.vertices.end(), is_outside)', 'true', 'query'),
     (TIE, _GEO + 'halfspace.cpp', 'a.normal_gcd_ == b.normal_gcd_', 'true', 'geometry'),
     (TIE, 'src/simplify/exact_engine.cpp', '    if (each->low <= *least) ids.push_back(each->halfspace);', '    if (each->low <= *least && ids.empty()) ids.push_back(each->halfspace);', 'simplify'),
     (TIE, 'src/simplify/exact_engine.cpp', '  step.removed = step.tie.front();', '  step.removed = step.tie.back();', 'simplify'),
