@@ -27,7 +27,7 @@ _SIGNS = ['fast_plane_filter', 'fast', 'fast_audit', 'fast_agreement_sample', 'f
 # Sources of a group, and the tests that are asked about each, cheapest first.
 GROUPS = {
     'checker': {'src/check/' + name: ['check', 'check_mutated']
-                for name in ('convexact_check.cpp', 'exact.hpp', 'text.hpp', 'mesh_file.hpp')},
+                for name in ('convexact_check.cpp', 'exact.hpp', 'root_sum.hpp', 'text.hpp', 'mesh_file.hpp')},
     'predicates': {
         _GEO + 'orient3d.cpp': ['geometry', 'hull'],
         _GEO + 'orient3d_stages.hpp': ['geometry', 'hull'],

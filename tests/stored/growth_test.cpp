@@ -64,7 +64,7 @@ TEST_CASE("growth: a scaled cube, either way round") {
 TEST_CASE("growth: the push is rounded up") {
   const double step = 0x1p-20;
   const Polytope inner = box(1, 1, 1), outer = box(1 + step, 1 + step, 1 + step);
-  // Of the first three, the quotient rounded down has a root that is too small even one unit higher.
+  // Of the first three, the root of the quotient rounded down is too small even one unit higher.
   std::vector<int> divisors{1529, 1531, 3347};
   for (int d = 1; d <= 400; ++d) divisors.push_back(d);
   for (const int d : divisors) {

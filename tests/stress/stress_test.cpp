@@ -359,6 +359,28 @@ TEST_CASE("stress --cost: honest engines pass by area and by mean width") {
   }
 }
 
+TEST_CASE("stress --cost: what the float engine says is judged by the run that says it") {
+  // Its costs and bounds depend on the center of the dual: those of another dual break some of
+  // these bounds.
+  for (const CostMeasure cost : {CostMeasure::Area, CostMeasure::MeanWidth}) {
+    CAPTURE(static_cast<int>(cost));
+    StressRequest request;
+    request.engines = {Engine::Float};
+    request.cost = cost;
+    std::vector<StressInput> inputs = inputs_at("needle", {1e12}, 20);
+    const auto more = inputs_at("mixed-halfspaces", {1});
+    inputs.insert(inputs.end(), more.begin(), more.end());
+    const StressReport report = stress(inputs, request);
+    REQUIRE(report.runs.size() == 2);
+    for (const StressRun& run : report.runs) {
+      CAPTURE(run.family);
+      CAPTURE(run.value);
+      CHECK_MESSAGE(run.passes(), (run.passes() ? "" : run.faults[0]));
+      CHECK(run.claim.has_value());
+    }
+  }
+}
+
 TEST_CASE("stress --cost: wrong costs, measures and choices by area and mean width are faults") {
   for (const CostMeasure cost : {CostMeasure::Area, CostMeasure::MeanWidth}) {
     CAPTURE(static_cast<int>(cost));
