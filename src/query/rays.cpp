@@ -63,16 +63,19 @@ bool are_facets(const Polytope& solid, const std::vector<HalfspaceId>& ids) {
                      [&](HalfspaceId id) { return id.index() < solid.planes.size(); });
 }
 
-// Whether exactly these facets are crossed at t, which is then an end of the interval: slopes
-// below 0 at the entry, above 0 at the exit.
+// Whether the point at t is in the solid, and the line crosses exactly these facets there: with
+// slopes below 0 at the entry, above 0 at the exit. Then it leaves the solid at t to that side.
 bool are_crossed(const Polytope& solid, const Ray& ray, const Rational& t,
                  const std::vector<HalfspaceId>& ids, Sign side) {
+  const RationalPoint end = ray.origin + t * ray.direction;
+  const IntegerFraction x = clear_denominators(end), u = clear_denominators(ray.direction);
   std::vector<HalfspaceId> crossed;
   for (std::size_t f = 0; f < solid.planes.size(); ++f) {
-    const OnLine facet(solid.planes[f], ray);
-    const Rational value = facet.value + t * facet.slope;
+    const Halfspace& facet = solid.planes[f];
+    Integer value = dot(facet.normal(), x.x);
+    add_product(value, facet.offset(), x.d);
     if (value > 0) return false;
-    if (value == 0 && sign_of(facet.slope) == side) crossed.emplace_back(f);
+    if (value == 0 && sign_of(dot(facet.normal(), u.x)) == side) crossed.emplace_back(f);
   }
   return !crossed.empty() && crossed == ids;
 }
