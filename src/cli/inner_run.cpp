@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/inner_run.hpp"
 
+#include "convexact/io.hpp"
 #include "io/json.hpp"
 #include "report/picture.hpp"
 #include "scene/inner_report.hpp"
