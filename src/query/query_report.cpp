@@ -124,7 +124,7 @@ std::string share_text(const std::optional<double>& share) {
 
 std::string tally_text(const char* kind, const ProbeTally& tally) {
   std::optional<double> predicted;
-  if (tally.prediction) predicted = middle_double(*tally.prediction);
+  if (tally.prediction) predicted = std::max(0.0, middle_double(*tally.prediction));
   return fmt::format("  {:<8}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>11}{:>10}\n", kind,
                      tally.samples, tally.hits_a, tally.hits_b, tally.only_b, tally.only_a,
                      share_text(tally.rate()), share_text(predicted), share_text(tally.sigma()));
