@@ -22,10 +22,10 @@ constexpr const char* kQueryFooter =
     "  convexact query rays bunny.obj rays.txt --json\n"
     "  convexact query false-positives bunny.obj bunny12.json\n"
     "\n"
-    "Every answer is exact and checked by its definition before it is printed. A mesh stands for\n"
-    "the convex hull of its points, a list of halfspaces for their intersection. Solids are\n"
-    "closed: touching counts. Halfspaces are named by their positions in canonical order, as\n"
-    "convexact hull --json lists them.";
+    "Every answer is exact; those about overlap and rays are checked by their definition before\n"
+    "they are printed. A mesh stands for the convex hull of its points, a list of halfspaces for\n"
+    "their intersection. Solids are closed: touching counts. Halfspaces are named by their\n"
+    "positions in canonical order, as convexact hull --json lists them.";
 
 constexpr const char* kOverlapFooter =
     "Example:\n"
