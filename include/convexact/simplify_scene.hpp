@@ -27,8 +27,10 @@ struct SceneRequest {
 
 /// What was found about all parts together. Measures are sums over the parts.
 struct SceneTotals {
-  /// Of each removal the part that it was made in, counted from 0: the i-th entry of a part belongs
-  /// to the i-th removal of that part's own run.
+  std::size_t steps = 0;  ///< Halfspaces removed.
+  /// The last removals, in their order, each by its part, counted from 0. The other parts keep at
+  /// least 4 halfspaces each, so that a part cannot end with more than `total_faces` less these;
+  /// down to that number, unless growth is limited, each part is simplified before, on its own.
   std::vector<std::uint32_t> order;
   StopReason stop = StopReason::Reached;
   std::size_t input_halfspaces = 0, output_halfspaces = 0;
@@ -39,8 +41,8 @@ struct SceneTotals {
   std::optional<CostMeasure> growth_of;
   std::optional<std::array<Enclosure, 2>> limited;
   long growth_bits = 0;
-  /// Of the exact and the filtered engine: the steps in which the cheapest removals of several
-  /// parts cost the same, so that the first of these parts went on.
+  /// Of the exact and the filtered engine: the steps of `order` in which the cheapest removals of
+  /// several parts cost the same, so that the first of these parts went on.
   TieTally ties;
   Engine engine = Engine::Filtered;
   /// Of the float engine: whether exact numbers, too, would have ended every part's run there.

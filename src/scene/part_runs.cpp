@@ -13,9 +13,6 @@
 namespace convexact {
 namespace {
 
-// No solid has fewer, and the removal of any of them is unbounded.
-constexpr std::size_t kLeastFaces = 4;
-
 // Of a cost in units of 2^exponent.
 PartRun::Bounds wide_bounds(double low, double high, long exponent) {
   return {WideDouble::of(low, exponent), WideDouble::of(high, exponent)};

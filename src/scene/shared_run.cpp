@@ -178,6 +178,19 @@ SharedEnd run_shared(std::span<const std::unique_ptr<PartRun>> parts,
   const Watch watch(options.stop);
   std::size_t left = 0;
   for (const auto& part : parts) left += part->left();
+  const auto make = [&](PartRun& part) {
+    part.make();
+    --left;
+    if (options.progress) options.progress(left);
+  };
+  // (1) The others keep 4 each, so no part ends with more than the rest. Each goes down to that at
+  // once: what it has to do anyway is done while its data are in the cache. (A growth limit may end
+  // the run before.) The total stays at or above the budget.
+  const std::size_t most = options.total_faces - kLeastFaces * (parts.size() - 1);
+  for (const auto& part : parts) {
+    while (!options.max_growth && part->left() > most && part->find_next()) make(*part);
+  }
+  // (2) The cheapest removal of all.
   for (std::size_t part = 0; left > options.total_faces && part < parts.size(); ++part) {
     queue.find_next(part);
   }
@@ -194,11 +207,9 @@ SharedEnd run_shared(std::span<const std::unique_ptr<PartRun>> parts,
       break;
     }
     queue.forget(part);
-    parts[part]->make();
+    make(*parts[part]);
     end.order.push_back(static_cast<std::uint32_t>(part));
     end.ties.add(queue.evidence());
-    --left;
-    if (options.progress) options.progress(left);
     if (left > options.total_faces) queue.find_next(part);
   }
   return end;

@@ -16,6 +16,9 @@
 
 namespace convexact {
 
+/// No solid has fewer, so the removal of any of them is unbounded.
+inline constexpr std::size_t kLeastFaces = 4;
+
 /// mantissa * 2^exponent >= 0, with the mantissa in [1/2, 1) where it is finite and not 0: numbers
 /// of parts whose duals are scaled differently have an order, however large they are.
 struct WideDouble {
@@ -76,13 +79,15 @@ struct SharedOptions {
 /// How a shared run went.
 struct SharedEnd {
   StopReason stop = StopReason::Reached;
-  std::vector<std::uint32_t> order;  ///< The part of each removal.
+  std::vector<std::uint32_t> order;  ///< The part of each removal that the queue chose.
   TieTally ties;                     ///< Between parts.
   long growth_bits = 0;              ///< As in Run.
 };
 
-/// Advances the runs, each time the one whose next removal costs least, of several the first.
-/// @param parts  None of them has found its next removal.
+/// Advances the runs, each time the one whose next removal costs least, of several the first. What
+/// a part removes whatever the others do is removed before: it ends with no more than
+/// `total_faces` less 4 for each other part.
+/// @param parts  At least one; none of them has found its next removal. A budget of 4 for each.
 [[nodiscard]] SharedEnd run_shared(std::span<const std::unique_ptr<PartRun>> parts,
                                    const SharedOptions& options);
 

@@ -110,6 +110,7 @@ std::optional<std::array<Enclosure, 2>> sum_of_measures(
 
 void add_up(SceneResult& scene) {
   for (const SimplifyResult& part : scene.parts) {
+    scene.steps += part.steps;
     scene.input_halfspaces += part.input_halfspaces;
     scene.output_halfspaces += part.solid.exact.planes.size();
   }
@@ -131,7 +132,7 @@ void vouch_for_growth(SceneResult& scene, const std::vector<Part>& parts,
   const auto measure =
       scene.measure.value_or(std::array{scene.input_volume.bounds, scene.output_volume.bounds});
   const bool is_proven =
-      is_growth_proven(scene.order.size(), scene.stop, least, measure, *request.max_growth);
+      is_growth_proven(scene.steps, scene.stop, least, measure, *request.max_growth);
   for (SimplifyResult& part : scene.parts) part.float_bound->is_end_proven &= is_proven;
 }
 

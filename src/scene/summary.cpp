@@ -188,7 +188,7 @@ std::string summary(const SimplifyResult& result) {
 }
 
 std::string summary(const SceneTotals& totals, const Gaps& gaps) {
-  const std::size_t steps = totals.order.size();
+  const std::size_t steps = totals.steps;
   std::string output = counted(totals.output_halfspaces, "halfspace", "halfspaces") + " of " +
                        with_separators(totals.input_halfspaces);
   if (totals.stop == StopReason::GrowthLimit) output += growth_limit_text(totals.growth_bits);
@@ -212,7 +212,8 @@ std::string summary(const SceneTotals& totals, const Gaps& gaps) {
   text += summary_line("volume",
                        growth_line(totals.input_volume.bounds, totals.output_volume.bounds, steps));
   if (totals.engine != Engine::Float) {
-    text += ties_text(totals.ties, steps, "the next removals of several parts", "the first part");
+    text += ties_text(totals.ties, totals.order.size(), "the next removals of several parts",
+                      "the first part");
   }
   if (gaps.faces == 0) return text;
   return text + summary_line("gaps", fmt::format("{} of {} outside the solid of their part: proven",

@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "convexact/measure.hpp"
 #include "expect_error.hpp"
@@ -75,27 +76,52 @@ std::vector<Point> scaled(std::vector<Point> points, double by) {
   return points;
 }
 
-// The order that the definition asks for: at each step the cheapest next removal, on a tie of the
-// first part.
-std::vector<std::uint32_t> order_by_definition(const std::vector<Run>& runs, std::size_t removals) {
-  std::vector<std::size_t> made(runs.size(), 0);
-  std::vector<std::uint32_t> order;
-  while (order.size() < removals) {
+// What the definition asks for: at each step the cheapest next removal, on a tie of the first part.
+struct Merged {
+  std::vector<std::size_t> made;     // of each part
+  std::vector<std::uint32_t> order;  // of all removals
+  std::size_t ties = 0;              // of next removals of several parts, in `order`
+};
+
+// @param made  Removals that were made before.
+Merged merge(const std::vector<Run>& runs, std::size_t total, std::vector<std::size_t> made) {
+  Merged merged{std::move(made), {}, 0};
+  std::size_t left = halfspaces_of(runs);
+  for (const std::size_t count : merged.made) left -= count;
+  const auto cost = [&](std::size_t part) -> const Cost& {
+    return *runs[part].steps[merged.made[part]].cost;
+  };
+  for (; left > total; --left) {
     std::optional<std::uint32_t> best;
+    bool is_tie = false;
     for (std::uint32_t part = 0; part < runs.size(); ++part) {
-      if (made[part] == runs[part].steps.size()) continue;
-      if (best &&
-          compare(*runs[part].steps[made[part]].cost, *runs[*best].steps[made[*best]].cost).order !=
-              Order::Less) {
-        continue;
-      }
-      best = part;
+      if (merged.made[part] == runs[part].steps.size()) continue;
+      const Order order = best ? compare(cost(part), cost(*best)).order : Order::Less;
+      if (order == Order::Less) best = part;
+      is_tie = order == Order::Equal || (is_tie && order != Order::Less);
     }
     if (!best) break;
-    ++made[*best];
-    order.push_back(*best);
+    ++merged.made[*best];
+    merged.order.push_back(*best);
+    merged.ties += is_tie;
   }
-  return order;
+  return merged;
+}
+
+Merged merge(const std::vector<Run>& runs, std::size_t total) {
+  return merge(runs, total, std::vector<std::size_t>(runs.size(), 0));
+}
+
+// The order after each part has made the removals that it makes whatever the others cost, because
+// these keep 4 halfspaces each.
+Merged merge_in_the_end(const std::vector<Run>& runs, std::size_t total) {
+  const std::size_t most = total - 4 * (runs.size() - 1);
+  std::vector<std::size_t> made;
+  for (const Run& each : runs) {
+    const std::size_t all = each.halfspaces.size();
+    made.push_back(all > most ? std::min(all - most, each.steps.size()) : 0);
+  }
+  return merge(runs, total, made);
 }
 
 // The least sum of costs of so many removals, over all beginnings of the parts' own runs; nothing
@@ -115,13 +141,20 @@ std::optional<Rational> least_sum(const std::vector<Run>& runs, std::size_t part
 
 // Of each part the planes that are left are those of the beginning of its own run.
 void check_beginnings(const SceneResult& scene, const std::vector<Run>& runs) {
-  for (std::uint32_t part = 0; part < runs.size(); ++part) {
+  std::size_t steps = 0;
+  for (std::size_t part = 0; part < runs.size(); ++part) {
     CAPTURE(part);
-    const auto count =
-        static_cast<std::size_t>(std::count(scene.order.begin(), scene.order.end(), part));
-    REQUIRE(scene.parts[part].steps == count);
+    const std::size_t count = scene.parts[part].steps;
+    steps += count;
     CHECK(scene.parts[part].solid.exact.planes == left_after(runs[part], count));
   }
+  CHECK(scene.steps == steps);
+}
+
+std::vector<std::size_t> steps_of_parts(const SceneResult& scene) {
+  std::vector<std::size_t> steps;
+  for (const SimplifyResult& part : scene.parts) steps.push_back(part.steps);
+  return steps;
 }
 
 std::vector<Shape> random_parts(std::uint64_t seed) {
@@ -178,12 +211,15 @@ TEST_CASE("simplify_scene: every engine and measure takes the cheapest removal o
     for (const CostMeasure cost : kMeasures) {
       CAPTURE(static_cast<int>(cost));
       const std::vector<Run> runs = own_runs(parts, cost);
-      for (const std::size_t total : {std::size_t(12), halfspaces_of(runs) - 7}) {
-        const auto expected = order_by_definition(runs, halfspaces_of(runs) - total);
+      for (const std::size_t total :
+           {std::size_t(12), std::size_t(17), std::size_t(22), halfspaces_of(runs) - 7}) {
+        const Merged expected = merge(runs, total), end = merge_in_the_end(runs, total);
+        CHECK(expected.made == end.made);
         for (const Engine engine : kEngines) {
           CAPTURE(static_cast<int>(engine));
           const SceneResult scene = run(parts, request_for(total, engine, cost));
-          CHECK(scene.order == expected);
+          CHECK(steps_of_parts(scene) == expected.made);
+          CHECK(scene.order == end.order);
           CHECK(scene.measure.has_value() == (cost != CostMeasure::Volume));
           check_beginnings(scene, runs);
         }
@@ -210,7 +246,8 @@ TEST_CASE("simplify_scene: one part alone is the plain run, removal by removal")
           const auto alone = std::get<SimplifyResult>(simplify(ball, plain));
           const SimplifyResult& part = scene.parts[0];
           CHECK(part.steps == alone.steps);
-          CHECK(scene.order.size() == alone.steps);
+          CHECK(scene.steps == alone.steps);
+          CHECK(scene.order.size() == (limits_growth ? alone.steps : 0));
           CHECK(part.stop == alone.stop);
           CHECK(scene.stop == alone.stop);
           CHECK((alone.stop == StopReason::GrowthLimit) == limits_growth);
@@ -281,19 +318,22 @@ TEST_CASE("simplify_scene: of equal costs the first part goes on, however the pa
   for (const CostMeasure cost : kMeasures) {
     CAPTURE(static_cast<int>(cost));
     const std::vector<Run> runs = own_runs(parts, cost);
-    const auto expected = order_by_definition(runs, steps_of(runs));
-    REQUIRE(expected.size() >= 6);
-    for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
-      const SceneResult scene = run(parts, request_for(12, engine, cost));
-      CHECK(scene.order == expected);
-      const auto& tied = scene.ties.steps;
-      const std::size_t proven =
-          tied[static_cast<std::size_t>(cost == CostMeasure::Volume ? TieProof::EqualRationals
-                                        : cost == CostMeasure::Area ? TieProof::SquareClasses
-                                                                    : TieProof::NormalForm)];
-      CHECK(proven >= 2 * runs[0].steps.size());  // all but the last of three
-      CHECK(tied[static_cast<std::size_t>(TieProof::Undecided)] == 0);
+    // Budgets with which the queue makes every removal, and only the last ones.
+    for (const std::size_t total : {runs[0].halfspaces.size() + 8, std::size_t(15)}) {
+      const Merged expected = merge_in_the_end(runs, total);
+      for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
+        const SceneResult scene = run(parts, request_for(total, engine, cost));
+        CHECK(scene.order == expected.order);
+        CHECK(steps_of_parts(scene) == merge(runs, total).made);
+        const auto& tied = scene.ties.steps;
+        CHECK(tied[static_cast<std::size_t>(cost == CostMeasure::Volume ? TieProof::EqualRationals
+                                            : cost == CostMeasure::Area ? TieProof::SquareClasses
+                                                                        : TieProof::NormalForm)] ==
+              expected.ties);
+        CHECK(std::accumulate(tied.begin(), tied.end(), std::size_t(0)) == expected.ties);
+      }
     }
+    CHECK(merge_in_the_end(runs, runs[0].halfspaces.size() + 8).ties > 4);
   }
 }
 
@@ -322,10 +362,10 @@ TEST_CASE("simplify_scene: parts that are stuck drop out, and a part with 4 face
       const SceneResult stuck = run(parts, request_for(12, engine, cost));
       CHECK(stuck.stop == StopReason::AllUnbounded);
       CHECK(stuck.output_halfspaces == 16);
-      CHECK(order_text(stuck) == "11");
+      CHECK(steps_of_parts(stuck) == std::vector<std::size_t>{0, 2, 0});
       for (const SimplifyResult& part : stuck.parts) CHECK(part.stop == stuck.stop);
-      CHECK(run(parts, request_for(18, engine, cost)).order.empty());
-      CHECK(run(parts, request_for(1000, engine, cost)).order.empty());
+      CHECK(run(parts, request_for(18, engine, cost)).steps == 0);
+      CHECK(run(parts, request_for(1000, engine, cost)).steps == 0);
     }
   }
 }
