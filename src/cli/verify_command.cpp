@@ -213,7 +213,8 @@ int run_verify(const VerifyArguments& options) {
     throw Error(ErrorCode::InvalidArgument, "--inner judges one CANDIDATE: no --trace, no --parts");
   }
   if (options.parts) return run_verify_parts(options);
-  if (options.claims && std::ranges::count(words_of(*options.claims), kNoGaps) > 0) {
+  const std::vector<std::string> claims = words_of(options.claims.value_or(""));
+  if (std::count(claims.begin(), claims.end(), kNoGaps) > 0) {
     throw Error(ErrorCode::InvalidArgument, "--claims: no-gaps needs --parts");
   }
   if (!has_trace) return run_verify_candidate(options);
