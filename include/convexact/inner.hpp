@@ -21,8 +21,11 @@ struct InnerRequest {
   Engine engine = Engine::Filtered;  ///< Not Float.
   VerifyLevel verify = VerifyLevel::Local;
   std::uint64_t seed = 1;  ///< Of every random order. The answer is the same.
-  bool mesh = false;       ///< Keep the result as a mesh in binary64.
-  StageWatch watch = {};   ///< Reports removals as the progress of stage::kSimplify.
+  /// Keep the exact cost of every step, for a trace. The exact engine and VerifyLevel::Full do in
+  /// any case.
+  bool costs = false;
+  bool mesh = false;      ///< Keep the result as a mesh in binary64.
+  StageWatch watch = {};  ///< Reports removals as the progress of stage::kSimplify.
 };
 
 struct InnerResult {
@@ -44,9 +47,9 @@ struct InnerResult {
 using InnerOutcome = std::variant<InnerResult, NotSolid>;
 
 /// Removes vertices of the hull, each time the one that loses the least volume, and proves the
-/// result: its vertices are input points and lie in every halfspace of the exact hull of the input,
-/// its volume, from a hull of its own, is that of the input less the sum of all costs, and each
-/// step is proven again as `verify` says.
+/// result: its vertices are input points and lie in every halfspace of the exact hull of the input;
+/// each step is proven again as `verify` says; and where costs are kept, its volume, from a hull of
+/// its own, is that of the input less the sum of all costs.
 /// @throws Error InvalidArgument for an invalid request; Unrepresentable if a mesh is wanted and a
 ///         vertex is no double; Stopped; Internal if a proof fails.
 /// @par Source  [Jacobson2026]

@@ -58,6 +58,7 @@ InnerRequest request_of(const InnerArguments& options) {
   request.engine = options.engine;
   request.verify = options.verify;
   request.seed = options.global.seed;
+  request.costs = !options.output.trace.empty();
   for (const std::string& path : options.output.results) {
     request.mesh = request.mesh || mesh_format_of_path(path);
   }

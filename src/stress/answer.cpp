@@ -8,7 +8,6 @@
 
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
-#include "convexact/linear_program.hpp"
 #include "fast/filtered_engine.hpp"
 #include "fast/float_engine.hpp"
 #include "scene/solid.hpp"
@@ -109,20 +108,14 @@ void take_lean_run(const FastDual& dual, const Question& question, std::size_t f
   }
 }
 
-RationalPoint center_of_pipeline(const Solid& solid, std::uint64_t seed) {
-  if (solid.interior) return *solid.interior;
-  const auto outcome = chebyshev_center(solid.dual.halfspaces, LpOptions{.seed = seed});
-  return std::get<ChebyshevCenter>(outcome).center;
-}
-
 void take_lean_run(const Shape& shape, const Solid& solid, const Question& question,
                    std::size_t faces, EngineAnswer& answer) {
   // From the dual that the pipeline takes: bounds depend on its center. By volume, points need no
   // exact planes.
   const auto* points = std::get_if<PointSet>(&shape);
   if (points == nullptr || question.cost != CostMeasure::Volume) {
-    return take_lean_run(FastDual::of(solid.dual, center_of_pipeline(solid, question.seed)),
-                         question, faces, answer);
+    return take_lean_run(FastDual::of(solid.dual, interior_point_of(solid)), question, faces,
+                         answer);
   }
   const HullOutcome outcome = convex_hull(*points, {.seed = question.seed});
   take_lean_run(FastDual::of(std::get<Hull>(outcome), *points), question, faces, answer);

@@ -169,6 +169,26 @@ TEST_CASE("simplify_inner: a result of input points, with its volumes and its me
   }
 }
 
+TEST_CASE("simplify_inner: exact costs only where they are asked for, and then of all steps") {
+  const PointSet points(shapes::in_ball(100, 5));
+  const auto lost = [](const InnerResult& result) {
+    Rational sum = 0;
+    for (const InnerStep& step : result.run.steps) sum += step.cost.value();
+    return sum;
+  };
+  for (const InnerRequest& request : {InnerRequest{.vertices = 8, .costs = true},
+                                      InnerRequest{.vertices = 8, .engine = Engine::Exact},
+                                      InnerRequest{.vertices = 8, .verify = VerifyLevel::Full}}) {
+    const InnerResult result = inner(points, request);
+    CHECK(lost(result) == *result.input_volume.exact - *result.output_volume.exact);
+  }
+  const InnerResult lean = inner(points, {.vertices = 8});
+  for (const InnerStep& step : lean.run.steps) CHECK_FALSE(step.cost.has_value());
+  CHECK(std::any_of(lean.stages.begin(), lean.stages.end(), [](const Stage& stage) {
+    return stage.name == "costs" && !stage.skipped.empty();
+  }));
+}
+
 TEST_CASE("simplify_inner: the loss limit, and both limits together") {
   const PointSet points(shapes::on_sphere(60, 9));
   const InnerResult limited = inner(points, {.max_loss = Rational(1, 10)});
