@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
   register_pipeline_bench(inputs);
   register_loops_by_cost(inputs);
   register_query_bench(inputs);
+  register_inner_bench(inputs);
   register_exact_growth();
   register_scene_bench(inputs);
   benchmark::Initialize(&argc, argv);

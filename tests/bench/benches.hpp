@@ -17,6 +17,9 @@ void register_loops_by_cost(const std::vector<BenchInput>& inputs);
 /// the hull: two solids, a ray with entry and exit as fractions, whether a line hits. The counter
 /// "query" is the processor time of one.
 void register_query_bench(const std::vector<BenchInput>& inputs);
+/// INPUT/inner, /inner-costs, /outer: an inner run on a hull, without and with the exact costs of
+/// its steps, and the run by volume on the same hull; down to the end, each step proven again.
+void register_inner_bench(const std::vector<BenchInput>& inputs);
 /// exact_growth/HALFSPACES: the exact engine alone.
 void register_exact_growth();
 /// scene/shared and scene/own: the meshes' points as parts, once with one budget of 18 halfspaces

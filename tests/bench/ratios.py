@@ -10,7 +10,7 @@ import sys
 
 COLUMNS = [("hull", "cgal"), ("hull", "qhull"), ("filtered", "cgal"), ("float", "cgal"), ("exact", "filtered"),
            ("by-area", "by-volume"), ("by-mean-width", "by-volume"),
-           ("by-area-exact", "by-area"), ("by-mean-width-exact", "by-mean-width")]
+           ("by-area-exact", "by-area"), ("by-mean-width-exact", "by-mean-width"), ("inner", "outer"), ("inner-costs", "outer"), ("shared", "own")]
 
 
 def medians(path):
