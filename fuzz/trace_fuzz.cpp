@@ -32,7 +32,8 @@ struct Expected {
       {"trace-id-out-of-range", Status::Holds}, {"trace-removed-twice", Status::Holds},
       {"trace-bounded", Status::Holds},         {"trace-greedy", Status::Holds},
       {"trace-cost", Status::NotAsked},         {"trace-ties", Status::NotAsked},
-      {"trace-left", Status::NotAsked},         {"trace-stop", Status::NotAsked}};
+      {"trace-left", Status::NotAsked},         {"trace-kept", Status::NotAsked},
+      {"trace-stop", Status::NotAsked}};
 
   void violate(const char* code) { statuses[code] = Status::Violated; }
   void ask(const char* code, bool holds) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 
+#include "convexact/linear_program.hpp"
 #include "convexact/measure.hpp"
 #include "number/precision.hpp"
 #include "number/random.hpp"
@@ -75,6 +76,9 @@ void run_the_rest(const Shape& shape, const SimplifyResult& result, const Effort
   if (std::holds_alternative<PointSet>(shape)) {
     (void)make_polytope(result.start->dual.halfspaces, effort.seed, log);
   }
+  log.run("Chebyshev center", [&] {
+    (void)chebyshev_center(result.start->dual.halfspaces, LpOptions{.seed = effort.seed});
+  });
   log.run("area and mean width", [&] {
     (void)surface_area(result.solid.exact, kMeasureBits);
     (void)mean_width(result.solid.exact, kMeasureBits);

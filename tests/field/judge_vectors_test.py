@@ -9,6 +9,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 from judge import Input, judge, judge_files  # noqa: E402
 from reading import Mesh, Rows, file_bytes, scaled_exact, vector_number  # noqa: E402
+from solid import Intersection  # noqa: E402
 
 FOLDER = Path(__file__).parent.parent / "vectors"
 
@@ -31,6 +32,18 @@ def verdict_on(given, candidate):
         return judge_files(given, path)
 
 
+def inner_verdict_on(vector):
+    """Whether a candidate lies inside: its corners take the place of the input, and the input is what shall hold them."""
+    candidate = vector["question"]["candidate"]
+    if "points" in candidate:
+        corners = [tuple(map(vector_number, point)) for point in candidate["points"]]
+    else:
+        corners = Intersection([tuple(map(scaled_exact, row)) for row in candidate["halfspaces"]]).vertices
+    verdict = verdict_on(Input(corners), {"points": vector["input"]["points"], "faces": []})
+    verdict.claims = {"inside-input": verdict.claims["contains-input"]}
+    return verdict
+
+
 class Vectors(unittest.TestCase):
     def test_hulls_have_the_known_counts_and_volumes(self):
         for vector, given in vectors("hull"):
@@ -43,7 +56,9 @@ class Vectors(unittest.TestCase):
     def test_candidates_get_the_known_verdicts(self):
         for vector, given in vectors("verify"):
             with self.subTest(vector["id"]):
-                verdict, expected = verdict_on(given, vector["question"]["candidate"]), vector["expected"]
+                question, expected = vector["question"], vector["expected"]
+                is_inner = question.get("inner", False)
+                verdict = inner_verdict_on(vector) if is_inner else verdict_on(given, question["candidate"])
                 for claim, status in expected["claims"].items():
                     if claim in verdict.claims:
                         self.assertEqual(verdict.claims[claim], status == "holds", claim)
