@@ -27,8 +27,8 @@ struct KeepPlane {
 /// The facets whose outward normal is at most so many degrees away from a direction; without an
 /// angle those nearest to it, all of them if several are equally near.
 ///
-/// 0 degrees is the direction itself, exactly. Of any other angle the cosine is rounded to the
-/// nearest double, and with that number every facet is decided exactly.
+/// 0 degrees is the direction itself, exactly. Of any other angle the cosine is rounded down to a
+/// double, and with that number every facet is decided exactly: one at just this angle is selected.
 struct KeepNormal {
   RationalVector3 direction;      ///< Not zero, of any length.
   std::optional<double> degrees;  ///< 0 to 180.

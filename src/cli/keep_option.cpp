@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
+#include <optional>
 
 #include "cli/options.hpp"
 #include "convexact/error.hpp"
@@ -18,29 +18,35 @@ constexpr std::array<std::string_view, 4> kKinds = {"id:", "plane:", "normal:", 
   throw Error(ErrorCode::InvalidArgument, "--keep " + text + ": " + why);
 }
 
-// PART/SELECTOR. A part's name may hold slashes and colons, so the first slash that a kind of
-// selector follows ends it.
+// KIND:WHAT.
 struct KeepText {
-  std::string part;  // empty if none is named
   std::string_view kind;
   std::string what;
 };
 
-KeepText parse(const std::string& text) {
-  std::size_t start = 0;
-  for (;;) {
-    const std::string_view rest = std::string_view(text).substr(start);
-    for (const std::string_view kind : kKinds) {
-      if (!rest.starts_with(kind)) continue;
-      const std::string part = start == 0 ? "" : text.substr(0, start - 1);
-      return {part, kind, std::string(rest.substr(kind.size()))};
-    }
-    start = text.find('/', start);
-    if (start == text.npos) {
-      refuse(text, "expected id:N,..., plane:NX,NY,NZ,D, normal:X,Y,Z[:DEGREES] or group:NAME");
-    }
-    ++start;
+std::optional<KeepText> parse(std::string_view selector) {
+  for (const std::string_view kind : kKinds) {
+    if (selector.starts_with(kind))
+      return KeepText{kind, std::string(selector.substr(kind.size()))};
   }
+  return std::nullopt;
+}
+
+// What follows the name of the part and a slash.
+std::optional<KeepText> parse_for(const SceneObject& object, std::string_view text) {
+  if (!text.starts_with(object.part) || !text.substr(object.part.size()).starts_with('/')) {
+    return std::nullopt;
+  }
+  return parse(text.substr(object.part.size() + 1));
+}
+
+std::string names_of(const std::vector<SceneObject>& scene) {
+  constexpr std::size_t kMost = 8;
+  std::string names;
+  for (std::size_t k = 0; k < scene.size() && k < kMost; ++k) {
+    names += (k == 0 ? "" : ", ") + in_quotes(scene[k].part);
+  }
+  return names + (scene.size() > kMost ? " and more" : "");
 }
 
 // `count` numbers with commas between them.
@@ -126,17 +132,20 @@ std::vector<std::vector<KeepSelector>> keep_selectors(const std::vector<std::str
                                                       const std::vector<SceneObject>& scene) {
   std::vector<std::vector<KeepSelector>> selectors(scene.size());
   for (const std::string& text : texts) {
-    const KeepText parsed = parse(text);
-    if (parsed.part.empty() && scene.size() > 1) {
-      refuse(text, "there are several objects: expected PART/SELECTOR");
-    }
-    bool is_used = false;
-    for (std::size_t k = 0; k < scene.size(); ++k) {
-      if (!parsed.part.empty() && scene[k].part != parsed.part) continue;
-      selectors[k].push_back(selector_of(text, parsed, scene[k]));
+    const std::optional<KeepText> whole = parse(text);
+    bool is_used = scene.size() == 1 && whole;
+    if (is_used) selectors[0].push_back(selector_of(text, *whole, scene[0]));
+    for (std::size_t k = 0; k < scene.size() && !(is_used && scene.size() == 1); ++k) {
+      const std::optional<KeepText> parsed = parse_for(scene[k], text);
+      if (!parsed) continue;
+      selectors[k].push_back(selector_of(text, *parsed, scene[k]));
       is_used = true;
     }
-    if (!is_used) refuse(text, "no object is called " + in_quotes(parsed.part));
+    if (is_used) continue;
+    const std::string selector = "id:N,..., plane:NX,NY,NZ,D, normal:X,Y,Z[:DEGREES] or group:NAME";
+    if (scene.size() == 1) refuse(text, "expected " + selector);
+    refuse(text, "expected PART/SELECTOR, the part one of " + names_of(scene) +
+                     ", the selector one of " + selector);
   }
   return selectors;
 }

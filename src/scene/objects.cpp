@@ -12,8 +12,29 @@
 namespace convexact {
 namespace {
 
+// A file with blanks around its name reads as without them.
 std::string stem_of(const std::string& path) {
-  return path == "-" ? "input" : std::filesystem::path(path).stem().string();
+  if (path == "-") return "input";
+  const std::string stem = std::filesystem::path(path).stem().string();
+  const std::size_t first = stem.find_first_not_of(" \t"), last = stem.find_last_not_of(" \t");
+  return first == stem.npos ? "" : stem.substr(first, last - first + 1);
+}
+
+// Two objects in a row with one name would be one object in a file, and of two files with one name
+// nobody could tell which is meant. The later one gets a number.
+void make_names_distinct(std::vector<SceneObject>& objects, std::size_t first_of_file) {
+  const auto is_taken = [&](const std::string& name, std::size_t k) {
+    const bool is_repeated = k > first_of_file && objects[k - 1].part == name;
+    return is_repeated ||
+           std::any_of(objects.begin(), objects.begin() + long(first_of_file),
+                       [&](const SceneObject& object) { return object.part == name; });
+  };
+  for (std::size_t k = first_of_file; k < objects.size(); ++k) {
+    const std::string name = objects[k].part;
+    for (int number = 2; is_taken(objects[k].part, k); ++number) {
+      objects[k].part = name + "-" + std::to_string(number);
+    }
+  }
 }
 
 // The points that a part's polygons use, renumbered in the order of the file.
@@ -90,6 +111,7 @@ std::vector<SceneObject> read_scene(const std::vector<std::string>& paths,
   }
   std::vector<SceneObject> objects;
   for (const std::string& path : paths) {
+    const std::size_t before = objects.size();
     const std::string bytes = read_bytes(path);
     if (options.on_read) options.on_read(display_name(path), bytes);
     try {
@@ -103,6 +125,7 @@ std::vector<SceneObject> read_scene(const std::vector<std::string>& paths,
       } else {
         read_mesh_objects(path, bytes, options, objects);
       }
+      make_names_distinct(objects, before);
     } catch (const Error& error) {
       throw error.in_file(display_name(path));
     }

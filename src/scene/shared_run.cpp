@@ -185,10 +185,12 @@ SharedEnd run_shared(std::span<const std::unique_ptr<PartRun>> parts,
   };
   // (1) The others keep 4 each, so no part ends with more than the rest. Each goes down to that at
   // once: what it has to do anyway is done while its data are in the cache. (A growth limit may end
-  // the run before.) The total stays at or above the budget.
+  // the run before; and where costs may fall, the queue may spend the budget on another part before
+  // it gets that far.) The total stays at or above the budget.
+  const bool can_run_ahead = options.costs_never_fall && !options.max_growth;
   const std::size_t most = options.total_faces - kLeastFaces * (parts.size() - 1);
   for (const auto& part : parts) {
-    while (!options.max_growth && part->left() > most && part->find_next()) make(*part);
+    while (can_run_ahead && part->left() > most && part->find_next()) make(*part);
   }
   // (2) The cheapest removal of all.
   for (std::size_t part = 0; left > options.total_faces && part < parts.size(); ++part) {

@@ -71,6 +71,7 @@ struct SharedOptions {
   std::optional<Rational> max_growth = {};
   /// With max_growth: the sum of the parts' measures before the first removal.
   std::optional<Enclosure> measure = {};
+  bool costs_never_fall = false;  ///< Of one part, as those by volume.
   StopReason when_stuck = StopReason::AllUnbounded;
   std::function<void(std::size_t left)> progress = {};
   const std::atomic<bool>* stop = nullptr;

@@ -64,6 +64,7 @@ SharedOptions options_of(const SceneRequest& request, const std::vector<Part>& p
   SharedOptions options{.total_faces = request.total_faces,
                         .compare = each.compare,
                         .max_growth = each.max_growth,
+                        .costs_never_fall = each.cost == CostMeasure::Volume,
                         .stop = each.watch.stop};
   if (each.max_growth) {
     options.measure = Enclosure(kMeasureBits);

@@ -34,8 +34,9 @@ Rational signed_square_of_cosine(const IntegerVector3& a, const IntegerVector3& 
   return signed_square(Rational(dot(a, b)), Rational(dot(a, a) * dot(b, b)));
 }
 
-// The double nearest to the cosine. Only 90 degrees has the cosine 0; of any other double the
-// cosine is more than 2^-60, so that 256 bits of pi tell.
+// The largest double that is not above the cosine, so that facets at just this angle are selected.
+// Only 90 degrees has the cosine 0; of any other double the cosine is more than 2^-60, so that 256
+// bits of pi tell.
 Rational cosine_of(double degrees) {
   mpfr_t x;
   mpfr_init2(x, 256);
@@ -43,7 +44,7 @@ Rational cosine_of(double degrees) {
   mpfr_mul_d(x, x, degrees, MPFR_RNDN);
   mpfr_div_ui(x, x, 180, MPFR_RNDN);
   mpfr_cos(x, x, MPFR_RNDN);
-  const double cosine = mpfr_get_d(x, MPFR_RNDN);
+  const double cosine = mpfr_get_d(x, MPFR_RNDD);
   mpfr_clear(x);
   return to_rational(std::abs(cosine) < 0x1p-100 ? 0.0 : cosine);
 }

@@ -3,6 +3,7 @@
 // what is refused.
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -102,7 +103,7 @@ TEST_CASE("--keep: what is refused, by name") {
            {"6", "expected id:N"},
            {"''", "expected id:N"},
            {"id:0,1,2,3,4", "5 facets are to be kept"},
-           {"lid/id:6", "no object is called 'lid'"},
+           {"lid/id:6", "expected id:N"},
        }) {
     const std::string said = refusal(run + refused.first);
     CHECK_MESSAGE(says(said, refused.second), refused.first << ": " << said);
@@ -125,7 +126,32 @@ TEST_CASE("--keep: in a scene after the part's name") {
   CHECK(document["objects"][0]["kept"]["ids"].size() == 1);
   CHECK(document["objects"][1]["kept"]["ids"] == json{0});
   CHECK(says(refusal("simplify " + run + "id:0"), "PART/SELECTOR"));
-  CHECK(says(refusal("simplify " + run + "d/id:0"), "no object is called 'd'"));
+  CHECK(says(refusal("simplify " + run + "d/id:0"), "the part one of 'a/b', 'c'"));
+}
+
+TEST_CASE("--keep: parts with the names of selectors, of files, and with the same name") {
+  const ScratchFolder scratch;
+  const std::string tetrahedron =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  const std::string odd = scratch.write(
+      "odd.obj", "o id:0/q\n" + tetrahedron + "o b\nv 5 0 0\nf 5 1 3\nf 5 3 2\n");
+  std::filesystem::create_directory(scratch.file("d"));
+  const std::string one = scratch.write("box.obj", tetrahedron);
+  const std::string two = scratch.write("d/box.obj", tetrahedron);
+  const std::string output = scratch.file("out.obj");
+  const std::string files = one + " " + two + " --faces 4 -o " + output;
+  const json both = simplified(files + " --keep box/id:1 --keep box-2/id:2");
+  CHECK(both["objects"][0]["kept"]["ids"] == json{1});
+  CHECK(both["objects"][1]["kept"]["ids"] == json{2});
+  const std::string written = bytes_of(output);
+  CHECK(says(written, "o box\n"));
+  CHECK(says(written, "o box-2\n"));
+  CHECK(simplified(one + " " + two + " --total-faces 8 -o " + output)["objects"].size() == 2);
+  CHECK(run_program("simplify --inner --vertices 4 " + one + " " + two + " -o " + output).exit ==
+        0);
+  CHECK(says(bytes_of(output), "o box-2\n"));
+  const auto part = run_program("simplify --parts --faces 4 --json --keep id:0/q/id:0 " + odd);
+  CHECK(part.exit == 4);  // the other part is flat: the selector was understood
 }
 
 TEST_CASE("--keep: halfspace input, and every place where a run is judged or replayed") {

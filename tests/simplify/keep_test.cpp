@@ -117,6 +117,8 @@ TEST_CASE("keep: normals, exactly at 0, 60, 90, 120 and 180 degrees") {
   const auto count = [&](double degrees) {
     return selected(normal(1, 1, 0, degrees), rhombic).size();
   };
+  // At just 45 degrees: the cosine is no double.
+  CHECK(selected(normal(1, 1, 0, 45)) == ids({4, 5, 6}));
   CHECK(count(0) == 1);
   CHECK(count(59.99999) == 1);
   CHECK(count(60) == 5);
