@@ -30,7 +30,8 @@ struct SceneTotals {
   std::size_t steps = 0;  ///< Halfspaces removed.
   /// The last removals, in their order, each by its part, counted from 0. The other parts keep at
   /// least 4 halfspaces each, so that a part cannot end with more than `total_faces` less these;
-  /// down to that number, unless growth is limited, each part is simplified before, on its own.
+  /// by volume and unless growth is limited, each part is simplified down to that number before,
+  /// on its own. Otherwise these are all removals.
   std::vector<std::uint32_t> order;
   StopReason stop = StopReason::Reached;
   std::size_t input_halfspaces = 0, output_halfspaces = 0;
