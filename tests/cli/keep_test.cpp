@@ -133,8 +133,8 @@ TEST_CASE("--keep: parts with the names of selectors, of files, and with the sam
   const ScratchFolder scratch;
   const std::string tetrahedron =
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-  const std::string odd = scratch.write(
-      "odd.obj", "o id:0/q\n" + tetrahedron + "o b\nv 5 0 0\nf 5 1 3\nf 5 3 2\n");
+  const std::string odd =
+      scratch.write("odd.obj", "o id:0/q\n" + tetrahedron + "o b\nv 5 0 0\nf 5 1 3\nf 5 3 2\n");
   std::filesystem::create_directory(scratch.file("d"));
   const std::string one = scratch.write("box.obj", tetrahedron);
   const std::string two = scratch.write("d/box.obj", tetrahedron);
