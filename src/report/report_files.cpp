@@ -246,10 +246,10 @@ std::string value_text(const Json& json, const char* pointer) {
   return value.is_number_float() ? fmt::format("{}", value.get<double>()) : value.dump();
 }
 
-// Rows of one section and subject.
-class Rows {
+// CsvRows of one section and subject.
+class CsvRows {
  public:
-  Rows(std::string& csv, const std::string& section, const std::string& subject)
+  CsvRows(std::string& csv, const std::string& section, const std::string& subject)
       : csv_(csv), start_(field(section) + "," + field(subject) + ",") {}
 
   // The quantities of one parameter and way.
@@ -283,9 +283,9 @@ class Rows {
 
 void add_input_rows(std::string& csv, const Json& input) {
   const std::string name = input.at("name");
-  if (input.contains("precision")) Rows(csv, "precision", name).add_ways("", input["precision"]);
+  if (input.contains("precision")) CsvRows(csv, "precision", name).add_ways("", input["precision"]);
   if (input.contains("tightness")) {
-    Rows rows(csv, "tightness", name);
+    CsvRows rows(csv, "tightness", name);
     std::string growth = "growth of " + input["tightness"].at("measure").get<std::string>();
     std::replace(growth.begin(), growth.end(), '-', ' ');
     const Quantity tightness[] = {{"/growth", growth.c_str(), "relative"},
@@ -297,7 +297,7 @@ void add_input_rows(std::string& csv, const Json& input) {
     }
   }
   if (input.contains("stages")) {
-    Rows rows(csv, "stages", name);
+    CsvRows rows(csv, "stages", name);
     for (const Json& run : input["stages"].at("runs")) {
       rows.add("all", run.at("run"), run, kSeconds);
       for (const Json& stage : run.at("stages")) {
@@ -305,7 +305,7 @@ void add_input_rows(std::string& csv, const Json& input) {
       }
     }
   }
-  if (input.contains("scaling")) Rows(csv, "scaling", name).add_scaling(input["scaling"]);
+  if (input.contains("scaling")) CsvRows(csv, "scaling", name).add_scaling(input["scaling"]);
 }
 
 }  // namespace
@@ -344,10 +344,10 @@ nlohmann::ordered_json report_json(const ReportData& report, const ReportRequest
 std::string report_csv(const Json& report) {
   std::string csv = "section,subject,parameter,way,quantity,value,unit\r\n";
   for (const Json& input : report.at("inputs")) add_input_rows(csv, input);
-  if (report.contains("spheres")) Rows(csv, "scaling", "sphere").add_scaling(report["spheres"]);
+  if (report.contains("spheres")) CsvRows(csv, "scaling", "sphere").add_scaling(report["spheres"]);
   if (!report.contains("stability")) return csv;
   for (const Json& family : report["stability"]) {
-    Rows rows(csv, "stability", family.at("family"));
+    CsvRows rows(csv, "stability", family.at("family"));
     for (const Json& point : family.at("points")) {
       if (!point.contains("ways")) continue;
       rows.add_ways(family.at("parameter").get<std::string>() + " " + value_text(point, "/value"),
