@@ -31,7 +31,8 @@ constexpr const char* kSimplifyFooter =
     "  convexact simplify bunny.obj --inner --vertices 32 -o inside.obj\n"
     "\n"
     "Without --precision, planes are written as exact integers and meshes in binary64 (STL: 32).\n"
-    "Every result that is written was tested, on the stored numbers, to hold every input point.";
+    "Every result that is written was tested, on the stored numbers, to hold every input point;\n"
+    "those of --inner, to lie inside the hull of the input.";
 
 struct SimplifyArguments {
   GlobalOptions global;
