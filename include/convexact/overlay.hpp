@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// overlay.hpp - a surface laid over convex parts: what the union of the parts leaves uncovered,
+// and the volumes of both. Every decision is exact.
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "convexact/halfspace.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/number.hpp"
+#include "convexact/surface.hpp"
+#include "convexact/watch.hpp"
+
+namespace convexact {
+
+/// The convex hull of some points, of any dimension: a closed set.
+struct ConvexPart {
+  int dimension = -1;                   ///< 3; or 2, 1, 0 of a flat part.
+  std::vector<RationalPoint> vertices;  ///< Its extreme points.
+  /// The part is their intersection. Of a flat part, both sides of each plane that holds it are
+  /// among them.
+  std::vector<Halfspace> halfspaces;
+  /// The solid of a part of dimension 3; `vertices` and `halfspaces` are its own.
+  std::optional<Polytope> solid;
+  BoundingBox box;
+};
+
+/// @throws Error InvalidArgument if there is no point; Stopped, as the watch says.
+[[nodiscard]] ConvexPart convex_part(const PointSet& points, const Watch& watch = {});
+
+/// Whether x lies in the part, its boundary included.
+[[nodiscard]] bool holds(const ConvexPart& part, const RationalPoint& x);
+
+// ---- The surface
+
+/// A piece of a triangle that no part covers, but for its boundary: a convex polygon with an area.
+/// Of a triangle without area: the two ends of a segment, or one point.
+struct UncoveredPiece {
+  TriangleId triangle;
+  std::vector<RationalPoint> corners;  ///< Counter-clockwise as the triangle.
+  /// Its share of the triangle's area, or of its length; 1 of a point.
+  Rational share;
+};
+
+struct SurfaceCoverage {
+  std::vector<UncoveredPiece> uncovered;  ///< Empty: the union holds every triangle.
+  std::size_t in_one_part = 0;            ///< Triangles whose corners lie in one and the same part.
+};
+
+/// Which pieces of the triangles lie in no part. Triangle and union are closed, so what is left is
+/// relatively open: it is empty iff it has no area.
+/// @throws Error Stopped, as the watch says.
+/// @par Cost  Each triangle is cut by the facets of parts that it crosses only; corners are pairs
+/// of
+///            lines, so numbers do not grow with the cuts.
+[[nodiscard]] SurfaceCoverage find_uncovered(const Surface& surface,
+                                             std::span<const ConvexPart> parts,
+                                             const Watch& watch = {});
+
+// ---- The solid
+
+/// A point of the solid that no part holds.
+struct UncoveredSolid {
+  RationalPoint point;
+  long winding;  ///< Of the surface about it: not 0.
+};
+
+/// Whether the union holds the solid of a closed surface: nothing if so. First by the pieces of the
+/// surface that are uncovered, from find_uncovered(); then by the convex pieces of the rest of the
+/// surface's box, in each of which the winding number is constant.
+[[nodiscard]] std::optional<UncoveredSolid> find_uncovered_solid(const Surface& surface,
+                                                                 const Winding& winding,
+                                                                 std::span<const ConvexPart> parts,
+                                                                 const SurfaceCoverage& coverage,
+                                                                 const Watch& watch = {});
+
+/// The volume of the solid outside of the union. Pieces of space that the surface crosses are cut
+/// along it until it crosses none.
+[[nodiscard]] Measured uncovered_volume(const Surface& surface, const Winding& winding,
+                                        std::span<const ConvexPart> parts, long precision,
+                                        bool exact, const Watch& watch = {});
+
+// ---- The parts
+
+/// The volume of the union, as an enclosure of relative width about 2^-precision, and as a fraction
+/// on request (which may have tens of thousands of digits).
+[[nodiscard]] Measured union_volume(std::span<const ConvexPart> parts, long precision, bool exact,
+                                    const Watch& watch = {});
+
+/// A point in the interior of both parts, if there is one: none of touching or flat parts.
+[[nodiscard]] std::optional<RationalPoint> common_interior(const ConvexPart& a,
+                                                           const ConvexPart& b);
+
+}  // namespace convexact

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// surface.hpp - the surface that a mesh spells: triangles on distinct points, how they are joined
+// and turned, winding numbers, and the solid that a closed surface bounds.
+//
+// Nothing depends on the order in which a file lists its points and faces: points stand in
+// lexicographic order, triangles in the order of their sorted points.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "convexact/mesh.hpp"
+#include "convexact/number.hpp"
+#include "convexact/point_set.hpp"
+#include "convexact/watch.hpp"
+
+namespace convexact {
+
+using TriangleId = Id<struct TriangleTag>;  ///< Into the triangles of a surface.
+
+/// Which triangles may be turned.
+enum class Orient {
+  Auto,  ///< Along edges with two triangles; closed components so that the solid comes out right.
+  Keep,  ///< None.
+};
+
+struct SurfaceOptions {
+  Orient orient = Orient::Auto;
+};
+
+/// Triangles joined along their edges, over any number of triangles. A border edge has one.
+struct SurfaceComponent {
+  std::size_t triangles = 0;
+  std::size_t border_edges = 0;
+  std::size_t branching_edges = 0;  ///< With more than two triangles.
+  bool is_closed = false;           ///< Every directed edge cancels.
+  /// Whether the triangles can be turned so that all edges with two triangles cancel; not so for a
+  /// Moebius strip and a Klein bottle.
+  bool is_orientable = true;
+  std::size_t turned = 0;  ///< Triangles that were turned.
+  bool is_reversed =
+      false;             ///< All of a consistent closed component were turned: it was inside out.
+  bool is_flat = false;  ///< No triangle has an area.
+};
+
+struct Surface {
+  /// Distinct points that triangles use, in lexicographic order.
+  PointSet points;
+  /// Corners counter-clockwise from outside, lowest id first; ascending by sorted corners. A
+  /// repeated triangle is repeated here. Triangles without area are kept, as their points must be
+  /// held: two or three of their corners may be one point.
+  std::vector<std::array<PointId, 3>> triangles;
+  std::vector<std::uint32_t> face;           ///< By triangle: the polygon of the mesh, from 0.
+  std::vector<std::uint32_t> component;      ///< By triangle: into `components`.
+  std::vector<SurfaceComponent> components;  ///< By their lowest triangles.
+
+  // How it came about.
+  std::size_t repeated_points = 0;  ///< Points of the mesh equal to an earlier one.
+  std::size_t unused_points = 0;    ///< Distinct points of the mesh that no face uses.
+  /// Faces of the mesh, from 0, that are not planar, or whose boundary crosses itself: cut as a fan
+  /// from their first corner.
+  std::vector<std::size_t> fans;
+  std::size_t flat_triangles = 0;  ///< Without area.
+  /// Edges between two triangles that cannot cancel, of components that are not orientable, or that
+  /// were left as they are.
+  std::size_t contradictions = 0;
+
+  /// Whether every directed edge cancels, so that winding numbers exist. The solid is then the
+  /// closure of the points whose winding number is not 0.
+  bool is_closed = false;
+};
+
+/// Welds equal points, cuts faces into triangles (planar simple ones exactly, others as a fan),
+/// finds components, and turns triangles. A closed component K lies in another, L, if they have no
+/// common point and a vertex of K has a winding number other than 0 in L. A consistent closed
+/// component in no other is turned so that its signed volume is positive; one in another is turned
+/// if its outermost ancestor was, so that voids stay voids. Open components are made consistent
+/// and keep the direction of their lowest triangle.
+/// @throws Error InvalidArgument if the mesh has no face; Stopped, as the watch says.
+/// @par Cost  O(n log n), and for several closed components the tests of one in another.
+[[nodiscard]] Surface make_surface(const Mesh& mesh, const SurfaceOptions& options = {},
+                                   const Watch& watch = {});
+
+/// Winding numbers of points about a closed surface, exactly.
+class Winding {
+ public:
+  /// Keeps a reference. @throws Error InvalidArgument unless surface.is_closed.
+  explicit Winding(const Surface& surface);
+  ~Winding();
+
+  /// How often the surface winds about x; nothing if x lies on it.
+  /// @par Cost  The triangles above or below x, found by a tree; most by doubles.
+  std::optional<long> operator()(const RationalPoint& x) const;
+
+  /// Beside a point x in the interior of a triangle with an area: the winding numbers just before
+  /// it (where its normal points) and just behind it. Other triangles may hold x, too. Exact.
+  std::pair<long, long> beside(TriangleId triangle, const RationalPoint& x) const;
+
+ private:
+  class Search;
+  std::unique_ptr<const Search> search_;
+};
+
+/// The volume of the solid of a closed surface, in cubed length units: of {winding number != 0},
+/// each point counted once, however often the surface winds about it or crosses itself.
+/// @par Cost  Linear if no two triangles cross; else each triangle is cut where others meet it.
+[[nodiscard]] Measured solid_volume(const Surface& surface, long precision, bool exact,
+                                    const Watch& watch = {});
+
+}  // namespace convexact
