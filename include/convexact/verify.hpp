@@ -65,6 +65,20 @@ enum class ClaimCode {
   MaxVertices,        ///< At most so many vertices, those inside a facet or an edge not counted.
   MaxFacetVertices,   ///< No facet has more corners.
   InsideInput,        ///< Of an inner solid: no vertex lies outside of the input's hull.
+  // Of a decomposition: see verify_parts.hpp.
+  PartsReadable,         ///< Its bytes spell meshes.
+  PartsFinite,           ///< No NaN, no infinity, no decimal beyond the largest double.
+  PartsSolid,            ///< Each part has a 3D interior.
+  PartsConvex,           ///< The faces of each part are the surface of the hull of its points.
+  CoversPoints,          ///< Each point of the input lies in some part.
+  CoversSurface,         ///< Each point of the input's faces lies in some part.
+  CoversSolid,           ///< Each point of the solid that the faces enclose lies in some part.
+  PartsDisjoint,         ///< No two parts have a common interior point.
+  PartsNeeded,           ///< No part lies in another one.
+  MaxParts,              ///< At most so many parts.
+  MaxPartFacets,         ///< No part has more facets; of a mesh, as meant.
+  MaxPartVertices,       ///< No part has more vertices.
+  MaxPartFacetVertices,  ///< No facet of a part has more corners.
 };
 /// The claims about an enclosure. An inner solid has InsideInput besides; ContainsInput is asked of
 /// it by name only.
@@ -73,6 +87,18 @@ inline constexpr std::array kAllClaims = {
     ClaimCode::CandidateBounded,  ClaimCode::MeshClosed,      ClaimCode::MeshOriented,
     ClaimCode::MeshPlanar,        ClaimCode::MeshConvex,      ClaimCode::ContainsInput,
     ClaimCode::MaxFacets,         ClaimCode::MaxVertices,     ClaimCode::MaxFacetVertices};
+/// The claims about a decomposition.
+inline constexpr std::array kPartsClaims = {
+    ClaimCode::PartsReadable,       ClaimCode::PartsFinite,
+    ClaimCode::PartsSolid,          ClaimCode::PartsConvex,
+    ClaimCode::CoversPoints,        ClaimCode::CoversSurface,
+    ClaimCode::CoversSolid,         ClaimCode::PartsDisjoint,
+    ClaimCode::PartsNeeded,         ClaimCode::MaxParts,
+    ClaimCode::MaxPartFacets,       ClaimCode::MaxPartVertices,
+    ClaimCode::MaxPartFacetVertices};
+[[nodiscard]] constexpr bool is_of_parts(ClaimCode code) {
+  return code >= ClaimCode::PartsReadable;
+}
 
 /// "contains-input" and the like: stable, in messages, in JSON and as headings of docs/verdicts.md.
 [[nodiscard]] const char* name_of(ClaimCode code);
@@ -84,7 +110,8 @@ enum class Status {
   Violated,
   NotAsked,       ///< Not among the claims to decide.
   NotApplicable,  ///< It has no meaning for this candidate; the sentence says why.
-  Undecided,      ///< Of removal orders by mean width: neither proven nor refuted.
+  Undecided,      ///< Neither proven nor refuted: of removal orders by mean width, and of surfaces
+                  ///< at a tolerance.
 };
 [[nodiscard]] const char* name_of(Status status);
 
@@ -101,8 +128,11 @@ struct Witness {
   std::optional<RationalPoint> nearest;      ///< Of the candidate, the point nearest to `point`.
   std::optional<RationalVector3> direction;  ///< In which the candidate is unbounded.
   std::optional<Rational>
-      squared_distance;              ///< Of `point` to `nearest`, else to `plane`; positive.
-  std::optional<std::size_t> count;  ///< The count that exceeds a budget.
+      squared_distance;                   ///< Of `point` to `nearest`, else to `plane`; positive.
+  std::optional<std::size_t> count;       ///< The count that exceeds a budget.
+  std::vector<std::size_t> parts;         ///< Of a decomposition, counted from 0.
+  std::optional<std::size_t> input_face;  ///< A face of the input's mesh.
+  std::optional<long> winding;            ///< Of the input's surface about `point`.
 };
 
 struct Claim {

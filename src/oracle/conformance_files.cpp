@@ -169,7 +169,9 @@ VerifyQuestion to_verify_question(const json& question, const json& expected) {
   result.inner = question.contains("inner") && question["inner"].get<bool>();
   for (const auto& [name, status] : expected.at("claims").items()) {
     const std::optional<ClaimCode> code = claim_of_name(name);
-    if (!code) fail("expected the code of a claim, found " + in_quotes(name));
+    if (!code || is_of_parts(*code)) {
+      fail("expected the code of a claim about a solid, found " + in_quotes(name));
+    }
     result.claims.emplace_back(*code, to_word(kKnownStatus, status, "expected holds or violated"));
   }
   if (expected.contains("outside")) {

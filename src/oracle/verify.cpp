@@ -182,8 +182,21 @@ constexpr auto kClaimNames =
                            {ClaimCode::MaxFacets, "max-facets"},
                            {ClaimCode::MaxVertices, "max-vertices"},
                            {ClaimCode::MaxFacetVertices, "max-facet-vertices"},
-                           {ClaimCode::InsideInput, "inside-input"}});
-static_assert(kClaimNames.size() == kAllClaims.size() + 1);
+                           {ClaimCode::InsideInput, "inside-input"},
+                           {ClaimCode::PartsReadable, "parts-readable"},
+                           {ClaimCode::PartsFinite, "parts-finite"},
+                           {ClaimCode::PartsSolid, "parts-solid"},
+                           {ClaimCode::PartsConvex, "parts-convex"},
+                           {ClaimCode::CoversPoints, "covers-points"},
+                           {ClaimCode::CoversSurface, "covers-surface"},
+                           {ClaimCode::CoversSolid, "covers-solid"},
+                           {ClaimCode::PartsDisjoint, "parts-disjoint"},
+                           {ClaimCode::PartsNeeded, "parts-needed"},
+                           {ClaimCode::MaxParts, "max-parts"},
+                           {ClaimCode::MaxPartFacets, "max-part-facets"},
+                           {ClaimCode::MaxPartVertices, "max-part-vertices"},
+                           {ClaimCode::MaxPartFacetVertices, "max-part-facet-vertices"}});
+static_assert(kClaimNames.size() == kAllClaims.size() + 1 + kPartsClaims.size());
 
 constexpr auto kStatusNames = name_table<Status>({{Status::Holds, "holds"},
                                                   {Status::Violated, "violated"},
@@ -217,6 +230,10 @@ VerifyOutcome verify(const Shape& shape, const Candidate& candidate, const Verif
     if (code == ClaimCode::InsideInput && !request.inner) {
       throw Error(ErrorCode::InvalidArgument,
                   "the claim inside-input is of an inner solid: give --inner as well");
+    }
+    if (is_of_parts(code)) {
+      throw Error(ErrorCode::InvalidArgument, "the claim " + std::string(name_of(code)) +
+                                                  " is of a decomposition, not of one solid");
     }
     const auto* budget = budget_of(request, code);
     if (budget == nullptr || *budget) continue;

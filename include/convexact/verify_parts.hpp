@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// verify_parts.hpp - does the union of some convex parts hold a mesh? Decided exactly, with
+// witnesses.
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "convexact/mesh.hpp"
+#include "convexact/overlay.hpp"
+#include "convexact/surface.hpp"
+#include "convexact/verify.hpp"
+
+namespace convexact {
+
+/// A part as its file gives it. It stands for the convex hull of its points.
+struct NamedPart {
+  std::string name;
+  Mesh mesh;
+};
+
+/// A decomposition, or the error (Malformed or NotFinite) that reading it met.
+using CandidateParts = std::variant<std::vector<NamedPart>, Error>;
+
+/// The parts in a file: the objects or groups of an OBJ that have faces, the solids of an STL; of
+/// JSON the entries of "parts", each with "vertices" and possibly "name" and "faces"; of any other
+/// mesh a single part. Points that no face uses belong to the part of a mesh with a single part,
+/// and to none of several.
+[[nodiscard]] CandidateParts read_parts_bytes(std::string_view bytes, const std::string& path,
+                                              Decimal decimal = Decimal::Nearest);
+
+/// The parts in the file, or in the meshes of the folder, by their names: "part_2.obj" before
+/// "part_10.obj". Other files of a folder are not read; "-" is standard input.
+/// @throws Error Unreadable if there is no such file or folder, or no mesh in the folder.
+[[nodiscard]] CandidateParts read_parts(const std::string& path,
+                                        Decimal decimal = Decimal::Nearest);
+
+struct PartsRequest {
+  /// The claims to decide; the budgets are asked by their numbers. Empty: all but covers-solid,
+  /// parts-disjoint and parts-needed. Claims that stand here must apply for the verdict to hold.
+  std::vector<ClaimCode> claims = {};
+  /// Distances of faces to their planes (parts-convex), and of points of the input to the union
+  /// (covers-points, covers-surface), that pass. Relative ones refer to the input's diameter.
+  Tolerance tolerance = {};
+  std::optional<std::size_t> max_parts = {};
+  /// Of each part.
+  std::optional<std::size_t> max_facets = {}, max_vertices = {}, max_facet_vertices = {};
+  bool exact_facets = false;     ///< As VerifyRequest::exact_facets.
+  Orient orient = Orient::Auto;  ///< Of the input's faces.
+  bool measures = true;          ///< Whether to measure areas, volumes and distances.
+  bool exact_volumes = false;    ///< Whether volumes are fractions, too.
+  std::uint64_t seed = 1;        ///< Of every random order. The verdict does not depend on it.
+  StageWatch watch = {};
+};
+
+/// A part on its own.
+struct JudgedPart {
+  std::string name;
+  ConvexPart hull;
+  CandidateSize size;
+  /// What its own claims say: solid, closed, oriented, planar, convex, and the budgets; of those
+  /// that were asked.
+  std::vector<Claim> claims;
+};
+
+/// Numbers beside the claims. Volumes and distances of the solid where the input encloses one.
+struct PartsMeasures {
+  Enclosure surface_area, uncovered_area;
+  std::optional<Measured> solid_volume;      ///< Of the input.
+  std::optional<Measured> uncovered_volume;  ///< Of the solid outside of the union.
+  std::optional<Measured> excess_volume;     ///< Of the union outside of the solid.
+  Measured union_volume;
+  Measured overlap_volume;  ///< What the parts' volumes add up to, less the union's.
+  /// Largest distance of a point of the input's surface to the union, and of a point of the union
+  /// to the input's solid, or to its surface if it encloses none. The larger one is the Hausdorff
+  /// distance.
+  Enclosure surface_to_union, union_to_input;
+};
+
+struct PartsVerdict {
+  std::vector<Claim> claims;  ///< One for each of kPartsClaims, in that order.
+  Surface surface;            ///< Of the input.
+  std::vector<JudgedPart> parts;
+  std::size_t points = 0, points_outside = 0;  ///< If covers-points was decided.
+  std::optional<SurfaceCoverage> coverage;     ///< If covers-surface or covers-solid was.
+  /// The part nearest to the uncovered point that is farthest among those found.
+  std::optional<std::size_t> worst_part;
+  std::optional<PartsMeasures> measures;
+  Rational squared_diameter;  ///< Of the input's points.
+  std::vector<std::string> notes;
+  std::vector<Stage> stages;
+
+  const Claim& operator[](ClaimCode code) const;
+  /// Whether no claim is violated or undecided, and each that was named is decided.
+  bool holds() const;
+};
+
+/// Decides the claims about a decomposition exactly. Parts are closed sets: touching counts as
+/// inside. Of parts that are flat the other claims are decided all the same.
+/// @param input  With faces, the points that they use are to be covered; without, all points, and
+///               there is no surface.
+/// @throws Error NoInterior if the input has no point; InvalidArgument for a negative tolerance, a
+///               tolerance together with covers-solid, a budget that `claims` names without a
+///               number, and a claim of another kind; Stopped, as the watch says.
+[[nodiscard]] PartsVerdict verify_parts(const Mesh& input, const CandidateParts& candidate,
+                                        const PartsRequest& request = {});
+
+}  // namespace convexact
