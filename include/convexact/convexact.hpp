@@ -28,6 +28,7 @@
 #include "convexact/simplify.hpp"
 #include "convexact/simplify_scene.hpp"
 #include "convexact/stored.hpp"
+#include "convexact/union_distance.hpp"
 #include "convexact/verify.hpp"
 #include "convexact/verify_run.hpp"
 #include "convexact/watch.hpp"
