@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The npm programs of ./dev field: node programs.mjs NAME INPUT.obj OUTPUT.obj
-// Each takes the input's points and writes its hull as a mesh, in the digits its users print.
+// Each takes the input's points and writes its hull as a mesh, or takes its faces and writes convex parts, an
+// object for each, in the digits its users print. The seconds of the library's own call go to OUTPUT.obj.json.
 // It runs from build/field, beside node_modules. Exit code 4: the library found no hull.
 import { readFileSync, writeFileSync } from "node:fs";
-import { register } from "node:module";
+import { createRequire, register } from "node:module";
 
 // quickhull3d leaves ".js" out of its imports, as bundlers allow.
 register("data:text/javascript," + encodeURIComponent(`
@@ -23,13 +24,41 @@ function readObj(path) {
 
 // binary32 is printed as %.9g, binary64 as the shortest decimal.
 function writeObj(path, { points, faces, single }) {
+  writeFileSync(path, meshLines(points, faces, single, 0).join("\n") + "\n");
+}
+
+function meshLines(points, faces, single, first) {
   const number = (x) => (single ? String(Number(Math.fround(x).toPrecision(9))) : String(x));
   const lines = points.map((point) => "v " + point.map(number).join(" "));
-  for (const face of faces) lines.push("f " + face.map((corner) => corner + 1).join(" "));
+  for (const face of faces) lines.push("f " + face.map((corner) => first + corner + 1).join(" "));
+  return lines;
+}
+
+function writeParts(path, { parts, single }) {
+  const lines = [];
+  let first = 0;
+  parts.forEach(({ points, faces }, k) => {
+    lines.push("o part_" + String(k).padStart(3, "0"), ...meshLines(points, faces, single, first));
+    first += points.length;
+  });
   writeFileSync(path, lines.join("\n") + "\n");
 }
 
+// The call that is measured: the library's own, after it was loaded and has its input. Short calls are made a second
+// time, and that counts, because the first one compiles.
+let seconds = null;
+function timed(call) {
+  for (let turn = 0; ; ++turn) {
+    const start = performance.now();
+    const result = call();
+    seconds = (performance.now() - start) / 1000;
+    if (turn > 0 || seconds > 0.2) return result;
+  }
+}
+
 const triples = (flat) => Array.from({ length: flat.length / 3 }, (_, k) => [...flat.slice(3 * k, 3 * k + 3)]);
+
+const triangles = (faces) => faces.flatMap((face) => face.slice(2).map((_, k) => [face[0], face[k + 1], face[k + 2]]));
 
 // Corners that the library repeats for each face stay repeated.
 const soup = (corners, single) => ({ points: corners, faces: triples(corners.map((_, k) => k)), single });
@@ -38,7 +67,8 @@ const programs = {
   async "three-hull"({ points }) {
     const { Vector3 } = await import("three");
     const { ConvexHull } = await import("three/addons/math/ConvexHull.js");
-    const hull = new ConvexHull().setFromPoints(points.map((point) => new Vector3(...point)));
+    const vectors = points.map((point) => new Vector3(...point));
+    const hull = timed(() => new ConvexHull().setFromPoints(vectors));
     const corners = [], faces = [];
     for (const face of hull.faces) {
       const polygon = [];
@@ -54,18 +84,19 @@ const programs = {
   async "three-geometry"({ points }) {
     const { Vector3 } = await import("three");
     const { ConvexGeometry } = await import("three/addons/geometries/ConvexGeometry.js");
-    const geometry = new ConvexGeometry(points.map((point) => new Vector3(...point)));
+    const vectors = points.map((point) => new Vector3(...point));
+    const geometry = timed(() => new ConvexGeometry(vectors));
     return soup(triples(geometry.getAttribute("position").array), true);
   },
 
   async quickhull3d({ points }) {
     const { default: quickhull } = await import("quickhull3d");
-    return { points, faces: quickhull(points) };
+    return { points, faces: timed(() => quickhull(points)) };
   },
 
   async "quickhull3d-polygons"({ points }) {
     const { default: quickhull } = await import("quickhull3d");
-    return { points, faces: quickhull(points, { skipTriangulation: true }) };
+    return { points, faces: timed(() => quickhull(points, { skipTriangulation: true })) };
   },
 
   async jolt({ points }) {
@@ -74,7 +105,10 @@ const programs = {
     const settings = new Jolt.ConvexHullShapeSettings();
     for (const [x, y, z] of points) settings.mPoints.push_back(new Jolt.Vec3(x, y, z));
     settings.mMaxConvexRadius = 0;
-    const result = settings.Create();
+    const result = timed(() => {
+      settings.ClearCachedResult();
+      return settings.Create();
+    });
     if (!result.IsValid()) throw new Error(result.HasError() ? result.GetError().c_str() : "no shape");
     const shape = result.Get();
     const everything = new Jolt.AABox(new Jolt.Vec3(-3e38, -3e38, -3e38), new Jolt.Vec3(3e38, 3e38, 3e38));
@@ -87,9 +121,11 @@ const programs = {
   async rapier({ points }) {
     const { default: RAPIER } = await import("@dimforge/rapier3d-compat");
     await RAPIER.init();
+    // The hull is made when the collider is, from the points of the description.
     const description = RAPIER.ColliderDesc.convexHull(new Float32Array(points.flat()));
     if (!description) throw new Error("no hull");
-    const collider = new RAPIER.World({ x: 0, y: 0, z: 0 }).createCollider(description);
+    const world = new RAPIER.World({ x: 0, y: 0, z: 0 });
+    const collider = timed(() => world.createCollider(description));
     return { points: triples(collider.vertices()), faces: triples(collider.indices()), single: true };
   },
 
@@ -97,7 +133,7 @@ const programs = {
     const { default: start } = await import("manifold-3d");
     const module = await start();
     module.setup();
-    const mesh = module.Manifold.hull(points).getMesh();
+    const mesh = timed(() => module.Manifold.hull(points).getMesh());
     if (mesh.numVert === 0) throw new Error("no hull");
     const width = mesh.numProp;
     const corners = Array.from({ length: mesh.numVert }, (_, k) => [...mesh.vertProperties.slice(width * k, width * k + 3)]);
@@ -123,7 +159,8 @@ const programs = {
     description.points.count = points.length;
     description.points.stride = 12;
     description.points.data = input.begin();
-    const mesh = top.CreateConvexMesh(new PhysX.PxCookingParams(new PhysX.PxTolerancesScale()), description);
+    const parameters = new PhysX.PxCookingParams(new PhysX.PxTolerancesScale());
+    const mesh = timed(() => top.CreateConvexMesh(parameters, description));
     if (!mesh || !mesh.ptr) throw new Error("no convex mesh");
     const read = PhysX.NativeArrayHelpers.prototype;
     const corners = Array.from({ length: mesh.getNbVertices() }, (_, k) => {
@@ -144,19 +181,73 @@ const programs = {
 
   async vhacd({ points, faces }) {
     const { ConvexMeshDecomposition } = await import("./node_modules/vhacd-js/lib/vhacd.js");
-    const triangles = faces.flatMap((face) => face.slice(2).map((_, k) => [face[0], face[k + 1], face[k + 2]]));
     const decomposer = await ConvexMeshDecomposition.create();
-    const hulls = decomposer.computeConvexHulls(
-      { positions: new Float64Array(points.flat()), indices: new Uint32Array(triangles.flat()) },
-      { maxHulls: 1, voxelResolution: 20000, maxVerticesPerHull: 64 });
+    const mesh = { positions: new Float64Array(points.flat()), indices: new Uint32Array(triangles(faces).flat()) };
+    const hulls = timed(() => decomposer.computeConvexHulls(
+      mesh, { maxHulls: 1, voxelResolution: 20000, maxVerticesPerHull: 64 }));
     if (hulls.length === 0) throw new Error("no hull");
     return { points: triples(hulls[0].positions), faces: triples(hulls[0].indices) };
+  },
+
+  async ammo({ points }) {
+    const require = createRequire(import.meta.url);
+    const Ammo = await require("ammojs-typed").call({});
+    const hull = new Ammo.btConvexHullShape();
+    hull.setMargin(0);
+    for (const [x, y, z] of points) hull.addPoint(new Ammo.btVector3(x, y, z), false);
+    timed(() => hull.initializePolyhedralFeatures(0));
+    const polyhedron = hull.getConvexPolyhedron();
+    const vertices = polyhedron.get_m_vertices(), polygons = polyhedron.get_m_faces();
+    const corners = Array.from({ length: vertices.size() }, (_, k) => {
+      const vertex = vertices.at(k);
+      return [vertex.x(), vertex.y(), vertex.z()];
+    });
+    const faces = Array.from({ length: polygons.size() }, (_, k) => {
+      const indices = polygons.at(k).get_m_indices();
+      return Array.from({ length: indices.size() }, (_, c) => indices.at(c));
+    });
+    if (faces.length === 0) throw new Error("no hull");
+    return { points: corners, faces, single: true };
+  },
+
+  // The decomposers. V-HACD's and Rapier's other options stay as their authors set them.
+  async "vhacd-parts"({ points, faces }, options = {}) {
+    const { ConvexMeshDecomposition } = await import("./node_modules/vhacd-js/lib/vhacd.js");
+    const decomposer = await ConvexMeshDecomposition.create();
+    const mesh = { positions: new Float64Array(points.flat()), indices: new Uint32Array(triangles(faces).flat()) };
+    const hulls = timed(() => decomposer.computeConvexHulls(mesh, options));
+    return { parts: hulls.map((hull) => ({ points: triples(hull.positions), faces: triples(hull.indices) })) };
+  },
+
+  async "vhacd-16"(input) {
+    return programs["vhacd-parts"](input, { maxHulls: 16 });
+  },
+
+  async "vhacd-24"(input) {
+    return programs["vhacd-parts"](input, { maxHulls: 24 });
+  },
+
+  async "rapier-parts"({ points, faces }, options = undefined) {
+    const { default: RAPIER } = await import("@dimforge/rapier3d-compat");
+    await RAPIER.init();
+    const vertices = new Float32Array(points.flat()), indices = new Uint32Array(triangles(faces).flat());
+    const description = timed(() => RAPIER.ColliderDesc.convexDecomposition(vertices, indices, options));
+    if (!description) throw new Error("no parts");
+    return { parts: description.shape.shapes.map((part) => ({ points: triples(part.vertices), faces: triples(part.indices) })),
+      single: true };
+  },
+
+  async "rapier-16"(input) {
+    return programs["rapier-parts"](input, { maxConvexHulls: 16 });
   },
 };
 
 const [name, input, output] = process.argv.slice(2);
 try {
-  writeObj(output, await programs[name](readObj(input)));
+  const result = await programs[name](readObj(input));
+  if (result.parts?.length === 0) throw new Error("no parts");
+  (result.parts ? writeParts : writeObj)(output, result);
+  writeFileSync(output + ".json", JSON.stringify({ seconds }) + "\n");
   process.exit(0);
 } catch (error) {
   process.stderr.write(`${name}: ${error?.message ?? error}\n`);
