@@ -274,7 +274,7 @@ def attack(work):
         source.write_bytes(obj_text(Mesh(points, [])))
         target.write_bytes(data)
         given = Input(read(source, numbers).points)
-        differences, status = compare(convexact, given, source, target, numbers, tolerance)
+        differences, status, _ = compare(convexact, given, source, target, numbers, tolerance)
         if differences.found:
             place = keep / name
             place.mkdir(parents=True, exist_ok=True)

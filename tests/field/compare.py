@@ -93,7 +93,7 @@ def compare_figures(verdict, given, answer, said, differences):
 
 
 def compare(convexact, given, source, target, numbers="binary64", tolerance=None, seconds=60, verdict=None):
-    """Differences of the two on one output; `given` is the judge's Input of the file `source`."""
+    """Differences of the two on one output, verify's exit code and its answer; `given` is the judge's Input."""
     options = ["--tolerance", tolerance] if tolerance else []
     options += {"binary64": [], "binary32": ["--numbers", "binary32"], "exact": ["--decimal", "exact"]}[numbers]
     status, answer = ask_convexact(convexact, source, target, options, seconds)
@@ -101,11 +101,11 @@ def compare(convexact, given, source, target, numbers="binary64", tolerance=None
     if given.volume() == 0:
         if status != 4:
             differences.add("other exit", "input", f"exit {status} for an input without volume")
-        return differences, status
+        return differences, status, answer
     if status not in (0, 1) or answer is None or "claims" not in answer:
         message = answer.get("error", {}).get("message", "") if answer else ""
         differences.add("other exit", "", f"exit {status} {message}")
-        return differences, status
+        return differences, status, answer
     verdict = verdict or judge_files(given, target, numbers)
     said = {claim["code"]: claim for claim in answer["claims"]}
     claims = expected_claims(verdict, given.squared_diameter(), tolerance or "0")
@@ -114,4 +114,4 @@ def compare(convexact, given, source, target, numbers="binary64", tolerance=None
         differences.add("missed violation" if status == 0 else "false accusation", "verdict", f"exit {status}")
     if claims["candidate-finite"]:
         compare_figures(verdict, given, answer, said, differences)
-    return differences, status
+    return differences, status, answer

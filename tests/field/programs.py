@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""The programs of ./dev field: how each is called, what it computes with, and whether it is here."""
+"""The programs of ./dev field: how each is called, what it computes with, what it promises, and whether it is here."""
+import json
 import os
 import shlex
 import shutil
 import subprocess
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 HERE = Path(__file__).parent
@@ -20,6 +22,8 @@ class Program:
     numbers: str = "binary64"
     writes: str = "obj"
     missing: str = ""  # why it cannot run here
+    promise: str = ""  # by its documentation: how far a point may be outside, as for --tolerance
+    version: str = ""
 
     def is_ours(self):
         return self.name.startswith("convexact")
@@ -30,32 +34,69 @@ class Program:
 
 NPM = {"three-hull": "binary64", "three-geometry": "binary32", "quickhull3d": "binary64",
        "quickhull3d-polygons": "binary64", "jolt": "binary32", "rapier": "binary32", "manifold": "binary32",
-       "physx": "binary32", "physx-shifting": "binary32", "vhacd": "binary64"}
+       "physx": "binary32", "physx-shifting": "binary32", "vhacd": "binary64", "ammo": "binary32"}
 BUILT = {"bullet-hull": ("bullet", "hull", "binary32"), "bullet-shape": ("bullet", "shape", "binary32"),
          "bullet64-hull": ("bullet64", "hull", "binary64"), "bullet64-shape": ("bullet64", "shape", "binary64"),
          "cgal-doubles": ("cgal", "doubles", "binary64"), "cgal-predicates": ("cgal", "exact-predicates", "binary64")}
+# Jolt leaves out points within mHullTolerance (1e-3) of the hull, in the input's unit. PhysX leaves out those within
+# planeTolerance (7e-4), "increased according to the hull size": of the diameter. btShapeHull is for shapes with a margin,
+# by default of 0.04.
+PROMISES = {"jolt": "1e-3", "physx": "7e-4d", "physx-shifting": "7e-4d", "bullet-shape": "0.04", "bullet64-shape": "0.04"}
+PACKAGES = {"three-hull": "three", "three-geometry": "three", "quickhull3d-polygons": "quickhull3d", "jolt": "jolt-physics",
+            "rapier": "@dimforge/rapier3d-compat", "manifold": "manifold-3d", "physx": "physx-js-webidl",
+            "physx-shifting": "physx-js-webidl", "vhacd": "vhacd-js", "ammo": "ammojs-typed"}
 QHULL = {"qhull": "", "qhull-triangles": "Qt", "qhull-no-merging": "=Q0,Pp", "qhull-own-points": "=Qt"}
 
 
+def npm_version(package):
+    """The name and the version of an npm package, as installed."""
+    path = BUILD / "node_modules" / package / "package.json"
+    return f"{package} {json.loads(path.read_text())['version']}" if path.exists() else ""
+
+
+@lru_cache
+def debian_version(package):
+    try:
+        done = subprocess.run(["dpkg-query", "-W", "-f=${Version}", package], capture_output=True, text=True, check=False)
+    except OSError:
+        return ""
+    return f"{package} {done.stdout.strip()}" if done.returncode == 0 else ""
+
+
 def all_programs(convexact):
-    programs = [Program("convexact-hull", [convexact, "hull", "{input}", "-o", "{output}"]),
+    programs = own_programs(convexact) + hull_programs()
+    for program in programs:
+        program.promise = PROMISES.get(program.name, "")
+    return programs
+
+
+def own_programs(convexact):
+    return [Program("convexact-hull", [convexact, "hull", "{input}", "-o", "{output}"]),
                 Program("convexact", [convexact, "simplify", "{input}", "--faces", "{faces}", "-o", "{output}"]),
                 Program("convexact-single", [convexact, "simplify", "{input}", "--faces", "{faces}", "--precision",
                                              "32", "-o", "{output}"]),
                 Program("convexact-planes", [convexact, "simplify", "{input}", "--faces", "{faces}", "-o", "{output}"],
                         writes="json")]
+
+
+def hull_programs():
+    programs = []
     node = shutil.which("node")
     for name, numbers in NPM.items():
         there = node and (BUILD / "node_modules").exists()
         programs.append(Program(name, ["node", str(BUILD / "programs.mjs"), name, "{input}", "{output}"], numbers,
-                                missing="" if there else "npm packages are not installed"))
+                                missing="" if there else "npm packages are not installed",
+                                version=npm_version(PACKAGES.get(name, name))))
+    versions = {"bullet": debian_version("libbullet-dev"), "cgal": debian_version("libcgal-dev")}
     for name, (binary, mode, numbers) in BUILT.items():
         path = BUILD / "bin" / binary
         programs.append(Program(name, [str(path), mode, "{input}", "{output}"], numbers,
-                                missing="" if path.exists() else f"build/field/bin/{binary} is not built"))
+                                missing="" if path.exists() else f"build/field/bin/{binary} is not built",
+                                version=versions[binary.removesuffix("64")]))
     for name, options in QHULL.items():
         programs.append(Program(name, ["python3", str(HERE / "qhull.py"), options, "{input}", "{output}"],
-                                missing="" if shutil.which("qhull") else "qhull-bin is not installed"))
+                                missing="" if shutil.which("qhull") else "qhull-bin is not installed",
+                                version=debian_version("qhull-bin")))
     command = os.environ.get("CONVEXACT_FIELD_JACOBSON", "")
     programs.append(Program("jacobson", shlex.split(command), missing="" if command else
                             "the paper's own program is not in any package registry; set CONVEXACT_FIELD_JACOBSON "
@@ -66,6 +107,7 @@ def all_programs(convexact):
 def run_program(program, source, target, faces, seconds):
     """How it ended: 'output', 'refused N', 'no file', 'signal N' or 'time'."""
     target.unlink(missing_ok=True)
+    seconds_of(target).unlink(missing_ok=True)
     try:
         done = subprocess.run(program.words(source, target, faces), capture_output=True, timeout=seconds, check=False)
     except subprocess.TimeoutExpired:
@@ -77,3 +119,13 @@ def run_program(program, source, target, faces, seconds):
     if done.returncode:
         return f"refused {done.returncode}"
     return "output" if target.exists() else "no file"
+
+
+def seconds_of(target):
+    """The file in which an adapter leaves the seconds of the library's own call."""
+    return target.with_name(target.name + ".json")
+
+
+def own_seconds(target):
+    path = seconds_of(target)
+    return json.loads(path.read_text())["seconds"] if path.exists() else None

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Qhull as a program of ./dev field: qhull.py OPTIONS INPUT.obj OUTPUT.obj
 
-Runs `qhull OPTIONS o` (OPTIONS with commas between them, such as Q0,Pp) and keeps its 16 digits; with a leading `=` the
-faces keep the input's own coordinates, by Qhull's indices. Qhull lists corners clockwise; they are turned.
+Runs `qhull OPTIONS s o` (OPTIONS with commas between them, such as Q0,Pp) and keeps its 16 digits; with a leading `=` the
+faces keep the input's own coordinates, by Qhull's indices. Qhull lists corners clockwise; they are turned. Its own summary says how many seconds of the processor the hull took, which go
+to OUTPUT.obj.json.
 """
+import json
+import re
 import subprocess
 import sys
 
@@ -11,7 +14,7 @@ import sys
 def main(options, source, target):
     points = [line.split()[1:4] for line in open(source, encoding="latin-1") if line.startswith("v ")]
     text = f"3\n{len(points)}\n" + "".join(" ".join(point) + "\n" for point in points)
-    command = ["qhull", *filter(None, options.lstrip("=").split(",")), "o"]
+    command = ["qhull", *filter(None, options.lstrip("=").split(",")), "s", "o"]
     done = subprocess.run(command, input=text, capture_output=True, text=True, check=False)
     if done.returncode:
         sys.stderr.write(done.stderr[:2000])
@@ -24,6 +27,9 @@ def main(options, source, target):
             out.write("v " + " ".join(point) + "\n")
         for line in lines[2 + count:2 + count + faces]:
             out.write("f " + " ".join(str(int(corner) + 1) for corner in line.split()[:0:-1]) + "\n")
+    seconds = re.search(r"CPU seconds to compute hull.*?: *([0-9.e+-]+)", done.stderr)
+    with open(target + ".json", "w", encoding="ascii") as out:
+        json.dump({"seconds": float(seconds[1]) if seconds else None}, out)
     return 0
 
 

@@ -3,7 +3,8 @@
 """Runs the field's programs over the conformance vectors and the meshes, and has two judges settle each output.
 
 `convexact verify` and judge.py, which shares nothing with it, decide about every output, and about
-deliberate damage to some. Exit code 1 if they differ anywhere.
+deliberate damage to some. Exit code 1 if they differ anywhere. What is found of each program goes to
+build/field/hulls.md, a table, and with --page to docs/field.md.
 """
 import argparse
 import hashlib
@@ -18,13 +19,15 @@ from multiprocessing import Pool
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
-from compare import Differences, compare  # noqa: E402
+from compare import Differences, ask_convexact, compare  # noqa: E402
 from judge import Input, judge_files  # noqa: E402
 from mutate import mutations, obj_text, off_text, ply_bytes  # noqa: E402
-from programs import BUILD, ROOT, all_programs, run_program  # noqa: E402
+from programs import BUILD, ROOT, all_programs, own_seconds, run_program  # noqa: E402
 from reading import Malformed, Mesh, NotFinite, read, vector_number  # noqa: E402
+from tables import found_in, hull_table, write_page  # noqa: E402
 
 TOLERANCES = ("1e-15d", "1e-9d", "1e-6d", "1e-2d")
+MESHES = sorted(path.stem for path in (ROOT / "tests" / "data").glob("*.obj"))
 WRITERS = {"obj": obj_text, "ply": ply_bytes, "off": off_text}
 
 
@@ -60,6 +63,10 @@ def input_text(given):
     return obj_text(Mesh(given.points, faces))
 
 
+def number_options(numbers):
+    return {"binary64": [], "binary32": ["--numbers", "binary32"]}[numbers]
+
+
 class Case:
     """One input: every program's output, two verdicts on each."""
 
@@ -68,7 +75,7 @@ class Case:
         self.folder = BUILD / "out" / name
         self.folder.mkdir(parents=True, exist_ok=True)
         self.source = self.folder / "input.obj"
-        self.given = {"binary64": Input(points)}
+        self.given, self.own = {"binary64": Input(points)}, {}
         text, self.outcomes, self.memory = input_text(self.given["binary64"]), {}, self.folder / "outcomes.json"
         if self.source.exists() and self.source.read_bytes() == text and self.memory.exists() and not options.fresh:
             self.outcomes = json.loads(self.memory.read_text())
@@ -90,30 +97,50 @@ class Case:
         if given.hull:
             try:
                 if len(getattr(read(target, numbers), "points", ())) > self.options.most:
-                    return [self.record(program, target, "too large for the judge", [])]
+                    _, answer = ask_convexact(self.options.convexact, self.source, target, number_options(numbers),
+                                              self.options.verify_limit)
+                    return [self.record(program, target, "too large for the judge", [], found=found_in(answer))]
             except (Malformed, NotFinite):
                 pass
             verdict = judge_files(given, target, numbers)
         records = []
         for tolerance in tolerances:
-            differences, status = compare(self.options.convexact, given, self.source, target, numbers, tolerance,
-                                          seconds=self.options.verify_limit, verdict=verdict)
+            differences, status, answer = compare(self.options.convexact, given, self.source, target, numbers, tolerance,
+                                                  seconds=self.options.verify_limit, verdict=verdict)
             records.append(self.record(program, target, f"exit {status}", differences.found, tolerance, numbers,
-                                       time.monotonic() - start))
+                                       time.monotonic() - start, None if tolerance else found_in(answer)))
         return records
 
-    def record(self, program, target, outcome, differences, tolerance=None, numbers="", seconds=0.0):
+    def record(self, program, target, outcome, differences, tolerance=None, numbers="", seconds=0.0, found=None):
         return {"case": self.name, "program": program, "file": str(target.relative_to(BUILD)), "outcome": outcome,
-                "differences": differences, "tolerance": tolerance, "numbers": numbers, "seconds": round(seconds, 3)}
+                "differences": differences, "tolerance": tolerance, "numbers": numbers, "seconds": round(seconds, 3), "found": found}
 
     def run(self, program):
         target = self.folder / f"{program.name}.{program.writes}"
         if self.outcomes.get(program.name, "time") == "time" or program.is_ours():
+            start = time.monotonic()
             self.outcomes[program.name] = run_program(program, self.source, target, self.faces, self.options.time_limit)
+            if program.is_ours():  # with its start, because it does not say how long it took
+                self.own[program.name] = time.monotonic() - start
         if self.outcomes[program.name] != "output":
             return [self.record(program.name, target, self.outcomes[program.name], [])]
         numbers = program.numbers if self.options.binary32 else "binary64"
-        return self.settle(program.name, target, numbers, (None, self.random.choice(TOLERANCES)))
+        records = self.settle(program.name, target, numbers, (None, self.random.choice(TOLERANCES)))
+        self.add_own(program, target, numbers, records[0])
+        return records
+
+    def add_own(self, program, target, numbers, record):
+        """The seconds of the program's own call, and whether it keeps what it promises."""
+        found = record["found"]
+        if not found:
+            return
+        found["seconds"] = self.own.get(program.name) or own_seconds(target)
+        found["mesh"] = self.name in MESHES
+        if program.promise:
+            _, answer = ask_convexact(self.options.convexact, self.source, target,
+                                      ["--tolerance", program.promise, *number_options(numbers)], self.options.verify_limit)
+            again = found_in(answer)
+            found["keeps_promise"] = bool(again and again["contains"])
 
     def run_mutants(self, targets):
         """Damages an output with faces in every way, and writes it in one of three formats."""
@@ -187,6 +214,7 @@ def parse_options(arguments):
     parser.add_argument("--mutants", type=int, default=1, help="outputs of each input to be damaged (default 1)")
     parser.add_argument("--every", type=int, default=1, help="only every Nth input (default 1)")
     parser.add_argument("--fresh", action="store_true", help="run all programs again, also where their output is there")
+    parser.add_argument("--page", action="store_true", help="write the table into docs/field.md, too")
     parser.add_argument("-o", dest="report", default=str(BUILD / "report.json"), help="the report as JSON")
     return parser.parse_args(arguments)
 
@@ -206,6 +234,7 @@ def main(arguments=None):
     records.sort(key=lambda record: (record["program"], record["case"], record["tolerance"] or ""))
     differing = [record for record in records if record["differences"]]
     Path(options.report).write_text(json.dumps({"skipped": skipped, "records": records}, indent=1) + "\n")
+    write_page("hulls", hull_table(records, all_programs(options.convexact), len(work)), options.page)
     print(table(records))
     for record in differing[:60]:
         for kind, claim, sentence in record["differences"]:
