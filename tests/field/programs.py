@@ -38,10 +38,11 @@ NPM = {"three-hull": "binary64", "three-geometry": "binary32", "quickhull3d": "b
 BUILT = {"bullet-hull": ("bullet", "hull", "binary32"), "bullet-shape": ("bullet", "shape", "binary32"),
          "bullet64-hull": ("bullet64", "hull", "binary64"), "bullet64-shape": ("bullet64", "shape", "binary64"),
          "cgal-doubles": ("cgal", "doubles", "binary64"), "cgal-predicates": ("cgal", "exact-predicates", "binary64")}
-# Jolt leaves out points within mHullTolerance (1e-3) of the hull, in the input's unit. PhysX leaves out those within
-# planeTolerance (7e-4), "increased according to the hull size": of the diameter. btShapeHull is for shapes with a margin,
-# by default of 0.04.
-PROMISES = {"jolt": "1e-3", "physx": "7e-4d", "physx-shifting": "7e-4d", "bullet-shape": "0.04", "bullet64-shape": "0.04"}
+# The engine in share/convexact/profiles.json whose tolerance a program promises. btShapeHull and V-HACD promise none.
+PROFILES = {"jolt": "jolt", "physx": "physx", "physx-shifting": "physx", "bullet-hull": "bullet", "bullet64-hull": "bullet",
+            "ammo": "bullet", "manifold": "manifold", "qhull": "qhull", "qhull-triangles": "qhull",
+            "quickhull3d": "quickhull3d", "quickhull3d-polygons": "quickhull3d", "rapier": "rapier",
+            "three-hull": "threejs", "three-geometry": "threejs"}
 PACKAGES = {"three-hull": "three", "three-geometry": "three", "quickhull3d-polygons": "quickhull3d", "jolt": "jolt-physics",
             "rapier": "@dimforge/rapier3d-compat", "manifold": "manifold-3d", "physx": "physx-js-webidl",
             "physx-shifting": "physx-js-webidl", "vhacd": "vhacd-js", "ammo": "ammojs-typed"}
@@ -65,8 +66,9 @@ def debian_version(package):
 
 def all_programs(convexact):
     programs = own_programs(convexact) + hull_programs()
+    profiles = json.loads((ROOT / "share" / "convexact" / "profiles.json").read_text())["profiles"]
     for program in programs:
-        program.promise = PROMISES.get(program.name, "")
+        program.promise = profiles[PROFILES[program.name]]["tolerance"] if program.name in PROFILES else ""
     return programs
 
 

@@ -104,3 +104,72 @@ def write_page(name, text, into_page):
         if not pattern.search(page):
             raise ValueError(f"docs/field.md has no marks for {name}")
         PAGE.write_text(pattern.sub(lambda marks: marks[1] + "\n" + text + "\n" + marks[2], page))
+
+
+def middle(bounds):
+    """Of an interval in an answer, as a number."""
+    return (bounds["low"] + bounds["high"]) / 2
+
+
+def percent(value):
+    return "0" if not value else f"{100 * value:.1e}%" if value < 1e-4 else f"{100 * value:.2g}%" if value < 0.1 else f"{100 * value:.0f}%"
+
+
+def relative_distance(judge):
+    return root(Fraction(judge["squared_distance"]) / Fraction(judge["squared_diameter"]))
+
+
+def faults(judge):
+    """What is wrong with the parts themselves, in words."""
+    found = [(len(judge["parts_not_solid"]), "flat"), (len(judge["parts_not_convex"]), "not convex"),
+             (judge["overlapping_pairs"], "pairs overlap"), (len(judge["parts_inner"]), "within another")]
+    return ", ".join(f"{count} {words}" for count, words in found if count) or "-"
+
+
+def volume_share(measures, name):
+    if "solid_volume" not in measures:
+        return "no solid"
+    return percent(max(middle(measures[name]), 0.0) / middle(measures["solid_volume"]))
+
+
+def judged_row(record):
+    judge, measures = record["judge"], (record.get("answer") or {}).get("measures", {})
+    share = middle(measures["uncovered_area_share"]) if "uncovered_area_share" in measures else judge.get("uncovered_area_share")
+    facets = sorted(judge["facets"])
+    return [str(judge["parts"]), f"{facets[len(facets) // 2]} to {facets[-1]}", short_time(record["seconds"]),
+            f"{judge['points_outside']} of {judge['points']} ({percent(judge['points_outside'] / judge['points'])})",
+            small(relative_distance(judge)), "-" if share is None else percent(share),
+            volume_share(measures, "uncovered_volume") if measures else "-",
+            volume_share(measures, "excess_volume") if measures else "-", faults(judge)]
+
+
+def parts_row(record):
+    head = [record["case"], f"`{record['program']}`"]
+    if record["outcome"] != "output" or "judge" not in record:
+        words = {"time": "over time", "output": "not judged"}.get(record["outcome"], record["outcome"])
+        return head + [words] + [""] * 8
+    return head + judged_row(record)
+
+
+def speed_rows(records):
+    rows = []
+    for record in records:
+        if record["outcome"] == "output" and record.get("verify_seconds") and record["seconds"] and record["triangles"] > 2000:
+            verdict, whole = record["verdict_seconds"], record["verify_seconds"]
+            rows.append([record["case"], f"`{record['program']}`", short_time(record["seconds"]), short_time(verdict),
+                         f"{verdict / record['seconds']:.2g}", short_time(whole), f"{whole / record['seconds']:.2g}"])
+    return rows
+
+
+def parts_table(records, programs):
+    head = ["mesh", "decomposer", "parts", "facets, median to most", "its time", "points outside", "farthest, D",
+            "surface outside", "volume outside", "excess volume", "parts with faults"]
+    versions = sorted({program.version for program in programs if program.version and not program.missing})
+    skipped = [f"`{program.name}`: {program.missing}" for program in programs if program.missing]
+    lines = [f"{time.strftime('%Y-%m-%d')}, {revision()}; {'; '.join(versions)}.", "",
+             markdown(head, [parts_row(record) for record in records], left=2), ""]
+    rows = speed_rows(records)
+    if rows:
+        lines += ["How long the verdict takes beside the decomposer that made the parts:", "",
+                  markdown(["mesh", "decomposer", "its time", "verdict", "ratio", "with measures", "ratio"], rows, left=2), ""]
+    return "\n".join(lines + ([f"Skipped: {'; '.join(skipped)}.", ""] if skipped else []))
