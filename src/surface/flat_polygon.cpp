@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "surface/flat_polygon.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "convexact/error.hpp"
+
+namespace convexact {
+namespace {
+
+using Corners = std::vector<PointId>;
+
+bool is_planar(const PointSet& points, const Corners& corners, const RationalVector3& area) {
+  const Rational at_first = area.dot(points[corners[0]]);
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](PointId p) { return area.dot(points[p]) == at_first; });
+}
+
+// Twice the area, along its normal.
+RationalVector3 area_of(const PointSet& points, const Corners& corners) {
+  RationalVector3 sum = RationalVector3::Zero();
+  const RationalPoint first = points[corners[0]];
+  for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+    sum += RationalVector3(points[corners[k]] - first)
+               .cross(RationalVector3(points[corners[k + 1]] - first));
+  }
+  return sum;
+}
+
+int longest_axis(const RationalVector3& v) {
+  int axis = 0;
+  for (int k = 1; k < 3; ++k) {
+    if (abs(v[k]) > abs(v[axis])) axis = k;
+  }
+  return axis;
+}
+
+bool is_simple(const PlaneView& view, const Corners& corners) {
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const PointId a = corners[i], b = corners[(i + 1) % n];
+    // The next edge may only have the corner in common.
+    const PointId c = corners[(i + 2) % n];
+    if (view.turn(a, b, c) == Sign::Zero && (a < b) != (b < c)) return false;
+    for (std::size_t k = i + 2; k < n; ++k) {
+      if (i == 0 && k == n - 1) continue;
+      if (view.meet(a, b, corners[k], corners[(k + 1) % n])) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Sign PlaneView::turn(PointId a, PointId b, PointId c) const {
+  // The error of this determinant of differences is below (3 + 16 u) u times the sum of its two
+  // products' sizes, u = 2^-53, unless a product underflows [Shewchuk1997]; 2^-51 is larger than
+  // 3 u (1 + 6 u), and below 2^-900 nothing is decided.
+  if (points_.is_binary()) {
+    const auto p = points_.doubles();
+    const Point &x = p[a.index()], &y = p[b.index()], &z = p[c.index()];
+    const double left = (x[u_] - z[u_]) * (y[v_] - z[v_]);
+    const double right = (x[v_] - z[v_]) * (y[u_] - z[u_]);
+    const double value = left - right, size = std::abs(left) + std::abs(right);
+    if (size > 0x1p-900 && std::abs(value) > 0x1p-51 * size) return sign_of(value);
+  }
+  const RationalPoint x = points_[a], y = points_[b], z = points_[c];
+  return sign_of(Rational((x[u_] - z[u_]) * (y[v_] - z[v_]) - (x[v_] - z[v_]) * (y[u_] - z[u_])));
+}
+
+bool PlaneView::overlap(int axis, PointId a, PointId b, PointId c, PointId d) const {
+  if (points_.is_binary()) {
+    const auto x = [&](PointId p) { return points_.doubles()[p.index()][axis]; };
+    return std::max(std::min(x(a), x(b)), std::min(x(c), x(d))) <=
+           std::min(std::max(x(a), x(b)), std::max(x(c), x(d)));
+  }
+  const auto x = [&](PointId p) { return Rational(points_[p][axis]); };
+  return std::max(std::min(x(a), x(b)), std::min(x(c), x(d))) <=
+         std::min(std::max(x(a), x(b)), std::max(x(c), x(d)));
+}
+
+bool PlaneView::meet(PointId a, PointId b, PointId c, PointId d) const {
+  if (!overlap(u_, a, b, c, d) || !overlap(v_, a, b, c, d)) return false;
+  return turn(a, b, c) * turn(a, b, d) != Sign::Positive &&
+         turn(c, d, a) * turn(c, d, b) != Sign::Positive;
+}
+
+bool PlaneView::is_in(const Triangle& t, PointId p) const {
+  const Sign inward = turn(t[0], t[1], t[2]);
+  for (int k = 0; k < 3; ++k) {
+    if (turn(t[k], t[(k + 1) % 3], p) == -inward) return false;
+  }
+  return true;
+}
+
+bool has_no_area(const PointSet& points, const Triangle& t) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (PlaneView(points, axis).turn(t[0], t[1], t[2]) != Sign::Zero) return false;
+  }
+  return true;
+}
+
+int seen_along(const PointSet& points, const Triangle& t) {
+  int axis = 0;
+  while (axis < 2 && PlaneView(points, axis).turn(t[0], t[1], t[2]) == Sign::Zero) ++axis;
+  return axis;
+}
+
+RationalVector3 area_vector(const PointSet& points, const Triangle& t) {
+  const RationalPoint a = points[t[0]];
+  return RationalVector3(points[t[1]] - a).cross(RationalVector3(points[t[2]] - a));
+}
+
+std::optional<std::vector<Triangle>> clip_ears(const PointSet& points,
+                                               std::span<const PointId> given) {
+  Corners corners(given.begin(), given.end());
+  const RationalVector3 area = area_of(points, corners);
+  const int axis = longest_axis(area);
+  if (area[axis] == 0 || !is_planar(points, corners, area)) return std::nullopt;
+  const PlaneView view(points, axis);
+  if (!is_simple(view, corners)) return std::nullopt;
+  const Sign inward = sign_of(area[axis]);
+  // The ear with the lowest tip first: it does not depend on where the polygon begins.
+  const auto is_ear = [&](std::size_t k) {
+    const std::size_t n = corners.size();
+    const Triangle ear = {corners[(k + n - 1) % n], corners[k], corners[(k + 1) % n]};
+    if (view.turn(ear[0], ear[1], ear[2]) != inward) return false;
+    return std::none_of(corners.begin(), corners.end(), [&](PointId p) {
+      return p != ear[0] && p != ear[1] && p != ear[2] && view.is_in(ear, p);
+    });
+  };
+  std::vector<Triangle> triangles;
+  while (corners.size() > 3) {
+    std::optional<std::size_t> tip;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      if ((!tip || corners[k] < corners[*tip]) && is_ear(k)) tip = k;
+    }
+    if (!tip) throw Error(ErrorCode::Internal, "a simple polygon without an ear");
+    const std::size_t n = corners.size();
+    triangles.push_back({corners[(*tip + n - 1) % n], corners[*tip], corners[(*tip + 1) % n]});
+    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(*tip));
+  }
+  // They do not lie on a line: the cut beside such a corner would have passed through it.
+  triangles.push_back({corners[0], corners[1], corners[2]});
+  return triangles;
+}
+
+}  // namespace convexact

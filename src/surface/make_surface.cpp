@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+// make_surface(): from a mesh's faces to triangles on distinct points, joined and turned.
+#include <algorithm>
+#include <numeric>
+
+#include "convexact/error.hpp"
+#include "surface/edges.hpp"
+#include "surface/flat_polygon.hpp"
+#include "surface/nesting.hpp"
+
+namespace convexact {
+namespace {
+
+// ---- Points
+
+bool is_before(const RationalPoint& a, const RationalPoint& b) {
+  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+}
+bool is_before(const Point& a, const Point& b) {
+  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+}
+
+struct Welded {
+  PointSet points;
+  std::vector<PointId> id;  // by point of the mesh; of those that no face uses, anything
+  std::size_t repeated = 0, unused = 0;
+};
+
+template <class P, class At>
+Welded weld(std::size_t count, const std::vector<bool>& is_used, const At& at) {
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return is_before(at(a), at(b)); });
+  Welded welded;
+  welded.id.resize(count);
+  std::vector<P> kept;
+  for (std::size_t first = 0; first < count;) {
+    std::size_t last = first + 1;
+    while (last < count && !is_before(at(order[first]), at(order[last]))) ++last;
+    const bool used = std::any_of(order.begin() + long(first), order.begin() + long(last),
+                                  [&](std::uint32_t p) { return is_used[p]; });
+    for (std::size_t k = first; k < last; ++k) welded.id[order[k]] = PointId(kept.size());
+    if (used) kept.push_back(at(order[first]));
+    welded.repeated += last - first - 1;
+    welded.unused += used ? 0 : 1;
+    first = last;
+  }
+  welded.points = PointSet(std::move(kept));
+  return welded;
+}
+
+Welded weld(const Mesh& mesh) {
+  std::vector<bool> is_used(mesh.points.size(), false);
+  for (const auto& polygon : mesh.polygons) {
+    for (const std::uint32_t corner : polygon) is_used.at(corner) = true;
+  }
+  if (mesh.points.is_binary()) {
+    // A zero with a sign is zero.
+    const auto at = [&](std::uint32_t p) { return Point(mesh.points.doubles()[p].array() + 0.0); };
+    return weld<Point>(mesh.points.size(), is_used, at);
+  }
+  std::vector<RationalPoint> points;
+  for (std::size_t p = 0; p < mesh.points.size(); ++p) points.push_back(mesh.points[PointId(p)]);
+  return weld<RationalPoint>(points.size(), is_used,
+                             [&](std::uint32_t p) -> const RationalPoint& { return points[p]; });
+}
+
+// ---- Triangles
+
+// The same cycle from the place where it comes first in lexicographic order.
+void rotate_to_least(std::vector<PointId>& corners) {
+  std::vector<PointId> best = corners, turned = corners;
+  for (std::size_t k = 1; k < corners.size(); ++k) {
+    std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+    best = std::min(best, turned);
+  }
+  corners = best;
+}
+
+// Each corner once in a row.
+std::vector<PointId> cycle_of(const std::vector<std::uint32_t>& polygon, const Welded& welded) {
+  std::vector<PointId> corners;
+  for (const std::uint32_t p : polygon) {
+    if (corners.empty() || corners.back() != welded.id[p]) corners.push_back(welded.id[p]);
+  }
+  while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+  while (corners.size() < 3) corners.push_back(corners.back());
+  rotate_to_least(corners);
+  return corners;
+}
+
+void cut_faces(const Mesh& mesh, const Welded& welded, const Watch& watch, Surface& surface) {
+  for (std::size_t f = 0; f < mesh.polygons.size(); ++f) {
+    watch.ask();
+    const std::vector<PointId> corners = cycle_of(mesh.polygons[f], welded);
+    std::vector<Triangle> triangles{{corners[0], corners[1], corners[2]}};
+    if (corners.size() > 3) {
+      auto ears = clip_ears(surface.points, corners);
+      if (!ears) surface.fans.push_back(f);
+      for (std::size_t k = 3; !ears && k < corners.size(); ++k) {
+        triangles.push_back({corners[0], corners[k - 1], corners[k]});
+      }
+      if (ears) triangles = std::move(*ears);
+    }
+    for (const Triangle& triangle : triangles) {
+      surface.triangles.push_back(triangle);
+      surface.face.push_back(static_cast<std::uint32_t>(f));
+    }
+  }
+}
+
+Triangle sorted(Triangle t) {
+  std::sort(t.begin(), t.end());
+  return t;
+}
+
+Triangle reversed(const Triangle& t) { return {t[0], t[2], t[1]}; }
+
+// Rotates each triangle to its lowest corner, and sorts all.
+void to_canonical_order(Surface& surface) {
+  for (Triangle& t : surface.triangles) {
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    // Of two equal lowest corners, the one before the third.
+    if (t[0] == t[2]) std::rotate(t.begin(), t.begin() + 2, t.end());
+  }
+  std::vector<std::size_t> order(surface.triangles.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](std::size_t k) {
+    return std::tuple(sorted(surface.triangles[k]), surface.triangles[k], surface.face[k]);
+  };
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  const Surface before = surface;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    surface.triangles[k] = before.triangles[order[k]];
+    surface.face[k] = before.face[order[k]];
+    if (!before.component.empty()) surface.component[k] = before.component[order[k]];
+  }
+}
+
+// ---- Components
+
+void find_components(const EdgeTable& edges, Surface& surface) {
+  std::vector<std::uint32_t> root(surface.triangles.size());
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&](std::uint32_t t) {
+    while (root[t] != t) t = root[t] = root[root[t]];
+    return t;
+  };
+  edges.for_each([&](std::span<const EdgeUse> uses) {
+    for (const EdgeUse& use : uses) {
+      const std::uint32_t a = find(uses[0].triangle), b = find(use.triangle);
+      root[std::max(a, b)] = std::min(a, b);
+    }
+  });
+  constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  std::vector<std::uint32_t> number(root.size(), kNone);
+  surface.component.resize(root.size());
+  for (std::uint32_t t = 0; t < root.size(); ++t) {
+    std::uint32_t& component = number[find(t)];
+    if (component == kNone) {
+      component = static_cast<std::uint32_t>(surface.components.size());
+      surface.components.push_back({.is_flat = true});
+    }
+    surface.component[t] = component;
+    ++surface.components[component].triangles;
+  }
+}
+
+// Whether each triangle is to be turned so that edges with two triangles cancel, each patch as its
+// lowest triangle is; `surface` learns which components have no such way.
+std::vector<bool> turns_to_consistent(const EdgeTable& edges, Surface& surface) {
+  const std::size_t count = surface.triangles.size();
+  struct Neighbor {
+    std::uint32_t triangle;
+    bool runs_alike;  // along the common edge, so that one is to be turned
+  };
+  std::vector<std::vector<Neighbor>> neighbors(count);
+  edges.for_each([&](std::span<const EdgeUse> uses) {
+    if (uses.size() != 2 || uses[0].triangle == uses[1].triangle) return;
+    const bool alike = uses[0].is_forward == uses[1].is_forward;
+    neighbors[uses[0].triangle].push_back({uses[1].triangle, alike});
+    neighbors[uses[1].triangle].push_back({uses[0].triangle, alike});
+  });
+  std::vector<bool> turns(count, false), is_seen(count, false);
+  for (std::uint32_t seed = 0; seed < count; ++seed) {
+    if (is_seen[seed]) continue;
+    is_seen[seed] = true;
+    std::vector<std::uint32_t> queue{seed};
+    for (std::size_t next = 0; next < queue.size(); ++next) {
+      const std::uint32_t t = queue[next];
+      for (const auto& [other, alike] : neighbors[t]) {
+        const bool turn = turns[t] != alike;
+        if (!is_seen[other]) {
+          is_seen[other] = true;
+          turns[other] = turn;
+          queue.push_back(other);
+        } else if (turns[other] != turn) {
+          surface.components[surface.component[t]].is_orientable = false;
+        }
+      }
+    }
+  }
+  return turns;
+}
+
+void turn(std::uint32_t t, Surface& surface) {
+  surface.triangles[t] = reversed(surface.triangles[t]);
+}
+
+void turn_to_consistent(Surface& surface) {
+  const std::vector<bool> turns = turns_to_consistent(EdgeTable(surface.triangles), surface);
+  for (std::uint32_t t = 0; t < turns.size(); ++t) {
+    SurfaceComponent& component = surface.components[surface.component[t]];
+    if (!turns[t] || !component.is_orientable) continue;
+    turn(t, surface);
+    ++component.turned;
+  }
+}
+
+void count_edges(Surface& surface) {
+  for (SurfaceComponent& component : surface.components) component.is_closed = true;
+  EdgeTable(surface.triangles).for_each([&](std::span<const EdgeUse> uses) {
+    SurfaceComponent& component = surface.components[surface.component[uses[0].triangle]];
+    const auto forward =
+        std::count_if(uses.begin(), uses.end(), [](const EdgeUse& use) { return use.is_forward; });
+    const bool cancels = 2 * static_cast<std::size_t>(forward) == uses.size();
+    component.border_edges += uses.size() == 1 ? 1 : 0;
+    component.branching_edges += uses.size() > 2 ? 1 : 0;
+    component.is_closed = component.is_closed && cancels;
+    surface.contradictions += uses.size() == 2 && !cancels ? 1 : 0;
+  });
+  surface.is_closed = std::all_of(surface.components.begin(), surface.components.end(),
+                                  [](const SurfaceComponent& c) { return c.is_closed; });
+}
+
+void find_flat(Surface& surface) {
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const bool is_flat = has_no_area(surface.points, surface.triangles[t]);
+    surface.flat_triangles += is_flat ? 1 : 0;
+    if (!is_flat) surface.components[surface.component[t]].is_flat = false;
+  }
+}
+
+// Components keep the order of their lowest triangles.
+void number_components(Surface& surface) {
+  constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  std::vector<std::uint32_t> number(surface.components.size(), kNone);
+  std::vector<SurfaceComponent> components;
+  for (std::uint32_t& component : surface.component) {
+    if (number[component] == kNone) {
+      number[component] = static_cast<std::uint32_t>(components.size());
+      components.push_back(surface.components[component]);
+    }
+    component = number[component];
+  }
+  surface.components = std::move(components);
+}
+
+}  // namespace
+
+Surface make_surface(const Mesh& mesh, const SurfaceOptions& options, const Watch& watch) {
+  if (mesh.polygons.empty()) {
+    throw Error(ErrorCode::InvalidArgument, "a surface needs faces, and the mesh has none");
+  }
+  Welded welded = weld(mesh);
+  Surface surface;
+  surface.points = std::move(welded.points);
+  surface.repeated_points = welded.repeated;
+  surface.unused_points = welded.unused;
+  cut_faces(mesh, welded, watch, surface);
+  to_canonical_order(surface);
+  find_components(EdgeTable(surface.triangles), surface);
+  find_flat(surface);
+  // A component without such a way stays as it is; this tells which these are.
+  if (options.orient == Orient::Auto) {
+    turn_to_consistent(surface);
+  } else {
+    (void)turns_to_consistent(EdgeTable(surface.triangles), surface);
+  }
+  watch.ask();
+  count_edges(surface);
+  if (options.orient == Orient::Auto) {
+    const std::vector<bool> is_inside_out = find_inside_out(surface, watch);
+    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+      if (is_inside_out[surface.component[t]]) turn(t, surface);
+    }
+    for (std::size_t k = 0; k < surface.components.size(); ++k) {
+      SurfaceComponent& component = surface.components[k];
+      if (!is_inside_out[k]) continue;
+      // Turning all turns those back that were turned before.
+      component.turned = component.triangles - component.turned;
+      component.is_reversed = component.turned == component.triangles;
+    }
+  }
+  to_canonical_order(surface);
+  number_components(surface);
+  return surface;
+}
+
+}  // namespace convexact

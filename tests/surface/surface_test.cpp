@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+// Surfaces, winding numbers and solids of meshes whose answers are closed forms.
+#include "convexact/surface.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "cells.hpp"
+#include "expect_error.hpp"
+
+using namespace convexact;
+using namespace support;
+
+namespace {
+
+Mesh reversed(Mesh mesh) {
+  for (auto& polygon : mesh.polygons) std::reverse(polygon.begin(), polygon.end());
+  return mesh;
+}
+
+Mesh joined(const Mesh& a, const Mesh& b) {
+  std::vector<Point> points(a.points.doubles().begin(), a.points.doubles().end());
+  points.insert(points.end(), b.points.doubles().begin(), b.points.doubles().end());
+  Mesh mesh{PointSet(points), a.polygons, {}};
+  for (auto polygon : b.polygons) {
+    for (std::uint32_t& corner : polygon) corner += std::uint32_t(a.points.size());
+    mesh.polygons.push_back(polygon);
+  }
+  return mesh;
+}
+
+Mesh cube(double low, double high) { return box_mesh({{low, low, low}, {high, high, high}}); }
+
+Rational volume_of(const Mesh& mesh) {
+  const Measured volume = solid_volume(make_surface(mesh), 96, true);
+  CHECK(volume.bounds.contains(*volume.exact));
+  return *volume.exact;
+}
+
+RationalPoint at(const Rational& x, const Rational& y, const Rational& z) { return {x, y, z}; }
+
+}  // namespace
+
+TEST_CASE("make_surface: a cube, however it is written") {
+  const Surface surface = make_surface(cube(0, 1));
+  CHECK(surface.points.size() == 8);
+  CHECK(surface.triangles.size() == 12);
+  CHECK(surface.is_closed);
+  CHECK(surface.components.size() == 1);
+  CHECK(surface.fans.empty());
+  const Surface turned = make_surface(reversed(cube(0, 1)));
+  CHECK(turned.triangles == surface.triangles);
+  CHECK(turned.components[0].is_reversed);
+  CHECK(turned.components[0].turned == 12);
+  const Surface kept = make_surface(reversed(cube(0, 1)), {.orient = Orient::Keep});
+  CHECK(kept.is_closed);
+  CHECK(kept.triangles != surface.triangles);
+  // Points once for each face, and one that no face uses, twice.
+  Mesh loose;
+  std::vector<Point> points;
+  const Mesh original = cube(0, 1);
+  for (const auto& polygon : original.polygons) {
+    auto& own = loose.polygons.emplace_back();
+    for (const std::uint32_t corner : polygon) {
+      own.push_back(std::uint32_t(points.size()));
+      points.push_back(original.points.doubles()[corner]);
+    }
+  }
+  points.emplace_back(5, 5, 5);
+  points.emplace_back(5, 5, 5);
+  loose.points = PointSet(points);
+  const Surface welded = make_surface(loose);
+  CHECK(welded.triangles == surface.triangles);
+  CHECK(welded.repeated_points == 17);
+  CHECK(welded.unused_points == 1);
+}
+
+TEST_CASE("make_surface: winding numbers of a cube") {
+  const Surface surface = make_surface(cube(0, 1));
+  const Winding winding(surface);
+  const Rational half(1, 2);
+  CHECK(winding(at(half, half, half)) == 1);
+  CHECK(winding(at(Rational(1, 3), Rational(1, 3), Rational(1, 7))) == 1);
+  CHECK(winding(at(2, half, half)) == 0);
+  CHECK(winding(at(half, half, -1)) == 0);
+  CHECK(winding(at(half, half, 2)) == 0);
+  CHECK(winding(at(0, 0, -1)) == 0);
+  CHECK(winding(at(0, half, half)) == std::nullopt);
+  CHECK(winding(at(0, 0, half)) == std::nullopt);
+  CHECK(winding(at(1, 1, 1)) == std::nullopt);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    RationalPoint middle = RationalPoint::Zero();
+    for (const PointId p : surface.triangles[t]) middle += surface.points[p] / Rational(3);
+    CHECK(winding.beside(TriangleId(t), middle) == std::pair(0L, 1L));
+  }
+}
+
+TEST_CASE("solid_volume: cells, crossing cubes, shells in shells") {
+  CHECK(volume_of(mesh_of_cells(l_cells())) == 3);
+  CHECK(volume_of(mesh_of_cells(ring_cells())) == 8);
+  CHECK(volume_of(mesh_of_cells(cross_cells())) == 7);
+  // 8 + 8 - 1.
+  CHECK(volume_of(joined(cube(0, 2), cube(1, 3))) == 15);
+  CHECK(volume_of(joined(cube(0, 2), reversed(cube(1, 3)))) == 15);
+  // A void in a cube, as given and with everything turned; and a body in the void.
+  const Mesh shell = joined(cube(0, 4), reversed(cube(1, 3)));
+  CHECK(volume_of(shell) == 64 - 8);
+  CHECK(volume_of(reversed(shell)) == 64 - 8);
+  const Mesh body = joined(shell, box_mesh({{1.5, 1.5, 1.5}, {2.5, 2.5, 2.5}}));
+  CHECK(volume_of(body) == 64 - 8 + 1);
+  CHECK(volume_of(reversed(body)) == 64 - 8 + 1);
+  // One cube twice, also in opposite directions, and a cube within a cube.
+  CHECK(volume_of(joined(cube(0, 1), cube(0, 1))) == 1);
+  CHECK(volume_of(joined(cube(0, 2), cube(0.5, 1))) == 8);
+  CHECK(volume_of(joined(cube(0, 1), cube(1, 2))) == 2);
+  CHECK(volume_of(joined(box_mesh({{0, 0, 0}, {1, 1, 1}}), box_mesh({{1, 0, 0}, {2, 2, 1}}))) == 3);
+}
+
+TEST_CASE("make_surface: nesting is reported, and does not depend on the order") {
+  const Mesh shell = joined(cube(0, 4), reversed(cube(1, 3)));
+  const Surface good = make_surface(shell), bad = make_surface(reversed(shell));
+  CHECK(good.triangles == bad.triangles);
+  CHECK_FALSE(good.components[0].is_reversed);
+  CHECK(bad.components[0].is_reversed);
+  CHECK(bad.components[1].is_reversed);
+  const Winding winding(bad);
+  CHECK(winding(at(Rational(1, 2), 2, 2)) == 1);
+  CHECK(winding(at(2, 2, 2)) == 0);
+}
+
+TEST_CASE("make_surface: a single side") {
+  // A strip of five triangles that closes with a half turn: triangles k, k+1, k+2 modulo 5.
+  Mesh strip;
+  strip.points =
+      PointSet(std::vector<Point>{{0, 0, 0}, {2, 0, 1}, {3, 2, 0}, {1, 3, 2}, {-1, 2, 1}});
+  for (std::uint32_t k = 0; k < 5; ++k) strip.polygons.push_back({k, (k + 1) % 5, (k + 2) % 5});
+  const Surface surface = make_surface(strip);
+  CHECK_FALSE(surface.is_closed);
+  CHECK(surface.components.size() == 1);
+  CHECK_FALSE(surface.components[0].is_orientable);
+  CHECK(surface.components[0].border_edges == 5);
+  CHECK(surface.contradictions > 0);
+  CHECK(error_of([&] { return Winding(surface); }).code() == ErrorCode::InvalidArgument);
+}
+
+TEST_CASE("make_surface: boxes that share an edge or a corner") {
+  for (const double y : {1.0, 2.0}) {
+    const Mesh two = joined(cube(0, 1), box_mesh({{1, 1, y - 1}, {2, 2, y}}));
+    const Surface surface = make_surface(two);
+    CHECK(surface.is_closed);
+    CHECK(surface.components.size() == (y == 1.0 ? 1 : 2));
+    CHECK(surface.components[0].branching_edges == (y == 1.0 ? 1 : 0));
+    CHECK(volume_of(two) == 2);
+  }
+}
+
+TEST_CASE("make_surface: sheets, borders and triangles without area") {
+  Mesh open = cube(0, 1);
+  open.polygons.pop_back();
+  const Surface box = make_surface(open);
+  CHECK_FALSE(box.is_closed);
+  CHECK(box.components[0].border_edges == 4);
+
+  Mesh sheet{
+      PointSet(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), {{0, 1, 2}, {0, 2, 1}}, {}};
+  const Surface doubled = make_surface(sheet);
+  CHECK(doubled.is_closed);
+  CHECK(*solid_volume(doubled, 64, true).exact == 0);
+  CHECK(Winding(doubled)(at(Rational(1, 4), Rational(1, 4), 0)) == std::nullopt);
+  CHECK(Winding(doubled)(at(Rational(1, 4), Rational(1, 4), 1)) == 0);
+
+  Mesh flat{
+      PointSet(std::vector<Point>{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}), {{0, 1, 2}, {0, 0, 1}}, {}};
+  const Surface lines = make_surface(flat);
+  CHECK(lines.triangles.size() == 2);
+  CHECK(lines.flat_triangles == 2);
+  CHECK(lines.components[0].is_flat);
+  CHECK(error_of([] { return make_surface(Mesh{}); }).code() == ErrorCode::InvalidArgument);
+}
+
+TEST_CASE("make_surface: polygons are cut into triangles with their area") {
+  const std::vector<Point> points = {{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {2, 3, 0},
+                                     {2, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}};
+  // A U with corners on its sides, tilted so that no coordinate is constant.
+  std::vector<Point> tilted;
+  for (const Point& p : points)
+    tilted.emplace_back(p[0] + p[1], p[1] - 2 * p[0], 3 * p[0] + 5 * p[1]);
+  const auto area_of = [](const Surface& s) {
+    RationalVector3 sum = RationalVector3::Zero();
+    for (const auto& [a, b, c] : s.triangles) {
+      sum += RationalVector3(s.points[b] - s.points[a])
+                 .cross(RationalVector3(s.points[c] - s.points[a]));
+    }
+    return sum;
+  };
+  const Mesh mesh{PointSet(tilted), {{0, 1, 2, 3, 4, 5, 6, 7}}, {}};
+  const Surface surface = make_surface(mesh);
+  CHECK(surface.triangles.size() == 6);
+  CHECK(surface.fans.empty());
+  CHECK(surface.flat_triangles == 0);
+  // Twice 10, the area of the U, times the cofactors of the tilt.
+  const RationalVector3 u = to_rational(Point(1, -2, 3)), v = to_rational(Point(1, 1, 5));
+  CHECK(area_of(surface) == RationalVector3(u.cross(v) * Rational(20)));
+  // From another corner, and the other way round.
+  const Mesh rotated{PointSet(tilted), {{3, 4, 5, 6, 7, 0, 1, 2}}, {}};
+  CHECK(make_surface(rotated).triangles == surface.triangles);
+  const Surface back = make_surface({PointSet(tilted), {{7, 6, 5, 4, 3, 2, 1, 0}}, {}});
+  CHECK(area_of(back) == RationalVector3(-area_of(surface)));
+
+  const Surface bent =
+      make_surface({PointSet(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}}),
+                    {{0, 1, 2, 3}},
+                    {}});
+  CHECK(bent.fans == std::vector<std::size_t>{0});
+  CHECK(bent.triangles.size() == 2);
+  const Surface bow =
+      make_surface({PointSet(std::vector<Point>{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}),
+                    {{0, 1, 2, 3}},
+                    {}});
+  CHECK(bow.fans == std::vector<std::size_t>{0});
+}
