@@ -1,0 +1,527 @@
+// SPDX-License-Identifier: MIT
+// arrangement.hpp - convex pieces of a triangle's plane, or of a segment's line, cut by planes of
+// space. Every corner is where given lines meet, so no number grows with the cuts.
+//
+// A point of the plane through three points with homogeneous coordinates (X, W), W > 0, is a sum
+// b_1 (X_1, W_1) + b_2 (X_2, W_2) + b_3 (X_3, W_3) and has the coordinates b there. A plane of
+// space h is the row r = (h(X_1, W_1), h(X_2, W_2), h(X_3, W_3)) of integers: r.b is positive
+// beyond it. Two rows meet in their cross product. On a line there are two coordinates, and one
+// row is a point. docs/design/overlay.md tells the rest.
+#pragma once
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "convexact/error.hpp"
+#include "convexact/hull.hpp"
+#include "number/arithmetic.hpp"
+#include "number/roundoff.hpp"
+
+namespace convexact {
+
+/// n.X + d W: the sign says on which side of its plane the point X / W lies.
+[[nodiscard]] inline Integer plane_value(const Halfspace& h, const HomogeneousPoint& p) {
+  Integer value = dot(h.normal(), p.n);
+  add_product(value, h.offset(), p.w);
+  return value;
+}
+
+template <std::size_t N>
+using IntegerRow = std::array<Integer, N>;
+
+template <std::size_t N>
+[[nodiscard]] Integer dot(const IntegerRow<N>& a, const IntegerRow<N>& b) {
+  Integer sum = a[0] * b[0];
+  for (std::size_t k = 1; k < N; ++k) add_product(sum, a[k], b[k]);
+  return sum;
+}
+
+/// Doubles in proportion to integers, the largest in [1/2, 1): each off by a relative 2 u, or by
+/// kFlushed if it is smaller than that. Zeros for zeros.
+inline constexpr double kFlushed = 0x1p-1000;
+template <std::size_t N>
+[[nodiscard]] std::array<double, N> near_row(const IntegerRow<N>& row) {
+  std::array<double, N> near{};
+  std::array<long, N> exponent{};
+  long top = std::numeric_limits<long>::min();
+  for (std::size_t k = 0; k < N; ++k) {
+    if (row[k].is_zero()) continue;
+    near[k] = mpz_get_d_2exp(&exponent[k], raw(row[k]));  // cut off, not rounded: 2 u
+    top = std::max(top, exponent[k]);
+  }
+  for (std::size_t k = 0; k < N; ++k) {
+    if (near[k] == 0) continue;
+    near[k] =
+        exponent[k] - top < -1000 ? 0 : std::ldexp(near[k], static_cast<int>(exponent[k] - top));
+  }
+  return near;
+}
+
+/// Rows and points in a frame of N points: three that span a plane (N = 3), or two that span a line
+/// (N = 2). Signs are exact.
+template <std::size_t N>
+class Arrangement {
+  static_assert(N == 2 || N == 3);
+
+ public:
+  using RowId = std::uint32_t;
+  using VertexId = std::uint32_t;
+
+  /// Rows 0 to N - 1 come with it: beyond row k, coordinate k is negative. So do the vertices 0 to
+  /// N - 1: the points of the frame.
+  explicit Arrangement(const std::array<HomogeneousPoint, N>& frame) : frame_(frame) {
+    for (std::size_t k = 0; k < N; ++k) weights_.exact[k] = frame_[k].w;
+    weights_.near = near_row(weights_.exact);
+    for (std::size_t k = 0; k < N; ++k) {
+      IntegerRow<N> side{}, corner{};
+      side[k] = -1;
+      corner[k] = 1;
+      add(std::move(side));
+      Vertex& v = vertices_.emplace_back();
+      std::size_t own = 0;
+      for (std::size_t j = 0; j < N; ++j) {
+        if (j != k) v.rows[own++] = static_cast<RowId>(j);
+      }
+      v.near[k] = 1;
+      v.exact = std::move(corner);
+      v.is_settled = true;
+    }
+  }
+
+  const std::array<HomogeneousPoint, N>& frame() const { return frame_; }
+
+  RowId add(const Halfspace& plane) {
+    IntegerRow<N> row;
+    for (std::size_t k = 0; k < N; ++k) row[k] = plane_value(plane, frame_[k]);
+    return add(std::move(row));
+  }
+
+  RowId add(IntegerRow<N> row) {
+    strip_powers_of_two(row);
+    Row& added = rows_.emplace_back();
+    added.near = near_row(row);
+    added.exact = std::move(row);
+    return static_cast<RowId>(rows_.size() - 1);
+  }
+
+  /// Whether the whole plane or line lies on the row's plane.
+  bool is_zero(RowId row) const {
+    for (const Integer& x : rows_[row].exact) {
+      if (!x.is_zero()) return false;
+    }
+    return true;
+  }
+
+  /// Where N - 1 rows meet. Precondition: in one point, at a finite place.
+  VertexId meet(const std::array<RowId, N - 1>& rows);
+
+  /// Positive beyond the row.
+  Sign side(VertexId vertex, RowId row);
+
+  /// The coordinates b, with the weight b.W > 0.
+  const IntegerRow<N>& exact(VertexId vertex) {
+    if (!vertices_[vertex].is_settled) settle(vertices_[vertex]);
+    return vertices_[vertex].exact;
+  }
+  Integer weight(const IntegerRow<N>& b) const { return dot(b, weights_.exact); }
+
+  /// In proportion to b_k W_k, the shares of the frame's points in the vertex; sum 1 up to
+  /// rounding.
+  std::array<double, N> near_shares(VertexId vertex) const {
+    std::array<double, N> shares;
+    double sum = 0;
+    for (std::size_t k = 0; k < N; ++k) {
+      sum += shares[k] = vertices_[vertex].near[k] * weights_.near[k];
+    }
+    for (double& s : shares) s /= sum;
+    return shares;
+  }
+
+  Sign side(const IntegerRow<N>& b, RowId row) const { return sign_of(dot(b, rows_[row].exact)); }
+
+  RationalPoint point(const IntegerRow<N>& b) const {
+    const Integer w = weight(b);
+    RationalPoint p;
+    for (int i = 0; i < 3; ++i) {
+      Integer sum = b[0] * frame_[0].n[i];
+      for (std::size_t k = 1; k < N; ++k) add_product(sum, b[k], frame_[k].n[i]);
+      p[i] = Rational(sum, w);
+    }
+    return p;
+  }
+  RationalPoint point(VertexId vertex) { return point(exact(vertex)); }
+
+ private:
+  struct Row {
+    IntegerRow<N> exact;
+    std::array<double, N> near{};  // near_row()
+  };
+  struct Vertex {
+    std::array<RowId, N - 1> rows{};
+    std::array<double, N> near{};  // a positive multiple of the coordinates, at most 1 in size
+    double error = 0;              // each component is off by at most this
+    bool is_settled = false;       // `exact` is known
+    IntegerRow<N> exact;
+  };
+
+  // The sum of products of a row and a vertex, and what it is off by at most. To first order a
+  // product is off by 2 u of itself from the row, by u from rounding and by |row| error from the
+  // vertex, a sum of three by 2 u of all; 8 u covers the higher orders. Flushed and underflowing
+  // entries lose less than 3 (2^-1000 + 2^-1074), as the other factor is at most 1.
+  struct NearValue {
+    double value = 0, bound = 0;
+  };
+  static NearValue near_value(const Row& row, const std::array<double, N>& x, double error) {
+    double sum = 0, size = 0, length = 0;
+    for (std::size_t k = 0; k < N; ++k) {
+      const double term = row.near[k] * x[k];
+      sum += term;
+      size += std::abs(term);
+      length += std::abs(row.near[k]);
+    }
+    return {sum, 8 * kUnitRoundoff * size + 1.0001 * length * error + 0x1p-990};
+  }
+
+  static void strip_powers_of_two(IntegerRow<N>& row) {
+    mp_bitcnt_t common = std::numeric_limits<mp_bitcnt_t>::max();
+    for (const Integer& x : row) {
+      if (!x.is_zero()) common = std::min(common, mpz_scan1(raw(x), 0));
+    }
+    if (common == 0 || common == std::numeric_limits<mp_bitcnt_t>::max()) return;
+    for (Integer& x : row) mpz_tdiv_q_2exp(raw(x), raw(x), common);
+  }
+
+  void settle(Vertex& v);
+
+  std::array<HomogeneousPoint, N> frame_;
+  Row weights_;  // a point at a finite place has b.W != 0; the sign of b is chosen so that b.W > 0
+  std::vector<Row> rows_;
+  std::vector<Vertex> vertices_;
+};
+
+template <std::size_t N>
+void Arrangement<N>::settle(Vertex& v) {
+  const IntegerRow<N>& a = rows_[v.rows[0]].exact;
+  if constexpr (N == 2) {
+    v.exact[0] = -a[1];
+    v.exact[1] = a[0];
+  } else {
+    const IntegerRow<N>& b = rows_[v.rows[1]].exact;
+    for (std::size_t k = 0; k < 3; ++k) {
+      v.exact[k] = a[(k + 1) % 3] * b[(k + 2) % 3];
+      subtract_product(v.exact[k], a[(k + 2) % 3], b[(k + 1) % 3]);
+    }
+  }
+  strip_powers_of_two(v.exact);
+  const Integer w = weight(v.exact);
+  CONVEXACT_ASSERT(!w.is_zero());
+  if (w < 0) {
+    for (Integer& x : v.exact) x = -x;
+  }
+  v.near = near_row(v.exact);
+  v.error = 2 * kUnitRoundoff;
+  v.is_settled = true;
+}
+
+template <std::size_t N>
+typename Arrangement<N>::VertexId Arrangement<N>::meet(const std::array<RowId, N - 1>& rows) {
+  Vertex& v = vertices_.emplace_back();
+  v.rows = rows;
+  const auto id = static_cast<VertexId>(vertices_.size() - 1);
+  const std::array<double, N>& a = rows_[rows[0]].near;
+  if constexpr (N == 2) {
+    v.near = {-a[1], a[0]};
+    v.error = 2 * kUnitRoundoff;
+  } else {
+    // To first order a product is off by 5 u of itself, from its factors and its rounding, and the
+    // difference by u of both; 8 u covers the higher orders. Flushing costs less than 2^-998.
+    const std::array<double, N>& b = rows_[rows[1]].near;
+    double top = 0, size = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double p = a[(k + 1) % 3] * b[(k + 2) % 3], q = a[(k + 2) % 3] * b[(k + 1) % 3];
+      v.near[k] = p - q;
+      top = std::max(top, std::abs(v.near[k]));
+      size = std::max(size, std::abs(p) + std::abs(q));
+    }
+    v.error = 8 * kUnitRoundoff * size + 0x1p-990;
+    if (!(top > 0x1p20 * v.error)) {  // too near to parallel
+      settle(v);
+      return id;
+    }
+    const int exponent = exponent_of(top);  // a power of two: exact, but for underflow
+    for (double& x : v.near) x = std::ldexp(x, -exponent);
+    v.error = std::ldexp(v.error, -exponent) + 0x1p-990;
+  }
+  const NearValue w = near_value(weights_, v.near, v.error);
+  if (!(std::abs(w.value) > w.bound)) {
+    settle(v);
+  } else if (w.value < 0) {
+    for (double& x : v.near) x = -x;
+  }
+  return id;
+}
+
+template <std::size_t N>
+Sign Arrangement<N>::side(VertexId vertex, RowId row) {
+  for (const RowId own : vertices_[vertex].rows) {
+    if (own == row) return Sign::Zero;
+  }
+  const NearValue s = near_value(rows_[row], vertices_[vertex].near, vertices_[vertex].error);
+  if (s.value > s.bound) return Sign::Positive;
+  if (s.value < -s.bound) return Sign::Negative;
+  return sign_of(dot(exact(vertex), rows_[row].exact));
+}
+
+// ---- Pieces
+
+/// A convex polygon with an area, counter-clockwise in the frame, no three corners in line (N = 3);
+/// or the ends of a segment with a length (N = 2).
+template <std::size_t N>
+struct ConvexPiece {
+  struct Corner {
+    typename Arrangement<N>::VertexId at;
+    typename Arrangement<N>::RowId side;  ///< The row of the side to the next corner, if N = 3.
+  };
+  std::vector<Corner> corners;
+};
+
+/// The triangle, or the segment, of the frame itself.
+template <std::size_t N>
+[[nodiscard]] ConvexPiece<N> whole_frame() {
+  ConvexPiece<N> piece;
+  for (std::uint32_t k = 0; k < N; ++k) {
+    piece.corners.push_back({k, static_cast<std::uint32_t>((k + 2) % N)});
+  }
+  return piece;
+}
+
+enum class Position {
+  Inside,   ///< No corner is beyond the row.
+  Beyond,   ///< No corner is inside the row: the common part has no area.
+  Crossed,  ///< Both halves have an area.
+  On,       ///< The row is zero.
+};
+
+template <std::size_t N>
+[[nodiscard]] Position position(Arrangement<N>& arrangement, const ConvexPiece<N>& piece,
+                                typename Arrangement<N>::RowId row) {
+  bool is_inside = false, is_beyond = false;
+  for (const auto& corner : piece.corners) {
+    const Sign s = arrangement.side(corner.at, row);
+    is_inside = is_inside || s == Sign::Negative;
+    is_beyond = is_beyond || s == Sign::Positive;
+    if (is_inside && is_beyond) return Position::Crossed;
+  }
+  return is_inside ? Position::Inside : is_beyond ? Position::Beyond : Position::On;
+}
+
+template <std::size_t N>
+struct Halves {
+  ConvexPiece<N> inside, beyond;
+};
+
+/// Both halves of a piece that the row crosses. The side along the row belongs to the row in both.
+template <std::size_t N>
+[[nodiscard]] Halves<N> split(Arrangement<N>& arrangement, const ConvexPiece<N>& piece,
+                              typename Arrangement<N>::RowId row) {
+  Halves<N> halves;
+  if constexpr (N == 2) {
+    const auto x = arrangement.meet({row});
+    const auto& ends = piece.corners;
+    ConvexPiece<N> first{{ends[0], {x, row}}}, second{{{x, row}, ends[1]}};
+    if (arrangement.side(ends[0].at, row) == Sign::Negative) {
+      return {std::move(first), std::move(second)};
+    }
+    return {std::move(second), std::move(first)};
+  } else {
+    const std::size_t m = piece.corners.size();
+    std::vector<Sign> side(m);
+    for (std::size_t i = 0; i < m; ++i) side[i] = arrangement.side(piece.corners[i].at, row);
+    for (std::size_t i = 0; i < m; ++i) {
+      const auto& corner = piece.corners[i];
+      const Sign here = side[i], next = side[(i + 1) % m];
+      // A corner on the row belongs to both. Leaving a half there, its side runs along the row.
+      if (here != Sign::Positive) {
+        const bool leaves = here == Sign::Zero && next == Sign::Positive;
+        halves.inside.corners.push_back({corner.at, leaves ? row : corner.side});
+      }
+      if (here != Sign::Negative) {
+        const bool leaves = here == Sign::Zero && next == Sign::Negative;
+        halves.beyond.corners.push_back({corner.at, leaves ? row : corner.side});
+      }
+      if (here * next == Sign::Negative) {
+        const auto x = arrangement.meet({corner.side, row});
+        halves.inside.corners.push_back({x, here == Sign::Negative ? row : corner.side});
+        halves.beyond.corners.push_back({x, here == Sign::Positive ? row : corner.side});
+      }
+    }
+    return halves;
+  }
+}
+
+/// What a convex set, the common part of the rows' inner sides, leaves of the pieces: whole pieces
+/// that it does not meet with an area, and of the others what lies beyond the first row, then the
+/// second of the remainder, and so on. Returns what it takes.
+template <std::size_t N>
+std::vector<ConvexPiece<N>> subtract(Arrangement<N>& arrangement,
+                                     std::vector<ConvexPiece<N>>& pieces,
+                                     std::span<const typename Arrangement<N>::RowId> rows) {
+  std::vector<ConvexPiece<N>> rest, taken;
+  std::vector<typename Arrangement<N>::RowId> crossing;
+  for (ConvexPiece<N>& piece : pieces) {
+    // (1) Rows that have all of the piece inside, or beyond.
+    crossing.clear();
+    bool meets = true;
+    for (const auto row : rows) {
+      const Position where = position(arrangement, piece, row);
+      if (where == Position::Beyond) {
+        meets = false;
+        break;
+      }
+      if (where == Position::Crossed) crossing.push_back(row);
+    }
+    if (!meets) {
+      rest.push_back(std::move(piece));
+      continue;
+    }
+    // (2) Cut. If the remainder ends up beyond a row, the set meets the piece in no area.
+    const std::size_t before = rest.size();
+    ConvexPiece<N> inside = piece;
+    for (const auto row : crossing) {
+      const Position where = position(arrangement, inside, row);
+      if (where == Position::Inside) continue;
+      if (where == Position::Beyond) {
+        meets = false;
+        break;
+      }
+      Halves<N> halves = split(arrangement, inside, row);
+      rest.push_back(std::move(halves.beyond));
+      inside = std::move(halves.inside);
+    }
+    if (meets) {
+      taken.push_back(std::move(inside));
+    } else {
+      rest.resize(before);
+      rest.push_back(std::move(piece));
+    }
+  }
+  pieces = std::move(rest);
+  return taken;
+}
+
+// ---- Measures and points of a piece
+
+/// The piece's share of the area, or length, of the frame's triangle, or segment.
+template <std::size_t N>
+[[nodiscard]] Rational share_of(Arrangement<N>& arrangement, const ConvexPiece<N>& piece) {
+  const auto& corners = piece.corners;
+  Integer weights = 1;  // of the frame
+  for (const HomogeneousPoint& p : arrangement.frame()) weights *= p.w;
+  if constexpr (N == 2) {
+    const IntegerRow<N>&a = arrangement.exact(corners[0].at), &b = arrangement.exact(corners[1].at);
+    Integer determinant = a[0] * b[1];
+    subtract_product(determinant, a[1], b[0]);
+    return Rational(Integer(abs(determinant) * weights),
+                    Integer(arrangement.weight(a) * arrangement.weight(b)));
+  } else {
+    // The determinant of the shares (b_k W_k) / (b.W) of three corners is the share of their
+    // triangle.
+    std::vector<Rational> terms;
+    const IntegerRow<N> a = arrangement.exact(corners[0].at);
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      const IntegerRow<N> b = arrangement.exact(corners[i - 1].at);
+      const IntegerRow<N>& c = arrangement.exact(corners[i].at);
+      Integer determinant = 0, minor;
+      for (std::size_t k = 0; k < 3; ++k) {
+        minor = b[(k + 1) % 3] * c[(k + 2) % 3];
+        subtract_product(minor, b[(k + 2) % 3], c[(k + 1) % 3]);
+        add_product(determinant, a[k], minor);
+      }
+      terms.push_back(
+          Rational(Integer(determinant * weights),
+                   Integer(arrangement.weight(a) * arrangement.weight(b) * arrangement.weight(c))));
+    }
+    return balanced_sum(std::move(terms));
+  }
+}
+
+/// Coordinates of a point strictly inside the piece: on a coarse grid if there is one near the
+/// weighted mean of the corners. Points of different attempts differ: they lie on a conic, so that
+/// a line, and finitely many points, hold only finitely many of them.
+template <std::size_t N>
+[[nodiscard]] IntegerRow<N> interior_of(Arrangement<N>& arrangement, const ConvexPiece<N>& piece,
+                                        unsigned attempt = 0) {
+  const auto& corners = piece.corners;
+  const auto factor = [&](std::size_t i) -> unsigned long {
+    const unsigned long a = attempt;
+    return i % 3 == 0 ? 1 : i % 3 == 1 ? 1 + a : 1 + a * a;
+  };
+  const auto is_inside = [&](const IntegerRow<N>& b) {
+    if (arrangement.weight(b) <= 0) return false;
+    if constexpr (N == 3) {
+      // On the side of each row on which the piece lies: as the corner after the next.
+      const std::size_t m = corners.size();
+      for (std::size_t i = 0; i < m; ++i) {
+        const Sign own = arrangement.side(corners[(i + 2) % m].at, corners[i].side);
+        if (own == Sign::Zero || arrangement.side(b, corners[i].side) != own) return false;
+      }
+      return true;
+    } else {
+      // Between the ends: the determinants with both have one sign.
+      const IntegerRow<N>&u = arrangement.exact(corners[0].at),
+            &v = arrangement.exact(corners[1].at);
+      const Sign s = sign_of(Integer(u[0] * b[1] - u[1] * b[0])),
+                 t = sign_of(Integer(b[0] * v[1] - b[1] * v[0]));
+      return s * t == Sign::Positive;
+    }
+  };
+  // (1) Short shares.
+  std::array<double, N> mean{};
+  double total = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto shares = arrangement.near_shares(corners[i].at);
+    const auto f = static_cast<double>(factor(i));
+    for (std::size_t k = 0; k < N; ++k) mean[k] += f * shares[k];
+    total += f;
+  }
+  for (double& x : mean) x /= total;
+  for (const int bits : {8, 16, 32, 48}) {
+    if (attempt > 0 && bits < 32) continue;
+    IntegerRow<N> b;
+    Integer last = Integer(1) << static_cast<unsigned>(bits);
+    bool is_sane = true;
+    for (std::size_t k = 0; k < N; ++k) {
+      const double scaled = std::ldexp(mean[k], bits);
+      is_sane = is_sane && std::abs(scaled) < 0x1p62;
+      if (!is_sane) break;
+      b[k] = k + 1 < N ? Integer(static_cast<long long>(std::nearbyint(scaled))) : last;
+      last -= b[k];
+    }
+    if (!is_sane) break;
+    for (std::size_t k = 0; k < N; ++k) {
+      for (std::size_t j = 0; j < N; ++j) {
+        if (j != k) b[k] *= arrangement.frame()[j].w;
+      }
+    }
+    if (is_inside(b)) return b;
+  }
+  // (2) The exact mean: the sum of factor b / (b.W).
+  Integer product = 1;
+  for (const auto& corner : corners) product *= arrangement.weight(arrangement.exact(corner.at));
+  IntegerRow<N> sum{};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const IntegerRow<N>& b = arrangement.exact(corners[i].at);
+    const Integer scale = product / arrangement.weight(b) * factor(i);
+    for (std::size_t k = 0; k < N; ++k) add_product(sum[k], scale, b[k]);
+  }
+  CONVEXACT_ASSERT(is_inside(sum));
+  return sum;
+}
+
+}  // namespace convexact

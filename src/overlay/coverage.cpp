@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// What parts leave of triangles: part after part is subtracted from each, in its plane.
+#include <algorithm>
+
+#include "overlay/scaled.hpp"
+
+namespace convexact {
+namespace {
+
+template <std::size_t N>
+using Ids = std::array<std::uint32_t, N>;
+
+class Coverage {
+ public:
+  Coverage(const Surface& surface, std::span<const ConvexPart> parts, long exponent)
+      : surface_(surface), points_(surface.points, exponent) {
+    for (const ConvexPart& part : parts) parts_.emplace_back(part, exponent);
+    std::vector<NearBox> boxes;
+    for (const LaidPart& part : parts_) boxes.push_back(part.box);
+    tree_.emplace(std::move(boxes));
+  }
+
+  SurfaceCoverage find(const Watch& watch) {
+    SurfaceCoverage coverage;
+    find_holders(watch);
+    for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
+      watch.at(t, surface_.triangles.size());
+      const auto& ids = surface_.triangles[t];
+      if (is_in_one_part(ids)) {
+        ++coverage.in_one_part;
+        continue;
+      }
+      const Ids<3> corners{ids[0].value, ids[1].value, ids[2].value};
+      if (has_area(corners)) {
+        subtract_parts<3>(TriangleId(t), corners, coverage.uncovered);
+        continue;
+      }
+      const Ids<2> ends = far_ends(corners);
+      if (points_.rational(ends[0]) != points_.rational(ends[1])) {
+        subtract_parts<2>(TriangleId(t), ends, coverage.uncovered);
+      } else {  // a point in no part
+        coverage.uncovered.push_back({TriangleId(t), {points_.rational(ends[0])}, 1});
+      }
+    }
+    return coverage;
+  }
+
+ private:
+  // The parts that hold each point, ascending.
+  void find_holders(const Watch& watch) {
+    holders_.resize(points_.size());
+    std::vector<std::uint32_t> near;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      watch.ask();
+      tree_->find(points_.box(i), near);
+      for (const std::uint32_t p : near) {
+        bool is_held = true;
+        for (std::size_t h = 0; h < parts_[p].planes.size() && is_held; ++h) {
+          is_held = parts_[p].side(h, points_, i) != Sign::Positive;
+        }
+        if (is_held) holders_[i].push_back(p);
+      }
+    }
+  }
+
+  bool is_in_one_part(const std::array<PointId, 3>& ids) const {
+    const auto holds = [](const std::vector<std::uint32_t>& list, std::uint32_t p) {
+      return std::binary_search(list.begin(), list.end(), p);
+    };
+    const auto& first = holders_[ids[0].index()];
+    return std::any_of(first.begin(), first.end(), [&](std::uint32_t p) {
+      return holds(holders_[ids[1].index()], p) && holds(holders_[ids[2].index()], p);
+    });
+  }
+
+  bool has_area(const Ids<3>& ids) const {
+    const HomogeneousPoint &a = points_.exact(ids[0]), &b = points_.exact(ids[1]),
+                           &c = points_.exact(ids[2]);
+    const IntegerVector3 u = b.n * a.w - a.n * b.w, v = c.n * a.w - a.n * c.w;
+    return u.cross(v) != IntegerVector3::Zero();
+  }
+
+  // Of corners in a line, the lexicographically first and last.
+  Ids<2> far_ends(Ids<3> ids) const {
+    const auto less = [&](std::uint32_t a, std::uint32_t b) {
+      const RationalPoint p = points_.rational(a), q = points_.rational(b);
+      return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+    };
+    const auto [low, high] = std::minmax_element(ids.begin(), ids.end(), less);
+    return {*low, *high};
+  }
+
+  template <std::size_t N>
+  void subtract_parts(TriangleId t, const Ids<N>& corners, std::vector<UncoveredPiece>& out) {
+    NearBox box;
+    for (const std::uint32_t i : corners) box.include(points_.box(i));
+    std::vector<std::uint32_t> near;
+    tree_->find(box, near);
+    std::vector<std::pair<std::uint32_t, Meeting>> meetings;
+    for (const std::uint32_t p : near) {
+      Meeting met = meeting(parts_[p], points_, corners);
+      if (met.kind == Meeting::Holds) return;
+      if (met.kind == Meeting::Crossing) meetings.emplace_back(p, std::move(met));
+    }
+    if (meetings.empty()) {
+      UncoveredPiece& piece = out.emplace_back();
+      piece.triangle = t;
+      for (const std::uint32_t i : corners) piece.corners.push_back(points_.rational(i));
+      piece.share = 1;
+      return;
+    }
+    std::array<HomogeneousPoint, N> frame;
+    for (std::size_t k = 0; k < N; ++k) frame[k] = points_.exact(corners[k]);
+    Arrangement<N> arrangement(frame);
+    std::vector<ConvexPiece<N>> pieces{whole_frame<N>()};
+    std::vector<std::uint32_t> rows;
+    for (const auto& [p, met] : meetings) {
+      rows.clear();
+      for (const std::size_t h : met.planes) {
+        rows.push_back(arrangement.add(parts_[p].part->halfspaces[h]));
+      }
+      (void)subtract<N>(arrangement, pieces, rows);
+      if (pieces.empty()) return;
+    }
+    for (const ConvexPiece<N>& rest : pieces) {
+      UncoveredPiece& piece = out.emplace_back();
+      piece.triangle = t;
+      for (const auto& corner : rest.corners) piece.corners.push_back(arrangement.point(corner.at));
+      piece.share = share_of(arrangement, rest);
+    }
+  }
+
+  const Surface& surface_;
+  ScaledPoints points_;
+  std::vector<LaidPart> parts_;
+  std::optional<BoxTree> tree_;
+  std::vector<std::vector<std::uint32_t>> holders_;
+};
+
+}  // namespace
+
+SurfaceCoverage find_uncovered(const Surface& surface, std::span<const ConvexPart> parts,
+                               const Watch& watch) {
+  if (surface.triangles.empty()) return {};
+  std::vector<BoundingBox> boxes{bounding_box(surface.points)};
+  for (const ConvexPart& part : parts) boxes.push_back(part.box);
+  return Coverage(surface, parts, common_exponent(boxes)).find(watch);
+}
+
+}  // namespace convexact

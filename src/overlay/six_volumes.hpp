@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// six_volumes.hpp - volumes as sums over a boundary: of a piece of the plane through a, b, c, the
+// cone from a point o has det(a - o, b - o, c - o) / 6 times the piece's share of the triangle.
+#pragma once
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "convexact/measure.hpp"
+#include "overlay/arrangement.hpp"
+
+namespace convexact {
+
+/// Six times a volume, as an enclosure of `bits` bits, or exactly.
+class SixVolumes {
+ public:
+  SixVolumes(RationalPoint origin, long bits, bool exact)
+      : origin_(std::move(origin)), bits_(bits), exact_(exact), sum_(bits) {}
+
+  /// Pieces of the boundary, which looks where the frame's triangle looks, or the other way.
+  void add(Arrangement<3>& arrangement, std::span<const ConvexPiece<3>> pieces, bool looks_out);
+
+  bool is_empty() const { return is_empty_; }
+  const Enclosure& bounds() const { return sum_; }
+  Rational exact() { return balanced_sum(std::move(terms_)); }
+
+ private:
+  RationalPoint origin_;
+  long bits_;
+  bool exact_;
+  bool is_empty_ = true;
+  Enclosure sum_;
+  std::vector<Rational> terms_;
+};
+
+/// The volume inside a boundary, none or positive. The boundary is added once, or, if too many bits
+/// are lost to terms of either sign, again with more bits.
+[[nodiscard]] Measured measure_inside(const RationalPoint& origin, long precision, bool exact,
+                                      const std::function<void(SixVolumes&)>& add_boundary);
+
+[[nodiscard]] inline RationalPoint middle(const BoundingBox& box) {
+  return (box.low + box.high) / Rational(2);
+}
+
+}  // namespace convexact

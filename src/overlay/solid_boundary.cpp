@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "overlay/solid_boundary.hpp"
+
+namespace convexact {
+namespace {
+
+class Walk {
+ public:
+  Walk(const Surface& surface, const Winding& winding, std::span<const ConvexPart> parts,
+       long exponent, const std::function<bool(const SolidPiece&)>& visit, const Watch& watch)
+      : surface_(surface, exponent),
+        winding_(winding),
+        union_(parts, exponent),
+        visit_(visit),
+        watch_(watch) {}
+
+  void run() {
+    const std::size_t triangles = surface_.surface().triangles.size();
+    steps_ = triangles + union_.facets().size();
+    for (std::size_t t = 0; t < triangles; ++t) {
+      watch_.at(done_++, steps_);
+      if (!triangle(t)) return;
+    }
+    for (const UnionBoundary::FacetId f : union_.facets()) {
+      watch_.at(done_++, steps_);
+      if (!facet(f)) return;
+    }
+  }
+
+ private:
+  // A point strictly inside the piece, off the boundary of every related triangle.
+  RationalPoint clear_point(Arrangement<3>& arrangement, const ConvexPiece<3>& piece,
+                            const LaidSurface::Related& related,
+                            std::optional<std::size_t>& inside) const {
+    constexpr unsigned kAttempts = 10000;
+    for (unsigned attempt = 0; attempt < kAttempts; ++attempt) {
+      RationalPoint x = arrangement.point(interior_of(arrangement, piece, attempt));
+      if (surface_.is_clear(x, related, inside)) return x;
+    }
+    throw Error(ErrorCode::Internal, "no point of a piece is clear of the surface");
+  }
+
+  // (1)
+  bool triangle(std::size_t t) {
+    const auto corners = surface_.corners(t);
+    const LaidSurface::Walls* walls = surface_.walls(t);
+    if (walls == nullptr) return true;
+    auto rest = union_.rest_of(surface_.points(), corners);
+    if (!rest) return true;
+    const auto related = surface_.relate(walls->plane, surface_.box(t), corners, t);
+    surface_.cut(rest->arrangement, rest->pieces, related, t);
+    // Where nothing crosses the triangle, the numbers are the same all over it.
+    const bool is_plain = related.crossing.empty() && related.coplanar.empty();
+    std::optional<std::pair<long, long>> beside;
+    for (const ConvexPiece<3>& piece : rest->pieces) {
+      watch_.ask();
+      std::optional<std::size_t> inside;
+      const RationalPoint x = clear_point(rest->arrangement, piece, related, inside);
+      if (!is_plain || !beside) beside = winding_.beside(TriangleId(t), x);
+      const bool before = beside->first != 0, behind = beside->second != 0;
+      if (before == behind) continue;
+      if (!visit_({rest->arrangement, piece, walls->plane, x, behind})) return false;
+    }
+    return true;
+  }
+
+  // (2)
+  bool facet(UnionBoundary::FacetId f) {
+    auto rest = union_.rest(f);
+    if (!rest) return true;
+    const Halfspace& plane = union_.plane(f);
+    const auto related = surface_.relate(plane, union_.box(f), {}, std::nullopt);
+    surface_.cut(rest->arrangement, rest->pieces, related, 0);
+    const bool is_plain = related.crossing.empty() && related.coplanar.empty();
+    std::optional<long> outside;
+    for (const ConvexPiece<3>& piece : rest->pieces) {
+      watch_.ask();
+      std::optional<std::size_t> inside;
+      const RationalPoint x = clear_point(rest->arrangement, piece, related, inside);
+      if (!is_plain || !outside) outside = winding_before(plane, x, inside);
+      if (*outside == 0) continue;
+      if (!visit_({rest->arrangement, piece, plane, x, false})) return false;
+    }
+    return true;
+  }
+
+  // Where the plane looks.
+  long winding_before(const Halfspace& plane, const RationalPoint& x,
+                      std::optional<std::size_t> coplanar) const {
+    if (!coplanar) {
+      const std::optional<long> number = winding_(x);
+      if (!number) throw Error(ErrorCode::Internal, "a point off the surface lies on it");
+      return *number;
+    }
+    const auto beside = winding_.beside(TriangleId(*coplanar), x);
+    const bool looks_alike = dot(surface_.walls(*coplanar)->plane.normal(), plane.normal()) > 0;
+    return looks_alike ? beside.first : beside.second;
+  }
+
+  LaidSurface surface_;
+  const Winding& winding_;
+  UnionBoundary union_;
+  const std::function<bool(const SolidPiece&)>& visit_;
+  const Watch& watch_;
+  std::size_t done_ = 0, steps_ = 0;
+};
+
+}  // namespace
+
+void visit_uncovered_boundary(const Surface& surface, const Winding& winding,
+                              std::span<const ConvexPart> parts, long exponent,
+                              const std::function<bool(const SolidPiece&)>& visit,
+                              const Watch& watch) {
+  Walk(surface, winding, parts, exponent, visit, watch).run();
+}
+
+long common_exponent(const Surface& surface, std::span<const ConvexPart> parts) {
+  std::vector<BoundingBox> boxes;
+  if (surface.points.size() > 0) boxes.push_back(bounding_box(surface.points));
+  for (const ConvexPart& part : parts) boxes.push_back(part.box);
+  return common_exponent(boxes);
+}
+
+}  // namespace convexact

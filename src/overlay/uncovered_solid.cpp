@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Whether a union holds a solid, with a point outside as the witness; and the volume outside.
+#include <algorithm>
+
+#include "overlay/six_volumes.hpp"
+#include "overlay/solid_boundary.hpp"
+
+namespace convexact {
+namespace {
+
+// x in lowest bits: each coordinate rounded down to a multiple of 2^power.
+RationalPoint on_grid(const RationalPoint& x, long power) {
+  RationalPoint rounded;
+  for (int k = 0; k < 3; ++k) {
+    const Rational scaled = scale_by_power_of_two(x[k], -power);
+    Integer floor;
+    const Integer top = numerator(scaled), bottom = denominator(scaled);
+    mpz_fdiv_q(raw(floor), raw(top), raw(bottom));
+    rounded[k] = scale_by_power_of_two(Rational(floor), power);
+  }
+  return rounded;
+}
+
+class WitnessSearch {
+ public:
+  WitnessSearch(const Winding& winding, std::span<const ConvexPart> parts, long exponent)
+      : winding_(winding), parts_(parts), exponent_(exponent) {}
+
+  // A point near x, at first far from it, where the normal looks. Precondition: x is in no solid
+  // part's interior, and on that side of it lie points of the solid outside of all of them.
+  //
+  // Steps shrink, and their directions differ: those of (1, t, t^2) added to the normal. A flat
+  // part through x holds at most two of them.
+  UncoveredSolid near(const RationalPoint& x, const IntegerVector3& normal) const {
+    const auto length = static_cast<long>(bit_length(normal));
+    const Integer unit = Integer(1) << static_cast<unsigned>(length);
+    for (long j = 1; j < 4096; ++j) {
+      // |sum of the latter| < 4.6 2^22 unit, and 2^26 |n| >= 2^25 unit: so less than 0.6 of it.
+      const IntegerVector3 aside(Integer(unit << 22u), Integer(unit * (j << 11)),
+                                 Integer(unit * (j * j)));
+      const IntegerVector3 direction = normal * (Integer(1) << 26u) + aside;
+      const long shrink = j < 64 ? j : j * j / 64;
+      const long power = exponent_ - shrink - length - 26;
+      RationalPoint y = x;
+      for (int k = 0; k < 3; ++k) {
+        y[k] += scale_by_power_of_two(Rational(direction[k]), power);
+      }
+      if (j % 2 == 1) y = on_grid(y, exponent_ - shrink - 6);
+      if (is_held(y)) continue;
+      const std::optional<long> number = winding_(y);
+      if (number && *number != 0) return {std::move(y), *number};
+    }
+    throw Error(ErrorCode::Internal, "no point near an uncovered piece is uncovered");
+  }
+
+ private:
+  bool is_held(const RationalPoint& y) const {
+    return std::any_of(parts_.begin(), parts_.end(), [&](const ConvexPart& part) {
+      for (int k = 0; k < 3; ++k) {
+        if (y[k] < part.box.low[k] || part.box.high[k] < y[k]) return false;
+      }
+      return holds(part, y);
+    });
+  }
+
+  const Winding& winding_;
+  std::span<const ConvexPart> parts_;
+  long exponent_;
+};
+
+}  // namespace
+
+std::optional<UncoveredSolid> find_uncovered_solid(const Surface& surface, const Winding& winding,
+                                                   std::span<const ConvexPart> parts,
+                                                   const SurfaceCoverage& coverage,
+                                                   const Watch& watch) {
+  const long exponent = common_exponent(surface, parts);
+  const WitnessSearch search(winding, parts, exponent);
+  // (1) Beside an uncovered piece of a triangle the solid is uncovered, too: cheap, and enough for
+  // most. Sheets that cancel have no solid beside them here, but may have elsewhere.
+  for (const UncoveredPiece& piece : coverage.uncovered) {
+    watch.ask();
+    if (piece.corners.size() < 3) continue;
+    RationalPoint mean = RationalPoint::Zero();
+    for (const RationalPoint& corner : piece.corners) mean += corner;
+    for (Rational& x : mean) x /= Rational(piece.corners.size());
+    const auto [before, behind] = winding.beside(piece.triangle, mean);
+    if (before == 0 && behind == 0) continue;
+    const auto& ids = surface.triangles[piece.triangle.index()];
+    const Halfspace plane =
+        Halfspace::through(surface.points[ids[0]], surface.points[ids[1]], surface.points[ids[2]]);
+    const IntegerVector3 n = plane.normal();
+    return search.near(mean, before != 0 ? n : IntegerVector3(-n));
+  }
+  // (2) The boundary of what is uncovered.
+  std::optional<UncoveredSolid> found;
+  const auto visit = [&](const SolidPiece& piece) {
+    const IntegerVector3 n = piece.plane.normal();
+    found = search.near(piece.x, piece.looks_out ? IntegerVector3(-n) : n);
+    return false;
+  };
+  visit_uncovered_boundary(surface, winding, parts, exponent, visit, watch);
+  return found;
+}
+
+Measured uncovered_volume(const Surface& surface, const Winding& winding,
+                          std::span<const ConvexPart> parts, long precision, bool exact,
+                          const Watch& watch) {
+  if (surface.points.size() == 0) {
+    return {Enclosure(precision), exact ? std::optional<Rational>(0) : std::nullopt};
+  }
+  const long exponent = common_exponent(surface, parts);
+  const auto add_boundary = [&](SixVolumes& sum) {
+    const auto visit = [&](const SolidPiece& p) {
+      sum.add(p.arrangement, std::span(&p.piece, 1), p.looks_out);
+      return true;
+    };
+    visit_uncovered_boundary(surface, winding, parts, exponent, visit, watch);
+  };
+  return measure_inside(middle(bounding_box(surface.points)), precision, exact, add_boundary);
+}
+
+}  // namespace convexact
