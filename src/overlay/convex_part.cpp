@@ -4,9 +4,8 @@
 #include <variant>
 
 #include "convexact/error.hpp"
-#include "convexact/linear_program.hpp"
 #include "convexact/overlay.hpp"
-#include "overlay/scaled.hpp"
+#include "overlay/union_boundary.hpp"
 
 namespace convexact {
 namespace {
@@ -133,6 +132,36 @@ bool parts(const LaidPart& a, const LaidPart& b) {
   return false;
 }
 
+// A point inside both, behind a facet of the first that has an area inside the second.
+std::optional<RationalPoint> behind_facet_inside(const LaidPart& one, const LaidPart& other,
+                                                 long exponent) {
+  const Polytope& solid = *one.part->solid;
+  for (std::size_t f = 0; f < solid.facets.size(); ++f) {
+    const Meeting met = meeting(other, one.vertices, solid.facets[f]);
+    if (met.kind == Meeting::Apart || met.coplanar) continue;
+    PlanePieces facet = whole_facet(one, f);
+    std::vector<std::uint32_t> rows;
+    for (const std::size_t h : met.planes) {
+      rows.push_back(facet.arrangement.add(other.part->halfspaces[h]));
+    }
+    const auto taken = subtract<3>(facet.arrangement, facet.pieces, rows);
+    if (taken.empty()) continue;
+    // x is on one's boundary and inside the other, so some steps inward are inside of both.
+    const RationalPoint x = facet.arrangement.point(interior_of(facet.arrangement, taken.front()));
+    const IntegerVector3& normal = solid.planes[f].normal();
+    const long length = exponent - static_cast<long>(bit_length(normal));
+    for (long j = 2;; j += 1 + j / 8) {
+      RationalPoint y = x;
+      for (int k = 0; k < 3; ++k) {
+        y[k] -= scale_by_power_of_two(Rational(normal[k]), length - j);
+      }
+      const HomogeneousPoint p = homogeneous(y);
+      if (is_inside(*one.part, p) && is_inside(*other.part, p)) return y;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<RationalPoint> common_interior(const ConvexPart& a, const ConvexPart& b) {
@@ -164,11 +193,19 @@ std::optional<RationalPoint> common_interior(const ConvexPart& a, const ConvexPa
     const HomogeneousPoint p = homogeneous(middle);
     if (is_inside(a, p) && is_inside(b, p)) return middle;
   }
-  // (3) The linear program.
-  std::vector<Halfspace> all = a.halfspaces;
-  all.insert(all.end(), b.halfspaces.begin(), b.halfspaces.end());
-  const InteriorOutcome outcome = find_interior(all);
-  if (const auto* found = std::get_if<InteriorPoint>(&outcome)) return found->point;
+  // (3) A facet of one with an area inside the other: from there it is not far to the interior of
+  // both. If there is none, then either the interiors have no common point, or the second part lies
+  // in the first, and (2) or the exact middle of its vertices says so.
+  for (const auto& [one, other] : {std::pair(&first, &second), std::pair(&second, &first)}) {
+    if (auto found = behind_facet_inside(*one, *other, exponent)) return found;
+  }
+  for (const ConvexPart* part : {&a, &b}) {
+    RationalPoint sum = RationalPoint::Zero();
+    for (const RationalPoint& v : part->vertices) sum += v;
+    const RationalPoint mean = sum / Rational(part->vertices.size());
+    const HomogeneousPoint p = homogeneous(mean);
+    if (is_inside(a, p) && is_inside(b, p)) return mean;
+  }
   return std::nullopt;
 }
 

@@ -32,35 +32,18 @@ const LaidSurface::Walls* LaidSurface::walls(std::size_t t) const {
   const auto ids = corners(t);
   const HomogeneousPoint* p[3];
   for (std::size_t k = 0; k < 3; ++k) p[k] = &points_.exact(ids[k]);
-  // (1) The plane: (b - a) x (c - a), times the weights.
+  // (b - a) x (c - a), times the weights.
   const auto difference = [](const HomogeneousPoint& to, const HomogeneousPoint& from) {
     IntegerVector3 d;
     for (int k = 0; k < 3; ++k) d[k] = to.n[k] * from.w - from.n[k] * to.w;
     return d;
   };
-  const auto halfspace = [](const IntegerVector3& n, const HomogeneousPoint& on) {
-    return Halfspace(IntegerVector3(n * on.w), Integer(-dot(n, on.n)));
-  };
   const IntegerVector3 u = difference(*p[1], *p[0]), v = difference(*p[2], *p[0]);
   const IntegerVector3 n = u.cross(v);
-  int axis = 0;
-  for (int k = 1; k < 3; ++k) {
-    if (abs(n[k]) > abs(n[axis])) axis = k;
-  }
-  if (n[axis] == 0) return nullptr;
-  // (2) The wall of an edge e is parallel to that axis: its normal is e x axis, turned so that the
-  // third corner c is inside: (e x axis).c' = -n.axis for c' = c less an end of e.
-  std::vector<Halfspace> sides;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const IntegerVector3 e = difference(*p[(k + 1) % 3], *p[k]);
-    IntegerVector3 normal = IntegerVector3::Zero();
-    normal[(axis + 1) % 3] = e[(axis + 2) % 3];
-    normal[(axis + 2) % 3] = -e[(axis + 1) % 3];
-    if (n[axis] < 0) normal = -normal;
-    sides.push_back(halfspace(normal, *p[k]));
-  }
+  if (n == IntegerVector3::Zero()) return nullptr;
+  const Halfspace plane(IntegerVector3(n * p[0]->w), Integer(-dot(n, p[0]->n)));
   lazy.walls = std::make_unique<const Walls>(
-      Walls{halfspace(n, *p[0]), {std::move(sides[0]), std::move(sides[1]), std::move(sides[2])}});
+      Walls{plane, {wall(*p[0], *p[1], n), wall(*p[1], *p[2], n), wall(*p[2], *p[0], n)}});
   return lazy.walls.get();
 }
 

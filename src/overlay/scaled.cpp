@@ -11,6 +11,20 @@ HomogeneousPoint homogeneous(const RationalPoint& p) {
   return {std::move(cleared.x), std::move(cleared.d)};
 }
 
+Halfspace wall(const HomogeneousPoint& p, const HomogeneousPoint& q, const IntegerVector3& normal) {
+  int axis = 0;
+  for (int k = 1; k < 3; ++k) {
+    if (abs(normal[k]) > abs(normal[axis])) axis = k;
+  }
+  // (e x axis).c = -(e x c).axis, so with the normal along the axis the left side is inside.
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  IntegerVector3 outward = IntegerVector3::Zero();
+  outward[u] = q.n[v] * p.w - p.n[v] * q.w;
+  outward[v] = p.n[u] * q.w - q.n[u] * p.w;
+  if (normal[axis] < 0) outward = -outward;
+  return {IntegerVector3(outward * p.w), Integer(-dot(outward, p.n))};
+}
+
 long common_exponent(std::span<const BoundingBox> boxes) {
   std::optional<long> largest;
   for (const BoundingBox& box : boxes) {
@@ -22,9 +36,14 @@ long common_exponent(std::span<const BoundingBox> boxes) {
 
 namespace {
 
-// x 2^-exponent rounded to nearest.
+// x 2^-exponent, off by a relative 5 u to first order: numerator and denominator by 2 u each, as
+// they are cut off, and their quotient by u. What underflows is off by 2^-1074.
 double scaled(const Rational& x, long exponent) {
-  return to_double(scale_by_power_of_two(x, -exponent), Rounding::Nearest);
+  const auto* q = x.backend().data();
+  if (mpq_sgn(q) == 0) return 0;
+  long top = 0, bottom = 0;
+  const double n = mpz_get_d_2exp(&top, mpq_numref(q)), d = mpz_get_d_2exp(&bottom, mpq_denref(q));
+  return std::ldexp(n / d, static_cast<int>(std::max(top - bottom - exponent, -3000L)));
 }
 
 Point scaled(const RationalPoint& p, long exponent) {
@@ -54,8 +73,9 @@ ScaledPoints::ScaledPoints(std::span<const RationalPoint> points, long exponent)
 NearBox ScaledPoints::box(std::size_t i) const {
   NearBox box;
   for (int k = 0; k < 3; ++k) {
-    box.low[k] = std::nextafter(near_[i][k], -2.0);
-    box.high[k] = std::nextafter(near_[i][k], 2.0);
+    const double error = 8 * kUnitRoundoff * std::abs(near_[i][k]) + 0x1p-1070;
+    box.low[k] = near_[i][k] - error;  // the roundings here take less than the rest of 8 u
+    box.high[k] = near_[i][k] + error;
   }
   return box;
 }
@@ -79,14 +99,14 @@ ScaledPlane::ScaledPlane(const Halfspace& plane, long exponent) {
 }
 
 Sign ScaledPlane::side(const Halfspace& plane, const ScaledPoints& points, std::size_t i) const {
-  // To first order a product is off by 4 u of itself (2 u from n, u from x, u from rounding), d by
-  // 2 u, and the sums by 3 u of all. What underflows loses less than 2^-1073 each, as other
-  // factors are at most 1. An infinite d makes the bound infinite.
+  // To first order a product is off by 8 u of itself (2 u from n, 5 u from x, u from rounding), d
+  // by 2 u, and the sums by 3 u of all: 11 u. What underflows loses less than 2^-1073 each, as
+  // other factors are at most 1. An infinite d makes the bound infinite.
   const Point& x = points.near(i);
   const double a = near_[0] * x[0], b = near_[1] * x[1], c = near_[2] * x[2], d = near_[3];
   const double value = ((a + b) + c) + d;
   const double bound =
-      10 * kUnitRoundoff * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(d)) + 0x1p-990;
+      16 * kUnitRoundoff * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(d)) + 0x1p-990;
   if (value > bound) return Sign::Positive;
   if (value < -bound) return Sign::Negative;
   return sign_of(plane_value(plane, points.exact(i)));

@@ -16,6 +16,12 @@ namespace convexact {
 
 [[nodiscard]] HomogeneousPoint homogeneous(const RationalPoint& p);
 
+/// A halfspace whose plane holds p and q, and is parallel to the axis along which the normal is
+/// longest. Seen from where the normal looks, its inside lies to the left of the way from p to q.
+/// Precondition: q - p is perpendicular to the normal, and not zero.
+[[nodiscard]] Halfspace wall(const HomogeneousPoint& p, const HomogeneousPoint& q,
+                             const IntegerVector3& normal);
+
 /// The least e so that all coordinates of the boxes are below 2^e in size, or one more; 0 if all
 /// are zero.
 [[nodiscard]] long common_exponent(std::span<const BoundingBox> boxes);
@@ -27,7 +33,7 @@ class ScaledPoints {
   ScaledPoints(std::span<const RationalPoint> points, long exponent);
 
   std::size_t size() const { return near_.size(); }
-  /// Off by a relative u, or by 2^-1074.
+  /// Off by a relative 5 u and some of u^2, or by 2^-1074.
   const Point& near(std::size_t i) const { return near_[i]; }
   /// The unscaled point; computed when it is first asked for.
   const HomogeneousPoint& exact(std::size_t i) const {

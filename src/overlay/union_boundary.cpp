@@ -22,19 +22,36 @@ BoxTree tree_over_solids(std::span<const LaidPart> solids) {
 
 }  // namespace
 
+PlanePieces whole_facet(const LaidPart& solid, std::size_t facet) {
+  const std::vector<std::uint32_t>& ids = solid.part->solid->facets[facet];
+  const std::size_t m = ids.size();
+  const auto corner = [&](std::size_t i) -> const HomogeneousPoint& {
+    return solid.vertices.exact(ids[i % m]);
+  };
+  PlanePieces whole{Arrangement<3>({corner(0), corner(m / 3), corner(2 * m / 3)}), {}};
+  if (m == 3) {
+    whole.pieces.push_back(whole_frame<3>());
+    return whole;
+  }
+  const IntegerVector3& normal = solid.part->solid->planes[facet].normal();
+  std::vector<std::uint32_t> sides;
+  for (std::size_t i = 0; i < m; ++i) {
+    sides.push_back(whole.arrangement.add(wall(corner(i), corner(i + 1), normal)));
+  }
+  ConvexPiece<3>& piece = whole.pieces.emplace_back();
+  for (std::size_t i = 0; i < m; ++i) {
+    const auto at = whole.arrangement.meet({sides[(i + m - 1) % m], sides[i]});
+    piece.corners.push_back({at, sides[i]});
+  }
+  return whole;
+}
+
 UnionBoundary::UnionBoundary(std::span<const ConvexPart> parts, long exponent)
     : solids_(lay_solids(parts, exponent)), tree_(tree_over_solids(solids_)) {
   for (std::size_t s = 0; s < solids_.size(); ++s) {
-    const auto& facets = solids_[s].part->solid->facets;
-    EdgeFacets& edges = edge_facets_.emplace_back();
-    for (std::size_t f = 0; f < facets.size(); ++f) {
+    for (std::size_t f = 0; f < solids_[s].part->solid->facets.size(); ++f) {
       facets_.push_back({static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(f)});
-      for (std::size_t i = 0; i < facets[f].size(); ++i) {
-        const std::uint32_t tail = facets[f][i], head = facets[f][(i + 1) % facets[f].size()];
-        edges.push_back({{tail, head}, static_cast<std::uint32_t>(f)});
-      }
     }
-    std::sort(edges.begin(), edges.end());
   }
 }
 
@@ -44,36 +61,8 @@ NearBox UnionBoundary::box(FacetId f) const {
   return box;
 }
 
-UnionBoundary::Rest UnionBoundary::whole(FacetId f) const {
-  const auto ids = corners(f);
-  const std::size_t m = ids.size();
-  const ScaledPoints& vertices = points(f);
-  Rest rest{Arrangement<3>({vertices.exact(ids[0]), vertices.exact(ids[m / 3]),
-                            vertices.exact(ids[2 * m / 3])}),
-            {}};
-  if (m == 3) {
-    rest.pieces.push_back(whole_frame<3>());
-    return rest;
-  }
-  // Each side is cut out by the facet across.
-  const EdgeFacets& edges = edge_facets_[f.part];
-  std::vector<std::uint32_t> sides;
-  for (std::size_t i = 0; i < m; ++i) {
-    const std::pair reversed(ids[(i + 1) % m], ids[i]);
-    const auto across = std::lower_bound(edges.begin(), edges.end(), std::pair(reversed, 0u));
-    CONVEXACT_ASSERT(across != edges.end() && across->first == reversed);
-    sides.push_back(rest.arrangement.add(polytope(f).planes[across->second]));
-  }
-  ConvexPiece<3>& piece = rest.pieces.emplace_back();
-  for (std::size_t i = 0; i < m; ++i) {
-    const auto corner = rest.arrangement.meet({sides[(i + m - 1) % m], sides[i]});
-    piece.corners.push_back({corner, sides[i]});
-  }
-  return rest;
-}
-
-std::optional<UnionBoundary::Rest> UnionBoundary::subtract_from(Rest rest,
-                                                                const Meetings& meetings) const {
+std::optional<PlanePieces> UnionBoundary::subtract_from(PlanePieces rest,
+                                                        const Meetings& meetings) const {
   std::vector<std::uint32_t> rows;
   for (const auto& [s, met] : meetings) {
     rows.clear();
@@ -86,7 +75,7 @@ std::optional<UnionBoundary::Rest> UnionBoundary::subtract_from(Rest rest,
   return rest;
 }
 
-std::optional<UnionBoundary::Rest> UnionBoundary::rest(FacetId f) const {
+std::optional<PlanePieces> UnionBoundary::rest(FacetId f) const {
   std::vector<std::uint32_t> near;
   tree_.find(box(f), near);
   Meetings meetings;
@@ -102,10 +91,10 @@ std::optional<UnionBoundary::Rest> UnionBoundary::rest(FacetId f) const {
     if (met.kind == Meeting::Holds) return std::nullopt;
     meetings.emplace_back(s, std::move(met));
   }
-  return subtract_from(whole(f), meetings);
+  return subtract_from(whole_facet(solids_[f.part], f.facet), meetings);
 }
 
-std::optional<UnionBoundary::Rest> UnionBoundary::rest_of(
+std::optional<PlanePieces> UnionBoundary::rest_of(
     const ScaledPoints& points, const std::array<std::uint32_t, 3>& corners) const {
   NearBox box;
   for (const std::uint32_t i : corners) box.include(points.box(i));
@@ -117,9 +106,9 @@ std::optional<UnionBoundary::Rest> UnionBoundary::rest_of(
     if (met.kind == Meeting::Holds) return std::nullopt;
     if (met.kind == Meeting::Crossing) meetings.emplace_back(s, std::move(met));
   }
-  Rest whole{Arrangement<3>(
-                 {points.exact(corners[0]), points.exact(corners[1]), points.exact(corners[2])}),
-             {whole_frame<3>()}};
+  PlanePieces whole{Arrangement<3>({points.exact(corners[0]), points.exact(corners[1]),
+                                    points.exact(corners[2])}),
+                    {whole_frame<3>()}};
   return subtract_from(std::move(whole), meetings);
 }
 

@@ -19,6 +19,16 @@
 
 namespace convexact {
 
+/// Pieces of a plane.
+struct PlanePieces {
+  Arrangement<3> arrangement;
+  std::vector<ConvexPiece<3>> pieces;
+};
+
+/// A facet of a solid part as one piece. The frame's triangle looks outward; its points are three
+/// corners of the facet.
+[[nodiscard]] PlanePieces whole_facet(const LaidPart& solid, std::size_t facet);
+
 class UnionBoundary {
  public:
   /// Of the parts that are solid. Keeps references.
@@ -34,30 +44,21 @@ class UnionBoundary {
   const ScaledPoints& points(FacetId f) const { return solids_[f.part].vertices; }
   NearBox box(FacetId f) const;
 
-  /// What of a facet bounds the union. The frame's triangle looks outward; its points are three
-  /// corners of the facet.
-  struct Rest {
-    Arrangement<3> arrangement;
-    std::vector<ConvexPiece<3>> pieces;
-  };
-  std::optional<Rest> rest(FacetId f) const;
+  /// What of a facet bounds the union, of whole_facet(); nothing if no piece does.
+  std::optional<PlanePieces> rest(FacetId f) const;
 
   /// What the closed solids leave of a triangle with an area.
-  std::optional<Rest> rest_of(const ScaledPoints& points,
-                              const std::array<std::uint32_t, 3>& corners) const;
+  std::optional<PlanePieces> rest_of(const ScaledPoints& points,
+                                     const std::array<std::uint32_t, 3>& corners) const;
 
  private:
   using Meetings = std::vector<std::pair<std::uint32_t, Meeting>>;
-  std::optional<Rest> subtract_from(Rest rest, const Meetings& meetings) const;
+  std::optional<PlanePieces> subtract_from(PlanePieces rest, const Meetings& meetings) const;
   const Polytope& polytope(FacetId f) const { return *solids_[f.part].part->solid; }
-  Rest whole(FacetId f) const;
 
   std::vector<LaidPart> solids_;
   std::vector<FacetId> facets_;
   BoxTree tree_;
-  // By solid: (tail, head) of an edge of a facet with that edge, ascending.
-  using EdgeFacets = std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>>;
-  std::vector<EdgeFacets> edge_facets_;
 };
 
 }  // namespace convexact
