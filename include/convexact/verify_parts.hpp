@@ -60,7 +60,6 @@ struct PartsRequest {
 /// A part on its own.
 struct JudgedPart {
   std::string name;
-  ConvexPart hull;
   CandidateSize size;
   /// What its own claims say: solid, closed, oriented, planar, convex, and the budgets; of those
   /// that were asked.
@@ -85,6 +84,7 @@ struct PartsVerdict {
   std::vector<Claim> claims;  ///< One for each of kPartsClaims, in that order.
   Surface surface;            ///< Of the input.
   std::vector<JudgedPart> parts;
+  std::vector<ConvexPart> hulls;               ///< By part: what it stands for.
   std::size_t points = 0, points_outside = 0;  ///< If covers-points was decided.
   std::optional<SurfaceCoverage> coverage;     ///< If covers-surface or covers-solid was.
   /// The part nearest to the uncovered point that is farthest among those found.

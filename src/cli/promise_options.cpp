@@ -36,6 +36,7 @@ std::vector<ClaimCode> parse_claims(const std::string& text) {
       for (const ClaimCode known : kAllClaims) {
         names += (names.empty() ? "" : ", ") + std::string(name_of(known));
       }
+      for (const ClaimCode known : kPartsClaims) names += ", " + std::string(name_of(known));
       throw Error(ErrorCode::InvalidArgument,
                   "--claims: expected names out of " + names + "; found " + in_quotes(word));
     }

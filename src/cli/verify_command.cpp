@@ -11,6 +11,7 @@
 #include "cli/progress.hpp"
 #include "cli/promise_options.hpp"
 #include "cli/verify_trace.hpp"
+#include "cli/verify_union.hpp"
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
 #include "convexact/scene.hpp"
@@ -30,13 +31,15 @@ constexpr const char* kVerifyFooter =
     "  convexact verify bunny.obj my_planes.json --max-facets 18 --json\n"
     "  convexact verify bunny.obj my_hull.stl --claims contains-input --tolerance 1e-9d\n"
     "  convexact verify room.obj proxies.obj --parts\n"
+    "  convexact verify cow.obj cow_parts.obj --union --picture parts.html\n"
+    "  convexact verify cow.obj parts/ --claims covers-surface,parts-disjoint --max-parts 24\n"
     "  convexact verify --inner bunny.obj my_inner_hull.obj\n"
     "  convexact verify bunny.obj --trace steps.json --max-regret 1%\n"
     "  convexact verify bunny.obj --trace my_planes.txt --cost area\n"
     "  convexact verify --stdio <requests.jsonl\n"
     "\n"
     "A mesh stands for the convex hull of its points, a list of halfspaces for their\n"
-    "intersection.\n"
+    "intersection. With --union, a mesh stands for the union of the hulls of its objects.\n"
     "Every claim is decided exactly, on the numbers as they are stored; each violation comes\n"
     "with a witness. docs/verdicts.md#CODE describes the claim CODE.\n"
     "Exit code 0: every claim holds. 1: one is violated, or the CANDIDATE is malformed. 3: a\n"
@@ -52,6 +55,7 @@ struct VerifyArguments {
   PromiseOptions promise;
   bool exact_facets = false, no_tightness = false, parts = false, inner = false;
   TraceOptions trace;
+  UnionOptions of_union;
   bool stdio = false;
   std::optional<double> time_limit;
 };
@@ -93,8 +97,40 @@ VerifyRequest verify_request(const VerifyArguments& options, const Promise& prom
   return request;
 }
 
+// The parts of the candidate together.
+int run_union(const VerifyArguments& options) {
+  if (options.parts && options.claims && options.claims->find(kNoGaps) != std::string::npos) {
+    throw Error(ErrorCode::InvalidArgument,
+                "--claims: no-gaps compares parts of INPUT with those of CANDIDATE one by one, and "
+                "INPUT has one");
+  }
+  const Promise promise = promise_of(options);
+  const VerifyRequest each = verify_request(options, promise);
+  PartsRequest request;
+  request.claims = each.claims;
+  request.tolerance = each.tolerance;
+  request.max_facets = each.max_facets;
+  request.max_vertices = each.max_vertices;
+  request.max_facet_vertices = each.max_facet_vertices;
+  request.exact_facets = each.exact_facets;
+  request.measures = each.tightness;
+  request.seed = each.seed;
+  return run_verify_union(options.global, options.input, options.candidate,
+                          meaning_of_numbers(promise, options.decimal), std::move(request),
+                          options.of_union);
+}
+
+bool names_a_claim_of_parts(const VerifyArguments& options) {
+  const std::vector<std::string> names = words_of(options.claims.value_or(""));
+  return std::any_of(names.begin(), names.end(), [](const std::string& name) {
+    const auto code = claim_of_name(name);
+    return code && is_of_parts(*code);
+  });
+}
+
 // Each part of the input with the part of the candidate, and the gaps between these.
 int run_verify_parts(VerifyArguments options) {
+  const VerifyArguments given = options;
   SceneVerifyRequest request;
   if (options.claims) {
     std::vector<std::string> names = words_of(*options.claims);
@@ -114,6 +150,12 @@ int run_verify_parts(VerifyArguments options) {
   });
   const Candidate candidate = log.run("read candidate", StageKind::Io,
                                       [&] { return read_candidate(options.candidate, decimal); });
+  // Parts of one object can only be meant together.
+  if (const auto* mesh = std::get_if<Mesh>(&candidate);
+      input.size() == 1 && mesh != nullptr && objects_with_faces(*mesh) > 1) {
+    progress.clear();
+    return run_union(given);
+  }
   request.each.watch = progress.watch();
   const auto outcome = verify_scene(input, candidate, request);
   progress.clear();
@@ -212,6 +254,22 @@ int run_verify(const VerifyArguments& options) {
   if (options.inner && (has_trace || options.parts)) {
     throw Error(ErrorCode::InvalidArgument, "--inner judges one CANDIDATE: no --trace, no --parts");
   }
+  const bool is_union =
+      has_candidate && (options.of_union.is_asked || names_a_claim_of_parts(options) ||
+                        is_decomposition(options.candidate));
+  if (is_union && options.parts && options.of_union.is_asked) {
+    throw Error(ErrorCode::InvalidArgument,
+                "--parts judges parts one by one and --union all together: name one of them");
+  }
+  if (is_union && options.inner) {
+    throw Error(ErrorCode::InvalidArgument, "--inner judges one CANDIDATE, not a union of parts");
+  }
+  if (is_union) return run_union(options);
+  if (const std::string foreign = options.of_union.foreign_to_one_solid();
+      !foreign.empty() || (has_trace && options.of_union.is_asked)) {
+    throw Error(ErrorCode::InvalidArgument, has_trace ? "--trace judges a removal order, not parts"
+                                                      : foreign + " needs --union");
+  }
   if (options.parts) return run_verify_parts(options);
   const std::vector<std::string> claims = words_of(options.claims.value_or(""));
   if (std::count(claims.begin(), claims.end(), kNoGaps) > 0) {
@@ -246,6 +304,7 @@ void add_verify_command(CLI::App& program, int& exit_code) {
                    "judge an inner solid: whether it lies in the hull of INPUT, not around it");
   command.add_flag("--no-tightness", options->no_tightness,
                    "do not measure volume, area, mean width and distance");
+  add_union_options(command, options->of_union);
   add_decimal_option(command, options->decimal);
   add_trace_options(command, options->trace);
   command.add_flag("--stdio", options->stdio,

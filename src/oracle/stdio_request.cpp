@@ -15,9 +15,12 @@
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "convexact/verify.hpp"
+#include "convexact/verify_parts.hpp"
 #include "io/json.hpp"
 #include "io/json_text.hpp"
 #include "number/text.hpp"
+#include "oracle/json_mesh.hpp"
+#include "oracle/parts_verdict.hpp"
 #include "oracle/verdict_report.hpp"
 #include "scene/result_json.hpp"
 
@@ -55,45 +58,34 @@ Rational coefficient(const json& value, Decimal decimal) {
   return is_hex_float(text) ? parse_hex_float(text) : parse_number(text, decimal);
 }
 
-// As in a mesh: every decimal is the nearest double or binary32 number, also one without a point or
-// an exponent. Fractions and hexadecimal floats are what they spell; where the numbers are
-// binary32, they are rounded too.
-Rational coordinate(const json& value, Decimal decimal) {
-  const std::string_view text = text_of(value);
-  const bool is_hex = is_hex_float(text);
-  const bool is_fraction = text.find('/') != std::string_view::npos;
-  if (!is_hex && !is_fraction && decimal != Decimal::Exact) {
-    return to_rational(decimal == Decimal::Nearest ? nearest_double(text) : nearest_float(text));
-  }
-  const Rational spelled = is_hex ? parse_hex_float(text) : parse_number(text, Decimal::Exact);
-  if (decimal != Decimal::Nearest32) return spelled;
-  const float rounded = to_float(spelled, Rounding::Nearest);
-  if (!std::isfinite(rounded)) {
-    throw Error(ErrorCode::NotFinite,
-                "expected a number within binary32, found " + in_quotes(text));
-  }
-  return to_rational(rounded);
-}
-
 // The oracle reports errors in the numbers of a candidate.
 Candidate candidate(const json& object, Decimal decimal) {
   require_known_keys(object, {"planes", "vertices", "faces"}, "the candidate");
   if (object.contains("planes") == object.contains("vertices")) {
-    reject("a candidate with 'planes' or with 'vertices'");
+    reject("a candidate with 'planes', with 'vertices', or with 'parts'");
   }
   if (object.contains("planes") && object.contains("faces")) reject("faces with 'vertices' only");
-  const auto coordinates = [&](const json& x) { return coordinate(x, decimal); };
   try {
     if (object.contains("planes")) {
       return halfspaces_of_json(object["planes"],
                                 [&](const json& x) { return coefficient(x, decimal); });
     }
-    Mesh mesh;
-    mesh.points = points_of_json(object["vertices"], "vertex", coordinates);
-    if (object.contains("faces")) {
-      mesh.polygons = polygons_of_json(object["faces"], mesh.points.size());
+    return mesh_of_json(object, decimal);
+  } catch (const Error& error) {
+    return error;
+  }
+}
+
+CandidateParts candidate_parts(const json& object, Decimal decimal) {
+  require_known_keys(object, {"parts"}, "a candidate with parts");
+  if (!object["parts"].is_array()) reject("the parts as an array");
+  try {
+    std::vector<NamedPart> parts;
+    for (const json& part : object["parts"]) {
+      require_known_keys(part, {"name", "vertices", "faces"}, "a part");
+      parts.push_back(part_of_json(part, parts.size(), decimal));
     }
-    return mesh;
+    return parts;
   } catch (const Error& error) {
     return error;
   }
@@ -139,6 +131,22 @@ VerifyRequest questions(const json& request) {
   asked.max_facets = budget(request, "max_facets");
   asked.max_vertices = budget(request, "max_vertices");
   asked.max_facet_vertices = budget(request, "max_facet_vertices");
+  return asked;
+}
+
+// The same questions to parts, and how many there may be.
+PartsRequest questions_to_parts(const json& request) {
+  const VerifyRequest each = questions(request);
+  if (each.inner) reject("inner with a single solid only");
+  PartsRequest asked;
+  asked.claims = each.claims;
+  asked.tolerance = each.tolerance;
+  asked.max_parts = budget(request, "max_parts");
+  asked.max_facets = each.max_facets;
+  asked.max_vertices = each.max_vertices;
+  asked.max_facet_vertices = each.max_facet_vertices;
+  asked.exact_facets = each.exact_facets;
+  asked.measures = each.tightness;
   return asked;
 }
 
@@ -194,12 +202,12 @@ class TimeLimit {
   std::thread waiter_;
 };
 
-VerifyOutcome verify_in_time(const PointSet& input, const Candidate& candidate, VerifyRequest asked,
-                             std::optional<double> seconds) {
+// What `decide` answers, given the flag that stops it.
+template <class Decide>
+auto in_time(std::optional<double> seconds, const Decide& decide) {
   const TimeLimit limit(seconds);
-  asked.watch.stop = &limit.is_over();
   try {
-    return verify(input, candidate, asked);
+    return decide(&limit.is_over());
   } catch (const Error& error) {
     if (error.code() != ErrorCode::Stopped) throw;
     throw Error(ErrorCode::Stopped,
@@ -207,12 +215,30 @@ VerifyOutcome verify_in_time(const PointSet& input, const Candidate& candidate, 
   }
 }
 
+ordered_json answer_about_parts(const json& request, PointSet points, Decimal decimal,
+                                std::optional<double> seconds) {
+  PartsRequest asked = questions_to_parts(request);
+  Mesh input{std::move(points), {}, {}};
+  if (request.contains("triangles")) {
+    input.polygons = polygons_of_json(request["triangles"], input.points.size());
+  }
+  const CandidateParts parts = candidate_parts(request["candidate"], decimal);
+  PartsVerdict verdict = in_time(seconds, [&](const std::atomic<bool>* stop) {
+    asked.watch.stop = stop;
+    return verify_parts(input, parts, asked);
+  });
+  ordered_json json = parts_verdict_json(verdict);
+  std::erase_if(json["claims"].get_ref<ordered_json::array_t&>(),
+                [](const ordered_json& claim) { return claim["status"] == "not-asked"; });
+  return json;
+}
+
 ordered_json answer(const json& request, std::optional<double> time_limit) {
-  require_known_keys(
-      request,
-      {"id", "points", "candidate", "claims", "tolerance", "tightness", "decimal", "numbers",
-       "max_facets", "max_vertices", "max_facet_vertices", "exact_facets", "inner", "time_limit"},
-      "the request");
+  require_known_keys(request,
+                     {"id", "points", "candidate", "claims", "tolerance", "tightness", "decimal",
+                      "numbers", "max_facets", "max_vertices", "max_facet_vertices", "exact_facets",
+                      "inner", "time_limit", "triangles", "max_parts"},
+                     "the request");
   if (request.contains("id") && request["id"].is_structured()) {
     reject("an id that is a number, a string, true, false or null");
   }
@@ -220,11 +246,21 @@ ordered_json answer(const json& request, std::optional<double> time_limit) {
     reject("a request with 'points' and 'candidate'");
   }
   const Decimal decimal = decimal_of(request);
-  const VerifyRequest asked = questions(request);
-  const PointSet input = points_of_json(request["points"], "point",
-                                        [&](const json& x) { return coordinate(x, decimal); });
-  VerifyOutcome outcome = verify_in_time(input, candidate(request["candidate"], decimal), asked,
-                                         time_limit_of(request, time_limit));
+  VerifyRequest asked = questions(request);
+  PointSet input = points_of_json(request["points"], "point",
+                                  [&](const json& x) { return coordinate_of_json(x, decimal); });
+  const std::optional<double> seconds = time_limit_of(request, time_limit);
+  if (request["candidate"].is_object() && request["candidate"].contains("parts")) {
+    return answer_about_parts(request, std::move(input), decimal, seconds);
+  }
+  for (const char* key : {"triangles", "max_parts"}) {
+    if (request.contains(key)) reject(std::string(key) + " with a candidate that has 'parts' only");
+  }
+  const Candidate judged = candidate(request["candidate"], decimal);
+  VerifyOutcome outcome = in_time(seconds, [&](const std::atomic<bool>* stop) {
+    asked.watch.stop = stop;
+    return verify(input, judged, asked);
+  });
   if (auto* verdict = std::get_if<Verdict>(&outcome)) {
     std::erase_if(verdict->claims, [](const Claim& c) { return c.status == Status::NotAsked; });
     return verdict_json(*verdict);

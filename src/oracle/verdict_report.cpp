@@ -20,9 +20,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json distance_json(const Rational& squared, const Rational& squared_diameter) {
-  return {{"squared", to_string(squared)},
-          {"decimal", decimal_of_root(squared, kDigits)},
-          {"relative", decimal_of_root(squared / squared_diameter, kDigits)}};
+  Json json = {{"squared", to_string(squared)}, {"decimal", decimal_of_root(squared, kDigits)}};
+  if (squared_diameter > 0) {
+    json["relative"] = decimal_of_root(squared / squared_diameter, kDigits);
+  }
+  return json;
 }
 
 Json witness_json(const Witness& w, const Rational& squared_diameter) {
@@ -38,6 +40,9 @@ Json witness_json(const Witness& w, const Rational& squared_diameter) {
   if (w.direction) json["direction"] = vector_json(*w.direction);
   if (w.squared_distance) json["distance"] = distance_json(*w.squared_distance, squared_diameter);
   if (w.count) json["count"] = *w.count;
+  if (!w.parts.empty()) json["parts"] = w.parts;
+  if (w.input_face) json["input_face"] = *w.input_face;
+  if (w.winding) json["winding"] = *w.winding;
   return json;
 }
 
@@ -65,10 +70,6 @@ Json size_json(const CandidateSize& size) {
 constexpr int kVerdictDigits = 6;
 constexpr std::size_t kLongestFraction = 60;  // longer ones are for --json
 
-std::string verdict_line(const char* label, const std::string& text) {
-  return fmt::format("  {:<19} {}\n", label, text);
-}
-
 std::string claim_lines(const Claim& claim) {
   std::string text = fmt::format("  {:<19} {:<15} {}\n", name_of(claim.code), name_of(claim.status),
                                  claim.sentence);
@@ -82,9 +83,9 @@ std::string claim_lines(const Claim& claim) {
   return text;
 }
 
-std::string not_asked_line(const Verdict& verdict) {
+std::string not_asked_line(std::span<const Claim> claims) {
   std::string names;
-  for (const Claim& claim : verdict.claims) {
+  for (const Claim& claim : claims) {
     if (claim.status == Status::NotAsked) {
       names += (names.empty() ? "" : ", ") + std::string(name_of(claim.code));
     }
@@ -130,40 +131,61 @@ std::string tightness_lines(const Tightness& tightness, const Rational& squared_
                                                   kVerdictDigits)));
 }
 
-std::string summary_line(const Verdict& verdict) {
-  const auto count = [&](const auto& is_meant) {
-    return std::count_if(verdict.claims.begin(), verdict.claims.end(), is_meant);
-  };
-  const auto violated = count([](const Claim& c) { return c.status == Status::Violated; });
-  const auto undecided = count([](const Claim& c) { return c.is_undecided(); });
-  const auto claims = [](std::ptrdiff_t number, const char* one, const char* many) {
-    return number == 1 ? std::string("1 claim ") + one : fmt::format("{} claims {}", number, many);
-  };
-  return verdict_line("verdict", violated > 0    ? claims(violated, "is violated", "are violated")
-                                 : undecided > 0 ? claims(undecided, "was", "were") +
-                                                       " asked for by name and cannot be decided"
-                                                 : "every claim holds");
-}
-
 }  // namespace
 
-Json verdict_json(const Verdict& verdict) {
-  Json claims = Json::array();
-  for (const Claim& claim : verdict.claims) {
-    Json& json = claims.emplace_back();
+std::string verdict_line(const char* label, const std::string& text) {
+  return fmt::format("  {:<19} {}\n", label, text);
+}
+
+Json claims_json(std::span<const Claim> claims, const Rational& squared_diameter) {
+  Json list = Json::array();
+  for (const Claim& claim : claims) {
+    Json& json = list.emplace_back();
     json = {{"code", name_of(claim.code)}, {"status", name_of(claim.status)}};
     if (!claim.sentence.empty()) json["sentence"] = claim.sentence;
-    Json witness = witness_json(claim.witness, verdict.squared_diameter);
+    Json witness = witness_json(claim.witness, squared_diameter);
     if (!witness.empty()) json["witness"] = std::move(witness);
   }
-  const bool is_violated =
-      std::any_of(verdict.claims.begin(), verdict.claims.end(),
-                  [](const Claim& claim) { return claim.status == Status::Violated; });
-  Json json = {{"verdict", verdict.holds() ? "holds"
-                           : is_violated   ? "violated"
-                                           : "undecided"},
-               {"claims", claims},
-               {"candidate", size_json(verdict.size)}};
+  const bool is_violated = std::any_of(claims.begin(), claims.end(), [](const Claim& claim) {
+    return claim.status == Status::Violated;
+  });
+  const bool is_undecided = std::any_of(claims.begin(), claims.end(), [](const Claim& claim) {
+    return claim.status == Status::Undecided || claim.is_undecided();
+  });
+  return {{"verdict", is_violated    ? "violated"
+                      : is_undecided ? "undecided"
+                                     : "holds"},
+          {"claims", std::move(list)}};
+}
+
+std::string claims_text(std::span<const Claim> claims) {
+  std::string text;
+  for (const Claim& claim : claims) {
+    if (claim.status != Status::NotAsked) text += claim_lines(claim);
+  }
+  return text + not_asked_line(claims);
+}
+
+std::string verdict_line(std::span<const Claim> claims) {
+  const auto count = [&](const auto& is_meant) {
+    return std::count_if(claims.begin(), claims.end(), is_meant);
+  };
+  const auto violated = count([](const Claim& c) { return c.status == Status::Violated; });
+  const auto undecided = count([](const Claim& c) { return c.status == Status::Undecided; });
+  const auto inapplicable = count([](const Claim& c) { return c.is_undecided(); });
+  const auto counted = [](std::ptrdiff_t number, const char* one, const char* many) {
+    return number == 1 ? std::string("1 claim ") + one : fmt::format("{} claims {}", number, many);
+  };
+  return verdict_line("verdict", violated > 0    ? counted(violated, "is violated", "are violated")
+                                 : undecided > 0 ? counted(undecided, "is", "are") + " not decided"
+                                 : inapplicable > 0 ? counted(inapplicable, "was", "were") +
+                                                          " asked for by name and cannot be decided"
+                                                    : "every claim holds");
+}
+
+Json verdict_json(const Verdict& verdict) {
+  Json json = claims_json(verdict.claims, verdict.squared_diameter);
+  json["candidate"] = size_json(verdict.size);
   if (const auto& outside = verdict.outside) {
     json["outside"] = {{"points", outside->points}, {"tested", outside->tested}};
     if (const auto& worst = outside->relative_squared_distance) {
@@ -185,15 +207,11 @@ Json verdict_json(const Verdict& verdict) {
 }
 
 std::string verdict_table(const Verdict& verdict) {
-  std::string text;
-  for (const Claim& claim : verdict.claims) {
-    if (claim.status != Status::NotAsked) text += claim_lines(claim);
-  }
-  text += not_asked_line(verdict);
+  std::string text = claims_text(verdict.claims);
   text += size_lines(verdict.size);
   if (verdict.tightness) text += tightness_lines(*verdict.tightness, verdict.squared_diameter);
   for (const std::string& note : verdict.notes) text += verdict_line("note", note);
-  return text + summary_line(verdict);
+  return text + verdict_line(verdict.claims);
 }
 
 }  // namespace convexact

@@ -3,6 +3,7 @@
 // people.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 
 #include "convexact/verify.hpp"
@@ -12,6 +13,17 @@ namespace convexact {
 /// {"verdict", "claims", "candidate", "outside", "tightness", "notes"}; numbers that are not
 /// doubles are strings, exact ones as fractions.
 [[nodiscard]] nlohmann::ordered_json verdict_json(const Verdict& verdict);
+
+/// The claims with their witnesses, and what they come to: "verdict", "claims".
+[[nodiscard]] nlohmann::ordered_json claims_json(std::span<const Claim> claims,
+                                                 const Rational& squared_diameter);
+
+/// A line for each claim that was asked, and one with those that were not.
+[[nodiscard]] std::string claims_text(std::span<const Claim> claims);
+/// What the claims come to, as the last line of a table.
+[[nodiscard]] std::string verdict_line(std::span<const Claim> claims);
+/// A line of such a table.
+[[nodiscard]] std::string verdict_line(const char* label, const std::string& text);
 
 /// A line for each claim that was asked, then how tight the candidate is, then the verdict.
 [[nodiscard]] std::string verdict_table(const Verdict& verdict);

@@ -88,6 +88,12 @@ SceneObject halfspace_object(const std::string& path, HalfspaceList list) {
 
 }  // namespace
 
+std::size_t objects_with_faces(const Mesh& mesh) {
+  return static_cast<std::size_t>(
+      std::count_if(mesh.parts.begin(), mesh.parts.end(),
+                    [](const MeshPart& part) { return part.first_polygon < part.last_polygon; }));
+}
+
 std::vector<SceneObject> parts_of(const Mesh& mesh, const std::string& file) {
   std::vector<SceneObject> parts;
   for (const MeshPart& part : mesh.parts) {

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "cli/verify_union.hpp"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cli/outputs.hpp"
+#include "cli/progress.hpp"
+#include "convexact/io.hpp"
+#include "convexact/query.hpp"
+#include "convexact/scene.hpp"
+#include "io/json.hpp"
+#include "oracle/parts_verdict.hpp"
+#include "report/parts_picture.hpp"
+#include "scene/result_json.hpp"
+#include "scene/stage_log.hpp"
+
+namespace convexact::cli {
+namespace {
+
+constexpr auto kOrientNames = name_table<Orient>({{Orient::Auto, "auto"}, {Orient::Keep, "keep"}});
+
+// The faces of an input: of halfspaces, the facets of their solid.
+std::variant<Mesh, NotSolid> mesh_of(SceneObject object) {
+  if (auto* points = std::get_if<PointSet>(&object.shape)) {
+    return Mesh{std::move(*points), std::move(object.polygons), std::move(object.groups)};
+  }
+  auto solid = queried_solid(object.shape);
+  if (auto* reason = std::get_if<NotSolid>(&solid)) return of_typed_rows(*reason, object.rows);
+  auto& polytope = std::get<Polytope>(solid);
+  return Mesh{PointSet(std::move(polytope.vertices)), std::move(polytope.facets), {}};
+}
+
+}  // namespace
+
+std::string UnionOptions::foreign_to_one_solid() const {
+  return max_parts          ? "--max-parts"
+         : orient           ? "--orient"
+         : exact_volumes    ? "--exact-volumes"
+         : !picture.empty() ? "--picture"
+                            : "";
+}
+
+void add_union_options(CLI::App& command, UnionOptions& options) {
+  command.add_flag("--union", options.is_asked,
+                   "judge the parts of CANDIDATE together: does their union hold INPUT? Also "
+                   "without this option if CANDIDATE is a folder, or JSON with \"parts\", or if "
+                   "--claims names a claim of parts");
+  add_count(command, "--max-parts", options.max_parts, {}, "with --union: most parts");
+  add_choice(command, "--orient", options.orient, kOrientNames,
+             "with --union: turn faces of INPUT until its solid comes out right, or keep them as "
+             "they are (default: auto)");
+  command.add_flag("--exact-volumes", options.exact_volumes,
+                   "with --union: volumes as fractions, too, which may be very long");
+  command.add_option("--picture", options.picture,
+                     "with --union: a page (.html) that shows the parts, and in red what of INPUT "
+                     "lies in none");
+}
+
+bool is_decomposition(const std::string& path) {
+  std::error_code ignored;
+  if (path == "-") return false;
+  if (std::filesystem::is_directory(path, ignored)) return true;
+  if (halfspace_format_of_path(path) != HalfspaceFormat::Json) return false;
+  return read_bytes(path).find("\"parts\"") != std::string::npos;
+}
+
+int run_verify_union(const GlobalOptions& global, const std::string& input,
+                     const std::string& candidate, Decimal decimal, PartsRequest request,
+                     const UnionOptions& options) {
+  if (!options.picture.empty()) {
+    if (!options.picture.ends_with(".html")) {
+      throw Error(ErrorCode::InvalidArgument, "--picture: expected a name that ends in .html");
+    }
+    require_other_files({options.picture}, {input, candidate});
+  }
+  request.max_parts = options.max_parts;
+  request.orient = options.orient.value_or(Orient::Auto);
+  request.exact_volumes = options.exact_volumes;
+  Progress progress;
+  StageLog log(progress.watch());
+  SceneObject object = log.run("read input", StageKind::Io, [&] {
+    return std::move(read_scene({input}, {.decimal = decimal, .on_read = remember_input}).front());
+  });
+  const std::string name = object.name;
+  const auto made = mesh_of(std::move(object));
+  if (const auto* reason = std::get_if<NotSolid>(&made)) {
+    progress.clear();
+    return report_not_solid(global, name, *reason);
+  }
+  const CandidateParts parts =
+      log.run("read parts", StageKind::Io, [&] { return read_parts(candidate, decimal); });
+  request.watch = progress.watch();
+  const PartsVerdict verdict = verify_parts(std::get<Mesh>(made), parts, request);
+  log.add(verdict.stages);
+  progress.clear();
+  OutputFiles files;
+  if (!options.picture.empty()) {
+    files.emplace_back(options.picture,
+                       picture_html(parts_picture(std::get<Mesh>(made), verdict, name)));
+  }
+  std::string answer;
+  if (global.json) {
+    nlohmann::ordered_json document = {{"input", name}, {"file", candidate}};
+    document.update(parts_verdict_json(verdict));
+    document["stages"] = stages_json(log.stages());
+    answer = write_json(document, 2) + "\n";
+  } else {
+    answer = candidate + " as parts of " + name + "\n" + parts_verdict_text(verdict) +
+             (options.picture.empty() ? "" : "  written             " + options.picture + "\n") +
+             "\n" + stage_text(log.stages(), global.stages);
+  }
+  write_together(files, answer);
+  return verdict.holds() ? 0 : 1;
+}
+
+}  // namespace convexact::cli

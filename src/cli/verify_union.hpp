@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// verify_union.hpp - verify INPUT PARTS: judges the union of a decomposition's parts.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "convexact/verify_parts.hpp"
+
+namespace convexact::cli {
+
+struct UnionOptions {
+  bool is_asked = false;  ///< --union
+  std::optional<std::size_t> max_parts;
+  std::optional<Orient> orient;
+  bool exact_volumes = false;
+  std::string picture;
+
+  /// An option that has no meaning for a single solid; empty if none is given.
+  std::string foreign_to_one_solid() const;
+};
+
+/// Adds --union, --max-parts, --orient, --exact-volumes and --picture.
+void add_union_options(CLI::App& command, UnionOptions& options);
+
+/// Whether a candidate can only be a decomposition: a folder, or JSON with "parts".
+[[nodiscard]] bool is_decomposition(const std::string& path);
+
+/// Judges the parts, prints the verdict, writes the picture, and returns the exit code: 0 if every
+/// claim holds, else 1 (4 for an empty input).
+/// @param request  Without what `options` says.
+int run_verify_union(const GlobalOptions& global, const std::string& input,
+                     const std::string& candidate, Decimal decimal, PartsRequest request,
+                     const UnionOptions& options);
+
+}  // namespace convexact::cli

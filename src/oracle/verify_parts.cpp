@@ -1,0 +1,431 @@
+// SPDX-License-Identifier: MIT
+// verify_parts(): which claims are asked, the order in which they are decided, and what each part
+// is on its own.
+#include "convexact/verify_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "convexact/error.hpp"
+#include "convexact/measure.hpp"
+#include "number/text.hpp"
+#include "oracle/judge.hpp"
+#include "oracle/parts_trial.hpp"
+
+namespace convexact {
+namespace oracle {
+namespace {
+
+using enum ClaimCode;
+
+const std::optional<std::size_t>* budget_of(const PartsRequest& request, ClaimCode code) {
+  switch (code) {
+    case MaxParts:
+      return &request.max_parts;
+    case MaxPartFacets:
+      return &request.max_facets;
+    case MaxPartVertices:
+      return &request.max_vertices;
+    case MaxPartFacetVertices:
+      return &request.max_facet_vertices;
+    default:
+      return nullptr;
+  }
+}
+
+bool is_default(ClaimCode code) {
+  return code != CoversSolid && code != PartsDisjoint && code != PartsNeeded;
+}
+
+// The claim of a single solid that a budget of each part is.
+ClaimCode of_one_part(ClaimCode code) {
+  return code == MaxPartFacets     ? MaxFacets
+         : code == MaxPartVertices ? MaxVertices
+                                   : MaxFacetVertices;
+}
+
+Claim& claim_of(std::vector<Claim>& claims, ClaimCode code) {
+  return claims.at(static_cast<std::size_t>(code) - static_cast<std::size_t>(PartsReadable));
+}
+
+}  // namespace
+
+PartsTrial::PartsTrial(const Mesh& given, const PartsRequest& asked, StageLog& stages)
+    : input(given), request(asked), log(stages) {
+  for (const ClaimCode code : kPartsClaims) {
+    const bool is_named = !request.claims.empty() || budget_of(request, code) != nullptr;
+    verdict.claims.push_back({code, Status::NotAsked, "", {}, is_named && asks(code)});
+  }
+}
+
+bool PartsTrial::asks(ClaimCode code) const {
+  if (const auto* budget = budget_of(request, code)) return budget->has_value();
+  const auto& list = request.claims;
+  if (list.empty()) return is_default(code);
+  return std::find(list.begin(), list.end(), code) != list.end();
+}
+
+void PartsTrial::decide(ClaimCode code, Status status, std::string sentence, Witness witness) {
+  if (!asks(code)) return;
+  Claim& claim = claim_of(verdict.claims, code);
+  claim = {code, status, std::move(sentence), std::move(witness), claim.is_named};
+}
+
+std::string PartsTrial::distance_text(const Rational& squared) const {
+  if (verdict.squared_diameter == 0) return decimal_of_root(squared);
+  return decimal_of_root(squared) + " (" + decimal_of_root(squared / verdict.squared_diameter) +
+         " of the diameter)";
+}
+
+std::string PartsTrial::part_text(std::size_t part) const {
+  return fmt::format("part {} ({})", part, in_quotes(verdict.parts[part].name));
+}
+
+Rational PartsTrial::squared_tolerance() const {
+  const Rational squared = request.tolerance.value * request.tolerance.value;
+  return request.tolerance.relative ? Rational(squared * verdict.squared_diameter) : squared;
+}
+
+namespace {
+
+// The claims of a solid that make up parts-convex, and parts-solid first.
+constexpr ClaimCode kOwnClaims[] = {CandidateSolid, MeshClosed, MeshOriented, MeshPlanar,
+                                    MeshConvex};
+
+VerifyRequest request_for_a_part(const PartsTrial& trial) {
+  const PartsRequest& asked = trial.request;
+  VerifyRequest request;
+  if (trial.asks(PartsConvex)) {
+    request.claims.assign(std::begin(kOwnClaims), std::end(kOwnClaims));
+  } else {
+    request.claims = {CandidateSolid};
+  }
+  request.tolerance = asked.tolerance;
+  request.max_facets = asked.max_facets;
+  request.max_vertices = asked.max_vertices;
+  request.max_facet_vertices = asked.max_facet_vertices;
+  request.exact_facets = asked.exact_facets;
+  request.tightness = false;
+  request.seed = asked.seed;
+  return request;
+}
+
+// The oracle's own judgement of a solid, but for the input, which it is not asked about.
+JudgedPart judge_part(const NamedPart& part, const VerifyRequest& request,
+                      const PartsTrial& trial) {
+  const Input nothing{{}, {}, {}, trial.verdict.squared_diameter};
+  const Candidate candidate = part.mesh;
+  StageLog within(StageWatch{.stop = trial.log.watch().stop});
+  Trial own(nothing, candidate, request, within);
+  judge_set(own);
+  judge_faces(own);
+  find_facets_as_meant(own);
+  judge_budgets(own);
+  std::erase_if(own.verdict.claims,
+                [](const Claim& claim) { return claim.status == Status::NotAsked; });
+  return {part.name, own.verdict.size, std::move(own.verdict.claims)};
+}
+
+const Claim* find_violated(const JudgedPart& part, std::span<const ClaimCode> codes) {
+  const auto found = std::find_if(part.claims.begin(), part.claims.end(), [&](const Claim& claim) {
+    return claim.status == Status::Violated &&
+           std::find(codes.begin(), codes.end(), claim.code) != codes.end();
+  });
+  return found == part.claims.end() ? nullptr : &*found;
+}
+
+// Violated if one of some claims of a part is; the first such part is the witness.
+void judge_all(ClaimCode code, std::span<const ClaimCode> of_each, const std::string& all_hold,
+               PartsTrial& trial) {
+  const std::vector<JudgedPart>& parts = trial.verdict.parts;
+  std::vector<std::size_t> violated;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (find_violated(parts[k], of_each) != nullptr) violated.push_back(k);
+  }
+  if (violated.empty()) return trial.holds(code, all_hold);
+  const Claim& first = *find_violated(parts[violated.front()], of_each);
+  Witness witness = first.witness;
+  witness.parts = {violated.front()};
+  trial.violated(
+      code,
+      fmt::format("{} of {}; {}: {}", violated.size(), counted(parts.size(), "part", "parts"),
+                  trial.part_text(violated.front()), first.sentence),
+      std::move(witness));
+}
+
+void judge_count_of_parts(PartsTrial& trial) {
+  if (!trial.asks(MaxParts)) return;
+  const std::size_t found = trial.verdict.parts.size(), most = *trial.request.max_parts;
+  const std::string sentence = fmt::format("parts: {}, at most {} allowed", found, most);
+  if (found <= most) return trial.holds(MaxParts, sentence);
+  Witness witness;
+  witness.count = found;
+  trial.violated(MaxParts, sentence, std::move(witness));
+}
+
+void judge_each_budget(PartsTrial& trial) {
+  for (const ClaimCode code : {MaxPartFacets, MaxPartVertices, MaxPartFacetVertices}) {
+    if (!trial.asks(code)) continue;
+    const ClaimCode own = of_one_part(code);
+    std::size_t most = 0;
+    for (const JudgedPart& part : trial.verdict.parts) {
+      const auto& counted = own == MaxFacets
+                                ? (trial.request.exact_facets || !part.size.facets_as_meant
+                                       ? part.size.facets
+                                       : part.size.facets_as_meant)
+                            : own == MaxVertices ? part.size.vertices
+                                                 : part.size.most_facet_vertices;
+      most = std::max(most, counted.value_or(0));
+    }
+    judge_all(code, std::span(&own, 1),
+              fmt::format("the most of a part: {}, at most {} allowed", most,
+                          **budget_of(trial.request, code)),
+              trial);
+  }
+}
+
+}  // namespace
+
+void judge_each_part(std::span<const NamedPart> parts, PartsTrial& trial) {
+  const VerifyRequest request = request_for_a_part(trial);
+  trial.log.run("each part", [&] {
+    const Watch watch = trial.watch("each part");
+    for (const NamedPart& part : parts) {
+      watch.at(trial.verdict.parts.size(), parts.size());
+      trial.verdict.parts.push_back(judge_part(part, request, trial));
+      trial.verdict.hulls.push_back(convex_part(part.mesh.points, watch));
+    }
+  });
+  if (parts.empty()) {
+    trial.violated(PartsSolid, "there is no part");
+    trial.not_applicable(PartsConvex, "there is no part");
+  } else {
+    judge_all(PartsSolid, std::span(kOwnClaims, 1), "each part spans a volume", trial);
+    judge_all(PartsConvex, std::span(kOwnClaims).subspan(1),
+              "the faces of each part are the surface of the hull of its points", trial);
+  }
+  judge_count_of_parts(trial);
+  judge_each_budget(trial);
+}
+
+namespace {
+
+// Calls look(i, k) for all pairs i < k of parts whose boxes meet, until it returns false.
+template <class Look>
+void for_pairs(const std::vector<ConvexPart>& parts, const Watch& watch, const Look& look) {
+  std::vector<std::size_t> by_low(parts.size());
+  std::iota(by_low.begin(), by_low.end(), 0);
+  std::sort(by_low.begin(), by_low.end(), [&](std::size_t a, std::size_t b) {
+    return parts[a].box.low[0] < parts[b].box.low[0];
+  });
+  const auto meet = [&](const BoundingBox& a, const BoundingBox& b, int axis) {
+    return a.low[axis] <= b.high[axis] && b.low[axis] <= a.high[axis];
+  };
+  for (std::size_t first = 0; first < by_low.size(); ++first) {
+    watch.at(first, by_low.size());
+    const BoundingBox& box = parts[by_low[first]].box;
+    for (std::size_t next = first + 1; next < by_low.size(); ++next) {
+      const BoundingBox& other = parts[by_low[next]].box;
+      if (!meet(box, other, 0)) break;
+      if (!meet(box, other, 1) || !meet(box, other, 2)) continue;
+      const auto [i, k] = std::minmax(by_low[first], by_low[next]);
+      look(i, k);
+    }
+  }
+}
+
+bool lies_in(const ConvexPart& part, const ConvexPart& other) {
+  return std::all_of(part.vertices.begin(), part.vertices.end(),
+                     [&](const RationalPoint& v) { return holds(other, v); });
+}
+
+using Pair = std::pair<std::size_t, std::size_t>;
+
+void judge_disjoint(PartsTrial& trial) {
+  std::vector<Pair> overlapping;
+  std::optional<RationalPoint> point;
+  for_pairs(trial.verdict.hulls, trial.watch("disjoint parts"), [&](std::size_t i, std::size_t k) {
+    auto common = common_interior(trial.verdict.hulls[i], trial.verdict.hulls[k]);
+    if (!common) return;
+    if (overlapping.empty() || Pair(i, k) < overlapping.front()) {
+      point = std::move(common);
+      overlapping.insert(overlapping.begin(), {i, k});
+    } else {
+      overlapping.emplace_back(i, k);
+    }
+  });
+  if (overlapping.empty()) {
+    return trial.holds(PartsDisjoint, "no two parts have a common interior point");
+  }
+  Witness witness;
+  witness.parts = {overlapping.front().first, overlapping.front().second};
+  witness.point = point;
+  trial.violated(
+      PartsDisjoint,
+      fmt::format("{} of parts overlap; {} and {} do", counted(overlapping.size(), "pair", "pairs"),
+                  trial.part_text(witness.parts[0]), trial.part_text(witness.parts[1])),
+      std::move(witness));
+}
+
+void judge_needed(PartsTrial& trial) {
+  std::vector<Pair> inside;  // the part, and the one that it lies in
+  const auto look = [&](std::size_t part, std::size_t other) {
+    if (lies_in(trial.verdict.hulls[part], trial.verdict.hulls[other]))
+      inside.emplace_back(part, other);
+  };
+  for_pairs(trial.verdict.hulls, trial.watch("needed parts"), [&](std::size_t i, std::size_t k) {
+    look(k, i);
+    look(i, k);
+  });
+  std::sort(inside.begin(), inside.end());
+  if (inside.empty()) return trial.holds(PartsNeeded, "no part lies in another one");
+  Witness witness;
+  witness.parts = {inside.front().first, inside.front().second};
+  // Of two equal parts each lies in the other, but only one is superfluous.
+  std::vector<std::size_t> superfluous;
+  for (const auto& [part, other] : inside) {
+    const bool is_equal = std::binary_search(inside.begin(), inside.end(), Pair(other, part));
+    if (!is_equal || part > other) superfluous.push_back(part);
+  }
+  superfluous.erase(std::unique(superfluous.begin(), superfluous.end()), superfluous.end());
+  trial.violated(PartsNeeded,
+                 fmt::format("{} in another one; {} lies in {}",
+                             counted(superfluous.size(), "part lies", "parts lie"),
+                             trial.part_text(witness.parts[0]), trial.part_text(witness.parts[1])),
+                 std::move(witness));
+}
+
+}  // namespace
+
+void judge_pairs(PartsTrial& trial) {
+  const auto judge = [&](ClaimCode code, const char* stage, const auto& decide) {
+    if (!trial.asks(code)) return trial.log.skip(stage, "not requested");
+    if (trial.verdict.hulls.empty()) return trial.not_applicable(code, "there is no part");
+    trial.log.run(stage, [&] { decide(trial); });
+  };
+  judge(PartsDisjoint, "disjoint parts", judge_disjoint);
+  judge(PartsNeeded, "needed parts", judge_needed);
+}
+
+namespace {
+
+void check_request(const PartsRequest& request) {
+  if (request.tolerance.value < 0) {
+    throw Error(ErrorCode::InvalidArgument, "a tolerance cannot be negative");
+  }
+  for (const ClaimCode code : request.claims) {
+    const std::string name = name_of(code);
+    if (!is_of_parts(code)) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "the claim " + name + " is of one solid, not of a decomposition");
+    }
+    if (code == CoversSolid && request.tolerance.value > 0) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "covers-solid is decided without a tolerance: leave out one of them");
+    }
+    const auto* budget = budget_of(request, code);
+    if (budget != nullptr && !*budget) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "the claim " + name + " needs the number that it allows");
+    }
+  }
+}
+
+// Returns the parts, if there is anything to judge.
+const std::vector<NamedPart>* judge_reading(const CandidateParts& candidate, PartsTrial& trial) {
+  if (const auto* parts = std::get_if<std::vector<NamedPart>>(&candidate)) {
+    trial.holds(PartsReadable, counted(parts->size(), "part", "parts"));
+    trial.holds(PartsFinite, "every number is finite");
+    return parts;
+  }
+  const auto& error = std::get<Error>(candidate);
+  for (const ClaimCode code : kPartsClaims) {
+    trial.not_applicable(code, "the parts could not be read");
+  }
+  Witness witness;
+  witness.line = error.line();
+  const bool is_number = error.code() == ErrorCode::NotFinite;
+  trial.not_applicable(is_number ? PartsReadable : PartsFinite, "reading ended at that place");
+  trial.violated(is_number ? PartsFinite : PartsReadable, error.what(), std::move(witness));
+  return nullptr;
+}
+
+// What of the surface is not as a mesh of a solid should be, and what was made of it.
+void note_surface(const Surface& surface, std::vector<std::string>& notes) {
+  const auto note = [&](std::size_t count, const char* one, const char* many,
+                        const std::string& rest) {
+    if (count > 0) notes.push_back(counted(count, one, many) + rest);
+  };
+  std::size_t reversed = 0, turned = 0, twisted = 0;
+  for (const SurfaceComponent& component : surface.components) {
+    reversed += component.is_reversed ? 1 : 0;
+    turned += component.is_reversed ? 0 : component.turned;
+    twisted += component.is_orientable ? 0 : 1;
+  }
+  note(surface.unused_points, "point of the input is", "points of the input are",
+       " used by no face, and not asked about");
+  note(reversed, "component of the input was", "components of the input were",
+       " inside out, and turned");
+  note(turned, "triangle of the input was", "triangles of the input were",
+       " turned to match the neighbours");
+  note(twisted, "component of the input has", "components of the input have",
+       " a single side, like a Moebius strip");
+  note(surface.fans.size(), "face of the input is", "faces of the input are",
+       " bent or crossed, and cut as a fan from the first corner");
+  note(surface.flat_triangles, "triangle of the input has", "triangles of the input have",
+       " no area; its points are to be held all the same");
+}
+
+void find_points(PartsTrial& trial) {
+  if (trial.input.points.size() == 0) {
+    throw Error(ErrorCode::NoInterior, "the input is empty: it has no point");
+  }
+  if (trial.input.polygons.empty()) {
+    trial.points = trial.input.points;
+    trial.log.skip("input's surface", "the input has no faces");
+  } else {
+    trial.log.run("input's surface", [&] {
+      trial.verdict.surface = make_surface(trial.input, {.orient = trial.request.orient},
+                                           trial.watch("input's surface"));
+    });
+    trial.points = trial.verdict.surface.points;
+    note_surface(trial.verdict.surface, trial.verdict.notes);
+  }
+  trial.verdict.squared_diameter = bounding_box(trial.points).squared_diameter();
+}
+
+}  // namespace
+}  // namespace oracle
+
+const Claim& PartsVerdict::operator[](ClaimCode code) const {
+  return claims.at(static_cast<std::size_t>(code) -
+                   static_cast<std::size_t>(ClaimCode::PartsReadable));
+}
+
+bool PartsVerdict::holds() const {
+  return std::none_of(claims.begin(), claims.end(), [](const Claim& claim) {
+    return claim.status == Status::Violated || claim.status == Status::Undecided ||
+           claim.is_undecided();
+  });
+}
+
+PartsVerdict verify_parts(const Mesh& input, const CandidateParts& candidate,
+                          const PartsRequest& request) {
+  using namespace oracle;
+  check_request(request);
+  StageLog log(request.watch);
+  PartsTrial trial(input, request, log);
+  find_points(trial);
+  if (const std::vector<NamedPart>* parts = judge_reading(candidate, trial)) {
+    judge_each_part(*parts, trial);
+    judge_coverage(trial);
+    judge_pairs(trial);
+    measure_parts(trial);
+  }
+  trial.verdict.stages = log.stages();
+  return std::move(trial.verdict);
+}
+
+}  // namespace convexact
