@@ -114,6 +114,9 @@ NamedPart part_of_json(const json& part, std::size_t number, Decimal decimal) {
     if (!part["name"].is_string()) reject(fmt::format("the name of part {} as a text", number));
     name = part["name"].get<std::string>();
   }
+  if (part["vertices"].is_array() && part["vertices"].empty()) {
+    reject(fmt::format("points in part {}, which has none", number));
+  }
   try {
     return {std::move(name), mesh_of_json(part, decimal)};
   } catch (const Error& error) {
@@ -143,6 +146,9 @@ CandidateParts read_parts(const std::string& path, Decimal decimal) {
     const std::string file = (fs::path(path) / name).string();
     CandidateParts some = read_parts_bytes(read_bytes(file), file, decimal);
     if (auto* error = std::get_if<Error>(&some)) return std::move(*error);
+    if (std::get<std::vector<NamedPart>>(some).empty()) {
+      return Error(ErrorCode::Malformed, "expected points, and there is none").in_file(file);
+    }
     for (NamedPart& part : std::get<std::vector<NamedPart>>(some)) {
       const std::string stem = fs::path(name).stem().string();
       if (part.name != stem) part.name = stem + ": " + part.name;

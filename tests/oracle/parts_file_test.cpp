@@ -76,7 +76,8 @@ TEST_CASE("read_parts: what is malformed is a violated claim, with its place") {
   CHECK(refusal(R"({"parts": [{"vertices": [[0, 0, 1e999]]}]})", "a.json").code == PartsFinite);
   for (const char* bytes :
        {"{", "[]", "{\"parts\": 1}", R"({"parts": [1]})", R"({"parts": [{}]})",
-        R"({"parts": [{"name": 1, "vertices": []}]})", R"({"parts": [{"vertices": [[1, 2]]}]})",
+        R"({"parts": [{"name": 1, "vertices": [[0, 0, 0]]}]})", R"({"parts": [{"vertices": []}]})",
+        R"({"parts": [{"vertices": [[1, 2]]}]})",
         R"({"parts": [{"vertices": [[1, 2, 3]], "faces": [[0, 1, 2]]}]})"}) {
     CAPTURE(bytes);
     CHECK(refusal(bytes, "a.json").code == PartsReadable);
@@ -96,6 +97,8 @@ TEST_CASE("read_parts: a folder, its meshes by their numbers") {
   const char* names[] = {"part_1", "part_2", "part_10", "two: first", "two: second"};
   for (std::size_t k = 0; k < 5; ++k) CHECK(parts_in(parts)[k].name == names[k]);
 
+  folder.write("part_3.obj", "# nothing\n");
+  CHECK(std::holds_alternative<Error>(read_parts(folder.file(""))));
   folder.write("part_3.obj", "f 1 2 3\n");
   const auto broken = read_parts(folder.file(""));
   REQUIRE(std::holds_alternative<Error>(broken));
