@@ -19,6 +19,7 @@
 #include "oracle/scene_verdict.hpp"
 #include "oracle/stdio_request.hpp"
 #include "oracle/verdict_report.hpp"
+#include "scene/objects.hpp"
 #include "scene/result_json.hpp"
 #include "scene/stage_log.hpp"
 

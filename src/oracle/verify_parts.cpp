@@ -290,11 +290,10 @@ void judge_needed(PartsTrial& trial) {
     if (!is_equal || part > other) superfluous.push_back(part);
   }
   superfluous.erase(std::unique(superfluous.begin(), superfluous.end()), superfluous.end());
-  trial.violated(PartsNeeded,
-                 fmt::format("{} in another one; {} lies in {}",
-                             counted(superfluous.size(), "part lies", "parts lie"),
-                             trial.part_text(witness.parts[0]), trial.part_text(witness.parts[1])),
-                 std::move(witness));
+  std::string sentence = fmt::format(
+      "{} in another one; {} lies in {}", counted(superfluous.size(), "part lies", "parts lie"),
+      trial.part_text(witness.parts[0]), trial.part_text(witness.parts[1]));
+  trial.violated(PartsNeeded, std::move(sentence), std::move(witness));
 }
 
 }  // namespace
