@@ -262,11 +262,10 @@ void judge_disjoint(PartsTrial& trial) {
   Witness witness;
   witness.parts = {overlapping.front().first, overlapping.front().second};
   witness.point = point;
-  trial.violated(
-      PartsDisjoint,
-      fmt::format("{} of parts overlap; {} and {} do", counted(overlapping.size(), "pair", "pairs"),
-                  trial.part_text(witness.parts[0]), trial.part_text(witness.parts[1])),
-      std::move(witness));
+  std::string sentence = fmt::format(
+      "{} of parts overlap; {} and {} do", counted(overlapping.size(), "pair", "pairs"),
+      trial.part_text(witness.parts[0]), trial.part_text(witness.parts[1]));
+  trial.violated(PartsDisjoint, std::move(sentence), std::move(witness));
 }
 
 void judge_needed(PartsTrial& trial) {
