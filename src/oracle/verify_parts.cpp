@@ -120,7 +120,8 @@ JudgedPart judge_part(const NamedPart& part, const VerifyRequest& request,
   StageLog within(StageWatch{.stop = trial.log.watch().stop});
   Trial own(nothing, candidate, request, within);
   judge_set(own);
-  judge_faces(own);
+  // The faces of a flat part bound nothing, however they lie; that it is flat is said already.
+  if (own.set.hull) judge_faces(own);
   find_facets_as_meant(own);
   judge_budgets(own);
   std::erase_if(own.verdict.claims,
