@@ -117,9 +117,9 @@ TEST_CASE("verify --union: the text for people") {
   const auto ran = run_program(files.arguments(files.bad, "--union"));
   CHECK(ran.exit == 1);
   for (const char* text :
-       {"as parts of", "covers-points       violated", "4 of 12 points in no part",
+       {"as parts of", "covers-points       violated", "4 of 16 points in no part",
         "not asked           covers-solid, parts-disjoint, parts-needed",
-        "closed: it bounds a solid", "volume 1 of 3 (33.3%)", "2 claims are violated"}) {
+        "closed: it bounds a solid", "volume 1.000 of 3.000 (33.3%)", "2 claims are violated"}) {
     CAPTURE(text);
     CHECK(ran.out.find(text) != std::string::npos);
   }
