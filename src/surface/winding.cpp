@@ -5,6 +5,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/surface.hpp"
+#include "number/arithmetic.hpp"
 #include "surface/box_tree.hpp"
 #include "surface/flat_polygon.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 
 // A query point: exact, and rounded to nearest doubles with the bound of their errors.
 struct Query {
-  explicit Query(const RationalPoint& x) : exact(x) {
+  explicit Query(const RationalPoint& x) : exact(x), cleared(clear_denominators(x)) {
     for (int k = 0; k < 3; ++k) {
       near[k] = to_double(x[k], Rounding::Nearest);
       low[k] = to_double(x[k], Rounding::Down);
@@ -22,7 +23,8 @@ struct Query {
     is_binary = low == high;
   }
 
-  RationalPoint exact;
+  const RationalPoint& exact;
+  IntegerFraction cleared;
   Point near, low, high;
   bool is_binary = false;
 };
@@ -146,9 +148,15 @@ class Winding::Search {
                            0x1p-1000 * size + 0x1p-900;
       if (std::abs(value) > error) return sign_of(value);
     }
-    const RationalPoint p = surface_.points[a], q = surface_.points[b];
-    const RationalPoint& x = query.exact;
-    return sign_of(Rational((p[u] - x[u]) * (q[v] - x[v]) - (p[v] - x[v]) * (q[u] - x[u])));
+    const IntegerVector3 p = from(query, a), q = from(query, b);
+    return sign_of(Integer(p[u] * q[v] - p[v] * q[u]));
+  }
+
+  // The vector from the query point to a point of the surface, times a positive number. Integers:
+  // fractions of long numbers spend their time on greatest common divisors.
+  IntegerVector3 from(const Query& query, PointId point) const {
+    const IntegerFraction p = clear_denominators(surface_.points[point]);
+    return p.x * query.cleared.d - query.cleared.x * p.d;
   }
 
   // orient3d of the corners and x.
@@ -170,10 +178,8 @@ class Winding::Search {
       const double error = 0x1p-46 * m * m * m + 32 * e * (m + e) * (m + e) + 0x1p-900;
       if (std::abs(value) > error) return sign_of(value);
     }
-    const RationalPoint& x = query.exact;
-    return sign_of(Rational(RationalVector3(surface_.points[a] - x)
-                                .dot(RationalVector3(surface_.points[b] - x)
-                                         .cross(RationalVector3(surface_.points[c] - x)))));
+    return sign_of(
+        Integer(from(query, a).dot(IntegerVector3(from(query, b).cross(from(query, c))))));
   }
 
   bool is_on(std::uint32_t index, const Query& query) const {
