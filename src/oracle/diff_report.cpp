@@ -98,7 +98,6 @@ Json comparison_json(const Comparison& comparison, const std::vector<Halfspace>&
 
 // ---- Text
 
-constexpr int kCostDigits = 17;  // of costs
 constexpr int kShareDigits = 3;  // of shares
 constexpr int kRatioDigits = 8;  // of the final volumes
 
@@ -127,7 +126,7 @@ std::string choice_line(Engine engine, const Choice& choice,
   if (!choice.removed) return fmt::format("    {:<9} ended\n", name_of(engine));
   return fmt::format("    {:<9} removed {}, cost {}\n              {}\n", name_of(engine),
                      choice.removed->index(),
-                     choice.cost ? choice.cost->decimal(kCostDigits) : "infinite: unbounded",
+                     choice.cost ? choice.cost->decimal(kDigits) : "infinite: unbounded",
                      plane_text(halfspaces[choice.removed->index()]));
 }
 
