@@ -107,7 +107,7 @@ inline constexpr long kDistanceSteps = 1024;
 
 /// The largest distance of a point of one set to the other set.
 struct DirectedDistance {
-  Enclosure bounds;  ///< In length units, not squared.
+  Enclosure bounds;                 ///< In length units, not squared.
   std::optional<RationalPoint> at;  ///< A point of the one set whose distance is about the lower
                                     ///< bound; nothing if that is 0.
 };

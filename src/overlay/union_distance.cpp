@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// union_distance.cpp - exact distances of points to the union of parts.
+#include "convexact/union_distance.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "convexact/error.hpp"
+#include "convexact/measure.hpp"
+#include "overlay/union_distance_flat.hpp"
+#include "overlay/union_distance_near.hpp"
+
+namespace convexact {
+
+// ---- Flat parts
+
+FlatFeatures::FlatFeatures(const ConvexPart& polygon) {
+  if (polygon.dimension != 2) return;
+  for (const Halfspace& h : polygon.halfspaces) {
+    std::vector<std::uint32_t> tight;
+    for (std::uint32_t v = 0; v < polygon.vertices.size(); ++v) {
+      if (h(polygon.vertices[v]) == 0) tight.push_back(v);
+    }
+    if (tight.size() == 2) {
+      sides.emplace_back(tight[0], tight[1]);
+    } else if (tight.size() == polygon.vertices.size()) {
+      plane = &h;
+    }
+  }
+}
+
+namespace {
+
+RationalPoint nearest_on_exact_segment(const RationalPoint& a, const RationalPoint& b,
+                                       const RationalPoint& x) {
+  const RationalVector3 along = b - a, from = x - a;
+  const Rational t = from.dot(along), length = along.squaredNorm();
+  if (t <= 0) return a;
+  if (t >= length) return b;
+  const Rational factor = t / length;
+  return a + factor * along;
+}
+
+// Outside of its sides the nearest point of a polygon is on one of them.
+RationalPoint nearest_in_polygon(const ConvexPart& part, const FlatFeatures& features,
+                                 const RationalPoint& x) {
+  const RationalVector3 normal = features.plane->normal().cast<Rational>();
+  const Rational factor = (*features.plane)(x) / normal.squaredNorm();
+  const RationalPoint foot = x - factor * normal;
+  const bool is_inside = std::all_of(part.halfspaces.begin(), part.halfspaces.end(),
+                                     [&](const Halfspace& h) { return h(foot) <= 0; });
+  if (is_inside) return foot;
+  std::optional<std::pair<Rational, RationalPoint>> best;
+  for (const auto& [a, b] : features.sides) {
+    RationalPoint q = nearest_on_exact_segment(part.vertices[a], part.vertices[b], x);
+    const RationalVector3 gap = x - q;
+    Rational squared = gap.squaredNorm();
+    if (!best || squared < best->first) best.emplace(std::move(squared), std::move(q));
+  }
+  return best->second;
+}
+
+}  // namespace
+
+RationalPoint nearest_in_flat(const ConvexPart& part, const FlatFeatures& features,
+                              const RationalPoint& x) {
+  switch (part.dimension) {
+    case 2:
+      return nearest_in_polygon(part, features, x);
+    case 1:
+      return nearest_on_exact_segment(part.vertices[0], part.vertices[1], x);
+    default:
+      return part.vertices[0];
+  }
+}
+
+// ---- The union
+
+namespace {
+
+NearFrame frame_of_parts(std::span<const ConvexPart> parts) {
+  if (parts.empty()) throw Error(ErrorCode::InvalidArgument, "a union of no parts");
+  std::vector<BoundingBox> boxes;
+  for (const ConvexPart& part : parts) boxes.push_back(part.box);
+  return frame_around(boxes);
+}
+
+}  // namespace
+
+class UnionDistance::Search {
+ public:
+  explicit Search(std::span<const ConvexPart> parts)
+      : parts_(parts), near_(parts, frame_of_parts(parts)), exact_(parts.size()) {}
+
+  std::span<const ConvexPart> parts() const { return parts_; }
+
+  RationalPoint nearest_in(std::size_t part, const RationalPoint& x) const {
+    Exact& exact = exact_[part];
+    if (parts_[part].solid) {
+      if (!exact.solid) exact.solid = std::make_unique<const NearestPoint>(*parts_[part].solid);
+      return (*exact.solid)(x);
+    }
+    if (!exact.flat) exact.flat = std::make_unique<const FlatFeatures>(parts_[part]);
+    return nearest_in_flat(parts_[part], *exact.flat, x);
+  }
+
+  // Ascending, so that the lowest part wins a tie.
+  NearestPart operator()(const RationalPoint& x) const {
+    std::optional<NearestPart> best;
+    for (const std::uint32_t p : near_.candidates(near_.frame()(x))) {
+      RationalPoint q = nearest_in(p, x);
+      const RationalVector3 gap = x - q;
+      Rational squared = gap.squaredNorm();
+      if (!best || squared < best->squared) best = NearestPart{p, std::move(q), std::move(squared)};
+      if (best->squared == 0) break;
+    }
+    return *best;
+  }
+
+ private:
+  // What a part's exact distances need, from when they are first asked for.
+  struct Exact {
+    std::unique_ptr<const NearestPoint> solid;
+    std::unique_ptr<const FlatFeatures> flat;
+  };
+
+  std::span<const ConvexPart> parts_;
+  NearParts near_;
+  mutable std::vector<Exact> exact_;
+};
+
+UnionDistance::UnionDistance(std::span<const ConvexPart> parts)
+    : search_(std::make_unique<const Search>(parts)) {}
+UnionDistance::~UnionDistance() = default;
+
+std::span<const ConvexPart> UnionDistance::parts() const { return search_->parts(); }
+NearestPart UnionDistance::operator()(const RationalPoint& x) const { return (*search_)(x); }
+RationalPoint UnionDistance::nearest_in(std::size_t part, const RationalPoint& x) const {
+  return search_->nearest_in(part, x);
+}
+
+}  // namespace convexact

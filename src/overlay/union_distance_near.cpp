@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+#include "overlay/union_distance_near.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "number/arithmetic.hpp"
+
+namespace convexact {
+
+Point NearFrame::operator()(const RationalPoint& x) const {
+  Point y;
+  for (int k = 0; k < 3; ++k) {
+    y[k] = to_double(scale_by_power_of_two(x[k] - center[k], -exponent), Rounding::Nearest);
+  }
+  return y;
+}
+
+RationalPoint NearFrame::point(const Point& y) const {
+  RationalPoint x;
+  for (int k = 0; k < 3; ++k) x[k] = center[k] + length(y[k]);
+  return x;
+}
+
+Rational NearFrame::length(double y) const {
+  return scale_by_power_of_two(to_rational(y), exponent);
+}
+
+double NearFrame::root_down(const Rational& squared) const {
+  const double y = to_double(scale_by_power_of_two(squared, -2 * exponent), Rounding::Down);
+  return std::max(0.0, std::nextafter(std::sqrt(y), 0.0));
+}
+
+double NearFrame::root_up(const Rational& squared) const {
+  const double y = to_double(scale_by_power_of_two(squared, -2 * exponent), Rounding::Up);
+  return std::nextafter(std::sqrt(y), std::numeric_limits<double>::infinity());
+}
+
+// The center is rounded to few bits, so that differences from it stay as short as the coordinates.
+NearFrame frame_around(std::span<const BoundingBox> boxes) {
+  RationalPoint low = boxes.front().low, high = boxes.front().high;
+  for (const BoundingBox& box : boxes) {
+    for (int k = 0; k < 3; ++k) {
+      if (box.low[k] < low[k]) low[k] = box.low[k];
+      if (box.high[k] > high[k]) high[k] = box.high[k];
+    }
+  }
+  const RationalVector3 size = high - low;
+  const Rational longest = size.maxCoeff();
+  if (longest == 0) return {low, 0};
+  NearFrame frame{low, exponent_of(longest)};
+  for (int k = 0; k < 3; ++k) {
+    const Rational units = scale_by_power_of_two(low[k] + high[k], 9 - frame.exponent);
+    Integer whole;
+    mpz_fdiv_q(raw(whole), mpq_numref(units.backend().data()), mpq_denref(units.backend().data()));
+    frame.center[k] = scale_by_power_of_two(Rational(whole), frame.exponent - 10);
+  }
+  return frame;
+}
+
+// ---- Hulls of a few points
+
+namespace {
+
+// The vertices, less y, whose combination with positive factors is the nearest point so far.
+struct NearSimplex {
+  std::array<Point, 4> w;
+  int size = 0;
+  Point nearest = Point::Zero();
+  double squared = std::numeric_limits<double>::infinity();
+
+  void offer(const NearSimplex& other) {
+    if (other.squared < squared) *this = other;
+  }
+};
+
+NearSimplex nearest_at(const Point& a) { return {{a}, 1, a, a.squaredNorm()}; }
+
+NearSimplex nearest_on_segment(const Point& a, const Point& b) {
+  const Point along = b - a;
+  const double t = -a.dot(along), length = along.squaredNorm();
+  if (!(t > 0)) return nearest_at(a);
+  if (t >= length) return nearest_at(b);
+  const double factor = t / length;
+  const Point q = (1 - factor) * a + factor * b;
+  return {{a, b}, 2, q, q.squaredNorm()};
+}
+
+// Sides first, because they are right whatever the shape is; the inside by the ratios of areas
+// only if all of them are positive. [Ericson2005, sec. 5.1.5]
+NearSimplex nearest_on_triangle(const Point& a, const Point& b, const Point& c) {
+  NearSimplex best = nearest_on_segment(a, b);
+  best.offer(nearest_on_segment(b, c));
+  best.offer(nearest_on_segment(a, c));
+  const Point ab = b - a, ac = c - a;
+  const double d1 = -ab.dot(a), d2 = -ac.dot(a), d3 = -ab.dot(b), d4 = -ac.dot(b);
+  const double d5 = -ab.dot(c), d6 = -ac.dot(c);
+  const double u = d3 * d6 - d5 * d4, v = d5 * d2 - d1 * d6, w = d1 * d4 - d3 * d2;
+  const double sum = u + v + w;
+  if (u > 0 && v > 0 && w > 0 && std::isnormal(sum)) {
+    const Point q = (u / sum) * a + (v / sum) * b + (w / sum) * c;
+    best.offer({{a, b, c}, 3, q, q.squaredNorm()});
+  }
+  return best;
+}
+
+NearSimplex nearest_in_tetrahedron(const std::array<Point, 4>& w) {
+  // Volumes of the tetrahedra of the origin and a face, in the direction of the whole.
+  std::array<double, 4> part{w[1].dot(w[2].cross(w[3])), -w[0].dot(w[2].cross(w[3])),
+                             w[0].dot(w[1].cross(w[3])), -w[0].dot(w[1].cross(w[2]))};
+  const double sum = part[0] + part[1] + part[2] + part[3];
+  NearSimplex best;
+  bool is_inside = std::isnormal(sum);
+  for (int k = 0; k < 4; ++k) {
+    if (is_inside && part[k] / sum > 0) continue;
+    is_inside = false;
+  }
+  if (is_inside) {
+    Point q = Point::Zero();
+    for (int k = 0; k < 4; ++k) q += (part[k] / sum) * w[k];
+    best.offer({w, 4, q, q.squaredNorm()});
+  }
+  best.offer(nearest_on_triangle(w[0], w[1], w[2]));
+  best.offer(nearest_on_triangle(w[0], w[1], w[3]));
+  best.offer(nearest_on_triangle(w[0], w[2], w[3]));
+  best.offer(nearest_on_triangle(w[1], w[2], w[3]));
+  return best;
+}
+
+NearSimplex nearest_in(const NearSimplex& simplex, const Point& added) {
+  const std::array<Point, 4>& w = simplex.w;
+  if (simplex.size == 1) return nearest_on_segment(w[0], added);
+  if (simplex.size == 2) return nearest_on_triangle(w[0], w[1], added);
+  return nearest_in_tetrahedron({w[0], w[1], w[2], added});
+}
+
+// Below it squares may underflow, or are a rounding error.
+constexpr double kLeastSquare = 0x1p-200;
+
+}  // namespace
+
+NearHull near_hull(std::span<const Point> points, const Point& y) {
+  NearSimplex simplex = nearest_at(points.front() - y);
+  double low = 0;
+  for (int step = 0; step < 64; ++step) {
+    if (!(simplex.squared > kLeastSquare) || simplex.size == 4) break;
+    const Point& q = simplex.nearest;
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t beyond = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double value = q.dot(points[i] - y);
+      if (value < least) {
+        least = value;
+        beyond = i;
+      }
+    }
+    low = std::max(low, least / std::sqrt(simplex.squared));
+    if (least >= simplex.squared * (1 - 0x1p-48)) break;
+    const NearSimplex next = nearest_in(simplex, points[beyond] - y);
+    if (!(next.squared < simplex.squared)) break;
+    simplex = next;
+  }
+  return {{low, std::sqrt(std::max(simplex.squared, kLeastSquare))}, simplex.nearest};
+}
+
+NearHull near_triangle(const std::array<Point, 3>& corners, const Point& y) {
+  const std::array<Point, 3> w{corners[0] - y, corners[1] - y, corners[2] - y};
+  const NearSimplex simplex = nearest_on_triangle(w[0], w[1], w[2]);
+  const Point& q = simplex.nearest;
+  double low = 0;
+  if (simplex.squared > kLeastSquare) {
+    low = std::min({q.dot(w[0]), q.dot(w[1]), q.dot(w[2])}) / std::sqrt(simplex.squared);
+  }
+  return {{std::max(0.0, low), std::sqrt(std::max(simplex.squared, kLeastSquare))}, q};
+}
+
+NearBounds widened(const NearBounds& bounds, const Point& y) {
+  const double size = y.lpNorm<Eigen::Infinity>();
+  if (!(size < 0x1p200)) return {};
+  const double error = kNearError * std::max(1.0, size);
+  return {std::max(0.0, bounds.low - error), bounds.high + error};
+}
+
+void DistanceBox::add(const Point& y) {
+  low = low.cwiseMin(y);
+  high = high.cwiseMax(y);
+}
+
+void DistanceBox::add(const DistanceBox& box) {
+  low = low.cwiseMin(box.low);
+  high = high.cwiseMax(box.high);
+}
+
+bool DistanceBox::meets(const DistanceBox& box) const {
+  return (low.array() <= box.high.array()).all() && (box.low.array() <= high.array()).all();
+}
+
+double DistanceBox::distance(const Point& y) const {
+  return (low - y).cwiseMax(y - high).cwiseMax(0.0).norm();
+}
+
+// ---- Parts
+
+NearParts::NearParts(std::span<const ConvexPart> parts, const NearFrame& frame) : frame_(frame) {
+  for (const ConvexPart& part : parts) {
+    DistanceBox box;
+    for (const RationalPoint& v : part.vertices) {
+      vertices_.push_back(frame(v));
+      box.add(vertices_.back());
+    }
+    starts_.push_back(vertices_.size());
+    boxes_.push_back(box);
+  }
+}
+
+std::span<const Point> NearParts::vertices(std::size_t part) const {
+  return std::span(vertices_).subspan(starts_[part], starts_[part + 1] - starts_[part]);
+}
+
+double NearParts::box_distance(std::size_t part, const Point& y) const {
+  return widened({boxes_[part].distance(y), 0}, y).low;
+}
+
+NearBounds NearParts::to_part(std::size_t part, const Point& y) const {
+  return widened(near_hull(vertices(part), y).bounds, y);
+}
+
+NearBounds NearParts::to_union(const Point& y) const {
+  std::size_t first = 0;
+  for (std::size_t p = 1; p < size(); ++p) {
+    if (box_distance(p, y) < box_distance(first, y)) first = p;
+  }
+  NearBounds all = to_part(first, y);
+  for (std::size_t p = 0; p < size(); ++p) {
+    if (p == first || box_distance(p, y) > all.high) continue;
+    const NearBounds bounds = to_part(p, y);
+    all = {std::min(all.low, bounds.low), std::min(all.high, bounds.high)};
+  }
+  return all;
+}
+
+std::vector<std::uint32_t> NearParts::candidates(const Point& y) const {
+  const double high = to_union(y).high;
+  std::vector<std::uint32_t> list;
+  for (std::uint32_t p = 0; p < size(); ++p) {
+    if (!(box_distance(p, y) > high) && !(to_part(p, y).low > high)) list.push_back(p);
+  }
+  return list;
+}
+
+// A part that is more than high + 2 radius from y is more than high + radius from the point, which
+// no further than that from the part nearest to y.
+std::vector<std::uint32_t> NearParts::candidates(const Point& y, double radius) const {
+  const double reach = to_union(y).high + 2.125 * radius;
+  std::vector<std::uint32_t> list;
+  for (std::uint32_t p = 0; p < size(); ++p) {
+    if (!(box_distance(p, y) > reach)) list.push_back(p);
+  }
+  return list;
+}
+
+}  // namespace convexact

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// union_distance_near.hpp - bounds of distances in doubles: to the convex hull of a few points, to
+// convex parts, and to triangles. Each bound is proven; exact numbers are for what they leave open.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "convexact/overlay.hpp"
+#include "convexact/point_set.hpp"
+
+namespace convexact {
+
+/// x = center + 2^exponent y: where doubles are as fine as the shapes need. The shapes that a frame
+/// was made for have |y_k| < 1.
+struct NearFrame {
+  RationalPoint center;
+  long exponent = 0;
+
+  /// Each coordinate rounded to nearest; infinite if it is too far away.
+  Point operator()(const RationalPoint& x) const;
+  /// Exactly; `y` finite.
+  RationalPoint point(const Point& y) const;
+  /// A length of the frame in length units, exactly.
+  Rational length(double y) const;
+  /// Bounds in the frame of the root of a square of a length.
+  double root_down(const Rational& squared) const;
+  double root_up(const Rational& squared) const;
+};
+
+/// The frame of the shapes in these boxes, at least one.
+[[nodiscard]] NearFrame frame_around(std::span<const BoundingBox> boxes);
+
+/// low <= distance <= high.
+struct NearBounds {
+  double low = 0;
+  double high = std::numeric_limits<double>::infinity();
+};
+
+/// What rounding adds to the bounds of distances of a point y of a frame to a shape in it, as a
+/// multiple of max(1, |y_k|). With u = 2^-53:
+/// - Rounding to the frame moves a coordinate below 1 by u/2 at most, so vertices and with them
+///   their hull by less than u, and the point by less than u max(1, |y_k|).
+/// - Differences w = v - y have |w| <= 2 sqrt(3) max(1, |y_k|) = W and an error of u W. A
+///   combination of them with factors >= 0 whose sum is 1 up to 4u has an error of 9u W; its length
+///   another 3u W.
+/// - For any q the distance is at least the minimum of q.w / |q| over the vertices: the dot product
+///   has an error of 4u |q| W, the quotient one of 4u W.
+/// Together less than 24u W < 84u; 2^-46 is 128u. Where squares might underflow, bounds are not
+/// taken from them.
+inline constexpr double kNearError = 0x1p-46;
+
+/// A distance between a point of a frame and the hull of some of its points, without kNearError.
+struct NearHull {
+  NearBounds bounds;
+  Point nearest;  ///< Less the point: where it was found.
+};
+
+/// Of the hull of at least one point, seen from y.
+/// @par Source  [Gilbert1988]: a simplex of vertices whose nearest point to y is replaced by that
+///              of the simplex and the vertex beyond, until there is none.
+[[nodiscard]] NearHull near_hull(std::span<const Point> points, const Point& y);
+
+/// The same of a triangle, which may be degenerate.
+[[nodiscard]] NearHull near_triangle(const std::array<Point, 3>& corners, const Point& y);
+
+/// Widens by the error of rounding at y.
+[[nodiscard]] NearBounds widened(const NearBounds& bounds, const Point& y);
+
+/// An axis-parallel box of points of a frame.
+struct DistanceBox {
+  Point low = Point::Constant(std::numeric_limits<double>::infinity());
+  Point high = -low;
+
+  void add(const Point& y);
+  void add(const DistanceBox& box);
+  bool meets(const DistanceBox& box) const;
+  /// At most the distance of y to a shape in the box, without kNearError.
+  double distance(const Point& y) const;
+};
+
+/// Bounds of distances to parts.
+class NearParts {
+ public:
+  NearParts(std::span<const ConvexPart> parts, const NearFrame& frame);
+
+  std::size_t size() const { return boxes_.size(); }
+  const NearFrame& frame() const { return frame_; }
+
+  /// At most the distance of y to the part, by its box alone.
+  double box_distance(std::size_t part, const Point& y) const;
+  NearBounds to_part(std::size_t part, const Point& y) const;
+  /// To the nearest of all parts.
+  NearBounds to_union(const Point& y) const;
+  /// The parts that may be nearest to y, ascending.
+  std::vector<std::uint32_t> candidates(const Point& y) const;
+  /// The parts that may be nearest to a point at most `radius` from y, ascending.
+  std::vector<std::uint32_t> candidates(const Point& y, double radius) const;
+
+ private:
+  std::span<const Point> vertices(std::size_t part) const;
+
+  NearFrame frame_;
+  std::vector<Point> vertices_;
+  std::vector<std::size_t> starts_{0};  // of each part in vertices_
+  std::vector<DistanceBox> boxes_;
+};
+
+}  // namespace convexact

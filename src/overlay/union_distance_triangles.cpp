@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "overlay/union_distance_triangles.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace convexact {
+
+NearTriangles::NearTriangles(const Surface& surface, const NearFrame& frame)
+    : order_(surface.triangles.size()) {
+  for (std::size_t i = 0; i < surface.points.size(); ++i) {
+    points_.push_back(frame(surface.points[PointId(i)]));
+  }
+  std::vector<Point> middles;
+  for (const auto& [a, b, c] : surface.triangles) {
+    triangles_.push_back({a.value, b.value, c.value});
+    middles.push_back(points_[a.value] + points_[b.value] + points_[c.value]);
+  }
+  std::iota(order_.begin(), order_.end(), 0u);
+  Node root;
+  root.count = static_cast<std::uint32_t>(order_.size());
+  nodes_.push_back(root);
+  for (std::uint32_t node = 0; node < nodes_.size(); ++node) divide(node, middles);
+}
+
+// Halves of equal size along the longest side of the box of the triangles' middles.
+void NearTriangles::divide(std::uint32_t node, std::vector<Point>& middles) {
+  const std::uint32_t first = nodes_[node].first, count = nodes_[node].count;
+  DistanceBox box, of_middles;
+  for (std::uint32_t k = first; k < first + count; ++k) {
+    for (const Point& y : corners(order_[k])) box.add(y);
+    of_middles.add(middles[order_[k]]);
+  }
+  nodes_[node].box = box;
+  if (count <= 4) return;
+  int axis = 0;
+  (void)(of_middles.high - of_middles.low).maxCoeff(&axis);
+  const auto begin = order_.begin() + first;
+  std::nth_element(begin, begin + count / 2, begin + count, [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(middles[a][axis], a) < std::pair(middles[b][axis], b);
+  });
+  nodes_[node].left = static_cast<std::uint32_t>(nodes_.size());
+  Node half;
+  half.first = first;
+  half.count = count / 2;
+  nodes_.push_back(half);
+  half.first = first + count / 2;
+  half.count = count - count / 2;
+  nodes_.push_back(half);
+}
+
+// The nearer half first. A node farther than the best upper bound cannot lower either bound.
+NearTriangles::Nearest NearTriangles::nearest(const Point& y) const {
+  Nearest best{{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()},
+               0};
+  std::vector<std::pair<double, std::uint32_t>> stack{{nodes_[0].box.distance(y), 0}};
+  while (!stack.empty()) {
+    const double below = stack.back().first;
+    const Node& node = nodes_[stack.back().second];
+    stack.pop_back();
+    if (below > best.distance.high) continue;
+    if (node.left == 0) {
+      for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+        const NearBounds bounds = near_triangle(corners(order_[k]), y).bounds;
+        best.distance.low = std::min(best.distance.low, bounds.low);
+        if (bounds.high < best.distance.high) {
+          best.distance.high = bounds.high;
+          best.triangle = order_[k];
+        }
+      }
+      continue;
+    }
+    std::pair<double, std::uint32_t> near(nodes_[node.left].box.distance(y), node.left);
+    std::pair<double, std::uint32_t> far(nodes_[node.left + 1].box.distance(y), node.left + 1);
+    if (far.first < near.first) std::swap(near, far);
+    stack.push_back(far);
+    stack.push_back(near);
+  }
+  best.distance = widened(best.distance, y);
+  return best;
+}
+
+NearBounds NearTriangles::to_triangle(std::uint32_t triangle, const Point& y) const {
+  return widened(near_triangle(corners(triangle), y).bounds, y);
+}
+
+// Two hulls have a common point iff the hull of all differences of their vertices holds 0. The
+// differences are off by a few roundings, which kNearError covers several times.
+bool NearTriangles::misses(std::span<const Point> hull) const {
+  constexpr double kMargin = 4 * kNearError;
+  DistanceBox box;
+  for (const Point& y : hull) box.add(y);
+  box.low.array() -= kMargin;
+  box.high.array() += kMargin;
+  std::vector<std::uint32_t> stack{0};
+  std::vector<Point> differences(3 * hull.size());
+  while (!stack.empty()) {
+    const Node& node = nodes_[stack.back()];
+    stack.pop_back();
+    if (!box.meets(node.box)) continue;
+    if (node.left != 0) {
+      stack.push_back(node.left);
+      stack.push_back(node.left + 1);
+      continue;
+    }
+    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+      const std::array<Point, 3> triangle = corners(order_[k]);
+      DistanceBox around;
+      for (const Point& y : triangle) around.add(y);
+      if (!box.meets(around)) continue;
+      std::size_t next = 0;
+      for (const Point& y : triangle) {
+        for (const Point& x : hull) differences[next++] = x - y;
+      }
+      if (near_hull(differences, Point::Zero()).bounds.low <= kMargin) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace convexact

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// union_distance_triangles.hpp - bounds in doubles of distances to the triangles of a surface,
+// found by a tree of boxes.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "convexact/surface.hpp"
+#include "overlay/union_distance_near.hpp"
+
+namespace convexact {
+
+class NearTriangles {
+ public:
+  /// @param frame  That the surface lies in.
+  NearTriangles(const Surface& surface, const NearFrame& frame);
+
+  /// Bounds of the distance of y to the surface, and a triangle that is about as near.
+  struct Nearest {
+    NearBounds distance;
+    std::uint32_t triangle = 0;
+  };
+  Nearest nearest(const Point& y) const;
+  NearBounds to_triangle(std::uint32_t triangle, const Point& y) const;
+
+  /// Whether no triangle has a common point with the hull of at most four points, for sure.
+  bool misses(std::span<const Point> corners) const;
+
+ private:
+  // A node of the tree: triangles order_[first, first + count), or two nodes, `left` and the next.
+  struct Node {
+    DistanceBox box;
+    std::uint32_t first = 0, count = 0, left = 0;
+  };
+
+  std::array<Point, 3> corners(std::uint32_t triangle) const {
+    const auto& [a, b, c] = triangles_[triangle];
+    return {points_[a], points_[b], points_[c]};
+  }
+  void divide(std::uint32_t node, std::vector<Point>& middles);
+
+  std::vector<Point> points_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace convexact
