@@ -30,7 +30,7 @@ ConvexPart solid_part(const std::vector<Point>& points) {
   return part;
 }
 
-ConvexPart box_part(const Point& low, const Point& high) {
+ConvexPart part_of_box(const Point& low, const Point& high) {
   std::vector<Point> corners;
   for (int k = 0; k < 8; ++k) {
     corners.push_back(
@@ -39,7 +39,7 @@ ConvexPart box_part(const Point& low, const Point& high) {
   return solid_part(corners);
 }
 
-ConvexPart cell(double x, double y, double z) { return box_part({x, y, z}, {x + 1, y + 1, z + 1}); }
+ConvexPart cell(double x, double y, double z) { return part_of_box({x, y, z}, {x + 1, y + 1, z + 1}); }
 
 void add_both(std::vector<Halfspace>& list, const RationalVector3& normal,
               const RationalPoint& at) {
@@ -348,8 +348,8 @@ TEST_CASE("union_distance: as the definition says, for random parts of any dimen
 TEST_CASE("union_distance: at any scale, far away, and of parts of very different sizes") {
   for (const int exponent : {-300, 0, 300}) {
     const double unit = std::ldexp(1.0, exponent);
-    const std::vector<ConvexPart> parts{box_part({0, 0, 0}, {unit, unit, unit}),
-                                        box_part({3 * unit, 0, 0}, {4 * unit, unit, unit})};
+    const std::vector<ConvexPart> parts{part_of_box({0, 0, 0}, {unit, unit, unit}),
+                                        part_of_box({3 * unit, 0, 0}, {4 * unit, unit, unit})};
     const UnionDistance distance(parts);
     const Rational u = to_rational(unit);
     CHECK(distance({-u, -u, -u}).squared == 3 * u * u);
@@ -368,7 +368,7 @@ TEST_CASE("union_distance: at any scale, far away, and of parts of very differen
   }
   const double tiny = 0x1p-200;
   const std::vector<ConvexPart> parts{cell(0, 0, 0),
-                                      box_part({2, 0, 0}, {2 + 0x1p-50, tiny, tiny})};
+                                      part_of_box({2, 0, 0}, {2 + 0x1p-50, tiny, tiny})};
   const UnionDistance distance(parts);
   CHECK(distance({2, 0, 2 * to_rational(tiny)}).squared == to_rational(tiny) * to_rational(tiny));
 }
@@ -566,12 +566,12 @@ TEST_CASE("union_to_surface: closed solids, and parts inside, equal, sticking ou
       std::reverse(parts.begin(), parts.end());
     }
   };
-  expect({box_part({kHalf, kHalf, kHalf}, {1, 1, 1})}, 0);
+  expect({part_of_box({kHalf, kHalf, kHalf}, {1, 1, 1})}, 0);
   expect({cell(0, 0, 0), cell(1, 1, 1)}, 0);
-  expect({box_part({0, 0, 0}, {2, 2, 2})}, 0);
-  expect({box_part({1, 0, 0}, {3, 1, 1}), cell(0, 0, 0)}, 1);
+  expect({part_of_box({0, 0, 0}, {2, 2, 2})}, 0);
+  expect({part_of_box({1, 0, 0}, {3, 1, 1}), cell(0, 0, 0)}, 1);
   expect({cell(0, 0, 0), cell(2, 2, 2)}, 3);
-  expect({cell(3, 0, 0), box_part({-1, -1, 0}, {1, 1, 1})}, 4);
+  expect({cell(3, 0, 0), part_of_box({-1, -1, 0}, {1, 1, 1})}, 4);
   expect({segment_part({1, 1, 1}, {1, 1, 5}), point_part({0, 0, 0})}, 9);
   // Within, distances to the surface do not count; without winding numbers they do.
   const std::vector<ConvexPart> middle{point_part({1, 1, 1})};
@@ -584,17 +584,17 @@ TEST_CASE("union_to_surface: a hull closes the hole of a ring, at any scale") {
     const Surface ring = ring_surface(unit);
     REQUIRE(ring.is_closed);
     const Winding winding(ring);
-    const std::vector<ConvexPart> hull{box_part({0, 0, 0}, {3 * unit, 3 * unit, unit})};
+    const std::vector<ConvexPart> hull{part_of_box({0, 0, 0}, {3 * unit, 3 * unit, unit})};
     const Rational diameter = hull[0].box.squared_diameter(), half = to_rational(unit / 2);
     const DirectedDistance found = union_to_surface(hull, ring, &winding, diameter);
     CHECK(found.bounds.contains(half));
     CHECK(is_close(found, diameter));
     REQUIRE(found.at);
     CHECK(winding(*found.at) == 0);
-    const std::vector<ConvexPart> walls{box_part({0, 0, 0}, {3 * unit, unit, unit}),
-                                        box_part({0, 2 * unit, 0}, {3 * unit, 3 * unit, unit}),
-                                        box_part({0, unit, 0}, {unit, 2 * unit, unit}),
-                                        box_part({2 * unit, unit, 0}, {3 * unit, 2 * unit, unit})};
+    const std::vector<ConvexPart> walls{part_of_box({0, 0, 0}, {3 * unit, unit, unit}),
+                                        part_of_box({0, 2 * unit, 0}, {3 * unit, 3 * unit, unit}),
+                                        part_of_box({0, unit, 0}, {unit, 2 * unit, unit}),
+                                        part_of_box({2 * unit, unit, 0}, {3 * unit, 2 * unit, unit})};
     const DirectedDistance none = union_to_surface(walls, ring, &winding, diameter);
     CHECK(none.bounds.contains(0));
     CHECK(is_close(none, diameter));
@@ -608,7 +608,7 @@ TEST_CASE("union_to_surface: the farthest point is in the interior of a part tha
   add_box_faces(points, faces, {1, 1, 1}, {2, 2, 2}, true);
   const Surface hollow = surface_of(points, faces);
   const Winding winding(hollow);
-  const std::vector<ConvexPart> parts{box_part({0, 0, 0}, {3, 3, 3})};
+  const std::vector<ConvexPart> parts{part_of_box({0, 0, 0}, {3, 3, 3})};
   const DirectedDistance found = union_to_surface(parts, hollow, &winding, 27);
   CHECK(found.bounds.contains(Rational(1, 2)));
   CHECK(is_close(found, 27));
@@ -625,7 +625,7 @@ TEST_CASE("union_to_surface: no sample of random parts is beyond the bounds") {
   const Winding winding(ring);
   for (int round = 0; round < 6; ++round) {
     const std::vector<ConvexPart> parts{solid_part(shapes::lattice(7, 2, round + 1)),
-                                        box_part({0, 0, 0}, {1, 1 + coordinate(), 1})};
+                                        part_of_box({0, 0, 0}, {1, 1 + coordinate(), 1})};
     for (const Winding* inside : {static_cast<const Winding*>(nullptr), &winding}) {
       const DirectedDistance found = union_to_surface(parts, ring, inside, 20);
       CHECK(is_close(found, 20));
