@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
   register_inner_bench(inputs);
   register_exact_growth();
   register_scene_bench(inputs);
+  register_overlay_bench(bench_meshes());
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

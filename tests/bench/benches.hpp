@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // benches.hpp - the groups of benchmarks that convexact-bench runs.
 #pragma once
+#include <string>
 #include <vector>
 
 #include "bench_inputs.hpp"
@@ -25,3 +26,7 @@ void register_exact_growth();
 /// scene/shared and scene/own: the meshes' points as parts, once with one budget of 18 halfspaces
 /// for each on average, and once each on its own to the same ends. Without verification.
 void register_scene_bench(const std::vector<BenchInput>& inputs);
+/// overlay/MESH/union, /nef-union (the peer), /surface, /surface-half, /solid-half: some twenty
+/// parts by a grid; the volume of their union, and what all of them or the first half leave of the
+/// surface and of the solid. overlay/union-growth/PARTS: overlapping random solids.
+void register_overlay_bench(const std::vector<std::string>& meshes);

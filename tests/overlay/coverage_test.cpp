@@ -241,6 +241,32 @@ TEST_CASE(
   CHECK(partly > 10);
 }
 
+TEST_CASE("find_uncovered: solids that meet facets of others but for last bits") {
+  Random random(35);
+  for (int round = 0; round < 60; ++round) {
+    CAPTURE(round);
+    // A facet of one solid, some of its corners moved, under copies that are moved as well.
+    const ConvexPart solid = nearly_grid_part(random, 6, 2);
+    const auto& facet = solid.solid->facets[uniform_below(random, solid.solid->facets.size())];
+    SoupTriangle t;
+    for (std::size_t k = 0; k < 3; ++k) {
+      t[k] = solid.vertices[facet[k]];
+      if (uniform_below(random, 4) == 0) t[k][0] += to_rational(0x1p-51);
+    }
+    if (affine_dimension(t) < 2) continue;
+    std::vector<ConvexPart> parts{solid, nearly_grid_part(random, 5, 2)};
+    std::vector<RationalPoint> points = solid.vertices;
+    for (RationalPoint& p : points) {
+      if (uniform_below(random, 2) == 0) p[1] -= to_rational(0x1p-51);
+    }
+    parts.push_back(part_of(points));
+    if (parts.back().dimension < 3) continue;
+    const Rational covered = measure_of_union(
+        parts, [&](const std::vector<const ConvexPart*>& set) { return common_share(t, set); });
+    CHECK(covered + uncovered_share(t, parts) == 1);
+  }
+}
+
 TEST_CASE("find_uncovered: an interrupted search stops") {
   const std::atomic<bool> stop = true;
   CHECK_THROWS_AS((void)find_uncovered(surface_of({kTriangle}, false), {}, Watch(&stop)), Error);

@@ -86,6 +86,26 @@ TEST_CASE("union_volume: random solids, by inclusion and exclusion") {
   }
 }
 
+TEST_CASE("union_volume: solids off the grid by last bits, by inclusion and exclusion") {
+  Random random(9);
+  for (int round = 0; round < 40; ++round) {
+    CAPTURE(round);
+    std::vector<ConvexPart> parts;
+    for (int i = 0; i < 2; ++i) parts.push_back(nearly_grid_part(random, 5, 1));
+    if (round % 2 == 0) {  // the same solid but for last bits
+      std::vector<RationalPoint> points = parts[0].vertices;
+      for (RationalPoint& p : points) {
+        p[static_cast<int>(uniform_below(random, 3))] += to_rational(0x1p-51);
+      }
+      parts[1] = part_of(points);
+      if (parts[1].dimension < 3) continue;
+    }
+    CHECK(checked_union(parts) == measure_of_union(parts, common_volume));
+    CHECK(common_interior(parts[0], parts[1]).has_value() ==
+          (common_volume({&parts[0], &parts[1]}) > 0));
+  }
+}
+
 TEST_CASE("union_volume: an interrupted sum stops") {
   const std::atomic<bool> stop = true;
   const std::vector<ConvexPart> parts{box_part(0, 0, 0, 1, 1, 1)};

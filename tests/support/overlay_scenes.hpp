@@ -325,4 +325,23 @@ inline ConvexPart grid_part(convexact::Random& random, int count, int reach) {
   }
 }
 
+/// The same with some coordinates off by a few units of 2^-50: facets that are nearly parallel,
+/// planes that nearly share a vertex.
+inline ConvexPart nearly_grid_part(convexact::Random& random, int count, int reach) {
+  while (true) {
+    std::vector<RationalPoint> points;
+    for (int i = 0; i < count; ++i) {
+      RationalPoint& p = points.emplace_back();
+      for (Rational& x : p) {
+        x = static_cast<int>(uniform_below(random, 2 * reach + 1)) - reach;
+        if (uniform_below(random, 3) == 0) {
+          x += (static_cast<int>(uniform_below(random, 5)) - 2) * convexact::to_rational(0x1p-50);
+        }
+      }
+    }
+    ConvexPart part = part_of(points);
+    if (part.dimension == 3) return part;
+  }
+}
+
 }  // namespace support
