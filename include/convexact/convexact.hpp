@@ -16,6 +16,7 @@
 #include "convexact/measure.hpp"
 #include "convexact/mesh.hpp"
 #include "convexact/number.hpp"
+#include "convexact/overlay.hpp"
 #include "convexact/point_set.hpp"
 #include "convexact/polytope.hpp"
 #include "convexact/predicates.hpp"

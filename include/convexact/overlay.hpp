@@ -52,8 +52,7 @@ struct SurfaceCoverage {
 /// Which pieces of the triangles lie in no part. Triangle and union are closed, so what is left is
 /// relatively open: it is empty iff it has no area.
 /// @throws Error Stopped, as the watch says.
-/// @par Cost  Each triangle is cut by the facets of parts that it crosses only; corners are pairs
-/// of
+/// @par Cost  Each triangle is cut by the facets of parts that it crosses only; corners are pairs of
 ///            lines, so numbers do not grow with the cuts.
 [[nodiscard]] SurfaceCoverage find_uncovered(const Surface& surface,
                                              std::span<const ConvexPart> parts,
@@ -68,16 +67,21 @@ struct UncoveredSolid {
 };
 
 /// Whether the union holds the solid of a closed surface: nothing if so. First by the pieces of the
-/// surface that are uncovered, from find_uncovered(); then by the convex pieces of the rest of the
-/// surface's box, in each of which the winding number is constant.
+/// surface that are uncovered, from find_uncovered(); then by the boundary of what the parts leave
+/// of the solid, which is empty iff that has no volume. Flat parts hold no volume.
+/// @param coverage  Only shortens the way: `{}` gives the same verdict.
+/// @throws Error Stopped, as the watch says.
 [[nodiscard]] std::optional<UncoveredSolid> find_uncovered_solid(const Surface& surface,
                                                                  const Winding& winding,
                                                                  std::span<const ConvexPart> parts,
                                                                  const SurfaceCoverage& coverage,
                                                                  const Watch& watch = {});
 
-/// The volume of the solid outside of the union. Pieces of space that the surface crosses are cut
-/// along it until it crosses none.
+/// The volume of the solid outside of the union, as union_volume() gives it. 0 iff
+/// find_uncovered_solid() finds nothing.
+/// @throws Error Stopped, as the watch says.
+/// @par Cost  A sum over the boundary: pieces of triangles outside of the union, and of facets inside
+///            the solid; each is cut where triangles cross it.
 [[nodiscard]] Measured uncovered_volume(const Surface& surface, const Winding& winding,
                                         std::span<const ConvexPart> parts, long precision,
                                         bool exact, const Watch& watch = {});
@@ -86,10 +90,13 @@ struct UncoveredSolid {
 
 /// The volume of the union, as an enclosure of relative width about 2^-precision, and as a fraction
 /// on request (which may have tens of thousands of digits).
+/// @throws Error Stopped, as the watch says.
+/// @par Cost  Each facet is cut, in its plane, by the parts that meet it; nothing is cut in space.
 [[nodiscard]] Measured union_volume(std::span<const ConvexPart> parts, long precision, bool exact,
                                     const Watch& watch = {});
 
 /// A point in the interior of both parts, if there is one: none of touching or flat parts.
+/// @par Cost  Signs of vertices from facets, mostly by doubles, then clipping of a few facets.
 [[nodiscard]] std::optional<RationalPoint> common_interior(const ConvexPart& a,
                                                            const ConvexPart& b);
 
