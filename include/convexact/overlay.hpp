@@ -52,7 +52,7 @@ struct SurfaceCoverage {
 /// Which pieces of the triangles lie in no part. Triangle and union are closed, so what is left is
 /// relatively open: it is empty iff it has no area.
 /// @throws Error Stopped, as the watch says.
-/// @par Cost  Each triangle is cut by the facets of parts that it crosses only; corners are pairs of
+/// @par Cost  Each triangle is cut only by facets of parts that it crosses; corners are pairs of
 ///            lines, so numbers do not grow with the cuts.
 [[nodiscard]] SurfaceCoverage find_uncovered(const Surface& surface,
                                              std::span<const ConvexPart> parts,
@@ -80,8 +80,8 @@ struct UncoveredSolid {
 /// The volume of the solid outside of the union, as union_volume() gives it. 0 iff
 /// find_uncovered_solid() finds nothing.
 /// @throws Error Stopped, as the watch says.
-/// @par Cost  A sum over the boundary: pieces of triangles outside of the union, and of facets inside
-///            the solid; each is cut where triangles cross it.
+/// @par Cost  A sum over the boundary: pieces of triangles outside of the union, and of facets
+///            inside the solid; each is cut where triangles cross it.
 [[nodiscard]] Measured uncovered_volume(const Surface& surface, const Winding& winding,
                                         std::span<const ConvexPart> parts, long precision,
                                         bool exact, const Watch& watch = {});
