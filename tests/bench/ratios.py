@@ -10,7 +10,7 @@ import sys
 
 COLUMNS = [("hull", "cgal"), ("hull", "qhull"), ("filtered", "cgal"), ("float", "cgal"), ("exact", "filtered"),
            ("by-area", "by-volume"), ("by-mean-width", "by-volume"),
-           ("by-area-exact", "by-area"), ("by-mean-width-exact", "by-mean-width"), ("inner", "outer"), ("inner-costs", "outer"), ("shared", "own")]
+           ("by-area-exact", "by-area"), ("by-mean-width-exact", "by-mean-width"), ("inner", "outer"), ("inner-costs", "outer"), ("shared", "own"), ("union", "nef-union")]
 
 
 def medians(path):
@@ -22,7 +22,7 @@ def medians(path):
     for run in runs:
         if repeated and run.get("aggregate_name") != "median":
             continue
-        parts = run["run_name"].split("/")
+        parts = run["run_name"].removeprefix("overlay/").split("/")
         if len(parts) == 2 and not parts[1].isdigit():
             times.setdefault(parts[0], {})[parts[1]] = run["real_time"]
             if parts[1] == "filtered":
