@@ -22,15 +22,15 @@ class Coverage {
 
   SurfaceCoverage find(const Watch& watch) {
     SurfaceCoverage coverage;
-    find_holders(watch);
+    const Holders holders(points_, parts_, *tree_, watch);
     for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
       watch.at(t, surface_.triangles.size());
       const auto& ids = surface_.triangles[t];
-      if (is_in_one_part(ids)) {
+      const Ids<3> corners{ids[0].value, ids[1].value, ids[2].value};
+      if (holders.any_holds(corners)) {
         ++coverage.in_one_part;
         continue;
       }
-      const Ids<3> corners{ids[0].value, ids[1].value, ids[2].value};
       if (has_area(corners)) {
         subtract_parts<3>(TriangleId(t), corners, coverage.uncovered);
         continue;
@@ -46,33 +46,6 @@ class Coverage {
   }
 
  private:
-  // The parts that hold each point, ascending.
-  void find_holders(const Watch& watch) {
-    holders_.resize(points_.size());
-    std::vector<std::uint32_t> near;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      watch.ask();
-      tree_->find(points_.box(i), near);
-      for (const std::uint32_t p : near) {
-        bool is_held = true;
-        for (std::size_t h = 0; h < parts_[p].planes.size() && is_held; ++h) {
-          is_held = parts_[p].side(h, points_, i) != Sign::Positive;
-        }
-        if (is_held) holders_[i].push_back(p);
-      }
-    }
-  }
-
-  bool is_in_one_part(const std::array<PointId, 3>& ids) const {
-    const auto holds = [](const std::vector<std::uint32_t>& list, std::uint32_t p) {
-      return std::binary_search(list.begin(), list.end(), p);
-    };
-    const auto& first = holders_[ids[0].index()];
-    return std::any_of(first.begin(), first.end(), [&](std::uint32_t p) {
-      return holds(holders_[ids[1].index()], p) && holds(holders_[ids[2].index()], p);
-    });
-  }
-
   bool has_area(const Ids<3>& ids) const {
     const HomogeneousPoint &a = points_.exact(ids[0]), &b = points_.exact(ids[1]),
                            &c = points_.exact(ids[2]);
@@ -134,7 +107,6 @@ class Coverage {
   ScaledPoints points_;
   std::vector<LaidPart> parts_;
   std::optional<BoxTree> tree_;
-  std::vector<std::vector<std::uint32_t>> holders_;
 };
 
 }  // namespace

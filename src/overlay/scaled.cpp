@@ -119,6 +119,32 @@ LaidPart::LaidPart(const ConvexPart& convex, long exponent)
   for (std::size_t i = 0; i < vertices.size(); ++i) box.include(vertices.box(i));
 }
 
+Holders::Holders(const ScaledPoints& points, std::span<const LaidPart> parts, const BoxTree& tree,
+                 const Watch& watch)
+    : holders_(points.size()) {
+  std::vector<std::uint32_t> near;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    watch.ask();
+    tree.find(points.box(i), near);
+    for (const std::uint32_t p : near) {
+      bool is_held = true;
+      for (std::size_t h = 0; h < parts[p].planes.size() && is_held; ++h) {
+        is_held = parts[p].side(h, points, i) != Sign::Positive;
+      }
+      if (is_held) holders_[i].push_back(p);
+    }
+  }
+}
+
+bool Holders::any_holds(const std::array<std::uint32_t, 3>& ids) const {
+  const auto holds = [&](std::uint32_t point, std::uint32_t part) {
+    return std::binary_search(holders_[point].begin(), holders_[point].end(), part);
+  };
+  return std::any_of(holders_[ids[0]].begin(), holders_[ids[0]].end(), [&](std::uint32_t part) {
+    return holds(ids[1], part) && holds(ids[2], part);
+  });
+}
+
 Meeting meeting(const LaidPart& part, const ScaledPoints& points,
                 std::span<const std::uint32_t> corners) {
   Meeting result;

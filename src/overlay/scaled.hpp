@@ -79,6 +79,21 @@ struct LaidPart {
   }
 };
 
+/// By point, the parts that hold it, ascending.
+class Holders {
+ public:
+  /// @param tree  Over the boxes of the parts.
+  /// @throws Error Stopped, as the watch says.
+  Holders(const ScaledPoints& points, std::span<const LaidPart> parts, const BoxTree& tree,
+          const Watch& watch);
+
+  /// Whether one part holds all three points, and so their triangle.
+  bool any_holds(const std::array<std::uint32_t, 3>& ids) const;
+
+ private:
+  std::vector<std::vector<std::uint32_t>> holders_;
+};
+
 /// How a part lies to a convex polygon or segment.
 struct Meeting {
   enum Kind {

@@ -11,6 +11,7 @@ class Walk {
       : surface_(surface, exponent),
         winding_(winding),
         union_(parts, exponent),
+        holders_(union_.holders(surface_.points(), watch)),
         visit_(visit),
         watch_(watch) {}
 
@@ -43,6 +44,7 @@ class Walk {
   // (1)
   bool triangle(std::size_t t) {
     const auto corners = surface_.corners(t);
+    if (holders_.any_holds(corners)) return true;
     const LaidSurface::Walls* walls = surface_.walls(t);
     if (walls == nullptr) return true;
     auto rest = union_.rest_of(surface_.points(), corners);
@@ -100,6 +102,7 @@ class Walk {
   LaidSurface surface_;
   const Winding& winding_;
   UnionBoundary union_;
+  Holders holders_;
   const std::function<bool(const SolidPiece&)>& visit_;
   const Watch& watch_;
   std::size_t done_ = 0, steps_ = 0;

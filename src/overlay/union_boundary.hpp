@@ -43,6 +43,10 @@ class UnionBoundary {
   std::span<const std::uint32_t> corners(FacetId f) const { return polytope(f).facets[f.facet]; }
   const ScaledPoints& points(FacetId f) const { return solids_[f.part].vertices; }
   NearBox box(FacetId f) const;
+  /// The solids that hold each of the points. @throws Error Stopped, as the watch says.
+  Holders holders(const ScaledPoints& points, const Watch& watch) const {
+    return Holders(points, solids_, tree_, watch);
+  }
 
   /// What of a facet bounds the union, of whole_facet(); nothing if no piece does.
   std::optional<PlanePieces> rest(FacetId f) const;
