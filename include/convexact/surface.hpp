@@ -63,7 +63,7 @@ struct Surface {
   std::size_t repeated_points = 0;  ///< Points of the mesh equal to an earlier one.
   std::size_t unused_points = 0;    ///< Distinct points of the mesh that no face uses.
   /// Faces of the mesh, from 0, that are not planar, or whose boundary crosses itself: cut as a fan
-  /// from their first corner.
+  /// from their lowest corner.
   std::vector<std::size_t> fans;
   std::size_t flat_triangles = 0;  ///< Without area.
   /// Edges between two triangles that cannot cancel, of components that are not orientable, or that

@@ -372,7 +372,7 @@ void note_surface(const Surface& surface, std::vector<std::string>& notes) {
   note(twisted, "component of the input has", "components of the input have",
        " a single side, like a Moebius strip");
   note(surface.fans.size(), "face of the input is", "faces of the input are",
-       " bent or crossed, and cut as a fan from the first corner");
+       " bent or crossed, and cut as a fan from the lowest corner");
   note(surface.flat_triangles, "triangle of the input has", "triangles of the input have",
        " no area; its points are to be held all the same");
 }
