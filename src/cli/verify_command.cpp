@@ -44,7 +44,7 @@ constexpr const char* kVerifyFooter =
     "Every claim is decided exactly, on the numbers as they are stored; each violation comes\n"
     "with a witness. docs/verdicts.md#CODE describes the claim CODE.\n"
     "Exit code 0: every claim holds. 1: one is violated, or the CANDIDATE is malformed. 3: a\n"
-    "file is missing, or INPUT is malformed. 4: INPUT has no volume.";
+    "file is missing, or INPUT is malformed. 4: INPUT has no volume (with --union: no point).";
 
 constexpr const char* kNoGaps = "no-gaps";
 
@@ -286,14 +286,17 @@ int run_verify(const VerifyArguments& options) {
 void add_verify_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<VerifyArguments>();
   CLI::App& command = *program.add_subcommand(
-      "verify", "decide exactly whether an output is a convex solid that contains its input");
+      "verify",
+      "decide exactly whether an output is a convex solid that contains its input, or parts "
+      "whose union does");
   command.footer(kVerifyFooter);
   command.add_option(
       "INPUT", options->input,
       "the shape to be enclosed: a mesh or points (OBJ, OFF, PLY, STL, XYZ), or halfspaces");
   command.add_option(
       "CANDIDATE", options->candidate,
-      "the output to be judged: a mesh, or halfspaces (JSON, .ine, rows n1 n2 n3 d)");
+      "the output to be judged: a mesh, or halfspaces (JSON, .ine, rows n1 n2 n3 d); with --union "
+      "a mesh with an object per part, a folder of meshes, or JSON with \"parts\"");
   command.add_option("--claims", options->claims, "decide these claims only, separated by commas");
   command.add_flag("--parts", options->parts,
                    "judge each object of INPUT by the object of CANDIDATE with its name, and "

@@ -46,7 +46,8 @@ void add_union_options(CLI::App& command, UnionOptions& options) {
                    "judge the parts of CANDIDATE together: does their union hold INPUT? Also "
                    "without this option if CANDIDATE is a folder, or JSON with \"parts\", or if "
                    "--claims names a claim of parts");
-  add_count(command, "--max-parts", options.max_parts, {}, "with --union: most parts");
+  add_count(command, "--max-parts", options.max_parts, {},
+            "with --union: most parts; the other budgets are of each part");
   add_choice(command, "--orient", options.orient, kOrientNames,
              "with --union: turn faces of INPUT until its solid comes out right, or keep them as "
              "they are (default: auto)");
