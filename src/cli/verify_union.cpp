@@ -97,8 +97,9 @@ int run_verify_union(const GlobalOptions& global, const std::string& input,
   progress.clear();
   OutputFiles files;
   if (!options.picture.empty()) {
-    files.emplace_back(options.picture,
-                       picture_html(parts_picture(std::get<Mesh>(made), verdict, name)));
+    files.emplace_back(options.picture, picture_html(parts_picture(
+                                            std::get<Mesh>(made), verdict,
+                                            std::filesystem::path(name).filename().string())));
   }
   std::string answer;
   if (global.json) {
