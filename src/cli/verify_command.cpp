@@ -105,7 +105,8 @@ int run_union(const VerifyArguments& options) {
                 "--claims: no-gaps compares parts of INPUT with those of CANDIDATE one by one, and "
                 "INPUT has one");
   }
-  const Promise promise = promise_of(options);
+  // Parts may hold together what each of them alone does not.
+  const Promise promise = options.promise.promise(Asks::Enclosure);
   const VerifyRequest each = verify_request(options, promise);
   PartsRequest request;
   request.claims = each.claims;

@@ -146,6 +146,11 @@ TEST_CASE("verify --union: usage, and files that are not there") {
   std::filesystem::create_directory(files.scratch.file("empty"));
   CHECK(exit_of(files.scratch.file("empty"), "") == 3);
   CHECK(exit_of(files.good, "--union --max-parts 3 --max-facets 6") == 0);
+  for (const char* profile : {"physx", "jolt", "vhacd"}) {
+    CHECK(exit_of(files.good, std::string("--union --profile ") + profile) == 0);
+  }
+  CHECK(run_program(files.arguments(files.good, "--union --profile physx --max-vertices 7")).exit ==
+        1);
 }
 
 TEST_CASE("verify --union: an input without points, and a flat one") {
