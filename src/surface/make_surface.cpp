@@ -53,7 +53,13 @@ Welded weld(std::size_t count, const std::vector<bool>& is_used, const At& at) {
 Welded weld(const Mesh& mesh) {
   std::vector<bool> is_used(mesh.points.size(), false);
   for (const auto& polygon : mesh.polygons) {
-    for (const std::uint32_t corner : polygon) is_used.at(corner) = true;
+    if (polygon.empty()) throw Error(ErrorCode::InvalidArgument, "a face without corners");
+    for (const std::uint32_t corner : polygon) {
+      if (corner >= is_used.size()) {
+        throw Error(ErrorCode::InvalidArgument, "a face with a corner that is no point");
+      }
+      is_used[corner] = true;
+    }
   }
   if (mesh.points.is_binary()) {
     // A zero with a sign is zero.

@@ -51,17 +51,15 @@ struct Shift {
   }
 };
 
-// A ray goes up for ever, and what is below does not harm.
-void to_column(NearBox& box) {
-  box.low[2] = -1e308;
-  box.high[2] = 1e308;
-}
+// A ray goes up for ever, and what is below does not harm: boxes are seen from above. All have one
+// height, 0, so that the tree is halved along x and y.
+void flatten(NearBox& box) { box.low[2] = box.high[2] = 0; }
 
 std::vector<NearBox> boxes_of(const Surface& surface) {
   std::vector<NearBox> boxes;
   for (const Triangle& triangle : surface.triangles) {
     boxes.push_back(box_of(surface.points, triangle));
-    to_column(boxes.back());
+    flatten(boxes.back());
   }
   return boxes;
 }
@@ -74,33 +72,35 @@ class Winding::Search {
 
   std::optional<long> at(const RationalPoint& x) const {
     const Query query(x);
-    find_near(query);
-    for (const std::uint32_t t : found_) {
+    const std::vector<std::uint32_t> near = find_near(query);
+    for (const std::uint32_t t : near) {
       if (is_on(t, query)) return std::nullopt;
     }
-    return count(query, {});
+    return count(near, query, {});
   }
 
   long at_shifted(const RationalPoint& x, const RationalVector3& direction) const {
     const Query query(x);
-    find_near(query);
-    return count(query, {&direction});
+    return count(find_near(query), query, {&direction});
   }
 
   const Surface& surface() const { return surface_; }
 
  private:
-  void find_near(const Query& query) const {
+  // The triangles whose boxes lie above or below the point.
+  std::vector<std::uint32_t> find_near(const Query& query) const {
     NearBox column{query.low, query.high};
-    to_column(column);
-    tree_.find(column, found_);
+    flatten(column);
+    std::vector<std::uint32_t> found;
+    tree_.find(column, found);
+    return found;
   }
 
-  // Of the triangles in found_: +1 for each that lies above and faces up, -1 for each that faces
+  // Of these triangles: +1 for each that lies above and faces up, -1 for each that faces
   // down.
-  long count(const Query& query, const Shift& shift) const {
+  long count(const std::vector<std::uint32_t>& near, const Query& query, const Shift& shift) const {
     long sum = 0;
-    for (const std::uint32_t t : found_) {
+    for (const std::uint32_t t : near) {
       const Triangle& triangle = surface_.triangles[t];
       const Sign up = PlaneView(surface_.points, 2).turn(triangle[0], triangle[1], triangle[2]);
       if (up == Sign::Zero || !is_over(triangle, up, query, shift)) continue;
@@ -208,7 +208,6 @@ class Winding::Search {
 
   const Surface& surface_;
   BoxTree tree_;
-  mutable std::vector<std::uint32_t> found_;
 };
 
 Winding::Winding(const Surface& surface) {

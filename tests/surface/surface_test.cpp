@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 
 #include "cells.hpp"
 #include "expect_error.hpp"
@@ -219,4 +221,75 @@ TEST_CASE("make_surface: polygons are cut into triangles with their area") {
                     {{0, 1, 2, 3}},
                     {}});
   CHECK(bow.fans == std::vector<std::size_t>{0});
+}
+
+TEST_CASE("make_surface: faces that are none") {
+  const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  for (const std::vector<std::uint32_t>& face :
+       {std::vector<std::uint32_t>{}, std::vector<std::uint32_t>{0, 1, 3}}) {
+    const Mesh mesh{PointSet(points), {face}, {}};
+    CHECK(error_of([&] { return make_surface(mesh); }).code() == ErrorCode::InvalidArgument);
+  }
+}
+
+TEST_CASE("winding numbers and volumes of random unions of cells") {
+  std::mt19937 random(17);
+  for (int round = 0; round < 60; ++round) {
+    std::set<Cell> cells;
+    const std::size_t count = 1 + random() % 12;
+    while (cells.size() < count) {
+      cells.insert({int(random() % 3), int(random() % 3), int(random() % 3)});
+    }
+    CAPTURE(round);
+    const Surface surface = make_surface(mesh_of_cells(cells));
+    REQUIRE(surface.is_closed);
+    CHECK(*solid_volume(surface, 96, true).exact == Rational(cells.size()));
+    const Winding winding(surface);
+    const Rational half(1, 2);
+    for (int k = 0; k < 125; ++k) {
+      const Cell cell{k % 5 - 1, k / 5 % 5 - 1, k / 25 - 1};
+      const std::optional<long> at_center =
+          winding(at(cell[0] + half, cell[1] + half, cell[2] + half));
+      CHECK((at_center && (*at_center != 0) == cells.contains(cell)));
+      // A square lies on the boundary if just one of the cells beside it is there.
+      for (int axis = 0; axis < 3; ++axis) {
+        Cell before = cell;
+        --before[axis];
+        RationalPoint middle = at(cell[0] + half, cell[1] + half, cell[2] + half);
+        middle[axis] -= half;
+        CHECK((winding(middle) == std::nullopt) ==
+              (cells.contains(cell) != cells.contains(before)));
+      }
+    }
+  }
+}
+
+TEST_CASE("make_surface: the order of points and faces, and their sizes, change nothing") {
+  std::mt19937 random(18);
+  const Mesh mesh = joined(mesh_of_cells(l_cells()), joined(cube(8, 12), reversed(cube(9, 10))));
+  const Surface surface = make_surface(mesh);
+  for (const int exponent : {0, 500, -500, -1070}) {
+    CAPTURE(exponent);
+    std::vector<std::uint32_t> place(mesh.points.size());
+    for (std::uint32_t k = 0; k < place.size(); ++k) place[k] = k;
+    std::shuffle(place.begin(), place.end(), random);
+    std::vector<Point> points(place.size());
+    for (std::uint32_t k = 0; k < place.size(); ++k) {
+      points[place[k]] =
+          mesh.points.doubles()[k].unaryExpr([&](double x) { return std::ldexp(x, exponent); });
+    }
+    Mesh shuffled{PointSet(points), mesh.polygons, {}};
+    for (auto& polygon : shuffled.polygons) {
+      for (std::uint32_t& corner : polygon) corner = place[corner];
+      std::rotate(polygon.begin(), polygon.begin() + long(random() % polygon.size()),
+                  polygon.end());
+    }
+    std::shuffle(shuffled.polygons.begin(), shuffled.polygons.end(), random);
+    const Surface other = make_surface(shuffled);
+    CHECK(other.triangles == surface.triangles);
+    CHECK(other.component == surface.component);
+    // 3 cells, and a cube of 4 without one of 1.
+    const Rational unit = to_rational(Point(std::ldexp(1.0, exponent), 0, 0))[0];
+    CHECK(*solid_volume(other, 96, true).exact == Rational(66 * unit * unit * unit));
+  }
 }
