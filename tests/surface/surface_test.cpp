@@ -42,6 +42,47 @@ Rational volume_of(const Mesh& mesh) {
 
 RationalPoint at(const Rational& x, const Rational& y, const Rational& z) { return {x, y, z}; }
 
+// A grid of 5 by 5 squares whose sides are glued, on random points of a grid: a torus, or if one
+// side is glued the other way round, a Klein bottle. It crosses itself.
+Mesh glued_grid(bool is_klein, std::mt19937& random) {
+  std::set<std::array<int, 3>> taken;
+  std::vector<Point> points;
+  while (points.size() < 25) {
+    const std::array<int, 3> p{int(random() % 8), int(random() % 8), int(random() % 8)};
+    if (taken.insert(p).second) points.emplace_back(p[0], p[1], p[2]);
+  }
+  const auto corner = [&](std::uint32_t i, std::uint32_t j) {
+    const std::uint32_t row = i == 5 && is_klein ? 10 - j : j;
+    return i % 5 * 5 + row % 5;
+  };
+  Mesh mesh{PointSet(points), {}, {}};
+  for (std::uint32_t i = 0; i < 5; ++i) {
+    for (std::uint32_t j = 0; j < 5; ++j) {
+      const std::uint32_t a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1),
+                          d = corner(i, j + 1);
+      mesh.polygons.push_back({a, b, c});
+      mesh.polygons.push_back({a, c, d});
+    }
+  }
+  for (auto& polygon : mesh.polygons) {
+    if (random() % 2 == 0) std::swap(polygon[0], polygon[1]);
+  }
+  return mesh;
+}
+
+// The sum of the solid angles of the triangles over 4 pi [van Oosterom and Strackee 1983].
+double turns_about(const Surface& surface, const Point& x) {
+  double sum = 0;
+  for (const auto& triangle : surface.triangles) {
+    const Point a = surface.points.doubles()[triangle[0].index()] - x,
+                b = surface.points.doubles()[triangle[1].index()] - x,
+                c = surface.points.doubles()[triangle[2].index()] - x;
+    sum += 2 * std::atan2(a.dot(b.cross(c)), a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() +
+                                                 b.dot(c) * a.norm() + c.dot(a) * b.norm());
+  }
+  return sum / (4 * 3.14159265358979323846);
+}
+
 }  // namespace
 
 TEST_CASE("make_surface: a cube, however it is written") {
@@ -292,4 +333,55 @@ TEST_CASE("make_surface: the order of points and faces, and their sizes, change 
     const Rational unit = to_rational(Point(std::ldexp(1.0, exponent), 0, 0))[0];
     CHECK(*solid_volume(other, 96, true).exact == Rational(66 * unit * unit * unit));
   }
+}
+
+TEST_CASE("winding numbers of tangled tori are sums of solid angles; Klein bottles have none") {
+  std::mt19937 random(19);
+  long largest = 0;
+  for (int round = 0; round < 20; ++round) {
+    CAPTURE(round);
+    const Surface torus = make_surface(glued_grid(false, random));
+    REQUIRE(torus.is_closed);
+    CHECK(torus.components[0].is_orientable);
+    CHECK(torus.contradictions == 0);
+    const Winding winding(torus);
+    for (int k = 0; k < 50; ++k) {
+      const auto coordinate = [&] { return double(random() % 7000) / 1024 + 0x1p-30; };
+      const Point x(coordinate(), coordinate(), coordinate());
+      const std::optional<long> found = winding(to_rational(x));
+      REQUIRE(found.has_value());
+      CHECK(turns_about(torus, x) == doctest::Approx(double(*found)).epsilon(1e-6));
+      largest = std::max(largest, std::abs(*found));
+    }
+    const Surface bottle = make_surface(glued_grid(true, random));
+    CHECK_FALSE(bottle.is_closed);
+    CHECK_FALSE(bottle.components[0].is_orientable);
+    CHECK(bottle.components[0].border_edges == 0);
+    CHECK(bottle.contradictions > 0);
+  }
+  CHECK(largest > 1);
+}
+
+TEST_CASE("make_surface: points that are no doubles, T-junctions") {
+  const Mesh unit = cube(0, 1);
+  std::vector<RationalPoint> points;
+  for (std::size_t k = 0; k < unit.points.size(); ++k) {
+    points.push_back(unit.points[PointId(k)] / Rational(3));
+  }
+  const Surface third = make_surface({PointSet(points), unit.polygons, {}});
+  CHECK(third.triangles == make_surface(unit).triangles);
+  CHECK(*solid_volume(third, 96, true).exact == Rational(1, 27));
+  const Winding winding(third);
+  CHECK(winding(at(Rational(1, 3), Rational(1, 4), Rational(1, 4))) == std::nullopt);
+  CHECK(winding(at(Rational(3, 10), Rational(1, 4), Rational(1, 4))) == 1);
+  CHECK(winding(at(Rational(4, 10), Rational(1, 4), Rational(1, 4))) == 0);
+
+  // One side of a cube is two rectangles, whose common side ends within edges of the others.
+  Mesh halved = unit;
+  halved.polygons.erase(halved.polygons.begin());
+  const Mesh halves{PointSet(std::vector<Point>{
+                        {0, 0, 0}, {0, 1, 0}, {0, 0, 0.5}, {0, 1, 0.5}, {0, 0, 1}, {0, 1, 1}}),
+                    {{0, 2, 3, 1}, {2, 4, 5, 3}},
+                    {}};
+  CHECK_FALSE(make_surface(joined(halved, halves)).is_closed);
 }
