@@ -91,8 +91,8 @@ std::vector<PointId> cycle_of(const std::vector<std::uint32_t>& polygon, const W
     if (corners.empty() || corners.back() != welded.id[p]) corners.push_back(welded.id[p]);
   }
   while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
-  while (corners.size() < 3) corners.push_back(corners.back());
   rotate_to_least(corners);
+  while (corners.size() < 3) corners.push_back(corners.back());
   return corners;
 }
 

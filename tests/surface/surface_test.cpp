@@ -222,6 +222,15 @@ TEST_CASE("make_surface: sheets, borders and triangles without area") {
   CHECK(error_of([] { return make_surface(Mesh{}); }).code() == ErrorCode::InvalidArgument);
 }
 
+TEST_CASE("make_surface: a triangle with two equal corners, from whichever it begins") {
+  const PointSet points(std::vector<Point>{{0, 0, 0}, {1, 0, 0}});
+  const Surface first = make_surface({points, {{0, 0, 1}}, {}});
+  for (const std::vector<std::uint32_t>& polygon :
+       std::vector<std::vector<std::uint32_t>>{{0, 1, 0}, {1, 0, 0}, {0, 1, 1}, {0, 0, 1, 1}}) {
+    CHECK(make_surface({points, {polygon}, {}}).triangles == first.triangles);
+  }
+}
+
 TEST_CASE("make_surface: polygons are cut into triangles with their area") {
   const std::vector<Point> points = {{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {2, 3, 0},
                                      {2, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}};
