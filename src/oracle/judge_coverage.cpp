@@ -262,6 +262,7 @@ void measure_parts(PartsTrial& trial) {
   if (!trial.request.measures) return trial.log.skip("measures", "not requested");
   if (verdict.hulls.empty()) return trial.log.skip("measures", "there is no part");
   if (surface.triangles.empty()) return trial.log.skip("measures", "the input has no faces");
+  if (verdict.squared_diameter == 0) return trial.log.skip("measures", "the input is a point");
   const bool exact = trial.request.exact_volumes;
   const std::vector<ConvexPart>& parts = verdict.hulls;
   StageLog& log = trial.log;
