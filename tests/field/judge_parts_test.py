@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: MIT
 """The judge of decompositions against closed forms: boxes, of which every figure is known."""
 import math
+import random
 import sys
 import tempfile
 import unittest
 from fractions import Fraction
-from itertools import product
+from itertools import combinations, product
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
-from judge_parts import judge_part_files, judge_parts, uncovered_of, Part  # noqa: E402
+from judge_parts import Part, interiors_meet, judge_part_files, judge_parts, uncovered_of  # noqa: E402
+from planar import Frame  # noqa: E402
 from reading import Mesh  # noqa: E402
+from solid import cross, dot, minus  # noqa: E402
 
 QUADS = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
 
@@ -164,6 +167,55 @@ class Triangles(unittest.TestCase):
         self.assertEqual(self.share(((0, -1, -1), (1, 1, 1)), triangle=sliver), Fraction(3, 4))
         self.assertEqual(self.share(((0, -1, -1), (1, 1, 1)), ((1, 0, 0), (4, 1, 1)), triangle=sliver), 0)
         self.assertEqual(self.share(((1, 0, 0), (2, 1, 1)), triangle=((0, 0, 0),) * 3), 1)
+
+
+def random_part(source, most):
+    """The hull of some points of a small grid, so that many are coplanar with others."""
+    while True:
+        points = [tuple(source.randint(0, most) for _ in range(3)) for _ in range(source.randint(4, 7))]
+        part = Part("", points, [])
+        if part.dimension == 3:
+            return part
+
+
+def area(polygon):
+    corners = [(Fraction(x, w), Fraction(y, w)) for x, y, w in polygon.corners] if polygon else []
+    return sum((p[0] * q[1] - p[1] * q[0] for p, q in zip(corners, corners[1:] + corners[:1])), Fraction(0)) / 2
+
+
+class Laws(unittest.TestCase):
+    def test_uncovered_shares_are_those_of_inclusion_and_exclusion(self):
+        source = random.Random(17)
+        for _ in range(150):
+            a, b, c = triangle = [tuple(source.randint(0, 4) for _ in range(3)) for _ in range(3)]
+            normal = cross(minus(b, a), minus(c, a))
+            if not any(normal):
+                continue
+            parts = [random_part(source, 5) for _ in range(source.randint(1, 4))]
+            frame = Frame(normal, dot(normal, a))
+            whole = frame.polygon(triangle)
+            covered = Fraction(0)
+            for size in range(1, len(parts) + 1):
+                for some in combinations(parts, size):
+                    lines = [frame.line_of(n, d) for part in some for n, d in part.planes]
+                    covered -= (-1) ** size * area(whole.cut_all(lines))
+            self.assertEqual(uncovered_of(triangle, parts), 1 - covered / area(whole))
+
+    def test_interiors_meet_where_points_of_a_finer_grid_lie_in_both(self):
+        source = random.Random(4)
+        grid = list(product(range(1, 24, 2), repeat=3))
+        met = 0
+        for _ in range(60):
+            first, second = random_part(source, 3), random_part(source, 3)
+            in_both = any(first.contains_inside((*p, 8)) and second.contains_inside((*p, 8)) for p in grid)
+            meets = interiors_meet(first, second)
+            met += meets
+            self.assertEqual(meets, interiors_meet(second, first))
+            self.assertFalse(in_both and not meets)
+            if meets:  # the separating direction is one of facets or of two edges: none of the facets'
+                for solid, other in ((first, second), (second, first)):
+                    self.assertTrue(all(any(dot(n, v) < d for v in other.vertices) for n, d in solid.planes))
+        self.assertTrue(0 < met < 60)
 
 
 class Parts(unittest.TestCase):

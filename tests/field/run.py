@@ -213,6 +213,7 @@ def parse_options(arguments):
     parser.add_argument("--most", type=int, default=700, help="points of the largest output to judge (default 700)")
     parser.add_argument("--mutants", type=int, default=1, help="outputs of each input to be damaged (default 1)")
     parser.add_argument("--every", type=int, default=1, help="only every Nth input (default 1)")
+    parser.add_argument("--meshes", action="store_true", help="with --every: the meshes of tests/data in any case")
     parser.add_argument("--fresh", action="store_true", help="run all programs again, also where their output is there")
     parser.add_argument("--page", action="store_true", help="write the table into docs/field.md, too")
     parser.add_argument("-o", dest="report", default=str(BUILD / "report.json"), help="the report as JSON")
@@ -223,7 +224,8 @@ def main(arguments=None):
     options = parse_options(arguments)
     options.convexact = str(Path(options.convexact).resolve())
     options.binary32 = understands_binary32(options.convexact)
-    work = [(*case, options) for case in all_cases(options.case)[::options.every]]
+    work = [(*case, options) for number, case in enumerate(all_cases(options.case))
+            if number % options.every == 0 or (options.meshes and case[0] in MESHES)]
     skipped = {program.name: program.missing for program in all_programs(options.convexact) if program.missing}
     records = []
     with Pool(options.jobs) as pool:
