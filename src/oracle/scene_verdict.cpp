@@ -20,6 +20,8 @@
 namespace convexact {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 // The halfspaces of the hull of a part's points; none if these span no volume.
 std::vector<Halfspace> hull_planes(const PointSet& points, const VerifyRequest& request) {
   StageLog within(StageWatch{.stop = request.watch.stop});
@@ -149,7 +151,6 @@ std::variant<SceneVerdict, NotSolidPart> verify_scene(const std::vector<SceneObj
 }
 
 nlohmann::ordered_json scene_verdict_json(const SceneVerdict& verdict) {
-  using Json = nlohmann::ordered_json;
   Json parts = Json::array();
   bool is_violated = verdict.gaps && verdict.gaps->witness;
   for (const PartVerdict& part : verdict.parts) {
