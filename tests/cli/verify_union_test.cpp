@@ -50,7 +50,7 @@ struct LFiles {
   }
 };
 
-struct Judged {
+struct JudgedUnion {
   int exit;
   json document;
 
@@ -62,7 +62,7 @@ struct Judged {
   }
 };
 
-Judged judge(const LFiles& files, const std::string& parts, const std::string& options) {
+JudgedUnion judge_union(const LFiles& files, const std::string& parts, const std::string& options) {
   const auto ran = run_program(files.arguments(parts, options) + " --json");
   const json document = json::parse(ran.out);
   CHECK(schema_complaint("verdict", document) == "");
@@ -73,7 +73,7 @@ Judged judge(const LFiles& files, const std::string& parts, const std::string& o
 
 TEST_CASE("verify --union: an L in three cells, and without one of them") {
   const LFiles files;
-  const Judged good = judge(files, files.good, "--union");
+  const JudgedUnion good = judge_union(files, files.good, "--union");
   CHECK(good.exit == 0);
   CHECK(good.document["verdict"] == "holds");
   CHECK(good.document["parts"].size() == 3);
@@ -81,9 +81,9 @@ TEST_CASE("verify --union: an L in three cells, and without one of them") {
   CHECK(good.document["surface"]["closed"] == true);
   CHECK(good.status("covers-solid") == "not-asked");
 
-  const Judged bad = judge(files, files.bad,
-                           "--union --claims covers-points,covers-solid "
-                           "--exact-volumes");
+  const JudgedUnion bad = judge_union(files, files.bad,
+                                      "--union --claims covers-points,covers-solid "
+                                      "--exact-volumes");
   CHECK(bad.exit == 1);
   CHECK(bad.status("covers-points") == "violated");
   CHECK(bad.status("covers-solid") == "violated");
@@ -95,18 +95,18 @@ TEST_CASE("verify --union: an L in three cells, and without one of them") {
 
 TEST_CASE("verify: when a candidate is taken for a decomposition") {
   const LFiles files;
-  CHECK(judge(files, files.good, "--claims covers-surface").document.contains("surface"));
-  CHECK(judge(files, files.good, "--parts").document.contains("surface"));
+  CHECK(judge_union(files, files.good, "--claims covers-surface").document.contains("surface"));
+  CHECK(judge_union(files, files.good, "--parts").document.contains("surface"));
   const std::string folder = files.scratch.file("folder");
   std::filesystem::create_directory(folder);
   std::filesystem::copy(files.good, folder + "/all.obj");
-  CHECK(judge(files, folder, "").exit == 0);
+  CHECK(judge_union(files, folder, "").exit == 0);
   const std::string parts =
       files.scratch.write("parts.json", R"({"parts": [{"vertices": [[0,0,0],[2,0,0],[0,2,0],[2,2,0],
                                                 [0,0,1],[2,0,1],[0,2,1],[2,2,1]]}]})");
-  CHECK(judge(files, parts, "").exit == 0);
+  CHECK(judge_union(files, parts, "").exit == 0);
   // Otherwise it is one solid, with a note.
-  const Judged one = judge(files, files.good, "");
+  const JudgedUnion one = judge_union(files, files.good, "");
   CHECK(one.exit == 1);
   CHECK(one.document.contains("candidate"));
   CHECK(one.document["notes"][0].get<std::string>().find("--union") != std::string::npos);
@@ -167,10 +167,12 @@ TEST_CASE("verify --union: an input without points, and a flat one") {
 
 TEST_CASE("verify --union: malformed parts are a verdict") {
   const LFiles files;
-  const Judged line = judge(files, files.scratch.write("x.obj", "v 0 0 0\nv 1\n"), "--union");
+  const JudgedUnion line =
+      judge_union(files, files.scratch.write("x.obj", "v 0 0 0\nv 1\n"), "--union");
   CHECK(line.exit == 1);
   CHECK(line.status("parts-readable") == "violated");
-  const Judged nan = judge(files, files.scratch.write("y.obj", "v 0 0 nan\n"), "--union");
+  const JudgedUnion nan =
+      judge_union(files, files.scratch.write("y.obj", "v 0 0 nan\n"), "--union");
   CHECK(nan.status("parts-finite") == "violated");
 }
 
