@@ -52,7 +52,7 @@ void add_union_options(CLI::App& command, UnionOptions& options) {
              "with --union: turn faces of INPUT until its solid comes out right, or keep them as "
              "they are (default: auto)");
   command.add_flag("--exact-volumes", options.exact_volumes,
-                   "with --union: volumes as fractions, too, which may be very long");
+                   "with --union: volumes in --json as fractions, too, which may be very long");
   command.add_option("--picture", options.picture,
                      "with --union: a page (.html) that shows the parts, and in red what of INPUT "
                      "lies in none");
