@@ -17,6 +17,13 @@
 
 namespace convexact {
 
+/// How an answer is computed.
+enum class Engine {
+  Exact,     ///< Rationals and integers everywhere: the reference.
+  Filtered,  ///< The same answer; exact numbers only where doubles cannot decide.
+  Float,     ///< Doubles decide what is done. What is said of the result is proven all the same.
+};
+
 /// What shows that several removals cost the same: of several proofs the least certain one, in the
 /// order of TieProof, with the most bits that any comparison of them took.
 struct TieEvidence {

@@ -25,12 +25,6 @@ struct RunStart {
   std::vector<PointId> extreme;             ///< The points that are the solid's vertices.
 };
 
-enum class Engine {
-  Exact,     ///< Rationals and integers everywhere: the reference.
-  Filtered,  ///< The same answer; exact numbers only where doubles cannot decide.
-  Float,     ///< Doubles decide which halfspaces are removed. The result is proven all the same.
-};
-
 /// A request. At least one of `faces` and `max_growth` must be given.
 struct SimplifyRequest {
   std::optional<std::size_t> faces;  ///< Halfspaces to keep, >= 4.

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// cluster.hpp - the triangles of a surface as few connected clusters of small concavity, by merging
+// pairs of neighbours; every decision is exact, or says that it is not.
+//
+// docs/design/clustering.md has the method, its source [MamouGhorbel2009], and what is ours.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "convexact/linear_program.hpp"
+#include "convexact/number.hpp"
+#include "convexact/overlay.hpp"
+#include "convexact/run.hpp"
+#include "convexact/surface.hpp"
+#include "convexact/watch.hpp"
+
+namespace convexact {
+
+// ---- Concavity
+
+/// At which points of a cluster its concavity is taken.
+enum class ConcavityMeasure {
+  Surface,   ///< At all points of its triangles, along their normals.
+  Vertices,  ///< At the corners of its triangles, along the normals of these: the sum of the area
+             ///< vectors of all triangles of the surface at that point.
+};
+
+/// How far a cluster lies below its convex hull: the largest distance that a ray from one of its
+/// points along the outward normal there runs inside the hull.
+struct Concavity {
+  Rational squared = 0;   ///< In squared length units; 0 where the ray leaves at once.
+  TriangleId triangle;    ///< Of the point: of equal distances the lowest triangle.
+  RationalPoint at;       ///< The point M, on that triangle.
+  RationalPoint leaves;   ///< Where the ray from M leaves the hull: |leaves - at|^2 = squared.
+  IntegerVector3 normal;  ///< The direction of the ray; 0 if the point has none.
+};
+
+/// Concavities by the definition, one linear program for each triangle: the reference that the
+/// filtered engine is compared with.
+class ExactConcavity {
+ public:
+  /// Keeps a reference.
+  ExactConcavity(const Surface& surface, ConcavityMeasure measure);
+
+  /// Of a cluster, triangles >= 1. It never falls when a cluster grows.
+  /// @param hull  convex_part() of the cluster's points.
+  /// @par Cost    A linear program of three variables for each triangle with an area, or a ray for
+  ///              each corner.
+  [[nodiscard]] Concavity operator()(std::span<const TriangleId> cluster, const ConvexPart& hull,
+                                     const Watch& watch = {}) const;
+
+  /// Of one triangle, at all of its points; by Vertices, at its corners.
+  [[nodiscard]] Concavity operator()(TriangleId triangle, const ConvexPart& hull) const;
+
+  /// The direction in which concavity is taken at corner k of a triangle: an integer multiple of
+  /// its normal, or of the normal of the corner. 0 if it has none.
+  [[nodiscard]] IntegerVector3 direction(TriangleId triangle, int k) const;
+
+ private:
+  const Surface* surface_;
+  ConcavityMeasure measure_;
+  std::vector<IntegerVector3> normals_;  // by triangle, or by point
+};
+
+/// The points of a cluster, ascending, each once.
+[[nodiscard]] std::vector<PointId> points_of(const Surface& surface,
+                                             std::span<const TriangleId> cluster);
+
+// ---- Neighbours
+
+/// Which triangles are neighbours, besides those with a common edge.
+enum class Connect {
+  Edge,      ///< None.
+  Overlap,   ///< Those that have edges with a common segment of positive length.
+  Touching,  ///< These, and those of different components that have a common point.
+};
+
+/// All pairs of neighbours, the lower triangle first, ascending, each once.
+/// @throws Error Stopped, as the watch says.
+[[nodiscard]] std::vector<std::pair<TriangleId, TriangleId>> neighbours(const Surface& surface,
+                                                                        Connect connect,
+                                                                        const Watch& watch = {});
+
+// ---- Clusters
+
+/// The largest concavity allowed.
+struct ConcavityLimit {
+  Rational value{3, 100};  ///< At least 0; a share is at most 1.
+  bool is_share =
+      true;  ///< Of the diameter, the diagonal of the box of the surface; else a length.
+
+  /// The square of the limit as a length. @param squared_diameter  Of the surface's points.
+  [[nodiscard]] Rational squared(const Rational& squared_diameter) const;
+};
+
+struct ClusterOptions {
+  ConcavityLimit limit = {};
+  /// When no merge is within the limit any more, go on by least concavity until so many clusters
+  /// are left; >= 1. Clusters of different groups of neighbours are never merged.
+  std::optional<std::size_t> max_parts = {};
+  ConcavityMeasure measure = ConcavityMeasure::Surface;
+  Connect connect = Connect::Edge;
+  Engine engine = Engine::Filtered;
+  /// Fill in the concavity and the cost of each merge.
+  bool costs = false;
+  /// Reports merges as progress. A long run ends with Error Stopped, as it says.
+  Watch watch = {};
+};
+
+/// Two neighbouring clusters become one. A cluster is named by its lowest triangle.
+struct Merge {
+  TriangleId kept, gone;  ///< kept < gone.
+  /// Other pairs of neighbours whose cost was the same; of equal ones the lowest (kept, gone) is
+  /// merged.
+  std::size_t ties = 0;
+  /// Why they count as equal: EqualRationals of two concavities beyond the limit, SquareClasses of
+  /// two costs, or Undecided.
+  TieEvidence tie_evidence = {};
+  bool beyond_limit = false;  ///< Made for `max_parts`, by least concavity.
+  /// If asked for: of the union, and E D, which the method keeps small (docs/design/clustering.md).
+  std::optional<Rational> squared_concavity = {};
+  std::optional<Enclosure> cost = {};
+
+  /// The same decision; how it was reached is not compared.
+  friend bool operator==(const Merge& a, const Merge& b) {
+    return a.kept == b.kept && a.gone == b.gone && a.ties == b.ties &&
+           a.beyond_limit == b.beyond_limit;
+  }
+};
+
+/// A partition of the triangles of a surface, and how it came about.
+struct Clustering {
+  /// Each ascending; by their lowest triangles.
+  std::vector<std::vector<TriangleId>> clusters;
+  /// Triangles without area, each with the triangle over its longest edge to whose cluster it was
+  /// added before the first merge.
+  std::vector<std::pair<TriangleId, TriangleId>> united;
+  std::vector<Merge> merges;
+  bool stopped_by_count = false;  ///< Whether `max_parts` ended the run, not the limit.
+  Rational squared_limit, squared_diameter;
+  /// How often the concavity of a pair was bounded or computed, and how often in exact numbers.
+  std::size_t evaluations = 0, exact_evaluations = 0;
+};
+
+/// The number of groups of triangles that are joined over neighbours: no clustering has fewer
+/// clusters.
+[[nodiscard]] std::size_t count_groups(const Surface& surface,
+                                       std::span<const std::pair<TriangleId, TriangleId>> pairs);
+
+/// Starts with a cluster for each triangle and merges, one after another, the two neighbours of
+/// least cost whose union is not more concave than the limit, until there are none; then, for
+/// `max_parts`, those whose union is least concave.
+/// @throws Error InvalidArgument for a limit out of its range, and if there are more groups than
+///               `max_parts`, naming their number; Stopped, as the watch says.
+/// @par Cost     A hull and a bound for each triangle of two clusters, once or twice per triangle
+/// of
+///               the surface; the exact engine: at each merge, for each pair at the merged cluster.
+/// @par Source   [MamouGhorbel2009]
+[[nodiscard]] Clustering cluster(const Surface& surface, const ClusterOptions& options = {});
+
+}  // namespace convexact

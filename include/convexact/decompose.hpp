@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// decompose.hpp - a shape as the union of few convex parts, each the hull of a cluster of triangles
+// whose concavity is small; and what is proven of it.
+//
+// The parts hold the surface of the shape. They need not hold its solid: what they leave uncovered
+// is measured.
+#pragma once
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "convexact/cluster.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/scene.hpp"
+#include "convexact/simplify.hpp"
+#include "convexact/stored.hpp"
+
+namespace convexact {
+
+/// What becomes of clusters that lie in a plane.
+enum class FlatParts {
+  Auto,     ///< As Thicken, but a shape that is flat as a whole is not decomposed.
+  Thicken,  ///< A part with a volume: both sides moved by about 2^-20 of the diameter.
+  Keep,     ///< A polygon, a segment or a point.
+  Merge,    ///< They join a neighbour, the one where concavity grows least, even beyond the limit.
+};
+
+struct DecomposeRequest {
+  ConcavityLimit limit = {};
+  std::optional<std::size_t> max_parts;  ///< >= 1. May lead beyond the limit; then that is said.
+  ConcavityMeasure measure = ConcavityMeasure::Surface;
+  Connect connect = Connect::Edge;
+  Orient orient = Orient::Auto;
+  FlatParts flat = FlatParts::Auto;
+  bool keep_inner = false;  ///< Parts that lie in another one stay.
+  Engine engine = Engine::Filtered;
+  /// Halfspaces to keep of each part, >= 4, or of all together, >= 4 for each part with a volume:
+  /// the parts are simplified and still hold what they own.
+  std::optional<std::size_t> faces, total_faces;
+  Precision precision = Precision::Binary64;
+  bool measures = true;        ///< Volumes of solid, union, excess, uncovered and overlap.
+  bool exact_volumes = false;  ///< Also as fractions.
+  bool costs = false;          ///< Fill in concavity and cost of each merge, for a trace.
+  std::uint64_t seed = 1;      ///< Of every random order. The answer is the same.
+  StageWatch watch = {};
+};
+
+/// How the stored solid of a part came from the hull of its points.
+enum class PartForm {
+  Hull,        ///< It is the hull: every corner is a point of the input, bit by bit.
+  Rounded,     ///< The hull with its corners rounded outward: input with fractions, or binary32.
+  Simplified,  ///< Fewer halfspaces around it.
+  Thickened,   ///< A flat hull, thickened.
+  Flat,        ///< A flat hull as it is.
+};
+
+/// A convex part. Its stored numbers, taken exactly, hold every triangle that it owns.
+struct Part {
+  std::vector<TriangleId> owns;     ///< Ascending. Every triangle has one owner.
+  std::vector<TriangleId> cluster;  ///< Of which `hull` is the hull: `owns` and perhaps fewer.
+  ConvexPart hull;
+  Concavity concavity;  ///< Of the cluster.
+  bool is_within_limit = true;
+  PartForm form = PartForm::Hull;
+  /// Corners and faces as stored. A flat one has one polygon (its points are counter-clockwise seen
+  /// from one side), or a segment or point and no polygon.
+  Mesh mesh;
+  std::vector<Halfspace> halfspaces;  ///< The hull of mesh.points, proven to hold what it owns.
+};
+
+/// A cluster that lies in the hull of another one: no part of its own.
+struct InnerCluster {
+  TriangleId lowest;  ///< Of its triangles.
+  std::size_t part;   ///< That holds it.
+};
+
+/// Volumes beside the proof, of the parts as stored.
+struct DecompositionMeasures {
+  std::optional<Measured> solid_volume;      ///< Of the shape; none if it encloses none.
+  std::optional<Measured> uncovered_volume;  ///< Of the solid outside of the union.
+  std::optional<Measured> excess_volume;     ///< Of the union outside of the solid.
+  Measured union_volume;
+  Measured overlap_volume;  ///< What the parts' volumes add up to, less the union's.
+};
+
+struct Decomposition {
+  Surface surface;
+  Clustering clustering;
+  std::vector<Part> parts;           ///< By the lowest triangles of their clusters.
+  std::vector<std::uint32_t> owner;  ///< By triangle: into `parts`.
+  std::vector<InnerCluster> inner;   ///< Clusters that were dropped.
+  std::vector<TriangleId>
+      flat_merged;                   ///< Flat clusters that joined a neighbour (FlatParts::Merge).
+  bool limit_holds = true;           ///< Whether every cluster is within the limit.
+  std::size_t tested_triangles = 0;  ///< Whose corners were tested against their owner.
+  std::optional<DecompositionMeasures> measures;
+  std::vector<Stage> stages;
+};
+
+using DecomposeOutcome = std::variant<Decomposition, NotSolid>;
+
+/// Decomposes a mesh and proves on the stored numbers that every triangle lies in its owner.
+/// @return NotSolid if all points of faces lie in one plane, unless `flat` is Thicken or Keep.
+/// @throws Error NoInterior if the mesh has no face; InvalidArgument for what cluster() and
+///               simplify() refuse and for budgets that cannot hold; Unrepresentable if the format
+///               cannot hold a part; Stopped; Internal if a proof fails.
+[[nodiscard]] DecomposeOutcome decompose(const Mesh& mesh, const DecomposeRequest& request = {});
+
+}  // namespace convexact
