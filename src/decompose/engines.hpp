@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// engines.hpp - the same clustering in several ways: from the start that start_clusters() gives,
+// the merges and the clusters that are left.
+#pragma once
+#include "decompose/start.hpp"
+
+namespace convexact {
+
+/// By the definitions, in exact numbers.
+[[nodiscard]] Clustering cluster_exact(const Surface& surface, const ClusterOptions& options,
+                                       const ClusterStart& start);
+
+}  // namespace convexact

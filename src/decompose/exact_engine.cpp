@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// The exact engine: every pair of neighbours, at every step, by the definitions.
+#include <algorithm>
+#include <map>
+
+#include "decompose/engines.hpp"
+#include "decompose/merge_cost.hpp"
+#include "surface/edges.hpp"
+#include "surface/flat_polygon.hpp"
+
+namespace convexact {
+namespace {
+
+// The edges that an odd number of the triangles have, and the areas of these.
+MergeCost shape_of(const Surface& surface, std::span<const TriangleId> cluster) {
+  MergeCost cost;
+  std::vector<std::array<PointId, 3>> triangles;
+  std::vector<RootTerm> areas, lengths;
+  const auto add = [](std::vector<RootTerm>& terms, const Rational& square) {
+    if (square == 0) return;
+    const Integer below = denominator(square);
+    terms.push_back({Rational(1) / Rational(below), numerator(square) * below});
+  };
+  for (const TriangleId t : cluster) {
+    triangles.push_back(surface.triangles[t.index()]);
+    add(areas, area_vector(surface.points, triangles.back()).squaredNorm());
+  }
+  EdgeTable(triangles).for_each([&](std::span<const EdgeUse> uses) {
+    if (uses.size() % 2 == 0) return;
+    const RationalVector3 along = surface.points[uses[0].high] - surface.points[uses[0].low];
+    add(lengths, along.squaredNorm());
+  });
+  cost.doubled_area = RootSum(std::move(areas));
+  cost.perimeter = RootSum(std::move(lengths));
+  return cost;
+}
+
+class ExactEngine {
+ public:
+  ExactEngine(const Surface& surface, const ClusterOptions& options, const ClusterStart& start)
+      : surface_(surface),
+        options_(options),
+        start_(start),
+        order_(start.squared_weight),
+        concavity_(surface, options.measure) {
+    for (auto& triangles : clusters_of(start.lowest)) {
+      clusters_.emplace(triangles.front().value, std::move(triangles));
+    }
+    for (const ClusterPair& pair : start.pairs) pairs_.emplace(pair, evaluate(pair));
+  }
+
+  Clustering run() {
+    while (merge_cheapest(false)) {
+    }
+    while (options_.max_parts && clusters_.size() > *options_.max_parts && merge_cheapest(true)) {
+      made_.stopped_by_count = true;
+    }
+    for (auto& [name, triangles] : clusters_) made_.clusters.push_back(std::move(triangles));
+    return std::move(made_);
+  }
+
+ private:
+  struct Candidate {
+    MergeCost cost;
+    Enclosure bounds;  // of the cost
+  };
+
+  Candidate evaluate(const ClusterPair& pair) {
+    ++made_.evaluations;
+    ++made_.exact_evaluations;
+    const auto& [a, b] = std::tie(clusters_.at(pair.first), clusters_.at(pair.second));
+    std::vector<TriangleId> both;
+    std::merge(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+    MergeCost cost = shape_of(surface_, both);
+    const ConvexPart hull = convex_part(subset(surface_.points, points_of(surface_, both)));
+    cost.squared_concavity = concavity_(both, hull, options_.watch).squared;
+    Enclosure bounds = order_.enclose(cost, 128, options_.watch);
+    return {std::move(cost), std::move(bounds)};
+  }
+
+  // Within the limit by cost; for a number of parts by concavity alone.
+  Ordering compare(const Candidate& a, const Candidate& b, bool beyond_limit) const {
+    if (beyond_limit) {
+      const auto& x = a.cost.squared_concavity;
+      const auto& y = b.cost.squared_concavity;
+      if (x != y) return {x < y ? Order::Less : Order::Greater};
+      return {Order::Equal, TieProof::EqualRationals};
+    }
+    if (const auto sign = (a.bounds - b.bounds).sign(); sign && *sign != Sign::Zero) {
+      return {*sign == Sign::Negative ? Order::Less : Order::Greater, std::nullopt, 128};
+    }
+    return order_.compare(a.cost, b.cost, options_.watch);
+  }
+
+  bool merge_cheapest(bool beyond_limit) {
+    const std::pair<const ClusterPair, Candidate>* best = nullptr;
+    Merge merge{.beyond_limit = beyond_limit};
+    for (const auto& pair : pairs_) {
+      if (!beyond_limit && pair.second.cost.squared_concavity > start_.squared_limit) continue;
+      const Ordering ordering =
+          best ? compare(pair.second, best->second, beyond_limit) : Ordering{Order::Less};
+      if (ordering.order == Order::Greater) continue;
+      if (ordering.order == Order::Less) {
+        best = &pair;
+        merge.ties = 0;
+        merge.tie_evidence = {};
+      } else {
+        ++merge.ties;
+        merge.tie_evidence.add({ordering.tie_proof, ordering.bits});
+      }
+    }
+    if (best == nullptr) return false;
+    merge.kept = TriangleId(best->first.first);
+    merge.gone = TriangleId(best->first.second);
+    if (options_.costs) {
+      merge.squared_concavity = best->second.cost.squared_concavity;
+      merge.cost = best->second.bounds;
+    }
+    collapse(best->first);
+    made_.merges.push_back(std::move(merge));
+    options_.watch.at(made_.merges.size(), start_.lowest.size());
+    return true;
+  }
+
+  void collapse(ClusterPair merged) {
+    const std::uint32_t kept = merged.first, gone = merged.second;
+    auto& triangles = clusters_.at(kept);
+    const auto& more = clusters_.at(gone);
+    triangles.insert(triangles.end(), more.begin(), more.end());
+    std::sort(triangles.begin(), triangles.end());
+    clusters_.erase(gone);
+    std::vector<std::uint32_t> beside;
+    std::erase_if(pairs_, [&](const auto& pair) {
+      const auto [a, b] = pair.first;
+      if (a != kept && b != kept && a != gone && b != gone) return false;
+      for (const std::uint32_t c : {a, b}) {
+        if (c != kept && c != gone) beside.push_back(c);
+      }
+      return true;
+    });
+    for (const std::uint32_t other : beside) {
+      const ClusterPair pair = std::minmax(kept, other);
+      if (!pairs_.contains(pair)) pairs_.emplace(pair, evaluate(pair));
+    }
+  }
+
+  const Surface& surface_;
+  const ClusterOptions& options_;
+  const ClusterStart& start_;
+  CostOrder order_;
+  ExactConcavity concavity_;
+  std::map<std::uint32_t, std::vector<TriangleId>> clusters_;  // by their lowest triangles
+  std::map<ClusterPair, Candidate> pairs_;
+  Clustering made_;
+};
+
+}  // namespace
+
+Clustering cluster_exact(const Surface& surface, const ClusterOptions& options,
+                         const ClusterStart& start) {
+  return ExactEngine(surface, options, start).run();
+}
+
+}  // namespace convexact

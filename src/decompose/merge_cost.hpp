@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// merge_cost.hpp - what it costs to merge two clusters, exactly, and the order of such costs.
+#pragma once
+#include "convexact/number.hpp"
+#include "convexact/root_sum.hpp"
+#include "convexact/watch.hpp"
+
+namespace convexact {
+
+/// Of the union S of two clusters, what its cost depends on.
+struct MergeCost {
+  Rational squared_concavity;
+  RootSum perimeter;     ///< Of the edges that an odd number of its triangles have.
+  RootSum doubled_area;  ///< Twice the sum of its triangles' areas.
+};
+
+/// The cost of a merge, a length:
+///   E D = C + (weight / 10) perimeter^2 / (4 pi area),
+/// C the concavity, and 0 instead of the quotient if there is no area. The quotient is the shape: 1
+/// of a disk, and more of what is less round.
+/// @par Source  [MamouGhorbel2009]; docs/design/clustering.md
+class CostOrder {
+ public:
+  /// The finest enclosures that are compared before two costs count as equal without a proof.
+  static constexpr long kMostBits = 4096;
+
+  explicit CostOrder(Rational squared_weight) : squared_weight_(std::move(squared_weight)) {}
+
+  [[nodiscard]] Enclosure enclose(const MergeCost& cost, long precision,
+                                  const Watch& watch = {}) const;
+
+  /// By enclosures of 128 bits; if these overlap, by the proof that concavities, perimeters and
+  /// areas are the same; and else by finer enclosures, which may leave it Undecided.
+  /// @throws Error Stopped, as the watch says.
+  [[nodiscard]] Ordering compare(const MergeCost& a, const MergeCost& b,
+                                 const Watch& watch = {}) const;
+
+ private:
+  Rational squared_weight_;
+};
+
+}  // namespace convexact
