@@ -10,4 +10,9 @@ namespace convexact {
 [[nodiscard]] Clustering cluster_exact(const Surface& surface, const ClusterOptions& options,
                                        const ClusterStart& start);
 
+/// The same merges; exact numbers only where doubles cannot decide. Or, if the options say
+/// Engine::Float, by doubles alone; then ties are not counted.
+[[nodiscard]] Clustering cluster_filtered(const Surface& surface, const ClusterOptions& options,
+                                          const ClusterStart& start);
+
 }  // namespace convexact

@@ -94,7 +94,8 @@ class ExactEngine {
 
   bool merge_cheapest(bool beyond_limit) {
     const std::pair<const ClusterPair, Candidate>* best = nullptr;
-    Merge merge{.beyond_limit = beyond_limit};
+    Merge merge;
+    merge.beyond_limit = beyond_limit;
     for (const auto& pair : pairs_) {
       if (!beyond_limit && pair.second.cost.squared_concavity > start_.squared_limit) continue;
       const Ordering ordering =

@@ -1,0 +1,453 @@
+// SPDX-License-Identifier: MIT
+// The filtered and the float engine: a queue of lower bounds. Concavity never falls when a cluster
+// grows, so an old value bounds a new one, and a pair beyond the limit stays beyond it.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "decompose/engines.hpp"
+#include "decompose/merge_cost.hpp"
+#include "decompose/near_concavity.hpp"
+#include "number/roundoff.hpp"
+#include "surface/edges.hpp"
+#include "surface/flat_polygon.hpp"
+
+namespace convexact {
+namespace {
+
+constexpr std::uint32_t kNoClass = 0;
+
+// A sum of lengths or areas of scaled points, and a bound of its error.
+struct NearSum {
+  double value = 0, error = 0;
+
+  NearSum& operator+=(const NearSum& other) {
+    value += other.value;
+    error += other.error + kUnitRoundoff * std::abs(value);
+    return *this;
+  }
+  NearSum operator*(double power_of_two) const {
+    return {value * power_of_two, error * std::abs(power_of_two)};
+  }
+  double low() const { return std::max(0.0, value - error); }
+  double high() const { return value + error; }
+};
+
+struct MeshEdge {
+  PointId low, high;
+  NearSum length;
+};
+
+struct Cluster {
+  std::vector<TriangleId> triangles;
+  NearCluster near;
+  std::vector<std::uint32_t> boundary;  // edges that an odd number of the triangles have; ascending
+  NearSum perimeter, doubled_area;
+  std::set<std::uint32_t> neighbours;
+};
+
+// Two neighbouring clusters, first < second, and what is known of their union.
+struct Candidate {
+  LengthBounds concavity;           // of the union; the lower bound holds also while it is stale
+  LengthBounds shape;               // the other term of the cost
+  LengthBounds key;                 // what the queue compares: the cost, or the concavity
+  bool is_fresh = false;            // `concavity` is of the clusters as they are
+  bool is_beyond = false;           // exceeds the limit
+  bool is_narrow = false;           // `key` is as narrow as doubles can be
+  std::uint32_t equals = kNoClass;  // candidates of one class have the same key, as is proven
+  std::optional<NearCluster> united = {};
+  std::optional<MergeCost> exact = {};
+};
+
+class FilteredEngine {
+ public:
+  FilteredEngine(const Surface& surface, const ClusterOptions& options, const ClusterStart& start)
+      : surface_(surface),
+        options_(options),
+        start_(start),
+        is_float_(options.engine == Engine::Float),
+        order_(start.squared_weight),
+        near_(surface, options.measure, is_float_) {
+    // Bounds of the limit and of weight / 20 pi in the units of `near_`.
+    const Rational unit = scale_by_power_of_two(Rational(1), -2 * near_.exponent());
+    const Enclosure limit = sqrt(Enclosure(Rational(start.squared_limit * unit), 64));
+    limit_ = {limit.low_double(), limit.high_double()};
+    Enclosure weight = sqrt(Enclosure(Rational(start.squared_weight * unit), 64));
+    weight /= Enclosure(Rational(20), 64) * Enclosure::pi(64);
+    weight_ = {weight.low_double(), weight.high_double()};
+    make_clusters();
+    for (const ClusterPair& pair : start.pairs) {
+      clusters_.at(pair.first).neighbours.insert(pair.second);
+      clusters_.at(pair.second).neighbours.insert(pair.first);
+      enter(pair, Candidate{});
+    }
+  }
+
+  Clustering run() {
+    while (merge_cheapest()) {
+    }
+    if (options_.max_parts && clusters_.size() > *options_.max_parts) go_on_by_concavity();
+    for (auto& [name, cluster] : clusters_) {
+      std::sort(cluster.triangles.begin(), cluster.triangles.end());
+      made_.clusters.push_back(std::move(cluster.triangles));
+    }
+    return std::move(made_);
+  }
+
+ private:
+  // In the queue: by lower bound; of equal ones those of a class side by side.
+  using Place = std::tuple<double, std::uint32_t, ClusterPair>;
+  static Place place(const ClusterPair& pair, const Candidate& candidate) {
+    return {candidate.key.low, candidate.equals, pair};
+  }
+
+  void make_clusters() {
+    const auto points = near_.points();
+    std::vector<std::vector<std::uint32_t>> edges_of(surface_.triangles.size());
+    EdgeTable(surface_.triangles).for_each([&](std::span<const EdgeUse> uses) {
+      const Point along = points[uses[0].high.index()] - points[uses[0].low.index()];
+      const double length = along.norm();
+      for (const EdgeUse& use : uses) {
+        edges_of[use.triangle].push_back(static_cast<std::uint32_t>(edges_.size()));
+      }
+      edges_.push_back({uses[0].low, uses[0].high, {length, error(8 * kUnitRoundoff * length)}});
+    });
+    for (auto& triangles : clusters_of(start_.lowest)) {
+      Cluster cluster;
+      for (const TriangleId t : triangles) {
+        const auto& [a, b, c] = surface_.triangles[t.index()];
+        const Point e = points[b.index()] - points[a.index()];
+        const Point f = points[c.index()] - points[a.index()];
+        cluster.doubled_area +=
+            {e.cross(f).norm(),
+             error(40 * kUnitRoundoff * e.cwiseAbs().maxCoeff() * f.cwiseAbs().maxCoeff())};
+        cluster.boundary = not_in_both(cluster.boundary, edges_of[t.index()]);
+      }
+      measure_boundary(cluster);
+      cluster.near = near_.cluster(triangles);
+      const std::uint32_t name = triangles.front().value;
+      cluster.triangles = std::move(triangles);
+      clusters_.emplace(name, std::move(cluster));
+    }
+  }
+
+  // Rationals are within half an ulp of the doubles, so sums of these bound nothing; and what is
+  // too small for doubles is lost.
+  double error(double rounding) const {
+    if (is_float_) return 0;
+    return surface_.points.is_binary() ? rounding + 0x1p-960 : kNoBound;
+  }
+
+  static std::vector<std::uint32_t> not_in_both(const std::vector<std::uint32_t>& a,
+                                                const std::vector<std::uint32_t>& b) {
+    std::vector<std::uint32_t> result;
+    std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(),
+                                  std::back_inserter(result));
+    return result;
+  }
+
+  void measure_boundary(Cluster& cluster) const {
+    cluster.perimeter = {};
+    for (const std::uint32_t e : cluster.boundary) cluster.perimeter += edges_[e].length;
+  }
+
+  // perimeter^2 / area of a union, times its weight.
+  LengthBounds shape_of(const Cluster& a, const Cluster& b) const {
+    NearSum shared, perimeter = a.perimeter, area = a.doubled_area;
+    auto x = a.boundary.begin(), y = b.boundary.begin();
+    while (x != a.boundary.end() && y != b.boundary.end()) {
+      if (*x == *y) shared += edges_[*x].length;
+      const bool first = *x <= *y, second = *y <= *x;
+      x += first;
+      y += second;
+    }
+    perimeter += b.perimeter;
+    perimeter += shared * -2;
+    area += b.doubled_area;
+    if (is_float_) {
+      const double shape = area.value > 0 ? perimeter.value * perimeter.value / area.value : 0;
+      return {weight_.low * shape, weight_.low * shape};
+    }
+    constexpr double up = 1 + 8 * kUnitRoundoff, down = 1 - 8 * kUnitRoundoff;
+    return {weight_.low * perimeter.low() * perimeter.low() / area.high() * down,
+            area.low() > 0 ? weight_.high * perimeter.high() * perimeter.high() / area.low() * up
+                           : kNoBound};
+  }
+
+  // Sets what the queue compares, and enters the candidate.
+  void enter(const ClusterPair& pair, Candidate candidate) {
+    candidate.key = candidate.concavity;
+    if (!by_concavity_) {
+      candidate.shape = shape_of(clusters_.at(pair.first), clusters_.at(pair.second));
+      const double round = is_float_ ? 0 : 2 * kUnitRoundoff;
+      candidate.key.low = (candidate.concavity.low + candidate.shape.low) * (1 - round);
+      candidate.key.high = (candidate.concavity.high + candidate.shape.high) * (1 + round);
+      if (std::isnan(candidate.key.low)) candidate.key.low = 0;
+    }
+    if (!candidate.is_beyond) queue_.insert(place(pair, candidate));
+    candidates_.insert_or_assign(pair, std::move(candidate));
+  }
+
+  // It is entered again, or gone.
+  void leave(const ClusterPair& pair) {
+    const auto it = candidates_.find(pair);
+    queue_.erase(place(pair, it->second));
+    if (it->second.equals != kNoClass) --classes_[it->second.equals].members;
+    candidates_.erase(it);
+  }
+
+  // Bounds the concavity of the union of clusters as they are, and decides whether it is allowed.
+  void evaluate(const ClusterPair& pair) {
+    ++made_.evaluations;
+    options_.watch.ask();
+    Candidate candidate = std::move(candidates_.at(pair));
+    leave(pair);
+    const Cluster& a = clusters_.at(pair.first);
+    const Cluster& b = clusters_.at(pair.second);
+    NearCluster both = near_.unite(a.near, b.near, by_concavity_ ? kNoBound : limit_.high);
+    both.concavity.low = std::max(both.concavity.low, candidate.concavity.low);
+    candidate.concavity = both.concavity;
+    candidate.united = std::move(both);
+    candidate.is_fresh = true;
+    if (!by_concavity_) candidate.is_beyond = exceeds_limit(pair, candidate);
+    if (candidate.is_beyond) candidate.united.reset();
+    enter(pair, std::move(candidate));
+  }
+
+  bool exceeds_limit(const ClusterPair& pair, Candidate& candidate) {
+    if (is_float_) return candidate.concavity.high > limit_.high;
+    if (candidate.concavity.low > limit_.high) return true;
+    if (candidate.concavity.high <= limit_.low) return false;
+    return exact_cost(pair, candidate).squared_concavity > start_.squared_limit;
+  }
+
+  // In exact numbers. The bounds become as narrow as doubles allow.
+  const MergeCost& exact_cost(const ClusterPair& pair, Candidate& candidate) {
+    if (candidate.exact) return *candidate.exact;
+    ++made_.exact_evaluations;
+    const Cluster& a = clusters_.at(pair.first);
+    const Cluster& b = clusters_.at(pair.second);
+    std::vector<TriangleId> triangles = a.triangles;
+    triangles.insert(triangles.end(), b.triangles.begin(), b.triangles.end());
+    std::sort(triangles.begin(), triangles.end());
+    MergeCost& cost = candidate.exact.emplace();
+    cost.squared_concavity = near_.exact(*candidate.united, triangles, options_.watch).squared;
+    std::vector<RootTerm> areas, lengths;
+    for (const TriangleId t : triangles) {
+      add_root(areas, area_vector(surface_.points, surface_.triangles[t.index()]).squaredNorm());
+    }
+    for (const std::uint32_t e : not_in_both(a.boundary, b.boundary)) {
+      const auto& [low, high, length] = edges_[e];
+      add_root(lengths, (surface_.points[high] - surface_.points[low]).squaredNorm());
+    }
+    cost.doubled_area = RootSum(std::move(areas));
+    cost.perimeter = RootSum(std::move(lengths));
+    const Rational unit = scale_by_power_of_two(Rational(1), -2 * near_.exponent());
+    const Enclosure root = sqrt(Enclosure(Rational(cost.squared_concavity * unit), 128));
+    candidate.concavity = {root.low_double(), root.high_double()};
+    candidate.united->concavity = candidate.concavity;
+    return cost;
+  }
+
+  static void add_root(std::vector<RootTerm>& terms, const Rational& square) {
+    if (square == 0) return;
+    const Integer below = denominator(square);
+    terms.push_back({Rational(1) / Rational(below), numerator(square) * below});
+  }
+
+  // Computes a fresh candidate in exact numbers, and enters it again with the narrowest key; of a
+  // class, with the key of that class.
+  void narrow(const ClusterPair& pair, std::uint32_t equals) {
+    Candidate candidate = std::move(candidates_.at(pair));
+    leave(pair);
+    const MergeCost& cost = exact_cost(pair, candidate);
+    candidate.key = candidate.concavity;
+    if (!by_concavity_) {
+      Enclosure bounds = order_.enclose(cost, 128, options_.watch);
+      bounds *= Enclosure(scale_by_power_of_two(Rational(1), -near_.exponent()), 128);
+      candidate.key = {bounds.low_double(), bounds.high_double()};
+    }
+    candidate.is_narrow = true;
+    candidate.equals = equals;
+    if (equals != kNoClass) {
+      Class& of = classes_[equals];
+      if (of.members++ == 0) of.key = candidate.key;
+      candidate.key = of.key;
+    }
+    queue_.insert(place(pair, candidate));
+    candidates_.insert_or_assign(pair, std::move(candidate));
+  }
+
+  Ordering compare(const MergeCost& a, const MergeCost& b) const {
+    if (!by_concavity_) return order_.compare(a, b, options_.watch);
+    if (a.squared_concavity != b.squared_concavity) {
+      return {a.squared_concavity < b.squared_concavity ? Order::Less : Order::Greater};
+    }
+    return {Order::Equal, TieProof::EqualRationals};
+  }
+
+  // The first of the cheapest candidates. All that are as cheap are fresh and of one class.
+  std::optional<ClusterPair> cheapest() {
+    while (!queue_.empty()) {
+      const ClusterPair first = std::get<ClusterPair>(*queue_.begin());
+      if (!candidates_.at(first).is_fresh) {
+        evaluate(first);
+        continue;
+      }
+      if (is_float_) return first;
+      if (const auto best = cheapest_of_rivals(first)) return best;
+    }
+    return std::nullopt;
+  }
+
+  // The same, of those whose keys begin before the first one's ends; or nothing, after a candidate
+  // that may be as cheap was evaluated, narrowed, or joined to a class.
+  std::optional<ClusterPair> cheapest_of_rivals(const ClusterPair& first) {
+    ClusterPair best_pair = first;
+    auto it = std::next(queue_.begin());
+    while (it != queue_.end()) {
+      const ClusterPair rival_pair = std::get<ClusterPair>(*it);
+      const Candidate &best = candidates_.at(best_pair), &rival = candidates_.at(rival_pair);
+      if (rival.key.low > best.key.high) break;
+      if (!rival.is_fresh) {
+        evaluate(rival_pair);
+        return std::nullopt;
+      }
+      if (best.equals != kNoClass && rival.equals == best.equals) {  // and so is its whole class
+        it = queue_.upper_bound({rival.key.low, rival.equals, {UINT32_MAX, UINT32_MAX}});
+        continue;
+      }
+      if (!best.is_narrow || !rival.is_narrow) {
+        for (const ClusterPair& pair : {best_pair, rival_pair}) {
+          if (!candidates_.at(pair).is_narrow) narrow(pair, kNoClass);
+        }
+        return std::nullopt;
+      }
+      const Ordering ordering = compare(*best.exact, *rival.exact);
+      if (ordering.order == Order::Equal || ordering.order == Order::Undecided) {
+        join_class(best_pair, rival_pair, ordering);
+        return std::nullopt;
+      }
+      if (ordering.order == Order::Greater) best_pair = rival_pair;
+      ++it;
+    }
+    return best_pair;
+  }
+
+  void join_class(const ClusterPair& a, const ClusterPair& b, const Ordering& ordering) {
+    std::uint32_t equals = candidates_.at(a).equals;
+    if (equals == kNoClass) equals = candidates_.at(b).equals;
+    if (equals == kNoClass) {
+      equals = static_cast<std::uint32_t>(classes_.size());
+      classes_.emplace_back();
+    }
+    for (const ClusterPair& pair : {a, b}) {
+      if (candidates_.at(pair).equals != equals) narrow(pair, equals);
+    }
+    classes_[equals].evidence.add({ordering.tie_proof, ordering.bits});
+  }
+
+  bool merge_cheapest() {
+    const auto pair = cheapest();
+    if (!pair) return false;
+    Merge merge{.kept = TriangleId(pair->first),
+                .gone = TriangleId(pair->second),
+                .beyond_limit = by_concavity_};
+    Candidate& winner = candidates_.at(*pair);
+    if (winner.equals != kNoClass && classes_[winner.equals].members > 1) {
+      merge.ties = classes_[winner.equals].members - 1;
+      merge.tie_evidence = classes_[winner.equals].evidence;
+    }
+    if (options_.costs) {
+      const MergeCost& cost = exact_cost(*pair, winner);
+      merge.squared_concavity = cost.squared_concavity;
+      merge.cost = order_.enclose(cost, 128, options_.watch);
+    }
+    collapse(*pair);
+    made_.merges.push_back(std::move(merge));
+    options_.watch.at(made_.merges.size(), start_.lowest.size());
+    return true;
+  }
+
+  void collapse(const ClusterPair& pair) {
+    const std::uint32_t kept = pair.first, gone = pair.second;
+    NearCluster near = std::move(*candidates_.at(pair).united);
+    leave(pair);
+    Cluster a = std::move(clusters_.at(kept)), b = std::move(clusters_.at(gone));
+    clusters_.erase(gone);
+    a.neighbours.erase(gone);
+    b.neighbours.erase(kept);
+    // What is known of a union holds of a larger one, as a lower bound.
+    std::map<std::uint32_t, Candidate> known;
+    for (const auto& [name, beside] :
+         {std::pair(kept, &a.neighbours), std::pair(gone, &b.neighbours)}) {
+      for (const std::uint32_t other : *beside) {
+        const ClusterPair old = std::minmax(name, other);
+        const Candidate& before = candidates_.at(old);
+        Candidate& after = known[other];
+        after.concavity.low =
+            std::max({after.concavity.low, before.concavity.low, near.concavity.low});
+        after.is_beyond = after.is_beyond || before.is_beyond;
+        leave(old);
+        clusters_.at(other).neighbours.erase(name);
+      }
+    }
+    a.triangles.insert(a.triangles.end(), b.triangles.begin(), b.triangles.end());
+    a.boundary = not_in_both(a.boundary, b.boundary);
+    a.doubled_area += b.doubled_area;
+    a.near = std::move(near);
+    measure_boundary(a);
+    a.neighbours.clear();
+    for (const auto& [other, candidate] : known) {
+      a.neighbours.insert(other);
+      clusters_.at(other).neighbours.insert(kept);
+    }
+    clusters_.at(kept) = std::move(a);
+    for (auto& [other, candidate] : known) enter(std::minmax(kept, other), std::move(candidate));
+  }
+
+  // No merge within the limit is left: all candidates are beyond it.
+  void go_on_by_concavity() {
+    by_concavity_ = true;
+    auto before = std::exchange(candidates_, {});
+    for (const auto& [pair, candidate] : before) {
+      Candidate stale;
+      stale.concavity.low = candidate.concavity.low;
+      enter(pair, std::move(stale));
+    }
+    while (clusters_.size() > *options_.max_parts && merge_cheapest()) {
+      made_.stopped_by_count = true;
+    }
+  }
+
+  struct Class {
+    std::size_t members = 0;
+    LengthBounds key;
+    TieEvidence evidence;
+  };
+
+  const Surface& surface_;
+  const ClusterOptions& options_;
+  const ClusterStart& start_;
+  bool is_float_, by_concavity_ = false;
+  CostOrder order_;
+  NearConcavity near_;
+  LengthBounds limit_, weight_;
+  std::vector<MeshEdge> edges_;
+  std::map<std::uint32_t, Cluster> clusters_;  // by their lowest triangles
+  std::map<ClusterPair, Candidate> candidates_;
+  std::set<Place> queue_;  // candidates that are not certain to exceed the limit
+  std::vector<Class> classes_{1};
+  Clustering made_;
+};
+
+}  // namespace
+
+Clustering cluster_filtered(const Surface& surface, const ClusterOptions& options,
+                            const ClusterStart& start) {
+  return FilteredEngine(surface, options, start).run();
+}
+
+}  // namespace convexact

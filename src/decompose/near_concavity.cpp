@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: MIT
+#include "decompose/near_concavity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "convexact/predicates.hpp"
+#include "decompose/near_rays.hpp"
+#include "number/arithmetic.hpp"
+#include "number/roundoff.hpp"
+#include "surface/flat_polygon.hpp"
+
+namespace convexact {
+namespace {
+
+/// More than all that is lost to numbers that are too small for doubles.
+constexpr double kTiny = 1e-290;
+/// Below this share of the largest coordinate, whether a ray has length 0 is asked exactly.
+constexpr double kMaybeZero = 0x1p-30;
+
+double largest(const Point& v) { return v.cwiseAbs().maxCoeff(); }
+
+struct NearNormal {
+  Point value;
+  double error;  // of each component
+};
+
+// (b - a) x (c - a). An edge's component has a relative error of u, a product of two of them 3u,
+// and the difference of two products is rounded once more: 2 * 3u + 2u times the largest
+// components.
+NearNormal normal_of(const Point& a, const Point& b, const Point& c) {
+  const Point e = b - a, f = c - a;
+  return {e.cross(f), 10 * kUnitRoundoff * largest(e) * largest(f) + kTiny};
+}
+
+// The corners of the hull of points in a plane or on a line.
+std::vector<PointId> flat_extreme(const PointSet& points, const std::vector<PointId>& ids,
+                                  const FlatInput& flat) {
+  if (flat.dimension < 2) {  // ids ascend with the points, which are in lexicographic order
+    return ids.size() == 1 ? ids : std::vector<PointId>{ids.front(), ids.back()};
+  }
+  const IntegerVector3& normal = flat.equations.front().normal();
+  const PlaneView view(points, normal[0] != 0 ? 0 : normal[1] != 0 ? 1 : 2);
+  // Ids are in the order of x + e y + e^2 z, e infinitesimal: linear on the plane as well, so a
+  // sweep may follow it.
+  std::vector<PointId> chain;
+  const auto sweep = [&](auto first, auto last) {
+    const std::size_t start = chain.size();
+    for (; first != last; ++first) {
+      while (chain.size() >= start + 2 &&
+             view.turn(chain[chain.size() - 2], chain.back(), *first) != Sign::Positive) {
+        chain.pop_back();
+      }
+      chain.push_back(*first);
+    }
+    chain.pop_back();
+  };
+  sweep(ids.begin(), ids.end());
+  sweep(ids.rbegin(), ids.rend());
+  std::sort(chain.begin(), chain.end());
+  return chain;
+}
+
+// The planes of a hull's facets, about its first point.
+NearFacets facets_of(const Hull& hull, const std::vector<PointId>& ids,
+                     std::span<const Point> points, bool is_float) {
+  NearFacets near;
+  near.origin = points[ids[hull.vertices.front().index()].index()];
+  double radius = 0;
+  for (const PointId v : hull.vertices) {
+    radius = std::max(radius, largest(points[ids[v.index()].index()] - near.origin));
+  }
+  near.planes.reserve(hull.facets.size());
+  near.corners.reserve(hull.facets.size());
+  for (std::size_t f = 0; f < hull.facets.size(); ++f) {
+    const auto cycle = hull.facets[f];
+    const std::size_t n = cycle.size();
+    const std::array<PointId, 3> corners{ids[cycle[0].index()], ids[cycle[n / 3].index()],
+                                         ids[cycle[2 * n / 3].index()]};
+    const Point& a = points[corners[0].index()];
+    const NearNormal normal = normal_of(a, points[corners[1].index()], points[corners[2].index()]);
+    const Point local = a - near.origin;
+    const double size = normal.value.cwiseAbs().sum();
+    // n.(a - x) for coordinates up to `radius`: 2 * 3 * radius * error from the normal; each of
+    // both points is within 10u radius, and the two products and their difference are rounded, 8u
+    // each.
+    const double depth_error =
+        7 * radius * normal.error + 40 * kUnitRoundoff * size * radius + kTiny;
+    near.planes.push_back({normal.value[0], normal.value[1], normal.value[2],
+                           normal.value.dot(local), is_float ? 0 : depth_error,
+                           is_float ? 0 : normal.error, size});
+    near.corners.push_back(corners);
+  }
+  return near;
+}
+
+// Which planes of a hull are planes of another one as well.
+std::vector<std::int32_t> same_planes(const NearFacets& from, const NearFacets& to) {
+  std::map<std::array<PointId, 3>, std::int32_t> found;
+  for (std::size_t h = 0; h < to.corners.size(); ++h) {
+    found.emplace(to.corners[h], static_cast<std::int32_t>(h));
+  }
+  std::vector<std::int32_t> same(from.corners.size(), -1);
+  for (std::size_t h = 0; h < from.corners.size(); ++h) {
+    if (const auto it = found.find(from.corners[h]); it != found.end()) same[h] = it->second;
+  }
+  return same;
+}
+
+// The bound still holds if its planes are planes of the larger hull.
+RayBound moved(RayBound ray, const std::vector<std::int32_t>& same) {
+  bool holds = ray.planes[0] >= 0 || ray.planes[1] >= 0 || ray.planes[2] >= 0;
+  for (std::int32_t& plane : ray.planes) {
+    if (plane < 0) continue;
+    plane = same[static_cast<std::size_t>(plane)];
+    holds = holds && plane >= 0;
+  }
+  return holds ? ray : RayBound{.item = ray.item};
+}
+
+}  // namespace
+
+NearConcavity::NearConcavity(const Surface& surface, ConcavityMeasure measure, bool is_float)
+    : surface_(&surface),
+      measure_(measure),
+      is_float_(is_float),
+      is_exact_input_(surface.points.is_binary()),
+      exact_(surface, measure) {
+  double most = 0;
+  for (const Point& p : surface.points.doubles()) most = std::max(most, largest(p));
+  exponent_ = exponent_of(most);
+  for (const Point& p : surface.points.doubles()) {
+    points_.push_back(
+        p.unaryExpr([&](double x) { return std::ldexp(x, static_cast<int>(-exponent_)); }));
+  }
+  add_directions(surface);
+}
+
+NearConcavity::Direction NearConcavity::direction_of(const Point& normal, double error,
+                                                     bool exists) const {
+  const double length = normal.norm();
+  Direction direction{.exists = exists};
+  if (!exists) return direction;
+  // A length of which the error is a large part gives no direction; an error of 2 says so.
+  direction.error = length > 8 * error ? 4 * error / length + 8 * kUnitRoundoff : 2;
+  if (length > 0) direction.unit = normal / length;
+  if (is_float_) direction.error = 0;
+  return direction;
+}
+
+void NearConcavity::add_directions(const Surface& surface) {
+  const bool at_points = measure_ == ConcavityMeasure::Vertices;
+  std::vector<NearNormal> sums(at_points ? points_.size() : 0, {Point::Zero(), 0});
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& [a, b, c] = surface.triangles[t];
+    const NearNormal normal = normal_of(points_[a.index()], points_[b.index()], points_[c.index()]);
+    if (!at_points) {
+      directions_.push_back(
+          direction_of(normal.value, normal.error, !exact_.direction(TriangleId(t), 0).isZero()));
+      continue;
+    }
+    for (const PointId p : surface.triangles[t]) {
+      NearNormal& sum = sums[p.index()];
+      sum.value += normal.value;
+      sum.error += normal.error + kUnitRoundoff * largest(sum.value);
+    }
+  }
+  if (!at_points) return;
+  directions_.resize(points_.size());
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t p = surface.triangles[t][static_cast<std::size_t>(k)].index();
+      directions_[p] =
+          direction_of(sums[p].value, sums[p].error, !exact_.direction(TriangleId(t), k).isZero());
+    }
+  }
+}
+
+std::vector<PointId> NearConcavity::corners_of(std::uint32_t item) const {
+  if (measure_ == ConcavityMeasure::Vertices) return {PointId(item)};
+  const auto& triangle = surface_->triangles[item];
+  return {triangle.begin(), triangle.end()};
+}
+
+void NearConcavity::find_hull(NearCluster& cluster, const std::vector<PointId>& points) const {
+  if (points.size() <= 2) {
+    cluster.extreme = points;
+    return;
+  }
+  const HullOutcome hull = convex_hull(subset(surface_->points, points));
+  if (const auto* solid = std::get_if<Hull>(&hull)) {
+    cluster.facets = facets_of(*solid, points, points_, is_float_);
+    for (const PointId v : solid->vertices) cluster.extreme.push_back(points[v.index()]);
+  } else {
+    cluster.extreme = flat_extreme(surface_->points, points, std::get<FlatInput>(hull));
+  }
+}
+
+NearCluster NearConcavity::cluster(std::span<const TriangleId> triangles) const {
+  NearCluster cluster;
+  const std::vector<PointId> points = convexact::points_of(*surface_, triangles);
+  const auto add = [&](std::uint32_t item) {
+    if (directions_[item].exists) cluster.rays.push_back({.item = item});
+  };
+  if (measure_ == ConcavityMeasure::Vertices) {
+    for (const PointId p : points) add(p.value);
+  } else {
+    for (const TriangleId t : triangles) add(t.value);
+  }
+  find_hull(cluster, points);
+  bound_rays(cluster, kNoBound);
+  return cluster;
+}
+
+NearCluster NearConcavity::unite(const NearCluster& a, const NearCluster& b, double limit) const {
+  NearCluster both;
+  std::vector<PointId> points;
+  std::set_union(a.extreme.begin(), a.extreme.end(), b.extreme.begin(), b.extreme.end(),
+                 std::back_inserter(points));
+  find_hull(both, points);
+  const auto same_a = same_planes(a.facets, both.facets);
+  const auto same_b = same_planes(b.facets, both.facets);
+  both.rays.reserve(a.rays.size() + b.rays.size());
+  auto x = a.rays.begin(), y = b.rays.begin();
+  while (x != a.rays.end() || y != b.rays.end()) {
+    if (y == b.rays.end() || (x != a.rays.end() && x->item < y->item)) {
+      both.rays.push_back(moved(*x++, same_a));
+    } else if (x == a.rays.end() || y->item < x->item) {
+      both.rays.push_back(moved(*y++, same_b));
+    } else {  // a point of both
+      const RayBound one = moved(*x++, same_a), other = moved(*y++, same_b);
+      both.rays.push_back(one.high < other.high ? one : other);
+    }
+  }
+  // Concavity never falls when a cluster grows.
+  both.concavity.low = std::max(a.concavity.low, b.concavity.low);
+  bound_rays(both, limit);
+  return both;
+}
+
+bool NearConcavity::lies_in(const NearCluster& cluster, const RayBound& ray) const {
+  const auto& plane = cluster.facets.corners[static_cast<std::size_t>(ray.planes[0])];
+  const auto points = surface_->points.doubles();
+  for (const PointId p : corners_of(ray.item)) {
+    if (p == plane[0] || p == plane[1] || p == plane[2]) continue;
+    if (orient3d(points[plane[0].index()], points[plane[1].index()], points[plane[2].index()],
+                 points[p.index()]) != Sign::Zero) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// A ray leaves a flat hull at once, unless it runs along it.
+void NearConcavity::bound_flat_rays(NearCluster& cluster) const {
+  const std::size_t n = cluster.extreme.size();
+  const auto corner = [&](std::size_t k) { return points_[cluster.extreme[k * n / 3].index()]; };
+  const NearNormal normal =
+      n < 3 ? NearNormal{Point::Zero(), 1} : normal_of(corner(0), corner(1), corner(2));
+  double high = 0;
+  for (RayBound& ray : cluster.rays) {
+    const Direction& direction = directions_[ray.item];
+    const double across = std::abs(direction.unit.dot(normal.value));
+    const double error =
+        4 * normal.error + normal.value.cwiseAbs().sum() * (direction.error + 8 * kUnitRoundoff);
+    const bool leaves = measure_ == ConcavityMeasure::Surface || across > error;
+    if (leaves) ray.high = 0;
+    high = std::max(high, ray.high);
+  }
+  cluster.concavity.high = high;
+}
+
+void NearConcavity::bound_rays(NearCluster& cluster, double limit) const {
+  if (!is_exact_input_) return;
+  if (cluster.facets.planes.empty()) return bound_flat_rays(cluster);
+  std::vector<Point> corners;
+  const auto rays_of = [&](const RayBound& ray) {
+    corners.clear();
+    for (const PointId p : corners_of(ray.item)) corners.push_back(points_[p.index()]);
+    const Direction& direction = directions_[ray.item];
+    return NearRays(cluster.facets, corners, direction.unit, direction.error);
+  };
+  std::vector<std::uint32_t> longer;  // rays that may be longer than what is known
+  LengthBounds& found = cluster.concavity;
+  for (std::uint32_t k = 0; k < cluster.rays.size(); ++k) {
+    RayBound& ray = cluster.rays[k];
+    if (std::isinf(ray.high)) {
+      rays_of(ray).bound_quickly(ray);
+      if (ray.high <= kMaybeZero && !is_float_ && lies_in(cluster, ray)) ray.high = 0;
+    }
+    if (ray.high > found.low) longer.push_back(k);
+  }
+  const auto by_bound = [&](std::uint32_t a, std::uint32_t b) {
+    return cluster.rays[a].high > cluster.rays[b].high;
+  };
+  std::sort(longer.begin(), longer.end(), by_bound);
+  for (const std::uint32_t k : longer) {
+    RayBound& ray = cluster.rays[k];
+    if (ray.high <= found.low) break;
+    const double low = rays_of(ray).bound_tightly(ray, found.low);
+    found.low = std::max(found.low, is_float_ ? ray.high : low);
+    if (found.low > limit) return;
+  }
+  found.high = found.low;
+  for (const RayBound& ray : cluster.rays) found.high = std::max(found.high, ray.high);
+  if (is_float_) found.high = found.low;
+}
+
+Concavity NearConcavity::exact(const NearCluster& cluster, std::span<const TriangleId> triangles,
+                               const Watch& watch) const {
+  const ConvexPart hull = convex_part(subset(surface_->points, cluster.extreme));
+  Concavity largest = exact_(triangles.front(), hull);
+  if (cluster.concavity.high == 0) return largest;
+  std::vector<std::uint32_t> items;  // that may have the longest ray
+  for (const RayBound& ray : cluster.rays) {
+    if (ray.high >= cluster.concavity.low) items.push_back(ray.item);
+  }
+  const auto is_one = [&](std::uint32_t item) {
+    return std::binary_search(items.begin(), items.end(), item);
+  };
+  for (const TriangleId t : triangles) {
+    watch.ask();
+    const auto& corners = surface_->triangles[t.index()];
+    const bool may_be = measure_ == ConcavityMeasure::Surface
+                            ? is_one(t.value)
+                            : std::any_of(corners.begin(), corners.end(),
+                                          [&](PointId p) { return is_one(p.value); });
+    if (!may_be) continue;
+    Concavity found = exact_(t, hull);
+    if (found.squared > largest.squared) largest = std::move(found);
+  }
+  return largest;
+}
+
+}  // namespace convexact

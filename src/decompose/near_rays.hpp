@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// near_rays.hpp - how long a ray from a triangle runs inside a hull, bounded in doubles.
+//
+// Along the direction m of a ray, the plane n.x = d lets a point x of the hull run at most
+// f(x) = (d - n.x) / (n.m), if n.m > 0. The ray's length is the least f over all planes: a concave
+// function on the triangle. Any weighted mean of some f is affine, so its largest value at a corner
+// is an upper bound on the whole triangle.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "decompose/near_concavity.hpp"
+
+namespace convexact {
+
+/// The rays of a triangle, or of a point.
+class NearRays {
+ public:
+  /// @param corners  One or three of the points from which the hull was computed, or others in it.
+  /// @param unit, error  The direction: of length 1, each component within `error`.
+  NearRays(const NearFacets& facets, std::span<const Point> corners, const Point& unit,
+           double error);
+
+  /// An upper bound by one plane: the one where the ray from the middle leaves.
+  void bound_quickly(RayBound& ray);
+  /// Makes the upper bound as tight as three planes can, unless it is found to be below `enough`;
+  /// returns a lower bound of the longest ray.
+  double bound_tightly(RayBound& ray, double enough);
+
+ private:
+  struct Cut {
+    std::int32_t plane;
+    std::array<double, 3> high;  // f at the corners, or more
+  };
+  using Weights = std::array<double, 3>;  // of the corners; they add up to 1
+
+  [[nodiscard]] Point at(const Weights& weights) const;
+  [[nodiscard]] std::int32_t plane_ahead(const Weights& weights) const;
+  [[nodiscard]] double low_at(const Weights& weights) const;
+  [[nodiscard]] bool add_cut(std::int32_t plane);
+  void tighten(RayBound& ray) const;
+  [[nodiscard]] Weights highest_point() const;
+
+  const NearFacets& facets_;
+  std::array<Point, 3> corners_;
+  std::size_t count_;
+  Point unit_;
+  double error_;
+  std::vector<Cut> cuts_;
+};
+
+}  // namespace convexact
