@@ -17,9 +17,7 @@ MergeCost shape_of(const Surface& surface, std::span<const TriangleId> cluster) 
   std::vector<std::array<PointId, 3>> triangles;
   std::vector<RootTerm> areas, lengths;
   const auto add = [](std::vector<RootTerm>& terms, const Rational& square) {
-    if (square == 0) return;
-    const Integer below = denominator(square);
-    terms.push_back({Rational(1) / Rational(below), numerator(square) * below});
+    if (square != 0) terms.push_back(root_of(square));
   };
   for (const TriangleId t : cluster) {
     triangles.push_back(surface.triangles[t.index()]);

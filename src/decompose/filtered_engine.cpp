@@ -78,6 +78,8 @@ class FilteredEngine {
     weight /= Enclosure(Rational(20), 64) * Enclosure::pi(64);
     weight_ = {weight.low_double(), weight.high_double()};
     make_clusters();
+    areas_.resize(surface.triangles.size());
+    lengths_.resize(edges_.size());
     for (const ClusterPair& pair : start.pairs) {
       clusters_.at(pair.first).neighbours.insert(pair.second);
       clusters_.at(pair.second).neighbours.insert(pair.first);
@@ -236,11 +238,18 @@ class FilteredEngine {
     cost.squared_concavity = near_.exact(*candidate.united, triangles, options_.watch).squared;
     std::vector<RootTerm> areas, lengths;
     for (const TriangleId t : triangles) {
-      add_root(areas, area_vector(surface_.points, surface_.triangles[t.index()]).squaredNorm());
+      if (!areas_[t.index()]) {
+        areas_[t.index()] =
+            root_of(area_vector(surface_.points, surface_.triangles[t.index()]).squaredNorm());
+      }
+      if (areas_[t.index()]->radicand != 0) areas.push_back(*areas_[t.index()]);
     }
     for (const std::uint32_t e : not_in_both(a.boundary, b.boundary)) {
-      const auto& [low, high, length] = edges_[e];
-      add_root(lengths, (surface_.points[high] - surface_.points[low]).squaredNorm());
+      if (!lengths_[e]) {
+        const auto& [low, high, length] = edges_[e];
+        lengths_[e] = root_of((surface_.points[high] - surface_.points[low]).squaredNorm());
+      }
+      lengths.push_back(*lengths_[e]);
     }
     cost.doubled_area = RootSum(std::move(areas));
     cost.perimeter = RootSum(std::move(lengths));
@@ -249,12 +258,6 @@ class FilteredEngine {
     candidate.concavity = {root.low_double(), root.high_double()};
     candidate.united->concavity = candidate.concavity;
     return cost;
-  }
-
-  static void add_root(std::vector<RootTerm>& terms, const Rational& square) {
-    if (square == 0) return;
-    const Integer below = denominator(square);
-    terms.push_back({Rational(1) / Rational(below), numerator(square) * below});
   }
 
   // Computes a fresh candidate in exact numbers, and enters it again with the narrowest key; of a
@@ -436,7 +439,8 @@ class FilteredEngine {
   NearConcavity near_;
   LengthBounds limit_, weight_;
   std::vector<MeshEdge> edges_;
-  std::map<std::uint32_t, Cluster> clusters_;  // by their lowest triangles
+  std::vector<std::optional<RootTerm>> areas_, lengths_;  // exact; by triangle, by edge
+  std::map<std::uint32_t, Cluster> clusters_;             // by their lowest triangles
   std::map<ClusterPair, Candidate> candidates_;
   std::set<Place> queue_;  // candidates that are not certain to exceed the limit
   std::vector<Class> classes_{1};

@@ -1,14 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "decompose/merge_cost.hpp"
 
+#include <algorithm>
+
 namespace convexact {
 namespace {
 
-bool is_zero(const RootSum& difference, const Watch& watch) {
-  return difference.terms().empty() || difference.normalized(watch).terms().empty();
+bool same_terms(const RootSum& a, const RootSum& b) {
+  return std::equal(a.terms().begin(), a.terms().end(), b.terms().begin(), b.terms().end(),
+                    [](const RootTerm& x, const RootTerm& y) {
+                      return x.factor == y.factor && x.radicand == y.radicand;
+                    });
+}
+
+bool are_equal(const RootSum& a, const RootSum& b, const Watch& watch) {
+  return same_terms(a, b) || (a - b).normalized(watch).terms().empty();
 }
 
 }  // namespace
+
+RootTerm root_of(const Rational& square) {
+  const Integer below = denominator(square);
+  return {Rational(1) / Rational(below), numerator(square) * below};
+}
 
 Enclosure CostOrder::enclose(const MergeCost& cost, long precision, const Watch& watch) const {
   Enclosure sum = sqrt(Enclosure(cost.squared_concavity, precision));
@@ -21,14 +35,18 @@ Enclosure CostOrder::enclose(const MergeCost& cost, long precision, const Watch&
 }
 
 Ordering CostOrder::compare(const MergeCost& a, const MergeCost& b, const Watch& watch) const {
+  const bool same_concavity = a.squared_concavity == b.squared_concavity;
+  if (same_concavity && same_terms(a.perimeter, b.perimeter) &&
+      same_terms(a.doubled_area, b.doubled_area)) {
+    return {Order::Equal, TieProof::SquareClasses, 0};
+  }
   for (long bits = 128; bits <= kMostBits; bits *= 2) {
     const Enclosure difference = enclose(a, bits, watch) - enclose(b, bits, watch);
     if (const auto sign = difference.sign(); sign && *sign != Sign::Zero) {
       return {*sign == Sign::Negative ? Order::Less : Order::Greater, std::nullopt, bits};
     }
-    if (bits == 128 && a.squared_concavity == b.squared_concavity &&
-        is_zero(a.perimeter - b.perimeter, watch) &&
-        is_zero(a.doubled_area - b.doubled_area, watch)) {
+    if (bits == 128 && same_concavity && are_equal(a.perimeter, b.perimeter, watch) &&
+        are_equal(a.doubled_area, b.doubled_area, watch)) {
       return {Order::Equal, TieProof::SquareClasses, bits};
     }
   }

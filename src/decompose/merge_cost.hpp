@@ -14,6 +14,9 @@ struct MergeCost {
   RootSum doubled_area;  ///< Twice the sum of its triangles' areas.
 };
 
+/// A term of a sum of roots: the root of a square.
+[[nodiscard]] RootTerm root_of(const Rational& square);
+
 /// The cost of a merge, a length:
 ///   E D = C + (weight / 10) perimeter^2 / (4 pi area),
 /// C the concavity, and 0 instead of the quotient if there is no area. The quotient is the shape: 1
@@ -29,8 +32,9 @@ class CostOrder {
   [[nodiscard]] Enclosure enclose(const MergeCost& cost, long precision,
                                   const Watch& watch = {}) const;
 
-  /// By enclosures of 128 bits; if these overlap, by the proof that concavities, perimeters and
-  /// areas are the same; and else by finer enclosures, which may leave it Undecided.
+  /// Equal if all terms are the same; else by enclosures of 128 bits; if these overlap, by the
+  /// proof that concavities, perimeters and areas are equal; and else by finer enclosures, which
+  /// may leave it Undecided.
   /// @throws Error Stopped, as the watch says.
   [[nodiscard]] Ordering compare(const MergeCost& a, const MergeCost& b,
                                  const Watch& watch = {}) const;

@@ -307,30 +307,85 @@ void NearConcavity::bound_rays(NearCluster& cluster, double limit) const {
   if (is_float_) found.high = found.low;
 }
 
+// A plane of the hull that the point is beyond, if there is one.
+std::optional<std::size_t> NearConcavity::plane_behind(const NearFacets& facets,
+                                                       const RationalPoint& x) const {
+  Point near;
+  for (int k = 0; k < 3; ++k) {
+    near[k] = std::ldexp(to_double(x[k], Rounding::Nearest), static_cast<int>(-exponent_));
+  }
+  const double rounding = 4 * kUnitRoundoff * largest(near) + kTiny;
+  near -= facets.origin;
+  for (std::size_t h = 0; h < facets.planes.size(); ++h) {
+    const NearFacets::Plane& plane = facets.planes[h];
+    const double depth = plane.d - (plane.x * near[0] + plane.y * near[1] + plane.z * near[2]);
+    if (!is_float_ && depth > 2 * plane.depth_error + plane.size * rounding) continue;
+    if (exact_plane(facets, h)(x) > 0) return h;
+  }
+  return std::nullopt;
+}
+
+Halfspace NearConcavity::exact_plane(const NearFacets& facets, std::size_t plane) const {
+  const auto& [a, b, c] = facets.corners[plane];
+  return surface_->points.is_binary()
+             ? Halfspace::through(surface_->points.doubles()[a.index()],
+                                  surface_->points.doubles()[b.index()],
+                                  surface_->points.doubles()[c.index()])
+             : Halfspace::through(surface_->points[a], surface_->points[b], surface_->points[c]);
+}
+
+// By the planes that bound its rays, and those that they turn out to run through.
+Concavity NearConcavity::exact(const NearFacets& facets, TriangleId triangle,
+                               std::span<const RayBound> rays) const {
+  ConvexPart some;
+  std::vector<std::size_t> used;
+  for (const RayBound& ray : rays) {
+    for (const std::int32_t plane : ray.planes) {
+      if (plane >= 0) used.push_back(static_cast<std::size_t>(plane));
+    }
+  }
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  for (const std::size_t plane : used) some.halfspaces.push_back(exact_plane(facets, plane));
+  for (;;) {
+    // With some of the planes rays are at least as long, so the longest one is if it fits.
+    Concavity found = exact_(triangle, some);
+    const auto behind = plane_behind(facets, found.leaves);
+    if (!behind) return found;
+    some.halfspaces.push_back(exact_plane(facets, *behind));
+  }
+}
+
 Concavity NearConcavity::exact(const NearCluster& cluster, std::span<const TriangleId> triangles,
                                const Watch& watch) const {
-  const ConvexPart hull = convex_part(subset(surface_->points, cluster.extreme));
-  Concavity largest = exact_(triangles.front(), hull);
-  if (cluster.concavity.high == 0) return largest;
-  std::vector<std::uint32_t> items;  // that may have the longest ray
-  for (const RayBound& ray : cluster.rays) {
-    if (ray.high >= cluster.concavity.low) items.push_back(ray.item);
-  }
-  const auto is_one = [&](std::uint32_t item) {
-    return std::binary_search(items.begin(), items.end(), item);
-  };
+  std::optional<ConvexPart> hull;
+  std::optional<Concavity> largest;
+  std::vector<RayBound> rays;
   for (const TriangleId t : triangles) {
     watch.ask();
-    const auto& corners = surface_->triangles[t.index()];
-    const bool may_be = measure_ == ConcavityMeasure::Surface
-                            ? is_one(t.value)
-                            : std::any_of(corners.begin(), corners.end(),
-                                          [&](PointId p) { return is_one(p.value); });
-    if (!may_be) continue;
-    Concavity found = exact_(t, hull);
-    if (found.squared > largest.squared) largest = std::move(found);
+    rays.clear();
+    bool may_be_longest = false, is_bounded = is_exact_input_;
+    const auto add = [&](std::uint32_t item) {
+      const auto ray = std::lower_bound(
+          cluster.rays.begin(), cluster.rays.end(), item,
+          [](const RayBound& each, std::uint32_t name) { return each.item < name; });
+      if (ray == cluster.rays.end() || ray->item != item) return;
+      rays.push_back(*ray);
+      may_be_longest = may_be_longest || ray->high >= cluster.concavity.low;
+      is_bounded = is_bounded && ray->planes != RayBound{}.planes;
+    };
+    if (measure_ == ConcavityMeasure::Surface) {
+      add(t.value);
+    } else {
+      for (const PointId p : surface_->triangles[t.index()]) add(p.value);
+    }
+    if (largest && !may_be_longest) continue;
+    if (!is_bounded && !hull) hull = convex_part(subset(surface_->points, cluster.extreme));
+    Concavity found = is_bounded ? exact(cluster.facets, t, rays) : exact_(t, *hull);
+    if (!largest || found.squared > largest->squared) largest = std::move(found);
+    if (cluster.concavity.high == 0) break;
   }
-  return largest;
+  return std::move(*largest);
 }
 
 }  // namespace convexact

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -90,6 +91,11 @@ class NearConcavity {
   void find_hull(NearCluster& cluster, const std::vector<PointId>& points) const;
   void bound_rays(NearCluster& cluster, double limit) const;
   void bound_flat_rays(NearCluster& cluster) const;
+  [[nodiscard]] Concavity exact(const NearFacets& facets, TriangleId triangle,
+                                std::span<const RayBound> rays) const;
+  [[nodiscard]] std::optional<std::size_t> plane_behind(const NearFacets& facets,
+                                                        const RationalPoint& x) const;
+  [[nodiscard]] Halfspace exact_plane(const NearFacets& facets, std::size_t plane) const;
   [[nodiscard]] bool lies_in(const NearCluster& cluster, const RayBound& ray) const;
 
   const Surface* surface_;
