@@ -47,8 +47,8 @@ class ExactConcavity {
 
   /// Of a cluster, triangles >= 1. It never falls when a cluster grows.
   /// @param hull  convex_part() of the cluster's points.
-  /// @par Cost    A linear program of three variables for each triangle with an area, or a ray for
-  ///              each corner.
+  /// @par Cost    For each triangle a ray, and a linear program of three variables unless one plane
+  ///              shows that another triangle's rays are longer; by Vertices a ray for each corner.
   [[nodiscard]] Concavity operator()(std::span<const TriangleId> cluster, const ConvexPart& hull,
                                      const Watch& watch = {}) const;
 
@@ -60,6 +60,9 @@ class ExactConcavity {
   [[nodiscard]] IntegerVector3 direction(TriangleId triangle, int k) const;
 
  private:
+  [[nodiscard]] bool is_no_longer(TriangleId triangle, const ConvexPart& hull,
+                                  const Rational& squared) const;
+
   const Surface* surface_;
   ConcavityMeasure measure_;
   std::vector<IntegerVector3> normals_;  // by triangle, or by point

@@ -123,11 +123,45 @@ Concavity ExactConcavity::operator()(TriangleId triangle, const ConvexPart& hull
   return found;
 }
 
+// Whether one plane shows that no ray of the triangle is longer than the root of `squared`: the
+// plane where the ray from its centroid leaves the hull.
+bool ExactConcavity::is_no_longer(TriangleId triangle, const ConvexPart& hull,
+                                  const Rational& squared) const {
+  const IntegerVector3 normal = direction(triangle, 0);
+  if (normal.isZero()) return true;
+  std::array<RationalPoint, 3> corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    corners[k] = surface_->points[surface_->triangles[triangle.index()][k]];
+  }
+  const RationalPoint sum = corners[0] + corners[1] + corners[2];
+  const Halfspace* first = nullptr;
+  Rational least, speed_there;
+  for (const Halfspace& plane : hull.halfspaces) {
+    const Integer speed = plane.normal().dot(normal);
+    if (speed <= 0) continue;
+    const RationalVector3 n = plane.normal().cast<Rational>();
+    Rational t = -(n.dot(sum) + 3 * Rational(plane.offset())) / Rational(speed);
+    if (first != nullptr && t >= least) continue;
+    least = std::move(t);
+    speed_there = Rational(speed);
+    first = &plane;
+  }
+  Rational longest = 0;
+  for (const RationalPoint& corner : corners) {
+    longest = std::max<Rational>(longest, depth(*first, corner) / speed_there);
+  }
+  return squared_length({longest, normal}) <= squared;
+}
+
 Concavity ExactConcavity::operator()(std::span<const TriangleId> cluster, const ConvexPart& hull,
                                      const Watch& watch) const {
   std::optional<Concavity> largest;
   for (const TriangleId triangle : cluster) {
     watch.ask();
+    if (largest && measure_ == ConcavityMeasure::Surface &&
+        is_no_longer(triangle, hull, largest->squared)) {
+      continue;
+    }
     Concavity found = (*this)(triangle, hull);
     if (!largest || found.squared > largest->squared) largest = std::move(found);
   }
