@@ -21,9 +21,11 @@ namespace convexact {
 /// What becomes of clusters that lie in a plane.
 enum class FlatParts {
   Auto,     ///< As Thicken, but a shape that is flat as a whole is not decomposed.
-  Thicken,  ///< A part with a volume: both sides moved by about 2^-20 of the diameter.
+  Thicken,  ///< A part with a volume: both sides moved by about 2^-20 of the diameter, or by some
+            ///< units in the last place of the coordinates if that is more.
   Keep,     ///< A polygon, a segment or a point.
-  Merge,    ///< They join a neighbour, the one where concavity grows least, even beyond the limit.
+  Merge,    ///< They join a neighbour, the one with which they are least concave, even beyond the
+            ///< limit. Those without a neighbour are thickened.
 };
 
 struct DecomposeRequest {
@@ -36,7 +38,8 @@ struct DecomposeRequest {
   bool keep_inner = false;  ///< Parts that lie in another one stay.
   Engine engine = Engine::Filtered;
   /// Halfspaces to keep of each part, >= 4, or of all together, >= 4 for each part with a volume:
-  /// the parts are simplified and still hold what they own.
+  /// the parts are simplified and still hold what they own. Thickened parts have a volume. A part
+  /// keeps more if every removal is unbounded, as from a box.
   std::optional<std::size_t> faces, total_faces;
   Precision precision = Precision::Binary64;
   bool measures = true;        ///< Volumes of solid, union, excess, uncovered and overlap.
@@ -51,7 +54,7 @@ enum class PartForm {
   Hull,        ///< It is the hull: every corner is a point of the input, bit by bit.
   Rounded,     ///< The hull with its corners rounded outward: input with fractions, or binary32.
   Simplified,  ///< Fewer halfspaces around it.
-  Thickened,   ///< A flat hull, thickened.
+  Thickened,   ///< A flat hull, thickened; and simplified if it had more halfspaces than it may.
   Flat,        ///< A flat hull as it is.
 };
 
@@ -63,6 +66,9 @@ struct Part {
   Concavity concavity;  ///< Of the cluster.
   bool is_within_limit = true;
   PartForm form = PartForm::Hull;
+  /// Of the part before its corners were rounded, which may bend faces: what a budget counts. 0 of
+  /// a flat one.
+  std::size_t faces = 0;
   /// Corners and faces as stored. A flat one has one polygon (its points are counter-clockwise seen
   /// from one side), or a segment or point and no polygon.
   Mesh mesh;

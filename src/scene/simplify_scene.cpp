@@ -37,19 +37,19 @@ SimplifyRequest part_request(const SceneRequest& request, std::size_t part) {
   return own;
 }
 
-struct Part {
+struct PreparedPart {
   SimplifyRequest request;
   StageLog log;
   std::unique_ptr<RunInput> input;
   std::optional<InputMeasures> before;
 };
 
-std::variant<std::vector<Part>, NotSolidPart> prepare_parts(std::span<const Shape> shapes,
-                                                            const SceneRequest& request) {
-  std::vector<Part> parts;
+std::variant<std::vector<PreparedPart>, NotSolidPart> prepare_parts(std::span<const Shape> shapes,
+                                                                    const SceneRequest& request) {
+  std::vector<PreparedPart> parts;
   for (std::size_t k = 0; k < shapes.size(); ++k) {
-    Part& part = parts.emplace_back(
-        Part{part_request(request, k), StageLog(request.each.watch), nullptr, {}});
+    PreparedPart& part = parts.emplace_back(
+        PreparedPart{part_request(request, k), StageLog(request.each.watch), nullptr, {}});
     auto prepared = prepare_run(shapes[k], part.request, part.log);
     if (auto* reason = std::get_if<NotSolid>(&prepared)) return NotSolidPart{k, *reason};
     part.input = std::get<std::unique_ptr<RunInput>>(std::move(prepared));
@@ -58,7 +58,7 @@ std::variant<std::vector<Part>, NotSolidPart> prepare_parts(std::span<const Shap
   return parts;
 }
 
-SharedOptions options_of(const SceneRequest& request, const std::vector<Part>& parts,
+SharedOptions options_of(const SceneRequest& request, const std::vector<PreparedPart>& parts,
                          std::size_t halfspaces) {
   const SimplifyRequest& each = request.each;
   SharedOptions options{.total_faces = request.total_faces,
@@ -68,12 +68,13 @@ SharedOptions options_of(const SceneRequest& request, const std::vector<Part>& p
                         .stop = each.watch.stop};
   if (each.max_growth) {
     options.measure = Enclosure(kMeasureBits);
-    for (const Part& part : parts) {
+    for (const PreparedPart& part : parts) {
       *options.measure += part.before->of(each.growth_of.value_or(each.cost), each.cost);
     }
   }
-  const bool keeps_any = std::any_of(parts.begin(), parts.end(),
-                                     [](const Part& part) { return !part.input->keep.empty(); });
+  const bool keeps_any = std::any_of(parts.begin(), parts.end(), [](const PreparedPart& part) {
+    return !part.input->keep.empty();
+  });
   if (keeps_any) options.when_stuck = StopReason::AllKeptOrUnbounded;
   if (each.watch.progress) {
     options.progress = [&each, halfspaces, total = request.total_faces](std::size_t left) {
@@ -123,7 +124,7 @@ void add_up(SceneResult& scene) {
 }
 
 // The float engine compared the growth in doubles: every part knows whether that is proven.
-void vouch_for_growth(SceneResult& scene, const std::vector<Part>& parts,
+void vouch_for_growth(SceneResult& scene, const std::vector<PreparedPart>& parts,
                       const SimplifyRequest& request) {
   std::optional<Rational> least;
   for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -146,7 +147,7 @@ SceneOutcome simplify_scene(std::span<const Shape> shapes, const SceneRequest& r
   require_sensible(whole);
   auto prepared = prepare_parts(shapes, request);
   if (auto* flat = std::get_if<NotSolidPart>(&prepared)) return *flat;
-  auto& parts = std::get<std::vector<Part>>(prepared);
+  auto& parts = std::get<std::vector<PreparedPart>>(prepared);
 
   StageLog log(request.each.watch);
   SceneResult scene;
@@ -154,7 +155,7 @@ SceneOutcome simplify_scene(std::span<const Shape> shapes, const SceneRequest& r
   std::vector<ScenePartRun*> ends;
   std::size_t halfspaces = 0;
   std::size_t kept = 0;
-  for (const Part& part : parts) {
+  for (const PreparedPart& part : parts) {
     halfspaces += part.input->halfspaces();
     kept += part.input->keep.size();
   }
@@ -162,7 +163,7 @@ SceneOutcome simplify_scene(std::span<const Shape> shapes, const SceneRequest& r
     refuse(fmt::format("{} faces are to be kept, but only {} in all", kept, request.total_faces));
   }
   SharedEnd end = log.run(stage::kSimplify, [&] {
-    for (const Part& part : parts) {
+    for (const PreparedPart& part : parts) {
       auto run = start_part(*part.input, part.request);
       ends.push_back(run.get());
       runs.push_back(std::move(run));
@@ -170,7 +171,7 @@ SceneOutcome simplify_scene(std::span<const Shape> shapes, const SceneRequest& r
     return run_shared(runs, options_of(request, parts, halfspaces));
   });
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    Part& part = parts[k];
+    PreparedPart& part = parts[k];
     RunEnd own = ends[k]->finish(end.stop, part.log);
     own.growth_bits = end.growth_bits;
     scene.parts.push_back(

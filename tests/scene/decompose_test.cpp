@@ -1,0 +1,589 @@
+// SPDX-License-Identifier: MIT
+// decompose() on shapes whose parts and volumes are closed forms; and its promise, that every
+// triangle lies in its owner, by the definition of a hull.
+#include "convexact/decompose.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "cells.hpp"
+#include "convexact/verify_parts.hpp"
+#include "expect_error.hpp"
+#include "supporting_planes.hpp"
+
+using namespace convexact;
+using namespace support;
+
+namespace {
+
+DecomposeRequest with_fractions() {
+  DecomposeRequest request;
+  request.exact_volumes = true;
+  return request;
+}
+
+// ---- The promise, by definition
+
+std::vector<RationalPoint> points_in(const PointSet& set) {
+  std::vector<RationalPoint> points;
+  for (std::size_t i = 0; i < set.size(); ++i) points.push_back(set[PointId(i)]);
+  return points;
+}
+
+// Whether x lies in the convex polygon, segment or point.
+bool is_in_flat(const std::vector<RationalPoint>& corners, const RationalPoint& x) {
+  if (corners.size() == 1) return x == corners[0];
+  if (corners.size() == 2) {
+    const RationalVector3 along = corners[1] - corners[0], way = x - corners[0];
+    return RationalVector3(along.cross(way)).isZero() && along.dot(way) >= 0 &&
+           along.dot(way) <= along.dot(along);
+  }
+  const RationalVector3 normal =
+      RationalVector3(corners[1] - corners[0]).cross(RationalVector3(corners[2] - corners[0]));
+  if (normal.dot(RationalVector3(x - corners[0])) != 0) return false;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const RationalPoint& a = corners[k];
+    const RationalVector3 side = corners[(k + 1) % corners.size()] - a;
+    if (normal.dot(RationalVector3(side.cross(RationalVector3(x - a)))) < 0) return false;
+  }
+  return true;
+}
+
+// Every triangle has one owner, and its corners lie in the hull of the owner's stored points: in
+// every halfspace that three of these span and that holds all of them.
+void check_owners(const Decomposition& d) {
+  REQUIRE(d.owner.size() == d.surface.triangles.size());
+  CHECK(d.tested_triangles == d.surface.triangles.size());
+  std::vector<std::size_t> times(d.owner.size(), 0);
+  for (std::size_t k = 0; k < d.parts.size(); ++k) {
+    const Part& part = d.parts[k];
+    CHECK(std::is_sorted(part.owns.begin(), part.owns.end()));
+    CHECK(std::includes(part.owns.begin(), part.owns.end(), part.cluster.begin(),
+                        part.cluster.end()));
+    const auto corners = points_in(part.mesh.points);
+    const bool is_flat = part.form == PartForm::Flat;
+    const auto planes = is_flat ? std::vector<Halfspace>() : supporting_planes(corners);
+    if (!is_flat) {
+      auto stored = part.halfspaces;
+      std::sort(stored.begin(), stored.end());
+      CHECK(stored == planes);
+      CHECK(part.mesh.polygons.size() == planes.size());
+    }
+    std::size_t outside = 0;
+    for (const TriangleId t : part.owns) {
+      CHECK(d.owner[t.index()] == k);
+      ++times[t.index()];
+      for (const PointId id : d.surface.triangles[t.index()]) {
+        const RationalPoint x = d.surface.points[id];
+        const bool is_in = is_flat ? is_in_flat(corners, x)
+                                   : std::all_of(planes.begin(), planes.end(),
+                                                 [&](const Halfspace& h) { return h(x) <= 0; });
+        outside += is_in ? 0 : 1;
+      }
+    }
+    CHECK(outside == 0);
+  }
+  CHECK(std::all_of(times.begin(), times.end(), [](std::size_t n) { return n == 1; }));
+}
+
+// The oracle has no part in the decomposition.
+void check_verdict(const Mesh& mesh, const Decomposition& d) {
+  std::vector<NamedPart> parts;
+  for (const Part& part : d.parts) parts.push_back({"part", part.mesh});
+  const PartsVerdict verdict = verify_parts(mesh, parts);
+  for (const Claim& claim : verdict.claims) {
+    const std::string sentence = claim.sentence;
+    CAPTURE(sentence);
+    CHECK(claim.status != Status::Violated);
+  }
+  CHECK(verdict.holds());
+}
+
+Decomposition decomposed(const Mesh& mesh, const DecomposeRequest& request = with_fractions()) {
+  auto outcome = decompose(mesh, request);
+  REQUIRE(std::holds_alternative<Decomposition>(outcome));
+  Decomposition d = std::get<Decomposition>(std::move(outcome));
+  check_owners(d);
+  return d;
+}
+
+void check_volumes(const Decomposition& d, const Rational& solid, const Rational& uncovered,
+                   const Rational& excess) {
+  REQUIRE(d.measures);
+  CHECK(d.measures->solid_volume->exact == solid);
+  CHECK(d.measures->uncovered_volume->exact == uncovered);
+  CHECK(d.measures->excess_volume->exact == excess);
+  CHECK(d.measures->union_volume.exact == Rational(solid - uncovered + excess));
+  CHECK(d.measures->solid_volume->bounds.contains(solid));
+}
+
+bool ran(const Decomposition& d, const std::string& name) {
+  return std::any_of(d.stages.begin(), d.stages.end(), [&](const Stage& stage) {
+    return stage.name == name && stage.skipped.empty();
+  });
+}
+
+// ---- Shapes
+
+Mesh joined(const std::vector<Mesh>& meshes) {
+  std::vector<RationalPoint> points;
+  Mesh all;
+  for (const Mesh& mesh : meshes) {
+    const auto first = std::uint32_t(points.size());
+    for (const RationalPoint& p : points_in(mesh.points)) points.push_back(p);
+    for (auto polygon : mesh.polygons) {
+      for (auto& corner : polygon) corner += first;
+      all.polygons.push_back(std::move(polygon));
+    }
+  }
+  all.points = PointSet(std::move(points));
+  all.parts = {{"", 0, all.polygons.size()}};
+  return all;
+}
+
+// The hull of points near a sphere.
+Mesh ball(const Point& center, int count) {
+  std::mt19937_64 random(7);
+  const auto coordinate = [&] { return std::ldexp(double(random() >> 11), -52) - 1; };
+  std::vector<Point> points;
+  while (points.size() < std::size_t(count)) {
+    const Point p(coordinate(), coordinate(), coordinate());
+    if (p.norm() > 0.1) points.push_back(center + p / p.norm());
+  }
+  const PointSet set(points);
+  const auto hull = std::get<Hull>(convex_hull(set));
+  Mesh mesh{set, {}, {}};
+  for (std::size_t f = 0; f < hull.facets.size(); ++f) {
+    auto& polygon = mesh.polygons.emplace_back();
+    for (const PointId corner : hull.facets[f]) polygon.push_back(corner.value);
+  }
+  mesh.parts = {{"", 0, mesh.polygons.size()}};
+  return mesh;
+}
+
+// Two unit squares at a right angle, their front sides facing each other.
+Mesh folded_sheet() {
+  return {PointSet(
+              std::vector<Point>{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 1}, {0, 1, 1}}),
+          {{0, 2, 3, 1}, {0, 1, 5, 4}},
+          {{"", 0, 2}}};
+}
+
+Mesh mesh_of(std::vector<Point> points, std::vector<std::vector<std::uint32_t>> polygons) {
+  const std::size_t count = polygons.size();
+  return {PointSet(std::move(points)), std::move(polygons), {{"", 0, count}}};
+}
+
+const Box kUnit{{0, 0, 0}, {1, 1, 1}};
+
+}  // namespace
+
+TEST_CASE("decompose: what is convex is one part, its hull bit for bit") {
+  for (const Mesh& mesh : {box_mesh(kUnit), box_mesh({{0.1, 0.2, 0.3}, {0.7, 1e9, 0.5}}),
+                           ball(Point(0.1, 0.2, 0.3), 30)}) {
+    for (const int percent : {0, 3, 100}) {
+      DecomposeRequest request = with_fractions();
+      request.limit.value = Rational(percent, 100);
+      const Decomposition d = decomposed(mesh, request);
+      REQUIRE(d.parts.size() == 1);
+      CHECK(d.parts[0].form == PartForm::Hull);
+      CHECK(d.parts[0].concavity.squared == 0);
+      CHECK(d.limit_holds);
+      const auto hull = std::get<Hull>(convex_hull(mesh.points));
+      auto corners = points_in(subset(mesh.points, hull.vertices));
+      auto stored = points_in(d.parts[0].mesh.points);
+      CHECK(d.parts[0].mesh.points.is_binary());
+      const auto before = [](const RationalPoint& a, const RationalPoint& b) {
+        return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+      };
+      std::sort(corners.begin(), corners.end(), before);
+      std::sort(stored.begin(), stored.end(), before);
+      CHECK(corners == stored);
+      check_volumes(d, volume(hull, mesh.points), 0, 0);
+      CHECK(d.measures->overlap_volume.exact == Rational(0));
+    }
+  }
+}
+
+TEST_CASE("decompose: unit cells are parted as they are made up") {
+  const auto plus = [] {
+    std::set<Cell> cells = cross_cells();
+    cells.erase({0, 0, 1});
+    cells.erase({0, 0, -1});
+    return cells;
+  }();
+  const std::set<Cell> u = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}};
+  struct Case {
+    std::set<Cell> cells;
+    std::size_t parts;
+    int uncovered;
+  };
+  // The six arms of the cross hold its surface, and not its middle cell.
+  for (const Case& c : {Case{l_cells(), 2, 0}, Case{u, 3, 0}, Case{plus, 3, 0},
+                        Case{ring_cells(), 4, 0}, Case{cross_cells(), 6, 1}}) {
+    const Mesh mesh = mesh_of_cells(c.cells);
+    const Decomposition d = decomposed(mesh);
+    CHECK(d.parts.size() == c.parts);
+    CHECK(d.limit_holds);
+    check_volumes(d, Rational(c.cells.size()), c.uncovered, 0);
+    check_verdict(mesh, d);
+    for (const Part& part : d.parts) {
+      CHECK(part.form == PartForm::Hull);
+      CHECK(part.is_within_limit);
+      CHECK(part.concavity.squared <= d.clustering.squared_limit);
+    }
+  }
+}
+
+TEST_CASE("decompose: four balls are four parts") {
+  std::vector<Mesh> balls;
+  Rational volumes = 0;
+  for (const Point& center : {Point(0, 0, 0), Point(3, 0, 0), Point(0, 3, 0), Point(0, 0, 3)}) {
+    balls.push_back(ball(center, 24));
+    volumes += volume(std::get<Hull>(convex_hull(balls.back().points)), balls.back().points);
+  }
+  const Mesh mesh = joined(balls);
+  const Decomposition d = decomposed(mesh);
+  CHECK(d.parts.size() == 4);
+  check_volumes(d, volumes, 0, 0);
+
+  SUBCASE("with few faces each") {
+    DecomposeRequest request = with_fractions();
+    request.faces = 8;
+    const Decomposition few = decomposed(mesh, request);
+    REQUIRE(few.parts.size() == 4);
+    for (const Part& part : few.parts) {
+      CHECK(part.form == PartForm::Simplified);
+      CHECK(part.faces == 8);
+    }
+    CHECK(*few.measures->excess_volume->exact > 0);
+    CHECK(few.measures->uncovered_volume->exact == Rational(0));
+    check_verdict(mesh, few);
+  }
+  SUBCASE("with few faces in all") {
+    DecomposeRequest request = with_fractions();
+    request.total_faces = 50;
+    const Decomposition few = decomposed(mesh, request);
+    std::size_t faces = 0;
+    for (const Part& part : few.parts) faces += part.faces;
+    CHECK(faces == 50);
+    check_verdict(mesh, few);
+  }
+  SUBCASE("with more faces than they have") {
+    DecomposeRequest request = with_fractions();
+    request.total_faces = 1000;
+    const Decomposition all = decomposed(mesh, request);
+    for (const Part& part : all.parts) CHECK(part.form == PartForm::Hull);
+    CHECK(!ran(all, stage::kSimplify));
+  }
+  SUBCASE("with too few parts allowed") {
+    DecomposeRequest request;
+    request.max_parts = 3;
+    const Error error = error_of([&] { return decompose(mesh, request); });
+    CHECK(error.code() == ErrorCode::InvalidArgument);
+    CHECK(std::string(error.what()).find("4") != std::string::npos);
+  }
+  SUBCASE("with too few faces for them") {
+    DecomposeRequest request;
+    request.total_faces = 15;
+    CHECK(error_of([&] { return decompose(mesh, request); }).code() == ErrorCode::InvalidArgument);
+  }
+}
+
+TEST_CASE("decompose: a part may exceed the limit, which is said") {
+  DecomposeRequest request = with_fractions();
+  request.max_parts = 1;
+  const Decomposition d = decomposed(mesh_of_cells(l_cells()), request);
+  REQUIRE(d.parts.size() == 1);
+  CHECK(!d.limit_holds);
+  CHECK(!d.parts[0].is_within_limit);
+  // From the middle of the notch straight to the long edge of the hull.
+  check_volumes(d, 3, 0, Rational(1, 2));
+}
+
+// ---- Flat parts
+
+TEST_CASE("decompose: flat parts are thickened, kept or merged") {
+  const Mesh sheet = folded_sheet();
+  DecomposeRequest request = with_fractions();
+  const double diameter = std::sqrt(3.0);
+  SUBCASE("thickened") {
+    for (const FlatParts flat : {FlatParts::Auto, FlatParts::Thicken}) {
+      request.flat = flat;
+      const Decomposition d = decomposed(sheet, request);
+      REQUIRE(d.parts.size() == 2);
+      for (const Part& part : d.parts) {
+        CHECK(part.form == PartForm::Thickened);
+        CHECK(part.hull.dimension == 2);
+        CHECK(part.mesh.points.size() == 8);
+      }
+      CHECK(!d.measures->solid_volume);
+      CHECK(!d.measures->excess_volume);
+      const double thickness = d.measures->union_volume.bounds.high_double() / 2;
+      CHECK(thickness > diameter * 0x1p-20);
+      CHECK(thickness < diameter * 0x1p-18);
+      check_verdict(sheet, d);
+    }
+  }
+  SUBCASE("kept") {
+    request.flat = FlatParts::Keep;
+    const Decomposition d = decomposed(sheet, request);
+    REQUIRE(d.parts.size() == 2);
+    for (const Part& part : d.parts) {
+      CHECK(part.form == PartForm::Flat);
+      CHECK(part.mesh.points.size() == 4);
+      CHECK(part.mesh.polygons.size() == 1);
+      CHECK(part.faces == 0);
+    }
+    CHECK(d.measures->union_volume.exact == Rational(0));
+  }
+  SUBCASE("merged") {
+    request.flat = FlatParts::Merge;
+    const Decomposition d = decomposed(sheet, request);
+    REQUIRE(d.parts.size() == 1);
+    CHECK(d.parts[0].form == PartForm::Hull);
+    CHECK(d.flat_merged == std::vector<TriangleId>{TriangleId(0)});
+    // From the fold along one square to the end of the other.
+    CHECK(d.parts[0].concavity.squared == 1);
+    CHECK(!d.limit_holds);
+    CHECK(d.measures->union_volume.exact == Rational(1, 2));
+  }
+}
+
+TEST_CASE("decompose: a shape in a plane is a part only if that is wanted") {
+  for (const auto& [x, y] : {std::pair(1.0, 1.0), std::pair(0.3, 0.7)}) {
+    const Mesh square = mesh_of({{0, 0, 0}, {x, 0, y}, {x, 1, y}, {0, 1, 0}}, {{0, 1, 2, 3}});
+    DecomposeRequest request = with_fractions();
+    for (const FlatParts flat : {FlatParts::Auto, FlatParts::Merge}) {
+      request.flat = flat;
+      const auto outcome = decompose(square, request);
+      REQUIRE(std::holds_alternative<NotSolid>(outcome));
+      CHECK(std::get<FlatInput>(std::get<NotSolid>(outcome)).dimension == 2);
+    }
+    request.flat = FlatParts::Keep;
+    CHECK(decomposed(square, request).parts[0].form == PartForm::Flat);
+    request.flat = FlatParts::Thicken;
+    const Decomposition d = decomposed(square, request);
+    CHECK(d.parts[0].form == PartForm::Thickened);
+    check_verdict(square, d);
+  }
+}
+
+TEST_CASE("decompose: segments and points") {
+  const Mesh mesh =
+      joined({box_mesh(kUnit), mesh_of({{0, 0, 5}, {0.1, 0.2, 5}, {0.2, 0.4, 5}}, {{0, 1, 2}}),
+              mesh_of({{3, 3, 3}}, {{0, 0, 0}})});
+  DecomposeRequest request = with_fractions();
+  SUBCASE("thickened") {
+    const Decomposition d = decomposed(mesh, request);
+    REQUIRE(d.parts.size() == 3);
+    check_verdict(mesh, d);
+  }
+  SUBCASE("kept") {
+    request.flat = FlatParts::Keep;
+    const Decomposition d = decomposed(mesh, request);
+    REQUIRE(d.parts.size() == 3);
+    std::vector<int> dimensions;
+    for (const Part& part : d.parts) dimensions.push_back(part.hull.dimension);
+    std::sort(dimensions.begin(), dimensions.end());
+    CHECK(dimensions == std::vector<int>{0, 1, 3});
+  }
+  SUBCASE("without a neighbour to merge with") {
+    request.flat = FlatParts::Merge;
+    const Decomposition d = decomposed(mesh, request);
+    CHECK(d.parts.size() == 3);
+    CHECK(d.flat_merged.empty());
+  }
+}
+
+TEST_CASE("decompose: a thickened part obeys its number of faces") {
+  std::vector<Point> corners;
+  std::vector<std::uint32_t> polygon;
+  for (std::uint32_t k = 0; k < 20; ++k) {
+    corners.emplace_back(k, k * k, 0);
+    polygon.push_back(k);
+  }
+  DecomposeRequest request = with_fractions();
+  request.flat = FlatParts::Thicken;
+  request.faces = 7;
+  const Mesh mesh = mesh_of(corners, {polygon});
+  const Decomposition d = decomposed(mesh, request);
+  REQUIRE(d.parts.size() == 1);
+  CHECK(d.parts[0].form == PartForm::Thickened);
+  CHECK(d.parts[0].faces == 7);
+}
+
+TEST_CASE("decompose: thin far away, and thick enough for the format") {
+  const double far = 0x1p30;
+  const Mesh square =
+      mesh_of({{far, far, far}, {far + 1, far, far + 1}, {far, far + 1, far}}, {{0, 1, 2}});
+  DecomposeRequest request = with_fractions();
+  request.flat = FlatParts::Thicken;
+  check_verdict(square, decomposed(square, request));
+  request.precision = Precision::Binary32;
+  const Mesh near = mesh_of({{1, 1, 1}, {1.1, 1.3, 1.7}, {1.9, 1.2, 1.4}}, {{0, 1, 2}});
+  const Decomposition d = decomposed(near, request);
+  for (const Point& p : d.parts[0].mesh.points.doubles()) {
+    for (const double x : p) CHECK(double(float(x)) == x);
+  }
+}
+
+// ---- Inner parts
+
+TEST_CASE("decompose: a part in another one is dropped, and its triangles change owner") {
+  const Mesh mesh =
+      joined({box_mesh({{0.25, 0.25, 0.25}, {0.5, 0.5, 1}}), box_mesh(kUnit),
+              mesh_of({{0.1, 0.1, 0.5}, {0.2, 0.1, 0.5}, {0.1, 0.2, 0.5}}, {{0, 1, 2}})});
+  for (const FlatParts flat : {FlatParts::Auto, FlatParts::Keep, FlatParts::Merge}) {
+    DecomposeRequest request = with_fractions();
+    request.flat = flat;
+    const Decomposition d = decomposed(mesh, request);
+    REQUIRE(d.parts.size() == 1);
+    CHECK(d.parts[0].owns.size() == d.surface.triangles.size());
+    CHECK(d.parts[0].cluster.size() == 12);
+    CHECK(d.inner.size() == 2);
+    CHECK(d.limit_holds);
+    check_verdict(mesh, d);
+    request.keep_inner = true;
+    const Decomposition all = decomposed(mesh, request);
+    CHECK(all.parts.size() == 3);
+    CHECK(all.inner.empty());
+    CHECK(all.measures->overlap_volume.bounds.low_double() >= 3.0 / 64);
+  }
+}
+
+TEST_CASE("decompose: of two equal parts one stays") {
+  // The same corners, but no common edge: a box, and the same box as its two diagonal rectangles.
+  const Mesh mesh = joined({box_mesh(kUnit), mesh_of(box_corners(kUnit), {{0, 4, 7, 3}}),
+                            mesh_of(box_corners(kUnit), {{1, 5, 6, 2}})});
+  const Decomposition d = decomposed(mesh);
+  CHECK(d.parts.size() == 1);
+}
+
+// ---- Formats
+
+TEST_CASE("decompose: binary32 rounds outward only what it cannot hold") {
+  DecomposeRequest request = with_fractions();
+  request.precision = Precision::Binary32;
+  CHECK(decomposed(box_mesh(kUnit), request).parts[0].form == PartForm::Hull);
+  const Mesh mesh = box_mesh({{0.1, 0.2, 0.3}, {0.7, 1.1, 0.9}});
+  const Decomposition d = decomposed(mesh, request);
+  CHECK(d.parts[0].form == PartForm::Rounded);
+  CHECK(d.parts[0].faces == 6);
+  for (const Point& p : d.parts[0].mesh.points.doubles()) {
+    for (const double x : p) CHECK(double(float(x)) == x);
+  }
+  CHECK(*d.measures->excess_volume->exact > 0);
+  check_verdict(mesh, d);
+  request.faces = 5;
+  const Decomposition few = decomposed(ball(Point(0.1, 0.2, 0.3), 20), request);
+  CHECK(few.parts[0].form == PartForm::Simplified);
+  CHECK(few.parts[0].faces == 5);
+  for (const Point& p : few.parts[0].mesh.points.doubles()) {
+    for (const double x : p) CHECK(double(float(x)) == x);
+  }
+}
+
+TEST_CASE("decompose: fractions are rounded outward") {
+  std::vector<RationalPoint> points;
+  for (const Point& p : box_corners(kUnit)) points.push_back(to_rational(p) / Rational(3));
+  const Mesh mesh{PointSet(points), box_faces(), {{"", 0, 6}}};
+  DecomposeRequest request = with_fractions();
+  const Decomposition d = decomposed(mesh, request);
+  CHECK(d.parts[0].form == PartForm::Rounded);
+  CHECK(d.measures->solid_volume->exact == Rational(1, 27));
+  CHECK(d.measures->uncovered_volume->exact == Rational(0));
+  CHECK(*d.measures->excess_volume->exact > 0);
+  const Mesh triangle{PointSet(std::vector<RationalPoint>{points[0], points[3], points[5]}),
+                      {{0, 1, 2}},
+                      {{"", 0, 1}}};
+  request.flat = FlatParts::Thicken;
+  CHECK(decomposed(triangle, request).parts[0].form == PartForm::Thickened);
+  request.flat = FlatParts::Keep;
+  CHECK(error_of([&] { return decompose(triangle, request); }).code() ==
+        ErrorCode::Unrepresentable);
+}
+
+// ---- Whatever the input is
+
+TEST_CASE("decompose: every triangle of a random soup lies in its owner") {
+  std::mt19937_64 random(11);
+  for (int round = 0; round < 150; ++round) {
+    std::vector<Point> points;
+    for (int k = 0; k < 6; ++k) {
+      const std::uint64_t bits = random();
+      points.emplace_back(bits % 4, (bits >> 8) % 4, (bits >> 16) % 4);
+    }
+    std::vector<std::vector<std::uint32_t>> triangles;
+    const std::size_t count = 1 + random() % 7;
+    while (triangles.size() < count) {
+      const std::uint64_t bits = random();
+      triangles.push_back({std::uint32_t(bits % 6), std::uint32_t((bits >> 8) % 6),
+                           std::uint32_t((bits >> 16) % 6)});
+    }
+    const Mesh mesh = mesh_of(points, triangles);
+    for (const FlatParts flat : {FlatParts::Thicken, FlatParts::Keep, FlatParts::Merge}) {
+      DecomposeRequest request = with_fractions();
+      request.flat = flat;
+      request.keep_inner = round % 2 == 0;
+      if (round % 3 == 0) request.faces = 5;
+      const auto outcome = decompose(mesh, request);
+      if (std::holds_alternative<NotSolid>(outcome)) {
+        CHECK(flat == FlatParts::Merge);
+        continue;
+      }
+      const auto& d = std::get<Decomposition>(outcome);
+      check_owners(d);
+      for (const Part& part : d.parts) {
+        // Nothing can be removed from a thickened segment: a parallelepiped.
+        if (request.faces) CHECK((part.faces <= 5 || part.form == PartForm::Thickened));
+        CHECK(part.is_within_limit == (part.concavity.squared <= d.clustering.squared_limit));
+      }
+      std::size_t owned = d.inner.size();
+      for (const InnerCluster& inner : d.inner) {
+        CHECK(d.owner[inner.lowest.index()] == inner.part);
+      }
+      owned += d.parts.size() + d.flat_merged.size();
+      CHECK(owned == d.clustering.clusters.size());
+    }
+  }
+}
+
+// ---- Refusals and stages
+
+TEST_CASE("decompose: what cannot be is refused") {
+  const Mesh box = box_mesh(kUnit);
+  const auto code = [&](const auto& change, const Mesh& mesh) {
+    DecomposeRequest request;
+    change(request);
+    return error_of([&] { return decompose(mesh, request); }).code();
+  };
+  const auto invalid = ErrorCode::InvalidArgument;
+  CHECK(code([](DecomposeRequest& r) { r.max_parts = 0; }, box) == invalid);
+  CHECK(code([](DecomposeRequest& r) { r.faces = 3; }, box) == invalid);
+  CHECK(code([](DecomposeRequest& r) { r.total_faces = 3; }, box) == invalid);
+  CHECK(code([](DecomposeRequest& r) { r.faces = r.total_faces = 8; }, box) == invalid);
+  CHECK(code([](DecomposeRequest& r) { r.limit.value = Rational(101, 100); }, box) == invalid);
+  CHECK(code([](DecomposeRequest& r) { r.limit.value = -1; }, box) == invalid);
+  CHECK(code([](DecomposeRequest&) {}, {box.points, {}, {}}) == ErrorCode::NoInterior);
+  const std::atomic<bool> stop = true;
+  CHECK(code([&](DecomposeRequest& r) { r.watch.stop = &stop; }, box) == ErrorCode::Stopped);
+}
+
+TEST_CASE("decompose: only the stages that are needed run") {
+  DecomposeRequest request;
+  request.measures = false;
+  request.keep_inner = true;
+  const Decomposition d = decomposed(box_mesh(kUnit), request);
+  CHECK(!d.measures);
+  for (const char* name : {"union's volume", "solid's volumes", "inner parts", "flat clusters"}) {
+    CHECK(!ran(d, name));
+  }
+  for (const char* name : {"surface", "clusters", "concavities", "coverage by owners"}) {
+    CHECK(ran(d, name));
+  }
+  for (const Stage& stage : d.stages) CHECK((stage.seconds > 0) == stage.skipped.empty());
+}
