@@ -2,8 +2,10 @@
 // convexact.hpp - all of the library.
 #pragma once
 #include "convexact/angle_sum.hpp"
+#include "convexact/cluster.hpp"
 #include "convexact/conform.hpp"
 #include "convexact/cost.hpp"
+#include "convexact/decompose.hpp"
 #include "convexact/dual.hpp"
 #include "convexact/error.hpp"
 #include "convexact/halfspace.hpp"

@@ -75,7 +75,7 @@ struct Part {
   std::vector<Halfspace> halfspaces;  ///< The hull of mesh.points, proven to hold what it owns.
 };
 
-/// A cluster that lies in the hull of another one: no part of its own.
+/// A cluster that lies in the hull of another one, or in its part as stored: no part of its own.
 struct InnerCluster {
   TriangleId lowest;  ///< Of its triangles.
   std::size_t part;   ///< That holds it.

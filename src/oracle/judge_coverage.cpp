@@ -13,6 +13,7 @@
 #include "number/text.hpp"
 #include "oracle/judge.hpp"
 #include "oracle/parts_trial.hpp"
+#include "scene/part_volumes.hpp"
 
 namespace convexact::oracle {
 namespace {
@@ -231,29 +232,6 @@ Enclosure area(const Surface& surface, const Share& share_of) {
   return total;
 }
 
-Measured difference(const Measured& a, const Measured& b) {
-  std::optional<Rational> exact;
-  if (a.exact && b.exact) exact = *a.exact - *b.exact;
-  return {exact ? Enclosure(*exact, kBits) : a.bounds - b.bounds, exact};
-}
-
-Measured sum(const Measured& a, const Measured& b) {
-  std::optional<Rational> exact;
-  if (a.exact && b.exact) exact = *a.exact + *b.exact;
-  return {exact ? Enclosure(*exact, kBits) : a.bounds + b.bounds, exact};
-}
-
-Measured volume_of_parts(const std::vector<ConvexPart>& parts, bool exact) {
-  Measured total{Enclosure(kBits), exact ? std::optional<Rational>(0) : std::nullopt};
-  for (const ConvexPart& part : parts) {
-    if (!part.solid) continue;
-    Measured own{enclose_volume(*part.solid, kBits), std::nullopt};
-    if (exact) own.exact = volume(*part.solid);
-    total = sum(total, own);
-  }
-  return total;
-}
-
 }  // namespace
 
 void measure_parts(PartsTrial& trial) {
@@ -270,31 +248,18 @@ void measure_parts(PartsTrial& trial) {
   for (const UncoveredPiece& piece : verdict.coverage->uncovered) {
     shares[piece.triangle.index()] += piece.share;
   }
-  PartsMeasures found{
-      area(surface, [](std::size_t) { return Rational(1); }),
-      area(surface, [&](std::size_t t) { return shares[t]; }),
-      {},
-      {},
-      {},
-      log.run("union's volume",
-              [&] { return union_volume(parts, kBits, exact, trial.watch("union's volume")); }),
-      {Enclosure(kBits), {}},
-      Enclosure(kBits),
-      Enclosure(kBits)};
-  found.overlap_volume = difference(volume_of_parts(parts, exact), found.union_volume);
+  const DecompositionMeasures volumes = measure_volumes(surface, parts, exact, log);
+  PartsMeasures found{area(surface, [](std::size_t) { return Rational(1); }),
+                      area(surface, [&](std::size_t t) { return shares[t]; }),
+                      volumes.solid_volume,
+                      volumes.uncovered_volume,
+                      volumes.excess_volume,
+                      volumes.union_volume,
+                      volumes.overlap_volume,
+                      Enclosure(kBits),
+                      Enclosure(kBits)};
   std::optional<Winding> winding;
-  if (surface.is_closed) {
-    winding.emplace(surface);
-    log.run("solid's volumes", [&] {
-      const Watch watch = trial.watch("solid's volumes");
-      found.solid_volume = solid_volume(surface, kBits, exact, watch);
-      found.uncovered_volume = uncovered_volume(surface, *winding, parts, kBits, exact, watch);
-    });
-    found.excess_volume =
-        sum(difference(found.union_volume, *found.solid_volume), *found.uncovered_volume);
-  } else {
-    log.skip("solid's volumes", "the faces of the input do not close");
-  }
+  if (surface.is_closed) winding.emplace(surface);
   log.run("distances", [&] {
     const Watch watch = trial.watch("distances");
     found.surface_to_union = surface_to_union(verdict.coverage->uncovered, UnionDistance(parts),

@@ -9,6 +9,7 @@
 #include "convexact/error.hpp"
 #include "decompose/near_concavity.hpp"
 #include "scene/flat_part.hpp"
+#include "scene/inner_part.hpp"
 #include "scene/part_volumes.hpp"
 #include "scene/stage_log.hpp"
 #include "scene/stored_part.hpp"
@@ -65,8 +66,9 @@ class Decomposer {
     merge_flat_clusters();
     const std::vector<Concavity> concavities = measure_concavities();
     choose_parts(concavities);
-    const std::vector<ConvexPart> stored =
+    std::vector<ConvexPart> stored =
         store_parts(made_.parts, made_.clustering.squared_diameter, request_, log_);
+    drop_inner_as_stored(stored);
     log_.run("coverage by owners", [&] { prove_coverage(); });
     if (request_.measures) {
       made_.measures = measure_volumes(made_.surface, stored, request_.exact_volumes, log_);
@@ -134,53 +136,73 @@ class Decomposer {
     return concavity.squared <= made_.clustering.squared_limit;
   }
 
-  // By cluster: the first one that makes it needless and is itself needed.
-  std::vector<std::optional<std::size_t>> find_holders() {
-    std::vector<std::optional<std::size_t>> holder(clusters_.size());
-    if (request_.keep_inner) {
-      log_.skip("inner parts", "they are kept");
-      return holder;
-    }
-    log_.run("inner parts", [&] {
-      const Watch watch = log_.watch("inner parts");
-      std::vector<std::vector<std::size_t>> holders(clusters_.size());
-      for (std::size_t k = 0; k < clusters_.size(); ++k) {
-        watch.at(k, clusters_.size());
-        for (std::size_t j = 0; j < clusters_.size(); ++j) {
-          if (j != k && makes_needless(clusters_[j], clusters_[k])) holders[k].push_back(j);
-        }
-      }
-      // To make needless is transitive and no circle: one of the holders has none of its own.
-      for (std::size_t k = 0; k < clusters_.size(); ++k) {
-        for (const std::size_t j : holders[k]) {
-          if (!holder[k] && holders[j].empty()) holder[k] = j;
-        }
-      }
-    });
-    return holder;
-  }
-
+  // Every cluster becomes a part, but those that lie in the hull of another one.
   void choose_parts(const std::vector<Concavity>& concavities) {
-    const auto holder = find_holders();
-    std::vector<std::size_t> part_of(clusters_.size());
     for (std::size_t k = 0; k < clusters_.size(); ++k) {
-      if (holder[k]) continue;
-      part_of[k] = made_.parts.size();
       Part& part = made_.parts.emplace_back();
-      part.owns = part.cluster = clusters_[k].triangles;
-      part.hull = clusters_[k].hull;
+      part.owns = part.cluster = std::move(clusters_[k].triangles);
+      part.hull = std::move(clusters_[k].hull);
       part.concavity = concavities[k];
       part.is_within_limit = is_within_limit(part.concavity);
     }
-    for (std::size_t k = 0; k < clusters_.size(); ++k) {
-      if (!holder[k]) continue;
-      const std::size_t part = part_of[*holder[k]];
-      const auto& triangles = clusters_[k].triangles;
-      made_.inner.push_back({triangles.front(), part});
-      auto& owns = made_.parts[part].owns;
-      owns.insert(owns.end(), triangles.begin(), triangles.end());
+    std::vector<const ConvexPart*> hulls;
+    for (const Part& part : made_.parts) hulls.push_back(&part.hull);
+    drop_inner(hulls);
+  }
+
+  // What is stored may be larger than the hulls, and then hold other parts.
+  void drop_inner_as_stored(std::vector<ConvexPart>& stored) {
+    const bool is_larger = std::any_of(made_.parts.begin(), made_.parts.end(), [](const Part& p) {
+      return p.form != PartForm::Hull && p.form != PartForm::Flat;
+    });
+    if (!is_larger || request_.keep_inner) return;
+    std::vector<const ConvexPart*> solids;
+    for (const ConvexPart& solid : stored) solids.push_back(&solid);
+    keep_those(drop_inner(solids), stored);
+  }
+
+  // Triangles of parts that lie in another one change owner. Returns which parts stay.
+  std::vector<bool> drop_inner(const std::vector<const ConvexPart*>& solids) {
+    constexpr const char* kStage = "inner parts";
+    std::vector<bool> stays(solids.size(), true);
+    if (request_.keep_inner) {
+      log_.skip(kStage, "they are kept");
+      return stays;
     }
-    for (Part& part : made_.parts) std::sort(part.owns.begin(), part.owns.end());
+    log_.run(kStage, [&] {
+      const auto holder = find_holders(solids, log_.watch(kStage));
+      std::vector<std::size_t> place(solids.size(), 0);  // of those that stay
+      for (std::size_t k = 0, next = 0; k < solids.size(); ++k) {
+        stays[k] = !holder[k];
+        if (stays[k]) place[k] = next++;
+      }
+      for (InnerCluster& inner : made_.inner) {
+        inner.part = place[holder[inner.part].value_or(inner.part)];
+      }
+      for (std::size_t k = 0; k < solids.size(); ++k) {
+        if (stays[k]) continue;
+        const std::vector<TriangleId> owns = std::move(made_.parts[k].owns);
+        made_.inner.push_back({made_.parts[k].cluster.front(), place[*holder[k]]});
+        auto& more = made_.parts[*holder[k]].owns;
+        more.insert(more.end(), owns.begin(), owns.end());
+      }
+      keep_those(stays, made_.parts);
+      for (Part& part : made_.parts) std::sort(part.owns.begin(), part.owns.end());
+      std::sort(made_.inner.begin(), made_.inner.end(),
+                [](const InnerCluster& a, const InnerCluster& b) { return a.lowest < b.lowest; });
+    });
+    return stays;
+  }
+
+  template <class T>
+  static void keep_those(const std::vector<bool>& stays, std::vector<T>& list) {
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      if (!stays[k]) continue;
+      if (next != k) list[next] = std::move(list[k]);
+      ++next;
+    }
+    list.resize(next);
   }
 
   // On the stored numbers: each corner of each triangle in all halfspaces of the triangle's owner.

@@ -6,25 +6,9 @@
 #include <set>
 
 #include "number/arithmetic.hpp"
+#include "scene/inner_part.hpp"
 
 namespace convexact {
-namespace {
-
-bool lies_in_hull(const ConvexPart& inner, const ConvexPart& outer) {
-  for (int k = 0; k < 3; ++k) {
-    if (inner.box.low[k] < outer.box.low[k] || inner.box.high[k] > outer.box.high[k]) return false;
-  }
-  return std::all_of(inner.vertices.begin(), inner.vertices.end(),
-                     [&](const RationalPoint& v) { return holds(outer, v); });
-}
-
-}  // namespace
-
-bool makes_needless(const HulledCluster& one, const HulledCluster& other) {
-  return lies_in_hull(other.hull, one.hull) &&
-         (one.triangles.front() < other.triangles.front() || !lies_in_hull(one.hull, other.hull));
-}
-
 namespace {
 
 class FlatMerger {
@@ -73,14 +57,17 @@ class FlatMerger {
     for (const auto& [name, cluster] : clusters_) {
       watch_.ask();
       if (cluster.hull.dimension == 3 || !beside_.contains(name)) continue;
-      const HulledCluster& flat = cluster;
-      const bool is_inner =
-          skips_inner_ && std::any_of(clusters_.begin(), clusters_.end(), [&](const auto& other) {
-            return &other.second != &flat && makes_needless(other.second, flat);
-          });
-      if (!is_inner) return name;
+      if (!skips_inner_ || !is_inner(name, cluster.hull)) return name;
     }
     return {};
+  }
+
+  bool is_inner(TriangleId name, const ConvexPart& flat) const {
+    for (const auto& [other, cluster] : clusters_) {
+      if (other == name || !lies_in(flat, cluster.hull)) continue;
+      if (other < name || !lies_in(cluster.hull, flat)) return true;
+    }
+    return false;
   }
 
   HulledCluster unite(TriangleId a, TriangleId b) const {

@@ -13,14 +13,11 @@ struct HulledCluster {
   ConvexPart hull;
 };
 
-/// Whether `other` is no part of its own beside `one`: it lies in its hull, and of two equal hulls
-/// the first one stays.
-[[nodiscard]] bool makes_needless(const HulledCluster& one, const HulledCluster& other);
-
 /// Flat clusters join, lowest first, the neighbour with which they are least concave, of equal ones
 /// the lowest; again, as long as the union is flat. A cluster without a neighbour stays.
 /// @param clusters      By their lowest triangles, before and after.
-/// @param skips_inner   Those that another cluster makes needless stay, too.
+/// @param skips_inner   Those that lie in the hull of another cluster stay, too; of equal ones the
+///                      first joins a neighbour.
 /// @return The lowest triangles of the clusters that joined another one, in that order.
 /// @throws Error Stopped, as the watch says.
 [[nodiscard]] std::vector<TriangleId> merge_flat(const Surface& surface, Connect connect,

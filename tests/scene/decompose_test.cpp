@@ -304,6 +304,31 @@ TEST_CASE("decompose: a part may exceed the limit, which is said") {
   check_volumes(d, 3, 0, Rational(1, 2));
 }
 
+TEST_CASE("decompose: engines agree, and concavities are those of the definition") {
+  for (const auto& cells : {l_cells(), ring_cells(), cross_cells()}) {
+    for (const ConcavityMeasure measure : {ConcavityMeasure::Surface, ConcavityMeasure::Vertices}) {
+      DecomposeRequest request = with_fractions();
+      request.measure = measure;
+      const Decomposition filtered = decomposed(mesh_of_cells(cells), request);
+      request.engine = Engine::Exact;
+      const Decomposition exact = decomposed(mesh_of_cells(cells), request);
+      REQUIRE(filtered.parts.size() == exact.parts.size());
+      CHECK(filtered.owner == exact.owner);
+      const ExactConcavity concavity(exact.surface, measure);
+      for (std::size_t k = 0; k < exact.parts.size(); ++k) {
+        const Part &a = filtered.parts[k], &b = exact.parts[k];
+        const Concavity by_definition = concavity(a.cluster, a.hull);
+        for (const Concavity& found : {a.concavity, b.concavity}) {
+          CHECK(found.squared == by_definition.squared);
+          CHECK(found.triangle == by_definition.triangle);
+          CHECK((found.at - found.leaves).squaredNorm() == found.squared);
+        }
+        CHECK(a.halfspaces == b.halfspaces);
+      }
+    }
+  }
+}
+
 // ---- Flat parts
 
 TEST_CASE("decompose: flat parts are thickened, kept or merged") {
@@ -455,6 +480,33 @@ TEST_CASE("decompose: a part in another one is dropped, and its triangles change
   }
 }
 
+TEST_CASE("decompose: a part that only the simplified solid of another holds is dropped, too") {
+  // A pyramid without its top of 2 x 2 x 2, and a box where that would be.
+  const Mesh mesh = joined(
+      {mesh_of(
+           {{-2, -2, 0},
+            {2, -2, 0},
+            {2, 2, 0},
+            {-2, 2, 0},
+            {-1, -1, 2},
+            {1, -1, 2},
+            {1, 1, 2},
+            {-1, 1, 2}},
+           {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}),
+       box_mesh({{-0.25, -0.25, 2.25}, {0.25, 0.25, 2.75}})});
+  DecomposeRequest request = with_fractions();
+  CHECK(decomposed(mesh, request).parts.size() == 2);
+  request.faces = 5;
+  const Decomposition d = decomposed(mesh, request);
+  REQUIRE(d.parts.size() == 1);
+  CHECK(d.parts[0].form == PartForm::Simplified);
+  REQUIRE(d.inner.size() == 1);
+  CHECK(d.inner[0].part == 0);
+  CHECK(d.measures->union_volume.exact == Rational(64, 3));
+  request.keep_inner = true;
+  CHECK(decomposed(mesh, request).parts.size() == 2);
+}
+
 TEST_CASE("decompose: of two equal parts one stays") {
   // The same corners, but no common edge: a box, and the same box as its two diagonal rectangles.
   const Mesh mesh = joined({box_mesh(kUnit), mesh_of(box_corners(kUnit), {{0, 4, 7, 3}}),
@@ -505,6 +557,14 @@ TEST_CASE("decompose: fractions are rounded outward") {
   request.flat = FlatParts::Keep;
   CHECK(error_of([&] { return decompose(triangle, request); }).code() ==
         ErrorCode::Unrepresentable);
+}
+
+TEST_CASE("decompose: what the format cannot hold is refused") {
+  DecomposeRequest request;
+  request.precision = Precision::Binary32;
+  CHECK(error_of([&] {
+          return decompose(box_mesh({{0, 0, 0}, {1e300, 1e300, 1e300}}), request);
+        }).code() == ErrorCode::Unrepresentable);
 }
 
 // ---- Whatever the input is
