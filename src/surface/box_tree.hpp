@@ -42,6 +42,7 @@ class BoxTree {
   /// The indices of the boxes that meet `box`, ascending.
   void find(const NearBox& box, std::vector<std::uint32_t>& found) const;
   const NearBox& box(std::size_t index) const { return boxes_[index]; }
+  std::size_t size() const { return boxes_.size(); }
 
  private:
   // The boxes order_[first], ..., order_[last - 1]; the first child follows its parent.

@@ -10,7 +10,8 @@ import sys
 
 COLUMNS = [("hull", "cgal"), ("hull", "qhull"), ("filtered", "cgal"), ("float", "cgal"), ("exact", "filtered"),
            ("by-area", "by-volume"), ("by-mean-width", "by-volume"),
-           ("by-area-exact", "by-area"), ("by-mean-width-exact", "by-mean-width"), ("inner", "outer"), ("inner-costs", "outer"), ("shared", "own"), ("union", "nef-union")]
+           ("by-area-exact", "by-area"), ("by-mean-width-exact", "by-mean-width"), ("inner", "outer"), ("inner-costs", "outer"), ("shared", "own"), ("union", "nef-union"),
+           ("filtered", "hacd"), ("filtered", "float"), ("owners", "filtered")]
 
 
 def medians(path):
@@ -25,7 +26,7 @@ def medians(path):
         parts = run["run_name"].removeprefix("overlay/").split("/")
         if len(parts) == 2 and not parts[1].isdigit():
             times.setdefault(parts[0], {})[parts[1]] = run["real_time"]
-            if parts[1] == "filtered":
+            if "bytes_per_facet" in run and parts[1] == "filtered":
                 times[parts[0]]["bytes"] = run["bytes_per_facet"]
     return times
 
