@@ -59,10 +59,12 @@ class ExactConcavity {
   /// its normal, or of the normal of the corner. 0 if it has none.
   [[nodiscard]] IntegerVector3 direction(TriangleId triangle, int k) const;
 
- private:
+  /// By Surface: whether one plane shows that no ray of the triangle is longer than the root of
+  /// `squared`.
   [[nodiscard]] bool is_no_longer(TriangleId triangle, const ConvexPart& hull,
                                   const Rational& squared) const;
 
+ private:
   const Surface* surface_;
   ConcavityMeasure measure_;
   std::vector<IntegerVector3> normals_;  // by triangle, or by point

@@ -123,8 +123,7 @@ Concavity ExactConcavity::operator()(TriangleId triangle, const ConvexPart& hull
   return found;
 }
 
-// Whether one plane shows that no ray of the triangle is longer than the root of `squared`: the
-// plane where the ray from its centroid leaves the hull.
+// The plane is the one where the ray from its centroid leaves the hull.
 bool ExactConcavity::is_no_longer(TriangleId triangle, const ConvexPart& hull,
                                   const Rational& squared) const {
   const IntegerVector3 normal = direction(triangle, 0);

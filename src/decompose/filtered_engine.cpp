@@ -50,12 +50,14 @@ struct Cluster {
 
 // Two neighbouring clusters, first < second, and what is known of their union.
 struct Candidate {
-  LengthBounds concavity;           // of the union; the lower bound holds also while it is stale
-  LengthBounds shape;               // the other term of the cost
-  LengthBounds key;                 // what the queue compares: the cost, or the concavity
-  bool is_fresh = false;            // `concavity` is of the clusters as they are
-  bool is_beyond = false;           // exceeds the limit
-  bool is_narrow = false;           // `key` is as narrow as doubles can be
+  LengthBounds concavity;  // of the union; the lower bound holds also while it is stale
+  LengthBounds shape;      // the other term of the cost
+  LengthBounds key;        // what the queue compares: the cost, or the concavity
+  bool is_fresh = false;   // `concavity` is of the clusters as they are
+  bool is_beyond = false;  // exceeds the limit
+  // Bounds of 128 bits, once it was compared in exact numbers; `key` is as narrow as doubles can
+  // be.
+  std::optional<Enclosure> fine = {};
   std::uint32_t equals = kNoClass;  // candidates of one class have the same key, as is proven
   std::optional<NearCluster> united = {};
   std::optional<MergeCost> exact = {};
@@ -253,10 +255,7 @@ class FilteredEngine {
     }
     cost.doubled_area = RootSum(std::move(areas));
     cost.perimeter = RootSum(std::move(lengths));
-    const Rational unit = scale_by_power_of_two(Rational(1), -2 * near_.exponent());
-    const Enclosure root = sqrt(Enclosure(Rational(cost.squared_concavity * unit), 128));
-    candidate.concavity = {root.low_double(), root.high_double()};
-    candidate.united->concavity = candidate.concavity;
+    candidate.concavity = candidate.united->concavity;
     return cost;
   }
 
@@ -266,13 +265,11 @@ class FilteredEngine {
     Candidate candidate = std::move(candidates_.at(pair));
     leave(pair);
     const MergeCost& cost = exact_cost(pair, candidate);
-    candidate.key = candidate.concavity;
-    if (!by_concavity_) {
-      Enclosure bounds = order_.enclose(cost, 128, options_.watch);
-      bounds *= Enclosure(scale_by_power_of_two(Rational(1), -near_.exponent()), 128);
-      candidate.key = {bounds.low_double(), bounds.high_double()};
-    }
-    candidate.is_narrow = true;
+    candidate.fine = by_concavity_ ? sqrt(Enclosure(cost.squared_concavity, 128))
+                                   : order_.enclose(cost, 128, options_.watch);
+    const Enclosure unit(scale_by_power_of_two(Rational(1), -near_.exponent()), 128);
+    const Enclosure scaled = *candidate.fine * unit;
+    candidate.key = {scaled.low_double(), scaled.high_double()};
     candidate.equals = equals;
     if (equals != kNoClass) {
       Class& of = classes_[equals];
@@ -283,11 +280,13 @@ class FilteredEngine {
     candidates_.insert_or_assign(pair, std::move(candidate));
   }
 
-  Ordering compare(const MergeCost& a, const MergeCost& b) const {
-    if (!by_concavity_) return order_.compare(a, b, options_.watch);
-    if (a.squared_concavity != b.squared_concavity) {
-      return {a.squared_concavity < b.squared_concavity ? Order::Less : Order::Greater};
+  Ordering compare(const Candidate& a, const Candidate& b) const {
+    if (const auto sign = (*a.fine - *b.fine).sign(); sign && *sign != Sign::Zero) {
+      return {*sign == Sign::Negative ? Order::Less : Order::Greater};
     }
+    if (!by_concavity_) return order_.compare(*a.exact, *b.exact, options_.watch);
+    const Rational &x = a.exact->squared_concavity, &y = b.exact->squared_concavity;
+    if (x != y) return {x < y ? Order::Less : Order::Greater};
     return {Order::Equal, TieProof::EqualRationals};
   }
 
@@ -322,13 +321,13 @@ class FilteredEngine {
         it = queue_.upper_bound({rival.key.low, rival.equals, {UINT32_MAX, UINT32_MAX}});
         continue;
       }
-      if (!best.is_narrow || !rival.is_narrow) {
+      if (!best.fine || !rival.fine) {
         for (const ClusterPair& pair : {best_pair, rival_pair}) {
-          if (!candidates_.at(pair).is_narrow) narrow(pair, kNoClass);
+          if (!candidates_.at(pair).fine) narrow(pair, kNoClass);
         }
         return std::nullopt;
       }
-      const Ordering ordering = compare(*best.exact, *rival.exact);
+      const Ordering ordering = compare(best, rival);
       if (ordering.order == Order::Equal || ordering.order == Order::Undecided) {
         join_class(best_pair, rival_pair, ordering);
         return std::nullopt;

@@ -239,17 +239,35 @@ NearCluster NearConcavity::unite(const NearCluster& a, const NearCluster& b, dou
   return both;
 }
 
-bool NearConcavity::lies_in(const NearCluster& cluster, const RayBound& ray) const {
-  const auto& plane = cluster.facets.corners[static_cast<std::size_t>(ray.planes[0])];
+// A plane of the hull that holds the corners of a ray's item, so that the ray leaves at once: first
+// of all the one that bounds it.
+void NearConcavity::look_for_plane_of(const NearFacets& facets, RayBound& ray) const {
   const auto points = surface_->points.doubles();
-  for (const PointId p : corners_of(ray.item)) {
-    if (p == plane[0] || p == plane[1] || p == plane[2]) continue;
-    if (orient3d(points[plane[0].index()], points[plane[1].index()], points[plane[2].index()],
-                 points[p.index()]) != Sign::Zero) {
+  const std::vector<PointId> corners = corners_of(ray.item);
+  const Direction& direction = directions_[ray.item];
+  const auto holds = [&](std::int32_t h) {
+    const NearFacets::Plane& plane = facets.planes[static_cast<std::size_t>(h)];
+    const Point normal(plane.x, plane.y, plane.z);
+    if (normal.dot(direction.unit) <=
+        plane.size * (direction.error + 8 * kUnitRoundoff) + 4 * plane.normal_error) {
       return false;
     }
+    const auto& [a, b, c] = facets.corners[static_cast<std::size_t>(h)];
+    return std::all_of(corners.begin(), corners.end(), [&](PointId p) {
+      if (p == a || p == b || p == c) return true;
+      const double depth = plane.d - normal.dot(points_[p.index()] - facets.origin);
+      return depth <= plane.depth_error &&
+             orient3d(points[a.index()], points[b.index()], points[c.index()], points[p.index()]) ==
+                 Sign::Zero;
+    });
+  };
+  const auto planes = static_cast<std::int32_t>(facets.planes.size());
+  std::int32_t found = ray.planes[0];
+  if (!holds(found)) {
+    for (found = 0; found < planes && !holds(found); ++found) {
+    }
   }
-  return true;
+  if (found < planes) ray = {.item = ray.item, .planes = {found, -1, -1}, .high = 0};
 }
 
 // A ray leaves a flat hull at once, unless it runs along it.
@@ -287,7 +305,7 @@ void NearConcavity::bound_rays(NearCluster& cluster, double limit) const {
     RayBound& ray = cluster.rays[k];
     if (std::isinf(ray.high)) {
       rays_of(ray).bound_quickly(ray);
-      if (ray.high <= kMaybeZero && !is_float_ && lies_in(cluster, ray)) ray.high = 0;
+      if (ray.high <= kMaybeZero && !is_float_) look_for_plane_of(cluster.facets, ray);
     }
     if (ray.high > found.low) longer.push_back(k);
   }
@@ -308,16 +326,17 @@ void NearConcavity::bound_rays(NearCluster& cluster, double limit) const {
 }
 
 // A plane of the hull that the point is beyond, if there is one.
-std::optional<std::size_t> NearConcavity::plane_behind(const NearFacets& facets,
-                                                       const RationalPoint& x) const {
+std::optional<std::int32_t> NearConcavity::plane_behind(const NearFacets& facets,
+                                                        const RationalPoint& x) const {
   Point near;
   for (int k = 0; k < 3; ++k) {
     near[k] = std::ldexp(to_double(x[k], Rounding::Nearest), static_cast<int>(-exponent_));
   }
   const double rounding = 4 * kUnitRoundoff * largest(near) + kTiny;
   near -= facets.origin;
-  for (std::size_t h = 0; h < facets.planes.size(); ++h) {
-    const NearFacets::Plane& plane = facets.planes[h];
+  const auto planes = static_cast<std::int32_t>(facets.planes.size());
+  for (std::int32_t h = 0; h < planes; ++h) {
+    const NearFacets::Plane& plane = facets.planes[static_cast<std::size_t>(h)];
     const double depth = plane.d - (plane.x * near[0] + plane.y * near[1] + plane.z * near[2]);
     if (!is_float_ && depth > 2 * plane.depth_error + plane.size * rounding) continue;
     if (exact_plane(facets, h)(x) > 0) return h;
@@ -325,8 +344,8 @@ std::optional<std::size_t> NearConcavity::plane_behind(const NearFacets& facets,
   return std::nullopt;
 }
 
-Halfspace NearConcavity::exact_plane(const NearFacets& facets, std::size_t plane) const {
-  const auto& [a, b, c] = facets.corners[plane];
+Halfspace NearConcavity::exact_plane(const NearFacets& facets, std::int32_t plane) const {
+  const auto& [a, b, c] = facets.corners[static_cast<std::size_t>(plane)];
   return surface_->points.is_binary()
              ? Halfspace::through(surface_->points.doubles()[a.index()],
                                   surface_->points.doubles()[b.index()],
@@ -334,33 +353,54 @@ Halfspace NearConcavity::exact_plane(const NearFacets& facets, std::size_t plane
              : Halfspace::through(surface_->points[a], surface_->points[b], surface_->points[c]);
 }
 
-// By the planes that bound its rays, and those that they turn out to run through.
-Concavity NearConcavity::exact(const NearFacets& facets, TriangleId triangle,
-                               std::span<const RayBound> rays) const {
+// By the planes that bound its rays, and those that they turn out to run through; nothing if one of
+// these shows that all are shorter than the longest one so far.
+std::optional<Concavity> NearConcavity::exact(const NearFacets& facets, TriangleId triangle,
+                                              std::span<RayBound* const> rays,
+                                              const std::optional<Concavity>& longest) const {
   ConvexPart some;
-  std::vector<std::size_t> used;
-  for (const RayBound& ray : rays) {
-    for (const std::int32_t plane : ray.planes) {
-      if (plane >= 0) used.push_back(static_cast<std::size_t>(plane));
+  std::vector<std::int32_t> used;
+  for (const RayBound* ray : rays) {
+    for (const std::int32_t plane : ray->planes) {
+      if (plane >= 0) used.push_back(plane);
     }
   }
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
-  for (const std::size_t plane : used) some.halfspaces.push_back(exact_plane(facets, plane));
+  for (const std::int32_t plane : used) some.halfspaces.push_back(exact_plane(facets, plane));
+  if (longest && measure_ == ConcavityMeasure::Surface &&
+      exact_.is_no_longer(triangle, some, longest->squared)) {
+    return std::nullopt;
+  }
   for (;;) {
     // With some of the planes rays are at least as long, so the longest one is if it fits.
     Concavity found = exact_(triangle, some);
-    const auto behind = plane_behind(facets, found.leaves);
-    if (!behind) return found;
-    some.halfspaces.push_back(exact_plane(facets, *behind));
+    if (const auto behind = plane_behind(facets, found.leaves)) {
+      used.push_back(*behind);
+      some.halfspaces.push_back(exact_plane(facets, *behind));
+      continue;
+    }
+    if (rays.size() == 1 && used.size() <= 3) {
+      // Other unions will know it as well as a double can.
+      RayBound& ray = *rays.front();
+      ray.high = std::min(ray.high, root_bounds(found.squared).high);
+      ray.planes.fill(-1);
+      std::copy(used.begin(), used.end(), ray.planes.begin());
+    }
+    return found;
   }
 }
 
-Concavity NearConcavity::exact(const NearCluster& cluster, std::span<const TriangleId> triangles,
+LengthBounds NearConcavity::root_bounds(const Rational& squared) const {
+  const Enclosure root = sqrt(Enclosure(scale_by_power_of_two(squared, -2 * exponent_), 64));
+  return {root.low_double(), root.high_double()};
+}
+
+Concavity NearConcavity::exact(NearCluster& cluster, std::span<const TriangleId> triangles,
                                const Watch& watch) const {
   std::optional<ConvexPart> hull;
   std::optional<Concavity> largest;
-  std::vector<RayBound> rays;
+  std::vector<RayBound*> rays;
   for (const TriangleId t : triangles) {
     watch.ask();
     rays.clear();
@@ -370,7 +410,7 @@ Concavity NearConcavity::exact(const NearCluster& cluster, std::span<const Trian
           cluster.rays.begin(), cluster.rays.end(), item,
           [](const RayBound& each, std::uint32_t name) { return each.item < name; });
       if (ray == cluster.rays.end() || ray->item != item) return;
-      rays.push_back(*ray);
+      rays.push_back(&*ray);
       may_be_longest = may_be_longest || ray->high >= cluster.concavity.low;
       is_bounded = is_bounded && ray->planes != RayBound{}.planes;
     };
@@ -381,10 +421,11 @@ Concavity NearConcavity::exact(const NearCluster& cluster, std::span<const Trian
     }
     if (largest && !may_be_longest) continue;
     if (!is_bounded && !hull) hull = convex_part(subset(surface_->points, cluster.extreme));
-    Concavity found = is_bounded ? exact(cluster.facets, t, rays) : exact_(t, *hull);
-    if (!largest || found.squared > largest->squared) largest = std::move(found);
+    const auto found = is_bounded ? exact(cluster.facets, t, rays, largest) : exact_(t, *hull);
+    if (found && (!largest || found->squared > largest->squared)) largest = found;
     if (cluster.concavity.high == 0) break;
   }
+  cluster.concavity = root_bounds(largest->squared);
   return std::move(*largest);
 }
 

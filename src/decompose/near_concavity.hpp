@@ -73,8 +73,10 @@ class NearConcavity {
   [[nodiscard]] NearCluster unite(const NearCluster& a, const NearCluster& b, double limit) const;
 
   /// The exact concavity: the same as ExactConcavity, but without triangles that are certain to
-  /// have shorter rays. @param cluster  Of these triangles, which ascend, as made here.
-  [[nodiscard]] Concavity exact(const NearCluster& cluster, std::span<const TriangleId> triangles,
+  /// have shorter rays.
+  /// @param cluster  Of these triangles, which ascend, as made here. Its bounds become as narrow as
+  ///                 doubles allow.
+  [[nodiscard]] Concavity exact(NearCluster& cluster, std::span<const TriangleId> triangles,
                                 const Watch& watch = {}) const;
 
  private:
@@ -91,12 +93,14 @@ class NearConcavity {
   void find_hull(NearCluster& cluster, const std::vector<PointId>& points) const;
   void bound_rays(NearCluster& cluster, double limit) const;
   void bound_flat_rays(NearCluster& cluster) const;
-  [[nodiscard]] Concavity exact(const NearFacets& facets, TriangleId triangle,
-                                std::span<const RayBound> rays) const;
-  [[nodiscard]] std::optional<std::size_t> plane_behind(const NearFacets& facets,
-                                                        const RationalPoint& x) const;
-  [[nodiscard]] Halfspace exact_plane(const NearFacets& facets, std::size_t plane) const;
-  [[nodiscard]] bool lies_in(const NearCluster& cluster, const RayBound& ray) const;
+  [[nodiscard]] std::optional<Concavity> exact(const NearFacets& facets, TriangleId triangle,
+                                               std::span<RayBound* const> rays,
+                                               const std::optional<Concavity>& longest) const;
+  [[nodiscard]] LengthBounds root_bounds(const Rational& squared) const;
+  [[nodiscard]] std::optional<std::int32_t> plane_behind(const NearFacets& facets,
+                                                         const RationalPoint& x) const;
+  [[nodiscard]] Halfspace exact_plane(const NearFacets& facets, std::int32_t plane) const;
+  void look_for_plane_of(const NearFacets& facets, RayBound& ray) const;
 
   const Surface* surface_;
   ConcavityMeasure measure_;
