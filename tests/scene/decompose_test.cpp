@@ -9,6 +9,7 @@
 #include <cmath>
 #include <random>
 
+#include "assembled_meshes.hpp"
 #include "cells.hpp"
 #include "convexact/verify_parts.hpp"
 #include "expect_error.hpp"
@@ -26,12 +27,6 @@ DecomposeRequest with_fractions() {
 }
 
 // ---- The promise, by definition
-
-std::vector<RationalPoint> points_in(const PointSet& set) {
-  std::vector<RationalPoint> points;
-  for (std::size_t i = 0; i < set.size(); ++i) points.push_back(set[PointId(i)]);
-  return points;
-}
 
 // Whether x lies in the convex polygon, segment or point.
 bool is_in_flat(const std::vector<RationalPoint>& corners, const RationalPoint& x) {
@@ -128,53 +123,12 @@ bool ran(const Decomposition& d, const std::string& name) {
 
 // ---- Shapes
 
-Mesh joined(const std::vector<Mesh>& meshes) {
-  std::vector<RationalPoint> points;
-  Mesh all;
-  for (const Mesh& mesh : meshes) {
-    const auto first = std::uint32_t(points.size());
-    for (const RationalPoint& p : points_in(mesh.points)) points.push_back(p);
-    for (auto polygon : mesh.polygons) {
-      for (auto& corner : polygon) corner += first;
-      all.polygons.push_back(std::move(polygon));
-    }
-  }
-  all.points = PointSet(std::move(points));
-  all.parts = {{"", 0, all.polygons.size()}};
-  return all;
-}
-
-// The hull of points near a sphere.
-Mesh ball(const Point& center, int count) {
-  std::mt19937_64 random(7);
-  const auto coordinate = [&] { return std::ldexp(double(random() >> 11), -52) - 1; };
-  std::vector<Point> points;
-  while (points.size() < std::size_t(count)) {
-    const Point p(coordinate(), coordinate(), coordinate());
-    if (p.norm() > 0.1) points.push_back(center + p / p.norm());
-  }
-  const PointSet set(points);
-  const auto hull = std::get<Hull>(convex_hull(set));
-  Mesh mesh{set, {}, {}};
-  for (std::size_t f = 0; f < hull.facets.size(); ++f) {
-    auto& polygon = mesh.polygons.emplace_back();
-    for (const PointId corner : hull.facets[f]) polygon.push_back(corner.value);
-  }
-  mesh.parts = {{"", 0, mesh.polygons.size()}};
-  return mesh;
-}
-
 // Two unit squares at a right angle, their front sides facing each other.
 Mesh folded_sheet() {
   return {PointSet(
               std::vector<Point>{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 1}, {0, 1, 1}}),
           {{0, 2, 3, 1}, {0, 1, 5, 4}},
           {{"", 0, 2}}};
-}
-
-Mesh mesh_of(std::vector<Point> points, std::vector<std::vector<std::uint32_t>> polygons) {
-  const std::size_t count = polygons.size();
-  return {PointSet(std::move(points)), std::move(polygons), {{"", 0, count}}};
 }
 
 const Box kUnit{{0, 0, 0}, {1, 1, 1}};
