@@ -252,13 +252,13 @@ void NearConcavity::look_for_plane_of(const NearFacets& facets, RayBound& ray) c
         plane.size * (direction.error + 8 * kUnitRoundoff) + 4 * plane.normal_error) {
       return false;
     }
-    const auto& [a, b, c] = facets.corners[static_cast<std::size_t>(h)];
+    const auto& of = facets.corners[static_cast<std::size_t>(h)];
     return std::all_of(corners.begin(), corners.end(), [&](PointId p) {
-      if (p == a || p == b || p == c) return true;
+      if (p == of[0] || p == of[1] || p == of[2]) return true;
       const double depth = plane.d - normal.dot(points_[p.index()] - facets.origin);
       return depth <= plane.depth_error &&
-             orient3d(points[a.index()], points[b.index()], points[c.index()], points[p.index()]) ==
-                 Sign::Zero;
+             orient3d(points[of[0].index()], points[of[1].index()], points[of[2].index()],
+                      points[p.index()]) == Sign::Zero;
     });
   };
   const auto planes = static_cast<std::int32_t>(facets.planes.size());

@@ -78,6 +78,11 @@ class NearConcavity {
   ///                 doubles allow.
   [[nodiscard]] Concavity exact(NearCluster& cluster, std::span<const TriangleId> triangles,
                                 const Watch& watch = {}) const;
+  [[nodiscard]] Concavity exact(std::span<const TriangleId> triangles,
+                                const Watch& watch = {}) const {
+    NearCluster made = cluster(triangles);
+    return exact(made, triangles, watch);
+  }
 
  private:
   /// The direction of the rays of an item: of length 1, each component within `error`.

@@ -122,10 +122,9 @@ class Decomposer {
       std::vector<Concavity> concavities;
       for (const HulledCluster& cluster : clusters_) {
         watch.at(concavities.size(), clusters_.size());
-        concavities.push_back(
-            request_.engine == Engine::Exact
-                ? (*concavity_)(cluster.triangles, cluster.hull, watch)
-                : near.exact(near.cluster(cluster.triangles), cluster.triangles, watch));
+        concavities.push_back(request_.engine == Engine::Exact
+                                  ? (*concavity_)(cluster.triangles, cluster.hull, watch)
+                                  : near.exact(cluster.triangles, watch));
         made_.limit_holds = made_.limit_holds && is_within_limit(concavities.back());
       }
       return concavities;
