@@ -11,6 +11,7 @@
 #include "number/text.hpp"
 #include "oracle/judge.hpp"
 #include "oracle/verdict_report.hpp"
+#include "scene/surface_report.hpp"
 
 namespace convexact {
 namespace {
@@ -19,45 +20,6 @@ using Json = nlohmann::ordered_json;
 using oracle::counted;
 
 // ---- JSON
-
-// Differences may be 0, and then have no certain digit: both ends always, digits if there are any.
-Json bounds_json(const Measured& x) {
-  Json json = {{"low", x.bounds.low_double()}, {"high", x.bounds.high_double()}};
-  if (x.exact) {
-    json["decimal"] = to_decimal(*x.exact, kDigits);
-    json["exact"] = to_string(*x.exact);
-  } else if (const auto decimal = to_decimal(x.bounds, kDigits)) {
-    json["decimal"] = *decimal;
-  }
-  return json;
-}
-
-Json bounds_json(const Enclosure& x) { return bounds_json(Measured{x, std::nullopt}); }
-
-Json surface_json(const Surface& surface) {
-  std::size_t border_edges = 0, branching_edges = 0, turned = 0, reversed = 0, twisted = 0;
-  for (const SurfaceComponent& component : surface.components) {
-    border_edges += component.border_edges;
-    branching_edges += component.branching_edges;
-    turned += component.turned;
-    reversed += component.is_reversed ? 1 : 0;
-    twisted += component.is_orientable ? 0 : 1;
-  }
-  return {{"points", surface.points.size()},
-          {"triangles", surface.triangles.size()},
-          {"components", surface.components.size()},
-          {"closed", surface.is_closed},
-          {"border_edges", border_edges},
-          {"branching_edges", branching_edges},
-          {"turned_triangles", turned},
-          {"reversed_components", reversed},
-          {"not_orientable", twisted},
-          {"contradictions", surface.contradictions},
-          {"flat_triangles", surface.flat_triangles},
-          {"repeated_points", surface.repeated_points},
-          {"unused_points", surface.unused_points},
-          {"bent_faces", surface.fans.size()}};
-}
 
 Json part_json(const JudgedPart& part, const ConvexPart& hull, const Rational& squared_diameter) {
   Json json = {{"name", part.name}, {"dimension", hull.dimension}};
@@ -68,72 +30,42 @@ Json part_json(const JudgedPart& part, const ConvexPart& hull, const Rational& s
 }
 
 Json measures_json(const PartsMeasures& measures) {
-  Json json = {
-      {"surface_area", bounds_json(measures.surface_area)},
-      {"uncovered_area", bounds_json(measures.uncovered_area)},
-      {"uncovered_area_share", bounds_json(measures.uncovered_area / measures.surface_area)},
-      {"union_volume", bounds_json(measures.union_volume)},
-      {"overlap_volume", bounds_json(measures.overlap_volume)}};
+  Json json = {{"surface_area", interval_json(measures.surface_area)},
+               {"uncovered_area", interval_json(measures.uncovered_area)},
+               {"union_volume", interval_json(measures.union_volume)},
+               {"overlap_volume", interval_json(measures.overlap_volume)}};
   if (measures.surface_area.low() > 0) {
-    json["uncovered_area_share"] = bounds_json(measures.uncovered_area / measures.surface_area);
+    json["uncovered_area_share"] = interval_json(measures.uncovered_area / measures.surface_area);
   }
   if (measures.solid_volume) {
-    json["solid_volume"] = bounds_json(*measures.solid_volume);
-    json["uncovered_volume"] = bounds_json(*measures.uncovered_volume);
-    json["excess_volume"] = bounds_json(*measures.excess_volume);
+    json["solid_volume"] = interval_json(*measures.solid_volume);
+    json["uncovered_volume"] = interval_json(*measures.uncovered_volume);
+    json["excess_volume"] = interval_json(*measures.excess_volume);
   }
-  json["surface_to_union"] = bounds_json(measures.surface_to_union);
-  json["union_to_input"] = bounds_json(measures.union_to_input);
+  json["surface_to_union"] = interval_json(measures.surface_to_union);
+  json["union_to_input"] = interval_json(measures.union_to_input);
   return json;
 }
 
 // ---- Text
 
-// "0.0123", or "at most 1e-38" of an interval that may be 0.
-std::string number_text(const Enclosure& x) {
-  constexpr int kFew = 4;
-  if (const auto text = to_decimal(x, kFew)) return *text;
-  if (x.low() <= 0) return x.high() <= 0 ? "0" : fmt::format("at most {:.2g}", x.high_double());
-  return fmt::format("{:.4g} to {:.4g}", x.low_double(), x.high_double());
-}
-
-std::string measured_text(const Measured& x) {
-  return x.exact ? to_decimal(*x.exact, 4) : number_text(x.bounds);
-}
-
-std::string share_text(const Enclosure& part, const Enclosure& whole) {
-  if (whole.low() <= 0) return "";
-  const Enclosure percent = part / whole * Enclosure(Rational(100), whole.precision());
-  return percent.high() <= 0 ? " (0%)" : fmt::format(" ({:.3g}%)", percent.high_double());
-}
-
-std::string surface_text(const Surface& surface) {
-  if (surface.triangles.empty()) return {};
-  std::string text = fmt::format(
-      "{} on {}, {}, {}", counted(surface.triangles.size(), "triangle", "triangles"),
-      counted(surface.points.size(), "point", "points"),
-      counted(surface.components.size(), "component", "components"),
-      surface.is_closed ? "closed: it bounds a solid" : "not closed: it bounds no solid");
-  return verdict_line("surface", text);
-}
-
 std::string measures_text(const PartsMeasures& m, const Rational& squared_diameter) {
   std::string text =
-      verdict_line("uncovered", fmt::format("area {} of {}{}", number_text(m.uncovered_area),
-                                            number_text(m.surface_area),
+      verdict_line("uncovered", fmt::format("area {} of {}{}", interval_text(m.uncovered_area),
+                                            interval_text(m.surface_area),
                                             share_text(m.uncovered_area, m.surface_area)));
   if (m.solid_volume) {
     const Enclosure& solid = m.solid_volume->bounds;
-    text += verdict_line("", fmt::format("volume {} of {}{}", measured_text(*m.uncovered_volume),
-                                         measured_text(*m.solid_volume),
+    text += verdict_line("", fmt::format("volume {} of {}{}", interval_text(*m.uncovered_volume),
+                                         interval_text(*m.solid_volume),
                                          share_text(m.uncovered_volume->bounds, solid)));
     text += verdict_line("excess", fmt::format("volume {}{} of the union outside of the solid",
-                                               measured_text(*m.excess_volume),
+                                               interval_text(*m.excess_volume),
                                                share_text(m.excess_volume->bounds, solid)));
   }
   text += verdict_line("union",
-                       fmt::format("volume {}, parts overlap by {}", measured_text(m.union_volume),
-                                   measured_text(m.overlap_volume)));
+                       fmt::format("volume {}, parts overlap by {}", interval_text(m.union_volume),
+                                   interval_text(m.overlap_volume)));
   const Enclosure diameter = sqrt(Enclosure(squared_diameter, m.surface_area.precision()));
   const auto distance = [&](const Enclosure& x) {
     return fmt::format(
@@ -187,8 +119,11 @@ Json parts_verdict_json(const PartsVerdict& verdict) {
 }
 
 std::string parts_verdict_text(const PartsVerdict& verdict) {
-  std::string text =
-      claims_text(verdict.claims) + surface_text(verdict.surface) + parts_text(verdict);
+  std::string text = claims_text(verdict.claims);
+  if (!verdict.surface.triangles.empty()) {
+    text += verdict_line("surface", surface_text(verdict.surface));
+  }
+  text += parts_text(verdict);
   if (verdict.measures) text += measures_text(*verdict.measures, verdict.squared_diameter);
   for (const std::string& note : verdict.notes) text += verdict_line("note", note);
   return text + verdict_line(verdict.claims);

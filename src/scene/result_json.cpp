@@ -90,6 +90,16 @@ Json stages_json(const std::vector<Stage>& stages) {
   return list;
 }
 
+Json ties_json(const TieTally& ties) {
+  Json json = Json::object();
+  for (const auto& [proof, name] : kTieProofNames) {
+    const std::size_t steps = ties.steps[static_cast<std::size_t>(proof)];
+    if (steps > 0) json[name] = steps;
+  }
+  if (ties.bits > 0) json["bits"] = ties.bits;
+  return json;
+}
+
 namespace {
 
 bool is_reached(StopReason stop) {
@@ -109,17 +119,6 @@ Json kept_json(const std::vector<KeptFacet>& kept) {
 // What doubles cannot prove to be bounded need not be unbounded.
 Json stop_json(StopReason stop, bool is_end_proven) {
   return !is_reached(stop) && !is_end_proven ? "none-certain" : name_of(stop);
-}
-
-// Steps with a tie by their proof; with undecided ones, the bits of enclosures that still overlap.
-Json ties_json(const TieTally& ties) {
-  Json json = Json::object();
-  for (const auto& [proof, name] : kTieProofNames) {
-    const std::size_t steps = ties.steps[static_cast<std::size_t>(proof)];
-    if (steps > 0) json[name] = steps;
-  }
-  if (ties.bits > 0) json["bits"] = ties.bits;
-  return json;
 }
 
 const char* measure_key(CostMeasure measure) {

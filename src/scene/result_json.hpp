@@ -26,6 +26,10 @@ inline constexpr auto kPrecisionNames =
 
 [[nodiscard]] nlohmann::ordered_json stages_json(const std::vector<Stage>& stages);
 
+/// Steps with a tie, by their proof; with undecided ones, the bits of enclosures that still
+/// overlap.
+[[nodiscard]] nlohmann::ordered_json ties_json(const TieTally& ties);
+
 /// One result without its stages.
 [[nodiscard]] nlohmann::ordered_json result_json(const SimplifyResult& result);
 /// All parts of a scene together, without stages.
