@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// written_parts.hpp - the files of a decomposition: read back from their bytes, each part holds
+// every triangle that it owns.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+
+#include "convexact/decompose.hpp"
+
+namespace convexact {
+
+/// A part to be written, of a decomposition of that surface.
+struct WrittenPart {
+  std::string name;
+  const Part* part;
+  const Surface* surface;
+};
+
+/// An OBJ with an object for each part. A segment or a point is a triangle with equal corners.
+/// @param path   For messages.
+/// @throws Error Internal if the bytes lose a part, or a corner of a triangle that it owns.
+[[nodiscard]] std::string proven_parts_obj(std::span<const WrittenPart> parts,
+                                           const std::string& path);
+
+/// A document with these parts under "parts", each with "vertices" and "halfspaces".
+/// @throws Error as proven_parts_obj(); both the hull of the vertices and the halfspaces must hold
+///               what a part owns.
+[[nodiscard]] std::string proven_parts_json(const nlohmann::ordered_json& document,
+                                            std::span<const WrittenPart> parts,
+                                            const std::string& path);
+
+}  // namespace convexact

@@ -1,0 +1,439 @@
+// SPDX-License-Identifier: MIT
+#include "scene/decompose_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "io/json.hpp"
+#include "number/precision.hpp"
+#include "number/text.hpp"
+#include "scene/result_json.hpp"
+#include "scene/surface_report.hpp"
+#include "simplify/trace_json.hpp"
+
+namespace convexact {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+Enclosure root_of(const Rational& square) { return sqrt(Enclosure(square, kMeasureBits)); }
+
+Enclosure percent_of(const Enclosure& length, const Rational& squared_diameter) {
+  if (squared_diameter == 0) return Enclosure(kMeasureBits);  // a single point
+  return Enclosure(Integer(100), kMeasureBits) * length / root_of(squared_diameter);
+}
+
+TieTally ties_of(const Clustering& clustering) {
+  TieTally ties;
+  for (const Merge& merge : clustering.merges) {
+    if (merge.ties > 0) ties.add(merge.tie_evidence);
+  }
+  return ties;
+}
+
+std::size_t merges_beyond(const Clustering& clustering) {
+  return static_cast<std::size_t>(
+      std::count_if(clustering.merges.begin(), clustering.merges.end(),
+                    [](const Merge& merge) { return merge.beyond_limit; }));
+}
+
+// ---- JSON
+
+OrderedJson indices_json(std::span<const TriangleId> triangles) {
+  OrderedJson list = OrderedJson::array();
+  for (const TriangleId t : triangles) list.push_back(t.value);
+  return list;
+}
+
+OrderedJson limit_json(const ConcavityLimit& limit, const Clustering& clustering) {
+  OrderedJson json = {{limit.is_share ? "share" : "length", to_string(limit.value)}};
+  json["squared"] = to_string(clustering.squared_limit);
+  json["bounds"] = interval_json(root_of(clustering.squared_limit));
+  return json;
+}
+
+OrderedJson concavity_json(const Concavity& concavity, const Rational& squared_diameter) {
+  const Enclosure length = root_of(concavity.squared);
+  return {{"squared", to_string(concavity.squared)},
+          {"bounds", interval_json(length)},
+          {"percent", percent_of(length, squared_diameter).high_double()},
+          {"triangle", concavity.triangle.value},
+          {"at", vector_json(concavity.at)},
+          {"leaves", vector_json(concavity.leaves)}};
+}
+
+OrderedJson part_entry(const Part& part, const std::string& name, const Rational& squared_diameter,
+                       DecompositionDetail detail) {
+  OrderedJson json = {{"name", name},
+                      {"form", name_in(kPartFormNames, part.form)},
+                      {"dimension", part.hull.dimension},
+                      {"triangles", part.owns.size()},
+                      {"corners", part.mesh.points.size()},
+                      {"facets", part.faces},
+                      {"status", part.is_within_limit ? "within-eps" : "beyond-eps"},
+                      {"concavity", concavity_json(part.concavity, squared_diameter)}};
+  if (detail == DecompositionDetail::Numbers) return json;
+  json["owns"] = indices_json(part.owns);
+  OrderedJson vertices = OrderedJson::array();
+  for (const Point& p : part.mesh.points.doubles()) vertices.push_back({p.x(), p.y(), p.z()});
+  json["vertices"] = std::move(vertices);
+  json["faces"] = part.mesh.polygons;
+  json["halfspaces"] = part.halfspaces;
+  return json;
+}
+
+// The clusters that a run starts with: triangles, those without area together with the one over
+// their longest edge. By triangle: the lowest one of its cluster.
+std::vector<std::uint32_t> first_clusters(const Decomposition& decomposition) {
+  std::vector<std::uint32_t> lowest(decomposition.surface.triangles.size());
+  for (std::size_t t = 0; t < lowest.size(); ++t) lowest[t] = static_cast<std::uint32_t>(t);
+  const auto find = [&](std::uint32_t t) {
+    while (lowest[t] != t) t = lowest[t] = lowest[lowest[t]];
+    return t;
+  };
+  for (const auto& [flat, over] : decomposition.clustering.united) {
+    const auto [low, high] = std::minmax(find(flat.value), find(over.value));
+    const std::uint32_t kept = low;
+    lowest[high] = kept;
+  }
+  for (std::size_t t = 0; t < lowest.size(); ++t) lowest[t] = find(static_cast<std::uint32_t>(t));
+  return lowest;
+}
+
+// First the clusters of the start, by their lowest triangles, then one for each merge.
+OrderedJson forest_json(const Decomposition& decomposition) {
+  const std::vector<std::uint32_t> lowest = first_clusters(decomposition);
+  std::vector<std::vector<std::uint32_t>> triangles(lowest.size());
+  for (std::size_t t = 0; t < lowest.size(); ++t) {
+    triangles[lowest[t]].push_back(static_cast<std::uint32_t>(t));
+  }
+  OrderedJson nodes = OrderedJson::array();
+  std::vector<std::size_t> node_of(lowest.size());  // by the lowest triangle of a cluster
+  std::vector<bool> is_root(lowest.size());
+  const auto add = [&](std::size_t cluster, const char* key, OrderedJson value) {
+    node_of[cluster] = nodes.size();
+    nodes.push_back({{"node", nodes.size()}, {"parent", nullptr}, {"part", nullptr}});
+    nodes.back()[key] = std::move(value);
+  };
+  for (std::size_t t = 0; t < lowest.size(); ++t) {
+    if (triangles[t].empty()) continue;
+    is_root[t] = true;
+    add(t, "triangles", triangles[t]);
+  }
+  for (const Merge& merge : decomposition.clustering.merges) {
+    const std::size_t kept = merge.kept.index(), gone = merge.gone.index();
+    const std::size_t left = node_of[kept], right = node_of[gone];
+    is_root[gone] = false;
+    add(kept, "children", {left, right});
+    nodes[left]["parent"] = nodes[right]["parent"] = node_of[kept];
+  }
+  for (std::size_t t = 0; t < lowest.size(); ++t) {
+    if (is_root[t]) nodes[node_of[t]]["part"] = decomposition.owner[t];
+  }
+  return nodes;
+}
+
+OrderedJson measured_or_null(const std::optional<Measured>& x) {
+  return x ? interval_json(*x) : OrderedJson(nullptr);
+}
+
+// ---- Text
+
+std::string text_line(const char* label, const std::string& text) {
+  return fmt::format("  {:<12}{}\n", label, text);
+}
+
+std::string number_of(std::size_t count, const char* one, const char* many) {
+  return with_separators(count) + " " + (count == 1 ? one : many);
+}
+
+std::string percent_text(const Rational& percent) { return to_decimal(percent, 6) + "%"; }
+
+std::string percent_text(const Enclosure& percent) {
+  return percent.high() <= 0 ? "0%" : fmt::format("{:.3g}%", percent.high_double());
+}
+
+// A share with its length, or the other way round.
+std::string limit_text(const ConcavityLimit& limit, const Clustering& clustering) {
+  const Enclosure length = root_of(clustering.squared_limit);
+  if (limit.is_share) {
+    return fmt::format("{} of the diameter, a length of {}", percent_text(limit.value * 100),
+                       interval_text(length));
+  }
+  return fmt::format("a length of {}, {} of the diameter", to_decimal(limit.value, 6),
+                     percent_text(percent_of(length, clustering.squared_diameter)));
+}
+
+// Why some cluster is beyond the limit.
+std::string cause_text(const Decomposition& decomposition, const DecomposeRequest& request) {
+  std::vector<std::string> causes;
+  const std::size_t beyond = merges_beyond(decomposition.clustering);
+  if (beyond > 0 && request.max_parts) {
+    causes.push_back(fmt::format("--max-parts {} asked for {} beyond it", *request.max_parts,
+                                 number_of(beyond, "merge", "merges")));
+  }
+  if (!decomposition.flat_merged.empty()) {
+    causes.push_back(
+        fmt::format("{} joined a neighbour",
+                    number_of(decomposition.flat_merged.size(), "flat cluster", "flat clusters")));
+  }
+  return fmt::format("{}", fmt::join(causes, "; "));
+}
+
+std::string limit_line(const Decomposition& decomposition, const DecomposeRequest& request) {
+  const std::string limit = limit_text(request.limit, decomposition.clustering);
+  if (decomposition.limit_holds) {
+    return text_line("limit", "holds: no cluster is more concave than " + limit);
+  }
+  const auto beyond = static_cast<std::size_t>(
+      std::count_if(decomposition.parts.begin(), decomposition.parts.end(),
+                    [](const Part& part) { return !part.is_within_limit; }));
+  return text_line(
+             "limit",
+             fmt::format("not held: {} of {} more concave than {}", beyond,
+                         number_of(decomposition.parts.size(), "part is", "parts are"), limit)) +
+         text_line("", cause_text(decomposition, request));
+}
+
+std::string parts_line(const std::vector<Part>& parts) {
+  std::size_t facets = 0, corners = 0;
+  for (const Part& part : parts) {
+    facets = std::max(facets, part.faces);
+    corners = std::max(corners, part.mesh.points.size());
+  }
+  return text_line("parts", fmt::format("{}, of at most {} and {}", with_separators(parts.size()),
+                                        number_of(facets, "facet", "facets"),
+                                        number_of(corners, "corner", "corners")));
+}
+
+std::string concavity_line(const Decomposition& decomposition, std::span<const std::string> names) {
+  const auto& parts = decomposition.parts;
+  const auto worst = std::max_element(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+    return a.concavity.squared < b.concavity.squared;
+  });
+  if (worst == parts.end()) return "";
+  if (worst->concavity.squared == 0) return text_line("concavity", "0 in every part");
+  const Enclosure length = root_of(worst->concavity.squared);
+  return text_line(
+      "concavity",
+      fmt::format("at most {} ({} of the diameter), in {} at triangle {}", interval_text(length),
+                  percent_text(percent_of(length, decomposition.clustering.squared_diameter)),
+                  names[static_cast<std::size_t>(worst - parts.begin())],
+                  worst->concavity.triangle.value));
+}
+
+std::string merges_line(const Clustering& clustering) {
+  std::string text = with_separators(clustering.merges.size()) + " of two neighbours";
+  const TieTally ties = ties_of(clustering);
+  std::vector<std::string> proofs;
+  std::size_t tied = 0;
+  for (const auto& [proof, name] : kTieProofNames) {
+    const std::size_t merges = ties.steps[static_cast<std::size_t>(proof)];
+    tied += merges;
+    if (merges > 0) proofs.push_back(fmt::format("{} {}", with_separators(merges), name));
+  }
+  if (tied > 0) {
+    text += fmt::format("; in {} several pairs cost the same ({}{}), and the first goes",
+                        with_separators(tied), fmt::join(proofs, ", "),
+                        ties.bits > 0 ? fmt::format("; not told apart by {} bits", ties.bits) : "");
+  }
+  return text_line("merges", text);
+}
+
+// The volumes are of the stored parts. That the surface is covered says nothing about them.
+std::string measures_lines(const DecompositionMeasures& measures) {
+  std::string text;
+  if (measures.solid_volume) {
+    const Enclosure& solid = measures.solid_volume->bounds;
+    text +=
+        text_line("uncovered", fmt::format("volume {} of {}{} of the solid is in no part",
+                                           interval_text(*measures.uncovered_volume),
+                                           interval_text(*measures.solid_volume),
+                                           share_text(measures.uncovered_volume->bounds, solid)));
+    text += text_line("excess", fmt::format("volume {}{} of the parts is outside of the solid",
+                                            interval_text(*measures.excess_volume),
+                                            share_text(measures.excess_volume->bounds, solid)));
+  }
+  return text + text_line("union", fmt::format("volume {}; the parts overlap by {}",
+                                               interval_text(measures.union_volume),
+                                               interval_text(measures.overlap_volume)));
+}
+
+std::string stored_line(const Decomposition& decomposition, Precision precision) {
+  const auto count = [&](PartForm form) {
+    return static_cast<std::size_t>(
+        std::count_if(decomposition.parts.begin(), decomposition.parts.end(),
+                      [&](const Part& part) { return part.form == form; }));
+  };
+  constexpr std::pair<PartForm, const char*> kSaid[] = {
+      {PartForm::Hull, "with corners of the input, bit by bit"},
+      {PartForm::Rounded, "rounded outward"},
+      {PartForm::Simplified, "simplified"},
+      {PartForm::Thickened, "flat, and thickened"},
+      {PartForm::Flat, "flat, and left so"}};
+  std::vector<std::string> forms;
+  for (const auto& [form, said] : kSaid) {
+    if (const std::size_t parts = count(form)) {
+      forms.push_back(fmt::format("{} {}", with_separators(parts), said));
+    }
+  }
+  return text_line("stored", fmt::format("in {}: {}", name_in(kPrecisionNames, precision),
+                                         fmt::join(forms, ", ")));
+}
+
+// What was done to the surface, and what of it may surprise.
+std::string surface_notes(const Surface& surface) {
+  std::size_t turned = 0, reversed = 0;
+  for (const SurfaceComponent& component : surface.components) {
+    turned += component.turned;
+    reversed += component.is_reversed ? 1 : 0;
+  }
+  std::string text;
+  const auto note = [&](std::size_t count, const char* one, const char* many,
+                        const std::string& what) {
+    if (count > 0) text += text_line("note", number_of(count, one, many) + what);
+  };
+  note(turned, "triangle was", "triangles were", " turned; --orient keep turns none");
+  note(reversed, "component was", "components were", " inside out");
+  note(surface.contradictions, "edge joins", "edges join",
+       " triangles that cannot both look outward");
+  note(surface.fans.size(), "face is", "faces are", " not planar: cut as a fan of triangles");
+  note(surface.flat_triangles, "triangle has", "triangles have", " no area");
+  note(surface.unused_points, "point belongs", "points belong",
+       " to no face: nothing is promised of it");
+  return text;
+}
+
+}  // namespace
+
+OrderedJson decomposition_json(const Decomposition& decomposition, const DecomposeRequest& request,
+                               std::span<const std::string> names, DecompositionDetail detail) {
+  const Clustering& clustering = decomposition.clustering;
+  OrderedJson json = {
+      {"decomposition", 1},
+      {"method", "hacd"},
+      {"measure", name_in(kConcavityMeasureNames, request.measure)},
+      {"connect", name_in(kConnectNames, request.connect)},
+      {"engine", name_of(request.engine)},
+      {"concavity", limit_json(request.limit, clustering)},
+      {"max_parts", or_null(request.max_parts)},
+      {"stop", clustering.stopped_by_count ? "max-parts" : "concavity"},
+      {"eps_holds", decomposition.limit_holds},
+      {"covers", "surface"},
+      {"squared_diameter", to_string(clustering.squared_diameter)},
+      {"surface", surface_json(decomposition.surface)},
+      {"merges",
+       {{"count", clustering.merges.size()},
+        {"beyond_eps", merges_beyond(clustering)},
+        {"ties", ties_json(ties_of(clustering))},
+        {"evaluations", clustering.evaluations},
+        {"exact_evaluations", clustering.exact_evaluations}}},
+      {"precision", name_in(kPrecisionNames, request.precision)},
+      {"verified", {{"triangles", decomposition.tested_triangles}, {"violations", 0}}}};
+  if (const auto& measures = decomposition.measures) {
+    json["solid"] = measured_or_null(measures->solid_volume);
+    json["uncovered"] = measured_or_null(measures->uncovered_volume);
+    json["excess"] = measured_or_null(measures->excess_volume);
+    json["union"] = interval_json(measures->union_volume);
+    json["overlap"] = interval_json(measures->overlap_volume);
+  }
+  OrderedJson inner = OrderedJson::array();
+  for (const InnerCluster& cluster : decomposition.inner) {
+    inner.push_back({{"triangle", cluster.lowest.value}, {"part", cluster.part}});
+  }
+  json["inner"] = std::move(inner);
+  json["flat_merged"] = indices_json(decomposition.flat_merged);
+  OrderedJson parts = OrderedJson::array();
+  for (std::size_t k = 0; k < decomposition.parts.size(); ++k) {
+    parts.push_back(
+        part_entry(decomposition.parts[k], names[k], clustering.squared_diameter, detail));
+  }
+  json["parts"] = std::move(parts);
+  if (detail == DecompositionDetail::Numbers) return json;
+  json["face_of"] = decomposition.surface.face;
+  json["tree"] = forest_json(decomposition);
+  return json;
+}
+
+std::string write_lines(const OrderedJson& document) {
+  std::string text = "{";
+  const char* comma = "\n";
+  for (const auto& [key, value] : document.items()) {
+    text += comma + write_json(key) + ": ";
+    comma = ",\n";
+    const bool is_list = value.is_array() && !value.empty() && value[0].is_structured();
+    if (!is_list) {
+      text += write_json(value);
+      continue;
+    }
+    for (std::size_t k = 0; k < value.size(); ++k) {
+      text += (k == 0 ? "[\n  " : ",\n  ") + write_json(value[k]);
+    }
+    text += "\n]";
+  }
+  return text + "\n}\n";
+}
+
+std::string write_decompose_trace(const Decomposition& decomposition,
+                                  const DecomposeRequest& request) {
+  const Surface& surface = decomposition.surface;
+  const Clustering& clustering = decomposition.clustering;
+  OrderedJson points = OrderedJson::array(), triangles = points, united = points, merges = points;
+  for (std::size_t k = 0; k < surface.points.size(); ++k) {
+    points.push_back(vector_json(surface.points[PointId(k)]));
+  }
+  for (const auto& [a, b, c] : surface.triangles) triangles.push_back({a.value, b.value, c.value});
+  for (const auto& [flat, over] : clustering.united) united.push_back({flat.value, over.value});
+  for (const Merge& merge : clustering.merges) {
+    OrderedJson entry = {{"kept", merge.kept.value},
+                         {"gone", merge.gone.value},
+                         {"squared_concavity", or_null(merge.squared_concavity)},
+                         {"cost", nullptr},
+                         {"ties", merge.ties},
+                         {"beyond_limit", merge.beyond_limit}};
+    if (merge.cost) {
+      entry["cost"] = {{"low", merge.cost->low_double()}, {"high", merge.cost->high_double()}};
+    }
+    if (merge.tie_evidence.proof) {
+      entry["tie"] = name_of(*merge.tie_evidence.proof);
+      if (merge.tie_evidence.proof == TieProof::Undecided) entry["bits"] = merge.tie_evidence.bits;
+    }
+    merges.push_back(std::move(entry));
+  }
+  return write_lines({{"decompose_trace", 1},
+                      {"method", "hacd"},
+                      {"measure", name_in(kConcavityMeasureNames, request.measure)},
+                      {"connect", name_in(kConnectNames, request.connect)},
+                      {"orient", name_in(kOrientationNames, request.orient)},
+                      {"engine", name_of(request.engine)},
+                      {"concavity", limit_json(request.limit, clustering)},
+                      {"squared_diameter", to_string(clustering.squared_diameter)},
+                      {"max_parts", or_null(request.max_parts)},
+                      {"stop", clustering.stopped_by_count ? "max-parts" : "concavity"},
+                      {"points", std::move(points)},
+                      {"triangles", std::move(triangles)},
+                      {"united", std::move(united)},
+                      {"merges", std::move(merges)}});
+}
+
+std::string summary(const Decomposition& decomposition, const DecomposeRequest& request,
+                    std::span<const std::string> names) {
+  std::string text = text_line("input", surface_text(decomposition.surface));
+  text += surface_notes(decomposition.surface);
+  text += parts_line(decomposition.parts);
+  if (const std::size_t inner = decomposition.inner.size()) {
+    text += text_line("", number_of(inner, "cluster", "clusters") +
+                              " inside of other parts left out; --keep-inner keeps such parts");
+  }
+  text += concavity_line(decomposition, names) + limit_line(decomposition, request);
+  text += merges_line(decomposition.clustering);
+  text += text_line(
+      "covers", fmt::format("surface: each of {} lies in the part that owns it, tested exactly",
+                            number_of(decomposition.tested_triangles, "triangle", "triangles")));
+  if (decomposition.measures) text += measures_lines(*decomposition.measures);
+  return text + stored_line(decomposition, request.precision);
+}
+
+}  // namespace convexact

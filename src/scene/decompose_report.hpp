@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// decompose_report.hpp - a decomposition for machines (docs/schema/decompose.schema.json), as a
+// trace (docs/schema/decompose-trace.schema.json), and for people.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+
+#include "convexact/decompose.hpp"
+#include "io/names.hpp"
+
+namespace convexact {
+
+inline constexpr auto kConcavityMeasureNames = name_table<ConcavityMeasure>(
+    {{ConcavityMeasure::Surface, "surface"}, {ConcavityMeasure::Vertices, "vertices"}});
+
+inline constexpr auto kConnectNames = name_table<Connect>(
+    {{Connect::Edge, "edge"}, {Connect::Overlap, "overlap"}, {Connect::Touching, "touching"}});
+
+inline constexpr auto kOrientationNames =
+    name_table<Orient>({{Orient::Auto, "auto"}, {Orient::Keep, "keep"}});
+
+inline constexpr auto kFlatPartsNames = name_table<FlatParts>({{FlatParts::Auto, "auto"},
+                                                               {FlatParts::Thicken, "thicken"},
+                                                               {FlatParts::Keep, "keep"},
+                                                               {FlatParts::Merge, "merge"}});
+
+inline constexpr auto kPartFormNames = name_table<PartForm>({{PartForm::Hull, "hull"},
+                                                             {PartForm::Rounded, "rounded"},
+                                                             {PartForm::Simplified, "simplified"},
+                                                             {PartForm::Thickened, "thickened"},
+                                                             {PartForm::Flat, "flat"}});
+
+/// How much of a decomposition its document holds.
+enum class DecompositionDetail {
+  Numbers,  ///< Counts, certificates and measures: its length is that of the list of parts.
+  All,      ///< Also owners, solids and the forest of merges.
+};
+
+/// A decomposition and how it came about, without stages.
+/// @param names  Of the parts.
+[[nodiscard]] nlohmann::ordered_json decomposition_json(const Decomposition& decomposition,
+                                                        const DecomposeRequest& request,
+                                                        std::span<const std::string> names,
+                                                        DecompositionDetail detail);
+
+/// A document with an entry of each top-level list, and every other value, on a line of its own.
+[[nodiscard]] std::string write_lines(const nlohmann::ordered_json& document);
+
+/// Every merge, on the surface that it refers to, so that a program can replay it.
+[[nodiscard]] std::string write_decompose_trace(const Decomposition& decomposition,
+                                                const DecomposeRequest& request);
+
+/// A few lines: the parts, whether the limit holds, what is covered, and what of the solid is not.
+[[nodiscard]] std::string summary(const Decomposition& decomposition,
+                                  const DecomposeRequest& request,
+                                  std::span<const std::string> names);
+
+}  // namespace convexact
