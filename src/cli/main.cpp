@@ -13,6 +13,7 @@ constexpr const char* kFooter =
     "  convexact hull tests/data/spot.obj\n"
     "  convexact simplify tests/data/bunny.obj --faces 18 -o bunny18.obj\n"
     "  convexact verify tests/data/bunny.obj bunny18.obj\n"
+    "  convexact decompose tests/data/spot.obj -o spot_parts.obj\n"
     "  convexact simplify --help\n"
     "\n"
     "Exit codes:\n"
@@ -33,9 +34,9 @@ int main(int argc, char** argv) {
   int exit_code = 0;
   using namespace convexact::cli;
   for (const auto add_to :
-       {add_hull_command, add_simplify_command, add_verify_command, add_diff_command,
-        add_report_command, add_conform_command, add_generate_command, add_shrink_command,
-        add_stress_command, add_query_command}) {
+       {add_hull_command, add_simplify_command, add_decompose_command, add_verify_command,
+        add_diff_command, add_report_command, add_conform_command, add_generate_command,
+        add_shrink_command, add_stress_command, add_query_command}) {
     add_to(program, exit_code);
   }
   try {

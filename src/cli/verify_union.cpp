@@ -12,15 +12,12 @@
 #include "io/json.hpp"
 #include "oracle/parts_verdict.hpp"
 #include "report/parts_picture.hpp"
+#include "scene/decompose_report.hpp"
 #include "scene/result_json.hpp"
 #include "scene/stage_log.hpp"
 
 namespace convexact::cli {
-namespace {
 
-constexpr auto kOrientNames = name_table<Orient>({{Orient::Auto, "auto"}, {Orient::Keep, "keep"}});
-
-// The faces of an input: of halfspaces, the facets of their solid.
 std::variant<Mesh, NotSolid> mesh_of(SceneObject object) {
   if (auto* points = std::get_if<PointSet>(&object.shape)) {
     return Mesh{std::move(*points), std::move(object.polygons), std::move(object.groups)};
@@ -30,8 +27,6 @@ std::variant<Mesh, NotSolid> mesh_of(SceneObject object) {
   auto& polytope = std::get<Polytope>(solid);
   return Mesh{PointSet(std::move(polytope.vertices)), std::move(polytope.facets), {}};
 }
-
-}  // namespace
 
 std::string UnionOptions::foreign_to_one_solid() const {
   return max_parts          ? "--max-parts"
@@ -48,7 +43,7 @@ void add_union_options(CLI::App& command, UnionOptions& options) {
                    "--claims names a claim of parts");
   add_count(command, "--max-parts", options.max_parts, {},
             "with --union: most parts; the other budgets are of each part");
-  add_choice(command, "--orient", options.orient, kOrientNames,
+  add_choice(command, "--orient", options.orient, kOrientationNames,
              "with --union: turn faces of INPUT until its solid comes out right, or keep them as "
              "they are (default: auto)");
   command.add_flag("--exact-volumes", options.exact_volumes,

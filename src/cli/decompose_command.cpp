@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: MIT
+// convexact decompose: a mesh as few convex parts.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "cli/outputs.hpp"
+#include "cli/part_files.hpp"
+#include "cli/verify_union.hpp"
+#include "convexact/decompose.hpp"
+#include "io/json.hpp"
+#include "oracle/written_parts.hpp"
+#include "scene/decompose_report.hpp"
+#include "scene/result_json.hpp"
+
+namespace convexact::cli {
+namespace {
+
+constexpr const char* kDecomposeFooter =
+    "Examples:\n"
+    "  convexact decompose cow.obj -o parts.obj\n"
+    "  convexact decompose cow.obj --concavity 5% --measure vertices -o parts/\n"
+    "  convexact decompose cow.obj --max-parts 8 --faces 24 --names 'UCX_cow_%02d' -o cow_ucx.obj\n"
+    "  convexact decompose cow.obj --engine exact --trace merges.json -o parts.json\n"
+    "  convexact verify cow.obj parts.obj --union\n"
+    "\n"
+    "Every part is the convex hull of a cluster of triangles. The parts hold every triangle, "
+    "tested\n"
+    "on the written numbers. That covers the surface and need not cover the solid: the summary "
+    "says\n"
+    "what of the solid is in no part.\n"
+    "Exit code 0 also where --max-parts or --flat merge leads beyond the concavity allowed; the\n"
+    "summary and \"eps_holds\" say so. 4: INPUT has no face, or all its faces lie in one plane.";
+
+enum class Method { Hacd };
+constexpr auto kMethodNames = name_table<Method>({{Method::Hacd, "hacd"}});
+
+// The files that a run writes. A new kind joins all_paths(), files_of() and the options.
+struct DecomposeFiles {
+  std::vector<std::string> results;  // -o
+  std::string trace;                 // every merge
+
+  std::vector<std::string> all_paths() const {
+    std::vector<std::string> paths = results;
+    if (!trace.empty()) paths.push_back(trace);
+    return paths;
+  }
+};
+
+struct DecomposeArguments {
+  GlobalOptions global;
+  std::string input;
+  SceneOptions scene;
+  DecomposeFiles files;
+  Method method = Method::Hacd;
+  std::string concavity = "3%";
+  std::optional<std::size_t> max_parts, faces, total_faces;
+  ConcavityMeasure measure = ConcavityMeasure::Surface;
+  FlatParts flat = FlatParts::Auto;
+  bool keep_inner = false;
+  Connect connect = Connect::Edge;
+  Orient orient = Orient::Auto;
+  Engine engine = Engine::Filtered;
+  std::string names = "part_%03d";
+  Precision precision = Precision::Binary64;
+  bool exact_volumes = false, no_measures = false;
+};
+
+// "3%" and "0.03d" are shares of the diameter, "0.05" is a length.
+ConcavityLimit parse_limit(const std::string& text) {
+  const bool is_percent = text.ends_with('%'), is_share = is_percent || text.ends_with('d');
+  try {
+    Rational value = parse_rational(text.substr(0, text.size() - (is_share ? 1 : 0)));
+    if (is_percent) value /= 100;
+    if (value >= 0 && (!is_share || value <= 1)) return {std::move(value), is_share};
+  } catch (const Error&) {  // told below
+  }
+  throw Error(ErrorCode::InvalidArgument,
+              "--concavity: expected a share of the diameter from 0 to 1, such as 3% or 0.03d, or "
+              "a length of at least 0, such as 0.05, found " +
+                  in_quotes(text));
+}
+
+DecomposeRequest decompose_request(const DecomposeArguments& options) {
+  if (options.faces && options.total_faces) {
+    throw Error(ErrorCode::InvalidArgument,
+                "--total-faces is for all parts together and --faces for each: name one");
+  }
+  if (options.exact_volumes && options.no_measures) {
+    throw Error(ErrorCode::InvalidArgument,
+                "--exact-volumes asks for volumes and --no-measures for none: name one");
+  }
+  DecomposeRequest request;
+  request.limit = parse_limit(options.concavity);
+  request.max_parts = options.max_parts;
+  request.measure = options.measure;
+  request.connect = options.connect;
+  request.orient = options.orient;
+  request.flat = options.flat;
+  request.keep_inner = options.keep_inner;
+  request.engine = options.engine;
+  request.faces = options.faces;
+  request.total_faces = options.total_faces;
+  request.precision = options.precision;
+  request.measures = !options.no_measures;
+  request.exact_volumes = options.exact_volumes;
+  request.costs = !options.files.trace.empty();
+  request.seed = options.global.seed;
+  return request;
+}
+
+// A decomposition of one object of the input, and the names of its parts.
+struct DecomposedObject {
+  std::string name;
+  Decomposition result;
+  std::vector<std::string> part_names;
+};
+
+using DecomposedObjects = std::vector<DecomposedObject>;
+
+// Parts of several objects begin with the name of theirs, or with its number if one of these names
+// cannot be part of the name of a file and of an object.
+void name_parts(DecomposedObjects& objects, const std::vector<std::string>& object_names,
+                const PartNames& names) {
+  const bool is_plain = std::all_of(object_names.begin(), object_names.end(), is_plain_name);
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    std::string prefix;
+    if (objects.size() > 1) {
+      prefix = (is_plain ? object_names[k] : fmt::format("object_{}", k)) + "_";
+    }
+    for (std::size_t part = 0; part < objects[k].result.parts.size(); ++part) {
+      objects[k].part_names.push_back(prefix + names(part));
+    }
+  }
+}
+
+std::vector<WrittenPart> written_parts(const DecomposedObjects& objects) {
+  std::vector<WrittenPart> parts;
+  for (const DecomposedObject& object : objects) {
+    for (std::size_t k = 0; k < object.result.parts.size(); ++k) {
+      parts.push_back({object.part_names[k], &object.result.parts[k], &object.result.surface});
+    }
+  }
+  return parts;
+}
+
+// Of several objects: their documents under "objects", and all parts together under "parts", each
+// with the number of its object.
+nlohmann::ordered_json document_of(const DecomposedObjects& objects,
+                                   const DecomposeRequest& request, DecompositionDetail detail) {
+  if (objects.size() == 1) {
+    return decomposition_json(objects[0].result, request, objects[0].part_names, detail);
+  }
+  bool holds = true;
+  nlohmann::ordered_json parts = nlohmann::ordered_json::array(), list = parts;
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    nlohmann::ordered_json entry = {{"name", objects[k].name}};
+    entry.update(decomposition_json(objects[k].result, request, objects[k].part_names, detail));
+    for (const nlohmann::ordered_json& part : entry["parts"]) {
+      parts.push_back({{"name", part["name"]}, {"object", k}});
+      parts.back().update(part);
+    }
+    entry.erase("parts");
+    holds = holds && objects[k].result.limit_holds;
+    list.push_back(std::move(entry));
+  }
+  return {{"decomposition", 1},
+          {"eps_holds", holds},
+          {"covers", "surface"},
+          {"objects", list},
+          {"parts", std::move(parts)}};
+}
+
+struct FilesOfParts {
+  OutputFiles files;
+  std::vector<std::string> folders, removed, notes;
+};
+
+std::string in_folder(const std::string& folder, const std::string& file) {
+  return (std::filesystem::path(folder) / file).string();
+}
+
+void add_folder(FilesOfParts& out, const std::string& folder, nlohmann::ordered_json document,
+                const std::vector<WrittenPart>& parts, const std::string& input) {
+  out.folders.push_back(folder);
+  std::set<std::string> written;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const std::string file = parts[k].name + ".obj", path = in_folder(folder, file);
+    document["parts"][k]["file"] = file;
+    written.insert(file);
+    out.files.emplace_back(path, proven_parts_obj(std::span(parts).subspan(k, 1), path));
+    require_other_files({path}, {input});
+  }
+  const std::string path = in_folder(folder, kPartsDocument);
+  require_other_files({path}, {input});
+  out.files.emplace_back(path, proven_parts_json(document, parts, path));
+  const LeftInFolder left = left_in_folder(folder, written, {input});
+  out.removed.insert(out.removed.end(), left.stale.begin(), left.stale.end());
+  for (const std::string& file : left.foreign) {
+    out.notes.push_back(file + " is none of these parts; verify of the folder takes it for one");
+  }
+}
+
+FilesOfParts files_of(const DecomposedObjects& objects, const DecomposeRequest& request,
+                      const DecomposeArguments& options) {
+  FilesOfParts out;
+  const std::vector<WrittenPart> parts = written_parts(objects);
+  for (const std::string& path : options.files.results) {
+    const PartsOutput kind = parts_output_of(path);
+    if (kind == PartsOutput::Obj) {
+      out.files.emplace_back(path, proven_parts_obj(parts, path));
+      continue;
+    }
+    nlohmann::ordered_json document = document_of(objects, request, DecompositionDetail::All);
+    if (kind == PartsOutput::Json) {
+      out.files.emplace_back(path, proven_parts_json(document, parts, path));
+    } else {
+      add_folder(out, path, std::move(document), parts, options.input);
+    }
+  }
+  if (!options.files.trace.empty()) {
+    out.files.emplace_back(options.files.trace, write_decompose_trace(objects[0].result, request));
+  }
+  return out;
+}
+
+std::string answer_of(const DecomposedObjects& objects, const DecomposeRequest& request,
+                      const FilesOfParts& out, const std::vector<Stage>& stages,
+                      const DecomposeArguments& options) {
+  if (options.global.json) {
+    nlohmann::ordered_json document = document_of(objects, request, DecompositionDetail::Numbers);
+    if (objects.size() == 1) document["input"] = objects[0].name;
+    document["files"] = options.files.all_paths();
+    document["removed"] = out.removed;
+    if (!out.notes.empty()) document["notes"] = out.notes;
+    document["stages"] = stages_json(stages);
+    return write_json(document, 2) + "\n";
+  }
+  std::string text;
+  for (const DecomposedObject& object : objects) {
+    text += object.name + "\n" + summary(object.result, request, object.part_names);
+  }
+  for (const std::string& path : options.files.all_paths()) text += "  written     " + path + "\n";
+  for (const std::string& path : out.removed) {
+    text += "  removed     " + path + ", of an earlier run\n";
+  }
+  for (const std::string& note : out.notes) text += "  note        " + note + "\n";
+  if (options.files.all_paths().empty()) {
+    text += "  written     nothing; -o parts.obj keeps the parts\n";
+  }
+  return text + stage_text(stages, options.global.stages);
+}
+
+// Which files a run writes to a folder is known when it ends, and too late for a refusal.
+void require_other_names(const DecomposeArguments& options, const PartNames& names) {
+  const std::filesystem::path input(options.input);
+  if (input.extension() != ".obj" || !names.may_end(input.stem().string())) return;
+  const auto folder = input.has_parent_path() ? input.parent_path() : std::filesystem::path(".");
+  for (const std::string& path : options.files.results) {
+    std::error_code missing;
+    if (parts_output_of(path) != PartsOutput::Folder ||
+        !std::filesystem::equivalent(folder, path, missing)) {
+      continue;
+    }
+    throw Error(ErrorCode::InvalidArgument,
+                "-o " + path +
+                    ": the input lies there and is called as a part may be; name "
+                    "another folder, or other --names");
+  }
+}
+
+int run_decompose(const DecomposeArguments& options) {
+  DecomposeRequest request = decompose_request(options);
+  const PartNames names(options.names);
+  for (const std::string& path : options.files.results) (void)parts_output_of(path);
+  require_other_files(options.files.all_paths(), {options.input});
+  require_other_names(options, names);
+  Progress progress;
+  StageLog log(progress.watch());
+  std::vector<SceneObject> scene =
+      log.run("read", StageKind::Io, [&] { return read_scene({options.input}, options.scene); });
+  if (scene.size() > 1 && !options.files.trace.empty()) {
+    throw Error(ErrorCode::InvalidArgument,
+                "--trace: a trace describes one object, but there are several");
+  }
+  request.watch = progress.watch();
+  DecomposedObjects objects;
+  std::vector<std::string> object_names;
+  for (SceneObject& object : scene) {
+    const std::string name = object.name;
+    object_names.push_back(object.part);
+    const auto made = mesh_of(std::move(object));
+    const auto* reason = std::get_if<NotSolid>(&made);
+    std::optional<DecomposeOutcome> outcome;
+    if (reason == nullptr) {
+      try {
+        outcome = decompose(std::get<Mesh>(made), request);
+      } catch (const Error& error) {
+        if (error.code() == ErrorCode::NoInterior) throw error.in_file(name);
+        throw;
+      }
+      reason = std::get_if<NotSolid>(&*outcome);
+    }
+    if (reason != nullptr) {
+      progress.clear();
+      return report_not_solid(options.global, name, *reason);
+    }
+    objects.push_back({name, std::get<Decomposition>(std::move(*outcome)), {}});
+    log.add(objects.back().result.stages);
+  }
+  name_parts(objects, object_names, names);
+  const FilesOfParts out =
+      log.run("write", StageKind::Io, [&] { return files_of(objects, request, options); });
+  progress.clear();
+  write_parts_together(out.files, out.folders, out.removed,
+                       answer_of(objects, request, out, log.stages(), options));
+  return 0;
+}
+
+}  // namespace
+
+void add_decompose_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<DecomposeArguments>();
+  CLI::App& command = *program.add_subcommand(
+      "decompose", "the surface of a mesh as few convex parts, each the hull of some triangles");
+  command.footer(kDecomposeFooter);
+  command
+      .add_option("INPUT", options->input,
+                  "a mesh (OBJ, OFF, PLY, STL), or halfspaces (JSON, .ine, rows); - is standard "
+                  "input")
+      ->required();
+  add_choice(command, "--method", options->method, kMethodNames,
+             "merge neighbouring triangles, then clusters, by concavity and shape");
+  command
+      .add_option("--concavity", options->concavity,
+                  "how deep a cluster may lie in its hull: a share of the diameter, 3% or 0.03d, "
+                  "or a length, 0.05")
+      ->capture_default_str();
+  add_count(command, "--max-parts", options->max_parts, {1},
+            "merge on beyond the concavity allowed until so many parts are left, at least 1");
+  add_choice(command, "--measure", options->measure, kConcavityMeasureNames,
+             "concavity at every point of the triangles, or at their corners only, as published, "
+             "which sees no notch whose corners all lie on the hull");
+  add_faces(command, options->faces, "how many halfspaces to keep of each part, at least 4");
+  add_count(command, "--total-faces", options->total_faces, {4, std::uint64_t(1) << 32},
+            "how many halfspaces to keep in all parts together, at least 4 for each");
+  add_choice(command, "--flat", options->flat, kFlatPartsNames,
+             "what becomes of clusters in a plane: thicken them, keep polygons, or merge them with "
+             "a neighbour; auto thickens, and refuses an input that is flat as a whole");
+  command.add_flag("--keep-inner", options->keep_inner, "keep parts that lie in another part");
+  add_choice(command, "--connect", options->connect, kConnectNames,
+             "neighbours have a common edge; or also edges that overlap; or also a common point of "
+             "two components");
+  add_choice(command, "--orient", options->orient, kOrientationNames,
+             "turn faces until the solid comes out right, or keep them as they are");
+  add_choice(command, "--engine", options->engine, kEngineNames,
+             "rationals everywhere; the same parts, faster; or doubles that choose, the parts "
+             "still proven");
+  command
+      .add_option("-o,--output", options->files.results,
+                  "file for the parts: .obj with an object for each, .json, or a folder (ends in "
+                  "/) with a file for each; may be repeated")
+      ->expected(1)
+      ->take_all();
+  command
+      .add_option("--names", options->names,
+                  "the name of a part: exactly one %d or %0Nd, which becomes its number")
+      ->capture_default_str();
+  command.add_option("--trace", options->files.trace,
+                     "every merge as JSON, for a program that replays it");
+  add_choice<Precision>(command, "--precision", options->precision,
+                        {{"64", Precision::Binary64}, {"32", Precision::Binary32}},
+                        "the numbers of the parts: binary64, or rounded outward to binary32");
+  command.add_flag("--exact-volumes", options->exact_volumes,
+                   "volumes in JSON as fractions, too, which may be very long");
+  command.add_flag("--no-measures", options->no_measures, "do not measure volumes");
+  add_scene_options(command, options->scene);
+  finish_command(command, options, exit_code, run_decompose);
+  add_stages_option(command, options->global);
+}
+
+}  // namespace convexact::cli
