@@ -29,7 +29,7 @@ void hull(benchmark::State& state, const std::vector<Point>& points) {
   state.counters["facets"] = static_cast<double>(facets);
 }
 
-void check(benchmark::State& state, const std::vector<Point>& points) {
+void certificate(benchmark::State& state, const std::vector<Point>& points) {
   const PointSet set(points);
   const Hull hull = std::get<Hull>(convex_hull(set));
   for (auto _ : state) {
@@ -84,7 +84,7 @@ void register_hull_bench(const std::vector<BenchInput>& inputs) {
   };
   for (const BenchInput& input : inputs) {
     add(input, "hull", hull);
-    add(input, "check", check);
+    add(input, "check", certificate);
 #ifdef CONVEXACT_HAVE_CGAL
     add(input, "cgal", cgal);
 #endif
