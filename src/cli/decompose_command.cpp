@@ -206,8 +206,10 @@ void add_folder(FilesOfParts& out, const std::string& folder, nlohmann::ordered_
 FilesOfParts files_of(const DecomposedObjects& objects, const DecomposeRequest& request,
                       const DecomposeArguments& options) {
   FilesOfParts out;
+  const Watch watch(request.watch.stop);
   const std::vector<WrittenPart> parts = written_parts(objects);
   for (const std::string& path : options.files.results) {
+    watch.ask();
     const PartsOutput kind = parts_output_of(path);
     if (kind == PartsOutput::Obj) {
       out.files.emplace_back(path, proven_parts_obj(parts, path));
@@ -220,9 +222,11 @@ FilesOfParts files_of(const DecomposedObjects& objects, const DecomposeRequest& 
       add_folder(out, path, std::move(document), parts, options.input);
     }
   }
+  watch.ask();
   if (!options.files.trace.empty()) {
     out.files.emplace_back(options.files.trace, write_decompose_trace(objects[0].result, request));
   }
+  watch.ask();
   return out;
 }
 

@@ -64,21 +64,35 @@ OrderedJson concavity_json(const Concavity& concavity, const Rational& squared_d
           {"leaves", vector_json(concavity.leaves)}};
 }
 
-OrderedJson part_entry(const Part& part, const std::string& name, const Rational& squared_diameter,
-                       DecompositionDetail detail) {
-  OrderedJson json = {{"name", name},
-                      {"form", name_in(kPartFormNames, part.form)},
-                      {"dimension", part.hull.dimension},
-                      {"triangles", part.owns.size()},
-                      {"corners", part.mesh.points.size()},
-                      {"facets", part.faces},
-                      {"status", part.is_within_limit ? "within-eps" : "beyond-eps"},
-                      {"concavity", concavity_json(part.concavity, squared_diameter)}};
+// Doubles; of a surface with fractions the fractions that they are, which mean the same to a reader
+// that takes decimals as they are spelled.
+OrderedJson vertices_json(const PointSet& points, bool as_fractions) {
+  OrderedJson vertices = OrderedJson::array();
+  for (const Point& p : points.doubles()) {
+    if (as_fractions) {
+      vertices.push_back(vector_json(to_rational(p)));
+    } else {
+      vertices.push_back({p.x(), p.y(), p.z()});
+    }
+  }
+  return vertices;
+}
+
+OrderedJson part_entry(const Decomposition& decomposition, std::size_t number,
+                       const std::string& name, DecompositionDetail detail) {
+  const Part& part = decomposition.parts[number];
+  OrderedJson json = {
+      {"name", name},
+      {"form", name_in(kPartFormNames, part.form)},
+      {"dimension", part.hull.dimension},
+      {"triangles", part.owns.size()},
+      {"corners", part.mesh.points.size()},
+      {"facets", part.faces},
+      {"status", part.is_within_limit ? "within-eps" : "beyond-eps"},
+      {"concavity", concavity_json(part.concavity, decomposition.clustering.squared_diameter)}};
   if (detail == DecompositionDetail::Numbers) return json;
   json["owns"] = indices_json(part.owns);
-  OrderedJson vertices = OrderedJson::array();
-  for (const Point& p : part.mesh.points.doubles()) vertices.push_back({p.x(), p.y(), p.z()});
-  json["vertices"] = std::move(vertices);
+  json["vertices"] = vertices_json(part.mesh.points, !decomposition.surface.points.is_binary());
   json["faces"] = part.mesh.polygons;
   json["halfspaces"] = part.halfspaces;
   return json;
@@ -347,8 +361,7 @@ OrderedJson decomposition_json(const Decomposition& decomposition, const Decompo
   json["flat_merged"] = indices_json(decomposition.flat_merged);
   OrderedJson parts = OrderedJson::array();
   for (std::size_t k = 0; k < decomposition.parts.size(); ++k) {
-    parts.push_back(
-        part_entry(decomposition.parts[k], names[k], clustering.squared_diameter, detail));
+    parts.push_back(part_entry(decomposition, k, names[k], detail));
   }
   json["parts"] = std::move(parts);
   if (detail == DecompositionDetail::Numbers) return json;

@@ -50,6 +50,10 @@ std::string two_cubes(int apart) {
          obj_text(support::box_mesh(support::box_of({apart, apart, apart})), 9, "right");
 }
 
+std::string point_line(const std::string& x, const std::string& y, const std::string& z) {
+  return "v " + x + " " + y + " " + z + "\n";
+}
+
 json decomposed(const std::string& arguments) {
   const auto ran = run_program("decompose --json " + arguments);
   CAPTURE(arguments);
@@ -272,6 +276,13 @@ TEST_CASE("decompose: components, and what may be joined") {
     CHECK(ran.err.find("--connect touching") != std::string::npos);
     CHECK_FALSE(std::filesystem::exists(out));
   }
+  const json joined =
+      decomposed("--max-parts 1 --connect touching --exact-volumes " + corner + " -o " + out);
+  CHECK(joined["parts"].size() == 1);
+  CHECK(joined["eps_holds"] == false);
+  CHECK(exact(joined["solid"]) == 2);
+  CHECK(exact(joined["union"]) == 4);  // the sum of a cube and its diagonal: four dets of 1
+  CHECK(is_accepted(corner, out));
 }
 
 TEST_CASE("decompose --parts: each object on its own, under its name") {
@@ -311,6 +322,30 @@ TEST_CASE("decompose: fewer faces, fewer bits: the parts hold what they own") {
       for (const double x : vertex) CHECK(double(float(x)) == x);
     }
   }
+}
+
+TEST_CASE("decompose: an input with fractions") {
+  const ScratchFolder scratch;
+  // A cube of side 1/10 with a corner at 1/10: none of its corners but one is a double.
+  std::string text;
+  for (const char* z : {"0.1", "0.2"}) {
+    for (const char* y : {"0.1", "0.2"}) {
+      for (const char* x : {"0.1", "0.2"}) text += point_line(x, y, z);
+    }
+  }
+  for (const auto& face : support::box_faces()) {
+    text += "f";
+    for (const std::uint32_t corner : face) text += " " + std::to_string(corner + 1);
+    text += "\n";
+  }
+  const std::string input = scratch.write("cube.obj", text), list = scratch.file("out.json");
+  const json answer = decomposed("--decimal exact --exact-volumes " + input + " -o " + list);
+  CHECK(answer["parts"][0]["form"] == "rounded");
+  CHECK(exact(answer["solid"]) == Rational(1, 1000));
+  CHECK(exact(answer["excess"]) > 0);
+  CHECK(exact(answer["uncovered"]) == 0);
+  CHECK(parts_document(list)["parts"][0]["vertices"][0][0].is_string());
+  CHECK(is_accepted(input, list, "--decimal exact"));
 }
 
 TEST_CASE("decompose: flat clusters that stay flat") {
