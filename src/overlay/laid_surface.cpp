@@ -117,21 +117,39 @@ void LaidSurface::cut(Arrangement<3>& arrangement, std::vector<ConvexPiece<3>>& 
     }
     pieces = std::move(result);
   }
-  // (2) Along the edges of coplanar ones.
+  // (2) Along the edges of coplanar ones. What one has taken is cut only by those that overlap it.
+  struct Taken {
+    std::uint32_t triangle;
+    std::vector<ConvexPiece<3>> pieces;
+  };
+  std::vector<Taken> taken;
   for (const std::uint32_t t : related.coplanar) {
     const Walls& w = *walls(t);
     std::array<RowId, 3> rows;
     for (std::size_t k = 0; k < 3; ++k) rows[k] = arrangement.add(w.walls[k]);
-    std::vector<ConvexPiece<3>> taken = subtract<3>(arrangement, pieces, rows);
-    if (t >= drop_below) {
-      for (ConvexPiece<3>& piece : taken) pieces.push_back(std::move(piece));
+    Taken own{t, subtract<3>(arrangement, pieces, rows)};
+    for (Taken& earlier : taken) {
+      if (earlier.pieces.empty() || !box(earlier.triangle).meets(box(t))) continue;
+      for (ConvexPiece<3>& piece : subtract<3>(arrangement, earlier.pieces, rows)) {
+        own.pieces.push_back(std::move(piece));
+      }
     }
+    if (t >= drop_below && !own.pieces.empty()) taken.push_back(std::move(own));
+  }
+  for (Taken& own : taken) {
+    for (ConvexPiece<3>& piece : own.pieces) pieces.push_back(std::move(piece));
   }
 }
 
 bool LaidSurface::is_clear(const RationalPoint& x, const Related& related,
                            std::optional<std::size_t>& inside) const {
   const HomogeneousPoint p = homogeneous(x);
+  NearBox near;  // holds the scaled point
+  for (int k = 0; k < 3; ++k) {
+    const Rational scaled = scale_by_power_of_two(x[k], -exponent_);
+    near.low[k] = to_double(scaled, Rounding::Down);
+    near.high[k] = to_double(scaled, Rounding::Up);
+  }
   inside.reset();
   const auto is_on = [&](const Walls& w) {
     return plane_value(w.plane, p) == 0 &&
@@ -139,9 +157,10 @@ bool LaidSurface::is_clear(const RationalPoint& x, const Related& related,
                        [&](const Halfspace& wall) { return plane_value(wall, p) <= 0; });
   };
   for (const std::uint32_t t : related.crossing) {
-    if (is_on(*walls(t))) return false;
+    if (box(t).meets(near) && is_on(*walls(t))) return false;
   }
   for (const std::uint32_t t : related.touching) {
+    if (!box(t).meets(near)) continue;
     if (const Walls* w = walls(t)) {
       if (is_on(*w)) return false;
       continue;
@@ -155,6 +174,7 @@ bool LaidSurface::is_clear(const RationalPoint& x, const Related& related,
     }
   }
   for (const std::uint32_t t : related.coplanar) {
+    if (!box(t).meets(near)) continue;
     const Walls& w = *walls(t);
     bool is_inside = true, is_outside = false;
     for (const Halfspace& wall : w.walls) {
