@@ -2,11 +2,13 @@
 // convexact-check reads a proof and proves a run of convexact again, from it alone, with GMP's
 // numbers and nothing of convexact. A claim that is not proven is refused, with its line. The
 // numbers in parentheses are the steps of docs/proof-format.md, which says why they are a proof.
+// Proofs of decompositions are in decomposition.hpp.
 #include <deque>
 #include <iostream>
 #include <map>
 #include <set>
 
+#include "decomposition.hpp"
 #include "mesh_file.hpp"
 #include "root_sum.hpp"
 #include "text.hpp"
@@ -104,10 +106,7 @@ class Proof {
     }
     read_survivors();
     const std::string stored = read_stored();
-    expect(words_.take_if("end"), "end and its line number");
-    const std::size_t number = words_.id(words_.line() + 1);
-    expect(number == words_.line(), "end and its line number");
-    expect(words_.take().empty(), "nothing after the end");
+    words_.end();
     const auto count = [](std::size_t n, const char* what) { return std::to_string(n) + what; };
     return "proven: " + count(planes_.size(), " planes bound exactly the ") +
            (rows_.empty() ? "hull of " : "input halfspaces, with ") +
@@ -559,6 +558,20 @@ class Proof {
   std::size_t steps_ = 0, evaluations_ = 0, ties_ = 0, kept_ = 0;
 };
 
+// What a proof of any kind proves, and that it is about a mesh file if one is given.
+template <class AnyProof>
+std::string prove(const std::string& bytes, const std::string& mesh) {
+  AnyProof proof(bytes);
+  std::string proven = proof.check();
+  if (!mesh.empty()) proven += proof.require_same(mesh);
+  return proven;
+}
+std::string prove_by_kind(const std::string& bytes, const std::string& mesh) {
+  Words words(bytes);
+  const bool is_decomposition = words.take_if("convexact-proof") && words.take_if("4");
+  return is_decomposition ? prove<DecompositionProof>(bytes, mesh) : prove<Proof>(bytes, mesh);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -569,10 +582,7 @@ int main(int argc, char** argv) {
   check::end_if_memory_is_short();
   try {
     const std::string bytes = bytes_of_file(argv[1]);
-    Proof proof(bytes);
-    std::string proven = proof.check();
-    if (argc == 3) proven += proof.require_same(argv[2]);
-    std::cout << proven;
+    std::cout << prove_by_kind(bytes, argc == 3 ? argv[2] : "");
     return 0;
   } catch (const Failure& failure) {
     std::cerr << "convexact-check: " << failure.where << ": " << failure.what << "\n";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// mesh_file.hpp - the points of a mesh, or the rows of a list of halfspaces, as docs/formats.md has
-// them. Faces, colours and normals are passed over: a point that is misread is a difference to the
-// proof, and so is a point that is missed.
+// mesh_file.hpp - the points of a mesh, its faces where they are asked for, or the rows of a list
+// of halfspaces, as docs/formats.md has them. Colours and normals are passed over: a point that is
+// misread is a difference to the proof, and so is a point that is missed.
 #pragma once
 #include <bit>
 #include <cmath>
@@ -16,8 +16,9 @@ namespace check {
 
 // In the order of the file, each as often as it is there.
 struct MeshFile {
-  bool is_mesh = true;      // points; or else halfspaces
-  std::vector<Row> rows{};  // points as scaled(), halfspaces as primitive()
+  bool is_mesh = true;       // points; or else halfspaces
+  std::vector<Row> rows{};   // points as scaled(), halfspaces as primitive()
+  std::vector<Ids> faces{};  // if asked for: their corners, as positions in rows
 };
 
 // Bytes, line by line: a line ends with LF, CR LF or CR.
@@ -123,9 +124,20 @@ struct PlyElement {
 
 class MeshReader {
  public:
-  MeshReader(const std::string& bytes, Decimals decimals) : bytes_(bytes), decimals_(decimals) {}
+  MeshReader(const std::string& bytes, Decimals decimals, bool with_faces)
+      : bytes_(bytes), decimals_(decimals), with_faces_(with_faces) {}
 
   void read(const std::string& extension) {
+    read_rows_of(extension);
+    for (const Ids& face : file.faces) {
+      for (const std::size_t corner : face) expect(corner < file.rows.size(), "corners of faces");
+    }
+  }
+  MeshFile file;
+  std::string where = "";  // the place of a failure
+
+ private:
+  void read_rows_of(const std::string& extension) {
     file.is_mesh = !is_one_of(extension, {".txt", ".ine"});
     if (extension == ".obj") return read_obj();
     if (extension == ".off") return read_off();
@@ -136,10 +148,6 @@ class MeshReader {
     expect(extension == ".ine", "a name that ends in .obj, .off, .ply, .stl, .xyz, .ine or .txt");
     read_ine();
   }
-  MeshFile file;
-  std::string where = "";  // the place of a failure
-
- private:
   WordList next(Lines& lines) {
     WordList words = lines.next();
     where = "line " + std::to_string(lines.number());
@@ -163,13 +171,29 @@ class MeshReader {
       if (words[0] == "v") {
         expect(words.size() != 6 && words.size() <= 8, "x y z and a colour");
         add_point(words, 1);
+      } else if (with_faces_ && (words[0] == "f" || words[0] == "fo")) {
+        add_obj_face(words);
       } else {
         expect(is_one_of(words[0], others), "a statement such as v or f, found '" + words[0] + "'");
       }
     }
   }
 
-  // A header such as OFF or COFF, the counts behind it or on the next line, a point on each line.
+  // Of each corner the point, before a slash: from 1, or negative and back from the last one.
+  void add_obj_face(const WordList& words) {
+    file.faces.emplace_back();
+    for (std::size_t k = 1; k < words.size(); ++k) {
+      std::string index = words[k].substr(0, words[k].find('/'));
+      const bool is_back = index.starts_with('-');
+      if (is_back) index.erase(0, 1);
+      expect(is_count(index), "the index of a point");
+      const std::size_t number = std::stoul(index);  // 0 is no index, nor is one before the first
+      file.faces.back().push_back(is_back ? file.rows.size() - number : number - 1);
+    }
+  }
+
+  // A header such as OFF or COFF, the counts behind it or on the next line, a point on each line,
+  // a face on each line: the number of its corners, and they.
   void read_off() {
     Lines lines(bytes_, '#');
     WordList words = next(lines);
@@ -179,6 +203,18 @@ class MeshReader {
     if (words.empty()) words = next(lines);
     expect(!words.empty() && is_count(words[0]), "the number of points");
     for (std::size_t count = std::stoul(words[0]); count > 0; --count) add_point(next(lines), 0);
+    if (!with_faces_) return;
+    expect(words.size() > 1 && is_count(words[1]), "the number of faces");
+    for (std::size_t count = std::stoul(words[1]); count > 0; --count) {
+      words = next(lines);
+      expect(!words.empty() && is_count(words[0]) && std::stoul(words[0]) < words.size(),
+             "as many corners as announced");
+      file.faces.emplace_back();
+      for (std::size_t k = 1; k <= std::stoul(words[0]); ++k) {
+        expect(is_count(words[k]), "the index of a point");
+        file.faces.back().push_back(std::stoul(words[k]));
+      }
+    }
   }
 
   // x y z on each line; further numbers are not looked at.
@@ -192,7 +228,10 @@ class MeshReader {
     const BinaryType real{4, BinaryType::Real}, count{4, BinaryType::Unsigned};
     const bool is_binary = bytes_.size() >= 84 && (bytes_.size() - 84) % 50 == 0 &&
                            Binary(bytes_, 80, false).number(count) == (bytes_.size() - 84) / 50;
-    if (!is_binary) return read_text_stl();
+    if (!is_binary) {
+      read_text_stl();
+      return add_stl_faces();
+    }
     for (Binary in(bytes_, 84, false); !in.at_end(); in.take(2)) {
       where = "triangle " + std::to_string(file.rows.size() / 3 + 1);
       in.take(12);
@@ -200,6 +239,12 @@ class MeshReader {
         const Rational x = in.number(real), y = in.number(real), z = in.number(real);
         add_point(x, y, z);
       }
+    }
+    add_stl_faces();
+  }
+  void add_stl_faces() {
+    for (std::size_t p = 0; with_faces_ && p < file.rows.size(); p += 3) {
+      file.faces.push_back({p, p + 1, p + 2});
     }
   }
   void read_text_stl() {
@@ -267,7 +312,16 @@ class MeshReader {
       if (property[0] == "list") {
         const Rational length = number(property[1]);
         expect(length >= 0 && length.get_den() == 1, "the length of a list");
-        for (Rational k = 0; k < length; k += 1) skip(property[2]);
+        const bool is_face = with_faces_ && element.name == "face" &&
+                             is_one_of(property[3], {"vertex_indices", "vertex_index"});
+        if (is_face) file.faces.emplace_back();
+        for (Rational k = 0; k < length; k += 1) {
+          if (is_face) {
+            file.faces.back().push_back(index_of(number(property[2])));
+          } else {
+            skip(property[2]);
+          }
+        }
       } else if (element.name == "vertex" && is_one_of(property[1], {"x", "y", "z"})) {
         axes[property[1]] = number(property[0]);
       } else {
@@ -278,6 +332,11 @@ class MeshReader {
     if (element.name != "vertex") return;
     expect(axes.size() == 3, "a vertex with x, y and z");
     add_point(axes["x"], axes["y"], axes["z"]);
+  }
+
+  static std::size_t index_of(const Rational& number) {
+    expect(number >= 0 && number < 4294967296 && number.get_den() == 1, "the index of a point");
+    return number.get_num().get_ui();
   }
 
   // n1 n2 n3 d on each line.
@@ -320,13 +379,14 @@ class MeshReader {
 
   const std::string& bytes_;
   const Decimals decimals_;
+  const bool with_faces_;
 };
 
 // The end of the file's name tells its format.
 // @throws Failure of exit code 3, with the place.
 inline MeshFile parse_mesh_file(const std::string& bytes, const std::string& path,
-                                Decimals decimals) {
-  MeshReader reader(bytes, decimals);
+                                Decimals decimals, bool with_faces = false) {
+  MeshReader reader(bytes, decimals, with_faces);
   try {
     reader.read(lower_case(path.substr(std::min(path.rfind('.'), path.size()))));
     return reader.file;

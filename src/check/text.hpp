@@ -158,6 +158,13 @@ class Words {
     while (at_number()) list.push_back(id(limit));
     return list;
   }
+  // The number of this line, so that none is missing, and nothing behind it.
+  void end() {
+    expect(take_if("end"), "end and its line number");
+    const std::size_t number = id(line() + 1);
+    expect(number == line(), "end and its line number");
+    expect(take().empty(), "nothing after the end");
+  }
   Rational rational() { return number_of_proof(take()); }
   Row point() { return scaled({rational(), rational(), rational(), 1}); }
   Row direction() { return scaled({rational(), rational(), rational(), 0}); }

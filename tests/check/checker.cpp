@@ -7,10 +7,7 @@
 
 CheckerVerdict check_proof(const std::string& text, const std::string& mesh) {
   try {
-    Proof proof(text);
-    std::string said = proof.check();
-    if (!mesh.empty()) said += proof.require_same(mesh);
-    return {0, said};
+    return {0, prove_by_kind(text, mesh)};
   } catch (const Failure& failure) {
     return {failure.exit_code, failure.where + ": " + failure.what};
   }
@@ -44,4 +41,25 @@ std::optional<std::vector<std::string>> rows_by_checker(const std::string& bytes
   std::sort(rows.begin(), rows.end());
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   return rows;
+}
+
+std::optional<std::vector<std::string>> faces_by_checker(const std::string& bytes,
+                                                         const std::string& path, bool as_spelt) {
+  std::vector<std::string> faces;
+  try {
+    const MeshFile file =
+        check::parse_mesh_file(bytes, path, as_spelt ? Decimals::Spelt : Decimals::Nearest, true);
+    for (const Ids& corners : file.faces) {
+      faces.emplace_back();
+      for (const std::size_t corner : corners) {
+        const Row& p = file.rows[corner];
+        for (std::size_t k = 0; k < 3; ++k) {
+          faces.back() += check::quotient(p[k], p[3]).get_str() + (k == 2 ? ", " : " ");
+        }
+      }
+    }
+  } catch (const Failure&) {
+    return std::nullopt;
+  }
+  return faces;
 }

@@ -24,3 +24,8 @@ int sign_by_checker(const std::vector<std::array<std::string, 2>>& terms);
 /// @param path  Only its extension matters.
 std::optional<std::vector<std::string>> rows_by_checker(const std::string& bytes,
                                                         const std::string& path, bool as_spelt);
+
+/// The faces of a mesh file as the checker reads them: of each the points in a row, "x y z, x y z,
+/// ...", as fractions; none if it refuses the file.
+std::optional<std::vector<std::string>> faces_by_checker(const std::string& bytes,
+                                                         const std::string& path, bool as_spelt);

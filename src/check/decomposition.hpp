@@ -1,0 +1,508 @@
+// SPDX-License-Identifier: MIT
+// decomposition.hpp - proofs of decompositions: clusters of triangles and how concave each is,
+// that no two of them can be one, and convex parts that hold the triangles that they own.
+//
+// The numbers in parentheses are the steps of docs/decomposition-proof.md.
+#pragma once
+#include <map>
+#include <set>
+
+#include "mesh_file.hpp"
+
+namespace check {
+
+class DecompositionProof {
+ public:
+  explicit DecompositionProof(const std::string& bytes) : words_(bytes) {}
+
+  // What is proven, in sentences.
+  // @throws Failure with its line.
+  std::string check() {
+    try {
+      return check_statements();
+    } catch (Failure failure) {
+      failure.where = "line " + std::to_string(words_.line());
+      throw failure;
+    }
+  }
+
+  // (9) The faces are those of a file. Decimals mean the same in all of it.
+  std::string require_same(const std::string& path) const {
+    const std::string bytes = bytes_of_file(path);
+    std::string first;
+    for (const Decimals decimals : {Decimals::Nearest, Decimals::Spelt}) {
+      std::size_t turned = 0;
+      const MeshFile file = parse_mesh_file(bytes, path, decimals, true);
+      const std::string why = difference_to(file, turned);
+      if (why.empty()) {
+        return "proven: the faces are those of " + path + ", " + std::to_string(turned) +
+               " of them turned, decimals as " +
+               (decimals == Decimals::Nearest ? "the nearest doubles\n" : "spelt\n");
+      }
+      if (first.empty()) first = why;
+    }
+    throw Failure{1, "not proven: that the proof is about this file: " + first, path};
+  }
+
+ private:
+  using Corners = std::array<std::size_t, 3>;
+  using IdSet = std::set<std::size_t>;
+  using Pair = std::pair<std::size_t, std::size_t>;  // of points or of clusters
+
+  struct Cluster {
+    Ids triangles;
+    IdSet points;
+    std::vector<Row> planes;  // each holds the points
+    bool has_facets = false;  // the planes bound the hull of the points
+    Rational concavity = 0;   // squared
+    bool has_part = false;
+  };
+
+  static Pair sorted(std::size_t a, std::size_t b) { return {std::min(a, b), std::max(a, b)}; }
+  static std::string count(std::size_t n, const char* what) { return std::to_string(n) + what; }
+
+  std::string check_statements() {
+    expect(
+        words_.take_if("convexact-proof") && words_.take_if("4") && words_.take_if("decomposition"),
+        "convexact-proof 4 decomposition");
+    read_question();
+    read_surface();
+    while (words_.take_if("cluster")) read_cluster();
+    for (const std::size_t c : cluster_of_) require(c != kNone, "a triangle is in no cluster");
+    while (words_.take_if("part")) read_part();
+    for (const std::size_t p : owner_) require(p != kNone, "a triangle has no owner");
+    const std::size_t pairs = read_pairs();
+    words_.end();
+    std::size_t within = 0;
+    for (const Cluster& cluster : clusters_) within += cluster.concavity <= squared_limit_ ? 1 : 0;
+    return "proven: each of " + count(triangles_.size(), " triangles is in one of ") +
+           count(clusters_.size(), " clusters") + (by_edges_ ? ", connected over edges" : "") +
+           "\nproven: each cluster is as concave as stated, " +
+           (at_corners_ ? "at its corners, " : "at all of its points, ") +
+           count(within, " of them within the limit of ") + limit_ +
+           (by_edges_ ? "\nproven: each of " +
+                            count(pairs, " pairs of neighbours is beyond it, as one cluster")
+                      : "\nnot claimed: that clusters are connected, or that neighbours are beyond "
+                        "it, as one cluster") +
+           "\nproven: each triangle lies in its owner, one of " + count(parts_, " convex parts, ") +
+           count(hulls_, " of them exactly hulls of clusters\n");
+  }
+
+  // Which concavity is meant, how much of it is allowed, and what neighbours are.
+  void read_question() {
+    expect(words_.take_if("measure"), "measure");
+    at_corners_ = words_.take_if("vertices");
+    expect(at_corners_ || words_.take_if("surface"), "surface or vertices");
+    expect(words_.take_if("limit"), "limit");
+    limit_is_share_ = words_.take_if("share");
+    expect(limit_is_share_ || words_.take_if("length"), "share or length");
+    const Rational limit = words_.rational();
+    expect(limit >= 0, "a limit that is not negative");
+    limit_ = limit.get_str() + (limit_is_share_ ? " of the diameter" : "");
+    squared_limit_ = limit * limit;
+    expect(words_.take_if("neighbours"), "neighbours");
+    by_edges_ = words_.take_if("edges");
+    expect(by_edges_ || words_.take_if("unclaimed"), "edges or unclaimed");
+  }
+
+  // (1) The points are distinct corners of triangles. So triangles have a common edge if and only
+  // if it has the same ids in both; one with two equal corners has no edge.
+  void read_surface() {
+    std::set<Row> distinct;
+    while (words_.take_if("point")) {
+      points_.push_back(words_.point());
+      require(distinct.insert(points_.back()).second, "a point is repeated");
+    }
+    IdSet used;
+    while (words_.take_if("triangle")) {
+      const Corners t = corners(points_.size());
+      used.insert(t.begin(), t.end());
+      for (std::size_t e = 0; e < 3 && !has_repeats(t); ++e) {
+        at_edge_[sorted(t[e], t[(e + 1) % 3])].push_back(triangles_.size());
+      }
+      triangles_.push_back(t);
+      face_.push_back(words_.id(1000000000));
+    }
+    require(used.size() == points_.size() && !used.empty(), "a point is no corner");
+    if (limit_is_share_) squared_limit_ *= squared_diameter();
+    find_directions();
+    cluster_of_.resize(triangles_.size(), kNone);
+    owner_.resize(triangles_.size(), kNone);
+  }
+  Corners corners(std::size_t limit) {
+    return {words_.id(limit), words_.id(limit), words_.id(limit)};
+  }
+  static bool has_repeats(const Corners& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+  // Of the box of the points.
+  Rational squared_diameter() const {
+    Numbers low{0, 0, 0, 1}, high{0, 0, 0, 1};
+    for (int k = 0; k < 3; ++k) {
+      const auto less = [k](const Row& p, const Row& q) { return p[k] * q[3] < q[k] * p[3]; };
+      const auto [first, last] = std::minmax_element(points_.begin(), points_.end(), less);
+      low[k] = quotient((*first)[k], (*first)[3]);
+      high[k] = quotient((*last)[k], (*last)[3]);
+    }
+    return squared_distance(scaled(low), scaled(high));
+  }
+
+  // The plane through three points, its normal towards where they turn counter-clockwise.
+  static Row plane_of(const Row& a, const Row& b, const Row& c) { return meet(a, c, b); }
+  static bool has_normal(const Row& plane) {
+    return plane[0] != 0 || plane[1] != 0 || plane[2] != 0;
+  }
+
+  // (2) The direction in which concavity is taken, in coprime integers: of a triangle its normal;
+  // of a point the sum of the area vectors around it. Zero if there is none.
+  void find_directions() {
+    std::vector<Numbers> sums(at_corners_ ? points_.size() : 0);
+    for (const Corners& t : triangles_) {
+      const Row &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
+      const Row plane = plane_of(a, b, c);
+      const Integer w = a[3] * b[3] * c[3];
+      const Numbers area{quotient(plane[0], w), quotient(plane[1], w), quotient(plane[2], w), 0};
+      if (!at_corners_) {
+        directions_.push_back(direction(area));
+      } else {
+        for (const std::size_t p : t) {
+          for (std::size_t k = 0; k < 3; ++k) sums[p][k] += area[k];
+        }
+      }
+    }
+    for (const Numbers& sum : sums) directions_.push_back(direction(sum));
+  }
+  static Row direction(const Numbers& v) {
+    const Row row = scaled(v);
+    return has_normal(row) ? primitive(row) : row;
+  }
+
+  // (3) The cluster: each triangle is in one, and its triangles are connected over edges.
+  void read_cluster() {
+    Cluster cluster;
+    cluster.triangles = words_.ids(triangles_.size());
+    for (const std::size_t t : cluster.triangles) {
+      require(cluster_of_[t] == kNone, "a triangle is in a cluster already");
+      cluster_of_[t] = clusters_.size();
+      cluster.points.insert(triangles_[t].begin(), triangles_[t].end());
+    }
+    if (by_edges_) require_connected(cluster);
+    read_planes(cluster);
+    if (words_.take_if("deepest")) {
+      cluster.concavity = read_ray(cluster.triangles, cluster.points);
+    }
+    read_bounds(cluster);
+    clusters_.push_back(cluster);
+  }
+  void require_connected(const Cluster& cluster) const {
+    const std::size_t c = clusters_.size();
+    IdSet reached;
+    Ids next(cluster.triangles.begin(), cluster.triangles.begin() + !cluster.triangles.empty());
+    while (!next.empty()) {
+      const Corners t = triangles_[next.back()];
+      const bool is_new = reached.insert(next.back()).second;
+      next.pop_back();
+      for (std::size_t e = 0; e < 3 && is_new && !has_repeats(t); ++e) {
+        for (const std::size_t other : at_edge_.at(sorted(t[e], t[(e + 1) % 3]))) {
+          if (cluster_of_[other] == c) next.push_back(other);
+        }
+      }
+    }
+    require(!reached.empty() && reached.size() == cluster.triangles.size(),
+            "the cluster is not connected");
+  }
+
+  // (4) Facets are all of the hull's boundary: each has the points on its plane or behind it, one
+  // of them strictly behind; and every edge runs once in each direction.
+  static std::vector<Row> planes_of_hull(const std::vector<Row>& points,
+                                         const std::vector<std::array<Row, 3>>& facets) {
+    std::vector<Row> planes;
+    std::set<std::pair<Row, Row>> edges;
+    for (const auto& [a, b, c] : facets) {
+      const Row plane = plane_of(a, b, c);
+      require(has_normal(plane), "a facet has no normal");
+      bool is_flat = true;
+      for (const Row& p : points) {
+        const Integer side = dot(plane, p);
+        require(side <= 0, "a point is beyond a facet");
+        is_flat = is_flat && side == 0;
+      }
+      require(!is_flat, "the points lie in the plane of a facet");
+      for (const auto& edge : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+        require(edges.insert(edge).second, "two facets lie on the same side of an edge");
+      }
+      planes.push_back(primitive(plane));
+    }
+    require(!facets.empty(), "there are no facets");
+    for (const auto& [from, to] : edges) {
+      require(edges.count({to, from}) == 1, "an edge has a facet on one side only");
+    }
+    return planes;
+  }
+
+  // Facets of the cluster's hull, or else some halfspaces that hold its points.
+  void read_planes(Cluster& cluster) {
+    std::vector<Row> points;
+    for (const std::size_t p : cluster.points) points.push_back(points_[p]);
+    std::vector<std::array<Row, 3>> facets;
+    while (words_.take_if("facet")) {
+      const Corners f = corners(points_.size());
+      for (const std::size_t p : f)
+        require(cluster.points.count(p) == 1, "a corner of no triangle");
+      facets.push_back({points_[f[0]], points_[f[1]], points_[f[2]]});
+    }
+    cluster.has_facets = !facets.empty();
+    if (cluster.has_facets) cluster.planes = planes_of_hull(points, facets);
+    while (words_.take_if("side")) {
+      const Row plane = primitive(scaled(words_.halfspace()));
+      for (const Row& p : points) require(dot(plane, p) <= 0, "a point is beyond a side");
+      cluster.planes.push_back(plane);
+    }
+  }
+
+  // (5) A ray from a point M of the triangles, in the direction there, to a convex combination of
+  // points: so it runs inside of their hull. Its squared length.
+  Rational read_ray(const Ids& triangles, const IdSet& points) {
+    const std::size_t item = words_.id(directions_.size());
+    const bool is_theirs =
+        at_corners_ ? points.count(item) == 1
+                    : std::find(triangles.begin(), triangles.end(), item) != triangles.end();
+    require(is_theirs, "the ray starts elsewhere");
+    Numbers x = at_corners_ ? numbers(points_[item]) : read_place(triangles_[item]);
+    const Rational s = words_.rational();
+    require(s >= 0, "the ray runs inward");
+    const Row& n = directions_[item];
+    for (std::size_t k = 0; k < 3; ++k) x[k] += s * n[k];
+    require(read_combination(points_, points) == x, "the ray ends elsewhere");
+    return s * s * dot3(n, n);
+  }
+  static Numbers numbers(const Row& p) {
+    return {quotient(p[0], p[3]), quotient(p[1], p[3]), quotient(p[2], p[3]), 1};
+  }
+  // a + u (b - a) + w (c - a)
+  Numbers read_place(const Corners& t) {
+    const Rational u = words_.rational(), w = words_.rational();
+    require(u >= 0 && w >= 0 && u + w <= 1, "the ray starts outside of the triangle");
+    const Numbers a = numbers(points_[t[0]]), b = numbers(points_[t[1]]),
+                  c = numbers(points_[t[2]]);
+    Numbers x;
+    for (std::size_t k = 0; k < 4; ++k) x[k] = a[k] + u * (b[k] - a[k]) + w * (c[k] - a[k]);
+    return x;
+  }
+  // A sum of points times weights, none negative; the fourth number is the sum of the weights.
+  Numbers read_combination(const std::vector<Row>& rows, const IdSet& allowed) {
+    Numbers sum;
+    while (words_.at_number()) {
+      const std::size_t p = words_.id(rows.size());
+      require(allowed.count(p) == 1, "a point of the combination is not allowed");
+      const Rational weight = words_.rational();
+      require(weight >= 0, "a weight is negative");
+      const Numbers x = numbers(rows[p]);
+      for (std::size_t k = 0; k < 4; ++k) sum[k] += weight * x[k];
+    }
+    return sum;
+  }
+
+  // (6) No ray from a triangle, or from a corner, is longer than the concavity. A non-negative
+  // combination of planes holds the cluster, too: so a ray from M leaves the hull at that plane at
+  // the latest, after a length that is affine in M, and largest at a corner.
+  void read_bounds(const Cluster& cluster) {
+    IdSet open;
+    if (at_corners_) {
+      open = cluster.points;
+    } else {
+      open.insert(cluster.triangles.begin(), cluster.triangles.end());
+    }
+    for (auto item = open.begin(); item != open.end();) {
+      item = has_normal(directions_[*item]) ? std::next(item) : open.erase(item);
+    }
+    for (;;) {
+      if (words_.take_if("within")) {
+        const Row& plane = cluster.planes[words_.id(cluster.planes.size())];
+        for (const std::size_t item : words_.ids(directions_.size())) {
+          bound(cluster, plane, item, open);
+        }
+      } else if (words_.take_if("combined")) {
+        const std::size_t item = words_.id(directions_.size());
+        bound(cluster, read_combined(cluster), item, open);
+      } else {
+        break;
+      }
+    }
+    require(open.empty(), "the concavity is not bounded everywhere");
+  }
+  Row read_combined(const Cluster& cluster) {
+    Numbers sum;
+    while (words_.at_number()) {
+      const Row& plane = cluster.planes[words_.id(cluster.planes.size())];
+      const Rational factor = words_.rational();
+      require(factor >= 0, "a multiplier is negative");
+      for (std::size_t k = 0; k < 4; ++k) sum[k] += factor * plane[k];
+    }
+    return scaled(sum);
+  }
+  void bound(const Cluster& cluster, const Row& plane, std::size_t item, IdSet& open) const {
+    require(open.erase(item) == 1, "nothing is to be bounded there");
+    const Row& n = directions_[item];
+    const Integer speed = dot3(plane, n);
+    require(speed > 0, "the rays do not run towards the plane");
+    const Corners single{item, item, item};
+    for (const std::size_t corner : at_corners_ ? single : triangles_[item]) {
+      const Row& p = points_[corner];
+      const Rational t = quotient(-dot(plane, p), speed * p[3]);
+      require(t * t * dot3(n, n) <= cluster.concavity, "a ray may be longer than the concavity");
+    }
+  }
+
+  // (7) A part is the hull of its cluster, or of the stored corners; of the latter with facets or,
+  // if it is flat, without. It owns at least the triangles of its cluster, and holds their corners.
+  void read_part() {
+    const std::string form = words_.take();
+    expect(is_one_of(form, {"hull", "stored", "flat"}), "hull, stored or flat");
+    Cluster& cluster = clusters_[words_.id(clusters_.size())];
+    require(!cluster.has_part, "the cluster has a part already");
+    cluster.has_part = true;
+    std::vector<Row> stored, planes;
+    if (form == "hull") {
+      require(cluster.has_facets, "the cluster has no facets");
+      planes = cluster.planes;
+      ++hulls_;
+    }
+    while (form != "hull" && words_.take_if("corner")) stored.push_back(words_.point());
+    if (form == "stored") {
+      std::vector<std::array<Row, 3>> facets;
+      while (words_.take_if("facet")) {
+        const Corners f = corners(stored.size());
+        facets.push_back({stored[f[0]], stored[f[1]], stored[f[2]]});
+      }
+      planes = planes_of_hull(stored, facets);
+    }
+    expect(words_.take_if("owns"), "owns");
+    IdSet held;  // points
+    for (const std::size_t t : words_.ids(triangles_.size())) {
+      require(owner_[t] == kNone, "a triangle has an owner already");
+      owner_[t] = parts_;
+      held.insert(triangles_[t].begin(), triangles_[t].end());
+    }
+    for (const std::size_t t : cluster.triangles) {
+      require(owner_[t] == parts_, "it does not own its cluster");
+    }
+    if (form == "flat") {
+      require_combinations(held, stored);
+    } else {
+      for (const std::size_t p : held) {
+        for (const Row& plane : planes) {
+          require(dot(plane, points_[p]) <= 0, "a triangle reaches out of its owner");
+        }
+      }
+    }
+    ++parts_;
+  }
+  // Each point is a convex combination of the corners: one that is no corner says of which.
+  void require_combinations(const IdSet& points, const std::vector<Row>& stored) {
+    std::set<Row> known(stored.begin(), stored.end());
+    IdSet all;
+    for (std::size_t k = 0; k < stored.size(); ++k) all.insert(k);
+    while (words_.take_if("between")) {
+      const Row& p = points_[words_.id(points_.size())];
+      require(read_combination(stored, all) == numbers(p), "the combination is another point");
+      known.insert(p);
+    }
+    for (const std::size_t p : points) {
+      require(known.count(points_[p]) == 1, "a triangle reaches out of its owner");
+    }
+  }
+
+  // (8) Of every two clusters with a common edge, a ray that is longer than the limit runs inside
+  // of the hull of both. Their number.
+  std::size_t read_pairs() {
+    std::set<Pair> open;
+    for (const auto& [edge, triangles] : at_edge_) {
+      for (const std::size_t s : triangles) {
+        for (const std::size_t t : triangles) {
+          if (by_edges_ && cluster_of_[s] < cluster_of_[t]) {
+            open.insert({cluster_of_[s], cluster_of_[t]});
+          }
+        }
+      }
+    }
+    const std::size_t pairs = open.size();
+    while (words_.take_if("apart")) {
+      const std::size_t a = words_.id(clusters_.size()), b = words_.id(clusters_.size());
+      require(open.erase({a, b}) == 1, "no neighbours, or they are apart already");
+      Ids triangles = clusters_[a].triangles;
+      IdSet points = clusters_[a].points;
+      triangles.insert(triangles.end(), clusters_[b].triangles.begin(),
+                       clusters_[b].triangles.end());
+      points.insert(clusters_[b].points.begin(), clusters_[b].points.end());
+      require(read_ray(triangles, points) > squared_limit_, "the ray is within the limit");
+    }
+    require(open.empty(), "two neighbours may be within the limit together");
+    return pairs;
+  }
+
+  // For (9): each face of the file has the corners of its triangles, and its boundary is theirs.
+  // That means: of the edges of the face and of its triangles each occurs an even number of times.
+  // Empty if so. Counts faces whose triangles run the other way.
+  std::string difference_to(const MeshFile& file, std::size_t& turned) const {
+    if (!file.is_mesh) return "it is of another kind";
+    std::map<Row, std::size_t> ids;
+    for (std::size_t p = 0; p < points_.size(); ++p) ids[points_[p]] = p;
+    struct Face {
+      IdSet corners;
+      std::set<Pair> odd, directed;  // edges; the latter of its triangles
+    };
+    std::vector<Face> faces(file.faces.size());
+    const auto run_along = [](Face& face, std::size_t from, std::size_t to) {
+      if (from == to) return;
+      const Pair edge = sorted(from, to);
+      if (face.odd.erase(edge) == 0) face.odd.insert(edge);
+    };
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      if (face_[t] >= faces.size()) return "it has fewer faces than the proof";
+      Face& face = faces[face_[t]];
+      for (std::size_t e = 0; e < 3; ++e) {
+        const std::size_t from = triangles_[t][e], to = triangles_[t][(e + 1) % 3];
+        face.corners.insert(from);
+        face.directed.insert({from, to});
+        run_along(face, from, to);
+      }
+    }
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const std::string which = "its face " + std::to_string(f + 1);
+      Ids cycle;
+      for (const std::size_t corner : file.faces[f]) {
+        const auto found = ids.find(file.rows[corner]);
+        if (found == ids.end()) return which + " has a corner that is not in the proof";
+        cycle.push_back(found->second);
+      }
+      Face& face = faces[f];
+      bool runs_alike = false, runs_back = false;
+      for (std::size_t k = 0; k < cycle.size(); ++k) {
+        const std::size_t from = cycle[k], to = cycle[(k + 1) % cycle.size()];
+        run_along(face, from, to);
+        runs_alike = runs_alike || face.directed.count({from, to}) == 1;
+        runs_back = runs_back || face.directed.count({to, from}) == 1;
+      }
+      if (face.corners != IdSet(cycle.begin(), cycle.end()) || !face.odd.empty()) {
+        return which + " is not the one of the proof";
+      }
+      turned += runs_back && !runs_alike ? 1 : 0;
+    }
+    return "";
+  }
+
+  static constexpr std::size_t kNone = ~std::size_t{0};
+  Words words_;
+  bool at_corners_ = false, limit_is_share_ = false, by_edges_ = false;
+  std::string limit_;
+  Rational squared_limit_;
+  std::vector<Row> points_;
+  std::vector<Corners> triangles_;
+  Ids face_;                     // of the file, by triangle
+  std::map<Pair, Ids> at_edge_;  // its triangles
+  std::vector<Row> directions_;  // by triangle, or by point
+  std::vector<Cluster> clusters_;
+  Ids cluster_of_, owner_;  // by triangle
+  std::size_t parts_ = 0, hulls_ = 0;
+};
+
+}  // namespace check
