@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// decomposition_proof.hpp - the proof of a decomposition, for convexact-check.
+#pragma once
+#include <string>
+
+#include "convexact/decompose.hpp"
+
+namespace convexact {
+
+/// Writes the proof of a decomposition; docs/decomposition-proof.md has the format and why it
+/// proves what it does. It claims that neighbours cannot be merged, and that clusters are
+/// connected, if only common edges connect triangles; of the float engine only where it is so.
+/// @param request  Of the decomposition.
+/// @throws Error   Internal if there is no proof: then the decomposition was wrong. Stopped, as the
+///                 request's watch says.
+/// @par Cost       Hulls of clusters and of pairs of neighbours, and a product for each triangle
+///                 and facet of these, mostly in doubles; linear programs where these leave it
+///                 open.
+[[nodiscard]] std::string write_decomposition_proof(const Decomposition& made,
+                                                    const DecomposeRequest& request);
+
+}  // namespace convexact
