@@ -389,6 +389,7 @@ class DecompositionProof {
       require_combinations(held, stored);
     } else {
       for (const std::size_t p : held) {
+        if (form == "hull" && cluster.points.count(p) == 1) continue;  // by (4)
         for (const Row& plane : planes) {
           require(dot(plane, points_[p]) <= 0, "a triangle reaches out of its owner");
         }
