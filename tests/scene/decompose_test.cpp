@@ -332,6 +332,27 @@ TEST_CASE("decompose: flat parts are thickened, kept or merged") {
   }
 }
 
+TEST_CASE("decompose: a flat part joins the neighbour with which it is least concave") {
+  // A floor (its two triangles are the lowest) between a wall of height 2 and one of height 1/4:
+  // with the one the concavity is 2, with the other 1, from wall to end of floor.
+  const double q = 0.25;
+  const Mesh mesh = mesh_of(
+      {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {0, 1, 1}, {2, 0, 0}, {2, 0, 1}, {q, 1, 0}, {q, 1, 1}},
+      {{0, 2, 3, 1}, {0, 1, 5, 4}, {3, 2, 6, 7}});
+  DecomposeRequest request = with_fractions();
+  CHECK(decomposed(mesh, request).parts.size() == 3);
+  request.flat = FlatParts::Merge;
+  const Decomposition d = decomposed(mesh, request);
+  CHECK(d.parts.size() == 1);
+  REQUIRE(d.flat_merged.size() == 2);
+  CHECK(d.flat_merged[0] == TriangleId(0));
+  // The high wall is left over, and joins the others next.
+  for (const PointId id : d.surface.triangles[d.flat_merged[1].index()]) {
+    CHECK(d.surface.points[id][1] == 0);
+  }
+  CHECK(d.parts[0].concavity.squared == 4);
+}
+
 TEST_CASE("decompose: a shape in a plane is a part only if that is wanted") {
   for (const auto& [x, y] : {std::pair(1.0, 1.0), std::pair(0.3, 0.7)}) {
     const Mesh square = mesh_of({{0, 0, 0}, {x, 0, y}, {x, 1, y}, {0, 1, 0}}, {{0, 1, 2, 3}});
