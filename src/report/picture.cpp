@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <unordered_map>
 
 #include "convexact/number.hpp"
@@ -43,6 +44,7 @@ class Frame {
     if (size > 0) half_size_ = size / 2;
   }
   Point operator()(const Point& p) const { return (scaled(p) - center_) / half_size_; }
+  Point length(const Point& v) const { return scaled(v) / half_size_; }
 
  private:
   Point scaled(const Point& p) const {
@@ -193,11 +195,49 @@ nlohmann::ordered_json geometry_json(const PictureLayer& layer, const DrawnLayer
   return json;
 }
 
+// Every polygon as a fan, with the polygon of each triangle.
+nlohmann::ordered_json colored_json(const PictureLayer& layer, const Frame& frame) {
+  DrawnLayer drawn;
+  std::vector<std::array<std::uint32_t, 1>> polygon_of;
+  for (const Point& p : layer.points) {
+    const Point place = frame(p) * kGrid;
+    GridPoint& grid = drawn.points.emplace_back();
+    for (int k = 0; k < 3; ++k) grid[k] = static_cast<std::int16_t>(std::lround(place[k]));
+  }
+  for (std::uint32_t f = 0; f < layer.polygons.size(); ++f) {
+    const auto& polygon = layer.polygons[f];
+    for (std::size_t k = 2; k < polygon.size(); ++k) {
+      drawn.triangles.push_back({polygon[0], polygon[k - 1], polygon[k]});
+      polygon_of.push_back({f});
+    }
+  }
+  nlohmann::ordered_json json = geometry_json(layer, drawn);
+  json["polygonOf"] = base64<std::uint32_t>(polygon_of);
+  if (!layer.heat.empty()) {
+    std::vector<std::array<std::uint8_t, 1>> heat;
+    for (const double x : layer.heat) {
+      heat.push_back({static_cast<std::uint8_t>(std::lround(255 * std::clamp(x, 0.0, 1.0)))});
+    }
+    json["heat"] = base64<std::uint8_t>(heat);
+  }
+  if (!layer.merges.empty()) json["merges"] = base64<std::uint32_t>(layer.merges);
+  return json;
+}
+
 // A layer as viewer.js reads it. "turning", if it is there, is a coarser geometry.
 nlohmann::ordered_json layer_json(const PictureLayer& layer, const Frame& frame) {
+  if (layer.has_colors() && layer.polygons.size() <= kMostDrawn) {
+    nlohmann::ordered_json colored = {{"color", layer.color}, {"opacity", layer.opacity}};
+    colored.update(colored_json(layer, frame));
+    return colored;
+  }
   const DrawnLayer drawn = drawn_layer(layer, frame, kMostDrawn);
   nlohmann::ordered_json json = {{"color", layer.color}, {"opacity", layer.opacity}};
   json.update(geometry_json(layer, drawn));
+  if (!layer.away.isZero()) {
+    const Point away = frame.length(layer.away) * kGrid;
+    json["away"] = {std::lround(away[0]), std::lround(away[1]), std::lround(away[2])};
+  }
   if (!layer.edges && std::max(drawn.triangles.size(), drawn.points.size()) > kMostTurning) {
     json["turning"] = geometry_json(layer, drawn_layer(layer, frame, kMostTurning));
   }
@@ -295,6 +335,24 @@ std::string list_entry(const PictureLayer& layer) {
                      escaped_html(layer.name), counts);
 }
 
+// What a reader can change besides the view; viewer.js shows it.
+std::string control_list(const std::vector<PictureLayer>& layers) {
+  constexpr std::string_view kSlider =
+      R"(<label hidden>{} <input type="range" id="{}" min="0" max="{}" value="{}"> )"
+      R"(<output>{}</output></label>)"
+      "\n";
+  bool moves = false;
+  std::size_t steps = 0;
+  for (const PictureLayer& layer : layers) {
+    moves = moves || !layer.away.isZero();
+    steps = std::max(steps, layer.merges.size());
+  }
+  std::string list;
+  if (moves) list += fmt::format(kSlider, "draw parts apart", "apart", 100, 0, "");
+  if (steps > 0) list += fmt::format(kSlider, "merges", "merges", steps, steps, steps);
+  return list;
+}
+
 }  // namespace
 
 void PictureLayer::add(std::span<const Point> more,
@@ -347,6 +405,7 @@ std::string picture_html(const Picture& picture) {
   return fill_page(kViewerPage, {{"TITLE", escaped_html(picture.title)},
                                  {"CAPTION", escaped_html(picture.caption)},
                                  {"LAYERS", list},
+                                 {"CONTROLS", control_list(picture.layers)},
                                  {"DRAWING", static_drawing(picture, frame)},
                                  {"DATA", for_script_element(layers.dump())},
                                  {"STYLE", kViewerStyle},

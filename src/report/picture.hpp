@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // picture.hpp - a page on which shapes can be looked at and turned.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -21,6 +22,17 @@ struct PictureLayer {
   bool shown = true;   ///< When the page opens.
   std::vector<Point> points = {};  ///< Drawn as dots if there are no polygons.
   std::vector<std::vector<std::uint32_t>> polygons = {};  ///< Indices into `points`.
+  /// How far the layer moves, in the scene's units, when a reader draws layers apart.
+  Point away = Point::Zero();
+  /// By polygon, 0 to 1: its colour, from blue to red. Empty: `color`.
+  std::vector<double> heat = {};
+  /// Pairs of polygons whose groups become one, step by step; a group is named by its lowest
+  /// polygon, the lower name first. The page colours groups after as many steps as a reader asks
+  /// for. Empty: `color`.
+  std::vector<std::array<std::uint32_t, 2>> merges = {};
+
+  /// Whether polygons have colours of their own; then they are drawn in full, without edges.
+  bool has_colors() const { return !heat.empty() || !merges.empty(); }
 
   /// Adds a surface, or a cloud of points if there are no polygons.
   void add(std::span<const Point> more, const std::vector<std::vector<std::uint32_t>>& faces);

@@ -31,25 +31,83 @@ function geometryOf(data) {
 // lie a little behind edges at the same place.
 const kVertex = `
   varying vec3 place;
+  varying vec3 shade;
   void main() {
+    #ifdef USE_COLOR
+      shade = color;
+    #else
+      shade = vec3(1.0);
+    #endif
     vec4 seen = modelViewMatrix * vec4(position, 1.0);
     place = seen.xyz;
     gl_Position = projectionMatrix * seen;
   }`;
 const kFragment = `
-  uniform vec3 color;
+  uniform vec3 paint;
   uniform float opacity;
   varying vec3 place;
+  varying vec3 shade;
   void main() {
     vec3 normal = normalize(cross(dFdx(place), dFdy(place)));
     float light = 0.5 + 0.09 * normal.y + 0.6 * max(0.0, dot(normal, vec3(-0.36, 0.58, 0.73)));
-    gl_FragColor = vec4(light * color, opacity);
+    gl_FragColor = vec4(light * paint * shade, opacity);
   }`;
 function faceMaterial(layer, more) {
   return new THREE.ShaderMaterial({vertexShader: kVertex, fragmentShader: kFragment,
-    uniforms: {color: {value: new THREE.Color(layer.color)}, opacity: {value: layer.opacity}},
+    uniforms: {paint: {value: new THREE.Color(layer.color)}, opacity: {value: layer.opacity}},
     side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1, ...more});
 }
+
+// --- polygons with colours of their own ------------------------------------------------------------
+
+// From blue over yellow to red.
+function heatColor(x, color) {
+  const stops = [[0.17, 0.48, 0.71], [1, 1, 0.75], [0.84, 0.1, 0.11]];
+  const k = x < 0.5 ? 0 : 1, rest = 2 * x - k;
+  return color.setRGB(...[0, 1, 2].map(i => stops[k][i] + rest * (stops[k + 1][i] - stops[k][i])));
+}
+// Names that are close get hues that are not: the golden section spreads them.
+function groupColor(name, color) {
+  return color.setHSL(0.618034 * name % 1, 0.55, 0.45 + 0.2 * (0.754878 * name % 1));
+}
+// The name of each polygon's group after so many merges.
+function groupsAfter(merges, steps, count) {
+  const parent = Uint32Array.from({length: count}, (_, k) => k);
+  for (let k = 0; k < 2 * steps; k += 2) parent[merges[k + 1]] = merges[k];
+  // A parent is lower than its child, so one pass in this order leads all to the top.
+  for (let k = 0; k < count; ++k) parent[k] = parent[parent[k]];
+  return parent;
+}
+function coloredGroup(layer) {
+  const geometry = geometryOf(layer).toNonIndexed(), of = numbersOf(layer.polygonOf, Uint32Array);
+  const colors = new THREE.BufferAttribute(new Float32Array(9 * of.length), 3), color = new THREE.Color();
+  geometry.setAttribute("color", colors);
+  const count = of.reduce((most, k) => Math.max(most, k + 1), 0);
+  const paint = colorOf => {
+    of.forEach((polygon, t) => {
+      colorOf(polygon);
+      for (let k = 0; k < 3; ++k) colors.setXYZ(3 * t + k, color.r, color.g, color.b);
+    });
+    colors.needsUpdate = true;
+  };
+  const group = new THREE.Group();
+  group.add(new THREE.Mesh(geometry, faceMaterial({...layer, color: "#ffffff"}, {vertexColors: true})));
+  if (layer.heat) {
+    const heat = numbersOf(layer.heat, Uint8Array);
+    paint(polygon => heatColor(heat[polygon] / 255, color));
+  }
+  if (layer.merges) {
+    const merges = numbersOf(layer.merges, Uint32Array);
+    group.userData.merge = steps => {
+      const names = groupsAfter(merges, Math.min(steps, merges.length / 2), count);
+      paint(polygon => groupColor(names[polygon], color));
+    };
+    group.userData.merge(merges.length / 2);
+  }
+  return group;
+}
+
+// --- surfaces and points ---------------------------------------------------------------------------
 
 // Edges are thin prisms of four sides: WebGL draws lines one pixel wide only.
 function edgesOf(layer, points) {
@@ -81,6 +139,7 @@ function edgesOf(layer, points) {
 // look away, edges, faces in front, edges once more. So edges behind a face are fainter than those in
 // front.
 function groupOf(layer, place) {
+  if (layer.polygonOf) return coloredGroup(layer);
   const group = new THREE.Group(), clear = layer.opacity < 1;
   const geometry = geometryOf(layer), turning = layer.turning ? geometryOf(layer.turning) : geometry;
   const add = (object, order) => {
@@ -110,14 +169,16 @@ function groupOf(layer, place) {
 
 const renderer = new THREE.WebGLRenderer({canvas, context});
 const scene = new THREE.Scene(), camera = new THREE.PerspectiveCamera(30, 1, 0.01, 100);
-let radius = 0;
+let radius = 0, radiusTogether = 0, radiusApart = 0;
 JSON.parse(document.getElementById("picture").textContent).forEach((layer, place) => {
   const group = groupOf(layer, place), box = document.querySelectorAll("#layers input")[place];
   scene.add(group);
   for (const part of group.children) {
     part.geometry.computeBoundingSphere();
     const sphere = part.geometry.boundingSphere;
-    radius = Math.max(radius, sphere.center.length() + sphere.radius);
+    radiusTogether = Math.max(radiusTogether, sphere.center.length() + sphere.radius);
+    group.userData.away = new THREE.Vector3(...(layer.away || [0, 0, 0])).divideScalar(32767);
+    radiusApart = Math.max(radiusApart, sphere.center.clone().add(group.userData.away).length() + sphere.radius);
   }
   group.visible = box.checked;
   box.hidden = false;
@@ -125,6 +186,25 @@ JSON.parse(document.getElementById("picture").textContent).forEach((layer, place
     group.visible = box.checked;
     redraw();
   };
+});
+
+radius = radiusTogether;
+function control(id, act) {
+  const slider = document.getElementById(id);
+  if (!slider) return;
+  slider.parentElement.hidden = false;
+  slider.oninput = () => {
+    act(Number(slider.value));
+    redraw();
+  };
+}
+control("apart", share => {
+  for (const group of scene.children) group.position.copy(group.userData.away).multiplyScalar(share / 100);
+  radius = radiusTogether + Math.max(0, radiusApart - radiusTogether) * share / 100;
+});
+control("merges", steps => {
+  document.querySelector("#merges + output").textContent = steps;
+  for (const group of scene.children) group.userData.merge?.(steps);
 });
 
 // --- turning and zooming -------------------------------------------------------------------------
