@@ -275,6 +275,23 @@ void require_other_names(const DecomposeArguments& options, const PartNames& nam
   }
 }
 
+// decompose(), with the name of the object in errors about it. The stored formats name exact
+// integers as a way out, which parts do not have.
+DecomposeOutcome decompose_object(const std::string& name, const Mesh& mesh,
+                                  const DecomposeRequest& request) {
+  try {
+    return decompose(mesh, request);
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::NoInterior) throw error.in_file(name);
+    if (error.code() != ErrorCode::Unrepresentable) throw;
+    const std::string what = error.what();
+    const bool is_narrow = request.precision == Precision::Binary32;
+    throw Error(error.code(), what.substr(0, what.find("; exact integers")) +
+                                  (is_narrow ? "; --precision 64 holds more" : ""))
+        .in_file(name);
+  }
+}
+
 int run_decompose(const DecomposeArguments& options) {
   DecomposeRequest request = decompose_request(options);
   const PartNames names(options.names);
@@ -299,12 +316,7 @@ int run_decompose(const DecomposeArguments& options) {
     const auto* reason = std::get_if<NotSolid>(&made);
     std::optional<DecomposeOutcome> outcome;
     if (reason == nullptr) {
-      try {
-        outcome = decompose(std::get<Mesh>(made), request);
-      } catch (const Error& error) {
-        if (error.code() == ErrorCode::NoInterior) throw error.in_file(name);
-        throw;
-      }
+      outcome = decompose_object(name, std::get<Mesh>(made), request);
       reason = std::get_if<NotSolid>(&*outcome);
     }
     if (reason != nullptr) {

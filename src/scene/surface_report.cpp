@@ -28,8 +28,8 @@ nlohmann::ordered_json interval_json(const Enclosure& x) {
 std::string interval_text(const Enclosure& x) {
   constexpr int kFew = 4;
   if (const auto text = to_decimal(x, kFew)) return *text;
-  if (x.low() <= 0) return x.high() <= 0 ? "0" : fmt::format("at most {:.2g}", x.high_double());
-  return fmt::format("{:.4g} to {:.4g}", x.low_double(), x.high_double());
+  if (x.low() <= 0) return x.high() <= 0 ? "0" : "at most " + to_decimal(x.high(), 2);
+  return to_decimal(x.low(), kFew) + " to " + to_decimal(x.high(), kFew);
 }
 
 std::string interval_text(const Measured& x) {

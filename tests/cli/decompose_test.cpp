@@ -348,6 +348,43 @@ TEST_CASE("decompose: an input with fractions") {
   CHECK(is_accepted(input, list, "--decimal exact"));
 }
 
+TEST_CASE("decompose: coordinates at the ends of the formats") {
+  const ScratchFolder scratch;
+  const auto tetrahedron = [&](const std::string& side) {
+    return scratch.write("t.obj", "v 0 0 0\nv " + side + " 0 0\nv 0 " + side + " 0\nv 0 0 " + side +
+                                      "\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  };
+  const std::string out = scratch.file("out.json");
+  for (const char* side : {"1.7e308", "5e-324"}) {
+    CAPTURE(side);
+    const std::string input = tetrahedron(side);
+    CHECK(decomposed(input + " -o " + out)["parts"].size() == 1);
+    CHECK(parts_document(out)["parts"][0]["form"] == "hull");
+    CHECK(is_accepted(input, out));
+    CHECK(run_program("decompose " + input).out.find("inf") == std::string::npos);
+  }
+  const auto narrow = run_program("decompose --precision 32 " + tetrahedron("1e39"));
+  CHECK(narrow.exit == 5);
+  CHECK(narrow.err.find("binary32 cannot hold the result") != std::string::npos);
+  CHECK(narrow.err.find("--precision 64") != std::string::npos);
+  CHECK(narrow.err.find("exact integers") == std::string::npos);
+}
+
+TEST_CASE("decompose: every engine proves its parts; exact and filtered have the same ones") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("ring.obj", obj_of_cells(support::ring_cells()));
+  std::map<std::string, json> documents;
+  for (const char* engine : {"exact", "filtered", "float"}) {
+    const std::string out = scratch.file(std::string(engine) + ".json");
+    decomposed(input + " --engine " + engine + " -o " + out);
+    CHECK(is_accepted(input, out));
+    documents[engine] = parts_document(out);
+  }
+  CHECK(documents["exact"]["parts"] == documents["filtered"]["parts"]);
+  CHECK(documents["exact"]["tree"] == documents["filtered"]["tree"]);
+  CHECK(documents["exact"]["merges"]["ties"] == documents["filtered"]["merges"]["ties"]);
+}
+
 TEST_CASE("decompose: flat clusters that stay flat") {
   const ScratchFolder scratch;
   // Two triangles of a square, a segment, and a point, in planes of their own.
