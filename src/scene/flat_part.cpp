@@ -2,8 +2,11 @@
 #include "scene/flat_part.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "number/arithmetic.hpp"
 #include "scene/inner_part.hpp"

@@ -544,6 +544,118 @@ TEST_CASE("decompose: what the format cannot hold is refused") {
 
 // ---- Whatever the input is
 
+TEST_CASE("decompose: solids are those of winding numbers") {
+  const auto reversed = [](Mesh mesh) {
+    for (auto& polygon : mesh.polygons) std::reverse(polygon.begin(), polygon.end());
+    return mesh;
+  };
+  const Mesh crossing =
+      joined({box_mesh({{0, 0, 0}, {2, 2, 2}}), box_mesh({{1, 1, 1}, {3, 3, 3}})});
+  const Mesh hollow =
+      joined({box_mesh({{0, 0, 0}, {3, 3, 3}}), reversed(box_mesh({{1, 1, 1}, {2, 2, 2}}))});
+  for (const bool is_turned : {false, true}) {
+    const Mesh cubes = is_turned ? reversed(crossing) : crossing;
+    const Decomposition two = decomposed(cubes);
+    CHECK(two.parts.size() == 2);
+    check_volumes(two, 15, 0, 0);
+    CHECK(two.measures->overlap_volume.exact == Rational(1));
+    check_verdict(cubes, two);
+    // The six walls of the cavity look at each other, and lie in the hull of the box.
+    const Mesh shell = is_turned ? reversed(hollow) : hollow;
+    const Decomposition filled = decomposed(shell);
+    CHECK(filled.parts.size() == 1);
+    CHECK(filled.inner.size() == 6);
+    check_volumes(filled, 26, 0, 1);
+    DecomposeRequest request = with_fractions();
+    request.keep_inner = true;
+    const Decomposition all = decomposed(shell, request);
+    CHECK(all.parts.size() == 7);
+    CHECK(std::count_if(all.parts.begin(), all.parts.end(),
+                        [](const Part& part) { return part.form == PartForm::Thickened; }) == 6);
+  }
+}
+
+TEST_CASE("decompose: surfaces that bound nothing, or badly") {
+  const std::vector<std::vector<std::uint32_t>> faces = box_faces();
+  const std::vector<std::vector<std::uint32_t>> no_lid(faces.begin(), faces.end() - 1);
+  const Mesh tetrahedron = mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                   {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
+  const Mesh opposite = mesh_of({{0, 0, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
+                                {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}});
+  const double thin = 1e-16;
+  struct Case {
+    const char* name;
+    Mesh mesh;
+    bool is_closed;
+  };
+  const std::vector<Case> cases = {
+      {"Moebius strip",
+       mesh_of({{0, 0, 0}, {4, 0, 1}, {5, 3, 0}, {2, 5, 2}, {-1, 3, 1}},
+               {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}}),
+       false},
+      {"box without a lid", mesh_of(box_corners(kUnit), no_lid), false},
+      {"two tetrahedra at a point", joined({tetrahedron, opposite}), true},
+      {"the same box twice", joined({box_mesh(kUnit), box_mesh(kUnit)}), true},
+      {"four triangles at an edge",
+       mesh_of({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}},
+               {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {0, 1, 5}}),
+       false},
+      {"slivers",
+       mesh_of({{0, 0, 0}, {1, 0, 0}, {1, thin, 0}, {0, 0, 1}, {1, 0, thin}},
+               {{0, 1, 2}, {0, 1, 4}, {1, 2, 4}, {0, 2, 3}}),
+       false},
+      {"a T-junction",
+       mesh_of({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {1, 0, 0}, {1, 0, 2}, {0, 0, 2}},
+               {{0, 1, 2}, {0, 5, 3}, {3, 4, 1}}),
+       false},
+  };
+  for (const Case& c : cases) {
+    CAPTURE(c.name);
+    for (const FlatParts flat : {FlatParts::Auto, FlatParts::Keep, FlatParts::Merge}) {
+      DecomposeRequest request = with_fractions();
+      request.flat = flat;
+      const Decomposition d = decomposed(c.mesh, request);
+      CHECK(d.surface.is_closed == c.is_closed);
+      CHECK(d.measures->solid_volume.has_value() == c.is_closed);
+      CHECK(d.measures->uncovered_volume.has_value() == c.is_closed);
+      CHECK(d.measures->excess_volume.has_value() == c.is_closed);
+      const bool has_flat = std::any_of(d.parts.begin(), d.parts.end(), [](const Part& part) {
+        return part.form == PartForm::Flat;
+      });
+      if (!has_flat) check_verdict(c.mesh, d);
+      if (flat != FlatParts::Keep) CHECK(!has_flat);
+    }
+  }
+}
+
+TEST_CASE("decompose: the order of points, faces and corners does not matter") {
+  const Mesh mesh = joined({mesh_of_cells(ring_cells()), ball(Point(8, 0, 0), 20)});
+  const Decomposition first = decomposed(mesh);
+  std::mt19937_64 random(3);
+  for (int round = 0; round < 5; ++round) {
+    std::vector<std::uint32_t> place(mesh.points.size());
+    for (std::uint32_t k = 0; k < place.size(); ++k) place[k] = k;
+    for (std::size_t k = place.size(); k-- > 1;) std::swap(place[k], place[random() % (k + 1)]);
+    std::vector<Point> points(place.size());
+    for (std::size_t k = 0; k < place.size(); ++k) points[place[k]] = mesh.points.doubles()[k];
+    auto polygons = mesh.polygons;
+    for (auto& polygon : polygons) {
+      for (auto& corner : polygon) corner = place[corner];
+      std::rotate(polygon.begin(), polygon.begin() + std::ptrdiff_t(random() % polygon.size()),
+                  polygon.end());
+    }
+    for (std::size_t k = polygons.size(); k-- > 1;) {
+      std::swap(polygons[k], polygons[random() % (k + 1)]);
+    }
+    const Decomposition again = decomposed(mesh_of(points, polygons));
+    REQUIRE(again.parts.size() == first.parts.size());
+    CHECK(again.owner == first.owner);
+    for (std::size_t k = 0; k < first.parts.size(); ++k) {
+      CHECK(again.parts[k].halfspaces == first.parts[k].halfspaces);
+    }
+  }
+}
+
 TEST_CASE("decompose: every triangle of a random soup lies in its owner") {
   std::mt19937_64 random(11);
   for (int round = 0; round < 150; ++round) {
