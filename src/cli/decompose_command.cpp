@@ -13,6 +13,7 @@
 #include "io/json.hpp"
 #include "oracle/written_parts.hpp"
 #include "scene/decompose_report.hpp"
+#include "scene/decomposition_proof.hpp"
 #include "scene/result_json.hpp"
 
 namespace convexact::cli {
@@ -24,6 +25,7 @@ constexpr const char* kDecomposeFooter =
     "  convexact decompose cow.obj --concavity 5% --measure vertices -o parts/\n"
     "  convexact decompose cow.obj --max-parts 8 --faces 24 --names 'UCX_cow_%02d' -o cow_ucx.obj\n"
     "  convexact decompose cow.obj --engine exact --trace merges.json -o parts.json\n"
+    "  convexact decompose cow.obj --proof cow.proof && convexact-check cow.proof cow.obj\n"
     "  convexact verify cow.obj parts.obj --union\n"
     "\n"
     "Every part is the convex hull of a cluster of triangles. The parts hold every triangle, "
@@ -41,10 +43,12 @@ constexpr auto kMethodNames = name_table<Method>({{Method::Hacd, "hacd"}});
 struct DecomposeFiles {
   std::vector<std::string> results;  // -o
   std::string trace;                 // every merge
+  std::string proof;                 // for convexact-check
 
   std::vector<std::string> all_paths() const {
     std::vector<std::string> paths = results;
     if (!trace.empty()) paths.push_back(trace);
+    if (!proof.empty()) paths.push_back(proof);
     return paths;
   }
 };
@@ -226,6 +230,10 @@ FilesOfParts files_of(const DecomposedObjects& objects, const DecomposeRequest& 
   if (!options.files.trace.empty()) {
     out.files.emplace_back(options.files.trace, write_decompose_trace(objects[0].result, request));
   }
+  if (!options.files.proof.empty()) {
+    out.files.emplace_back(options.files.proof,
+                           write_decomposition_proof(objects[0].result, request));
+  }
   watch.ask();
   return out;
 }
@@ -305,6 +313,10 @@ int run_decompose(const DecomposeArguments& options) {
   if (scene.size() > 1 && !options.files.trace.empty()) {
     throw Error(ErrorCode::InvalidArgument,
                 "--trace: a trace describes one object, but there are several");
+  }
+  if (scene.size() > 1 && !options.files.proof.empty()) {
+    throw Error(ErrorCode::InvalidArgument,
+                "--proof: a proof describes one object, but there are several");
   }
   request.watch = progress.watch();
   DecomposedObjects objects;
@@ -386,6 +398,9 @@ void add_decompose_command(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   command.add_option("--trace", options->files.trace,
                      "every merge as JSON, for a program that replays it");
+  command.add_option("--proof", options->files.proof,
+                     "a text from which convexact-check proves owners, concavities, and that no "
+                     "neighbours can be merged");
   add_choice<Precision>(command, "--precision", options->precision,
                         {{"64", Precision::Binary64}, {"32", Precision::Binary32}},
                         "the numbers of the parts: binary64, or rounded outward to binary32");

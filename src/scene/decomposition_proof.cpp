@@ -293,6 +293,16 @@ class DecompositionWriter {
     }
   }
 
+  void write_points(const char* keyword, const PointSet& points) {
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      if (points.is_binary()) {
+        line(keyword, points.doubles()[p]);
+      } else {
+        line(keyword, points[PointId(p)]);
+      }
+    }
+  }
+
   void find_clusters();
   void write_surface();
   void write_cluster(const Cluster& cluster);
@@ -371,14 +381,7 @@ std::string DecompositionWriter::write() {
 }
 
 void DecompositionWriter::write_surface() {
-  const PointSet& points = surface_.points;
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    if (points.is_binary()) {
-      line("point", points.doubles()[p]);
-    } else {
-      line("point", points[PointId(p)]);
-    }
-  }
+  write_points("point", surface_.points);
   for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
     line("triangle", surface_.triangles[t], surface_.face[t]);
   }
@@ -570,11 +573,7 @@ void DecompositionWriter::write_part(std::size_t number, const Cluster& cluster)
   const HullOutcome outcome = convex_hull(stored);
   const auto* hull = std::get_if<Hull>(&outcome);
   line("part", hull != nullptr ? "stored" : "flat", number);
-  std::vector<RationalPoint> corners;
-  for (std::size_t k = 0; k < stored.size(); ++k) {
-    corners.push_back(stored[PointId(k)]);
-    line("corner", stored.doubles()[k]);
-  }
+  write_points("corner", stored);
   if (hull != nullptr) {
     for (std::size_t f = 0; f < hull->facets.size(); ++f) {
       const std::span<const PointId> facet = hull->facets[f];
@@ -585,6 +584,8 @@ void DecompositionWriter::write_part(std::size_t number, const Cluster& cluster)
     return;
   }
   line("owns", part.owns);
+  std::vector<RationalPoint> corners;
+  for (std::size_t k = 0; k < stored.size(); ++k) corners.push_back(stored[PointId(k)]);
   for (const PointId p : points_of(surface_, part.owns)) {
     const RationalPoint x = surface_.points[p];
     if (std::find(corners.begin(), corners.end(), x) != corners.end()) continue;

@@ -130,6 +130,49 @@ TEST_CASE("convexact-check: a mesh beside the proof, its exit codes and what it 
   CHECK(run_checker(proof + " --fast", scratch) == 2);
 }
 
+TEST_CASE("convexact-check: proofs of decompositions that the program wrote") {
+  const ScratchFolder scratch;
+  // The L of three unit cells, its floor and lid each a hexagon.
+  const std::string points =
+      "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n"
+      "v 0 0 1\nv 2 0 1\nv 2 1 1\nv 1 1 1\nv 1 2 1\nv 0 2 1\n";
+  const std::string sides =
+      "f 1 2 8 7\nf 2 3 9 8\nf 3 4 10 9\nf 4 5 11 10\nf 5 6 12 11\nf 6 1 7 12\n"
+      "f 6 5 4 3 2 1\n";
+  const std::string input = scratch.write("l.obj", points + sides + "f 7 8 9 10 11 12\n"),
+                    proof = scratch.file("l.proof");
+  for (const std::string engine : {"exact", "filtered", "float"}) {
+    for (const std::string more : {"", " --precision 32", " --measure vertices", " --max-parts 1",
+                                   " --connect touching", " --concavity 0.5"}) {
+      INFO(engine, more);
+      const support::Ran ran = support::run_program("decompose " + input + " --engine " + engine +
+                                                    more + " --proof " + proof);
+      REQUIRE_MESSAGE(ran.exit == 0, ran.err);
+      CHECK(ran.out.find("written     " + proof) != std::string::npos);
+      CHECK(bytes_of(proof).starts_with("convexact-proof 4 decomposition\n"));
+      CHECK(run_checker(proof + " " + input, scratch) == 0);
+      CHECK(bytes_of(scratch.file("out"))
+                .ends_with("proven: the faces are those of " + input +
+                           ", 0 of them turned, decimals as the nearest doubles\n"));
+    }
+  }
+  const std::string other = scratch.write("other.obj", points + sides + "f 7 8 9 11 10 12\n");
+  CHECK(run_checker(proof + " " + other, scratch) == 1);
+  CHECK(bytes_of(scratch.file("out")).empty());
+  CHECK(bytes_of(scratch.file("err")) ==
+        "convexact-check: " + other +
+            ": not proven: that the proof is about this file: its face 8 is not the one of the "
+            "proof\n");
+  // Several objects have several proofs, or none.
+  const std::string two =
+      scratch.write("two.obj", points + "o one\n" + sides + "o two\nf 7 8 9 10 11 12\nf 1 2 8 7\n");
+  const support::Ran ran =
+      support::run_program("decompose " + two + " --parts --proof " + proof + "2");
+  CHECK(ran.exit == 2);
+  CHECK(ran.err.find("--proof: a proof describes one object, but there are several") !=
+        std::string::npos);
+}
+
 TEST_CASE("convexact-check: files that include nothing of ours but each other") {
   const std::filesystem::path folder = environment("CONVEXACT_CHECK_SOURCE");
   std::size_t files = 0;
