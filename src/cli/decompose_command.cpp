@@ -12,6 +12,7 @@
 #include "convexact/decompose.hpp"
 #include "io/json.hpp"
 #include "oracle/written_parts.hpp"
+#include "report/parts_picture.hpp"
 #include "scene/decompose_report.hpp"
 #include "scene/decomposition_proof.hpp"
 #include "scene/result_json.hpp"
@@ -44,11 +45,13 @@ struct DecomposeFiles {
   std::vector<std::string> results;  // -o
   std::string trace;                 // every merge
   std::string proof;                 // for convexact-check
+  std::string picture;               // a page
 
   std::vector<std::string> all_paths() const {
     std::vector<std::string> paths = results;
-    if (!trace.empty()) paths.push_back(trace);
-    if (!proof.empty()) paths.push_back(proof);
+    for (const std::string& path : {trace, proof, picture}) {
+      if (!path.empty()) paths.push_back(path);
+    }
     return paths;
   }
 };
@@ -234,6 +237,11 @@ FilesOfParts files_of(const DecomposedObjects& objects, const DecomposeRequest& 
     out.files.emplace_back(options.files.proof,
                            write_decomposition_proof(objects[0].result, request));
   }
+  if (!options.files.picture.empty()) {
+    const std::string title = std::filesystem::path(objects[0].name).filename().string();
+    out.files.emplace_back(options.files.picture,
+                           picture_html(decomposition_picture(objects[0].result, title)));
+  }
   watch.ask();
   return out;
 }
@@ -304,19 +312,22 @@ int run_decompose(const DecomposeArguments& options) {
   DecomposeRequest request = decompose_request(options);
   const PartNames names(options.names);
   for (const std::string& path : options.files.results) (void)parts_output_of(path);
+  if (!options.files.picture.empty() && !options.files.picture.ends_with(".html")) {
+    throw Error(ErrorCode::InvalidArgument, "--picture: expected a name that ends in .html");
+  }
   require_other_files(options.files.all_paths(), {options.input});
   require_other_names(options, names);
   Progress progress;
   StageLog log(progress.watch());
   std::vector<SceneObject> scene =
       log.run("read", StageKind::Io, [&] { return read_scene({options.input}, options.scene); });
-  if (scene.size() > 1 && !options.files.trace.empty()) {
-    throw Error(ErrorCode::InvalidArgument,
-                "--trace: a trace describes one object, but there are several");
-  }
-  if (scene.size() > 1 && !options.files.proof.empty()) {
-    throw Error(ErrorCode::InvalidArgument,
-                "--proof: a proof describes one object, but there are several");
+  for (const auto& [option, path] :
+       {std::pair("--trace", &options.files.trace), std::pair("--proof", &options.files.proof),
+        std::pair("--picture", &options.files.picture)}) {
+    if (scene.size() > 1 && !path->empty()) {
+      throw Error(ErrorCode::InvalidArgument,
+                  std::string(option) + ": it shows one object, but there are several");
+    }
   }
   request.watch = progress.watch();
   DecomposedObjects objects;
@@ -401,6 +412,9 @@ void add_decompose_command(CLI::App& program, int& exit_code) {
   command.add_option("--proof", options->files.proof,
                      "a text from which convexact-check proves owners, concavities, and that no "
                      "neighbours can be merged");
+  command.add_option("--picture", options->files.picture,
+                     "a page (.html) that shows the parts, which a slider draws apart, and the "
+                     "merges step by step");
   add_choice<Precision>(command, "--precision", options->precision,
                         {{"64", Precision::Binary64}, {"32", Precision::Binary32}},
                         "the numbers of the parts: binary64, or rounded outward to binary32");

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 #include "io/json.hpp"
@@ -16,6 +18,7 @@ namespace {
 constexpr std::array kColors = {"#4e79a7", "#f2b134", "#59a14f", "#b07aa1", "#76b7b2", "#9c755f",
                                 "#8cd17d", "#86bcb6", "#499894", "#d4a6c8", "#79706e", "#a0cbe8"};
 constexpr std::size_t kMostSwitches = 32;  // parts with a switch of their own
+constexpr std::size_t kMostApart = 64;     // parts with a way of their own as well
 
 PictureLayer uncovered_layer(const SurfaceCoverage& coverage) {
   PictureLayer layer{.name = "uncovered", .color = "#e5202b"};
@@ -31,6 +34,80 @@ PictureLayer uncovered_layer(const SurfaceCoverage& coverage) {
     layer.add(corners, {polygon});
   }
   return layer;
+}
+
+PictureLayer input_layer(const Surface& surface, std::string name) {
+  PictureLayer layer{.name = std::move(name), .color = "#b8b8b8", .shown = false};
+  std::vector<std::vector<std::uint32_t>> triangles;
+  for (const auto& [a, b, c] : surface.triangles) triangles.push_back({a.value, b.value, c.value});
+  layer.add(surface.points.doubles(), triangles);
+  return layer;
+}
+
+// Triangles without area join before the first merge. Names are the lowest triangles.
+std::vector<std::array<std::uint32_t, 2>> merges_of(const Decomposition& decomposition) {
+  std::vector<std::uint32_t> name(decomposition.surface.triangles.size());
+  std::iota(name.begin(), name.end(), 0u);
+  const auto name_of = [&](TriangleId t) {
+    std::uint32_t found = t.value;
+    while (name[found] != found) found = name[found] = name[name[found]];
+    return found;
+  };
+  std::vector<std::array<std::uint32_t, 2>> merges;
+  const auto merge = [&](TriangleId a, TriangleId b) {
+    const auto [low, high] = std::minmax({name_of(a), name_of(b)});
+    merges.push_back({low, high});
+    name[high] = low;
+  };
+  for (const auto& [triangle, into] : decomposition.clustering.united) merge(triangle, into);
+  for (const Merge& step : decomposition.clustering.merges) merge(step.kept, step.gone);
+  return merges;
+}
+
+// The ray from the middle of a triangle to where it leaves the hull, in doubles.
+double ray_from_middle(const Surface& surface, TriangleId triangle,
+                       const std::vector<Eigen::Vector4d>& planes) {
+  const auto points = surface.points.doubles();
+  const auto& [a, b, c] = surface.triangles[triangle.index()];
+  const Point from = (points[a.index()] + points[b.index()] + points[c.index()]) / 3;
+  const Point normal =
+      (points[b.index()] - points[a.index()]).cross(points[c.index()] - points[a.index()]);
+  const double length = normal.norm();
+  if (!(length > 0)) return 0;
+  double least = HUGE_VAL;
+  for (const Eigen::Vector4d& plane : planes) {
+    const double along = plane.head<3>().dot(normal) / length;
+    if (along <= 1e-9 * plane.head<3>().norm()) continue;
+    least = std::min(least, -(plane.head<3>().dot(from) + plane[3]) / along);
+  }
+  return std::isfinite(least) ? std::max(0.0, least) : 0;
+}
+
+std::vector<double> rays(const Decomposition& decomposition) {
+  std::vector<double> found(decomposition.surface.triangles.size(), 0);
+  for (const Part& part : decomposition.parts) {
+    std::vector<Eigen::Vector4d> planes;
+    for (const Halfspace& plane : part.hull.halfspaces) {
+      // Their ratio is what counts, and integers may be beyond the doubles.
+      Integer most = abs(plane.offset());
+      for (const Integer& x : plane.normal()) most = std::max<Integer>(most, abs(x));
+      const auto share = [&](const Integer& x) {
+        return to_double(Rational(x, most), Rounding::Nearest);
+      };
+      const auto& n = plane.normal();
+      planes.emplace_back(share(n[0]), share(n[1]), share(n[2]), share(plane.offset()));
+    }
+    for (const TriangleId t : part.cluster) {
+      found[t.index()] = ray_from_middle(decomposition.surface, t, planes);
+    }
+  }
+  return found;
+}
+
+Point middle(const Mesh& mesh) {
+  Point sum = Point::Zero();
+  for (const Point& p : mesh.points.doubles()) sum += p / static_cast<double>(mesh.points.size());
+  return sum;
 }
 
 }  // namespace
@@ -66,6 +143,49 @@ Picture parts_picture(const Mesh& input, const PartsVerdict& verdict, const std:
       "{} parts; {}", with_separators(verdict.hulls.size()),
       pieces > 0 ? with_separators(pieces) + " pieces of the surface lie in none of them"
                  : "no piece of the surface was found outside of them");
+  return picture;
+}
+
+Picture decomposition_picture(const Decomposition& decomposition, const std::string& title) {
+  const Surface& surface = decomposition.surface;
+  Picture picture;
+  picture.title = as_utf8(title);
+  PictureLayer steps = input_layer(surface, "input by clusters");
+  steps.merges = merges_of(decomposition);
+  PictureLayer heat = input_layer(surface, "input by rays inside the hulls");
+  heat.heat = rays(decomposition);
+  const double longest = *std::max_element(heat.heat.begin(), heat.heat.end());
+  for (double& x : heat.heat) x = longest > 0 ? x / longest : 0;
+  picture.layers = {std::move(steps), std::move(heat)};
+
+  Point center = Point::Zero();
+  for (const Part& part : decomposition.parts) {
+    center += middle(part.mesh) / static_cast<double>(decomposition.parts.size());
+  }
+  std::vector<PictureLayer> parts;
+  for (std::size_t k = 0; k < decomposition.parts.size(); ++k) {
+    const Mesh& mesh = decomposition.parts[k].mesh;
+    if (k < kMostApart) {
+      parts.push_back(
+          {.name = fmt::format("part {}", k), .color = kColors[k % kColors.size()], .edges = true});
+      parts.back().away = 0.8 * (middle(mesh) - center);
+    } else if (k == kMostApart) {
+      parts.push_back({.name = "other parts", .color = "#bab0ac", .edges = true});
+    }
+    // A part that is a segment or a point has no polygon, and is not drawn.
+    parts.back().add(mesh.points.doubles(), mesh.polygons);
+  }
+  std::erase_if(parts, [](const PictureLayer& layer) { return layer.polygons.empty(); });
+  std::move(parts.begin(), parts.end(), std::back_inserter(picture.layers));
+
+  const double diameter =
+      sqrt(Enclosure(decomposition.clustering.squared_diameter, 64)).high_double();
+  picture.caption = fmt::format(
+      "{} parts of {} triangles. Colours by rays: from blue, 0, to red, a length of {:.3g} "
+      "({:.2g}% "
+      "of the diameter).",
+      with_separators(decomposition.parts.size()), with_separators(surface.triangles.size()),
+      longest, 100 * longest / diameter);
   return picture;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 #include <string>
 
+#include "convexact/decompose.hpp"
 #include "convexact/verify_parts.hpp"
 #include "report/picture.hpp"
 
@@ -12,5 +13,11 @@ namespace convexact {
 /// itself, which is hidden at first.
 [[nodiscard]] Picture parts_picture(const Mesh& input, const PartsVerdict& verdict,
                                     const std::string& title);
+
+/// The parts, which can be drawn apart; the input coloured by the clusters after any number of
+/// merges; and the input coloured by how far a ray from the middle of each triangle runs inside the
+/// hull of its cluster, in doubles. Both colourings are hidden at first.
+[[nodiscard]] Picture decomposition_picture(const Decomposition& decomposition,
+                                            const std::string& title);
 
 }  // namespace convexact
