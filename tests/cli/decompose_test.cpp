@@ -472,7 +472,7 @@ TEST_CASE("decompose: refusals, each with a sentence") {
   const ScratchFolder scratch;
   const std::string input = scratch.write("l.obj", obj_of_cells(support::l_cells()));
   const std::string share = "--concavity: expected a share of the diameter from 0 to 1";
-  for (const auto& [options, exit, says] :
+  for (const Refusal& refusal :
        std::vector<Refusal>{{"--concavity 101%", 2, share},
                             {"--concavity 1.01d", 2, share},
                             {"--concavity -1", 2, share},
@@ -491,11 +491,11 @@ TEST_CASE("decompose: refusals, each with a sentence") {
                             {"-o " + input, 2, "this file is an input"},
                             {"--trace " + input, 2, "this file is an input"},
                             {"--names l%d -o " + scratch.file("none") + "/x.obj", 5, "x.obj"}}) {
-    CAPTURE(options);
-    const auto ran = run_program("decompose " + input + " " + options);
+    CAPTURE(refusal.options);
+    const auto ran = run_program("decompose " + input + " " + refusal.options);
     CAPTURE(ran.err);
-    CHECK(ran.exit == exit);
-    CHECK(ran.err.find(says) != std::string::npos);
+    CHECK(ran.exit == refusal.exit);
+    CHECK(ran.err.find(refusal.says) != std::string::npos);
     CHECK(ran.out == "");
   }
   // The input lies in the folder, and is called as a part of the result is.
