@@ -179,6 +179,7 @@ class DecompositionProof {
   void read_cluster() {
     Cluster cluster;
     cluster.triangles = words_.ids(triangles_.size());
+    expect(!cluster.triangles.empty(), "the triangles of a cluster");
     for (const std::size_t t : cluster.triangles) {
       require(cluster_of_[t] == kNone, "a triangle is in a cluster already");
       cluster_of_[t] = clusters_.size();
@@ -195,7 +196,7 @@ class DecompositionProof {
   void require_connected(const Cluster& cluster) const {
     const std::size_t c = clusters_.size();
     IdSet reached;
-    Ids next(cluster.triangles.begin(), cluster.triangles.begin() + !cluster.triangles.empty());
+    Ids next{cluster.triangles[0]};
     while (!next.empty()) {
       const Corners t = triangles_[next.back()];
       const bool is_new = reached.insert(next.back()).second;
@@ -206,8 +207,7 @@ class DecompositionProof {
         }
       }
     }
-    require(!reached.empty() && reached.size() == cluster.triangles.size(),
-            "the cluster is not connected");
+    require(reached.size() == cluster.triangles.size(), "the cluster is not connected");
   }
 
   // (4) Facets are all of the hull's boundary: each has the points on its plane or behind it, one
