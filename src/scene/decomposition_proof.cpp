@@ -616,38 +616,43 @@ bool DecompositionWriter::write_pair(std::size_t a, std::size_t b) {
   return found.has_value();
 }
 
-// Corners and centroids are tried first, the longest rays as doubles tell; then all points.
+// Centroids are tried first, since they are fewest, and corners next; of each the longest rays, as
+// doubles tell; then all points.
 std::optional<std::pair<RaySource, HullRay>> DecompositionWriter::beyond_limit(
     const std::vector<TriangleId>& triangles, const HullRays& rays) const {
   const Rational& limit = made_.clustering.squared_limit;
-  const auto is_beyond = [&](const RaySource& source, const HullRay& ray) {
-    return ray.length * ray.length * source.squared_length > limit;
-  };
   const std::vector<RaySource> all = sources(triangles);
   struct Trial {
     double length;
     std::size_t source;
     HullRay start;
   };
-  std::vector<Trial> trials;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    const RaySource& source = all[k];
-    Point sum = Point::Zero();
-    for (std::size_t c = 0; c < source.corners.size(); ++c) {
-      const Point corner = rays.near_point(source.corners[c]);
-      sum += corner;
-      trials.push_back(
-          {rays.near_exit(source, corner).second, k, {c == 1 ? 1 : 0, c == 2 ? 1 : 0}});
+  for (const bool from_centroids : {true, false}) {
+    if (from_centroids && at_corners()) continue;
+    std::vector<Trial> trials;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const std::vector<PointId>& corners = all[k].corners;
+      if (from_centroids) {
+        const Point sum =
+            rays.near_point(corners[0]) + rays.near_point(corners[1]) + rays.near_point(corners[2]);
+        trials.push_back(
+            {rays.near_exit(all[k], sum / 3).second, k, {Rational(1, 3), Rational(1, 3)}});
+        continue;
+      }
+      for (std::size_t c = 0; c < corners.size(); ++c) {
+        trials.push_back({rays.near_exit(all[k], rays.near_point(corners[c])).second,
+                          k,
+                          {c == 1 ? 1 : 0, c == 2 ? 1 : 0}});
+      }
     }
-    if (at_corners()) continue;
-    trials.push_back({rays.near_exit(source, sum / 3).second, k, {Rational(1, 3), Rational(1, 3)}});
-  }
-  std::stable_sort(trials.begin(), trials.end(),
-                   [](const Trial& x, const Trial& y) { return x.length > y.length; });
-  const std::size_t tried = at_corners() ? trials.size() : std::min<std::size_t>(trials.size(), 4);
-  for (std::size_t k = 0; k < tried; ++k) {
-    const HullRay ray = rays.leave(all[trials[k].source], trials[k].start);
-    if (is_beyond(all[trials[k].source], ray)) return std::pair(all[trials[k].source], ray);
+    std::stable_sort(trials.begin(), trials.end(),
+                     [](const Trial& x, const Trial& y) { return x.length > y.length; });
+    if (!at_corners() && trials.size() > 2) trials.resize(2);
+    for (const Trial& trial : trials) {
+      const RaySource& source = all[trial.source];
+      const HullRay ray = rays.leave(source, trial.start);
+      if (ray.length * ray.length * source.squared_length > limit) return std::pair(source, ray);
+    }
   }
   if (at_corners()) return std::nullopt;
   std::vector<std::pair<double, std::size_t>> bounds;
