@@ -169,7 +169,7 @@ TEST_CASE("convexact-check: proofs of decompositions that the program wrote") {
   const support::Ran ran =
       support::run_program("decompose " + two + " --parts --proof " + proof + "2");
   CHECK(ran.exit == 2);
-  CHECK(ran.err.find("--proof: a proof describes one object, but there are several") !=
+  CHECK(ran.err.find("--proof: it shows one object, but there are several") !=
         std::string::npos);
 }
 
