@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Property of checked_mesh: of the bytes of a mesh file or of a list of halfspaces, convexact-check
-// reads the same exact points and rows as the library, which shares no code with it, or refuses
-// them. Only the checker refuses statements of OBJ that it does not know, and "linearity 0".
+// reads the same exact points, faces and rows as the library, which shares no code with it, or
+// refuses them. Only the checker refuses statements of OBJ that it does not know, and "linearity
+// 0".
 #include "../tests/check/checker.hpp"
 #include "convexact/io.hpp"
 #include "convexact/point_set.hpp"
@@ -32,6 +33,21 @@ std::optional<Rows> points_by_library(std::string_view bytes, MeshFormat format,
   return sorted(rows);
 }
 
+std::optional<Rows> faces_by_library(std::string_view bytes, MeshFormat format, Decimal decimal) {
+  const auto mesh = unless_refused(
+      [&] { return read_mesh_bytes(bytes, {.decimal = decimal, .format = format}); });
+  if (!mesh) return std::nullopt;
+  Rows faces;
+  for (const auto& polygon : mesh->polygons) {
+    faces.emplace_back();
+    for (const std::uint32_t corner : polygon) {
+      const RationalPoint point = mesh->points[PointId(corner)];
+      for (int k = 0; k < 3; ++k) faces.back() += to_string(point[k]) + (k == 2 ? ", " : " ");
+    }
+  }
+  return faces;
+}
+
 std::optional<Rows> halfspaces_by_library(std::string_view bytes, HalfspaceFormat format,
                                           Decimal decimal) {
   const auto list = unless_refused([&] { return read_halfspaces_bytes(bytes, format, decimal); });
@@ -59,6 +75,9 @@ void hold(FuzzInput& in) {
                : halfspaces_by_library(
                      bytes, kind == 5 ? HalfspaceFormat::Rows : HalfspaceFormat::Ine, decimal);
   if (ours && theirs) FUZZ_CHECK(*ours == *theirs);
+  if (kind >= 5 || !ours) return;
+  const auto faces = faces_by_checker(bytes, kNames[kind], as_spelt);
+  if (faces) FUZZ_CHECK(*faces == *faces_by_library(bytes, kMeshes[kind], decimal));
 }
 
 const FuzzTarget target("checked_mesh", hold);
