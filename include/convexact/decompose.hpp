@@ -53,6 +53,7 @@ struct DecomposeRequest {
 enum class PartForm {
   Hull,        ///< It is the hull: every corner is a point of the input, bit by bit.
   Rounded,     ///< The hull with its corners rounded outward: input with fractions, or binary32.
+               ///< A box if it is too small for the numbers of the format.
   Simplified,  ///< Fewer halfspaces around it.
   Thickened,   ///< A flat hull, thickened; and simplified if it had more halfspaces than it may.
   Flat,        ///< A flat hull as it is.

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "convexact/error.hpp"
+#include "convexact/measure.hpp"
 #include "convexact/simplify_scene.hpp"
 #include "scene/flat_part.hpp"
 
@@ -37,13 +39,14 @@ std::vector<PointId> all_ids(const PointSet& points) {
 // A part with a volume on its way to its stored form.
 struct Making {
   Part* part;
-  PointSet corners;  // whose hull it is
-  Polytope solid;
+  PointSet corners;  // that it must hold
+  Polytope solid;    // their hull, or around it
+  bool is_simplified = false;
 };
 
 Making begin(Part& part, const Rational& squared_diameter, Precision precision,
              const Watch& watch) {
-  Making making{&part, {}, {}};
+  Making making{&part, {}, {}, false};
   if (part.hull.solid) {
     making.corners = PointSet(part.hull.vertices);
     making.solid = *part.hull.solid;
@@ -62,7 +65,6 @@ SimplifyRequest simplify_request(const DecomposeRequest& request) {
   own.faces = request.faces;
   own.engine = request.engine;
   own.seed = request.seed;
-  own.store.mesh = request.precision;
   own.watch.stop = request.watch.stop;
   return own;
 }
@@ -72,8 +74,9 @@ void take(SimplifyResult result, Making& making) {
   if (result.steps == 0) return;
   Part& part = *making.part;
   if (part.form != PartForm::Thickened) part.form = PartForm::Simplified;
-  part.faces = result.solid.exact.planes.size();
-  part.mesh = std::move(result.solid.mesh->mesh);
+  making.is_simplified = true;
+  making.solid = std::move(result.solid.exact);
+  part.faces = making.solid.planes.size();
 }
 
 void simplify_each(std::vector<Making>& makings, const DecomposeRequest& request, StageLog& log) {
@@ -122,16 +125,42 @@ void simplify_parts(std::vector<Making>& makings, const DecomposeRequest& reques
   log.skip(stage::kSimplify, "no number of faces was requested");
 }
 
+// The corners of the smallest box around points whose coordinates the format has; nothing if it
+// ends before.
+std::optional<PointSet> box_around(const PointSet& points, Precision precision) {
+  const BoundingBox box = bounding_box(points);
+  Point low, high;
+  for (int k = 0; k < 3; ++k) {
+    low[k] = round_to(precision, box.low[k], Rounding::Down);
+    high[k] = round_to(precision, box.high[k], Rounding::Up);
+  }
+  if (!low.allFinite() || !high.allFinite()) return {};
+  std::vector<Point> corners;
+  for (int c = 0; c < 8; ++c) {
+    corners.emplace_back((c & 1 ? high : low)[0], (c & 2 ? high : low)[1], (c & 4 ? high : low)[2]);
+  }
+  return PointSet(std::move(corners));
+}
+
+// Points of the format whose hull holds the corners. Where the part is so small that the format's
+// numbers are too far apart for its shape, these of a box.
+PointSet stored_points(Making& making, Precision precision) {
+  if (!making.is_simplified && is_representable(making.corners, precision)) return making.corners;
+  try {
+    return store_mesh(making.solid, making.corners, all_ids(making.corners), precision).mesh.points;
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::Unrepresentable) throw;
+    auto box = box_around(making.corners, precision);
+    if (!box) throw;
+    making.part->faces = 6;
+    return std::move(*box);
+  }
+}
+
 // Whatever is stored counts as the hull of its points.
 ConvexPart finish(Making& making, Precision precision, const Watch& watch) {
   Part& part = *making.part;
-  if (part.mesh.points.size() == 0) {
-    part.mesh.points =
-        is_representable(making.corners, precision)
-            ? making.corners
-            : store_mesh(making.solid, making.corners, all_ids(making.corners), precision)
-                  .mesh.points;
-  }
+  part.mesh.points = stored_points(making, precision);
   ConvexPart stored = convex_part(part.mesh.points, watch);
   part.mesh.points = PointSet(stored.vertices);
   part.mesh.polygons = stored.solid->facets;

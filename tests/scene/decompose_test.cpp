@@ -431,6 +431,43 @@ TEST_CASE("decompose: thin far away, and thick enough for the format") {
   }
 }
 
+TEST_CASE("decompose: thickened parts hold polygons, segments and points anywhere") {
+  std::mt19937_64 random(5);
+  const auto coordinate = [&] { return std::ldexp(double(random() >> 11), -52) - 1; };
+  for (int round = 0; round < 120; ++round) {
+    // Some far from the origin, some huge or tiny; three points, the same one twice or three times.
+    const Point center = std::ldexp(1.0, int(random() % 30)) * Point(coordinate(), coordinate(), 1);
+    const double scale = std::ldexp(1.0, int(random() % 160) - 80);
+    std::vector<Point> points;
+    for (int k = 0; k < 3; ++k) {
+      points.push_back(scale * (center + Point(coordinate(), coordinate(), coordinate())));
+    }
+    if (round % 4 == 1) points[2] = points[1];
+    if (round % 4 == 2) points[2] = points[1] = points[0];
+    DecomposeRequest request = with_fractions();
+    request.flat = FlatParts::Thicken;
+    const Mesh mesh = mesh_of(points, {{0, 1, 2}});
+    const Decomposition d = decomposed(mesh, request);
+    REQUIRE(d.parts.size() == 1);
+    CHECK(d.parts[0].form == PartForm::Thickened);
+    // A power of two more or less changes nothing else.
+    for (Point& p : points) p *= 0x1p20;
+    const Decomposition larger = decomposed(mesh_of(points, {{0, 1, 2}}), request);
+    REQUIRE(larger.parts.size() == 1);
+    const PointSet &small = d.parts[0].mesh.points, &large = larger.parts[0].mesh.points;
+    REQUIRE(small.size() == large.size());
+    for (std::size_t k = 0; k < small.size(); ++k) {
+      CHECK(large.doubles()[k] == Point(0x1p20 * small.doubles()[k]));
+    }
+    request.precision = Precision::Binary32;
+    for (Point& p : points) p *= 0x1p-20;
+    const Decomposition rounded = decomposed(mesh_of(points, {{0, 1, 2}}), request);
+    for (const Point& p : rounded.parts[0].mesh.points.doubles()) {
+      for (const double x : p) CHECK(double(float(x)) == x);
+    }
+  }
+}
+
 // ---- Inner parts
 
 TEST_CASE("decompose: a part in another one is dropped, and its triangles change owner") {
@@ -540,6 +577,25 @@ TEST_CASE("decompose: what the format cannot hold is refused") {
   CHECK(error_of([&] {
           return decompose(box_mesh({{0, 0, 0}, {1e300, 1e300, 1e300}}), request);
         }).code() == ErrorCode::Unrepresentable);
+}
+
+TEST_CASE("decompose: a part that is too small for its format becomes a box") {
+  // Between neighbouring numbers of binary32, which are 2 apart here.
+  const double far = 0x1p24;
+  const Mesh mesh = joined({mesh_of({{far + 0.5, far + 0.5, far + 0.5},
+                                     {far + 1, far + 0.5, far + 0.5},
+                                     {far + 0.5, far + 1, far + 0.5},
+                                     {far + 0.5, far + 0.5, far + 1}},
+                                    {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}),
+                            box_mesh(kUnit)});
+  DecomposeRequest request = with_fractions();
+  request.precision = Precision::Binary32;
+  const Decomposition d = decomposed(mesh, request);
+  REQUIRE(d.parts.size() == 2);
+  CHECK(d.parts[0].form == PartForm::Hull);
+  CHECK(d.parts[1].form == PartForm::Rounded);
+  CHECK(d.parts[1].faces == 6);
+  check_volumes(d, 1 + Rational(1, 48), 0, 8 - Rational(1, 48));
 }
 
 // ---- Whatever the input is
