@@ -450,6 +450,25 @@ TEST_CASE("decompose: an interrupt leaves nothing behind") {
   CHECK(scratch.count() == 0);
 }
 
+TEST_CASE("decompose: a picture and a proof, with the other files or not at all") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("l.obj", obj_of_cells(support::l_cells()));
+  const std::string page = scratch.file("l.html"), proof = scratch.file("l.proof"),
+                    trace = scratch.file("l.json"), cubes = scratch.write("c.obj", two_cubes(3));
+  decomposed(input + " --picture " + page + " --proof " + proof);
+  CHECK(bytes_of(page).find("<html") != std::string::npos);
+  CHECK(bytes_of(proof).find("decomposition") != std::string::npos);
+  CHECK(run_program("decompose " + input + " --picture l.png").exit == 2);
+  for (const std::string& option : {"--picture " + page, "--proof " + proof, "--trace " + trace}) {
+    CAPTURE(option);
+    CHECK(run_program("decompose --parts " + cubes + " " + option).exit == 2);
+    CHECK(
+        run_program("decompose " + input + " " + option + " -o " + scratch.file("no/x.obj")).exit ==
+        5);
+  }
+  CHECK_FALSE(std::filesystem::exists(trace));
+}
+
 TEST_CASE("decompose: names of parts") {
   const ScratchFolder scratch;
   const std::string input = scratch.write("l.obj", obj_of_cells(support::l_cells()));
