@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "cli/diff_clusters.hpp"
 #include "cli/outputs.hpp"
 #include "cli/part_files.hpp"
 #include "cli/verify_union.hpp"
@@ -75,21 +76,6 @@ struct DecomposeArguments {
   bool exact_volumes = false, no_measures = false;
 };
 
-// "3%" and "0.03d" are shares of the diameter, "0.05" is a length.
-ConcavityLimit parse_limit(const std::string& text) {
-  const bool is_percent = text.ends_with('%'), is_share = is_percent || text.ends_with('d');
-  try {
-    Rational value = parse_rational(text.substr(0, text.size() - (is_share ? 1 : 0)));
-    if (is_percent) value /= 100;
-    if (value >= 0 && (!is_share || value <= 1)) return {std::move(value), is_share};
-  } catch (const Error&) {  // told below
-  }
-  throw Error(ErrorCode::InvalidArgument,
-              "--concavity: expected a share of the diameter from 0 to 1, such as 3% or 0.03d, or "
-              "a length of at least 0, such as 0.05, found " +
-                  in_quotes(text));
-}
-
 DecomposeRequest decompose_request(const DecomposeArguments& options) {
   if (options.faces && options.total_faces) {
     throw Error(ErrorCode::InvalidArgument,
@@ -100,7 +86,7 @@ DecomposeRequest decompose_request(const DecomposeArguments& options) {
                 "--exact-volumes asks for volumes and --no-measures for none: name one");
   }
   DecomposeRequest request;
-  request.limit = parse_limit(options.concavity);
+  request.limit = parse_concavity(options.concavity);
   request.max_parts = options.max_parts;
   request.measure = options.measure;
   request.connect = options.connect;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "cli/command.hpp"
+#include "cli/diff_clusters.hpp"
 #include "cli/keep_option.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
@@ -22,6 +23,7 @@ constexpr const char* kDiffFooter =
     "  convexact diff bunny.obj --faces 18\n"
     "  convexact diff meshes/*.obj --engines filtered,float --json\n"
     "  convexact diff bunny.obj --faces 18 --cost mean-width\n"
+    "  convexact diff spot.obj --clusters --engines filtered,float\n"
     "\n"
     "Where two runs differ, both costs are computed from scratch: the remaining halfspaces are\n"
     "intersected with and without each plane. A run of the float engine is followed to its end.\n"
@@ -32,8 +34,9 @@ struct DiffArguments {
   GlobalOptions global;
   std::vector<std::string> inputs;
   SceneOptions scene;
-  std::size_t faces = 4;
+  std::optional<std::size_t> faces;
   std::vector<std::string> keep;
+  ClusterDiffOptions clusters;
   std::string engines = "exact,filtered,float";
   CostMeasure cost = CostMeasure::Volume;
   long tie_bits = CompareLimits{}.bits;
@@ -55,11 +58,32 @@ void print_table(const std::vector<DiffedObject>& objects, const StageLog& log, 
   print(diff_table(named) + "\n" + stage_text(log.stages(), lists_stages));
 }
 
+// Merges of clusters have no faces to keep, and no cost but their own.
+int run_diff_of_clusters(const DiffArguments& options) {
+  const char* foreign = options.faces                              ? "--faces"
+                        : !options.keep.empty()                    ? "--keep"
+                        : options.cost != CostMeasure::Volume      ? "--cost"
+                        : options.tie_bits != CompareLimits{}.bits ? "--tie-bits"
+                                                                   : nullptr;
+  if (foreign != nullptr) {
+    throw Error(ErrorCode::InvalidArgument,
+                std::string(foreign) + ": a comparison of clusters (--clusters) does not have it");
+  }
+  return run_cluster_diff(options.global, options.inputs, options.scene,
+                          parse_words("--engines", options.engines, kEngineNames),
+                          options.clusters);
+}
+
 int run_diff(const DiffArguments& options) {
+  if (options.clusters.is_asked) return run_diff_of_clusters(options);
+  if (const std::string foreign = options.clusters.foreign_to_removals(); !foreign.empty()) {
+    throw Error(ErrorCode::InvalidArgument,
+                foreign + ": only a comparison of clusters has it; give --clusters as well");
+  }
   Progress progress;
   StageLog log(progress.watch());
   DiffRequest request;
-  request.faces = options.faces;
+  request.faces = options.faces.value_or(4);
   request.engines = parse_words("--engines", options.engines, kEngineNames);
   request.cost = options.cost;
   request.compare.bits = options.tie_bits;
@@ -81,7 +105,7 @@ int run_diff(const DiffArguments& options) {
   const bool explained = std::all_of(objects.begin(), objects.end(),
                                      [](const DiffedObject& o) { return o.result.holds(); });
   if (options.global.json) {
-    print(document_of(objects, options.faces, explained, log));
+    print(document_of(objects, request.faces, explained, log));
   } else {
     print_table(objects, log, options.global.stages);
   }
@@ -107,6 +131,7 @@ void add_diff_command(CLI::App& program, int& exit_code) {
   add_tie_bits(command, options->tie_bits,
                "mean widths that so many bits do not tell apart, and no proof, count as equal; the "
                "result says so");
+  add_cluster_diff_options(command, options->clusters);
   add_scene_options(command, options->scene);
   finish_command(command, options, exit_code, run_diff);
   add_stages_option(command, options->global);

@@ -5,33 +5,9 @@
 
 #include "decompose/engines.hpp"
 #include "decompose/merge_cost.hpp"
-#include "surface/edges.hpp"
-#include "surface/flat_polygon.hpp"
 
 namespace convexact {
 namespace {
-
-// The edges that an odd number of the triangles have, and the areas of these.
-MergeCost shape_of(const Surface& surface, std::span<const TriangleId> cluster) {
-  MergeCost cost;
-  std::vector<std::array<PointId, 3>> triangles;
-  std::vector<RootTerm> areas, lengths;
-  const auto add = [](std::vector<RootTerm>& terms, const Rational& square) {
-    if (square != 0) terms.push_back(root_of(square));
-  };
-  for (const TriangleId t : cluster) {
-    triangles.push_back(surface.triangles[t.index()]);
-    add(areas, area_vector(surface.points, triangles.back()).squaredNorm());
-  }
-  EdgeTable(triangles).for_each([&](std::span<const EdgeUse> uses) {
-    if (uses.size() % 2 == 0) return;
-    const RationalVector3 along = surface.points[uses[0].high] - surface.points[uses[0].low];
-    add(lengths, along.squaredNorm());
-  });
-  cost.doubled_area = RootSum(std::move(areas));
-  cost.perimeter = RootSum(std::move(lengths));
-  return cost;
-}
 
 class ExactEngine {
  public:
@@ -69,9 +45,7 @@ class ExactEngine {
     const auto& [a, b] = std::tie(clusters_.at(pair.first), clusters_.at(pair.second));
     std::vector<TriangleId> both;
     std::merge(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
-    MergeCost cost = shape_of(surface_, both);
-    const ConvexPart hull = convex_part(subset(surface_.points, points_of(surface_, both)));
-    cost.squared_concavity = concavity_(both, hull, options_.watch).squared;
+    MergeCost cost = merge_cost(surface_, both, concavity_, options_.watch);
     Enclosure bounds = order_.enclose(cost, 128, options_.watch);
     return {std::move(cost), std::move(bounds)};
   }

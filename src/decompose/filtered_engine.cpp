@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <set>
 #include <tuple>
 
@@ -48,19 +49,23 @@ struct Cluster {
   std::set<std::uint32_t> neighbours;
 };
 
+// What a merge costs in exact numbers, and bounds of 128 bits once it was compared with another.
+struct ExactCost {
+  MergeCost cost;
+  std::optional<Enclosure> bounds;
+};
+
 // Two neighbouring clusters, first < second, and what is known of their union.
 struct Candidate {
-  LengthBounds concavity;  // of the union; the lower bound holds also while it is stale
-  LengthBounds shape;      // the other term of the cost
-  LengthBounds key;        // what the queue compares: the cost, or the concavity
-  bool is_fresh = false;   // `concavity` is of the clusters as they are
-  bool is_beyond = false;  // exceeds the limit
-  // Bounds of 128 bits, once it was compared in exact numbers; `key` is as narrow as doubles can
-  // be.
-  std::optional<Enclosure> fine = {};
+  LengthBounds concavity;           // of the union; the lower bound holds also while it is stale
+  LengthBounds key;                 // what the queue compares: the cost, or the concavity
+  bool is_fresh = false;            // `concavity` is of the clusters as they are
+  bool is_beyond = false;           // exceeds the limit
   std::uint32_t equals = kNoClass;  // candidates of one class have the same key, as is proven
-  std::optional<NearCluster> united = {};
-  std::optional<MergeCost> exact = {};
+  std::unique_ptr<NearCluster> united = {};
+  std::unique_ptr<ExactCost> exact = {};
+
+  bool has_fine_bounds() const { return exact && exact->bounds; }
 };
 
 class FilteredEngine {
@@ -184,10 +189,10 @@ class FilteredEngine {
   void enter(const ClusterPair& pair, Candidate candidate) {
     candidate.key = candidate.concavity;
     if (!by_concavity_) {
-      candidate.shape = shape_of(clusters_.at(pair.first), clusters_.at(pair.second));
+      const LengthBounds shape = shape_of(clusters_.at(pair.first), clusters_.at(pair.second));
       const double round = is_float_ ? 0 : 2 * kUnitRoundoff;
-      candidate.key.low = (candidate.concavity.low + candidate.shape.low) * (1 - round);
-      candidate.key.high = (candidate.concavity.high + candidate.shape.high) * (1 + round);
+      candidate.key.low = (candidate.concavity.low + shape.low) * (1 - round);
+      candidate.key.high = (candidate.concavity.high + shape.high) * (1 + round);
       if (std::isnan(candidate.key.low)) candidate.key.low = 0;
     }
     if (!candidate.is_beyond) queue_.insert(place(pair, candidate));
@@ -213,7 +218,7 @@ class FilteredEngine {
     NearCluster both = near_.unite(a.near, b.near, by_concavity_ ? kNoBound : limit_.high);
     both.concavity.low = std::max(both.concavity.low, candidate.concavity.low);
     candidate.concavity = both.concavity;
-    candidate.united = std::move(both);
+    candidate.united = std::make_unique<NearCluster>(std::move(both));
     candidate.is_fresh = true;
     if (!by_concavity_) candidate.is_beyond = exceeds_limit(pair, candidate);
     if (candidate.is_beyond) candidate.united.reset();
@@ -229,14 +234,15 @@ class FilteredEngine {
 
   // In exact numbers. The bounds become as narrow as doubles allow.
   const MergeCost& exact_cost(const ClusterPair& pair, Candidate& candidate) {
-    if (candidate.exact) return *candidate.exact;
+    if (candidate.exact) return candidate.exact->cost;
     ++made_.exact_evaluations;
     const Cluster& a = clusters_.at(pair.first);
     const Cluster& b = clusters_.at(pair.second);
     std::vector<TriangleId> triangles = a.triangles;
     triangles.insert(triangles.end(), b.triangles.begin(), b.triangles.end());
     std::sort(triangles.begin(), triangles.end());
-    MergeCost& cost = candidate.exact.emplace();
+    candidate.exact = std::make_unique<ExactCost>();
+    MergeCost& cost = candidate.exact->cost;
     cost.squared_concavity = near_.exact(*candidate.united, triangles, options_.watch).squared;
     std::vector<RootTerm> areas, lengths;
     for (const TriangleId t : triangles) {
@@ -265,10 +271,11 @@ class FilteredEngine {
     Candidate candidate = std::move(candidates_.at(pair));
     leave(pair);
     const MergeCost& cost = exact_cost(pair, candidate);
-    candidate.fine = by_concavity_ ? sqrt(Enclosure(cost.squared_concavity, 128))
-                                   : order_.enclose(cost, 128, options_.watch);
+    auto& fine = candidate.exact->bounds;
+    fine = by_concavity_ ? sqrt(Enclosure(cost.squared_concavity, 128))
+                         : order_.enclose(cost, 128, options_.watch);
     const Enclosure unit(scale_by_power_of_two(Rational(1), -near_.exponent()), 128);
-    const Enclosure scaled = *candidate.fine * unit;
+    const Enclosure scaled = *fine * unit;
     candidate.key = {scaled.low_double(), scaled.high_double()};
     candidate.equals = equals;
     if (equals != kNoClass) {
@@ -281,11 +288,12 @@ class FilteredEngine {
   }
 
   Ordering compare(const Candidate& a, const Candidate& b) const {
-    if (const auto sign = (*a.fine - *b.fine).sign(); sign && *sign != Sign::Zero) {
+    if (const auto sign = (*a.exact->bounds - *b.exact->bounds).sign();
+        sign && *sign != Sign::Zero) {
       return {*sign == Sign::Negative ? Order::Less : Order::Greater};
     }
-    if (!by_concavity_) return order_.compare(*a.exact, *b.exact, options_.watch);
-    const Rational &x = a.exact->squared_concavity, &y = b.exact->squared_concavity;
+    if (!by_concavity_) return order_.compare(a.exact->cost, b.exact->cost, options_.watch);
+    const Rational &x = a.exact->cost.squared_concavity, &y = b.exact->cost.squared_concavity;
     if (x != y) return {x < y ? Order::Less : Order::Greater};
     return {Order::Equal, TieProof::EqualRationals};
   }
@@ -321,9 +329,9 @@ class FilteredEngine {
         it = queue_.upper_bound({rival.key.low, rival.equals, {UINT32_MAX, UINT32_MAX}});
         continue;
       }
-      if (!best.fine || !rival.fine) {
+      if (!best.has_fine_bounds() || !rival.has_fine_bounds()) {
         for (const ClusterPair& pair : {best_pair, rival_pair}) {
-          if (!candidates_.at(pair).fine) narrow(pair, kNoClass);
+          if (!candidates_.at(pair).has_fine_bounds()) narrow(pair, kNoClass);
         }
         return std::nullopt;
       }

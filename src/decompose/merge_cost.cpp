@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "surface/edges.hpp"
+#include "surface/flat_polygon.hpp"
+
 namespace convexact {
 namespace {
 
@@ -22,6 +25,30 @@ bool are_equal(const RootSum& a, const RootSum& b, const Watch& watch) {
 RootTerm root_of(const Rational& square) {
   const Integer below = denominator(square);
   return {Rational(1) / Rational(below), numerator(square) * below};
+}
+
+MergeCost merge_cost(const Surface& surface, std::span<const TriangleId> triangles,
+                     const ExactConcavity& concavity, const Watch& watch) {
+  MergeCost cost;
+  std::vector<std::array<PointId, 3>> corners;
+  std::vector<RootTerm> areas, lengths;
+  const auto add = [](std::vector<RootTerm>& terms, const Rational& square) {
+    if (square != 0) terms.push_back(root_of(square));
+  };
+  for (const TriangleId t : triangles) {
+    corners.push_back(surface.triangles[t.index()]);
+    add(areas, area_vector(surface.points, corners.back()).squaredNorm());
+  }
+  EdgeTable(corners).for_each([&](std::span<const EdgeUse> uses) {
+    if (uses.size() % 2 == 0) return;
+    const RationalVector3 along = surface.points[uses[0].high] - surface.points[uses[0].low];
+    add(lengths, along.squaredNorm());
+  });
+  cost.doubled_area = RootSum(std::move(areas));
+  cost.perimeter = RootSum(std::move(lengths));
+  const ConvexPart hull = convex_part(subset(surface.points, points_of(surface, triangles)));
+  cost.squared_concavity = concavity(triangles, hull, watch).squared;
+  return cost;
 }
 
 Enclosure CostOrder::enclose(const MergeCost& cost, long precision, const Watch& watch) const {

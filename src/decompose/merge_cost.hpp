@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // merge_cost.hpp - what it costs to merge two clusters, exactly, and the order of such costs.
 #pragma once
-#include "convexact/number.hpp"
+#include <span>
+#include <utility>
+
+#include "convexact/cluster.hpp"
 #include "convexact/root_sum.hpp"
-#include "convexact/watch.hpp"
 
 namespace convexact {
 
@@ -16,6 +18,10 @@ struct MergeCost {
 
 /// A term of a sum of roots: the root of a square.
 [[nodiscard]] RootTerm root_of(const Rational& square);
+
+/// By the definition. @param triangles  Of the union, ascending.
+[[nodiscard]] MergeCost merge_cost(const Surface& surface, std::span<const TriangleId> triangles,
+                                   const ExactConcavity& concavity, const Watch& watch = {});
 
 /// The cost of a merge, a length:
 ///   E D = C + (weight / 10) perimeter^2 / (4 pi area),

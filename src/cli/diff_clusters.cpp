@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "cli/diff_clusters.hpp"
+
+#include "cli/outputs.hpp"
+#include "cli/progress.hpp"
+#include "cli/verify_union.hpp"
+#include "oracle/cluster_diff.hpp"
+#include "scene/decompose_report.hpp"
+#include "scene/result_json.hpp"
+#include "scene/stage_log.hpp"
+
+namespace convexact::cli {
+
+ConcavityLimit parse_concavity(const std::string& text) {
+  const bool is_percent = text.ends_with('%'), is_share = is_percent || text.ends_with('d');
+  try {
+    Rational value = parse_rational(text.substr(0, text.size() - (is_share ? 1 : 0)));
+    if (is_percent) value /= 100;
+    if (value >= 0 && (!is_share || value <= 1)) return {std::move(value), is_share};
+  } catch (const Error&) {  // told below
+  }
+  throw Error(ErrorCode::InvalidArgument,
+              "--concavity: expected a share of the diameter from 0 to 1, such as 3% or 0.03d, or "
+              "a length of at least 0, such as 0.05, found " +
+                  in_quotes(text));
+}
+
+std::string ClusterDiffOptions::foreign_to_removals() const {
+  return concavity   ? "--concavity"
+         : max_parts ? "--max-parts"
+         : measure   ? "--measure"
+         : connect   ? "--connect"
+                     : "";
+}
+
+void add_cluster_diff_options(CLI::App& command, ClusterDiffOptions& options) {
+  command.add_flag("--clusters", options.is_asked,
+                   "compare the merges of a decomposition instead: see decompose");
+  command.add_option("--concavity", options.concavity,
+                     "with --clusters: as in decompose (default: 3%)");
+  add_count(command, "--max-parts", options.max_parts, {1}, "with --clusters: as in decompose");
+  add_choice(command, "--measure", options.measure, kConcavityMeasureNames,
+             "with --clusters: as in decompose (default: surface)");
+  add_choice(command, "--connect", options.connect, kConnectNames,
+             "with --clusters: as in decompose (default: edge)");
+}
+
+int run_cluster_diff(const GlobalOptions& global, const std::vector<std::string>& inputs,
+                     const SceneOptions& scene, const std::vector<Engine>& engines,
+                     const ClusterDiffOptions& options) {
+  ClusterOptions wanted;
+  if (options.concavity) wanted.limit = parse_concavity(*options.concavity);
+  wanted.max_parts = options.max_parts;
+  wanted.measure = options.measure.value_or(ConcavityMeasure::Surface);
+  wanted.connect = options.connect.value_or(Connect::Edge);
+  Progress progress;
+  StageLog log(progress.watch());
+  std::vector<SceneObject> objects =
+      log.run("read", StageKind::Io, [&] { return read_scene(inputs, scene); });
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  std::string text;
+  bool explained = true;
+  for (SceneObject& object : objects) {
+    const std::string name = object.name;
+    const auto mesh = mesh_of(std::move(object));
+    if (const auto* reason = std::get_if<NotSolid>(&mesh)) {
+      progress.clear();
+      return report_not_solid(global, name, *reason);
+    }
+    const Surface surface = log.run("surface", [&] { return make_surface(std::get<Mesh>(mesh)); });
+    const ClusterDiff diff = diff_clusters(surface, wanted, engines, progress.watch());
+    log.add(diff.stages);
+    explained = explained && diff.holds();
+    list.push_back({{"name", name}});
+    list.back().update(cluster_diff_json(diff));
+    text += name + "\n" + cluster_diff_text(diff);
+  }
+  progress.clear();
+  if (global.json) {
+    print(nlohmann::ordered_json{
+        {"explained", explained}, {"objects", list}, {"stages", stages_json(log.stages())}});
+  } else {
+    print(text + stage_text(log.stages(), global.stages));
+  }
+  return explained ? 0 : 1;
+}
+
+}  // namespace convexact::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// diff_clusters.hpp - diff INPUT --clusters: engines of a decomposition against each other.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "convexact/cluster.hpp"
+#include "convexact/scene.hpp"
+
+namespace convexact::cli {
+
+/// "3%" and "0.03d" are shares of the diameter, "0.05" is a length.
+/// @throws Error InvalidArgument, naming --concavity.
+[[nodiscard]] ConcavityLimit parse_concavity(const std::string& text);
+
+struct ClusterDiffOptions {
+  bool is_asked = false;  ///< --clusters
+  std::optional<std::string> concavity;
+  std::optional<std::size_t> max_parts;
+  std::optional<ConcavityMeasure> measure;
+  std::optional<Connect> connect;
+
+  /// An option that has no meaning for removals; empty if none is given.
+  std::string foreign_to_removals() const;
+};
+
+/// Adds --clusters, --concavity, --max-parts, --measure and --connect.
+void add_cluster_diff_options(CLI::App& command, ClusterDiffOptions& options);
+
+/// Compares the engines on the faces of each object, prints what was found, and returns the exit
+/// code.
+int run_cluster_diff(const GlobalOptions& global, const std::vector<std::string>& inputs,
+                     const SceneOptions& scene, const std::vector<Engine>& engines,
+                     const ClusterDiffOptions& options);
+
+}  // namespace convexact::cli

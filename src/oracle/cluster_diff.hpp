@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// cluster_diff.hpp - where two engines merge clusters differently, and whether rounding explains
+// it.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "convexact/cluster.hpp"
+#include "convexact/scene.hpp"
+#include "io/names.hpp"
+
+namespace convexact {
+
+/// How the first merge that differs is explained, by exact costs of both pairs from the definition.
+enum class MergeDifference {
+  Tie,            ///< The costs are equal; the canonical order should have decided.
+  CostRounding,   ///< They differ by at most kExplained of the larger one.
+  LimitRounding,  ///< A concavity is that close to the limit.
+  WrongMerge,     ///< Neither: the engine is wrong.
+  WrongRecord,    ///< The same merge, but other ties, or another reason for it.
+};
+
+inline constexpr auto kMergeDifferenceNames =
+    name_table<MergeDifference>({{MergeDifference::Tie, "tie"},
+                                 {MergeDifference::CostRounding, "cost-below-rounding"},
+                                 {MergeDifference::LimitRounding, "limit-below-rounding"},
+                                 {MergeDifference::WrongMerge, "wrong-merge"},
+                                 {MergeDifference::WrongRecord, "wrong-record"}});
+
+/// How far off the float engine's estimates may be, as a share: they are bounds made tight to about
+/// 2^-26, from planes whose corners may be close together.
+inline constexpr double kExplained = 0x1p-24;
+
+/// The first difference. From there on the engines have different clusters before them.
+struct ClusterDivergence {
+  std::size_t step = 0;  ///< Merges in common.
+  MergeDifference kind = MergeDifference::WrongMerge;
+  std::optional<Merge> reference, other;                ///< None: the run ended.
+  std::optional<Enclosure> reference_cost, other_cost;  ///< Of merges within the limit.
+};
+
+struct ClusterComparison {
+  Engine reference = Engine::Exact, other = Engine::Exact;
+  std::optional<ClusterDivergence> divergence;  ///< None: the same merges.
+  /// Whether the engines agree, or one of them is the float engine and rounding explains it.
+  bool explained = true;
+};
+
+struct ClusterDiff {
+  std::size_t triangles = 0;
+  std::vector<Engine> engines;
+  std::vector<Clustering> runs;                ///< Of each engine.
+  std::vector<ClusterComparison> comparisons;  ///< Of each with the first.
+  std::vector<Stage> stages;
+
+  bool holds() const;
+};
+
+/// Runs the engines, at least two and all different, and compares them with the first.
+/// @param options  Of every run; its engine and watch are not used.
+/// @throws Error InvalidArgument for what cluster() refuses, and for a list of engines that is no
+///               such list; Stopped, as the watch says.
+[[nodiscard]] ClusterDiff diff_clusters(const Surface& surface, const ClusterOptions& options,
+                                        const std::vector<Engine>& engines,
+                                        const StageWatch& watch = {});
+
+[[nodiscard]] nlohmann::ordered_json cluster_diff_json(const ClusterDiff& diff);
+/// A line for each engine and each comparison.
+[[nodiscard]] std::string cluster_diff_text(const ClusterDiff& diff);
+
+}  // namespace convexact
