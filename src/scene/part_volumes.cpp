@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/part_volumes.hpp"
 
+#include <algorithm>
+
 #include "convexact/measure.hpp"
 #include "number/precision.hpp"
 
@@ -37,7 +39,10 @@ DecompositionMeasures measure_volumes(const Surface& surface, const std::vector<
           "union's volume",
           [&] { return union_volume(parts, kMeasureBits, exact, log.watch("union's volume")); }),
       .overlap_volume = {Enclosure(kMeasureBits), {}}};
+  const auto solids = std::count_if(parts.begin(), parts.end(),
+                                    [](const ConvexPart& part) { return part.solid.has_value(); });
   found.overlap_volume = combine(volume_of_parts(parts, exact), -1, found.union_volume);
+  if (solids < 2) found.overlap_volume.bounds = Enclosure(kMeasureBits);  // 0
   if (!surface.is_closed) {
     log.skip("solid's volumes", "the faces of the input do not close");
     return found;
