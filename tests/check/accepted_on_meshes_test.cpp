@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Every engine's proof of every shipped mesh at 18 planes, and of every family of solids.
+// Every engine's proof of every shipped mesh at 18 planes, and of every family of solids; proofs of
+// the decompositions of the shipped meshes.
 #include "checker.hpp"
 #include "convexact/io.hpp"
 #include "convexact/shapes.hpp"
+#include "decompositions.hpp"
 #include "proofs.hpp"
 #include "shipped_meshes.hpp"
 
@@ -38,5 +40,17 @@ TEST_CASE("proof: every family of solids, by every engine") {
     if (family.dimension < 3) continue;
     CAPTURE(family.name);
     check_engines(PointSet(shapes::generate(family, shapes::usual_values(family))), 6);
+  }
+}
+
+TEST_CASE("proof: the parts of shipped meshes, by both measures") {
+  for (const std::string& path : shipped_meshes()) {
+    CAPTURE(path);
+    for (const auto measure : {ConcavityMeasure::Surface, ConcavityMeasure::Vertices}) {
+      DecomposeRequest request;
+      request.measure = measure;
+      const CheckerVerdict verdict = check_proof(proof_of_parts(read_mesh(path), request), path);
+      CHECK_MESSAGE(verdict.exit_code == 0, verdict.said);
+    }
   }
 }
