@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// Property of decompose: of any few triangles on a grid the engines exact and filtered make the
+// same merges, clusters are a partition, connected and within the limit, no two neighbours can
+// merge, and the judge of decompositions, which knows nothing of owners, finds every triangle
+// covered.
+#include <set>
+
+#include "convexact/decompose.hpp"
+#include "convexact/verify_parts.hpp"
+#include "fuzz_check.hpp"
+#include "fuzz_target.hpp"
+
+using namespace convexact;
+
+namespace {
+
+constexpr std::size_t kMostPoints = 14, kMostTriangles = 20;
+
+Mesh few_triangles(FuzzInput& in) {
+  Mesh mesh;
+  const std::vector<Point> points = in.grid_points(kMostPoints, 3);
+  mesh.points = PointSet(points);
+  if (points.empty()) return mesh;
+  // Each triangle shares an edge with an earlier one, or begins anew.
+  for (std::size_t count = 1 + in.below(kMostTriangles); count > 0; --count) {
+    std::vector<std::uint32_t> triangle(3);
+    for (auto& corner : triangle) corner = static_cast<std::uint32_t>(in.below(points.size()));
+    if (!mesh.polygons.empty() && in.below(4) != 0) {
+      const auto& before = mesh.polygons[in.below(mesh.polygons.size())];
+      const std::size_t k = in.below(3);
+      triangle[0] = before[(k + 1) % 3];
+      triangle[1] = before[k];
+    }
+    mesh.polygons.push_back(std::move(triangle));
+  }
+  return mesh;
+}
+
+DecomposeRequest request_of(FuzzInput& in) {
+  constexpr std::array kLimits{0, 1, 3, 10, 30, 100};
+  DecomposeRequest request;
+  request.limit.value = Rational(kLimits[in.below(kLimits.size())], 100);
+  request.measure = in.below(2) == 0 ? ConcavityMeasure::Surface : ConcavityMeasure::Vertices;
+  request.connect = std::array{Connect::Edge, Connect::Overlap, Connect::Touching}[in.below(3)];
+  request.flat = std::array{FlatParts::Thicken, FlatParts::Keep, FlatParts::Merge}[in.below(3)];
+  request.keep_inner = in.below(2) == 0;
+  if (in.below(3) == 0) request.faces = 4 + in.below(6);
+  if (in.below(3) == 0) request.precision = Precision::Binary32;
+  return request;
+}
+
+void check_clustering(const Surface& surface, const DecomposeRequest& request) {
+  ClusterOptions options;
+  options.limit = request.limit;
+  options.measure = request.measure;
+  options.connect = request.connect;
+  const Clustering filtered = cluster(surface, options);
+  options.engine = Engine::Exact;
+  const Clustering exact = cluster(surface, options);
+  FUZZ_CHECK(filtered.merges == exact.merges);
+  FUZZ_CHECK(filtered.clusters == exact.clusters);
+  FUZZ_CHECK(filtered.united == exact.united);
+  std::vector<std::size_t> of(surface.triangles.size(), SIZE_MAX);
+  for (std::size_t k = 0; k < exact.clusters.size(); ++k) {
+    for (const TriangleId t : exact.clusters[k]) {
+      FUZZ_CHECK(of[t.index()] == SIZE_MAX);
+      of[t.index()] = k;
+    }
+  }
+  const ExactConcavity concavity(surface, request.measure);
+  std::vector<std::pair<TriangleId, TriangleId>> inside;
+  std::set<std::pair<std::size_t, std::size_t>> beside;
+  for (const auto& [a, b] : neighbours(surface, request.connect)) {
+    FUZZ_CHECK(of[a.index()] != SIZE_MAX && of[b.index()] != SIZE_MAX);
+    if (of[a.index()] == of[b.index()]) {
+      inside.emplace_back(a, b);
+    } else {
+      beside.insert(std::minmax(of[a.index()], of[b.index()]));
+    }
+  }
+  FUZZ_CHECK(count_groups(surface, inside) == exact.clusters.size());
+  for (const auto& [x, y] : beside) {
+    std::vector<TriangleId> both = exact.clusters[x];
+    both.insert(both.end(), exact.clusters[y].begin(), exact.clusters[y].end());
+    std::sort(both.begin(), both.end());
+    const ConvexPart hull = convex_part(subset(surface.points, points_of(surface, both)));
+    FUZZ_CHECK(concavity(both, hull).squared > exact.squared_limit);
+  }
+}
+
+void decompose_few(FuzzInput& in) {
+  const Mesh mesh = few_triangles(in);
+  if (mesh.polygons.empty()) return;
+  const DecomposeRequest request = request_of(in);
+  const DecomposeOutcome outcome = decompose(mesh, request);
+  const auto* made = std::get_if<Decomposition>(&outcome);
+  if (made == nullptr) return;  // flat as a whole
+  check_clustering(made->surface, request);
+  std::vector<NamedPart> parts;
+  for (const Part& part : made->parts) parts.push_back({"part", part.mesh});
+  PartsRequest asked;
+  asked.claims = {ClaimCode::CoversPoints, ClaimCode::CoversSurface};
+  asked.measures = false;
+  FUZZ_CHECK(verify_parts(mesh, parts, asked).holds());
+}
+
+const FuzzTarget kDecompose("decompose", decompose_few);
+
+}  // namespace
