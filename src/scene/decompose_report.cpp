@@ -108,9 +108,8 @@ std::vector<std::uint32_t> first_clusters(const Decomposition& decomposition) {
     return t;
   };
   for (const auto& [flat, over] : decomposition.clustering.united) {
-    const auto [low, high] = std::minmax(find(flat.value), find(over.value));
-    const std::uint32_t kept = low;
-    lowest[high] = kept;
+    const std::uint32_t a = find(flat.value), b = find(over.value);
+    lowest[std::max(a, b)] = std::min(a, b);
   }
   for (std::size_t t = 0; t < lowest.size(); ++t) lowest[t] = find(static_cast<std::uint32_t>(t));
   return lowest;

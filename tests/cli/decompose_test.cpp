@@ -186,6 +186,32 @@ TEST_CASE("decompose: owners, forest and trace tell the same partition") {
   }
 }
 
+TEST_CASE("decompose: triangles without area begin in the cluster of a neighbour") {
+  const ScratchFolder scratch;
+  // A tetrahedron with a point in the middle of an edge, on which a sliver without area hangs: it
+  // is united over its longest edge, 2 to 3.
+  const std::string input = scratch.write("t.obj",
+                                          "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nv 1 1 0\n"
+                                          "f 1 3 2\nf 1 2 4\nf 2 5 4\nf 5 3 4\nf 3 1 4\nf 2 3 5\n");
+  const std::string list = scratch.file("t.json"), trace = scratch.file("trace.json");
+  decomposed(input + " -o " + list + " --trace " + trace);
+  const json document = parts_document(list);
+  CHECK(document["surface"]["flat_triangles"] == 1);
+  const json united = json::parse(bytes_of(trace))["united"];
+  REQUIRE(united.size() == 1);
+  const std::size_t flat = united[0][0], over = united[0][1];
+  CHECK(document["face_of"][flat] == 5);
+  CHECK(document["face_of"][over] == 0);
+  std::size_t leaves = 0;
+  for (const json& node : document["tree"]) {
+    if (!node.contains("triangles")) continue;
+    ++leaves;
+    if (node["triangles"].size() == 1) continue;
+    CHECK(node["triangles"] == json::array({std::min(flat, over), std::max(flat, over)}));
+  }
+  CHECK(leaves == 5);
+}
+
 TEST_CASE("decompose: a convex input is one part, its hull") {
   const ScratchFolder scratch;
   const std::string input =
