@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-[[noreturn]] void reject(const std::string& expected) {
+[[noreturn]] void reject_parts(const std::string& expected) {
   throw Error(ErrorCode::Malformed, "expected " + expected);
 }
 
@@ -29,7 +29,7 @@ std::vector<NamedPart> parts_of_json(std::string_view bytes, Decimal decimal) {
   parse_json_events(bytes, reader);
   const json& document = reader.document;
   if (!document.is_object() || !document.contains("parts") || !document["parts"].is_array()) {
-    reject("an object with a list of 'parts'");
+    reject_parts("an object with a list of 'parts'");
   }
   std::vector<NamedPart> parts;
   for (const json& part : document["parts"]) {
@@ -107,15 +107,16 @@ std::vector<std::string> meshes_in(const std::string& folder) {
 
 NamedPart part_of_json(const json& part, std::size_t number, Decimal decimal) {
   if (!part.is_object() || !part.contains("vertices")) {
-    reject(fmt::format("part {} as an object with 'vertices'", number));
+    reject_parts(fmt::format("part {} as an object with 'vertices'", number));
   }
   std::string name = fmt::format("part_{:03}", number);
   if (part.contains("name")) {
-    if (!part["name"].is_string()) reject(fmt::format("the name of part {} as a text", number));
+    if (!part["name"].is_string())
+      reject_parts(fmt::format("the name of part {} as a text", number));
     name = part["name"].get<std::string>();
   }
   if (part["vertices"].is_array() && part["vertices"].empty()) {
-    reject(fmt::format("points in part {}, which has none", number));
+    reject_parts(fmt::format("points in part {}, which has none", number));
   }
   try {
     return {std::move(name), mesh_of_json(part, decimal)};
