@@ -409,11 +409,10 @@ TEST_CASE("wrong decomposition: pairs of neighbours") {
   unclaimed.set("neighbours", 0, "neighbours unclaimed");
   check_not_proven(unclaimed, "no neighbours, or they are apart already");
   check_proven(unclaimed.erase("apart"));
-  // The L's notch is the triangle (1, 1), (2, 1), (1, 2): straight in from its sides it is at most
-  // 1 to the hull, from the corner (1, 1). A limit of as much is not exceeded; one of less is.
-  Forged equal(right), below(right);
-  equal.set("limit", 0, "limit length 1");
-  below.set("limit", 0, "limit length 0x1.fffffffffffffp-1");
+  // Directions are of length 1, so the ray is as long as its line says. A limit of as much is not
+  // exceeded.
+  Forged equal(right);
+  equal.set("limit", 0, "limit length " + apart[6]);
   const CheckerVerdict verdict = check_proof(equal.text());
   CHECK_MESSAGE(verdict.said.find("the ray is within the limit") != std::string::npos,
                 verdict.said);
