@@ -210,7 +210,7 @@ class FilteredEngine {
   // Bounds the concavity of the union of clusters as they are, and decides whether it is allowed.
   void evaluate(const ClusterPair& pair) {
     ++made_.evaluations;
-    options_.watch.ask();
+    report_progress();
     Candidate candidate = std::move(candidates_.at(pair));
     leave(pair);
     const Cluster& a = clusters_.at(pair.first);
@@ -230,6 +230,12 @@ class FilteredEngine {
     if (candidate.concavity.low > limit_.high) return true;
     if (candidate.concavity.high <= limit_.low) return false;
     return exact_cost(pair, candidate).squared_concavity > start_.squared_limit;
+  }
+
+  // There are about 1.4 evaluations and one merge for each triangle.
+  void report_progress() const {
+    const std::size_t expected = start_.lowest.size() * 12 / 5 + 1;
+    options_.watch.at(std::min(made_.merges.size() + made_.evaluations, expected), expected);
   }
 
   // In exact numbers. The bounds become as narrow as doubles allow.
@@ -377,7 +383,7 @@ class FilteredEngine {
     }
     collapse(*pair);
     made_.merges.push_back(std::move(merge));
-    options_.watch.at(made_.merges.size(), start_.lowest.size());
+    report_progress();
     return true;
   }
 

@@ -73,6 +73,13 @@ CRACKS = "(async () => {" + PRELUDE + """
   }
   return {covered, dark, enclosed};
 })()"""
+# What is seen, as one number.
+SIGHT = "(async () => {" + PRELUDE + """
+  await frame(0, 0);
+  const [width, height] = size(), pixels = new Uint8Array(4 * width * height);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  return pixels.reduce((sum, x) => (31 * sum + x) % 1000000007, 0);
+})()"""
 SHOWN = """[...document.querySelectorAll("#layers input")].map(box => box.hidden ? null : box.checked)"""
 
 
@@ -142,6 +149,38 @@ def check_bunny(path):
         page.close()
 
 
+def check_decomposition(path):
+    """Parts, apart and together; the clusters after some merges; rays as colours: each looks different."""
+    page = opened(path, graphics=chromium.SOFTWARE_WEBGL)
+    try:
+        page.evaluate(SIZE)
+        sights = []
+
+        def look(name, script):
+            page.evaluate(script)
+            sights.append(page.evaluate(SIGHT))
+            keep(page, name)
+
+        def show(index):
+            return f'document.querySelectorAll("#layers input").forEach((x, k) => {{ x.checked = k === {index}; x.onchange(); }})'
+
+        def slide(control, value):
+            return f'{{ const s = document.getElementById("{control}"); s.value = {value}; s.oninput(); }}'
+
+        look("parts", "0")
+        look("parts_apart", slide("apart", 80))
+        look("clusters", slide("apart", 0) + show(0))
+        most = int(page.evaluate('document.getElementById("merges").max'))
+        look("clusters_before", slide("merges", most - 40))
+        assert page.evaluate('document.querySelector("#merges + output").textContent') == str(most - 40)
+        look("rays", show(1))
+        assert len(set(sights)) == len(sights), sights
+        assert page.evaluate('document.getElementById("apart").labels[0].innerText.trim()') == "draw parts apart"
+        assert not page.complaints, page.complaints
+    finally:
+        page.close()
+
+
 def check_static(path):
     """Without WebGL: the drawing and the numbers, no switches, no complaint."""
     page = opened(path, graphics=chromium.NO_WEBGL)
@@ -172,7 +211,10 @@ def main():
         for name, faces in (("sphere.obj", "12"), (data / "bunny.obj", "18")):
             subprocess.run([program, "simplify", name, "--faces", faces, "--picture",
                             pathlib.Path(name).stem + ".html"], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([program, "decompose", data / "spot.obj", "--no-measures", "--picture", "spot.html"], check=True,
+                       stdout=subprocess.DEVNULL)
         check_convex("sphere.html")
+        check_decomposition("spot.html")
         check_static("bunny.html")
         print(f"{check_bunny('bunny.html')}; no cracks")
     return 0

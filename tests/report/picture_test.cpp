@@ -159,3 +159,33 @@ TEST_CASE("picture: more than a million points are drawn on a coarser grid of th
   CHECK(points <= 1000000);
   CHECK(points > 250000);  // a grid twice as coarse as needed has a quarter of the points
 }
+
+TEST_CASE("polygons with colours of their own keep their order, and move apart") {
+  PictureLayer colored = cube(2);
+  colored.edges = false;
+  const std::size_t faces = colored.polygons.size();
+  for (std::size_t k = 0; k < faces; ++k) colored.heat.push_back(double(k) / double(faces - 1));
+  colored.merges = {{0, 1}, {2, 3}, {0, 2}};
+  PictureLayer moved = cube(1);
+  moved.away = {2, 0, -1};
+  const Picture picture{.title = "t", .caption = "c", .layers = {colored, moved}};
+  const std::string page = picture_html(picture);
+  CHECK(page == picture_html(picture));
+  const auto layers = layers_of(page);
+  // A square is two triangles, and both name it. Numbers of 32 bits: low and high halves.
+  std::vector<int> polygons;
+  for (std::size_t k = 0; k < faces; ++k) polygons.insert(polygons.end(), {int(k), 0, int(k), 0});
+  CHECK(numbers_of(layers[0]["polygonOf"]) == polygons);
+  CHECK(numbers_of(layers[0]["merges"]) == std::vector<int>{0, 0, 1, 0, 2, 0, 3, 0, 0, 0, 2, 0});
+  CHECK(layers[0].contains("heat"));
+  CHECK_FALSE(layers[0].contains("away"));
+  // The scene is [0, 2]^3, so a length of 1 is 32767 grid steps.
+  CHECK(layers[1]["away"] == nlohmann::json({2 * 32767, 0, -32767}));
+  CHECK_FALSE(layers[1].contains("polygonOf"));
+  CHECK(has(page, R"(id="apart" min="0" max="100" value="0")"));
+  CHECK(has(page, R"(id="merges" min="0" max="3" value="3")"));
+  // Pages without such layers have no such controls.
+  const std::string plain = picture_html({.title = "t", .caption = "c", .layers = {cube(1)}});
+  CHECK_FALSE(has(plain, R"(id="apart")"));
+  CHECK_FALSE(has(plain, R"(id="merges")"));
+}
