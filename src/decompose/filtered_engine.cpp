@@ -249,7 +249,9 @@ class FilteredEngine {
     std::sort(triangles.begin(), triangles.end());
     candidate.exact = std::make_unique<ExactCost>();
     MergeCost& cost = candidate.exact->cost;
-    cost.squared_concavity = near_.exact(*candidate.united, triangles, options_.watch).squared;
+    if (candidate.concavity.high > 0) {
+      cost.squared_concavity = near_.exact(*candidate.united, triangles, options_.watch).squared;
+    }
     std::vector<RootTerm> areas, lengths;
     for (const TriangleId t : triangles) {
       if (!areas_[t.index()]) {

@@ -62,25 +62,45 @@ std::vector<PointId> flat_extreme(const PointSet& points, const std::vector<Poin
   return chain;
 }
 
-// The planes of a hull's facets, about its first point.
-NearFacets facets_of(const Hull& hull, const std::vector<PointId>& ids,
-                     std::span<const Point> points, bool is_float) {
-  NearFacets near;
-  near.origin = points[ids[hull.vertices.front().index()].index()];
-  double radius = 0;
-  for (const PointId v : hull.vertices) {
-    radius = std::max(radius, largest(points[ids[v.index()].index()] - near.origin));
-  }
-  near.planes.reserve(hull.facets.size());
-  near.corners.reserve(hull.facets.size());
+// Three corners of each facet, counter-clockwise from outside, far apart if there are more.
+std::vector<std::array<PointId, 3>> corners_of_facets(const Hull& hull,
+                                                      const std::vector<PointId>& ids) {
+  std::vector<std::array<PointId, 3>> corners;
+  corners.reserve(hull.facets.size());
   for (std::size_t f = 0; f < hull.facets.size(); ++f) {
     const auto cycle = hull.facets[f];
     const std::size_t n = cycle.size();
-    const std::array<PointId, 3> corners{ids[cycle[0].index()], ids[cycle[n / 3].index()],
-                                         ids[cycle[2 * n / 3].index()]};
-    const Point& a = points[corners[0].index()];
-    const NearNormal normal = normal_of(a, points[corners[1].index()], points[corners[2].index()]);
-    const Point local = a - near.origin;
+    corners.push_back(
+        {ids[cycle[0].index()], ids[cycle[n / 3].index()], ids[cycle[2 * n / 3].index()]});
+  }
+  return corners;
+}
+
+// The same of a tetrahedron with a volume, each beginning at its lowest point.
+std::vector<std::array<PointId, 3>> corners_of_tetrahedron(const std::vector<PointId>& p,
+                                                           bool is_last_beyond_others) {
+  std::vector<std::array<PointId, 3>> corners{
+      {p[0], p[2], p[1]}, {p[0], p[1], p[3]}, {p[1], p[2], p[3]}, {p[0], p[3], p[2]}};
+  if (!is_last_beyond_others) {
+    for (auto& corner : corners) std::swap(corner[1], corner[2]);
+  }
+  return corners;
+}
+
+// The planes of facets, about the lowest point of the cluster.
+NearFacets near_facets(std::vector<std::array<PointId, 3>> corners,
+                       const std::vector<PointId>& extreme, std::span<const Point> points,
+                       bool is_float) {
+  NearFacets near;
+  near.origin = points[extreme.front().index()];
+  double radius = 0;
+  for (const PointId v : extreme) {
+    radius = std::max(radius, largest(points[v.index()] - near.origin));
+  }
+  near.planes.reserve(corners.size());
+  for (const auto& [a, b, c] : corners) {
+    const NearNormal normal = normal_of(points[a.index()], points[b.index()], points[c.index()]);
+    const Point local = points[a.index()] - near.origin;
     const double size = normal.value.cwiseAbs().sum();
     // n.(a - x) for coordinates up to `radius`: 2 * 3 * radius * error from the normal; each of
     // both points is within 10u radius, and the two products and their difference are rounded, 8u
@@ -90,8 +110,8 @@ NearFacets facets_of(const Hull& hull, const std::vector<PointId>& ids,
     near.planes.push_back({normal.value[0], normal.value[1], normal.value[2],
                            normal.value.dot(local), is_float ? 0 : depth_error,
                            is_float ? 0 : normal.error, size});
-    near.corners.push_back(corners);
   }
+  near.corners = std::move(corners);
   return near;
 }
 
@@ -184,14 +204,31 @@ std::vector<PointId> NearConcavity::corners_of(std::uint32_t item) const {
 }
 
 void NearConcavity::find_hull(NearCluster& cluster, const std::vector<PointId>& points) const {
-  if (points.size() <= 2) {
-    cluster.extreme = points;
+  cluster.extreme = points;
+  if (points.size() <= 2) return;
+  if (points.size() == 3) {
+    // Ids are in lexicographic order: of points on a line the ends come first and last.
+    if (has_no_area(surface_->points, {points[0], points[1], points[2]})) {
+      cluster.extreme = {points[0], points[2]};
+    }
     return;
+  }
+  if (points.size() == 4 && is_exact_input_) {
+    const auto at = surface_->points.doubles();
+    const Sign side = orient3d(at[points[0].index()], at[points[1].index()], at[points[2].index()],
+                               at[points[3].index()]);
+    if (side != Sign::Zero) {
+      cluster.facets = near_facets(corners_of_tetrahedron(points, side == Sign::Negative), points,
+                                   points_, is_float_);
+      return;
+    }
   }
   const HullOutcome hull = convex_hull(subset(surface_->points, points));
   if (const auto* solid = std::get_if<Hull>(&hull)) {
-    cluster.facets = facets_of(*solid, points, points_, is_float_);
+    cluster.extreme.clear();
     for (const PointId v : solid->vertices) cluster.extreme.push_back(points[v.index()]);
+    cluster.facets =
+        near_facets(corners_of_facets(*solid, points), cluster.extreme, points_, is_float_);
   } else {
     cluster.extreme = flat_extreme(surface_->points, points, std::get<FlatInput>(hull));
   }
