@@ -249,9 +249,7 @@ class FilteredEngine {
     std::sort(triangles.begin(), triangles.end());
     candidate.exact = std::make_unique<ExactCost>();
     MergeCost& cost = candidate.exact->cost;
-    if (candidate.concavity.high > 0) {
-      cost.squared_concavity = near_.exact(*candidate.united, triangles, options_.watch).squared;
-    }
+    cost.squared_concavity = near_.squared(*candidate.united, triangles, options_.watch);
     std::vector<RootTerm> areas, lengths;
     for (const TriangleId t : triangles) {
       if (!areas_[t.index()]) {
@@ -273,26 +271,32 @@ class FilteredEngine {
     return cost;
   }
 
-  // Computes a fresh candidate in exact numbers, and enters it again with the narrowest key; of a
-  // class, with the key of that class.
+  // Computes a fresh candidate in exact numbers, and enters it again with the narrowest key. Those
+  // of a class are equal, so they share bounds and key.
   void narrow(const ClusterPair& pair, std::uint32_t equals) {
     Candidate candidate = std::move(candidates_.at(pair));
     leave(pair);
     const MergeCost& cost = exact_cost(pair, candidate);
-    auto& fine = candidate.exact->bounds;
-    fine = by_concavity_ ? sqrt(Enclosure(cost.squared_concavity, 128))
-                         : order_.enclose(cost, 128, options_.watch);
-    const Enclosure unit(scale_by_power_of_two(Rational(1), -near_.exponent()), 128);
-    const Enclosure scaled = *fine * unit;
-    candidate.key = {scaled.low_double(), scaled.high_double()};
-    candidate.equals = equals;
-    if (equals != kNoClass) {
-      Class& of = classes_[equals];
-      if (of.members++ == 0) of.key = candidate.key;
-      candidate.key = of.key;
+    Class own;
+    Class& of = equals == kNoClass ? own : classes_[equals];
+    if (of.members++ == 0) {
+      of.bounds = by_concavity_ ? sqrt(Enclosure(cost.squared_concavity, 128))
+                                : order_.enclose(cost, 128, options_.watch);
+      const Enclosure unit(scale_by_power_of_two(Rational(1), -near_.exponent()), 128);
+      const Enclosure scaled = *of.bounds * unit;
+      of.key = {scaled.low_double(), scaled.high_double()};
     }
+    candidate.equals = equals;
+    candidate.exact->bounds = of.bounds;
+    candidate.key = of.key;
     queue_.insert(place(pair, candidate));
     candidates_.insert_or_assign(pair, std::move(candidate));
+  }
+
+  // Most ties are of congruent triangles, and need no bounds.
+  bool is_plain_tie(const ClusterPair& a, const ClusterPair& b) {
+    return !by_concavity_ && CostOrder::have_same_terms(exact_cost(a, candidates_.at(a)),
+                                                        exact_cost(b, candidates_.at(b)));
   }
 
   Ordering compare(const Candidate& a, const Candidate& b) const {
@@ -338,6 +342,10 @@ class FilteredEngine {
         continue;
       }
       if (!best.has_fine_bounds() || !rival.has_fine_bounds()) {
+        if (is_plain_tie(best_pair, rival_pair)) {
+          join_class(best_pair, rival_pair, {Order::Equal, TieProof::SquareClasses});
+          return std::nullopt;
+        }
         for (const ClusterPair& pair : {best_pair, rival_pair}) {
           if (!candidates_.at(pair).has_fine_bounds()) narrow(pair, kNoClass);
         }
@@ -442,6 +450,7 @@ class FilteredEngine {
 
   struct Class {
     std::size_t members = 0;
+    std::optional<Enclosure> bounds;
     LengthBounds key;
     TieEvidence evidence;
   };

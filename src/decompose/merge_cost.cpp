@@ -61,18 +61,20 @@ Enclosure CostOrder::enclose(const MergeCost& cost, long precision, const Watch&
   return sum += sqrt(Enclosure(squared_weight_, precision)) * shape;
 }
 
+bool CostOrder::have_same_terms(const MergeCost& a, const MergeCost& b) {
+  return a.squared_concavity == b.squared_concavity && same_terms(a.perimeter, b.perimeter) &&
+         same_terms(a.doubled_area, b.doubled_area);
+}
+
 Ordering CostOrder::compare(const MergeCost& a, const MergeCost& b, const Watch& watch) const {
-  const bool same_concavity = a.squared_concavity == b.squared_concavity;
-  if (same_concavity && same_terms(a.perimeter, b.perimeter) &&
-      same_terms(a.doubled_area, b.doubled_area)) {
-    return {Order::Equal, TieProof::SquareClasses, 0};
-  }
+  if (have_same_terms(a, b)) return {Order::Equal, TieProof::SquareClasses, 0};
   for (long bits = 128; bits <= kMostBits; bits *= 2) {
     const Enclosure difference = enclose(a, bits, watch) - enclose(b, bits, watch);
     if (const auto sign = difference.sign(); sign && *sign != Sign::Zero) {
       return {*sign == Sign::Negative ? Order::Less : Order::Greater, std::nullopt, bits};
     }
-    if (bits == 128 && same_concavity && are_equal(a.perimeter, b.perimeter, watch) &&
+    if (bits == 128 && a.squared_concavity == b.squared_concavity &&
+        are_equal(a.perimeter, b.perimeter, watch) &&
         are_equal(a.doubled_area, b.doubled_area, watch)) {
       return {Order::Equal, TieProof::SquareClasses, bits};
     }

@@ -38,6 +38,9 @@ class CostOrder {
   [[nodiscard]] Enclosure enclose(const MergeCost& cost, long precision,
                                   const Watch& watch = {}) const;
 
+  /// Whether concavities and all terms are the same, and so the costs.
+  [[nodiscard]] static bool have_same_terms(const MergeCost& a, const MergeCost& b);
+
   /// Equal if all terms are the same; else by enclosures of 128 bits; if these overlap, by the
   /// proof that concavities, perimeters and areas are equal; and else by finer enclosures, which
   /// may leave it Undecided.

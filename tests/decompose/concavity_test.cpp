@@ -153,6 +153,8 @@ TEST_CASE("the concavity of all connected sets of triangles is that of the defin
         CHECK(holds(hull, found.leaves));
         NearCluster bounded = near.cluster(cluster);
         CHECK(bounds_hold(bounded.concavity, found.squared, near.exponent()));
+        NearCluster squared = bounded;
+        CHECK(near.squared(squared, cluster) == found.squared);
         const Concavity again = near.exact(bounded, cluster);
         CHECK(again.squared == found.squared);
         CHECK(again.triangle == found.triangle);
