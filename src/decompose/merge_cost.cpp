@@ -20,6 +20,27 @@ bool are_equal(const RootSum& a, const RootSum& b, const Watch& watch) {
   return same_terms(a, b) || (a - b).normalized(watch).terms().empty();
 }
 
+RootSum product(const RootSum& a, const RootSum& b) {
+  std::vector<RootTerm> terms;
+  for (const RootTerm& x : a.terms()) {
+    for (const RootTerm& y : b.terms()) {
+      terms.push_back({x.factor * y.factor, x.radicand * y.radicand});
+    }
+  }
+  return RootSum(std::move(terms));
+}
+
+// Whether perimeter^2 / area are the same: of similar shapes, for instance. Multiplied out, which
+// is for small clusters.
+bool have_equal_shapes(const MergeCost& a, const MergeCost& b, const Watch& watch) {
+  constexpr std::size_t kMostTerms = 8;  // at most 512 products of three roots on each side
+  for (const RootSum* sum : {&a.perimeter, &b.perimeter, &a.doubled_area, &b.doubled_area}) {
+    if (sum->terms().size() > kMostTerms) return false;
+  }
+  return are_equal(product(product(a.perimeter, a.perimeter), b.doubled_area),
+                   product(product(b.perimeter, b.perimeter), a.doubled_area), watch);
+}
+
 }  // namespace
 
 RootTerm root_of(const Rational& square) {
@@ -74,8 +95,9 @@ Ordering CostOrder::compare(const MergeCost& a, const MergeCost& b, const Watch&
       return {*sign == Sign::Negative ? Order::Less : Order::Greater, std::nullopt, bits};
     }
     if (bits == 128 && a.squared_concavity == b.squared_concavity &&
-        are_equal(a.perimeter, b.perimeter, watch) &&
-        are_equal(a.doubled_area, b.doubled_area, watch)) {
+        ((are_equal(a.perimeter, b.perimeter, watch) &&
+          are_equal(a.doubled_area, b.doubled_area, watch)) ||
+         have_equal_shapes(a, b, watch))) {
       return {Order::Equal, TieProof::SquareClasses, bits};
     }
   }

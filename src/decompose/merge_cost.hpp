@@ -42,8 +42,8 @@ class CostOrder {
   [[nodiscard]] static bool have_same_terms(const MergeCost& a, const MergeCost& b);
 
   /// Equal if all terms are the same; else by enclosures of 128 bits; if these overlap, by the
-  /// proof that concavities, perimeters and areas are equal; and else by finer enclosures, which
-  /// may leave it Undecided.
+  /// proof that concavities are equal, and so are perimeters and areas or, of small clusters, the
+  /// quotients; and else by finer enclosures, which may leave it Undecided.
   /// @throws Error Stopped, as the watch says.
   [[nodiscard]] Ordering compare(const MergeCost& a, const MergeCost& b,
                                  const Watch& watch = {}) const;

@@ -126,3 +126,27 @@ TEST_CASE("the float engine is classified, not trusted: on meshes without ties i
     CHECK(filtered.clusters == by_doubles.clusters);
   }
 }
+
+TEST_CASE("similar shapes of different sizes cost the same by a proof") {
+  // Two components: a square of two triangles, and the same three times as large.
+  const Mesh mesh{PointSet(std::vector<Point>{{0, 0, 0},
+                                              {1, 0, 0},
+                                              {1, 2, 0},
+                                              {0, 1, 0},
+                                              {10, 0, 5},
+                                              {13, 0, 5},
+                                              {13, 6, 5},
+                                              {10, 3, 5}}),
+                  {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}},
+                  {}};
+  const Surface surface = make_surface(mesh);
+  for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
+    ClusterOptions options;
+    options.engine = engine;
+    const Clustering made = cluster(surface, options);
+    REQUIRE(made.merges.size() == 2);
+    CHECK(made.merges[0].ties == 1);
+    REQUIRE(made.merges[0].tie_evidence.proof);
+    CHECK(*made.merges[0].tie_evidence.proof == TieProof::SquareClasses);
+  }
+}

@@ -19,7 +19,7 @@ ROOT = pathlib.Path(__file__).parents[2]
 COW_TRIANGLES = 5804
 
 
-def spheres(rings=12, sectors=24):
+def spheres(rings=8, sectors=12):
     """Four balls of radius 1, apart, as an OBJ."""
     lines, faces, count = [], [], 0
     for x, y in ((0, 0), (3, 0), (0, 3), (3, 3)):
