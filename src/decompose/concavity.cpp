@@ -4,6 +4,7 @@
 
 #include "convexact/cluster.hpp"
 #include "number/arithmetic.hpp"
+#include "overlay/arrangement.hpp"
 #include "surface/flat_polygon.hpp"
 
 namespace convexact {
@@ -21,46 +22,88 @@ Rational squared_length(const Ray& ray) {
   return ray.first * ray.first * Rational(ray.second.dot(ray.second));
 }
 
-// -(n.M + d), at least 0 of a point of the hull.
-Rational depth(const Halfspace& plane, const RationalPoint& point) { return -plane(point); }
+// The corners of a triangle over one denominator.
+using Corners = std::array<HomogeneousPoint, 3>;
 
-// The ray from a point of the hull leaves it at the first plane that it runs towards.
-Rational length_of_ray(const ConvexPart& hull, const RationalPoint& from,
-                       const IntegerVector3& direction) {
-  std::optional<Rational> least;
-  for (const Halfspace& plane : hull.halfspaces) {
-    const Integer speed = plane.normal().dot(direction);
-    if (speed <= 0) continue;
-    Rational t = depth(plane, from) / Rational(speed);
-    if (!least || t < *least) least = std::move(t);
+Corners corners_of(const Surface& surface, TriangleId triangle) {
+  std::array<Rational, 9> coordinates;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const RationalPoint corner = surface.points[surface.triangles[triangle.index()][k]];
+    std::copy(corner.begin(), corner.end(), coordinates.begin() + 3 * k);
   }
-  return least.value_or(Rational(0));
+  std::array<Integer, 9> x;
+  const Integer w = clear_denominators(coordinates, x);
+  return {{{{x[0], x[1], x[2]}, w}, {{x[3], x[4], x[5]}, w}, {{x[6], x[7], x[8]}, w}}};
 }
 
-// The longest ray from a point a + u (b - a) + w (c - a) of a triangle: at most t as each plane
-// allows it, which is a linear program in u, w and t.
-Optimal longest_ray(const ConvexPart& hull, const std::array<RationalPoint, 3>& corners,
-                    const IntegerVector3& direction) {
-  const auto& [a, b, c] = corners;
-  std::vector<const Halfspace*> ahead;
+// -(n.X + d W), at least 0 of a point X / W of the hull.
+Integer depth(const Halfspace& plane, const HomogeneousPoint& point) {
+  return -plane_value(plane, point);
+}
+
+// A plane that a ray runs towards, speed = n.direction > 0. From a point X / W it gets there after
+// depth / (W speed) times its direction.
+struct Wall {
+  const Halfspace* plane;
+  Integer depth, speed;
+
+  // Of points with the same W.
+  bool is_nearer(const Wall& other) const { return depth * other.speed < other.depth * speed; }
+  Rational distance(const Integer& w) const { return {depth, w * speed}; }
+};
+
+// Where the ray from a point of the hull leaves it: the first plane that it gets to.
+std::optional<Wall> wall_ahead(const ConvexPart& hull, const HomogeneousPoint& from,
+                               const IntegerVector3& direction) {
+  std::optional<Wall> first;
   for (const Halfspace& plane : hull.halfspaces) {
-    if (plane.normal().dot(direction) > 0) ahead.push_back(&plane);
+    Integer speed = dot(plane.normal(), direction);
+    if (speed <= 0) continue;
+    Wall wall{&plane, depth(plane, from), std::move(speed)};
+    if (!first || wall.is_nearer(*first)) first = std::move(wall);
   }
-  const auto rows = static_cast<Eigen::Index>(ahead.size());
-  LinearProgram lp{RationalMatrix::Zero(rows + 3, 3), RationalVector::Zero(rows + 3),
-                   RationalVector::Zero(3)};
-  for (Eigen::Index k = 0; k < rows; ++k) {
-    const Halfspace& plane = *ahead[static_cast<std::size_t>(k)];
-    const Rational at_a = plane(a);
-    lp.normals(k, 0) = plane(b) - at_a;
-    lp.normals(k, 1) = plane(c) - at_a;
-    lp.normals(k, 2) = Rational(plane.normal().dot(direction));
-    lp.offsets[k] = at_a;
+  return first;
+}
+
+// The wall ahead of the centroid of a triangle, as far as it is from a corner: no ray from the
+// triangle is longer.
+Wall bounding_wall(const ConvexPart& hull, const Corners& corners,
+                   const IntegerVector3& direction) {
+  const auto& [a, b, c] = corners;
+  Wall bound = *wall_ahead(hull, {a.n + b.n + c.n, 3 * a.w}, direction);
+  bound.depth = 0;
+  for (const HomogeneousPoint& corner : corners) {
+    bound.depth = std::max<Integer>(bound.depth, depth(*bound.plane, corner));
   }
-  lp.normals(rows, 0) = -1;      // u >= 0
-  lp.normals(rows + 1, 1) = -1;  // w >= 0
-  lp.normals(rows + 2, 0) = lp.normals(rows + 2, 1) = 1;
-  lp.offsets[rows + 2] = -1;  // u + w <= 1
+  return bound;
+}
+
+// The longest ray from a point a + u (b - a) + v (c - a) of a triangle: at most t as each plane
+// allows it, which is a linear program in u, v and t. Planes beyond the bound are left out: they
+// cut off nothing.
+Optimal longest_ray(const ConvexPart& hull, const Corners& corners,
+                    const IntegerVector3& direction) {
+  const Wall bound = bounding_wall(hull, corners, direction);
+  std::vector<std::array<Rational, 4>> rows{
+      {-1, 0, 0, 0}, {0, -1, 0, 0}, {1, 1, 0, -1}};  // u >= 0, v >= 0, u + v <= 1
+  for (const Halfspace& plane : hull.halfspaces) {
+    const Integer speed = dot(plane.normal(), direction);
+    if (speed <= 0) continue;
+    std::array<Wall, 3> at;
+    for (std::size_t k = 0; k < 3; ++k) at[k] = {&plane, depth(plane, corners[k]), speed};
+    if (std::all_of(at.begin(), at.end(), [&](const Wall& w) { return bound.is_nearer(w); })) {
+      continue;
+    }
+    rows.push_back(
+        {at[0].depth - at[1].depth, at[0].depth - at[2].depth, speed * corners[0].w, -at[0].depth});
+  }
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  LinearProgram lp{RationalMatrix(count, 3), RationalVector(count), RationalVector::Zero(3)};
+  for (Eigen::Index k = 0; k < count; ++k) {
+    auto& row = rows[static_cast<std::size_t>(k)];
+    for (Eigen::Index i = 0; i < 3; ++i) lp.normals(k, i) = std::move(row[i]);
+    lp.offsets[k] = std::move(row[3]);
+  }
   lp.objective[2] = 1;
   return std::get<Optimal>(maximise(lp));  // the hull holds the triangle and is bounded
 }
@@ -89,14 +132,13 @@ IntegerVector3 ExactConcavity::direction(TriangleId triangle, int k) const {
 }
 
 Concavity ExactConcavity::operator()(TriangleId triangle, const ConvexPart& hull) const {
-  std::array<RationalPoint, 3> corners;
+  const Corners corners = corners_of(*surface_, triangle);
+  std::array<RationalPoint, 3> points;
   for (std::size_t k = 0; k < 3; ++k) {
-    corners[k] = surface_->points[surface_->triangles[triangle.index()][k]];
+    points[k] = surface_->points[surface_->triangles[triangle.index()][k]];
   }
-  Concavity found{.triangle = triangle,
-                  .at = corners[0],
-                  .leaves = corners[0],
-                  .normal = IntegerVector3::Zero()};
+  Concavity found{
+      .triangle = triangle, .at = points[0], .leaves = points[0], .normal = IntegerVector3::Zero()};
   const auto keep = [&](const RationalPoint& from, const Ray& ray, bool is_first) {
     Rational squared = squared_length(ray);
     if (!is_first && squared <= found.squared) return;
@@ -110,46 +152,28 @@ Concavity ExactConcavity::operator()(TriangleId triangle, const ConvexPart& hull
     if (normal.isZero()) return found;
     const Optimal best = longest_ray(hull, corners, normal);
     const RationalPoint from =
-        corners[0] + best.x[0] * (corners[1] - corners[0]) + best.x[1] * (corners[2] - corners[0]);
+        points[0] + best.x[0] * (points[1] - points[0]) + best.x[1] * (points[2] - points[0]);
     keep(from, {best.x[2], normal}, true);
     return found;
   }
   for (int k = 0; k < 3; ++k) {
     const IntegerVector3 normal = direction(triangle, k);
     if (normal.isZero()) continue;
-    const RationalPoint& from = corners[static_cast<std::size_t>(k)];
-    keep(from, {length_of_ray(hull, from, normal), normal}, found.normal.isZero());
+    const HomogeneousPoint& corner = corners[static_cast<std::size_t>(k)];
+    const auto wall = wall_ahead(hull, corner, normal);
+    keep(points[static_cast<std::size_t>(k)],
+         {wall ? wall->distance(corner.w) : Rational(0), normal}, found.normal.isZero());
   }
   return found;
 }
 
-// The plane is the one where the ray from its centroid leaves the hull.
 bool ExactConcavity::is_no_longer(TriangleId triangle, const ConvexPart& hull,
                                   const Rational& squared) const {
   const IntegerVector3 normal = direction(triangle, 0);
   if (normal.isZero()) return true;
-  std::array<RationalPoint, 3> corners;
-  for (std::size_t k = 0; k < 3; ++k) {
-    corners[k] = surface_->points[surface_->triangles[triangle.index()][k]];
-  }
-  const RationalPoint sum = corners[0] + corners[1] + corners[2];
-  const Halfspace* first = nullptr;
-  Rational least, speed_there;
-  for (const Halfspace& plane : hull.halfspaces) {
-    const Integer speed = plane.normal().dot(normal);
-    if (speed <= 0) continue;
-    const RationalVector3 n = plane.normal().cast<Rational>();
-    Rational t = -(n.dot(sum) + 3 * Rational(plane.offset())) / Rational(speed);
-    if (first != nullptr && t >= least) continue;
-    least = std::move(t);
-    speed_there = Rational(speed);
-    first = &plane;
-  }
-  Rational longest = 0;
-  for (const RationalPoint& corner : corners) {
-    longest = std::max<Rational>(longest, depth(*first, corner) / speed_there);
-  }
-  return squared_length({longest, normal}) <= squared;
+  const Corners corners = corners_of(*surface_, triangle);
+  const Wall bound = bounding_wall(hull, corners, normal);
+  return squared_length({bound.distance(corners[0].w), normal}) <= squared;
 }
 
 Concavity ExactConcavity::operator()(std::span<const TriangleId> cluster, const ConvexPart& hull,
