@@ -78,34 +78,74 @@ Wall bounding_wall(const ConvexPart& hull, const Corners& corners,
   return bound;
 }
 
-// The longest ray from a point a + u (b - a) + v (c - a) of a triangle: at most t as each plane
-// allows it, which is a linear program in u, v and t. Planes beyond the bound are left out: they
-// cut off nothing.
-Optimal longest_ray(const ConvexPart& hull, const Corners& corners,
-                    const IntegerVector3& direction) {
+// (t, u, v): a ray from the point a + u (b - a) + v (c - a) of a triangle, t times its direction.
+// They compare by length, then by u and v, so there is one longest ray.
+using TriangleRay = std::array<Rational, 3>;
+// One plane as the corners of a triangle see it.
+using WallAtCorners = std::array<Wall, 3>;
+
+// At a corner, or on an edge where both planes are as far; they may be the same one.
+TriangleRay longest_by_two(const WallAtCorners& p, const WallAtCorners& q, const Integer& w) {
+  const std::array<TriangleRay, 3> to_p{
+      {{p[0].distance(w), 0, 0}, {p[1].distance(w), 1, 0}, {p[2].distance(w), 0, 1}}};
+  std::array<Integer, 3> lead;  // positive where q is nearer
+  for (std::size_t k = 0; k < 3; ++k) {
+    lead[k] = p[k].depth * q[k].speed - q[k].depth * p[k].speed;
+  }
+  TriangleRay longest;
+  for (std::size_t k = 0; k < 3; ++k) {
+    TriangleRay at_corner = to_p[k];
+    if (lead[k] > 0) at_corner[0] = q[k].distance(w);
+    longest = std::max(longest, at_corner);
+    const std::size_t next = (k + 1) % 3;
+    if (lead[k].sign() * lead[next].sign() >= 0) continue;
+    const Rational share = Rational(lead[k]) / Rational(lead[k] - lead[next]);
+    TriangleRay on_edge;
+    for (std::size_t i = 0; i < 3; ++i) {
+      on_edge[i] = to_p[k][i] + share * (to_p[next][i] - to_p[k][i]);
+    }
+    longest = std::max(longest, on_edge);
+  }
+  return longest;
+}
+
+// At most t as each plane allows it: a linear program in u, v and t.
+TriangleRay longest_by_program(const std::vector<WallAtCorners>& walls, const Integer& w) {
+  const auto count = static_cast<Eigen::Index>(walls.size());
+  LinearProgram lp{RationalMatrix::Zero(count + 3, 3), RationalVector::Zero(count + 3),
+                   RationalVector::Zero(3)};
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto& [a, b, c] = walls[static_cast<std::size_t>(k)];
+    lp.normals(k, 0) = a.depth - b.depth;
+    lp.normals(k, 1) = a.depth - c.depth;
+    lp.normals(k, 2) = a.speed * w;
+    lp.offsets[k] = -a.depth;
+  }
+  lp.normals(count, 0) = -1;      // u >= 0
+  lp.normals(count + 1, 1) = -1;  // v >= 0
+  lp.normals(count + 2, 0) = lp.normals(count + 2, 1) = 1;
+  lp.offsets[count + 2] = -1;  // u + v <= 1
+  lp.objective[2] = 1;
+  const auto best = std::get<Optimal>(maximise(lp));  // the hull holds the triangle
+  return {best.x[2], best.x[0], best.x[1]};
+}
+
+// Planes that are beyond the bound at all corners cut off nothing, and are left out.
+TriangleRay longest_ray(const ConvexPart& hull, const Corners& corners,
+                        const IntegerVector3& direction) {
   const Wall bound = bounding_wall(hull, corners, direction);
-  std::vector<std::array<Rational, 4>> rows{
-      {-1, 0, 0, 0}, {0, -1, 0, 0}, {1, 1, 0, -1}};  // u >= 0, v >= 0, u + v <= 1
+  std::vector<WallAtCorners> walls;
   for (const Halfspace& plane : hull.halfspaces) {
     const Integer speed = dot(plane.normal(), direction);
     if (speed <= 0) continue;
-    std::array<Wall, 3> at;
+    WallAtCorners at;
     for (std::size_t k = 0; k < 3; ++k) at[k] = {&plane, depth(plane, corners[k]), speed};
-    if (std::all_of(at.begin(), at.end(), [&](const Wall& w) { return bound.is_nearer(w); })) {
-      continue;
-    }
-    rows.push_back(
-        {at[0].depth - at[1].depth, at[0].depth - at[2].depth, speed * corners[0].w, -at[0].depth});
+    const auto is_beyond = [&](const Wall& wall) { return bound.is_nearer(wall); };
+    if (!std::all_of(at.begin(), at.end(), is_beyond)) walls.push_back(std::move(at));
   }
-  const auto count = static_cast<Eigen::Index>(rows.size());
-  LinearProgram lp{RationalMatrix(count, 3), RationalVector(count), RationalVector::Zero(3)};
-  for (Eigen::Index k = 0; k < count; ++k) {
-    auto& row = rows[static_cast<std::size_t>(k)];
-    for (Eigen::Index i = 0; i < 3; ++i) lp.normals(k, i) = std::move(row[i]);
-    lp.offsets[k] = std::move(row[3]);
-  }
-  lp.objective[2] = 1;
-  return std::get<Optimal>(maximise(lp));  // the hull holds the triangle and is bounded
+  const Integer& w = corners[0].w;
+  return walls.size() <= 2 ? longest_by_two(walls.front(), walls.back(), w)
+                           : longest_by_program(walls, w);
 }
 
 }  // namespace
@@ -150,10 +190,10 @@ Concavity ExactConcavity::operator()(TriangleId triangle, const ConvexPart& hull
   if (measure_ == ConcavityMeasure::Surface) {
     const IntegerVector3 normal = direction(triangle, 0);
     if (normal.isZero()) return found;
-    const Optimal best = longest_ray(hull, corners, normal);
+    const auto [t, u, v] = longest_ray(hull, corners, normal);
     const RationalPoint from =
-        points[0] + best.x[0] * (points[1] - points[0]) + best.x[1] * (points[2] - points[0]);
-    keep(from, {best.x[2], normal}, true);
+        points[0] + u * (points[1] - points[0]) + v * (points[2] - points[0]);
+    keep(from, {t, normal}, true);
     return found;
   }
   for (int k = 0; k < 3; ++k) {
