@@ -62,6 +62,17 @@ Sign center_side_of(const Points& points, PointId a, PointId b, PointId p) {
   return center_side_of(points, cross(near[a.index()], near[b.index()]), a, b, p);
 }
 
+/// Whether three points lie on a line, by doubles if these are certain that they do not: the bound
+/// of a plane's heights includes six times the error of a component of its normal.
+template <ExactPoints Points>
+bool are_collinear(const Points& points, PointId a, PointId b, PointId c) {
+  const auto near = points.near();
+  const NearPlane plane = NearPlane::through(near[a.index()], near[b.index()], near[c.index()]);
+  const auto& [x, y, z] = plane.normal;
+  return std::max({std::abs(x), std::abs(y), std::abs(z)}) <= plane.bound &&
+         points.collinear(a, b, c);
+}
+
 /// ExactPoints over finite doubles; keeps a reference to them. Until center_at() the near points
 /// are about the middle of the box and center_side() must not be called.
 class DoublePoints {

@@ -60,7 +60,7 @@ std::vector<PointId> find_simplex(const Points& points) {
         const NearPoint area = cross(axis, difference(i, s[0]));
         return dot(area, area);
       },
-      [&](PointId p) { return !points.collinear(s[0], s[1], p); });
+      [&](PointId p) { return !are_collinear(points, s[0], s[1], p); });
   if (!third) return s;
   s.push_back(*third);
   const NearPoint normal = cross(axis, difference(s[2].index(), s[0]));
