@@ -30,6 +30,7 @@
 #include "convexact/shrink.hpp"
 #include "convexact/simplify.hpp"
 #include "convexact/simplify_scene.hpp"
+#include "convexact/split.hpp"
 #include "convexact/stored.hpp"
 #include "convexact/surface.hpp"
 #include "convexact/union_distance.hpp"
