@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// small_surfaces.hpp - small seeded surfaces with many ties: terrains and boundaries of cells.
+// small_surfaces.hpp - small seeded surfaces with many ties: terrains, boundaries of cells, and
+// soups.
 #pragma once
 #include <random>
 #include <set>
@@ -40,6 +41,31 @@ inline std::set<Cell> random_cells(std::size_t count, std::mt19937& random) {
     if (taken.insert(next).second) cells.push_back(next);
   }
   return taken;
+}
+
+/// Triangles on points of a grid of (size + 1)^3: most share an edge with an earlier one, and some
+/// have no area or are repeated.
+inline convexact::Mesh soup(std::size_t points, std::size_t triangles, unsigned size,
+                            std::mt19937& random) {
+  std::vector<Point> corners;
+  const auto coordinate = [&] { return double(random() % (size + 1)); };
+  while (corners.size() < points) {
+    const double x = coordinate(), y = coordinate();
+    corners.emplace_back(x, y, coordinate());
+  }
+  std::vector<std::vector<std::uint32_t>> faces;
+  while (faces.size() < triangles) {
+    std::vector<std::uint32_t> face(3);
+    for (auto& corner : face) corner = std::uint32_t(random() % points);
+    if (!faces.empty() && random() % 8 != 0) {
+      const auto& before = faces[random() % faces.size()];
+      const std::size_t k = random() % 3;
+      face[0] = before[(k + 1) % 3];
+      face[1] = before[k];
+    }
+    faces.push_back(std::move(face));
+  }
+  return {convexact::PointSet(std::move(corners)), std::move(faces), {}};
 }
 
 /// The first triangles of a surface in canonical order, as a surface.
