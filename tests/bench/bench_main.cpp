@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
   register_scene_bench(inputs);
   register_overlay_bench(bench_meshes());
   register_cluster_bench(bench_meshes());
+  register_split_bench(bench_meshes());
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -11,7 +11,8 @@ import sys
 COLUMNS = [("hull", "cgal"), ("hull", "qhull"), ("filtered", "cgal"), ("float", "cgal"), ("exact", "filtered"),
            ("by-area", "by-volume"), ("by-mean-width", "by-volume"),
            ("by-area-exact", "by-area"), ("by-mean-width-exact", "by-mean-width"), ("inner", "outer"), ("inner-costs", "outer"), ("shared", "own"), ("union", "nef-union"),
-           ("filtered", "hacd"), ("filtered", "float"), ("owners", "filtered")]
+           ("filtered", "hacd"), ("filtered", "float"), ("owners", "filtered"),
+           ("acd", "filtered"), ("acd-paths", "acd")]
 
 
 def medians(path):
