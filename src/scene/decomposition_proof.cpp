@@ -138,7 +138,7 @@ class HullRays {
   }
 
   RationalPoint point(const RaySource& source, const HullRay& ray) const {
-    const RationalPoint a = surface_.points[source.corners[0]];
+    RationalPoint a = surface_.points[source.corners[0]];
     if (source.corners.size() == 1) return a;
     return a + ray.u * (surface_.points[source.corners[1]] - a) +
            ray.w * (surface_.points[source.corners[2]] - a);
