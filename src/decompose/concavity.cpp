@@ -154,6 +154,7 @@ ExactConcavity::ExactConcavity(const Surface& surface, ConcavityMeasure measure)
     : surface_(&surface), measure_(measure) {
   std::vector<RationalVector3> at_points(
       measure == ConcavityMeasure::Vertices ? surface.points.size() : 0, RationalVector3::Zero());
+  normals_.reserve(at_points.empty() ? surface.triangles.size() : at_points.size());
   for (const auto& triangle : surface.triangles) {
     const RationalVector3 area = area_vector(surface.points, triangle);
     if (measure == ConcavityMeasure::Surface) {

@@ -46,7 +46,7 @@ struct Cluster {
   NearCluster near;
   std::vector<std::uint32_t> boundary;  // edges that an odd number of the triangles have; ascending
   NearSum perimeter, doubled_area;
-  std::set<std::uint32_t> neighbours;
+  std::vector<std::uint32_t> neighbours;  // in any order
 };
 
 // What a merge costs in exact numbers, and bounds of 128 bits once it was compared with another.
@@ -88,8 +88,8 @@ class FilteredEngine {
     areas_.resize(surface.triangles.size());
     lengths_.resize(edges_.size());
     for (const ClusterPair& pair : start.pairs) {
-      clusters_.at(pair.first).neighbours.insert(pair.second);
-      clusters_.at(pair.second).neighbours.insert(pair.first);
+      clusters_.at(pair.first).neighbours.push_back(pair.second);
+      clusters_.at(pair.second).neighbours.push_back(pair.first);
       enter(pair, Candidate{});
     }
   }
@@ -403,8 +403,8 @@ class FilteredEngine {
     leave(pair);
     Cluster a = std::move(clusters_.at(kept)), b = std::move(clusters_.at(gone));
     clusters_.erase(gone);
-    a.neighbours.erase(gone);
-    b.neighbours.erase(kept);
+    std::erase(a.neighbours, gone);
+    std::erase(b.neighbours, kept);
     // What is known of a union holds of a larger one, as a lower bound.
     std::map<std::uint32_t, Candidate> known;
     for (const auto& [name, beside] :
@@ -417,7 +417,7 @@ class FilteredEngine {
             std::max({after.concavity.low, before.concavity.low, near.concavity.low});
         after.is_beyond = after.is_beyond || before.is_beyond;
         leave(old);
-        clusters_.at(other).neighbours.erase(name);
+        std::erase(clusters_.at(other).neighbours, name);
       }
     }
     a.triangles.insert(a.triangles.end(), b.triangles.begin(), b.triangles.end());
@@ -427,8 +427,8 @@ class FilteredEngine {
     measure_boundary(a);
     a.neighbours.clear();
     for (const auto& [other, candidate] : known) {
-      a.neighbours.insert(other);
-      clusters_.at(other).neighbours.insert(kept);
+      a.neighbours.push_back(other);
+      clusters_.at(other).neighbours.push_back(kept);
     }
     clusters_.at(kept) = std::move(a);
     for (auto& [other, candidate] : known) enter(std::minmax(kept, other), std::move(candidate));
