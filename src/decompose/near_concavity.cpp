@@ -433,50 +433,9 @@ LengthBounds NearConcavity::root_bounds(const Rational& squared) const {
   return {root.low_double(), root.high_double()};
 }
 
-// If the bound is one plane's, the corner that it lets run farthest, if its ray fits into the hull:
-// then no point of the triangle has a longer one.
-std::optional<Rational> NearConcavity::square_at_corner(const NearFacets& facets,
-                                                        TriangleId triangle,
-                                                        const RayBound& ray) const {
-  if (ray.planes[0] < 0 || ray.planes[1] >= 0 || ray.planes[2] >= 0) return std::nullopt;
-  const Halfspace plane = exact_plane(facets, ray.planes[0]);
-  const IntegerVector3 direction = exact_.direction(triangle, 0);
-  const Integer speed = plane.normal().dot(direction);
-  if (speed <= 0) return std::nullopt;
-  RationalPoint from;
-  std::optional<Rational> longest;
-  for (const PointId p : surface_->triangles[triangle.index()]) {
-    const RationalPoint corner = surface_->points[p];
-    Rational t = -plane(corner) / Rational(speed);
-    if (longest && t <= *longest) continue;
-    longest = std::move(t);
-    from = corner;
-  }
-  const RationalPoint leaves = from + *longest * direction.cast<Rational>();
-  if (plane_behind(facets, leaves)) return std::nullopt;
-  return *longest * *longest * Rational(direction.dot(direction));
-}
-
 Rational NearConcavity::squared(NearCluster& cluster, std::span<const TriangleId> triangles,
                                 const Watch& watch) const {
-  if (cluster.concavity.high == 0) return 0;
-  if (measure_ == ConcavityMeasure::Surface && is_exact_input_) {
-    // One ray that may be the longest, and the others certainly shorter.
-    const RayBound* only = nullptr;
-    std::size_t count = 0;
-    for (const RayBound& ray : cluster.rays) {
-      if (ray.high < cluster.concavity.low) continue;
-      only = &ray;
-      ++count;
-    }
-    if (count == 1) {
-      if (const auto square = square_at_corner(cluster.facets, TriangleId(only->item), *only)) {
-        cluster.concavity = root_bounds(*square);
-        return *square;
-      }
-    }
-  }
-  return exact(cluster, triangles, watch).squared;
+  return cluster.concavity.high == 0 ? Rational(0) : exact(cluster, triangles, watch).squared;
 }
 
 Concavity NearConcavity::exact(NearCluster& cluster, std::span<const TriangleId> triangles,

@@ -78,7 +78,7 @@ class NearConcavity {
   ///                 doubles allow.
   [[nodiscard]] Concavity exact(NearCluster& cluster, std::span<const TriangleId> triangles,
                                 const Watch& watch = {}) const;
-  /// Its square alone, which is often at hand without a linear program.
+  /// Its square alone.
   [[nodiscard]] Rational squared(NearCluster& cluster, std::span<const TriangleId> triangles,
                                  const Watch& watch = {}) const;
   [[nodiscard]] Concavity exact(std::span<const TriangleId> triangles,
@@ -104,9 +104,6 @@ class NearConcavity {
   [[nodiscard]] std::optional<Concavity> exact(const NearFacets& facets, TriangleId triangle,
                                                std::span<RayBound* const> rays,
                                                const std::optional<Concavity>& longest) const;
-  [[nodiscard]] std::optional<Rational> square_at_corner(const NearFacets& facets,
-                                                         TriangleId triangle,
-                                                         const RayBound& ray) const;
   [[nodiscard]] LengthBounds root_bounds(const Rational& squared) const;
   [[nodiscard]] std::optional<std::int32_t> plane_behind(const NearFacets& facets,
                                                          const RationalPoint& x) const;
