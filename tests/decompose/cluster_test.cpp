@@ -158,6 +158,27 @@ TEST_CASE("concavity never falls along the forest of merges") {
   }
 }
 
+TEST_CASE("an edge of three triangles is on the boundary of their cluster") {
+  // Right triangles with sides 3, 4, 5 in a plane, all with the edge from (0, 0) to (0, 4): a
+  // perimeter of 3 (3 + 5) + 4 = 28 and an area of 18; (weight / 10) 28^2 / (4 pi 18) with
+  // weight 1.
+  const Surface surface = make_surface(
+      {PointSet(std::vector<Point>{{0, 0, 0}, {0, 4, 0}, {3, 0, 0}, {-3, 0, 0}, {3, 4, 0}}),
+       {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}},
+       {}});
+  for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
+    ClusterOptions options;
+    options.limit = {.value = 1, .is_share = false};
+    options.engine = engine;
+    options.costs = true;
+    const Clustering made = cluster(surface, options);
+    REQUIRE(made.merges.size() == 2);
+    const double cost = 784 / (720 * std::numbers::pi);
+    CHECK(made.merges.back().cost->low_double() == doctest::Approx(cost).epsilon(1e-12));
+    CHECK(made.merges.back().cost->high_double() == doctest::Approx(cost).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("closed forms: as few parts as there can be, and nothing added") {
   // None of these shapes is convex, and each is a union of that many boxes and of no fewer convex
   // sets inside it.

@@ -159,6 +159,8 @@ TEST_CASE("the concavity of all connected sets of triangles is that of the defin
         CHECK(again.squared == found.squared);
         CHECK(again.triangle == found.triangle);
         CHECK(again.at == found.at);
+        // Once it is known, its bounds are narrow, or even one double.
+        CHECK(near.exact(bounded, cluster).squared == found.squared);
         if (hull.dimension < 3) {
           if (measure == ConcavityMeasure::Surface) CHECK(found.squared == 0);
           ++flat;
@@ -212,4 +214,21 @@ TEST_CASE("a closed form: the notch of an L") {
   // Each vertex is on the bottom or the top of the hull, and its normal points through that: a
   // measure at vertices does not see the notch.
   CHECK(ExactConcavity(surface, ConcavityMeasure::Vertices)(all, hull).squared == 0);
+}
+
+TEST_CASE("a closed form: a dent that is lost in rounding") {
+  // The middle of a square is lower by h. The normals beside it are (0, h, 1 / 2) and the like, so
+  // a ray from it rises to the square after 2 h times its normal: by h^2 (1 + 4 h^2), squared.
+  const double h = 0x1p-52;
+  const Surface surface = make_surface(
+      {PointSet(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, -h}}),
+       {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}},
+       {}},
+      {Orient::Keep});
+  const std::vector<TriangleId> all{TriangleId(0), TriangleId(1), TriangleId(2), TriangleId(3)};
+  const Rational square = to_rational(h) * to_rational(h);
+  const Rational expected = square * (1 + 4 * square);
+  const ConvexPart hull = convex_part(surface.points);
+  CHECK(ExactConcavity(surface, ConcavityMeasure::Surface)(all, hull).squared == expected);
+  CHECK(NearConcavity(surface, ConcavityMeasure::Surface, false).exact(all).squared == expected);
 }

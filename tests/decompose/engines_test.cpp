@@ -150,3 +150,28 @@ TEST_CASE("similar shapes of different sizes cost the same by a proof") {
     CHECK(*made.merges[0].tie_evidence.proof == TieProof::SquareClasses);
   }
 }
+
+TEST_CASE("costs that doubles cannot tell apart are told apart") {
+  // A rectangle of 1 and 1 + e, and a square. Both cost (1 / 10) of the limit times their
+  // perimeter^2 / (4 pi area), which is 16 + 4 e^2 / (1 + e) and 16, over 4 pi.
+  const double longer = 1 + 0x1p-30;
+  const Mesh mesh{PointSet(std::vector<Point>{{0, 0, 0},
+                                              {1, 0, 0},
+                                              {1, longer, 0},
+                                              {0, longer, 0},
+                                              {5, 0, 3},
+                                              {6, 0, 3},
+                                              {6, 1, 3},
+                                              {5, 1, 3}}),
+                  {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}},
+                  {}};
+  const Surface surface = make_surface(mesh);
+  for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
+    ClusterOptions options;
+    options.engine = engine;
+    const Clustering made = cluster(surface, options);
+    REQUIRE(made.merges.size() == 2);
+    CHECK(made.merges[0].kept == TriangleId(2));
+    CHECK(made.merges[0].ties == 0);
+  }
+}
