@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // decompose.hpp - a shape as the union of few convex parts, each the hull of a cluster of triangles
-// whose concavity is small; and what is proven of it.
+// whose concavity is small; and what is proven of it. Clusters come from merging or from splitting.
 //
 // The parts hold the surface of the shape. They need not hold its solid: what they leave uncovered
 // is measured.
 #pragma once
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,9 +15,16 @@
 #include "convexact/measure.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/simplify.hpp"
+#include "convexact/split.hpp"
 #include "convexact/stored.hpp"
 
 namespace convexact {
+
+/// Where the clusters come from.
+enum class DecomposeMethod {
+  Hacd,  ///< cluster(): triangles are merged.
+  Acd,   ///< split(): the surface is split at notches.
+};
 
 /// What becomes of clusters that lie in a plane.
 enum class FlatParts {
@@ -29,14 +37,17 @@ enum class FlatParts {
 };
 
 struct DecomposeRequest {
+  DecomposeMethod method = DecomposeMethod::Hacd;
   ConcavityLimit limit = {};
   std::optional<std::size_t> max_parts;  ///< >= 1. May lead beyond the limit; then that is said.
-  ConcavityMeasure measure = ConcavityMeasure::Surface;
+  ConcavityMeasure measure = ConcavityMeasure::Surface;  ///< Of Hacd.
+  BridgeChoice bridge = BridgeChoice::Farther;           ///< Of Acd.
+  Rational coplanar{99, 100};                            ///< Of Acd: as SplitOptions.
   Connect connect = Connect::Edge;
   Orient orient = Orient::Auto;
   FlatParts flat = FlatParts::Auto;
-  bool keep_inner = false;  ///< Parts that lie in another one stay.
-  Engine engine = Engine::Filtered;
+  bool keep_inner = false;           ///< Parts that lie in another one stay.
+  Engine engine = Engine::Filtered;  ///< Of Hacd.
   /// Halfspaces to keep of each part, >= 4, or of all together, >= 4 for each part with a volume:
   /// the parts are simplified and still hold what they own. Thickened parts have a volume. A part
   /// keeps more if every removal is unbounded, as from a box.
@@ -44,8 +55,9 @@ struct DecomposeRequest {
   Precision precision = Precision::Binary64;
   bool measures = true;        ///< Volumes of solid, union, excess, uncovered and overlap.
   bool exact_volumes = false;  ///< Also as fractions.
-  bool costs = false;          ///< Fill in concavity and cost of each merge, for a trace.
-  std::uint64_t seed = 1;      ///< Of every random order. The answer is the same.
+  /// Fill in what a trace shows: concavity and cost of each merge, associations of each node.
+  bool for_trace = false;
+  std::uint64_t seed = 1;  ///< Of every random order. The answer is the same.
   StageWatch watch = {};
 };
 
@@ -66,6 +78,11 @@ struct Part {
   ConvexPart hull;
   Concavity concavity;  ///< Of the cluster.
   bool is_within_limit = true;
+  /// Of Acd: no association of points to facets gives a smaller concavity, squared. None for a
+  /// cluster that a flat one joined.
+  std::optional<Rational> least_squared_concavity = {};
+  /// Of Acd, no plane through its deepest notch leaves something on both sides.
+  bool is_unsplittable = false;
   PartForm form = PartForm::Hull;
   /// Of the part before its corners were rounded, which may bend faces: what a budget counts. 0 of
   /// a flat one.
@@ -93,25 +110,41 @@ struct DecompositionMeasures {
 
 struct Decomposition {
   Surface surface;
-  Clustering clustering;
-  std::vector<Part> parts;           ///< By the lowest triangles of their clusters.
-  std::vector<std::uint32_t> owner;  ///< By triangle: into `parts`.
-  std::vector<InnerCluster> inner;   ///< Clusters that were dropped.
+  std::variant<Clustering, SplitTree> origin;  ///< Of the clusters.
+  std::vector<Part> parts;                     ///< By the lowest triangles of their clusters.
+  std::vector<std::uint32_t> owner;            ///< By triangle: into `parts`.
+  std::vector<InnerCluster> inner;             ///< Clusters that were dropped.
   std::vector<TriangleId>
       flat_merged;                   ///< Flat clusters that joined a neighbour (FlatParts::Merge).
   bool limit_holds = true;           ///< Whether every cluster is within the limit.
   std::size_t tested_triangles = 0;  ///< Whose corners were tested against their owner.
   std::optional<DecompositionMeasures> measures;
   std::vector<Stage> stages;
+
+  const Rational& squared_limit() const {
+    return std::visit([](const auto& x) -> const Rational& { return x.squared_limit; }, origin);
+  }
+  const Rational& squared_diameter() const {
+    return std::visit([](const auto& x) -> const Rational& { return x.squared_diameter; }, origin);
+  }
+  /// Of the origin, by their lowest triangles: before flat ones joined others, or inner ones
+  /// others' parts.
+  std::vector<std::span<const TriangleId>> clusters() const;
+  /// Whether the number of parts ended the run, not the limit.
+  bool stopped_by_count() const {
+    return std::visit([](const auto& x) { return x.stopped_by_count; }, origin);
+  }
 };
 
 using DecomposeOutcome = std::variant<Decomposition, NotSolid>;
 
 /// Decomposes a mesh and proves on the stored numbers that every triangle lies in its owner.
 /// @return NotSolid if all points of faces lie in one plane, unless `flat` is Thicken or Keep.
-/// @throws Error NoInterior if the mesh has no face; InvalidArgument for what cluster() and
-///               simplify() refuse and for budgets that cannot hold; Unrepresentable if the format
-///               cannot hold a part; Stopped; Internal if a proof fails.
+/// @throws Error NoInterior if the mesh has no face; InvalidArgument for what cluster(), split()
+/// and
+///               simplify() refuse, for an option of the other method, and for budgets that cannot
+///               hold; Unrepresentable if the format cannot hold a part; Stopped; Internal if a
+///               proof fails.
 [[nodiscard]] DecomposeOutcome decompose(const Mesh& mesh, const DecomposeRequest& request = {});
 
 }  // namespace convexact

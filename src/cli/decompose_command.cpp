@@ -26,6 +26,7 @@ constexpr const char* kDecomposeFooter =
     "  convexact decompose cow.obj -o parts.obj\n"
     "  convexact decompose cow.obj --concavity 5% --measure vertices -o parts/\n"
     "  convexact decompose cow.obj --max-parts 8 --faces 24 --names 'UCX_cow_%02d' -o cow_ucx.obj\n"
+    "  convexact decompose cow.obj --method acd --concavity 10% --picture splits.html\n"
     "  convexact decompose cow.obj --engine exact --trace merges.json -o parts.json\n"
     "  convexact decompose cow.obj --proof cow.proof && convexact-check cow.proof cow.obj\n"
     "  convexact verify cow.obj parts.obj --union\n"
@@ -35,11 +36,9 @@ constexpr const char* kDecomposeFooter =
     "on the written numbers. That covers the surface and need not cover the solid: the summary "
     "says\n"
     "what of the solid is in no part.\n"
-    "Exit code 0 also where --max-parts or --flat merge leads beyond the concavity allowed; the\n"
-    "summary and \"eps_holds\" say so. 4: INPUT has no face, or all its faces lie in one plane.";
-
-enum class Method { Hacd };
-constexpr auto kMethodNames = name_table<Method>({{Method::Hacd, "hacd"}});
+    "Exit code 0 also where --max-parts or --flat merge leads beyond the concavity allowed, or a\n"
+    "part of acd cannot be split; the summary and \"eps_holds\" say so. 4: INPUT has no face, or "
+    "all its faces lie in one plane.";
 
 // The files that a run writes. A new kind joins all_paths(), files_of() and the options.
 struct DecomposeFiles {
@@ -62,10 +61,12 @@ struct DecomposeArguments {
   std::string input;
   SceneOptions scene;
   DecomposeFiles files;
-  Method method = Method::Hacd;
+  DecomposeMethod method = DecomposeMethod::Hacd;
   std::string concavity = "3%";
   std::optional<std::size_t> max_parts, faces, total_faces;
   ConcavityMeasure measure = ConcavityMeasure::Surface;
+  BridgeChoice bridge = BridgeChoice::Farther;
+  std::string coplanar = "0.99";
   FlatParts flat = FlatParts::Auto;
   bool keep_inner = false;
   Connect connect = Connect::Edge;
@@ -75,6 +76,18 @@ struct DecomposeArguments {
   Precision precision = Precision::Binary64;
   bool exact_volumes = false, no_measures = false;
 };
+
+Rational parse_cosine(const std::string& text) {
+  try {
+    Rational cosine = parse_rational(text);
+    if (cosine > 0 && cosine <= 1) return cosine;
+  } catch (const Error&) {  // told below
+  }
+  throw Error(ErrorCode::InvalidArgument,
+              "--coplanar: expected the cosine of an angle, above 0 and at most 1, such as 0.99, "
+              "found " +
+                  in_quotes(text));
+}
 
 DecomposeRequest decompose_request(const DecomposeArguments& options) {
   if (options.faces && options.total_faces) {
@@ -86,9 +99,12 @@ DecomposeRequest decompose_request(const DecomposeArguments& options) {
                 "--exact-volumes asks for volumes and --no-measures for none: name one");
   }
   DecomposeRequest request;
+  request.method = options.method;
   request.limit = parse_concavity(options.concavity);
   request.max_parts = options.max_parts;
   request.measure = options.measure;
+  request.bridge = options.bridge;
+  request.coplanar = parse_cosine(options.coplanar);
   request.connect = options.connect;
   request.orient = options.orient;
   request.flat = options.flat;
@@ -99,7 +115,7 @@ DecomposeRequest decompose_request(const DecomposeArguments& options) {
   request.precision = options.precision;
   request.measures = !options.no_measures;
   request.exact_volumes = options.exact_volumes;
-  request.costs = !options.files.trace.empty();
+  request.for_trace = !options.files.trace.empty();
   request.seed = options.global.seed;
   return request;
 }
@@ -356,18 +372,29 @@ void add_decompose_command(CLI::App& program, int& exit_code) {
                   "a mesh (OBJ, OFF, PLY, STL), or halfspaces (JSON, .ine, rows); - is standard "
                   "input")
       ->required();
-  add_choice(command, "--method", options->method, kMethodNames,
-             "merge neighbouring triangles, then clusters, by concavity and shape");
+  add_choice(
+      command, "--method", options->method, kDecomposeMethodNames,
+      "hacd merges neighbouring triangles, then clusters, by concavity and shape; acd splits "
+      "the most concave part at its deepest notch, again and again");
   command
       .add_option("--concavity", options->concavity,
                   "how deep a cluster may lie in its hull: a share of the diameter, 3% or 0.03d, "
                   "or a length, 0.05")
       ->capture_default_str();
   add_count(command, "--max-parts", options->max_parts, {1},
-            "merge on beyond the concavity allowed until so many parts are left, at least 1");
+            "at least 1: hacd merges on beyond the concavity allowed until so many parts are left, "
+            "acd splits no more when there are so many");
   add_choice(command, "--measure", options->measure, kConcavityMeasureNames,
-             "concavity at every point of the triangles, or at their corners only, as published, "
-             "which sees no notch whose corners all lie on the hull");
+             "of hacd: concavity at every point of the triangles, or at their corners only, as "
+             "published, which sees no notch whose corners all lie on the hull");
+  add_choice(command, "--bridge", options->bridge, kBridgeChoiceNames,
+             "of acd: concavity is the distance to a bridge, facets of the hull over the nearest "
+             "path; to the farther of its bridges, to that of the whole region, or to the nearer");
+  command
+      .add_option("--coplanar", options->coplanar,
+                  "of acd: facets are one bridge where the cosine of the angle between their "
+                  "normals is larger; above 0, at most 1")
+      ->capture_default_str();
   add_faces(command, options->faces, "how many halfspaces to keep of each part, at least 4");
   add_count(command, "--total-faces", options->total_faces, {4, std::uint64_t(1) << 32},
             "how many halfspaces to keep in all parts together, at least 4 for each");
@@ -381,8 +408,8 @@ void add_decompose_command(CLI::App& program, int& exit_code) {
   add_choice(command, "--orient", options->orient, kOrientationNames,
              "turn faces until the solid comes out right, or keep them as they are");
   add_choice(command, "--engine", options->engine, kEngineNames,
-             "rationals everywhere; the same parts, faster; or doubles that choose, the parts "
-             "still proven");
+             "of hacd: rationals everywhere; the same parts, faster; or doubles that choose, the "
+             "parts still proven");
   command
       .add_option("-o,--output", options->files.results,
                   "file for the parts: .obj with an object for each, .json, or a folder (ends in "
@@ -394,7 +421,7 @@ void add_decompose_command(CLI::App& program, int& exit_code) {
                   "the name of a part: exactly one %d or %0Nd, which becomes its number")
       ->capture_default_str();
   command.add_option("--trace", options->files.trace,
-                     "every merge as JSON, for a program that replays it");
+                     "every merge, or split, as JSON, for a program that replays it");
   command.add_option("--proof", options->files.proof,
                      "a text from which convexact-check proves owners, concavities, and that no "
                      "neighbours can be merged");

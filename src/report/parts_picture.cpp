@@ -44,24 +44,52 @@ PictureLayer input_layer(const Surface& surface, std::string name) {
   return layer;
 }
 
-// Triangles without area join before the first merge. Names are the lowest triangles.
-std::vector<std::array<std::uint32_t, 2>> merges_of(const Decomposition& decomposition) {
-  std::vector<std::uint32_t> name(decomposition.surface.triangles.size());
-  std::iota(name.begin(), name.end(), 0u);
-  const auto name_of = [&](TriangleId t) {
-    std::uint32_t found = t.value;
-    while (name[found] != found) found = name[found] = name[name[found]];
-    return found;
-  };
-  std::vector<std::array<std::uint32_t, 2>> merges;
-  const auto merge = [&](TriangleId a, TriangleId b) {
+// Pairs of groups that join, one after another. Names are the lowest triangles.
+class Joins {
+ public:
+  explicit Joins(std::size_t triangles) : name_(triangles) {
+    std::iota(name_.begin(), name_.end(), 0u);
+  }
+
+  void join(TriangleId a, TriangleId b) {
     const auto [low, high] = std::minmax({name_of(a), name_of(b)});
-    merges.push_back({low, high});
-    name[high] = low;
-  };
-  for (const auto& [triangle, into] : decomposition.clustering.united) merge(triangle, into);
-  for (const Merge& step : decomposition.clustering.merges) merge(step.kept, step.gone);
-  return merges;
+    if (low == high) return;
+    joins_.push_back({low, high});
+    name_[high] = low;
+  }
+  std::vector<std::array<std::uint32_t, 2>> take() { return std::move(joins_); }
+
+ private:
+  std::uint32_t name_of(TriangleId t) {
+    std::uint32_t found = t.value;
+    while (name_[found] != found) found = name_[found] = name_[name_[found]];
+    return found;
+  }
+
+  std::vector<std::uint32_t> name_;
+  std::vector<std::array<std::uint32_t, 2>> joins_;
+};
+
+// Merges in their order, after triangles without area have joined; or, from the leaves of a tree,
+// the splits undone, the last one first.
+void add_steps(const Decomposition& decomposition, PictureLayer& layer) {
+  Joins joins(decomposition.surface.triangles.size());
+  if (const auto* clustering = std::get_if<Clustering>(&decomposition.origin)) {
+    for (const auto& [triangle, into] : clustering->united) joins.join(triangle, into);
+    for (const Merge& step : clustering->merges) joins.join(step.kept, step.gone);
+    layer.merges = joins.take();
+    return;
+  }
+  const auto& tree = std::get<SplitTree>(decomposition.origin);
+  for (const SplitLeaf& leaf : tree.leaves) {
+    for (const TriangleId t : leaf.triangles) joins.join(leaf.triangles.front(), t);
+  }
+  for (auto split = tree.splits.rbegin(); split != tree.splits.rend(); ++split) {
+    const auto& [kept, gone] = tree.nodes[split->node].children;
+    joins.join(tree.nodes[kept].lowest, tree.nodes[gone].lowest);
+  }
+  layer.merges = joins.take();
+  layer.splits = tree.splits.size();
 }
 
 // The ray from the middle of a triangle to where it leaves the hull, in doubles.
@@ -151,7 +179,7 @@ Picture decomposition_picture(const Decomposition& decomposition, const std::str
   Picture picture;
   picture.title = as_utf8(title);
   PictureLayer steps = input_layer(surface, "input by clusters");
-  steps.merges = merges_of(decomposition);
+  add_steps(decomposition, steps);
   PictureLayer heat = input_layer(surface, "input by rays inside the hulls");
   heat.heat = rays(decomposition);
   const double longest = *std::max_element(heat.heat.begin(), heat.heat.end());
@@ -178,8 +206,7 @@ Picture decomposition_picture(const Decomposition& decomposition, const std::str
   std::erase_if(parts, [](const PictureLayer& layer) { return layer.polygons.empty(); });
   std::move(parts.begin(), parts.end(), std::back_inserter(picture.layers));
 
-  const double diameter =
-      sqrt(Enclosure(decomposition.clustering.squared_diameter, 64)).high_double();
+  const double diameter = sqrt(Enclosure(decomposition.squared_diameter(), 64)).high_double();
   picture.caption = fmt::format(
       "{} parts of {} triangles. Colours by rays: from blue, 0, to red, a length of {:.3g} "
       "({:.2g}% "

@@ -221,6 +221,7 @@ nlohmann::ordered_json colored_json(const PictureLayer& layer, const Frame& fram
     json["heat"] = base64<std::uint8_t>(heat);
   }
   if (!layer.merges.empty()) json["merges"] = base64<std::uint32_t>(layer.merges);
+  if (layer.splits) json["splits"] = *layer.splits;
   return json;
 }
 
@@ -342,14 +343,19 @@ std::string control_list(const std::vector<PictureLayer>& layers) {
       R"(<output>{}</output></label>)"
       "\n";
   bool moves = false;
-  std::size_t steps = 0;
+  std::size_t merges = 0, splits = 0;
   for (const PictureLayer& layer : layers) {
     moves = moves || !layer.away.isZero();
-    steps = std::max(steps, layer.merges.size());
+    if (layer.splits) {
+      splits = std::max(splits, *layer.splits);
+    } else {
+      merges = std::max(merges, layer.merges.size());
+    }
   }
   std::string list;
   if (moves) list += fmt::format(kSlider, "draw parts apart", "apart", 100, 0, "");
-  if (steps > 0) list += fmt::format(kSlider, "merges", "merges", steps, steps, steps);
+  if (merges > 0) list += fmt::format(kSlider, "merges", "merges", merges, merges, merges);
+  if (splits > 0) list += fmt::format(kSlider, "splits", "splits", splits, splits, splits);
   return list;
 }
 

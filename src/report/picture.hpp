@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,6 +31,8 @@ struct PictureLayer {
   /// polygon, the lower name first. The page colours groups after as many steps as a reader asks
   /// for. Empty: `color`.
   std::vector<std::array<std::uint32_t, 2>> merges = {};
+  /// The last so many merges undo splits: a reader asks for a number of these instead.
+  std::optional<std::size_t> splits = {};
 
   /// Whether polygons have colours of their own; then they are drawn in full, without edges.
   bool has_colors() const { return !heat.empty() || !merges.empty(); }

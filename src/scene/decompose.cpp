@@ -23,6 +23,17 @@ namespace {
 
 void require_sensible(const DecomposeRequest& request) {
   if (request.max_parts && *request.max_parts == 0) refuse_request("at least one part is needed");
+  const DecomposeRequest plain;
+  if (request.method == DecomposeMethod::Acd) {
+    if (request.measure != plain.measure) {
+      refuse_request("the measure is hacd's: acd measures concavity to bridges");
+    }
+    if (request.engine != plain.engine) {
+      refuse_request("the engine is hacd's: acd has one, which decides as exact numbers do");
+    }
+  } else if (request.bridge != plain.bridge || request.coplanar != plain.coplanar) {
+    refuse_request("bridges and the cosine of coplanar facets are acd's: hacd has none");
+  }
   if (request.faces && request.total_faces) {
     refuse_request("give the faces of each part or the faces of all parts, not both");
   }
@@ -60,14 +71,14 @@ class Decomposer {
 
   Decomposition run(Surface surface) {
     made_.surface = std::move(surface);
-    made_.clustering = log_.run("clusters", [&] { return cluster_surface(); });
+    log_.run("clusters", [&] { find_clusters(); });
     hull_clusters();
     concavity_.emplace(made_.surface, request_.measure);
     merge_flat_clusters();
     const std::vector<Concavity> concavities = measure_concavities();
     choose_parts(concavities);
     std::vector<ConvexPart> stored =
-        store_parts(made_.parts, made_.clustering.squared_diameter, request_, log_);
+        store_parts(made_.parts, made_.squared_diameter(), request_, log_);
     drop_inner_as_stored(stored);
     log_.run("coverage by owners", [&] { prove_coverage(); });
     if (request_.measures) {
@@ -81,24 +92,39 @@ class Decomposer {
   }
 
  private:
-  Clustering cluster_surface() const {
-    return cluster(made_.surface, {.limit = request_.limit,
-                                   .max_parts = request_.max_parts,
-                                   .measure = request_.measure,
-                                   .connect = request_.connect,
-                                   .engine = request_.engine,
-                                   .costs = request_.costs,
-                                   .watch = log_.watch("clusters")});
+  void find_clusters() {
+    const Watch watch = log_.watch("clusters");
+    if (request_.method == DecomposeMethod::Hacd) {
+      made_.origin = cluster(made_.surface, {.limit = request_.limit,
+                                             .max_parts = request_.max_parts,
+                                             .measure = request_.measure,
+                                             .connect = request_.connect,
+                                             .engine = request_.engine,
+                                             .costs = request_.for_trace,
+                                             .watch = watch});
+    } else {
+      made_.origin = split(made_.surface, split_options(watch));
+    }
+  }
+
+  SplitOptions split_options(const Watch& watch) const {
+    return {.limit = request_.limit,
+            .max_parts = request_.max_parts,
+            .bridge = request_.bridge,
+            .coplanar = request_.coplanar,
+            .connect = request_.connect,
+            .associations = request_.for_trace,
+            .watch = watch};
   }
 
   void hull_clusters() {
     log_.run("hulls", [&] {
       const Watch watch = log_.watch("hulls");
-      const auto& clusters = made_.clustering.clusters;
-      for (const auto& triangles : clusters) {
+      const auto clusters = made_.clusters();
+      for (const auto triangles : clusters) {
         watch.at(clusters_.size(), clusters.size());
         const PointSet points = subset(made_.surface.points, points_of(made_.surface, triangles));
-        clusters_.push_back({triangles, convex_part(points, watch)});
+        clusters_.push_back({{triangles.begin(), triangles.end()}, convex_part(points, watch)});
       }
     });
   }
@@ -122,7 +148,9 @@ class Decomposer {
       std::vector<Concavity> concavities;
       for (const HulledCluster& cluster : clusters_) {
         watch.at(concavities.size(), clusters_.size());
-        concavities.push_back(request_.engine == Engine::Exact
+        concavities.push_back(request_.method == DecomposeMethod::Acd
+                                  ? by_bridges(cluster.triangles, watch)
+                              : request_.engine == Engine::Exact
                                   ? (*concavity_)(cluster.triangles, cluster.hull, watch)
                                   : near.exact(cluster.triangles, watch));
         made_.limit_holds = made_.limit_holds && is_within_limit(concavities.back());
@@ -132,7 +160,24 @@ class Decomposer {
   }
 
   bool is_within_limit(const Concavity& concavity) const {
-    return concavity.squared <= made_.clustering.squared_limit;
+    return concavity.squared <= made_.squared_limit();
+  }
+
+  // The leaf of a tree with these triangles, unless others joined them.
+  const SplitLeaf* leaf_of(const std::vector<TriangleId>& triangles) const {
+    const auto* tree = std::get_if<SplitTree>(&made_.origin);
+    if (tree == nullptr) return nullptr;
+    const auto leaf =
+        std::lower_bound(tree->leaves.begin(), tree->leaves.end(), triangles.front(),
+                         [](const SplitLeaf& x, TriangleId t) { return x.triangles.front() < t; });
+    return leaf != tree->leaves.end() && leaf->triangles == triangles ? &*leaf : nullptr;
+  }
+
+  Concavity by_bridges(const std::vector<TriangleId>& triangles, const Watch& watch) const {
+    if (const SplitLeaf* leaf = leaf_of(triangles)) {
+      return std::get<SplitTree>(made_.origin).nodes[leaf->node].concavity;
+    }
+    return measure_by_bridges(made_.surface, triangles, split_options(watch)).concavity;
   }
 
   // Every cluster becomes a part, but those that lie in the hull of another one.
@@ -143,6 +188,10 @@ class Decomposer {
       part.hull = std::move(clusters_[k].hull);
       part.concavity = concavities[k];
       part.is_within_limit = is_within_limit(part.concavity);
+      if (const SplitLeaf* leaf = leaf_of(part.cluster)) {
+        part.least_squared_concavity = leaf->least_squared_concavity;
+        part.is_unsplittable = leaf->status == LeafStatus::Unsplittable;
+      }
     }
     std::vector<const ConvexPart*> hulls;
     for (const Part& part : made_.parts) hulls.push_back(&part.hull);
@@ -239,6 +288,18 @@ class Decomposer {
 };
 
 }  // namespace
+
+std::vector<std::span<const TriangleId>> Decomposition::clusters() const {
+  std::vector<std::span<const TriangleId>> list;
+  if (const auto* clustering = std::get_if<Clustering>(&origin)) {
+    for (const auto& triangles : clustering->clusters) list.emplace_back(triangles);
+  } else {
+    for (const SplitLeaf& leaf : std::get<SplitTree>(origin).leaves) {
+      list.emplace_back(leaf.triangles);
+    }
+  }
+  return list;
+}
 
 DecomposeOutcome decompose(const Mesh& mesh, const DecomposeRequest& request) {
   require_sensible(request);

@@ -10,6 +10,7 @@
 #include "number/precision.hpp"
 #include "number/text.hpp"
 #include "scene/result_json.hpp"
+#include "scene/split_report.hpp"
 #include "scene/surface_report.hpp"
 #include "simplify/trace_json.hpp"
 
@@ -39,6 +40,8 @@ std::size_t merges_beyond(const Clustering& clustering) {
                     [](const Merge& merge) { return merge.beyond_limit; }));
 }
 
+}  // namespace
+
 // ---- JSON
 
 OrderedJson indices_json(std::span<const TriangleId> triangles) {
@@ -47,10 +50,10 @@ OrderedJson indices_json(std::span<const TriangleId> triangles) {
   return list;
 }
 
-OrderedJson limit_json(const ConcavityLimit& limit, const Clustering& clustering) {
+OrderedJson limit_json(const ConcavityLimit& limit, const Decomposition& decomposition) {
   OrderedJson json = {{limit.is_share ? "share" : "length", to_string(limit.value)}};
-  json["squared"] = to_string(clustering.squared_limit);
-  json["bounds"] = interval_json(root_of(clustering.squared_limit));
+  json["squared"] = to_string(decomposition.squared_limit());
+  json["bounds"] = interval_json(root_of(decomposition.squared_limit()));
   return json;
 }
 
@@ -63,6 +66,15 @@ OrderedJson concavity_json(const Concavity& concavity, const Rational& squared_d
           {"at", vector_json(concavity.at)},
           {"leaves", vector_json(concavity.leaves)}};
 }
+
+const char* stop_name(const Decomposition& decomposition) {
+  if (decomposition.stopped_by_count()) return "max-parts";
+  const auto* tree = std::get_if<SplitTree>(&decomposition.origin);
+  return tree != nullptr && count_leaves(*tree, LeafStatus::Unsplittable) > 0 ? "unsplittable"
+                                                                              : "concavity";
+}
+
+namespace {
 
 // Doubles; of a surface with fractions the fractions that they are, which mean the same to a reader
 // that takes decimals as they are spelled.
@@ -78,6 +90,12 @@ OrderedJson vertices_json(const PointSet& points, bool as_fractions) {
   return vertices;
 }
 
+const char* status_name(const Part& part) {
+  if (part.is_within_limit) return "within-eps";
+  if (!part.least_squared_concavity) return "beyond-eps";
+  return part.is_unsplittable ? "unsplittable" : "max-parts";
+}
+
 OrderedJson part_entry(const Decomposition& decomposition, std::size_t number,
                        const std::string& name, DecompositionDetail detail) {
   const Part& part = decomposition.parts[number];
@@ -88,8 +106,12 @@ OrderedJson part_entry(const Decomposition& decomposition, std::size_t number,
       {"triangles", part.owns.size()},
       {"corners", part.mesh.points.size()},
       {"facets", part.faces},
-      {"status", part.is_within_limit ? "within-eps" : "beyond-eps"},
-      {"concavity", concavity_json(part.concavity, decomposition.clustering.squared_diameter)}};
+      {"status", status_name(part)},
+      {"concavity", concavity_json(part.concavity, decomposition.squared_diameter())}};
+  if (const auto& least = part.least_squared_concavity) {
+    json["least_concavity"] = {{"squared", to_string(*least)},
+                               {"bounds", interval_json(root_of(*least))}};
+  }
   if (detail == DecompositionDetail::Numbers) return json;
   json["owns"] = indices_json(part.owns);
   json["vertices"] = vertices_json(part.mesh.points, !decomposition.surface.points.is_binary());
@@ -100,14 +122,14 @@ OrderedJson part_entry(const Decomposition& decomposition, std::size_t number,
 
 // The clusters that a run starts with: triangles, those without area together with the one over
 // their longest edge. By triangle: the lowest one of its cluster.
-std::vector<std::uint32_t> first_clusters(const Decomposition& decomposition) {
-  std::vector<std::uint32_t> lowest(decomposition.surface.triangles.size());
+std::vector<std::uint32_t> first_clusters(const Clustering& clustering, std::size_t triangles) {
+  std::vector<std::uint32_t> lowest(triangles);
   for (std::size_t t = 0; t < lowest.size(); ++t) lowest[t] = static_cast<std::uint32_t>(t);
   const auto find = [&](std::uint32_t t) {
     while (lowest[t] != t) t = lowest[t] = lowest[lowest[t]];
     return t;
   };
-  for (const auto& [flat, over] : decomposition.clustering.united) {
+  for (const auto& [flat, over] : clustering.united) {
     const std::uint32_t a = find(flat.value), b = find(over.value);
     lowest[std::max(a, b)] = std::min(a, b);
   }
@@ -116,8 +138,9 @@ std::vector<std::uint32_t> first_clusters(const Decomposition& decomposition) {
 }
 
 // First the clusters of the start, by their lowest triangles, then one for each merge.
-OrderedJson forest_json(const Decomposition& decomposition) {
-  const std::vector<std::uint32_t> lowest = first_clusters(decomposition);
+OrderedJson forest_json(const Decomposition& decomposition, const Clustering& clustering) {
+  const std::vector<std::uint32_t> lowest =
+      first_clusters(clustering, decomposition.surface.triangles.size());
   std::vector<std::vector<std::uint32_t>> triangles(lowest.size());
   for (std::size_t t = 0; t < lowest.size(); ++t) {
     triangles[lowest[t]].push_back(static_cast<std::uint32_t>(t));
@@ -135,7 +158,7 @@ OrderedJson forest_json(const Decomposition& decomposition) {
     is_root[t] = true;
     add(t, "triangles", triangles[t]);
   }
-  for (const Merge& merge : decomposition.clustering.merges) {
+  for (const Merge& merge : clustering.merges) {
     const std::size_t kept = merge.kept.index(), gone = merge.gone.index();
     const std::size_t left = node_of[kept], right = node_of[gone];
     is_root[gone] = false;
@@ -146,6 +169,26 @@ OrderedJson forest_json(const Decomposition& decomposition) {
     if (is_root[t]) nodes[node_of[t]]["part"] = decomposition.owner[t];
   }
   return nodes;
+}
+
+void add_method(OrderedJson& json, const DecomposeRequest& request) {
+  json["method"] = name_in(kDecomposeMethodNames, request.method);
+  if (request.method == DecomposeMethod::Hacd) {
+    json["measure"] = name_in(kConcavityMeasureNames, request.measure);
+    json["engine"] = name_of(request.engine);
+  } else {
+    json["bridge"] = name_in(kBridgeChoiceNames, request.bridge);
+    json["coplanar"] = to_string(request.coplanar);
+  }
+  json["connect"] = name_in(kConnectNames, request.connect);
+}
+
+OrderedJson merges_json(const Clustering& clustering) {
+  return {{"count", clustering.merges.size()},
+          {"beyond_eps", merges_beyond(clustering)},
+          {"ties", ties_json(ties_of(clustering))},
+          {"evaluations", clustering.evaluations},
+          {"exact_evaluations", clustering.exact_evaluations}};
 }
 
 OrderedJson measured_or_null(const std::optional<Measured>& x) {
@@ -169,23 +212,34 @@ std::string percent_text(const Enclosure& percent) {
 }
 
 // A share with its length, or the other way round.
-std::string limit_text(const ConcavityLimit& limit, const Clustering& clustering) {
-  const Enclosure length = root_of(clustering.squared_limit);
+std::string limit_text(const ConcavityLimit& limit, const Decomposition& decomposition) {
+  const Enclosure length = root_of(decomposition.squared_limit());
   if (limit.is_share) {
     return fmt::format("{} of the diameter, a length of {}", percent_text(limit.value * 100),
                        interval_text(length));
   }
   return fmt::format("a length of {}, {} of the diameter", to_decimal(limit.value, 6),
-                     percent_text(percent_of(length, clustering.squared_diameter)));
+                     percent_text(percent_of(length, decomposition.squared_diameter())));
 }
 
 // Why some cluster is beyond the limit.
 std::string cause_text(const Decomposition& decomposition, const DecomposeRequest& request) {
   std::vector<std::string> causes;
-  const std::size_t beyond = merges_beyond(decomposition.clustering);
-  if (beyond > 0 && request.max_parts) {
-    causes.push_back(fmt::format("--max-parts {} asked for {} beyond it", *request.max_parts,
-                                 number_of(beyond, "merge", "merges")));
+  if (const auto* clustering = std::get_if<Clustering>(&decomposition.origin)) {
+    const std::size_t beyond = merges_beyond(*clustering);
+    if (beyond > 0 && request.max_parts) {
+      causes.push_back(fmt::format("--max-parts {} asked for {} beyond it", *request.max_parts,
+                                   number_of(beyond, "merge", "merges")));
+    }
+  } else {
+    const auto& tree = std::get<SplitTree>(decomposition.origin);
+    if (tree.stopped_by_count && request.max_parts) {
+      causes.push_back(fmt::format("--max-parts {} allows no more splits", *request.max_parts));
+    }
+    if (const std::size_t stuck = count_leaves(tree, LeafStatus::Unsplittable)) {
+      causes.push_back(number_of(stuck, "part", "parts") +
+                       " cannot be split: each plane at the deepest notch leaves all on one side");
+    }
   }
   if (!decomposition.flat_merged.empty()) {
     causes.push_back(
@@ -196,17 +250,16 @@ std::string cause_text(const Decomposition& decomposition, const DecomposeReques
 }
 
 std::string limit_line(const Decomposition& decomposition, const DecomposeRequest& request) {
-  const std::string limit = limit_text(request.limit, decomposition.clustering);
+  const std::string limit = limit_text(request.limit, decomposition);
   if (decomposition.limit_holds) {
     return text_line("limit", "holds: no cluster is more concave than " + limit);
   }
   const auto beyond = static_cast<std::size_t>(
       std::count_if(decomposition.parts.begin(), decomposition.parts.end(),
                     [](const Part& part) { return !part.is_within_limit; }));
-  return text_line(
-             "limit",
-             fmt::format("not held: {} of {} more concave than {}", beyond,
-                         number_of(decomposition.parts.size(), "part is", "parts are"), limit)) +
+  return text_line("limit", fmt::format("not held: {} of {} {} more concave than {}", beyond,
+                                        number_of(decomposition.parts.size(), "part", "parts"),
+                                        beyond == 1 ? "is" : "are", limit)) +
          text_line("", cause_text(decomposition, request));
 }
 
@@ -232,7 +285,7 @@ std::string concavity_line(const Decomposition& decomposition, std::span<const s
   return text_line(
       "concavity",
       fmt::format("at most {} ({} of the diameter), in {} at triangle {}", interval_text(length),
-                  percent_text(percent_of(length, decomposition.clustering.squared_diameter)),
+                  percent_text(percent_of(length, decomposition.squared_diameter())),
                   names[static_cast<std::size_t>(worst - parts.begin())],
                   worst->concavity.triangle.value));
 }
@@ -323,28 +376,23 @@ std::string surface_notes(const Surface& surface) {
 
 OrderedJson decomposition_json(const Decomposition& decomposition, const DecomposeRequest& request,
                                std::span<const std::string> names, DecompositionDetail detail) {
-  const Clustering& clustering = decomposition.clustering;
-  OrderedJson json = {
-      {"decomposition", 1},
-      {"method", "hacd"},
-      {"measure", name_in(kConcavityMeasureNames, request.measure)},
-      {"connect", name_in(kConnectNames, request.connect)},
-      {"engine", name_of(request.engine)},
-      {"concavity", limit_json(request.limit, clustering)},
-      {"max_parts", or_null(request.max_parts)},
-      {"stop", clustering.stopped_by_count ? "max-parts" : "concavity"},
-      {"eps_holds", decomposition.limit_holds},
-      {"covers", "surface"},
-      {"squared_diameter", to_string(clustering.squared_diameter)},
-      {"surface", surface_json(decomposition.surface)},
-      {"merges",
-       {{"count", clustering.merges.size()},
-        {"beyond_eps", merges_beyond(clustering)},
-        {"ties", ties_json(ties_of(clustering))},
-        {"evaluations", clustering.evaluations},
-        {"exact_evaluations", clustering.exact_evaluations}}},
-      {"precision", name_in(kPrecisionNames, request.precision)},
-      {"verified", {{"triangles", decomposition.tested_triangles}, {"violations", 0}}}};
+  const auto* clustering = std::get_if<Clustering>(&decomposition.origin);
+  OrderedJson json = {{"decomposition", 1}};
+  add_method(json, request);
+  json["concavity"] = limit_json(request.limit, decomposition);
+  json["max_parts"] = or_null(request.max_parts);
+  json["stop"] = stop_name(decomposition);
+  json["eps_holds"] = decomposition.limit_holds;
+  json["covers"] = "surface";
+  json["squared_diameter"] = to_string(decomposition.squared_diameter());
+  json["surface"] = surface_json(decomposition.surface);
+  if (clustering != nullptr) {
+    json["merges"] = merges_json(*clustering);
+  } else {
+    json["splits"] = splits_json(std::get<SplitTree>(decomposition.origin));
+  }
+  json["precision"] = name_in(kPrecisionNames, request.precision);
+  json["verified"] = {{"triangles", decomposition.tested_triangles}, {"violations", 0}};
   if (const auto& measures = decomposition.measures) {
     json["solid"] = measured_or_null(measures->solid_volume);
     json["uncovered"] = measured_or_null(measures->uncovered_volume);
@@ -365,7 +413,8 @@ OrderedJson decomposition_json(const Decomposition& decomposition, const Decompo
   json["parts"] = std::move(parts);
   if (detail == DecompositionDetail::Numbers) return json;
   json["face_of"] = decomposition.surface.face;
-  json["tree"] = forest_json(decomposition);
+  json["tree"] = clustering != nullptr ? forest_json(decomposition, *clustering)
+                                       : split_tree_json(decomposition);
   return json;
 }
 
@@ -388,17 +437,35 @@ std::string write_lines(const OrderedJson& document) {
   return text + "\n}\n";
 }
 
-std::string write_decompose_trace(const Decomposition& decomposition,
-                                  const DecomposeRequest& request) {
+OrderedJson trace_head(const Decomposition& decomposition, const DecomposeRequest& request) {
   const Surface& surface = decomposition.surface;
-  const Clustering& clustering = decomposition.clustering;
-  OrderedJson points = OrderedJson::array(), triangles = points, united = points, merges = points;
+  OrderedJson points = OrderedJson::array(), triangles = points, united = points;
   for (std::size_t k = 0; k < surface.points.size(); ++k) {
     points.push_back(vector_json(surface.points[PointId(k)]));
   }
   for (const auto& [a, b, c] : surface.triangles) triangles.push_back({a.value, b.value, c.value});
-  for (const auto& [flat, over] : clustering.united) united.push_back({flat.value, over.value});
-  for (const Merge& merge : clustering.merges) {
+  const auto& pairs = std::visit(
+      [](const auto& x) -> const auto& { return x.united; }, decomposition.origin);
+  for (const auto& [flat, over] : pairs) united.push_back({flat.value, over.value});
+  OrderedJson json = {{"decompose_trace", 1}};
+  add_method(json, request);
+  json["orient"] = name_in(kOrientationNames, request.orient);
+  json["concavity"] = limit_json(request.limit, decomposition);
+  json["squared_diameter"] = to_string(decomposition.squared_diameter());
+  json["max_parts"] = or_null(request.max_parts);
+  json["stop"] = stop_name(decomposition);
+  json["points"] = std::move(points);
+  json["triangles"] = std::move(triangles);
+  json["united"] = std::move(united);
+  return json;
+}
+
+std::string write_decompose_trace(const Decomposition& decomposition,
+                                  const DecomposeRequest& request) {
+  const auto* clustering = std::get_if<Clustering>(&decomposition.origin);
+  if (clustering == nullptr) return write_split_trace(decomposition, request);
+  OrderedJson merges = OrderedJson::array();
+  for (const Merge& merge : clustering->merges) {
     OrderedJson entry = {{"kept", merge.kept.value},
                          {"gone", merge.gone.value},
                          {"squared_concavity", or_null(merge.squared_concavity)},
@@ -414,20 +481,9 @@ std::string write_decompose_trace(const Decomposition& decomposition,
     }
     merges.push_back(std::move(entry));
   }
-  return write_lines({{"decompose_trace", 1},
-                      {"method", "hacd"},
-                      {"measure", name_in(kConcavityMeasureNames, request.measure)},
-                      {"connect", name_in(kConnectNames, request.connect)},
-                      {"orient", name_in(kOrientationNames, request.orient)},
-                      {"engine", name_of(request.engine)},
-                      {"concavity", limit_json(request.limit, clustering)},
-                      {"squared_diameter", to_string(clustering.squared_diameter)},
-                      {"max_parts", or_null(request.max_parts)},
-                      {"stop", clustering.stopped_by_count ? "max-parts" : "concavity"},
-                      {"points", std::move(points)},
-                      {"triangles", std::move(triangles)},
-                      {"united", std::move(united)},
-                      {"merges", std::move(merges)}});
+  OrderedJson json = trace_head(decomposition, request);
+  json["merges"] = std::move(merges);
+  return write_lines(json);
 }
 
 std::string summary(const Decomposition& decomposition, const DecomposeRequest& request,
@@ -440,7 +496,11 @@ std::string summary(const Decomposition& decomposition, const DecomposeRequest& 
                               " inside of other parts left out; --keep-inner keeps such parts");
   }
   text += concavity_line(decomposition, names) + limit_line(decomposition, request);
-  text += merges_line(decomposition.clustering);
+  if (const auto* clustering = std::get_if<Clustering>(&decomposition.origin)) {
+    text += merges_line(*clustering);
+  } else {
+    text += text_line("splits", splits_text(std::get<SplitTree>(decomposition.origin)));
+  }
   text += text_line(
       "covers", fmt::format("surface: each of {} lies in the part that owns it, tested exactly",
                             number_of(decomposition.tested_triangles, "triangle", "triangles")));

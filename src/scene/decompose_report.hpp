@@ -11,6 +11,14 @@
 
 namespace convexact {
 
+inline constexpr auto kDecomposeMethodNames =
+    name_table<DecomposeMethod>({{DecomposeMethod::Hacd, "hacd"}, {DecomposeMethod::Acd, "acd"}});
+
+inline constexpr auto kBridgeChoiceNames =
+    name_table<BridgeChoice>({{BridgeChoice::Farther, "farther"},
+                              {BridgeChoice::Region, "region"},
+                              {BridgeChoice::Nearer, "nearer"}});
+
 inline constexpr auto kConcavityMeasureNames = name_table<ConcavityMeasure>(
     {{ConcavityMeasure::Surface, "surface"}, {ConcavityMeasure::Vertices, "vertices"}});
 
@@ -34,7 +42,7 @@ inline constexpr auto kPartFormNames = name_table<PartForm>({{PartForm::Hull, "h
 /// How much of a decomposition its document holds.
 enum class DecompositionDetail {
   Numbers,  ///< Counts, certificates and measures: its length is that of the list of parts.
-  All,      ///< Also owners, solids and the forest of merges.
+  All,      ///< Also owners, solids, and the forest of merges or the tree of splits.
 };
 
 /// A decomposition and how it came about, without stages.
@@ -47,7 +55,21 @@ enum class DecompositionDetail {
 /// A document with an entry of each top-level list, and every other value, on a line of its own.
 [[nodiscard]] std::string write_lines(const nlohmann::ordered_json& document);
 
-/// Every merge, on the surface that it refers to, so that a program can replay it.
+/// The concavity allowed, and one that was found.
+[[nodiscard]] nlohmann::ordered_json limit_json(const ConcavityLimit& limit,
+                                                const Decomposition& decomposition);
+[[nodiscard]] nlohmann::ordered_json concavity_json(const Concavity& concavity,
+                                                    const Rational& squared_diameter);
+/// The numbers of triangles, as a list.
+[[nodiscard]] nlohmann::ordered_json indices_json(std::span<const TriangleId> triangles);
+/// What ended the run.
+[[nodiscard]] const char* stop_name(const Decomposition& decomposition);
+
+/// What every trace begins with: the question, and the surface.
+[[nodiscard]] nlohmann::ordered_json trace_head(const Decomposition& decomposition,
+                                                const DecomposeRequest& request);
+
+/// Every merge, or split, on the surface that it refers to, so that a program can replay it.
 [[nodiscard]] std::string write_decompose_trace(const Decomposition& decomposition,
                                                 const DecomposeRequest& request);
 

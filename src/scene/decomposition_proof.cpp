@@ -351,8 +351,10 @@ void DecompositionWriter::find_clusters() {
     clusters_.push_back({triangles, part});
   };
   for (const Part& part : made_.parts) add_cluster(part.cluster, &part);
-  for (const auto& triangles : made_.clustering.clusters) {
-    if (cluster_of_[triangles[0].index()] == kNone) add_cluster(triangles, nullptr);
+  for (const auto triangles : made_.clusters()) {
+    if (cluster_of_[triangles[0].index()] == kNone) {
+      add_cluster({triangles.begin(), triangles.end()}, nullptr);
+    }
   }
 }
 
@@ -620,7 +622,7 @@ bool DecompositionWriter::write_pair(std::size_t a, std::size_t b) {
 // doubles tell; then all points.
 std::optional<std::pair<RaySource, HullRay>> DecompositionWriter::beyond_limit(
     const std::vector<TriangleId>& triangles, const HullRays& rays) const {
-  const Rational& limit = made_.clustering.squared_limit;
+  const Rational& limit = made_.squared_limit();
   const std::vector<RaySource> all = sources(triangles);
   struct Trial {
     double length;

@@ -161,7 +161,7 @@ TEST_CASE("wrong decomposition: clusters") {
   one.concavity = ExactConcavity(made.surface, request.measure)(all, one.hull);
   one.mesh.points = PointSet(one.hull.vertices);
   made.parts.pop_back();
-  made.clustering.clusters = {all};
+  std::get<Clustering>(made.origin).clusters = {all};
   const Forged apart(write_decomposition_proof(made, request));
   check_not_proven(apart, "the cluster is not connected");
   check_proven(Forged(apart).set("neighbours", 0, "neighbours unclaimed"));
@@ -202,7 +202,7 @@ TEST_CASE("wrong decomposition: facets and sides") {
   made.parts[0].concavity =
       ExactConcavity(made.surface, request.measure)(all, convex_part(made.surface.points));
   made.parts.pop_back();
-  made.clustering.clusters = {all};
+  std::get<Clustering>(made.origin).clusters = {all};
   Forged wide(write_decomposition_proof(made, request));
   Forged narrow(two_boxes());
   for (std::size_t f = 0; f < 12; ++f) narrow.line("facet", f) = wide.line("facet", f);

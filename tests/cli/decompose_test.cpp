@@ -186,6 +186,53 @@ TEST_CASE("decompose: owners, forest and trace tell the same partition") {
   }
 }
 
+TEST_CASE("decompose --method acd: owners, tree and trace tell the same partition") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("cross.obj", obj_of_cells(support::cross_cells()));
+  const std::string list = scratch.file("cross.json"), trace = scratch.file("trace.json"),
+                    parts = scratch.file("cross.obj.parts.obj");
+  const json answer = decomposed(input + " --method acd -o " + list + " -o " + parts + " --trace " +
+                                 trace + " --picture " + scratch.file("x.html"));
+  CHECK(is_accepted(input, parts));
+  CHECK(answer["method"] == "acd");
+  const json document = parts_document(list);
+  const std::size_t count = document["surface"]["triangles"];
+  std::vector<std::size_t> owner(count, count);
+  for (std::size_t k = 0; k < document["parts"].size(); ++k) {
+    for (const std::size_t t : document["parts"][k]["owns"]) owner[t] = k;
+  }
+  std::vector<std::size_t> seen(count);
+  std::size_t leaves = 0;
+  for (const json& node : document["tree"]) {
+    CHECK(node.contains("triangles") != node.contains("children"));
+    if (!node.contains("triangles")) continue;
+    ++leaves;
+    for (const std::size_t t : node["triangles"]) {
+      ++seen[t];
+      CHECK(node["part"] == owner[t]);
+    }
+  }
+  CHECK(std::count(seen.begin(), seen.end(), std::size_t(1)) == std::ptrdiff_t(count));
+  CHECK(leaves == answer["splits"]["count"].get<std::size_t>() + 1);
+  const json splits = json::parse(bytes_of(trace));
+  CHECK(schema_complaint("decompose-acd-trace", splits) == "");
+  CHECK(splits["nodes"].size() == document["tree"].size());
+  // A replay: what moved and the islands are the second child, counted down from the root.
+  std::vector<std::size_t> triangles(splits["nodes"].size());
+  triangles[0] = count;
+  for (const json& split : splits["splits"]) {
+    const std::size_t gone = split["moved"].size() + split["islands"].size();
+    triangles[split["children"][1].get<std::size_t>()] = gone;
+    triangles[split["children"][0].get<std::size_t>()] =
+        triangles[split["node"].get<std::size_t>()] - gone;
+    CHECK(splits["nodes"][split["node"].get<std::size_t>()]["notch"] == split["edge"][0]);
+  }
+  for (std::size_t n = 0; n < triangles.size(); ++n) {
+    CHECK(splits["nodes"][n]["triangles"] == triangles[n]);
+  }
+  CHECK(bytes_of(scratch.file("x.html")).find("id=\"splits\"") != std::string::npos);
+}
+
 TEST_CASE("decompose: triangles without area begin in the cluster of a neighbour") {
   const ScratchFolder scratch;
   // A tetrahedron with a point in the middle of an edge, on which a sliver without area hangs: it
@@ -526,7 +573,12 @@ TEST_CASE("decompose: refusals, each with a sentence") {
                             {"--concavity nan", 2, share},
                             {"--concavity 3%%", 2, share},
                             {"--concavity ''", 2, share},
-                            {"--method acd", 2, "--method"},
+                            {"--method cut", 2, "--method"},
+                            {"--method acd --engine float", 2, "the engine is hacd's"},
+                            {"--method acd --measure vertices", 2, "the measure is hacd's"},
+                            {"--method acd --coplanar 1.5", 2, "--coplanar: expected the cosine"},
+                            {"--method acd --coplanar x", 2, "--coplanar: expected the cosine"},
+                            {"--bridge nearer", 2, "are acd's"},
                             {"--max-parts 0", 2, "--max-parts: expected a whole number"},
                             {"--faces 3", 2, "--faces: expected a whole number from 4"},
                             {"--faces 8 --total-faces 8", 2, "name one"},

@@ -187,5 +187,9 @@ TEST_CASE("polygons with colours of their own keep their order, and move apart")
   // Pages without such layers have no such controls.
   const std::string plain = picture_html({.title = "t", .caption = "c", .layers = {cube(1)}});
   CHECK_FALSE(has(plain, R"(id="apart")"));
+  colored.splits = 2;
+  const std::string with_splits = picture_html({.title = "t", .caption = "c", .layers = {colored}});
+  CHECK(has(with_splits, R"(id="splits" min="0" max="2" value="2")"));
+  CHECK_FALSE(has(with_splits, R"(id="merges")"));
   CHECK_FALSE(has(plain, R"(id="merges")"));
 }

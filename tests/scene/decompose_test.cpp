@@ -188,7 +188,7 @@ TEST_CASE("decompose: unit cells are parted as they are made up") {
     for (const Part& part : d.parts) {
       CHECK(part.form == PartForm::Hull);
       CHECK(part.is_within_limit);
-      CHECK(part.concavity.squared <= d.clustering.squared_limit);
+      CHECK(part.concavity.squared <= d.squared_limit());
     }
   }
 }
@@ -713,27 +713,36 @@ TEST_CASE("decompose: the order of points, faces and corners does not matter") {
   }
 }
 
+// Up to 7 triangles on 6 points of a grid.
+Mesh random_soup(std::mt19937_64& random) {
+  std::vector<Point> points;
+  for (int k = 0; k < 6; ++k) {
+    const std::uint64_t bits = random();
+    points.emplace_back(bits % 4, (bits >> 8) % 4, (bits >> 16) % 4);
+  }
+  std::vector<std::vector<std::uint32_t>> triangles;
+  const std::size_t count = 1 + random() % 7;
+  while (triangles.size() < count) {
+    const std::uint64_t bits = random();
+    triangles.push_back(
+        {std::uint32_t(bits % 6), std::uint32_t((bits >> 8) % 6), std::uint32_t((bits >> 16) % 6)});
+  }
+  return mesh_of(points, triangles);
+}
+
 TEST_CASE("decompose: every triangle of a random soup lies in its owner") {
   std::mt19937_64 random(11);
-  for (int round = 0; round < 150; ++round) {
-    std::vector<Point> points;
-    for (int k = 0; k < 6; ++k) {
-      const std::uint64_t bits = random();
-      points.emplace_back(bits % 4, (bits >> 8) % 4, (bits >> 16) % 4);
-    }
-    std::vector<std::vector<std::uint32_t>> triangles;
-    const std::size_t count = 1 + random() % 7;
-    while (triangles.size() < count) {
-      const std::uint64_t bits = random();
-      triangles.push_back({std::uint32_t(bits % 6), std::uint32_t((bits >> 8) % 6),
-                           std::uint32_t((bits >> 16) % 6)});
-    }
-    const Mesh mesh = mesh_of(points, triangles);
+  for (int round = 0; round < 300; ++round) {
+    const Mesh mesh = random_soup(random);
     for (const FlatParts flat : {FlatParts::Thicken, FlatParts::Keep, FlatParts::Merge}) {
       DecomposeRequest request = with_fractions();
       request.flat = flat;
       request.keep_inner = round % 2 == 0;
       if (round % 3 == 0) request.faces = 5;
+      if (round >= 150) {
+        request.method = DecomposeMethod::Acd;
+        request.bridge = BridgeChoice(round % 3);
+      }
       const auto outcome = decompose(mesh, request);
       if (std::holds_alternative<NotSolid>(outcome)) {
         CHECK(flat == FlatParts::Merge);
@@ -744,16 +753,70 @@ TEST_CASE("decompose: every triangle of a random soup lies in its owner") {
       for (const Part& part : d.parts) {
         // Nothing can be removed from a thickened segment: a parallelepiped.
         if (request.faces) CHECK((part.faces <= 5 || part.form == PartForm::Thickened));
-        CHECK(part.is_within_limit == (part.concavity.squared <= d.clustering.squared_limit));
+        CHECK(part.is_within_limit == (part.concavity.squared <= d.squared_limit()));
+        if (part.is_unsplittable) CHECK(!part.is_within_limit);
+        if (part.least_squared_concavity) {
+          CHECK(*part.least_squared_concavity <= part.concavity.squared);
+        }
       }
       std::size_t owned = d.inner.size();
       for (const InnerCluster& inner : d.inner) {
         CHECK(d.owner[inner.lowest.index()] == inner.part);
       }
       owned += d.parts.size() + d.flat_merged.size();
-      CHECK(owned == d.clustering.clusters.size());
+      CHECK(owned == d.clusters().size());
     }
   }
+}
+
+// ---- Splitting
+
+TEST_CASE("decompose: an L is split at its notch, which lies a half deep, squared") {
+  const Mesh l = mesh_of_cells(l_cells());
+  DecomposeRequest request = with_fractions();
+  request.method = DecomposeMethod::Acd;
+  request.max_parts = 1;
+  const Decomposition whole = decomposed(l, request);
+  REQUIRE(whole.parts.size() == 1);
+  // From the corner (1, 1) to the line between (2, 1) and (1, 2).
+  CHECK(whole.parts[0].concavity.squared == Rational(1, 2));
+  // The corner is also one of the bottom, or of the top, and these are facets of the hull.
+  CHECK(whole.parts[0].least_squared_concavity == Rational(0));
+  CHECK(!whole.parts[0].is_within_limit);
+  CHECK(!whole.parts[0].is_unsplittable);
+  CHECK(whole.stopped_by_count());
+  CHECK(!whole.limit_holds);
+  check_volumes(whole, 3, 0, Rational(1, 2));
+  request.max_parts.reset();
+  const Decomposition split = decomposed(l, request);
+  CHECK(split.limit_holds);
+  CHECK(split.parts.size() >= 2);
+  CHECK(std::get<SplitTree>(split.origin).splits.size() + 1 == split.clusters().size());
+  check_verdict(l, split);
+}
+
+TEST_CASE("decompose: an option of the other method is refused") {
+  const Mesh box = box_mesh(kUnit);
+  const auto code = [&](const auto& change) {
+    DecomposeRequest request;
+    change(request);
+    return error_of([&] { return decompose(box, request); }).code();
+  };
+  const auto invalid = ErrorCode::InvalidArgument;
+  CHECK(code([](DecomposeRequest& r) { r.bridge = BridgeChoice::Nearer; }) == invalid);
+  CHECK(code([](DecomposeRequest& r) { r.coplanar = 1; }) == invalid);
+  CHECK(code([](DecomposeRequest& r) {
+          r.method = DecomposeMethod::Acd;
+          r.measure = ConcavityMeasure::Vertices;
+        }) == invalid);
+  CHECK(code([](DecomposeRequest& r) {
+          r.method = DecomposeMethod::Acd;
+          r.engine = Engine::Exact;
+        }) == invalid);
+  CHECK(code([](DecomposeRequest& r) {
+          r.method = DecomposeMethod::Acd;
+          r.coplanar = 0;
+        }) == invalid);
 }
 
 // ---- Refusals and stages

@@ -97,12 +97,18 @@ function coloredGroup(layer) {
     paint(polygon => heatColor(heat[polygon] / 255, color));
   }
   if (layer.merges) {
-    const merges = numbersOf(layer.merges, Uint32Array);
-    group.userData.merge = steps => {
-      const names = groupsAfter(merges, Math.min(steps, merges.length / 2), count);
+    const merges = numbersOf(layer.merges, Uint32Array), all = merges.length / 2;
+    const showAfter = steps => {
+      const names = groupsAfter(merges, Math.max(0, Math.min(steps, all)), count);
       paint(polygon => groupColor(names[polygon], color));
     };
-    group.userData.merge(merges.length / 2);
+    if (layer.splits === undefined) {
+      group.userData.merge = showAfter;
+      showAfter(all);
+    } else {
+      group.userData.split = splits => showAfter(all - splits);
+      group.userData.split(layer.splits);
+    }
   }
   return group;
 }
@@ -202,10 +208,12 @@ control("apart", share => {
   for (const group of scene.children) group.position.copy(group.userData.away).multiplyScalar(share / 100);
   radius = radiusTogether + Math.max(0, radiusApart - radiusTogether) * share / 100;
 });
-control("merges", steps => {
-  document.querySelector("#merges + output").textContent = steps;
-  for (const group of scene.children) group.userData.merge?.(steps);
-});
+for (const [id, step] of [["merges", "merge"], ["splits", "split"]]) {
+  control(id, steps => {
+    document.querySelector(`#${id} + output`).textContent = steps;
+    for (const group of scene.children) group.userData[step]?.(steps);
+  });
+}
 
 // --- turning and zooming -------------------------------------------------------------------------
 
