@@ -65,6 +65,7 @@ struct SplitNode {
   std::size_t triangle_count = 0;
   /// The distance of its deepest point, the *notch*, to its bridge: of equal ones the lowest. `at`
   /// is that point, `leaves` the nearest point of the bridge, `triangle` the lowest one at it.
+  /// A point has none if all triangles of the part at it lie on the hull.
   Concavity concavity;
   PointId notch;  ///< If the concavity is not 0.
   std::optional<Association> association;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "number/arithmetic.hpp"
 
@@ -28,6 +29,90 @@ RationalPoint nearest_on_facet(const PointSet& points, const Association::Facet&
   }
   return is_inside ? foot : *nearest;
 }
+
+// ---- Planes of facets
+
+namespace {
+
+// How far points lie below the plane of a facet, in the frame. Points are off by u, differences by
+// 3u times their length, at most 2 sqrt(3); the unit normal by 4u: less than 40u.
+class NearDepth {
+ public:
+  static constexpr double kError = kNearError;
+
+  NearDepth(const Halfspace& plane, const Point& corner) : corner_(corner) {
+    Integer largest = 0;
+    for (const Integer& x : plane.normal()) largest = std::max<Integer>(largest, abs(x));
+    for (int k = 0; k < 3; ++k) {
+      unit_[k] = to_double(Rational(plane.normal()[k], largest), Rounding::Nearest);
+    }
+    unit_ /= unit_.norm();
+  }
+
+  double operator()(const Point& y) const { return unit_.dot(corner_ - y); }
+
+ private:
+  Point unit_, corner_;
+};
+
+std::vector<NearDepth> near_depths(const PatchHull& hull, const NearSurface& near) {
+  std::vector<NearDepth> depths;
+  for (std::size_t f = 0; f < hull.facets.size(); ++f) {
+    depths.emplace_back(hull.planes[f], near.points[hull.facets[f][0].index()]);
+  }
+  return depths;
+}
+
+// Where a patch lies on its hull.
+class HullContact {
+ public:
+  HullContact(const Surface& surface, const Patch& patch, const PatchHull& hull,
+              const NearSurface& near)
+      : surface_(surface),
+        patch_(patch),
+        hull_(hull),
+        near_(near),
+        depths_(near_depths(hull, near)) {}
+
+  /// Whether a point is on the hull, and each triangle at it lies on a facet: no notch, whatever
+  /// its bridges are.
+  bool is_all_around(PointId p) {
+    if (facets_at(p).empty()) return false;
+    const auto triangles = patch_.triangles_at(patch_.number_of(p));
+    return std::all_of(triangles.begin(), triangles.end(), [&](std::uint32_t t) {
+      const auto& [a, b, c] = surface_.triangles[patch_.triangles()[t].index()];
+      return have_common(facets_at(a), facets_at(b), facets_at(c));
+    });
+  }
+
+ private:
+  using Facets = std::vector<std::uint32_t>;  // ascending
+
+  static bool have_common(const Facets& a, const Facets& b, const Facets& c) {
+    return std::any_of(a.begin(), a.end(), [&](std::uint32_t f) {
+      return std::binary_search(b.begin(), b.end(), f) && std::binary_search(c.begin(), c.end(), f);
+    });
+  }
+
+  // Those whose planes hold a point.
+  const Facets& facets_at(PointId p) {
+    const auto [found, is_new] = facets_at_.try_emplace(p);
+    for (std::uint32_t f = 0; is_new && f < depths_.size(); ++f) {
+      if (depths_[f](near_.points[p.index()]) > NearDepth::kError) continue;
+      if (hull_.planes[f](surface_.points[p]) == 0) found->second.push_back(f);
+    }
+    return found->second;
+  }
+
+  const Surface& surface_;
+  const Patch& patch_;
+  const PatchHull& hull_;
+  const NearSurface& near_;
+  const std::vector<NearDepth> depths_;  // by facet
+  std::map<PointId, Facets> facets_at_;
+};
+
+}  // namespace
 
 // ---- Points and their bridges
 
@@ -149,9 +234,11 @@ class BridgeDistances {
 
 }  // namespace
 
-std::optional<Notch> deepest_notch(const Surface& surface, const PatchHull& hull,
-                                   const Association& association, BridgeChoice choice,
-                                   const NearSurface& near, const Watch& watch) {
+std::optional<Notch> deepest_notch(const Surface& surface, const Patch& patch,
+                                   const PatchHull& hull, const Association& association,
+                                   BridgeChoice choice, const NearSurface& near,
+                                   const Watch& watch) {
+  HullContact contact(surface, patch, hull, near);
   const BridgeDistances distances(surface, hull, association, choice, near);
   using Bounded = std::pair<double, std::size_t>;  // not more than this, the point with this index
   std::vector<Bounded> points;
@@ -167,6 +254,7 @@ std::optional<Notch> deepest_notch(const Surface& surface, const PatchHull& hull
   for (const auto& [quick_high, k] : points) {
     if (quick_high < deepest) break;
     watch.ask();
+    if (contact.is_all_around(association.points[k])) continue;
     const NearBounds bounds = distances.bounds(association.points[k], association.bridges_of[k]);
     deepest = std::max(deepest, bounds.low);
     candidates.emplace_back(bounds.high, k);
@@ -186,37 +274,9 @@ std::optional<Notch> deepest_notch(const Surface& surface, const PatchHull& hull
 
 // ---- Points and all facets
 
-namespace {
-
-// How far points lie below the plane of a facet, in the frame. Points are off by u, differences by
-// 3u times their length, at most 2 sqrt(3); the unit normal by 4u: less than 40u.
-class NearDepth {
- public:
-  static constexpr double kError = kNearError;
-
-  NearDepth(const Halfspace& plane, const Point& corner) : corner_(corner) {
-    Integer largest = 0;
-    for (const Integer& x : plane.normal()) largest = std::max<Integer>(largest, abs(x));
-    for (int k = 0; k < 3; ++k) {
-      unit_[k] = to_double(Rational(plane.normal()[k], largest), Rounding::Nearest);
-    }
-    unit_ /= unit_.norm();
-  }
-
-  double operator()(const Point& y) const { return unit_.dot(corner_ - y); }
-
- private:
-  Point unit_, corner_;
-};
-
-}  // namespace
-
 Rational least_concavity(const Surface& surface, const Patch& patch, const PatchHull& hull,
                          const NearSurface& near, const Watch& watch) {
-  std::vector<NearDepth> depths;
-  for (std::size_t f = 0; f < hull.facets.size(); ++f) {
-    depths.emplace_back(hull.planes[f], near.points[hull.facets[f][0].index()]);
-  }
+  const std::vector<NearDepth> depths = near_depths(hull, near);
   if (depths.empty()) return 0;
   const auto least_near = [&](PointId p) {
     double least = std::numeric_limits<double>::infinity();

@@ -20,10 +20,11 @@ struct Notch {
 
 /// The deepest point, of several the lowest; none if no point is away from its bridge. To a bridge
 /// means to the nearest of its facets; to which of its bridges, the choice says. Corners of the
-/// hull have distance 0.
+/// hull have distance 0, and so have points around which the patch lies on the hull.
 /// @par Cost  Bounds in doubles for each point and each facet of its bridges; exact numbers where
 ///            these leave open which is deepest.
-[[nodiscard]] std::optional<Notch> deepest_notch(const Surface& surface, const PatchHull& hull,
+[[nodiscard]] std::optional<Notch> deepest_notch(const Surface& surface, const Patch& patch,
+                                                 const PatchHull& hull,
                                                  const Association& association,
                                                  BridgeChoice choice, const NearSurface& near,
                                                  const Watch& watch);

@@ -46,8 +46,8 @@ class PartMeasure {
       return made;
     }
     made.association = associate(surface_, made.patch, made.hull, near_, options_);
-    made.notch = deepest_notch(surface_, made.hull, made.association, options_.bridge, near_,
-                               options_.watch);
+    made.notch = deepest_notch(surface_, made.patch, made.hull, made.association, options_.bridge,
+                               near_, options_.watch);
     return made;
   }
 

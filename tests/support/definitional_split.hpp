@@ -214,7 +214,7 @@ struct SplitPart {
     for (std::size_t k = 0; k < patch.points.size(); ++k) {
       const PointId p = patch.points[k];
       least_squared = std::max(least_squared, depth_below(surface, all, p).squared);
-      if (hull.corners.count(p) > 0) continue;
+      if (hull.corners.count(p) > 0 || is_on_hull_around(surface, p)) continue;
       const Depth depth = depth_of(surface, p, association.bridges_of[k], all, options.bridge);
       if (depth.squared <= concavity.squared) continue;
       notch = p;
@@ -228,6 +228,22 @@ struct SplitPart {
           const auto& corners = surface.triangles[t.index()];
           return std::count(corners.begin(), corners.end(), *notch) > 0;
         });
+  }
+
+  bool is_on_hull_around(const Surface& surface, PointId p) const {
+    const auto is_on_facet = [&](const std::vector<PointId>& points) {
+      return std::any_of(hull.normals.begin(), hull.normals.end(), [&](const auto& facet) {
+        const RationalPoint on = surface.points[facet.first[0]];
+        return std::all_of(points.begin(), points.end(), [&](PointId q) {
+          return facet.second.dot(surface.points[q] - on) == 0;
+        });
+      });
+    };
+    const std::vector<TriangleId> at = patch.triangles_at(p);
+    return is_on_facet({p}) && std::all_of(at.begin(), at.end(), [&](TriangleId t) {
+             const auto& [a, b, c] = surface.triangles[t.index()];
+             return is_on_facet({a, b, c});
+           });
   }
 
   Depth depth_of(const Surface& surface, PointId p, const std::vector<std::uint32_t>& bridges,
