@@ -8,14 +8,14 @@ namespace {
 
 // The box of a part, rounded to nearest: rounding is monotone, so that the rounded boxes of two
 // parts hold each other if the parts do.
-struct NearBox {
-  explicit NearBox(const BoundingBox& box) {
+struct RoundedBox {
+  explicit RoundedBox(const BoundingBox& box) {
     for (int k = 0; k < 3; ++k) {
       low[k] = to_double(box.low[k], Rounding::Nearest);
       high[k] = to_double(box.high[k], Rounding::Nearest);
     }
   }
-  bool may_hold(const NearBox& other) const {
+  bool may_hold(const RoundedBox& other) const {
     return (low.array() <= other.low.array()).all() && (high.array() >= other.high.array()).all();
   }
   Point low, high;
@@ -33,7 +33,7 @@ bool lies_in(const ConvexPart& inner, const ConvexPart& outer) {
 
 std::vector<std::optional<std::size_t>> find_holders(std::span<const ConvexPart* const> parts,
                                                      const Watch& watch) {
-  std::vector<NearBox> boxes;
+  std::vector<RoundedBox> boxes;
   for (const ConvexPart* part : parts) boxes.emplace_back(part->box);
   std::vector<std::vector<std::size_t>> holders(parts.size());  // but for later equal ones
   for (std::size_t k = 0; k < parts.size(); ++k) {
