@@ -7,34 +7,13 @@
 
 #include "convexact/decompose.hpp"
 #include "convexact/verify_parts.hpp"
+#include "few_triangles.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
 
 using namespace convexact;
 
 namespace {
-
-constexpr std::size_t kMostPoints = 14, kMostTriangles = 20;
-
-Mesh few_triangles(FuzzInput& in) {
-  Mesh mesh;
-  const std::vector<Point> points = in.grid_points(kMostPoints, 3);
-  mesh.points = PointSet(points);
-  if (points.empty()) return mesh;
-  // Each triangle shares an edge with an earlier one, or begins anew.
-  for (std::size_t count = 1 + in.below(kMostTriangles); count > 0; --count) {
-    std::vector<std::uint32_t> triangle(3);
-    for (auto& corner : triangle) corner = static_cast<std::uint32_t>(in.below(points.size()));
-    if (!mesh.polygons.empty() && in.below(4) != 0) {
-      const auto& before = mesh.polygons[in.below(mesh.polygons.size())];
-      const std::size_t k = in.below(3);
-      triangle[0] = before[(k + 1) % 3];
-      triangle[1] = before[k];
-    }
-    mesh.polygons.push_back(std::move(triangle));
-  }
-  return mesh;
-}
 
 DecomposeRequest request_of(FuzzInput& in) {
   constexpr std::array kLimits{0, 1, 3, 10, 30, 100};
