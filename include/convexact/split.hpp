@@ -120,13 +120,17 @@ struct SplitTree {
 /// @par Source   [Backenhof2011], [LienAmato2007]
 [[nodiscard]] SplitTree split(const Surface& surface, const SplitOptions& options = {});
 
-/// The concavity of one part by its bridges, and how its points belong to them.
-/// @param triangles  At least one, ascending.
 struct BridgeMeasure {
-  Concavity concavity;
-  PointId notch;
+  Concavity concavity;  ///< As SplitNode::concavity.
+  PointId notch;        ///< If that is not 0.
+  Rational least_squared_concavity;
   Association association;
 };
+
+/// How concave one part is by the bridges over it.
+/// @param triangles  At least one, ascending.
+/// @param options    `bridge`, `coplanar` and `watch` count.
+/// @throws Error     as split().
 [[nodiscard]] BridgeMeasure measure_by_bridges(const Surface& surface,
                                                std::span<const TriangleId> triangles,
                                                const SplitOptions& options = {});

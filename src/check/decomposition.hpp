@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // decomposition.hpp - proofs of decompositions: clusters of triangles and how concave each is,
-// that no two of them can be one, and convex parts that hold the triangles that they own.
+// that no two of them can be one, and convex parts that hold the triangles that they own. Of
+// clusters made by splitting only how deep points lie, whatever bridges are chosen over them.
 //
 // The numbers in parentheses are the steps of docs/decomposition-proof.md.
 #pragma once
@@ -53,7 +54,7 @@ class DecompositionProof {
     Ids triangles;
     IdSet points;
     std::vector<Row> planes;  // each holds the points
-    bool has_facets = false;  // the planes bound the hull of the points
+    std::size_t facets = 0;   // so many planes come first, and bound the hull of the points
     Rational concavity = 0;   // squared
     bool has_part = false;
   };
@@ -73,26 +74,39 @@ class DecompositionProof {
     for (const std::size_t p : owner_) require(p != kNone, "a triangle has no owner");
     const std::size_t pairs = read_pairs();
     words_.end();
-    std::size_t within = 0;
-    for (const Cluster& cluster : clusters_) within += cluster.concavity <= squared_limit_ ? 1 : 0;
     return "proven: each of " + count(triangles_.size(), " triangles is in one of ") +
            count(clusters_.size(), " clusters") + (by_edges_ ? ", connected over edges" : "") +
-           "\nproven: each cluster is as concave as stated, " +
+           (by_bridges_ ? depths_text() : concavities_text(pairs)) +
+           "\nproven: each triangle lies in its owner, one of " + count(parts_, " convex parts, ") +
+           count(hulls_, " of them exactly hulls of clusters\n");
+  }
+
+  std::string concavities_text(std::size_t pairs) const {
+    std::size_t within = 0;
+    for (const Cluster& cluster : clusters_) within += cluster.concavity <= squared_limit_ ? 1 : 0;
+    return std::string("\nproven: each cluster is as concave as stated, ") +
            (at_corners_ ? "at its corners, " : "at all of its points, ") +
            count(within, " of them within the limit of ") + limit_ +
            (by_edges_ ? "\nproven: each of " +
                             count(pairs, " pairs of neighbours is beyond it, as one cluster")
                       : "\nnot claimed: that clusters are connected, or that neighbours are beyond "
-                        "it, as one cluster") +
-           "\nproven: each triangle lies in its owner, one of " + count(parts_, " convex parts, ") +
-           count(hulls_, " of them exactly hulls of clusters\n");
+                        "it, as one cluster");
+  }
+  std::string depths_text() const {
+    std::size_t deeper = 0;
+    for (const Cluster& cluster : clusters_) deeper += cluster.concavity > squared_limit_ ? 1 : 0;
+    return "\nproven: corners lie as deep in the hulls of their clusters as stated, " +
+           count(deeper, " clusters deeper than the limit of ") + limit_ +
+           "\nnot claimed: concavities to bridges, which are at least as large" +
+           (by_edges_ ? "" : "; that clusters are connected");
   }
 
   // Which concavity is meant, how much of it is allowed, and what neighbours are.
   void read_question() {
     expect(words_.take_if("measure"), "measure");
     at_corners_ = words_.take_if("vertices");
-    expect(at_corners_ || words_.take_if("surface"), "surface or vertices");
+    by_bridges_ = !at_corners_ && words_.take_if("bridges");
+    expect(at_corners_ || by_bridges_ || words_.take_if("surface"), "surface, vertices or bridges");
     expect(words_.take_if("limit"), "limit");
     limit_is_share_ = words_.take_if("share");
     expect(limit_is_share_ || words_.take_if("length"), "share or length");
@@ -154,6 +168,7 @@ class DecompositionProof {
   // (2) The direction in which concavity is taken, in coprime integers: of a triangle its normal;
   // of a point the sum of the area vectors around it. Zero if there is none.
   void find_directions() {
+    if (by_bridges_) return;
     std::vector<Numbers> sums(at_corners_ ? points_.size() : 0);
     for (const Corners& t : triangles_) {
       const Row &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
@@ -187,10 +202,14 @@ class DecompositionProof {
     }
     if (by_edges_) require_connected(cluster);
     read_planes(cluster);
-    if (words_.take_if("deepest")) {
-      cluster.concavity = read_ray(cluster.triangles, cluster.points);
+    if (by_bridges_) {
+      read_depth(cluster);
+    } else {
+      if (words_.take_if("deepest")) {
+        cluster.concavity = read_ray(cluster.triangles, cluster.points);
+      }
+      read_bounds(cluster);
     }
-    read_bounds(cluster);
     clusters_.push_back(cluster);
   }
   void require_connected(const Cluster& cluster) const {
@@ -249,8 +268,8 @@ class DecompositionProof {
         require(cluster.points.count(p) == 1, "a corner of no triangle");
       facets.push_back({points_[f[0]], points_[f[1]], points_[f[2]]});
     }
-    cluster.has_facets = !facets.empty();
-    if (cluster.has_facets) cluster.planes = planes_of_hull(points, facets);
+    cluster.facets = facets.size();
+    if (cluster.facets > 0) cluster.planes = planes_of_hull(points, facets);
     while (words_.take_if("side")) {
       const Row plane = primitive(scaled(words_.halfspace()));
       for (const Row& p : points) require(dot(plane, p) <= 0, "a point is beyond a side");
@@ -352,6 +371,25 @@ class DecompositionProof {
     }
   }
 
+  // (10) The largest distance of a point of the cluster to the nearest facet of its hull, squared.
+  // The points are inside, so that is the distance to the nearest of the facets' planes.
+  void read_depth(Cluster& cluster) {
+    if (words_.take_if("depth")) cluster.concavity = words_.rational();
+    Rational deepest = 0;
+    for (const std::size_t p : cluster.points) {
+      std::vector<Rational> squared;
+      for (std::size_t f = 0; f < cluster.facets; ++f) {
+        const Row& plane = cluster.planes[f];
+        const Rational value = quotient(dot(plane, points_[p]), points_[p][3]);
+        squared.push_back(value * value / dot3(plane, plane));
+      }
+      if (!squared.empty()) {
+        deepest = std::max(deepest, *std::min_element(squared.begin(), squared.end()));
+      }
+    }
+    require(deepest == cluster.concavity, "its points lie deeper, or less deep");
+  }
+
   // (7) A part is the hull of its cluster, or of the stored corners; of the latter with facets or,
   // if it is flat, without. It owns at least the triangles of its cluster, and holds their corners.
   void read_part() {
@@ -362,7 +400,7 @@ class DecompositionProof {
     cluster.has_part = true;
     std::vector<Row> stored, planes;
     if (form == "hull") {
-      require(cluster.has_facets, "the cluster has no facets");
+      require(cluster.facets > 0, "the cluster has no facets");
       planes = cluster.planes;
       ++hulls_;
     }
@@ -419,7 +457,7 @@ class DecompositionProof {
     for (const auto& [edge, triangles] : at_edge_) {
       for (const std::size_t s : triangles) {
         for (const std::size_t t : triangles) {
-          if (by_edges_ && cluster_of_[s] < cluster_of_[t]) {
+          if (by_edges_ && !by_bridges_ && cluster_of_[s] < cluster_of_[t]) {
             open.insert({cluster_of_[s], cluster_of_[t]});
           }
         }
@@ -493,7 +531,7 @@ class DecompositionProof {
 
   static constexpr std::size_t kNone = ~std::size_t{0};
   Words words_;
-  bool at_corners_ = false, limit_is_share_ = false, by_edges_ = false;
+  bool at_corners_ = false, by_bridges_ = false, limit_is_share_ = false, by_edges_ = false;
   std::string limit_;
   Rational squared_limit_;
   std::vector<Row> points_;

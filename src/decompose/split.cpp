@@ -233,7 +233,8 @@ BridgeMeasure measure_by_bridges(const Surface& surface, std::span<const Triangl
   const PartMeasure measure(surface, options);
   Evaluated part = measure(triangles);
   Concavity concavity = measure.concavity(part);
-  return {std::move(concavity), part.notch ? part.notch->point : PointId(0),
+  Rational least = least_concavity(surface, part.patch, part.hull, measure.near(), options.watch);
+  return {std::move(concavity), part.notch ? part.notch->point : PointId(0), std::move(least),
           std::move(part.association)};
 }
 

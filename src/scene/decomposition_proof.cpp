@@ -315,6 +315,8 @@ class DecompositionWriter {
   bool write_pairs();
 
   bool at_corners() const { return request_.measure == ConcavityMeasure::Vertices; }
+  bool by_bridges() const { return request_.method == DecomposeMethod::Acd; }
+  Rational least_concavity(const Cluster& cluster) const;
   std::vector<RaySource> sources(const std::vector<TriangleId>& triangles) const;
   RaySource source_of(const Concavity& concavity) const;
   std::optional<std::pair<RaySource, HullRay>> beyond_limit(
@@ -360,7 +362,7 @@ void DecompositionWriter::find_clusters() {
 
 std::string DecompositionWriter::write() {
   // Whether all pairs are beyond the limit decides on the claim, which stands before.
-  const bool asks_for_pairs = request_.connect == Connect::Edge;
+  const bool asks_for_pairs = request_.connect == Connect::Edge && !by_bridges();
   const bool shows_pairs = asks_for_pairs && write_pairs();
   if (asks_for_pairs && !shows_pairs && request_.engine != Engine::Float) {
     throw Error(ErrorCode::Internal, "two neighbours are within the limit together");
@@ -368,9 +370,10 @@ std::string DecompositionWriter::write() {
   const std::string pairs = shows_pairs ? std::move(text_) : "";
   text_.clear();
   line("convexact-proof", "4", "decomposition");
-  line("measure", at_corners() ? "vertices" : "surface");
+  line("measure", by_bridges() ? "bridges" : at_corners() ? "vertices" : "surface");
   line("limit", request_.limit.is_share ? "share" : "length", request_.limit.value);
-  line("neighbours", shows_pairs ? "edges" : "unclaimed");
+  const bool shows_edges = shows_pairs || (by_bridges() && request_.connect == Connect::Edge);
+  line("neighbours", shows_edges ? "edges" : "unclaimed");
   write_surface();
   for (const Cluster& cluster : clusters_) write_cluster(cluster);
   for (std::size_t c = 0; c < clusters_.size(); ++c) {
@@ -452,6 +455,14 @@ std::pair<Rational, Rational> coordinates(const std::array<RationalPoint, 3>& co
   return {v.cross(c).dot(n) / nn, b.cross(v).dot(n) / nn};
 }
 
+Rational DecompositionWriter::least_concavity(const Cluster& cluster) const {
+  if (cluster.part != nullptr && cluster.part->least_squared_concavity) {
+    return *cluster.part->least_squared_concavity;
+  }
+  return measure_by_bridges(surface_, cluster.triangles, {.watch = request_.watch.stop})
+      .least_squared_concavity;
+}
+
 void DecompositionWriter::write_cluster(const Cluster& cluster) {
   Watch(request_.watch.stop).ask();
   line("cluster", cluster.triangles);
@@ -459,6 +470,11 @@ void DecompositionWriter::write_cluster(const Cluster& cluster) {
   for (const auto& facet : hull.facets) line("facet", facet);
   for (const Halfspace& plane : hull.planes) {
     if (hull.facets.empty()) line("side", plane);
+  }
+  if (by_bridges()) {
+    const Rational depth = least_concavity(cluster);
+    if (depth > 0) line("depth", depth);
+    return;
   }
   const Concavity deepest =
       cluster.part != nullptr ? cluster.part->concavity : near_.exact(cluster.triangles);

@@ -180,6 +180,32 @@ TEST_CASE("decomposition proof: neighbours that are not found over edges are not
              "cluster\n");
 }
 
+TEST_CASE("decomposition proof: clusters that come from splitting") {
+  DecomposeRequest request = request_of(Rational(3, 100));
+  request.method = DecomposeMethod::Acd;
+  request.max_parts = 1;
+  std::string said = said_of(dented_cube(), request);
+  check_says(said, "each of 14 triangles is in one of 1 clusters, connected over edges\n");
+  check_says(said, "1 clusters deeper than the limit of 3/100 of the diameter\n");
+  check_says(said, "not claimed: concavities to bridges, which are at least as large\n");
+  CHECK(proof_of_parts(dented_cube(), request).find("\ndepth 1\n") != std::string::npos);
+  request.max_parts.reset();
+  for (const auto& cells : {kBox, kL, kCross, kTwo}) {
+    for (const Connect connect : {Connect::Edge, Connect::Touching}) {
+      request.connect = connect;
+      said = said_of(mesh_of_cells(cells), request);
+      check_says(said, connect == Connect::Edge ? "connected over edges" : "that clusters are");
+    }
+  }
+  // Flat clusters as they are, thickened, and within another one that they joined.
+  request = request_of(0);
+  request.method = DecomposeMethod::Acd;
+  for (const FlatParts flat : {FlatParts::Keep, FlatParts::Thicken, FlatParts::Merge}) {
+    request.flat = flat;
+    said_of(mesh_of_cells(kCross), request);
+  }
+}
+
 TEST_CASE("decomposition proof: random unions of cells, at every limit") {
   Random random(7);
   for (int round = 0; round < 60; ++round) {

@@ -470,3 +470,21 @@ TEST_CASE("wrong decomposition: malformed") {
     CHECK(check_proof(Forged(right).set(change.first, 0, line).text()).exit_code == 3);
   }
 }
+
+TEST_CASE("wrong decomposition: how deep points lie") {
+  DecomposeRequest request;
+  request.method = DecomposeMethod::Acd;
+  request.max_parts = 1;
+  const Forged dented(proof_of_parts(dented_cube(), request));
+  check_proven(dented);
+  const std::string why = "its points lie deeper, or less deep";
+  check_not_proven(Forged(dented).set("depth", 0, "depth 4"), why);
+  check_not_proven(Forged(dented).set("depth", 0, "depth 99/100"), why);
+  check_not_proven(Forged(dented).erase("depth"), why);
+  // There are no pairs.
+  check_not_proven(Forged(dented).insert_behind("owns", 0, "apart 0 0 0 0 0 0 0 1"),
+                   "no neighbours");
+  // Rays are of the other measures.
+  CHECK(check_proof(Forged(dented).set("depth", 0, "deepest 0 0 0 0 0 1").text()).exit_code != 0);
+  CHECK(check_proof(Forged(dented).set("measure", 0, "measure surface").text()).exit_code != 0);
+}
