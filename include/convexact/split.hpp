@@ -32,7 +32,8 @@ struct SplitOptions {
   Rational coplanar{99, 100};
   Connect connect = Connect::Edge;
   bool associations = false;  ///< Fill in SplitNode::association, for a trace.
-  /// Reports leaves as progress. A long run ends with Error Stopped, as it says.
+  /// Reports the triangles of finished leaves as progress. A long run ends with Error Stopped, as
+  /// it says.
   Watch watch = {};
 };
 

@@ -94,7 +94,7 @@ class Splitter {
         made_.stopped_by_count = true;
         break;
       }
-      options_.watch.at(made_.splits.size(), surface_.triangles.size());
+      options_.watch.at(settled_ - settled_ % 256, surface_.triangles.size());
       split(*waiting_.begin());
     }
     for (std::uint32_t n = 0; n < made_.nodes.size(); ++n) {
@@ -154,7 +154,11 @@ class Splitter {
     part.association = {};
     parts_.push_back(std::make_unique<Evaluated>(std::move(part)));
     ++leaf_count_;
-    if (node.concavity.squared > made_.squared_limit) waiting_.insert(n);
+    if (node.concavity.squared > made_.squared_limit) {
+      waiting_.insert(n);
+    } else {
+      settled_ += node.triangle_count;
+    }
   }
 
   void split(std::uint32_t n) {
@@ -188,6 +192,7 @@ class Splitter {
       return;
     }
     unsplittable_.insert(n);
+    settled_ += made_.nodes[n].triangle_count;
   }
 
   void add_leaf(std::uint32_t n) {
@@ -214,6 +219,7 @@ class Splitter {
   std::set<std::uint32_t, DeeperFirst> waiting_{DeeperFirst{&made_.nodes}};
   std::set<std::uint32_t> unsplittable_;
   std::size_t leaf_count_ = 0;
+  std::size_t settled_ = 0;  // triangles of leaves that are not waiting
 };
 
 }  // namespace
