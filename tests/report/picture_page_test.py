@@ -149,8 +149,8 @@ def check_bunny(path):
         page.close()
 
 
-def check_decomposition(path):
-    """Parts, apart and together; the clusters after some merges; rays as colours: each looks different."""
+def check_decomposition(path, control, fewer):
+    """Parts, apart and together; the clusters after fewer steps; rays as colours: each looks different."""
     page = opened(path, graphics=chromium.SOFTWARE_WEBGL)
     try:
         page.evaluate(SIZE)
@@ -164,15 +164,15 @@ def check_decomposition(path):
         def show(index):
             return f'document.querySelectorAll("#layers input").forEach((x, k) => {{ x.checked = k === {index}; x.onchange(); }})'
 
-        def slide(control, value):
-            return f'{{ const s = document.getElementById("{control}"); s.value = {value}; s.oninput(); }}'
+        def slide(name, value):
+            return f'{{ const s = document.getElementById("{name}"); s.value = {value}; s.oninput(); }}'
 
         look("parts", "0")
         look("parts_apart", slide("apart", 80))
         look("clusters", slide("apart", 0) + show(0))
-        most = int(page.evaluate('document.getElementById("merges").max'))
-        look("clusters_before", slide("merges", most - 40))
-        assert page.evaluate('document.querySelector("#merges + output").textContent') == str(most - 40)
+        before = int(page.evaluate(f'document.getElementById("{control}").max')) - fewer
+        look("clusters_before", slide(control, before))
+        assert page.evaluate(f'document.querySelector("#{control} + output").textContent') == str(before)
         look("rays", show(1))
         assert len(set(sights)) == len(sights), sights
         assert page.evaluate('document.getElementById("apart").labels[0].innerText.trim()') == "draw parts apart"
@@ -211,10 +211,12 @@ def main():
         for name, faces in (("sphere.obj", "12"), (data / "bunny.obj", "18")):
             subprocess.run([program, "simplify", name, "--faces", faces, "--picture",
                             pathlib.Path(name).stem + ".html"], check=True, stdout=subprocess.DEVNULL)
-        subprocess.run([program, "decompose", data / "spot.obj", "--no-measures", "--picture", "spot.html"], check=True,
-                       stdout=subprocess.DEVNULL)
+        for method, limit in (("hacd", "3%"), ("acd", "10%")):
+            subprocess.run([program, "decompose", data / "spot.obj", "--method", method, "--concavity", limit,
+                            "--no-measures", "--picture", f"{method}.html"], check=True, stdout=subprocess.DEVNULL)
         check_convex("sphere.html")
-        check_decomposition("spot.html")
+        check_decomposition("hacd.html", "merges", 40)
+        check_decomposition("acd.html", "splits", 5)
         check_static("bunny.html")
         print(f"{check_bunny('bunny.html')}; no cracks")
     return 0
