@@ -21,10 +21,21 @@ std::vector<TriangleId> all_triangles(const Surface& surface) {
   return all;
 }
 
+// With each coordinate mapped.
+template <class Map>
+Mesh mapped(const Mesh& mesh, const Map& map) {
+  std::vector<RationalPoint> points;
+  for (std::size_t p = 0; p < mesh.points.size(); ++p) {
+    points.push_back(mesh.points[PointId(p)]);
+    for (Rational& x : points.back()) x = map(x);
+  }
+  return {PointSet(points), mesh.polygons, {}};
+}
+
 // Surfaces of many kinds, one for each number.
 Surface surface_of(unsigned number) {
   std::mt19937 random(1000 + number);
-  switch (number % 5) {
+  switch (number % 7) {
     case 0:
       return make_surface(soup(5 + random() % 5, 4 + random() % 9, 1 + random() % 4, random));
     case 1:
@@ -33,8 +44,15 @@ Surface surface_of(unsigned number) {
       return make_surface(terrain(4, 3, 1 + random() % 4, random() % 6, random));
     case 3:
       return make_surface(terrain(4, 2, 3, 4, random), {Orient::Keep});
-    default:
+    case 4:
       return make_surface(mesh_of_cells(random_cells(2 + random() % 3, random)));
+    case 5:  // fractions, which no double is
+      return make_surface(mapped(terrain(3, 3, 3, random() % 4, random),
+                                 [](const Rational& x) { return Rational(x * 5 / 3); }));
+    default:  // so close to ties that bounds in doubles leave them open
+      return make_surface(mapped(terrain(3, 3, 2, random() % 4, random), [&](const Rational& x) {
+        return Rational(x + Rational(int(random() % 3) - 1, Integer(1) << 70));
+      }));
   }
 }
 

@@ -133,9 +133,7 @@ class SplitLaws {
         if (split.plane(surface_.points[p]) != 0) return "the plane holds the edge";
       }
       if (!is_at(kept, node.notch) || !is_at(gone, node.notch)) return "halves are at the notch";
-      std::set<TriangleId> hanging;
       for (const auto& [a, b] : tree_.united) {
-        hanging.insert(a);
         if (gone.count(a) != gone.count(b) && whole.count(a) + whole.count(b) == 2) {
           return "what hangs on a triangle goes with it";
         }
@@ -144,7 +142,7 @@ class SplitLaws {
         Rational sum = 0;
         for (const PointId p : surface_.triangles[t.index()])
           sum += split.plane(surface_.points[p]);
-        if (sum <= 0 && hanging.count(t) == 0) return "moved triangles are beyond the plane";
+        if (sum <= 0 && has_area(t)) return "moved triangles are beyond the plane";
       }
     }
     return {};
@@ -194,6 +192,11 @@ class SplitLaws {
       if (leaf.node == n) return leaf.status;
     }
     return {};
+  }
+  bool has_area(TriangleId t) const {
+    const auto& [a, b, c] = surface_.triangles[t.index()];
+    const RationalVector3 u = surface_.points[b] - surface_.points[a];
+    return !u.cross(surface_.points[c] - surface_.points[a]).isZero();
   }
   bool is_at(const std::set<TriangleId>& triangles, PointId p) const {
     return std::any_of(triangles.begin(), triangles.end(), [&](TriangleId t) {
