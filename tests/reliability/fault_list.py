@@ -4,7 +4,7 @@
 CONSTANT, FORGOTTEN, TIE, SIGN = 'constant / 16', 'underflow forgotten', 'tie rule dropped', 'sign flipped'
 PUSH, SKIP, STALE = 'push too small', 'verification skipped', 'stale value trusted'
 
-_FAST, _GEO = 'src/fast/', 'src/geometry/'
+_FAST, _GEO, _DEC = 'src/fast/', 'src/geometry/', 'src/decompose/'
 _AUDIT = 'fast_plane_filter fast_audit'
 _CAPS = 'fast_cap_bounds fast_audit'
 _AGREE = 'fast'
@@ -202,4 +202,30 @@ FAULTS = [
     (SKIP, 'src/simplify/inner_verification.cpp', 'require(!is_beyond(t, r), ', 'require(true, ', 'inner'),
     (SKIP, 'src/oracle/judge_inside.cpp', 'if (outside.empty())', 'if (true)', 'cli'),
     (SKIP, 'src/check/convexact_check.cpp', 'require(removal.cost == Cost(stated),', 'require(true,', 'check check_mutated'),
+    # Splits.
+    (SKIP, _DEC + 'patch.cpp', '  find_loops(std::move(border));\n}', '}', 'split'),
+    (SKIP, _DEC + 'patch.cpp', 'if (std::find(fan.begin(), fan.end(), next->triangle) != fan.end()) {', 'if (true) {', 'split'),
+    (CONSTANT, _DEC + 'patch.cpp', 'constexpr double kError = 0x1p-9;', 'constexpr double kError = 0;', 'split'),
+    (PUSH, _DEC + 'patch.cpp', 'return static_cast<std::uint64_t>(up);', 'return static_cast<std::uint64_t>(up) - 1;', 'split'),
+    (CONSTANT, _DEC + 'bridges.cpp', 'near_[to]) - 2;', 'near_[to]) * 1.1;', 'split'),
+    (TIE, _DEC + 'bridges.cpp', 'std::sort(reached.begin(), reached.end());', 'std::sort(reached.rbegin(), reached.rend());', 'split'),
+    (TIE, _DEC + 'bridges.cpp', 'return a.second < b.second; });', 'return a.second <= b.second; });', 'split'),
+    (TIE, _DEC + 'bridges.cpp', '> cosine * cosine *', '>= cosine * cosine *', 'split'),
+    (SIGN, _DEC + 'bridges.cpp', 'return sign_of_sum(along(normals[0]), normals[0], along(normals[1]), normals[1]);',
+     'return sign_of(along(normals[0]) + along(normals[1]));', 'split'),
+    (TIE, _DEC + 'bridges.cpp', 'if (side(before) == Sign::Positive && side(after) == Sign::Negative) return true;',
+     'if (side(before) != Sign::Negative && side(after) != Sign::Positive) return true;', 'split'),
+    (SKIP, _DEC + 'notch.cpp', '    if (std::binary_search(hull.corners.begin(), hull.corners.end(), p)) continue;\n', '', 'split'),
+    (SKIP, _DEC + 'notch.cpp', '    if (contact.is_all_around(association.points[k])) continue;\n', '', 'split'),
+    (TIE, _DEC + 'notch.cpp', 'notch.point < found->point', 'notch.point > found->point', 'split'),
+    (CONSTANT, _DEC + 'divide.cpp', 'kNormalBits = 20;', 'kNormalBits = 40;', 'split'),
+    (CONSTANT, _DEC + 'divide.cpp', 'constexpr double kError = 0x1p-46;', 'constexpr double kError = 0;', 'split'),
+    (SKIP, _DEC + 'divide.cpp', 'if (abs(cosine) >= Rational(1, 25)) return u1 + u2;', 'return u1 + u2;', 'split'),
+    (TIE, _DEC + 'divide.cpp', '.dot(surface.points[p] - from) > 0;', '.dot(surface.points[p] - from) >= 0;', 'split'),
+    (TIE, _DEC + 'divide.cpp', 'plane_(surface_.points[c]) > 0;', 'plane_(surface_.points[c]) >= 0;', 'split'),
+    (SKIP, _DEC + 'divide.cpp', 'state == Stays ? made.kept : made.islands', 'made.kept', 'split'),
+    (SIGN, _DEC + 'divide.cpp', 'const PointId to = patch.points()[spoke.to];',
+     'const PointId to = patch.points()[patch.ways(patch.number_of(notch)).front().to];', 'split'),
+    (TIE, _DEC + 'split.cpp', 'return x.lowest < y.lowest;', 'return x.lowest > y.lowest;', 'split'),
+    (TIE, _DEC + 'split.cpp', 'leaf_count_ >= *options_.max_parts', 'leaf_count_ > *options_.max_parts', 'split'),
 ]
