@@ -101,10 +101,11 @@ class SplitAssociation {
       std::set<Association::Facet> bridge{first};
       for (std::size_t before = 0; before != bridge.size();) {
         before = bridge.size();
-        for (const auto& [g, other] : hull_.normals) {
+        for (const auto& other : hull_.normals) {
           if (std::any_of(bridge.begin(), bridge.end(),
-                          [&](const auto& f) { return is_joined(f, g); }))
-            bridge.insert(g);
+                          [&](const auto& f) { return is_joined(f, other.first); })) {
+            bridge.insert(other.first);
+          }
         }
       }
       for (const auto& f : bridge) bridge_[f] = static_cast<std::uint32_t>(made_.bridges.size());
