@@ -78,6 +78,7 @@ TEST_CASE("split: what is asked for besides the tree does not change it") {
       const BridgeMeasure measure = measure_by_bridges(surface, leaf.triangles, options);
       CHECK(measure.concavity.squared == node.concavity.squared);
       CHECK(measure.concavity.leaves == node.concavity.leaves);
+      CHECK(measure.least_squared_concavity == leaf.least_squared_concavity);
       REQUIRE(node.association);
       CHECK(difference(measure.association, *node.association) == "");
     }

@@ -5,8 +5,10 @@
 
 #include <doctest/doctest.h>
 
+#include "convexact/io.hpp"
 #include "decompose/divide.hpp"
 #include "definitional_tree.hpp"
+#include "shipped_meshes.hpp"
 #include "small_surfaces.hpp"
 #include "split_laws.hpp"
 
@@ -42,8 +44,14 @@ Surface surface_of(unsigned number) {
       return make_surface(soup(9, 14, 9, random));
     case 2:
       return make_surface(terrain(4, 3, 1 + random() % 4, random() % 6, random));
-    case 3:
-      return make_surface(terrain(4, 2, 3, 4, random), {Orient::Keep});
+    case 3: {  // with more triangles over its edges, many of them without area
+      Mesh mesh = number % 2 == 0 ? soup(8, 10, 2, random) : terrain(3, 2, 2, 1, random);
+      for (int k = 0; k < 4; ++k) {
+        const auto face = mesh.polygons[random() % mesh.polygons.size()];
+        mesh.polygons.push_back({face[0], face[1], std::uint32_t(random() % mesh.points.size())});
+      }
+      return make_surface(mesh, {Orient::Keep});
+    }
     case 4:
       return make_surface(mesh_of_cells(random_cells(2 + random() % 3, random)));
     case 5:  // fractions, which no double is
@@ -247,6 +255,7 @@ TEST_CASE("split: bridges, paths, labels and the notch of a part are those of th
     CHECK(made.concavity.at == defined.concavity.at);
     CHECK(made.concavity.leaves == defined.concavity.leaves);
     CHECK(made.concavity.triangle == defined.concavity.triangle);
+    CHECK(made.least_squared_concavity == defined.least_squared);
     if (defined.notch) CHECK(made.notch == *defined.notch);
     deep += defined.notch.has_value();
     for (const BridgePath& path : made.association.paths) paths += path.points.size() > 2;
@@ -312,4 +321,22 @@ TEST_CASE("split: the whole tree is the one that the definitions make") {
   CHECK(unsplittable > 10);
   CHECK(spanned > 10);
   CHECK(bounded > 10);
+}
+
+TEST_CASE("split: the trees of pieces of shipped meshes are those of the definitions") {
+  std::size_t splits = 0;
+  for (const std::string& path : shipped_meshes()) {
+    CAPTURE(path);
+    const Surface surface = first_triangles(make_surface(read_mesh(path)), 48);
+    for (const unsigned number : {0u, 3u, 6u}) {
+      SplitOptions options = options_of(number);
+      options.connect = Connect::Edge;
+      const SplitTree made = split(surface, options);
+      definition::SplitReplay replay(surface, options, NearSurface(surface).frame.exponent,
+                                     made.united);
+      CHECK(difference_in_place(made, replay.run()) == "");
+      splits += made.splits.size();
+    }
+  }
+  CHECK(splits > 5);
 }

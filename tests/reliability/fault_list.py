@@ -226,6 +226,8 @@ FAULTS = [
     (SKIP, _DEC + 'divide.cpp', 'state == Stays ? made.kept : made.islands', 'made.kept', 'split'),
     (SIGN, _DEC + 'divide.cpp', 'const PointId to = patch.points()[spoke.to];',
      'const PointId to = patch.points()[patch.ways(patch.number_of(notch)).front().to];', 'split'),
+    (SKIP, _DEC + 'divide.cpp', 'if (unit.empty() || !has_no_area(surface.points, surface.triangles[t])) {', 'if (unit.empty()) {', 'split'),
+    (SKIP, _DEC + 'notch.cpp', 'if (least[k] + 2 * NearDepth::kError < deepest) continue;', 'if (least[k] < deepest) continue;', 'split'),
     (TIE, _DEC + 'split.cpp', 'return x.lowest < y.lowest;', 'return x.lowest > y.lowest;', 'split'),
     (TIE, _DEC + 'split.cpp', 'leaf_count_ >= *options_.max_parts', 'leaf_count_ > *options_.max_parts', 'split'),
 ]
