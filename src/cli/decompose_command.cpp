@@ -424,10 +424,10 @@ void add_decompose_command(CLI::App& program, int& exit_code) {
                      "every merge, or split, as JSON, for a program that replays it");
   command.add_option("--proof", options->files.proof,
                      "a text from which convexact-check proves owners, concavities, and that no "
-                     "neighbours can be merged");
+                     "neighbours can be merged; of acd owners, and how deep corners lie");
   command.add_option("--picture", options->files.picture,
                      "a page (.html) that shows the parts, which a slider draws apart, and the "
-                     "merges step by step");
+                     "merges or splits step by step");
   add_choice<Precision>(command, "--precision", options->precision,
                         {{"64", Precision::Binary64}, {"32", Precision::Binary32}},
                         "the numbers of the parts: binary64, or rounded outward to binary32");
