@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 
 #include "convexact/cluster.hpp"
@@ -119,39 +120,50 @@ std::vector<Patch::Spoke> Patch::spokes(std::uint32_t point) const {
 
 // ---- Borders
 
-// The triangles at a point that are reached from one of them over edges at the point.
-std::vector<std::uint32_t> Patch::fan_at(std::uint32_t point, std::uint32_t triangle) const {
-  std::vector<std::uint32_t> fan{triangle};
-  for (std::size_t k = 0; k < fan.size(); ++k) {
-    for (const std::uint32_t other : triangles_at(point)) {
-      if (std::find(fan.begin(), fan.end(), other) != fan.end()) continue;
-      const auto& mine = corners_[fan[k]];
-      const bool shares = std::any_of(mine.begin(), mine.end(), [&](std::uint32_t p) {
-        return p != point && std::count(corners_[other].begin(), corners_[other].end(), p) > 0;
-      });
-      if (shares) fan.push_back(other);
+// By triangle at a point: the lowest one of those that are reached from it over edges at the point.
+std::vector<std::uint32_t> Patch::fans_at(std::uint32_t point) const {
+  const auto triangles = triangles_at(point);
+  const std::vector<Spoke> edges = spokes(point);
+  const auto place = [&](std::uint32_t triangle) {
+    return static_cast<std::size_t>(std::lower_bound(triangles.begin(), triangles.end(), triangle) -
+                                    triangles.begin());
+  };
+  std::vector<std::uint32_t> lowest(triangles.begin(), triangles.end());
+  const auto find = [&](std::size_t k) {
+    while (lowest[k] != triangles[k]) k = place(lowest[k] = lowest[place(lowest[k])]);
+    return k;
+  };
+  for (const Spoke& edge : edges) {
+    for (const std::uint32_t triangle : edge.triangles) {
+      const auto [low, high] = std::minmax({find(place(edge.triangles[0])), find(place(triangle))});
+      lowest[high] = triangles[low];
     }
   }
-  return fan;
+  for (std::size_t k = 0; k < lowest.size(); ++k) lowest[k] = triangles[find(k)];
+  return lowest;
 }
 
 // Each step has one successor or none, so the loops are the cycles of a map.
 void Patch::find_loops(std::vector<BorderStep> steps) {
   constexpr std::size_t kNone = ~std::size_t(0);
+  std::map<std::uint32_t, std::vector<std::uint32_t>> fans;  // of the points at borders
+  const auto fan = [&](std::uint32_t point, std::uint32_t triangle) {
+    const auto [found, is_new] = fans.try_emplace(point);
+    if (is_new) found->second = fans_at(point);
+    const auto at = triangles_at(point);
+    return found->second[static_cast<std::size_t>(std::lower_bound(at.begin(), at.end(), triangle) -
+                                                  at.begin())];
+  };
   std::sort(steps.begin(), steps.end(), [](const BorderStep& a, const BorderStep& b) {
     return std::tie(a.from, a.to) < std::tie(b.from, b.to);
   });
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> out_of;  // by point and fan
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    out_of.try_emplace({steps[k].from, fan(steps[k].from, steps[k].triangle)}, k);
+  }
   const auto successor = [&](const BorderStep& step) {
-    const auto fan = fan_at(step.to, step.triangle);
-    const auto first =
-        std::lower_bound(steps.begin(), steps.end(), step.to,
-                         [](const BorderStep& s, std::uint32_t from) { return s.from < from; });
-    for (auto next = first; next != steps.end() && next->from == step.to; ++next) {
-      if (std::find(fan.begin(), fan.end(), next->triangle) != fan.end()) {
-        return static_cast<std::size_t>(next - steps.begin());
-      }
-    }
-    return kNone;
+    const auto next = out_of.find({step.to, fan(step.to, step.triangle)});
+    return next != out_of.end() ? next->second : kNone;
   };
   std::vector<std::size_t> walk(steps.size(), kNone);  // by step: the first step of its walk
   for (std::size_t first = 0; first < steps.size(); ++first) {

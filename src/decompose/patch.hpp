@@ -85,7 +85,7 @@ class Patch {
   struct BorderStep {
     std::uint32_t from, to, triangle;
   };
-  std::vector<std::uint32_t> fan_at(std::uint32_t point, std::uint32_t triangle) const;
+  std::vector<std::uint32_t> fans_at(std::uint32_t point) const;
   void find_loops(std::vector<BorderStep> steps);
 
   std::vector<TriangleId> triangles_;
