@@ -117,7 +117,7 @@ struct SplitTree {
 /// @throws Error InvalidArgument for options out of their range, if there are more groups than
 ///               `max_parts`, naming their number, and for more than 2^22 points; Stopped, as the
 ///               watch says.
-/// @par Cost     For each node a hull, and for each of its corners a search for shortest paths.
+/// @par Cost     For each node a hull, and a path to find for each edge between bridges.
 /// @par Source   [Backenhof2011], [LienAmato2007]
 [[nodiscard]] SplitTree split(const Surface& surface, const SplitOptions& options = {});
 

@@ -33,8 +33,9 @@ NearSurface::NearSurface(const Surface& surface)
   }
 }
 
-// Points in the frame are off by 2^-54 in each coordinate, so the length of a difference by 2^-52,
-// and a root and a few products add less than 2^-50: 2^-10 units.
+// Points in the frame are off by 2^-54 in each coordinate, so a difference by 2^-52 when it is
+// rounded, too, and its length by less than 2^-51; squares, their sum and the root add less than
+// 2^-49.8. Together that is less than 2^-49: 2^-9 units.
 double EdgeLengths::unrounded(const Point& a, const Point& b) {
   return std::ldexp((a - b).norm(), kLengthBits);
 }
