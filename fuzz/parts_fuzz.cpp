@@ -90,7 +90,7 @@ void hold_parts_file(FuzzInput& in) {
   const Decimal decimal = in.below(2) == 0 ? Decimal::Nearest : Decimal::Exact;
   const CandidateParts parts = read_parts_bytes(in.rest(), name, decimal);
   const Mesh cube = box_mesh(box_of({0, 0, 0}));
-  const auto* read = std::get_if<std::vector<NamedPart>>(&parts);
+  const std::vector<NamedPart>* read = parts_of(parts);
   if (read != nullptr) {
     std::size_t points = 0;
     for (const NamedPart& part : *read) {

@@ -111,6 +111,8 @@ struct ClusterOptions {
   Engine engine = Engine::Filtered;
   /// Fill in the concavity and the cost of each merge.
   bool costs = false;
+  /// Fill in Clustering::further_merges, for a tree.
+  bool further = false;
   /// Reports merges as progress. A long run ends with Error Stopped, as it says.
   Watch watch = {};
 };
@@ -144,6 +146,9 @@ struct Clustering {
   /// added before the first merge.
   std::vector<std::pair<TriangleId, TriangleId>> united;
   std::vector<Merge> merges;
+  /// If asked for: how the clusters would be merged on by least concavity, until each group of
+  /// neighbours is one cluster.
+  std::vector<Merge> further_merges;
   bool stopped_by_count = false;  ///< Whether `max_parts` ended the run, not the limit.
   Rational squared_limit, squared_diameter;
   /// How often the concavity of a pair was bounded or computed, and how often in exact numbers.

@@ -57,6 +57,8 @@ struct DecomposeRequest {
   bool exact_volumes = false;  ///< Also as fractions.
   /// Fill in what a trace shows: concavity and cost of each merge, associations of each node.
   bool for_trace = false;
+  /// Of Hacd: find out how the clusters would be merged on, for joins_of().
+  bool for_tree = false;
   std::uint64_t seed = 1;  ///< Of every random order. The answer is the same.
   StageWatch watch = {};
 };

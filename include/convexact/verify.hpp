@@ -79,6 +79,7 @@ enum class ClaimCode {
   MaxPartFacets,         ///< No part has more facets; of a mesh, as meant.
   MaxPartVertices,       ///< No part has more vertices.
   MaxPartFacetVertices,  ///< No facet of a part has more corners.
+  TreeNested,            ///< The parts are the leaves of a tree of hulls that hold their children.
 };
 /// The claims about an enclosure. An inner solid has InsideInput besides; ContainsInput is asked of
 /// it by name only.
@@ -87,7 +88,7 @@ inline constexpr std::array kAllClaims = {
     ClaimCode::CandidateBounded,  ClaimCode::MeshClosed,      ClaimCode::MeshOriented,
     ClaimCode::MeshPlanar,        ClaimCode::MeshConvex,      ClaimCode::ContainsInput,
     ClaimCode::MaxFacets,         ClaimCode::MaxVertices,     ClaimCode::MaxFacetVertices};
-/// The claims about a decomposition.
+/// The claims about a decomposition. Parts under a tree have TreeNested besides.
 inline constexpr std::array kPartsClaims = {
     ClaimCode::PartsReadable,       ClaimCode::PartsFinite,
     ClaimCode::PartsSolid,          ClaimCode::PartsConvex,
@@ -133,6 +134,7 @@ struct Witness {
   std::vector<std::size_t> parts;         ///< Of a decomposition, counted from 0.
   std::optional<std::size_t> input_face;  ///< A face of the input's mesh.
   std::optional<long> winding;            ///< Of the input's surface about `point`.
+  std::vector<std::size_t> nodes;         ///< Of a tree, counted from 0; a parent before its child.
 };
 
 struct Claim {

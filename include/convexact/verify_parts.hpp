@@ -6,42 +6,19 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
-#include <variant>
 #include <vector>
 
 #include "convexact/mesh.hpp"
 #include "convexact/overlay.hpp"
+#include "convexact/parts.hpp"
 #include "convexact/surface.hpp"
 #include "convexact/verify.hpp"
 
 namespace convexact {
 
-/// A part as its file gives it. It stands for the convex hull of its points.
-struct NamedPart {
-  std::string name;
-  Mesh mesh;
-};
-
-/// A decomposition, or the error (Malformed or NotFinite) that reading it met.
-using CandidateParts = std::variant<std::vector<NamedPart>, Error>;
-
-/// The parts in a file: the objects or groups of an OBJ that have faces, the solids of an STL; of
-/// JSON the entries of "parts", each with "vertices" and possibly "name" and "faces"; of any other
-/// mesh a single part. Points that no face uses belong to the part of a mesh with a single part,
-/// and to none of several.
-[[nodiscard]] CandidateParts read_parts_bytes(std::string_view bytes, const std::string& path,
-                                              Decimal decimal = Decimal::Nearest);
-
-/// The parts in the file, or in the meshes of the folder, by their names: "part_2.obj" before
-/// "part_10.obj". Other files of a folder are not read; "-" is standard input.
-/// @throws Error Unreadable if there is no such file or folder, or no mesh in the folder.
-[[nodiscard]] CandidateParts read_parts(const std::string& path,
-                                        Decimal decimal = Decimal::Nearest);
-
 struct PartsRequest {
   /// The claims to decide; the budgets are asked by their numbers. Empty: all but covers-solid,
-  /// parts-disjoint and parts-needed. Claims that stand here must apply for the verdict to hold.
+  /// parts-disjoint and parts-needed; tree-nested if there is a tree. Claims that stand here must apply for the verdict to hold.
   std::vector<ClaimCode> claims = {};
   /// Distances of faces to their planes (parts-convex), and of points of the input to the union
   /// (covers-points, covers-surface), that pass. Relative ones refer to the input's diameter.
@@ -81,7 +58,9 @@ struct PartsMeasures {
 };
 
 struct PartsVerdict {
-  std::vector<Claim> claims;  ///< One for each of kPartsClaims, in that order.
+  /// One for each of kPartsClaims, in that order; then TreeNested, if there is a tree or it was
+  /// named.
+  std::vector<Claim> claims;
   Surface surface;            ///< Of the input.
   std::vector<JudgedPart> parts;
   std::vector<ConvexPart> hulls;               ///< By part: what it stands for.

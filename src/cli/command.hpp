@@ -32,6 +32,7 @@ void add_stages_option(CLI::App& command, GlobalOptions& options);
 
 /// Each adds its subcommand to the program; the subcommand's exit code goes to `exit_code`.
 void add_conform_command(CLI::App& program, int& exit_code);
+void add_bvh_command(CLI::App& program, int& exit_code);
 void add_decompose_command(CLI::App& program, int& exit_code);
 void add_diff_command(CLI::App& program, int& exit_code);
 void add_generate_command(CLI::App& program, int& exit_code);

@@ -6,11 +6,13 @@
 #include <filesystem>
 #include <memory>
 
+#include "bvh/tree_report.hpp"
 #include "cli/diff_clusters.hpp"
 #include "cli/outputs.hpp"
 #include "cli/part_files.hpp"
 #include "cli/verify_union.hpp"
 #include "convexact/decompose.hpp"
+#include "convexact/hull_tree.hpp"
 #include "io/json.hpp"
 #include "oracle/written_parts.hpp"
 #include "report/parts_picture.hpp"
@@ -29,6 +31,7 @@ constexpr const char* kDecomposeFooter =
     "  convexact decompose cow.obj --method acd --concavity 10% --picture splits.html\n"
     "  convexact decompose cow.obj --engine exact --trace merges.json -o parts.json\n"
     "  convexact decompose cow.obj --proof cow.proof && convexact-check cow.proof cow.obj\n"
+    "  convexact decompose cow.obj --total-faces 400 -o parts/ --tree tree.json --tree-faces 24\n"
     "  convexact verify cow.obj parts.obj --union\n"
     "\n"
     "Every part is the convex hull of a cluster of triangles. The parts hold every triangle, "
@@ -43,13 +46,14 @@ constexpr const char* kDecomposeFooter =
 // The files that a run writes. A new kind joins all_paths(), files_of() and the options.
 struct DecomposeFiles {
   std::vector<std::string> results;  // -o
+  std::string tree;                  // of hulls over the parts
   std::string trace;                 // every merge
   std::string proof;                 // for convexact-check
   std::string picture;               // a page
 
   std::vector<std::string> all_paths() const {
     std::vector<std::string> paths = results;
-    for (const std::string& path : {trace, proof, picture}) {
+    for (const std::string& path : {tree, trace, proof, picture}) {
       if (!path.empty()) paths.push_back(path);
     }
     return paths;
@@ -63,7 +67,7 @@ struct DecomposeArguments {
   DecomposeFiles files;
   DecomposeMethod method = DecomposeMethod::Hacd;
   std::string concavity = "3%";
-  std::optional<std::size_t> max_parts, faces, total_faces;
+  std::optional<std::size_t> max_parts, faces, total_faces, tree_faces;
   ConcavityMeasure measure = ConcavityMeasure::Surface;
   BridgeChoice bridge = BridgeChoice::Farther;
   std::string coplanar = "0.99";
@@ -116,6 +120,7 @@ DecomposeRequest decompose_request(const DecomposeArguments& options) {
   request.measures = !options.no_measures;
   request.exact_volumes = options.exact_volumes;
   request.for_trace = !options.files.trace.empty();
+  request.for_tree = !options.files.tree.empty();
   request.seed = options.global.seed;
   return request;
 }
@@ -212,6 +217,24 @@ void add_folder(FilesOfParts& out, const std::string& folder, nlohmann::ordered_
   }
 }
 
+// The tree over the parts as they are stored: with the branches that its file adds.
+std::string tree_file(const DecomposedObject& object, const DecomposeRequest& request,
+                      const DecomposeArguments& options) {
+  std::vector<NamedPart> parts;
+  for (std::size_t k = 0; k < object.result.parts.size(); ++k) {
+    parts.push_back({object.part_names[k], object.result.parts[k].mesh});
+  }
+  const TreeRequest tree{.faces = options.tree_faces,
+                         .leaf_faces = {},
+                         .precision = request.precision,
+                         .seed = request.seed,
+                         .watch = {.stop = request.watch.stop}};
+  const TreeOrigin origin{object.name, name_in(kDecomposeMethodNames, request.method),
+                          object.result.surface.points.is_binary(), 0};
+  return proven_tree_file(build_tree(parts, joins_of(object.result), tree), tree, origin,
+                          options.files.tree);
+}
+
 FilesOfParts files_of(const DecomposedObjects& objects, const DecomposeRequest& request,
                       const DecomposeArguments& options) {
   FilesOfParts out;
@@ -232,6 +255,9 @@ FilesOfParts files_of(const DecomposedObjects& objects, const DecomposeRequest& 
     }
   }
   watch.ask();
+  if (!options.files.tree.empty()) {
+    out.files.emplace_back(options.files.tree, tree_file(objects[0], request, options));
+  }
   if (!options.files.trace.empty()) {
     out.files.emplace_back(options.files.trace, write_decompose_trace(objects[0].result, request));
   }
@@ -314,6 +340,12 @@ int run_decompose(const DecomposeArguments& options) {
   DecomposeRequest request = decompose_request(options);
   const PartNames names(options.names);
   for (const std::string& path : options.files.results) (void)parts_output_of(path);
+  if (!options.files.tree.empty() && !options.files.tree.ends_with(".json")) {
+    throw Error(ErrorCode::InvalidArgument, "--tree: expected a name that ends in .json");
+  }
+  if (options.tree_faces && options.files.tree.empty()) {
+    throw Error(ErrorCode::InvalidArgument, "--tree-faces is of a tree: name its file by --tree");
+  }
   if (!options.files.picture.empty() && !options.files.picture.ends_with(".html")) {
     throw Error(ErrorCode::InvalidArgument, "--picture: expected a name that ends in .html");
   }
@@ -324,7 +356,8 @@ int run_decompose(const DecomposeArguments& options) {
   std::vector<SceneObject> scene =
       log.run("read", StageKind::Io, [&] { return read_scene({options.input}, options.scene); });
   for (const auto& [option, path] :
-       {std::pair("--trace", &options.files.trace), std::pair("--proof", &options.files.proof),
+       {std::pair("--tree", &options.files.tree), std::pair("--trace", &options.files.trace),
+        std::pair("--proof", &options.files.proof),
         std::pair("--picture", &options.files.picture)}) {
     if (scene.size() > 1 && !path->empty()) {
       throw Error(ErrorCode::InvalidArgument,
@@ -420,6 +453,10 @@ void add_decompose_command(CLI::App& program, int& exit_code) {
       .add_option("--names", options->names,
                   "the name of a part: exactly one %d or %0Nd, which becomes its number")
       ->capture_default_str();
+  command.add_option("--tree", options->files.tree,
+                     "a tree of hulls over the parts (.json), as convexact bvh writes it");
+  add_count(command, "--tree-faces", options->tree_faces, {4, std::uint64_t(1) << 32},
+            "how many halfspaces to keep of each branch of the tree, at least 4");
   command.add_option("--trace", options->files.trace,
                      "every merge, or split, as JSON, for a program that replays it");
   command.add_option("--proof", options->files.proof,

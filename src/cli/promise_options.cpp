@@ -37,6 +37,7 @@ std::vector<ClaimCode> parse_claims(const std::string& text) {
         names += (names.empty() ? "" : ", ") + std::string(name_of(known));
       }
       for (const ClaimCode known : kPartsClaims) names += ", " + std::string(name_of(known));
+      names += ", " + std::string(name_of(ClaimCode::TreeNested));
       throw Error(ErrorCode::InvalidArgument,
                   "--claims: expected names out of " + names + "; found " + in_quotes(word));
     }

@@ -3,8 +3,10 @@
 #include <memory>
 #include <optional>
 
+#include "bvh/tree_report.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
+#include "convexact/hull_tree.hpp"
 #include "convexact/io.hpp"
 #include "convexact/query.hpp"
 #include "convexact/scene.hpp"
@@ -20,12 +22,17 @@ constexpr const char* kQueryFooter =
     "Examples:\n"
     "  convexact query overlap bunny.obj box.json\n"
     "  convexact query rays bunny.obj rays.txt --json\n"
+    "  convexact query rays bunny_tree.json rays.txt\n"
     "  convexact query false-positives bunny.obj bunny12.json\n"
     "\n"
     "Every answer is exact; those about overlap and rays are checked by their definition before\n"
     "they are printed. A mesh stands for the convex hull of its points, a list of halfspaces for\n"
     "their intersection. Solids are closed: touching counts. Halfspaces are named by their\n"
-    "positions in canonical order, as convexact hull --json lists them.";
+    "positions in canonical order, as convexact hull --json lists them.\n"
+    "\n"
+    "A tree of convexact bvh stands for the union of its parts. Its hulls are tested to hold "
+    "their\n"
+    "children, then only what lies below a hull that is met is asked; every visit is checked.";
 
 constexpr const char* kOverlapFooter =
     "Example:\n"
@@ -110,7 +117,60 @@ void require(bool is_true) {
   if (!is_true) throw Error(ErrorCode::Internal, "the answer to a query fails its check");
 }
 
+// The tree in a file of convexact bvh; nothing if it holds none.
+std::optional<HullTree> tree_in(const std::string& path, Decimal decimal) {
+  if (halfspace_format_of_path(path) != HalfspaceFormat::Json) return {};
+  const std::string bytes = read_bytes(path);
+  if (bytes.find("\"hull_tree\"") == bytes.npos) return {};
+  CandidateParts read = read_parts_bytes(bytes, path, decimal);
+  if (auto* error = std::get_if<Error>(&read)) throw std::move(*error);
+  auto* tree = std::get_if<HullTree>(&read);
+  if (tree == nullptr) return {};
+  remember_input(path, bytes);
+  return std::move(*tree);
+}
+
+// A tree under examination, and the names of its parts.
+class AskedTree {
+ public:
+  AskedTree(const std::string& path, const HullTree& tree, StageLog& log)
+      : path_(path), tree_(log.run("nesting", [&] { return searched(path, tree, log); })) {
+    for (const NamedPart& part : tree.parts) names_.push_back(part.name);
+  }
+  const SearchTree& operator*() const { return tree_; }
+  NamedTree named() const { return {path_, tree_, names_}; }
+
+ private:
+  static SearchTree searched(const std::string& path, const HullTree& tree, const StageLog& log) {
+    try {
+      return SearchTree(tree, log.watch("nesting"));
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::Stopped) throw;
+      throw error.in_file(path);
+    }
+  }
+
+  std::string path_;
+  SearchTree tree_;
+  std::vector<std::string> names_;
+};
+
+int run_tree_overlap(const QueryArguments& options, const HullTree& read) {
+  RunningQuery query(options);
+  if (const auto exit = query.read_solids({options.b})) return *exit;
+  const AskedTree tree(options.a, read, query.log());
+  const NamedPolytope b = query[0];
+  const TreeOverlap answer =
+      query.log().run("overlap", [&] { return find_overlap(*tree, b.solid, options.global.seed); });
+  query.log().run("check", [&] { require(check(*tree, b.solid, answer)); });
+  return query.print_answer([&] { return overlap_json(tree.named(), b, answer); },
+                            [&] { return overlap_text(tree.named(), b, answer); });
+}
+
 int run_overlap(const QueryArguments& options) {
+  if (const auto tree = tree_in(options.a, options.scene.decimal)) {
+    return run_tree_overlap(options, *tree);
+  }
   RunningQuery query(options);
   if (const auto exit = query.read_solids({options.a, options.b})) return *exit;
   const NamedPolytope a = query[0], b = query[1];
@@ -134,27 +194,47 @@ std::vector<Ray> rays_of(const QueryArguments& options) {
   }
 }
 
+// The answers to all rays; each is then checked by its definition.
+template <class Asked>
+auto cast_all(const Asked& asked, const std::vector<Ray>& rays, StageLog& log) {
+  std::vector<decltype(cast_ray(asked, rays.front()))> answers;
+  log.run("rays", [&] {
+    const Watch watch = log.watch("rays");
+    for (const Ray& ray : rays) {
+      watch.at(answers.size(), rays.size());
+      answers.push_back(cast_ray(asked, ray));
+    }
+  });
+  log.run("check", [&] {
+    const Watch watch = log.watch("check");
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      watch.at(i, rays.size());
+      require(check(asked, rays[i], answers[i]));
+    }
+  });
+  return answers;
+}
+
+int run_tree_rays(const QueryArguments& options, const HullTree& read) {
+  RunningQuery query(options);
+  const std::vector<Ray> rays =
+      query.log().run("read", StageKind::Io, [&] { return rays_of(options); });
+  const AskedTree tree(options.a, read, query.log());
+  const auto answers = cast_all(*tree, rays, query.log());
+  return query.print_answer([&] { return rays_json(tree.named(), answers); },
+                            [&] { return rays_text(tree.named(), answers); });
+}
+
 int run_rays(const QueryArguments& options) {
+  if (const auto tree = tree_in(options.a, options.scene.decimal)) {
+    return run_tree_rays(options, *tree);
+  }
   RunningQuery query(options);
   const std::vector<Ray> rays =
       query.log().run("read", StageKind::Io, [&] { return rays_of(options); });
   if (const auto exit = query.read_solids({options.a})) return *exit;
   const NamedPolytope a = query[0];
-  std::vector<RayAnswer> answers;
-  query.log().run("rays", [&] {
-    const Watch watch = query.log().watch("rays");
-    for (const Ray& ray : rays) {
-      watch.at(answers.size(), rays.size());
-      answers.push_back(cast_ray(a.solid, ray));
-    }
-  });
-  query.log().run("check", [&] {
-    const Watch watch = query.log().watch("check");
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      watch.at(i, rays.size());
-      require(check(a.solid, rays[i], answers[i]));
-    }
-  });
+  const auto answers = cast_all(a.solid, rays, query.log());
   return query.print_answer([&] { return rays_json(a, answers); },
                             [&] { return rays_text(a, answers); });
 }
@@ -207,14 +287,14 @@ void add_query_command(CLI::App& program, int& exit_code) {
       *command.add_subcommand("overlap", "whether two solids have a point in common");
   overlap.footer(kOverlapFooter);
   auto options = std::make_shared<QueryArguments>();
-  add_solid(overlap, "A", options->a, "a solid");
+  add_solid(overlap, "A", options->a, "a solid, or a tree of convexact bvh");
   add_solid(overlap, "B", options->b, "another one");
   finish_query(overlap, options, exit_code, run_overlap);
 
   CLI::App& rays = *command.add_subcommand("rays", "where rays enter and leave a solid");
   rays.footer(kRaysFooter);
   options = std::make_shared<QueryArguments>();
-  add_solid(rays, "A", options->a, "a solid");
+  add_solid(rays, "A", options->a, "a solid, or a tree of convexact bvh");
   rays.add_option("FILE", options->rays,
                   "the rays, a line of six numbers each; - is standard input")
       ->required();

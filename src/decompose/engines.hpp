@@ -6,6 +6,14 @@
 
 namespace convexact {
 
+/// Cuts off and returns the merges from this one on.
+[[nodiscard]] inline std::vector<Merge> tail_after(std::size_t count, std::vector<Merge>& merges) {
+  std::vector<Merge> tail(std::make_move_iterator(merges.begin() + std::ptrdiff_t(count)),
+                          std::make_move_iterator(merges.end()));
+  merges.resize(count);
+  return tail;
+}
+
 /// By the definitions, in exact numbers.
 [[nodiscard]] Clustering cluster_exact(const Surface& surface, const ClusterOptions& options,
                                        const ClusterStart& start);

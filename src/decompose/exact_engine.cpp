@@ -29,7 +29,13 @@ class ExactEngine {
     while (options_.max_parts && clusters_.size() > *options_.max_parts && merge_cheapest(true)) {
       made_.stopped_by_count = true;
     }
-    for (auto& [name, triangles] : clusters_) made_.clusters.push_back(std::move(triangles));
+    for (const auto& [name, triangles] : clusters_) made_.clusters.push_back(triangles);
+    if (options_.further) {
+      const std::size_t merges = made_.merges.size();
+      while (merge_cheapest(true)) {
+      }
+      made_.further_merges = tail_after(merges, made_.merges);
+    }
     return std::move(made_);
   }
 

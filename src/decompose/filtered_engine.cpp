@@ -97,10 +97,22 @@ class FilteredEngine {
   Clustering run() {
     while (merge_cheapest()) {
     }
-    if (options_.max_parts && clusters_.size() > *options_.max_parts) go_on_by_concavity();
-    for (auto& [name, cluster] : clusters_) {
-      std::sort(cluster.triangles.begin(), cluster.triangles.end());
-      made_.clusters.push_back(std::move(cluster.triangles));
+    if (options_.max_parts && clusters_.size() > *options_.max_parts) {
+      queue_by_concavity();
+      while (clusters_.size() > *options_.max_parts && merge_cheapest()) {
+        made_.stopped_by_count = true;
+      }
+    }
+    for (const auto& [name, cluster] : clusters_) {
+      made_.clusters.push_back(cluster.triangles);
+      std::sort(made_.clusters.back().begin(), made_.clusters.back().end());
+    }
+    if (options_.further) {
+      const std::size_t merges = made_.merges.size();
+      if (!by_concavity_) queue_by_concavity();
+      while (merge_cheapest()) {
+      }
+      made_.further_merges = tail_after(merges, made_.merges);
     }
     return std::move(made_);
   }
@@ -435,16 +447,13 @@ class FilteredEngine {
   }
 
   // No merge within the limit is left: all candidates are beyond it.
-  void go_on_by_concavity() {
+  void queue_by_concavity() {
     by_concavity_ = true;
     auto before = std::exchange(candidates_, {});
     for (const auto& [pair, candidate] : before) {
       Candidate stale;
       stale.concavity.low = candidate.concavity.low;
       enter(pair, std::move(stale));
-    }
-    while (clusters_.size() > *options_.max_parts && merge_cheapest()) {
-      made_.stopped_by_count = true;
     }
   }
 

@@ -12,7 +12,7 @@ namespace convexact::oracle {
 /// A decomposition on trial: what was asked, and the verdict so far. The references outlive it.
 class PartsTrial {
  public:
-  PartsTrial(const Mesh& input, const PartsRequest& request, StageLog& log);
+  PartsTrial(const Mesh& input, bool has_tree, const PartsRequest& request, StageLog& log);
 
   bool asks(ClaimCode code) const;
   /// Each of these is ignored if the claim was not asked for.
@@ -54,6 +54,8 @@ void judge_each_part(std::span<const NamedPart> parts, PartsTrial& trial);
 void judge_coverage(PartsTrial& trial);
 /// Whether parts overlap, and whether one lies in another.
 void judge_pairs(PartsTrial& trial);
+/// Whether the tree is one, and nested. @param tree  Null if there is none.
+void judge_tree(const HullTree* tree, PartsTrial& trial);
 /// The numbers beside the claims.
 void measure_parts(PartsTrial& trial);
 

@@ -19,9 +19,9 @@
 #include "io/json.hpp"
 #include "io/json_text.hpp"
 #include "number/text.hpp"
-#include "oracle/json_mesh.hpp"
 #include "oracle/parts_verdict.hpp"
 #include "oracle/verdict_report.hpp"
+#include "scene/json_mesh.hpp"
 #include "scene/result_json.hpp"
 
 namespace convexact {

@@ -43,6 +43,7 @@ Json witness_json(const Witness& w, const Rational& squared_diameter) {
   if (!w.parts.empty()) json["parts"] = w.parts;
   if (w.input_face) json["input_face"] = *w.input_face;
   if (w.winding) json["winding"] = *w.winding;
+  if (!w.nodes.empty()) json["nodes"] = w.nodes;
   return json;
 }
 

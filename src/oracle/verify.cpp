@@ -195,8 +195,10 @@ constexpr auto kClaimNames =
                            {ClaimCode::MaxParts, "max-parts"},
                            {ClaimCode::MaxPartFacets, "max-part-facets"},
                            {ClaimCode::MaxPartVertices, "max-part-vertices"},
-                           {ClaimCode::MaxPartFacetVertices, "max-part-facet-vertices"}});
-static_assert(kClaimNames.size() == kAllClaims.size() + 1 + kPartsClaims.size());
+                           {ClaimCode::MaxPartFacetVertices, "max-part-facet-vertices"},
+                           {ClaimCode::TreeNested, "tree-nested"}});
+// Besides those of every solid and every decomposition, inside-input and tree-nested.
+static_assert(kClaimNames.size() == kAllClaims.size() + 1 + kPartsClaims.size() + 1);
 
 constexpr auto kStatusNames = name_table<Status>({{Status::Holds, "holds"},
                                                   {Status::Violated, "violated"},

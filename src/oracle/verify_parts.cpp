@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "convexact/error.hpp"
+#include "convexact/hull_tree.hpp"
 #include "convexact/measure.hpp"
 #include "number/text.hpp"
 #include "oracle/judge.hpp"
@@ -52,11 +53,17 @@ Claim& claim_of(std::vector<Claim>& claims, ClaimCode code) {
 
 }  // namespace
 
-PartsTrial::PartsTrial(const Mesh& given, const PartsRequest& asked, StageLog& stages)
+PartsTrial::PartsTrial(const Mesh& given, bool has_tree, const PartsRequest& asked,
+                       StageLog& stages)
     : input(given), request(asked), log(stages) {
   for (const ClaimCode code : kPartsClaims) {
     const bool is_named = !request.claims.empty() || budget_of(request, code) != nullptr;
     verdict.claims.push_back({code, Status::NotAsked, "", {}, is_named && asks(code)});
+  }
+  const auto& named = request.claims;
+  const bool names_tree = std::find(named.begin(), named.end(), TreeNested) != named.end();
+  if (has_tree || names_tree) {
+    verdict.claims.push_back({TreeNested, Status::NotAsked, "", {}, names_tree});
   }
 }
 
@@ -263,9 +270,9 @@ void judge_disjoint(PartsTrial& trial) {
   Witness witness;
   witness.parts = {overlapping.front().first, overlapping.front().second};
   witness.point = point;
-  std::string sentence = fmt::format(
-      "{} of parts overlap; {} and {} do", counted(overlapping.size(), "pair", "pairs"),
-      trial.part_text(witness.parts[0]), trial.part_text(witness.parts[1]));
+  std::string sentence =
+      fmt::format("{} of parts overlap; {} and {} do", counted(overlapping.size(), "pair", "pairs"),
+                  trial.part_text(witness.parts[0]), trial.part_text(witness.parts[1]));
   trial.violated(PartsDisjoint, std::move(sentence), std::move(witness));
 }
 
@@ -308,6 +315,31 @@ void judge_pairs(PartsTrial& trial) {
   judge(PartsNeeded, "needed parts", judge_needed);
 }
 
+void judge_tree(const HullTree* tree, PartsTrial& trial) {
+  constexpr const char* kStage = "tree";
+  if (trial.verdict.claims.back().code != TreeNested) return;
+  if (!trial.asks(TreeNested)) return trial.log.skip(kStage, "not requested");
+  if (tree == nullptr) return trial.not_applicable(TreeNested, "the parts are under no tree");
+  const std::optional<TreeFault> fault =
+      trial.log.run(kStage, [&] { return find_tree_fault(*tree, trial.watch(kStage)); });
+  if (!fault) {
+    return trial.holds(TreeNested, fmt::format("{}, and each hull holds its children",
+                                               counted(tree->nodes.size(), "node", "nodes")));
+  }
+  Witness witness;
+  witness.nodes = fault->nodes;
+  if (fault->part) witness.parts = {*fault->part};
+  if (fault->point) {
+    const PointSet& points = tree->mesh_of(fault->nodes[1]).points;
+    witness.vertices = {*fault->point};
+    witness.point = points[PointId(*fault->point)];
+    witness.plane = fault->plane;
+    const Rational height = (*fault->plane)(*witness.point);
+    witness.squared_distance = height * height / Rational(fault->plane->normal().squaredNorm());
+  }
+  trial.violated(TreeNested, fault->sentence, std::move(witness));
+}
+
 namespace {
 
 void check_request(const PartsRequest& request) {
@@ -334,14 +366,14 @@ void check_request(const PartsRequest& request) {
 
 // Returns the parts, if there is anything to judge.
 const std::vector<NamedPart>* judge_reading(const CandidateParts& candidate, PartsTrial& trial) {
-  if (const auto* parts = std::get_if<std::vector<NamedPart>>(&candidate)) {
+  if (const auto* parts = parts_of(candidate)) {
     trial.holds(PartsReadable, counted(parts->size(), "part", "parts"));
     trial.holds(PartsFinite, "every number is finite");
     return parts;
   }
   const auto& error = std::get<Error>(candidate);
-  for (const ClaimCode code : kPartsClaims) {
-    trial.not_applicable(code, "the parts could not be read");
+  for (const Claim& claim : std::vector(trial.verdict.claims)) {
+    trial.not_applicable(claim.code, "the parts could not be read");
   }
   Witness witness;
   witness.line = error.line();
@@ -415,12 +447,14 @@ PartsVerdict verify_parts(const Mesh& input, const CandidateParts& candidate,
   using namespace oracle;
   check_request(request);
   StageLog log(request.watch);
-  PartsTrial trial(input, request, log);
+  const auto* tree = std::get_if<HullTree>(&candidate);
+  PartsTrial trial(input, tree != nullptr, request, log);
   find_points(trial);
   if (const std::vector<NamedPart>* parts = judge_reading(candidate, trial)) {
     judge_each_part(*parts, trial);
     judge_coverage(trial);
     judge_pairs(trial);
+    judge_tree(tree, trial);
     measure_parts(trial);
   }
   trial.verdict.stages = log.stages();

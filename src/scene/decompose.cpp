@@ -101,6 +101,7 @@ class Decomposer {
                                              .connect = request_.connect,
                                              .engine = request_.engine,
                                              .costs = request_.for_trace,
+                                             .further = request_.for_tree,
                                              .watch = watch});
     } else {
       made_.origin = split(made_.surface, split_options(watch));

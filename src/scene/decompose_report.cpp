@@ -74,10 +74,6 @@ const char* stop_name(const Decomposition& decomposition) {
                                                                               : "concavity";
 }
 
-namespace {
-
-// Doubles; of a surface with fractions the fractions that they are, which mean the same to a reader
-// that takes decimals as they are spelled.
 OrderedJson vertices_json(const PointSet& points, bool as_fractions) {
   OrderedJson vertices = OrderedJson::array();
   for (const Point& p : points.doubles()) {
@@ -89,6 +85,8 @@ OrderedJson vertices_json(const PointSet& points, bool as_fractions) {
   }
   return vertices;
 }
+
+namespace {
 
 const char* status_name(const Part& part) {
   if (part.is_within_limit) return "within-eps";

@@ -60,6 +60,9 @@ enum class DecompositionDetail {
                                                 const Decomposition& decomposition);
 [[nodiscard]] nlohmann::ordered_json concavity_json(const Concavity& concavity,
                                                     const Rational& squared_diameter);
+/// Doubles; of an input with fractions the fractions that they are, which mean the same to a reader
+/// that takes decimals as they are spelled.
+[[nodiscard]] nlohmann::ordered_json vertices_json(const PointSet& points, bool as_fractions);
 /// The numbers of triangles, as a list.
 [[nodiscard]] nlohmann::ordered_json indices_json(std::span<const TriangleId> triangles);
 /// What ended the run.

@@ -5,7 +5,7 @@
 
 #include "convexact/mesh.hpp"
 #include "convexact/number.hpp"
-#include "convexact/verify_parts.hpp"
+#include "convexact/parts.hpp"
 
 namespace convexact {
 
@@ -25,5 +25,10 @@ namespace convexact {
 /// @throws Error as mesh_of_json(), with the number.
 [[nodiscard]] NamedPart part_of_json(const nlohmann::json& part, std::size_t number,
                                      Decimal decimal);
+
+/// The nodes under "hull_tree": each with "parent" (null of the root), and "part", or "children"
+/// and "vertices". Whether they make a tree is not asked.
+/// @throws Error as mesh_of_json(), with the number of the node.
+[[nodiscard]] std::vector<HullTreeNode> nodes_of_json(const nlohmann::json& nodes, Decimal decimal);
 
 }  // namespace convexact

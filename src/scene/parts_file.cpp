@@ -8,10 +8,10 @@
 
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
-#include "convexact/verify_parts.hpp"
+#include "convexact/parts.hpp"
 #include "io/json_text.hpp"
 #include "number/text.hpp"
-#include "oracle/json_mesh.hpp"
+#include "scene/json_mesh.hpp"
 #include "scene/objects.hpp"
 
 namespace convexact {
@@ -24,7 +24,7 @@ using nlohmann::json;
   throw Error(ErrorCode::Malformed, "expected " + expected);
 }
 
-std::vector<NamedPart> parts_of_json(std::string_view bytes, Decimal decimal) {
+CandidateParts parts_of_json(std::string_view bytes, Decimal decimal) {
   JsonDocument reader({"vertices"});
   parse_json_events(bytes, reader);
   const json& document = reader.document;
@@ -35,7 +35,8 @@ std::vector<NamedPart> parts_of_json(std::string_view bytes, Decimal decimal) {
   for (const json& part : document["parts"]) {
     parts.push_back(part_of_json(part, parts.size(), decimal));
   }
-  return parts;
+  if (!document.contains("hull_tree")) return parts;
+  return HullTree{std::move(parts), nodes_of_json(document["hull_tree"], decimal)};
 }
 
 std::vector<NamedPart> parts_of_mesh(Mesh mesh, const std::string& stem) {
@@ -105,26 +106,6 @@ std::vector<std::string> meshes_in(const std::string& folder) {
 
 }  // namespace
 
-NamedPart part_of_json(const json& part, std::size_t number, Decimal decimal) {
-  if (!part.is_object() || !part.contains("vertices")) {
-    reject_parts(fmt::format("part {} as an object with 'vertices'", number));
-  }
-  std::string name = fmt::format("part_{:03}", number);
-  if (part.contains("name")) {
-    if (!part["name"].is_string())
-      reject_parts(fmt::format("the name of part {} as a text", number));
-    name = part["name"].get<std::string>();
-  }
-  if (part["vertices"].is_array() && part["vertices"].empty()) {
-    reject_parts(fmt::format("points in part {}, which has none", number));
-  }
-  try {
-    return {std::move(name), mesh_of_json(part, decimal)};
-  } catch (const Error& error) {
-    throw Error(error.code(), fmt::format("part {}: {}", number, error.what()));
-  }
-}
-
 CandidateParts read_parts_bytes(std::string_view bytes, const std::string& path, Decimal decimal) {
   try {
     if (is_json(bytes, path)) return parts_of_json(bytes, decimal);
@@ -135,6 +116,11 @@ CandidateParts read_parts_bytes(std::string_view bytes, const std::string& path,
     if (error.code() != ErrorCode::Malformed && error.code() != ErrorCode::NotFinite) throw;
     return error.in_file(display_name(path));
   }
+}
+
+const std::vector<NamedPart>* parts_of(const CandidateParts& candidate) {
+  if (const auto* tree = std::get_if<HullTree>(&candidate)) return &tree->parts;
+  return std::get_if<std::vector<NamedPart>>(&candidate);
 }
 
 CandidateParts read_parts(const std::string& path, Decimal decimal) {

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// joins_of(): how the method that made the parts would join them.
+#include <map>
+
+#include "convexact/hull_tree.hpp"
+
+namespace convexact {
+namespace {
+
+using Group = std::optional<std::size_t>;  // none of a cluster that became no part
+
+// The groups that parts are joined to, one join after another.
+class Joiner {
+ public:
+  explicit Joiner(const Decomposition& decomposition)
+      : parts_(decomposition.parts.size()), part_of_(decomposition.surface.triangles.size()) {
+    for (std::size_t k = 0; k < parts_; ++k) {
+      for (const TriangleId t : decomposition.parts[k].cluster) part_of_[t.index()] = k;
+      joined_to_.push_back(k);
+    }
+  }
+
+  // Of the part that has the triangle in its cluster. A cluster within another part is in none.
+  Group group_at(TriangleId t) const { return part_of_[t.index()]; }
+
+  // The group of both. They may be one already: a flat cluster joined a part elsewhere.
+  Group join(Group a, Group b) {
+    if (!a || !b) return a ? a : b;
+    const std::size_t first = last_group(*a), second = last_group(*b);
+    if (first == second) return first;
+    joins_.emplace_back(first, second);
+    joined_to_[first] = joined_to_[second] = joined_to_.size();
+    joined_to_.push_back(joined_to_.size());
+    return joined_to_.back();
+  }
+  std::vector<Join> joins() { return std::move(joins_); }
+
+ private:
+  std::size_t last_group(std::size_t group) const {
+    while (joined_to_[group] != group) group = joined_to_[group];
+    return group;
+  }
+
+  std::size_t parts_;
+  std::vector<Group> part_of_;          // by triangle
+  std::vector<std::size_t> joined_to_;  // by group: itself, as long as nothing joined it
+  std::vector<Join> joins_;
+};
+
+void undo_splits(const SplitTree& tree, Joiner& joiner) {
+  std::vector<Group> group_of(tree.nodes.size());
+  for (const SplitLeaf& leaf : tree.leaves) {
+    group_of[leaf.node] = joiner.group_at(leaf.triangles.front());
+  }
+  for (std::size_t node = tree.nodes.size(); node-- > 0;) {  // children come after their parents
+    if (!tree.nodes[node].is_split) continue;
+    const auto& [first, second] = tree.nodes[node].children;
+    group_of[node] = joiner.join(group_of[first], group_of[second]);
+  }
+}
+
+void go_on_merging(const Clustering& clustering, Joiner& joiner) {
+  std::map<TriangleId, Group> group_of;  // by the lowest triangle of a cluster
+  for (const auto& cluster : clustering.clusters) {
+    group_of[cluster.front()] = joiner.group_at(cluster.front());
+  }
+  for (const Merge& merge : clustering.further_merges) {
+    group_of[merge.kept] = joiner.join(group_of[merge.kept], group_of[merge.gone]);
+  }
+}
+
+}  // namespace
+
+std::vector<Join> joins_of(const Decomposition& decomposition) {
+  Joiner joiner(decomposition);
+  if (const auto* tree = std::get_if<SplitTree>(&decomposition.origin)) {
+    undo_splits(*tree, joiner);
+  } else {
+    go_on_merging(std::get<Clustering>(decomposition.origin), joiner);
+  }
+  return joiner.joins();
+}
+
+}  // namespace convexact

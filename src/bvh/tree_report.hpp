@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// tree_report.hpp - a tree of hulls as its file (docs/schema/hull-tree.schema.json), and for
+// people; the answers of a tree to questions.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+
+#include "convexact/hull_tree.hpp"
+#include "query/query_report.hpp"
+
+namespace convexact {
+
+/// Where the parts of a tree come from, and what of the input they leave uncovered.
+struct TreeOrigin {
+  std::string input;
+  std::string parts;  ///< "hacd", "acd", or the name of a file.
+  bool is_binary = true;
+  /// Pieces of triangles that no part holds, as stored; 0 is proven. Nothing if not asked.
+  std::optional<std::size_t> uncovered;
+};
+
+/// Counts and levels, without the hulls.
+[[nodiscard]] nlohmann::ordered_json tree_json(const BuiltTree& built, const TreeRequest& request,
+                                               const TreeOrigin& origin);
+
+/// The file: these, the parts, and the nodes under "hull_tree", a node on a line. Read back from
+/// its bytes, the tree has no fault and the same hulls.
+/// @param path   For messages.
+/// @throws Error Internal if the bytes lose something.
+[[nodiscard]] std::string proven_tree_file(const BuiltTree& built, const TreeRequest& request,
+                                           const TreeOrigin& origin, const std::string& path);
+
+/// A few lines and a table of the levels.
+[[nodiscard]] std::string tree_text(const BuiltTree& built, const TreeOrigin& origin);
+
+/// A tree that is asked, under the name of its file, with the names of its parts.
+struct NamedTree {
+  std::string name;
+  const SearchTree& tree;
+  std::vector<std::string> parts;
+};
+
+/// "rays", in the order of the file, "hits", and the number of nodes visited.
+[[nodiscard]] nlohmann::ordered_json rays_json(const NamedTree& named,
+                                               std::span<const TreeRayAnswer> answers);
+[[nodiscard]] std::string rays_text(const NamedTree& named, std::span<const TreeRayAnswer> answers);
+
+/// The parts that overlap, each with a common point; and the nodes that do not, with the proofs.
+[[nodiscard]] nlohmann::ordered_json overlap_json(const NamedTree& named, const NamedPolytope& b,
+                                                  const TreeOverlap& answer);
+[[nodiscard]] std::string overlap_text(const NamedTree& named, const NamedPolytope& b,
+                                       const TreeOverlap& answer);
+
+}  // namespace convexact

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// convexact bvh: a tree of hulls over the parts of a mesh, each of which holds its children.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "bvh/tree_report.hpp"
+#include "cli/diff_clusters.hpp"
+#include "cli/outputs.hpp"
+#include "cli/part_files.hpp"
+#include "cli/verify_union.hpp"
+#include "convexact/hull_tree.hpp"
+#include "convexact/io.hpp"
+#include "io/json.hpp"
+#include "scene/decompose_report.hpp"
+
+namespace convexact::cli {
+namespace {
+
+constexpr const char* kBvhFooter =
+    "Examples:\n"
+    "  convexact bvh cow.obj -o cow_tree.json\n"
+    "  convexact bvh cow.obj --method acd --concavity 5% --leaf-faces 24 --faces 16 -o tree.json\n"
+    "  convexact bvh cow.obj --from vhacd_parts.obj -o tree.json\n"
+    "  convexact query rays tree.json rays.txt\n"
+    "  convexact verify cow.obj tree.json --union\n"
+    "\n"
+    "Without --from the parts are those of convexact decompose, joined as acd split them, or as\n"
+    "hacd would merge them on; what that leaves apart, and the parts of a file, are joined by the\n"
+    "least added volume. Each hull is made from its children's stored numbers, and is proven on\n"
+    "its own to hold them: a ray or a solid that misses it misses all below.\n"
+    "convexact decompose --tree writes parts, proof, picture and tree in one run.";
+
+struct BvhArguments {
+  GlobalOptions global;
+  std::string input, from, output;
+  SceneOptions scene;
+  DecomposeMethod method = DecomposeMethod::Hacd;
+  std::string concavity = "3%";
+  std::optional<std::size_t> max_parts;
+  TreeRequest tree;
+};
+
+// What a tree is built of.
+struct TreeParts {
+  std::vector<NamedPart> parts;
+  std::vector<Join> joins;
+  Surface surface;
+  TreeOrigin origin;
+};
+
+std::variant<TreeParts, NotSolid> decomposed_parts(const Mesh& mesh, const std::string& name,
+                                                   const BvhArguments& options, StageLog& log) {
+  DecomposeRequest request;
+  request.method = options.method;
+  request.limit = parse_concavity(options.concavity);
+  request.max_parts = options.max_parts;
+  request.faces = options.tree.leaf_faces;
+  request.precision = options.tree.precision;
+  request.measures = false;
+  request.for_tree = true;
+  request.seed = options.global.seed;
+  request.watch = log.watch();
+  DecomposeOutcome outcome = decompose(mesh, request);
+  if (auto* reason = std::get_if<NotSolid>(&outcome)) return std::move(*reason);
+  auto& decomposition = std::get<Decomposition>(outcome);
+  log.add(decomposition.stages);
+  TreeParts made{.parts = {},
+                 .joins = joins_of(decomposition),
+                 .surface = {},
+                 .origin = {name, name_in(kDecomposeMethodNames, options.method),
+                            decomposition.surface.points.is_binary(), 0}};
+  const PartNames names("part_%03d");
+  for (Part& part : decomposition.parts) {
+    made.parts.push_back({names(made.parts.size()), std::move(part.mesh)});
+  }
+  return made;
+}
+
+std::variant<TreeParts, NotSolid> read_parts_of_tree(const Mesh& mesh, const std::string& name,
+                                                     const BvhArguments& options, StageLog& log) {
+  TreeParts made;
+  log.run("read parts", StageKind::Io, [&] {
+    CandidateParts read = read_parts(options.from, options.scene.decimal);
+    if (const auto* error = std::get_if<Error>(&read)) throw *error;
+    made.parts = *parts_of(read);
+    if (made.parts.empty()) {
+      throw Error(ErrorCode::NoInterior, "there is no part").in_file(options.from);
+    }
+  });
+  made.surface = log.run("surface", [&] { return make_surface(mesh, {}, log.watch("surface")); });
+  made.origin = {name, options.from, true, {}};
+  for (const NamedPart& part : made.parts) {
+    made.origin.is_binary = made.origin.is_binary && part.mesh.points.is_binary();
+  }
+  return made;
+}
+
+// Foreign parts may leave some of the input uncovered, which a tree should not hide.
+std::size_t count_uncovered(const Surface& surface, const HullTree& tree, StageLog& log) {
+  return log.run("coverage", [&] {
+    std::vector<ConvexPart> hulls;
+    for (const NamedPart& part : tree.parts) hulls.push_back(convex_part(part.mesh.points));
+    return find_uncovered(surface, hulls, log.watch("coverage")).uncovered.size();
+  });
+}
+
+int run_bvh(const BvhArguments& options) {
+  if (!options.output.empty() && !options.output.ends_with(".json")) {
+    throw Error(ErrorCode::InvalidArgument,
+                "-o: expected a name that ends in .json, found " + in_quotes(options.output));
+  }
+  require_other_files({options.output}, {options.input, options.from});
+  Progress progress;
+  StageLog log(progress.watch());
+  std::vector<SceneObject> scene =
+      log.run("read", StageKind::Io, [&] { return read_scene({options.input}, options.scene); });
+  const std::string name = scene.front().name;
+  const auto made = mesh_of(std::move(scene.front()));
+  if (const auto* reason = std::get_if<NotSolid>(&made)) {
+    progress.clear();
+    return report_not_solid(options.global, name, *reason);
+  }
+  const Mesh& mesh = std::get<Mesh>(made);
+  auto found = options.from.empty() ? decomposed_parts(mesh, name, options, log)
+                                    : read_parts_of_tree(mesh, name, options, log);
+  if (const auto* reason = std::get_if<NotSolid>(&found)) {
+    progress.clear();
+    return report_not_solid(options.global, name, *reason);
+  }
+  auto& parts = std::get<TreeParts>(found);
+  TreeRequest request = options.tree;
+  request.seed = options.global.seed;
+  request.watch = log.watch();
+  const BuiltTree built = build_tree(parts.parts, parts.joins, request);
+  log.add(built.stages);
+  if (!options.from.empty()) {
+    parts.origin.uncovered = count_uncovered(parts.surface, built.tree, log);
+  }
+  OutputFiles files;
+  log.run("write", StageKind::Io, [&] {
+    if (options.output.empty()) return;
+    files.emplace_back(options.output,
+                       proven_tree_file(built, request, parts.origin, options.output));
+  });
+  progress.clear();
+  std::string answer;
+  if (options.global.json) {
+    nlohmann::ordered_json document = tree_json(built, request, parts.origin);
+    document["stages"] = stages_json(log.stages());
+    answer = write_json(document, 2) + "\n";
+  } else {
+    answer = name + "\n" + tree_text(built, parts.origin) +
+             (options.output.empty() ? "  written     nothing; -o tree.json keeps the tree\n"
+                                     : "  written     " + options.output + "\n") +
+             stage_text(log.stages(), options.global.stages);
+  }
+  write_together(files, answer);
+  return 0;
+}
+
+}  // namespace
+
+void add_bvh_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<BvhArguments>();
+  CLI::App& command = *program.add_subcommand(
+      "bvh", "a tree of hulls over convex parts, each of which holds its children");
+  command.footer(kBvhFooter);
+  command
+      .add_option("INPUT", options->input,
+                  "a mesh (OBJ, OFF, PLY, STL), or halfspaces (JSON, .ine, rows); - is standard "
+                  "input")
+      ->required();
+  CLI::Option* from = command.add_option(
+      "--from", options->from,
+      "parts to build on, instead of decomposing INPUT: objects of an OBJ, a folder of meshes, or "
+      "JSON with \"parts\"");
+  add_choice(command, "--method", options->method, kDecomposeMethodNames,
+             "of the decomposition: hacd merges triangles, acd splits at notches")
+      ->excludes(from);
+  command
+      .add_option("--concavity", options->concavity,
+                  "of the decomposition: how deep a cluster may lie in its hull: a share of the "
+                  "diameter, 3% or 0.03d, or a length, 0.05")
+      ->capture_default_str()
+      ->excludes(from);
+  add_count(command, "--max-parts", options->max_parts, {1},
+            "of the decomposition: at least 1; may lead beyond the concavity allowed")
+      ->excludes(from);
+  add_faces(command, options->tree.faces, "how many halfspaces to keep of each branch, at least 4");
+  add_count(command, "--leaf-faces", options->tree.leaf_faces, {4, std::uint64_t(1) << 32},
+            "how many halfspaces to keep of each part, at least 4");
+  command.add_option("-o,--output", options->output,
+                     "file for the parts and the tree (.json), which query and verify read");
+  add_choice<Precision>(command, "--precision", options->tree.precision,
+                        {{"64", Precision::Binary64}, {"32", Precision::Binary32}},
+                        "the numbers of the hulls: binary64, or rounded outward to binary32");
+  options->scene.on_read = remember_input;
+  add_decimal_option(command, options->scene.decimal);
+  finish_command(command, options, exit_code, run_bvh);
+  add_stages_option(command, options->global);
+}
+
+}  // namespace convexact::cli
