@@ -122,7 +122,7 @@ std::string proven_tree_file(const BuiltTree& built, const TreeRequest& request,
   return bytes;
 }
 
-std::string tree_text(const BuiltTree& built, const TreeOrigin& origin) {
+std::string tree_summary(const BuiltTree& built, const TreeOrigin& origin) {
   const std::size_t nodes = built.tree.nodes.size(), parts = built.tree.parts.size();
   std::string text =
       labelled("tree", fmt::format("{} on {}: {} and {}", of_number(nodes, "node", "nodes"),
@@ -140,7 +140,11 @@ std::string tree_text(const BuiltTree& built, const TreeOrigin& origin) {
     if (by_volume > 0) how.push_back(fmt::format("{} by least added volume", by_volume));
     text += labelled("joined", fmt::format("{}", fmt::join(how, ", ")));
   }
-  text += labelled("nested", "every hull holds its children, tested on the stored numbers");
+  return text + labelled("nested", "every hull holds its children, tested on the stored numbers");
+}
+
+std::string tree_text(const BuiltTree& built, const TreeOrigin& origin) {
+  std::string text = tree_summary(built, origin);
   if (origin.uncovered) {
     text +=
         labelled("covers", *origin.uncovered == 0

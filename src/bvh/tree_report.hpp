@@ -31,7 +31,9 @@ struct TreeOrigin {
 [[nodiscard]] std::string proven_tree_file(const BuiltTree& built, const TreeRequest& request,
                                            const TreeOrigin& origin, const std::string& path);
 
-/// A few lines and a table of the levels.
+/// Three lines: its size, how parts were joined, what is proven.
+[[nodiscard]] std::string tree_summary(const BuiltTree& built, const TreeOrigin& origin);
+/// These, what is covered, and a table of the levels.
 [[nodiscard]] std::string tree_text(const BuiltTree& built, const TreeOrigin& origin);
 
 /// A tree that is asked, under the name of its file, with the names of its parts.

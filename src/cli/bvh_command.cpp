@@ -2,6 +2,7 @@
 // convexact bvh: a tree of hulls over the parts of a mesh, each of which holds its children.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "bvh/tree_report.hpp"
@@ -12,6 +13,7 @@
 #include "convexact/hull_tree.hpp"
 #include "convexact/io.hpp"
 #include "io/json.hpp"
+#include "report/parts_picture.hpp"
 #include "scene/decompose_report.hpp"
 
 namespace convexact::cli {
@@ -33,7 +35,7 @@ constexpr const char* kBvhFooter =
 
 struct BvhArguments {
   GlobalOptions global;
-  std::string input, from, output;
+  std::string input, from, output, picture;
   SceneOptions scene;
   DecomposeMethod method = DecomposeMethod::Hacd;
   std::string concavity = "3%";
@@ -110,7 +112,10 @@ int run_bvh(const BvhArguments& options) {
     throw Error(ErrorCode::InvalidArgument,
                 "-o: expected a name that ends in .json, found " + in_quotes(options.output));
   }
-  require_other_files({options.output}, {options.input, options.from});
+  if (!options.picture.empty() && !options.picture.ends_with(".html")) {
+    throw Error(ErrorCode::InvalidArgument, "--picture: expected a name that ends in .html");
+  }
+  require_other_files({options.output, options.picture}, {options.input, options.from});
   Progress progress;
   StageLog log(progress.watch());
   std::vector<SceneObject> scene =
@@ -139,9 +144,14 @@ int run_bvh(const BvhArguments& options) {
   }
   OutputFiles files;
   log.run("write", StageKind::Io, [&] {
-    if (options.output.empty()) return;
-    files.emplace_back(options.output,
-                       proven_tree_file(built, request, parts.origin, options.output));
+    if (!options.output.empty()) {
+      files.emplace_back(options.output,
+                         proven_tree_file(built, request, parts.origin, options.output));
+    }
+    if (!options.picture.empty()) {
+      const std::string title = std::filesystem::path(name).filename().string();
+      files.emplace_back(options.picture, picture_html(tree_picture(built, title)));
+    }
   });
   progress.clear();
   std::string answer;
@@ -150,10 +160,10 @@ int run_bvh(const BvhArguments& options) {
     document["stages"] = stages_json(log.stages());
     answer = write_json(document, 2) + "\n";
   } else {
-    answer = name + "\n" + tree_text(built, parts.origin) +
-             (options.output.empty() ? "  written     nothing; -o tree.json keeps the tree\n"
-                                     : "  written     " + options.output + "\n") +
-             stage_text(log.stages(), options.global.stages);
+    answer = name + "\n" + tree_text(built, parts.origin);
+    for (const auto& [path, bytes] : files) answer += "  written     " + path + "\n";
+    if (files.empty()) answer += "  written     nothing; -o tree.json keeps the tree\n";
+    answer += stage_text(log.stages(), options.global.stages);
   }
   write_together(files, answer);
   return 0;
@@ -192,6 +202,9 @@ void add_bvh_command(CLI::App& program, int& exit_code) {
             "how many halfspaces to keep of each part, at least 4");
   command.add_option("-o,--output", options->output,
                      "file for the parts and the tree (.json), which query and verify read");
+  command.add_option(
+      "--picture", options->picture,
+      "a page (.html) that shows the parts, and the hulls of each level around them");
   add_choice<Precision>(command, "--precision", options->tree.precision,
                         {{"64", Precision::Binary64}, {"32", Precision::Binary32}},
                         "the numbers of the hulls: binary64, or rounded outward to binary32");

@@ -190,6 +190,7 @@ nlohmann::ordered_json document_of(const DecomposedObjects& objects,
 struct FilesOfParts {
   OutputFiles files;
   std::vector<std::string> folders, removed, notes;
+  std::string tree;  // what the summary says of it
 };
 
 std::string in_folder(const std::string& folder, const std::string& file) {
@@ -217,9 +218,9 @@ void add_folder(FilesOfParts& out, const std::string& folder, nlohmann::ordered_
   }
 }
 
-// The tree over the parts as they are stored: with the branches that its file adds.
-std::string tree_file(const DecomposedObject& object, const DecomposeRequest& request,
-                      const DecomposeArguments& options) {
+// The tree over the parts as they are stored: its file, and its levels in the picture.
+void add_tree(const DecomposedObject& object, const DecomposeRequest& request,
+              const DecomposeArguments& options, FilesOfParts& out, Picture& picture) {
   std::vector<NamedPart> parts;
   for (std::size_t k = 0; k < object.result.parts.size(); ++k) {
     parts.push_back({object.part_names[k], object.result.parts[k].mesh});
@@ -231,8 +232,11 @@ std::string tree_file(const DecomposedObject& object, const DecomposeRequest& re
                          .watch = {.stop = request.watch.stop}};
   const TreeOrigin origin{object.name, name_in(kDecomposeMethodNames, request.method),
                           object.result.surface.points.is_binary(), 0};
-  return proven_tree_file(build_tree(parts, joins_of(object.result), tree), tree, origin,
-                          options.files.tree);
+  const BuiltTree built = build_tree(parts, joins_of(object.result), tree);
+  const std::string& path = options.files.tree;
+  out.files.emplace_back(path, proven_tree_file(built, tree, origin, path));
+  out.tree = tree_summary(built, origin);
+  for (PictureLayer& layer : tree_layers(built)) picture.layers.push_back(std::move(layer));
 }
 
 FilesOfParts files_of(const DecomposedObjects& objects, const DecomposeRequest& request,
@@ -255,9 +259,6 @@ FilesOfParts files_of(const DecomposedObjects& objects, const DecomposeRequest& 
     }
   }
   watch.ask();
-  if (!options.files.tree.empty()) {
-    out.files.emplace_back(options.files.tree, tree_file(objects[0], request, options));
-  }
   if (!options.files.trace.empty()) {
     out.files.emplace_back(options.files.trace, write_decompose_trace(objects[0].result, request));
   }
@@ -265,10 +266,14 @@ FilesOfParts files_of(const DecomposedObjects& objects, const DecomposeRequest& 
     out.files.emplace_back(options.files.proof,
                            write_decomposition_proof(objects[0].result, request));
   }
+  Picture picture;
   if (!options.files.picture.empty()) {
     const std::string title = std::filesystem::path(objects[0].name).filename().string();
-    out.files.emplace_back(options.files.picture,
-                           picture_html(decomposition_picture(objects[0].result, title)));
+    picture = decomposition_picture(objects[0].result, title);
+  }
+  if (!options.files.tree.empty()) add_tree(objects[0], request, options, out, picture);
+  if (!options.files.picture.empty()) {
+    out.files.emplace_back(options.files.picture, picture_html(picture));
   }
   watch.ask();
   return out;
@@ -290,6 +295,7 @@ std::string answer_of(const DecomposedObjects& objects, const DecomposeRequest& 
   for (const DecomposedObject& object : objects) {
     text += object.name + "\n" + summary(object.result, request, object.part_names);
   }
+  text += out.tree;
   for (const std::string& path : options.files.all_paths()) text += "  written     " + path + "\n";
   for (const std::string& path : out.removed) {
     text += "  removed     " + path + ", of an earlier run\n";

@@ -138,6 +138,26 @@ Point middle(const Mesh& mesh) {
   return sum;
 }
 
+// The parts, most of them with a way of their own from the middle of all.
+void add_apart(const std::vector<const Mesh*>& meshes, Picture& picture) {
+  Point center = Point::Zero();
+  for (const Mesh* mesh : meshes) center += middle(*mesh) / static_cast<double>(meshes.size());
+  std::vector<PictureLayer> parts;
+  for (std::size_t k = 0; k < meshes.size(); ++k) {
+    if (k < kMostApart) {
+      parts.push_back(
+          {.name = fmt::format("part {}", k), .color = kColors[k % kColors.size()], .edges = true});
+      parts.back().away = 0.8 * (middle(*meshes[k]) - center);
+    } else if (k == kMostApart) {
+      parts.push_back({.name = "other parts", .color = "#bab0ac", .edges = true});
+    }
+    // A part that is a segment or a point has no polygon, and is not drawn.
+    parts.back().add(meshes[k]->points.doubles(), meshes[k]->polygons);
+  }
+  std::erase_if(parts, [](const PictureLayer& layer) { return layer.polygons.empty(); });
+  std::move(parts.begin(), parts.end(), std::back_inserter(picture.layers));
+}
+
 }  // namespace
 
 Picture parts_picture(const Mesh& input, const PartsVerdict& verdict, const std::string& title) {
@@ -186,25 +206,9 @@ Picture decomposition_picture(const Decomposition& decomposition, const std::str
   for (double& x : heat.heat) x = longest > 0 ? x / longest : 0;
   picture.layers = {std::move(steps), std::move(heat)};
 
-  Point center = Point::Zero();
-  for (const Part& part : decomposition.parts) {
-    center += middle(part.mesh) / static_cast<double>(decomposition.parts.size());
-  }
-  std::vector<PictureLayer> parts;
-  for (std::size_t k = 0; k < decomposition.parts.size(); ++k) {
-    const Mesh& mesh = decomposition.parts[k].mesh;
-    if (k < kMostApart) {
-      parts.push_back(
-          {.name = fmt::format("part {}", k), .color = kColors[k % kColors.size()], .edges = true});
-      parts.back().away = 0.8 * (middle(mesh) - center);
-    } else if (k == kMostApart) {
-      parts.push_back({.name = "other parts", .color = "#bab0ac", .edges = true});
-    }
-    // A part that is a segment or a point has no polygon, and is not drawn.
-    parts.back().add(mesh.points.doubles(), mesh.polygons);
-  }
-  std::erase_if(parts, [](const PictureLayer& layer) { return layer.polygons.empty(); });
-  std::move(parts.begin(), parts.end(), std::back_inserter(picture.layers));
+  std::vector<const Mesh*> meshes;
+  for (const Part& part : decomposition.parts) meshes.push_back(&part.mesh);
+  add_apart(meshes, picture);
 
   const double diameter = sqrt(Enclosure(decomposition.squared_diameter(), 64)).high_double();
   picture.caption = fmt::format(
@@ -213,6 +217,41 @@ Picture decomposition_picture(const Decomposition& decomposition, const std::str
       "of the diameter).",
       with_separators(decomposition.parts.size()), with_separators(surface.triangles.size()),
       longest, 100 * longest / diameter);
+  return picture;
+}
+
+std::vector<PictureLayer> tree_layers(const BuiltTree& built) {
+  std::vector<PictureLayer> layers;
+  std::size_t node = 0;  // nodes stand level by level
+  for (const TreeLevel& level : built.levels) {
+    PictureLayer layer{.name = fmt::format("hulls of level {}", layers.size()),
+                       .color = kColors[layers.size() % kColors.size()],
+                       .opacity = 0.3,
+                       .edges = true,
+                       .shown = false};
+    for (std::size_t i = 0; i < level.nodes; ++i, ++node) {
+      const Mesh& mesh = built.tree.mesh_of(node);
+      layer.add(mesh.points.doubles(), mesh.polygons);
+    }
+    layers.push_back(std::move(layer));
+  }
+  return layers;
+}
+
+Picture tree_picture(const BuiltTree& built, const std::string& title) {
+  Picture picture;
+  picture.title = as_utf8(title);
+  std::vector<const Mesh*> meshes;
+  for (const NamedPart& part : built.tree.parts) meshes.push_back(&part.mesh);
+  add_apart(meshes, picture);
+  for (PictureLayer& layer : tree_layers(built)) picture.layers.push_back(std::move(layer));
+  if (built.levels.size() > 1)
+    picture.layers[picture.layers.size() - built.levels.size() + 1].shown = true;
+  picture.caption = fmt::format(
+      "{} parts under a tree of {} nodes on {} levels. Each hull holds "
+      "those below it.",
+      with_separators(built.tree.parts.size()), with_separators(built.tree.nodes.size()),
+      built.levels.size());
   return picture;
 }
 

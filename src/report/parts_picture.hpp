@@ -4,6 +4,7 @@
 #include <string>
 
 #include "convexact/decompose.hpp"
+#include "convexact/hull_tree.hpp"
 #include "convexact/verify_parts.hpp"
 #include "report/picture.hpp"
 
@@ -19,5 +20,13 @@ namespace convexact {
 /// hull of its cluster, in doubles. Both colourings are hidden at first.
 [[nodiscard]] Picture decomposition_picture(const Decomposition& decomposition,
                                             const std::string& title);
+
+/// A layer for each level of a tree, from the root down: the hulls of its nodes. All are hidden at
+/// first.
+[[nodiscard]] std::vector<PictureLayer> tree_layers(const BuiltTree& built);
+
+/// The parts, which can be drawn apart, in the hulls of the level below the root; the other levels
+/// are hidden at first.
+[[nodiscard]] Picture tree_picture(const BuiltTree& built, const std::string& title);
 
 }  // namespace convexact

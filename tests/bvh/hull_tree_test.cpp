@@ -252,6 +252,30 @@ TEST_CASE("joins_of: hacd merges on to one group of each component, in either en
   CHECK(built.given_joins == joins.size());
 }
 
+TEST_CASE("joins_of: clusters that became no part of their own are in no join") {
+  // A box with a fin, whose cluster lies in a plane and joins another one; and stairs, some of
+  // whose clusters lie in the parts of others.
+  std::vector<Mesh> pieces = {box_mesh(at_x(0)), box_mesh({{0, 0, 1}, {0.5, 0.5, 3}})};
+  pieces.push_back(mesh_of({{1, 0, 0}, {4, 0, 0}, {4, 1, 0}, {1, 1, 0}}, {{0, 1, 2, 3}}));
+  const Mesh finned = joined(pieces);
+  std::size_t dropped = 0;
+  for (const DecomposeMethod method : {DecomposeMethod::Hacd, DecomposeMethod::Acd}) {
+    for (const Mesh& mesh : {finned, stairs()}) {
+      const Decomposition d =
+          decomposed(mesh, {.method = method, .limit = {Rational(0)}, .flat = FlatParts::Merge});
+      std::vector<NamedPart> parts;
+      for (const Part& part : d.parts) parts.push_back({"part", part.mesh});
+      const auto joins = joins_of(d);
+      CHECK(joins.size() < d.parts.size());
+      dropped += d.clusters().size() - d.parts.size();
+      const BuiltTree built = build_tree(parts, joins);
+      CHECK(built.given_joins == joins.size());
+      check_nested(built.tree);
+    }
+  }
+  CHECK(dropped >= 3);
+}
+
 TEST_CASE("further merges: with a number of parts they begin where that ends") {
   const Surface surface = make_surface(stairs());
   for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
