@@ -8,6 +8,7 @@
 
 #include "bvh/tree_report.hpp"
 #include "cli/diff_clusters.hpp"
+#include "cli/model_files.hpp"
 #include "cli/outputs.hpp"
 #include "cli/part_files.hpp"
 #include "cli/verify_union.hpp"
@@ -32,6 +33,7 @@ constexpr const char* kDecomposeFooter =
     "  convexact decompose cow.obj --engine exact --trace merges.json -o parts.json\n"
     "  convexact decompose cow.obj --proof cow.proof && convexact-check cow.proof cow.obj\n"
     "  convexact decompose cow.obj --total-faces 400 -o parts/ --tree tree.json --tree-faces 24\n"
+    "  convexact decompose cow.obj --precision 32 -o parts/ -o cow.mjcf.xml -o cow.urdf\n"
     "  convexact verify cow.obj parts.obj --union\n"
     "\n"
     "Every part is the convex hull of a cluster of triangles. The parts hold every triangle, "
@@ -202,7 +204,7 @@ void add_folder(FilesOfParts& out, const std::string& folder, nlohmann::ordered_
   out.folders.push_back(folder);
   std::set<std::string> written;
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    const std::string file = parts[k].name + ".obj", path = in_folder(folder, file);
+    const std::string file = part_file_name(parts[k].name), path = in_folder(folder, file);
     document["parts"][k]["file"] = file;
     written.insert(file);
     out.files.emplace_back(path, proven_parts_obj(std::span(parts).subspan(k, 1), path));
@@ -249,6 +251,10 @@ FilesOfParts files_of(const DecomposedObjects& objects, const DecomposeRequest& 
     const PartsOutput kind = parts_output_of(path);
     if (kind == PartsOutput::Obj) {
       out.files.emplace_back(path, proven_parts_obj(parts, path));
+      continue;
+    }
+    if (kind != PartsOutput::Json && kind != PartsOutput::Folder) {
+      out.files.emplace_back(path, model_bytes(path, options.files.results, parts));
       continue;
     }
     nlohmann::ordered_json document = document_of(objects, request, DecompositionDetail::All);
@@ -345,13 +351,13 @@ DecomposeOutcome decompose_object(const std::string& name, const Mesh& mesh,
 int run_decompose(const DecomposeArguments& options) {
   DecomposeRequest request = decompose_request(options);
   const PartNames names(options.names);
-  for (const std::string& path : options.files.results) (void)parts_output_of(path);
   if (!options.files.tree.empty() && !options.files.tree.ends_with(".json")) {
     throw Error(ErrorCode::InvalidArgument, "--tree: expected a name that ends in .json");
   }
   if (options.tree_faces && options.files.tree.empty()) {
     throw Error(ErrorCode::InvalidArgument, "--tree-faces is of a tree: name its file by --tree");
   }
+  require_model_options(options.files.results, options.precision, options.flat);
   if (!options.files.picture.empty() && !options.files.picture.ends_with(".html")) {
     throw Error(ErrorCode::InvalidArgument, "--picture: expected a name that ends in .html");
   }
@@ -452,7 +458,8 @@ void add_decompose_command(CLI::App& program, int& exit_code) {
   command
       .add_option("-o,--output", options->files.results,
                   "file for the parts: .obj with an object for each, .json, or a folder (ends in "
-                  "/) with a file for each; may be repeated")
+                  "/) with a file for each; or a model for simulators, with --precision 32: "
+                  ".mjcf.xml or .urdf beside a folder, .usda; may be repeated")
       ->expected(1)
       ->take_all();
   command

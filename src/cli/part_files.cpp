@@ -23,6 +23,13 @@ constexpr std::size_t kLongestName = 200;  // of the 255 bytes that file systems
   throw Error(ErrorCode::InvalidArgument, "--names: " + why + ", found " + in_quotes(pattern));
 }
 
+bool has_extension(const std::string& path, std::string_view extension) {
+  return path.size() >= extension.size() &&
+         std::equal(extension.rbegin(), extension.rend(), path.rbegin(), [](char lower, char c) {
+           return lower == (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+         });
+}
+
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 // Folders that did not exist; removed again, if they are empty, unless keep() is called.
@@ -155,11 +162,16 @@ PartsOutput parts_output_of(const std::string& path) {
   if (path.ends_with('/') || fs::is_directory(path, ignored)) return PartsOutput::Folder;
   if (mesh_format_of_path(path) == MeshFormat::Obj) return PartsOutput::Obj;
   if (halfspace_format_of_path(path) == HalfspaceFormat::Json) return PartsOutput::Json;
+  if (has_extension(path, kMjcfExtension)) return PartsOutput::Mjcf;
+  if (has_extension(path, ".urdf")) return PartsOutput::Urdf;
+  if (has_extension(path, ".usda")) return PartsOutput::Usd;
   throw Error(ErrorCode::InvalidArgument,
               "-o " + path +
-                  ": expected an extension .obj (an object for each part) or .json, or a folder (a "
-                  "name that ends in /)");
+                  ": expected an extension .obj (an object for each part), .json, .mjcf.xml, .urdf "
+                  "or .usda, or a folder (a name that ends in /)");
 }
+
+std::string part_file_name(const std::string& part) { return part + ".obj"; }
 
 LeftInFolder left_in_folder(const std::string& folder, const std::set<std::string>& written,
                             const std::vector<std::string>& inputs) {

@@ -36,11 +36,20 @@ enum class PartsOutput {
   Obj,     ///< One file, an object for each part.
   Json,    ///< One document.
   Folder,  ///< A file for each part, and the document.
+  Mjcf,    ///< A model for MuJoCo that names the files of a folder.
+  Urdf,    ///< The same for readers of URDF.
+  Usd,     ///< A layer of USD that holds the meshes.
 };
 
-/// By the extension .obj or .json; a name that ends in /, or of a folder, is one.
+inline constexpr std::string_view kMjcfExtension = ".mjcf.xml";
+
+/// By the extension .obj, .json, .mjcf.xml, .urdf or .usda; a name that ends in /, or of a folder,
+/// is one.
 /// @throws Error InvalidArgument for any other name.
 [[nodiscard]] PartsOutput parts_output_of(const std::string& path);
+
+/// Of the file that holds a part, in a folder.
+[[nodiscard]] std::string part_file_name(const std::string& part);
 
 /// The document in a folder of parts.
 inline constexpr const char* kPartsDocument = "parts.json";

@@ -39,18 +39,6 @@ Mesh joined_parts(std::span<const WrittenPart> parts) {
   return all;
 }
 
-[[noreturn]] void reject_bytes(const std::string& path, const std::string& why) {
-  throw Error(ErrorCode::Internal, "read back from its bytes, " + path + " " + why);
-}
-
-void require_held(const std::string& path, const WrittenPart& written,
-                  std::span<const Halfspace> halfspaces) {
-  const PointSet owned =
-      subset(written.surface->points, points_of(*written.surface, written.part->owns));
-  if (count_outside(halfspaces, owned) == 0) return;
-  reject_bytes(path, "misses a corner of a triangle that " + in_quotes(written.name) + " owns");
-}
-
 // By the definition of a part, the hull of its points as a reader of the file takes them.
 void require_parts(const std::string& bytes, const std::string& path,
                    std::span<const WrittenPart> parts) {
@@ -70,6 +58,18 @@ void require_parts(const std::string& bytes, const std::string& path,
 }
 
 }  // namespace
+
+void reject_bytes(const std::string& path, const std::string& why) {
+  throw Error(ErrorCode::Internal, "read back from its bytes, " + path + " " + why);
+}
+
+void require_held(const std::string& path, const WrittenPart& written,
+                  std::span<const Halfspace> halfspaces) {
+  const PointSet owned =
+      subset(written.surface->points, points_of(*written.surface, written.part->owns));
+  if (count_outside(halfspaces, owned) == 0) return;
+  reject_bytes(path, "misses a corner of a triangle that " + in_quotes(written.name) + " owns");
+}
 
 std::string proven_parts_obj(std::span<const WrittenPart> parts, const std::string& path) {
   std::string bytes = write_mesh(joined_parts(parts), MeshFormat::Obj);

@@ -17,6 +17,14 @@ struct WrittenPart {
   const Surface* surface;
 };
 
+/// @throws Error Internal: "read back from its bytes, PATH WHY".
+[[noreturn]] void reject_bytes(const std::string& path, const std::string& why);
+
+/// @param halfspaces  Of the part as a reader of the file takes it.
+/// @throws Error Internal if a corner of a triangle that the part owns is outside of one.
+void require_held(const std::string& path, const WrittenPart& written,
+                  std::span<const Halfspace> halfspaces);
+
 /// An OBJ with an object for each part. A segment or a point is a triangle with equal corners.
 /// @param path   For messages.
 /// @throws Error Internal if the bytes lose a part, or a corner of a triangle that it owns.
