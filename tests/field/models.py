@@ -5,7 +5,7 @@ the files of the parts.
 
 Of each mesh: whether the reader takes the model; in how many parts its points are those of the files, bit by bit; else
 how far one moved, in diagonals of the input's box; and what `convexact verify` says of the input and the parts as they
-are in the reader's memory. Meshes: tests/data, and those of CONVEXACT_MESHES (separated by colons). Exit code 1 if a
+are in the reader's memory. Meshes: tests/data, and those of the folder CONVEXACT_MESHES (OBJ). Exit code 1 if a
 reader refuses a model, or has other parts than were written. Readers that are missing are skipped.
 """
 import argparse
@@ -88,11 +88,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--convexact", required=True)
     arguments = parser.parse_args()
-    meshes = sorted((ROOT / "tests" / "data").glob("*.obj"))
-    meshes += [Path(path) for path in os.environ.get("CONVEXACT_MESHES", "").split(":") if path]
+    folders = [ROOT / "tests" / "data"] + [Path(folder) for folder in [os.environ.get("CONVEXACT_MESHES")] if folder]
+    meshes = {path.stem: path for folder in folders for path in sorted(folder.glob("*.obj"))}
     print(", ".join(sorted({npm_version(package) for _, package in NODE_READERS.values()})))
     is_good = True
-    for mesh in meshes:
+    for mesh in meshes.values():
         folder = BUILD / "models" / mesh.stem
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)

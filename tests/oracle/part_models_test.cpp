@@ -24,7 +24,9 @@ struct TenthParts {
     std::vector<Point> points(mesh.points.doubles().begin(), mesh.points.doubles().end());
     for (Point& p : points) p /= 10;
     mesh.points = PointSet(std::move(points));
-    made = std::get<Decomposition>(decompose(mesh, {.precision = precision}));
+    DecomposeRequest request;
+    request.precision = precision;
+    made = std::get<Decomposition>(decompose(mesh, request));
   }
   std::vector<WrittenPart> written() const {
     return {{"a", &made.parts[0], &made.surface}, {"b", &made.parts[1], &made.surface}};
@@ -33,7 +35,7 @@ struct TenthParts {
 };
 
 template <class Action>
-bool is_noticed(Action&& action) {
+bool is_noticed_in_usd(Action&& action) {
   return error_of(action).code() == ErrorCode::Internal;
 }
 
@@ -43,7 +45,7 @@ TEST_CASE("part models: the proof of USD takes numbers as floats, so doubles do 
   const TenthParts rounded(Precision::Binary32), doubles(Precision::Binary64);
   REQUIRE(rounded.made.parts.size() == 2);
   CHECK(rounded.usd().find("#usda 1.0\n") == 0);
-  CHECK(is_noticed([&] { return doubles.usd(); }));
+  CHECK(is_noticed_in_usd([&] { return doubles.usd(); }));
 }
 
 TEST_CASE("part models: the proof of USD notices moved corners and swapped owners") {
@@ -52,14 +54,14 @@ TEST_CASE("part models: the proof of USD notices moved corners and swapped owner
                             moved.made.parts[1].mesh.points.doubles().end());
   points[0] = points[1];
   moved.made.parts[1].mesh.points = PointSet(points);
-  CHECK(is_noticed([&] { return moved.usd(); }));
+  CHECK(is_noticed_in_usd([&] { return moved.usd(); }));
   TenthParts swapped(Precision::Binary32);
   std::swap(swapped.made.parts[0].owns, swapped.made.parts[1].owns);
-  CHECK(is_noticed([&] { return swapped.usd(); }));
+  CHECK(is_noticed_in_usd([&] { return swapped.usd(); }));
   TenthParts huge(Precision::Binary32);
   points[0].x() = 1e39;  // beyond the largest float
   huge.made.parts[1].mesh.points = PointSet(points);
-  CHECK(is_noticed([&] { return huge.usd(); }));
+  CHECK(is_noticed_in_usd([&] { return huge.usd(); }));
 }
 
 TEST_CASE("part models: names of prims are identifiers, all different") {
