@@ -6,7 +6,7 @@ the files of the parts.
 Of each mesh: whether the reader takes the model; in how many parts its points are those of the files, bit by bit; else
 how far one moved, in diagonals of the input's box; and what `convexact verify` says of the input and the parts as they
 are in the reader's memory. Meshes: tests/data, and those of the folder CONVEXACT_MESHES (OBJ). Exit code 1 if a
-reader refuses a model, or has other parts than were written. Readers that are missing are skipped.
+reader refuses a model, has other parts than were written, or, of USD, other points. Readers that are missing are skipped.
 """
 import argparse
 import json
@@ -67,7 +67,8 @@ def compare(reader, folder, mesh, convexact):
     verdict = json.loads(run(convexact, "verify", mesh, folder / f"{reader}.obj", "--union", "--json",
                              "--claims", "covers-points").stdout)
     claim = next(claim for claim in verdict["claims"] if claim["code"] == "covers-points")
-    return f"{text}; {claim.get('sentence', 'every point of the input is in a part')}", True
+    # MuJoCo moves points by design; readers of USD have no reason to.
+    return f"{text}; {claim['sentence']}", reader.startswith("mujoco") or same == len(read)
 
 
 def check_xml(folder):
@@ -97,7 +98,8 @@ def main():
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
         ran = run(arguments.convexact, "decompose", mesh, "--precision", "32", "--no-measures", "-o", f"{folder}/parts/",
-                  *(word for name in ("model.mjcf.xml", "model.urdf", "parts/model.urdf", "model.usda") for word in ("-o", folder / name)))
+                  *(word for name in ("model.mjcf.xml", "model.urdf", "parts/model.urdf", "model.usda")
+                    for word in ("-o", folder / name)))
         if ran.returncode != 0:
             sys.exit(ran.stderr)
         answers = list(check_xml(folder))
