@@ -39,7 +39,8 @@ enum class FlatParts {
 struct DecomposeRequest {
   DecomposeMethod method = DecomposeMethod::Hacd;
   ConcavityLimit limit = {};
-  std::optional<std::size_t> max_parts;  ///< >= 1. May lead beyond the limit; then that is said.
+  std::optional<std::size_t> max_parts =
+      {};  ///< >= 1. May lead beyond the limit; then that is said.
   ConcavityMeasure measure = ConcavityMeasure::Surface;  ///< Of Hacd.
   BridgeChoice bridge = BridgeChoice::Farther;           ///< Of Acd.
   Rational coplanar{99, 100};                            ///< Of Acd: as SplitOptions.
@@ -51,7 +52,7 @@ struct DecomposeRequest {
   /// Halfspaces to keep of each part, >= 4, or of all together, >= 4 for each part with a volume:
   /// the parts are simplified and still hold what they own. Thickened parts have a volume. A part
   /// keeps more if every removal is unbounded, as from a box.
-  std::optional<std::size_t> faces, total_faces;
+  std::optional<std::size_t> faces = {}, total_faces = {};
   Precision precision = Precision::Binary64;
   bool measures = true;        ///< Volumes of solid, union, excess, uncovered and overlap.
   bool exact_volumes = false;  ///< Also as fractions.

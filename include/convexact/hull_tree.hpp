@@ -35,7 +35,7 @@ using Join = std::pair<std::size_t, std::size_t>;
 struct TreeRequest {
   /// Halfspaces to keep of each branch, and of each part, >= 4: these are simplified and still hold
   /// what is below them. A hull keeps more if every removal is unbounded, as from a box.
-  std::optional<std::size_t> faces, leaf_faces;
+  std::optional<std::size_t> faces = {}, leaf_faces = {};
   Precision precision = Precision::Binary64;
   std::uint64_t seed = 1;  ///< Of every random order. The answer is the same.
   StageWatch watch = {};
