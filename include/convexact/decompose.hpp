@@ -39,8 +39,8 @@ enum class FlatParts {
 struct DecomposeRequest {
   DecomposeMethod method = DecomposeMethod::Hacd;
   ConcavityLimit limit = {};
-  std::optional<std::size_t> max_parts =
-      {};  ///< >= 1. May lead beyond the limit; then that is said.
+  /// >= 1. May lead beyond the limit; then that is said.
+  std::optional<std::size_t> max_parts = {};
   ConcavityMeasure measure = ConcavityMeasure::Surface;  ///< Of Hacd.
   BridgeChoice bridge = BridgeChoice::Farther;           ///< Of Acd.
   Rational coplanar{99, 100};                            ///< Of Acd: as SplitOptions.
