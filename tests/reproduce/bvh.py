@@ -205,7 +205,7 @@ HEAD = ('method', 'faces of branches', 'leaves', 'nodes', 'levels', 'seconds to 
 
 SERIES = {('hacd', None): ('#1b6ca8', ''), ('hacd', 16): ('#1b6ca8', '6 4'), ('acd', None): ('#c0392b', ''),
           ('acd', 16): ('#c0392b', '6 4')}
-WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 760, 460, 64, 220, 24, 52
+WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 800, 460, 64, 250, 24, 52
 
 
 def plot(shape, rows):
