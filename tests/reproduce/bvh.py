@@ -7,7 +7,8 @@ Usage: bvh.py --convexact PROGRAM [--cow FILE] [--json FILE] [--plot FILE.svg]
 
 The cow of the thesis has 5,804 triangles and may not be shipped: name its file. Without it spot stands in. Trees are
 built over the parts of both methods at --concavity 0 --max-parts N, so that hacd merges on and acd splits on until
-there are N; parts inside others are left out, so there may be fewer leaves. Half the rays start on a sphere around the
+there are N; parts inside others are left out, so there may be fewer leaves. The parts of hacd are also joined by the
+least added volume, as parts of a file are: the rows "volume". Half the rays start on a sphere around the
 shape and run to a random point of its box; the other half start at a random point of the box, in a random direction.
 
 A sample of the answers for each tree is decided again in Python's fractions, part by part. With --brute, more rays are
@@ -30,7 +31,7 @@ from hacd import COW_TRIANGLES, ROOT, triangles_of
 sys.path.insert(0, str(ROOT / 'tests' / 'field'))
 from judge_tree import Judged, read_tree  # noqa: E402
 
-METHODS = ('hacd', 'acd')
+METHODS = ('hacd', 'volume', 'acd')
 FACES = (None, 16)  # halfspaces of branches
 JUDGED_PARTS, JUDGED_SHARE = 64, Fraction(1, 3)
 
@@ -155,9 +156,13 @@ def mean(numbers):
 
 def examine(program, mesh, method, faces, count, questions, options, scratch):
     """Builds a tree, asks it, and compares. The row of the table."""
-    path, build = scratch / 'tree.json', ['bvh', mesh, '--method', method, '--concavity', '0', '--max-parts', count]
+    path, parts = scratch / 'tree.json', ['--concavity', '0', '--max-parts', count]
+    source = ['--method', method, *parts]
+    if method == 'volume':
+        source = ['--from', scratch / 'parts.json']
+        run(program, 'decompose', mesh, *parts, '--no-measures', '-o', source[1], '--json')
     began = time.monotonic()
-    run(program, *build, *(['--faces', faces] if faces else []), '-o', path, '--json')
+    run(program, 'bvh', mesh, *source, *(['--faces', faces] if faces else []), '-o', path, '--json')
     row = {'method': method, 'faces': faces, 'max_parts': count, 'build_seconds': round(time.monotonic() - began, 2)}
     judged = Judged(read_tree(path))
     rays, boxes = questions['rays'], questions['boxes']
@@ -196,15 +201,15 @@ def show(row):
     print('| ' + ' | '.join(map(str, made)) + ' |', flush=True)
 
 
-HEAD = ('method', 'faces of branches', 'leaves', 'nodes', 'levels', 'seconds to build', 'visits of a ray from outside',
+HEAD = ('joined by', 'faces of branches', 'leaves', 'nodes', 'levels', 'seconds to build', 'visits of a ray from outside',
         'from inside', 'visits of a box', 'answers unlike brute force')
 
 
 # ---- The plot
 
 
-SERIES = {('hacd', None): ('#1b6ca8', ''), ('hacd', 16): ('#1b6ca8', '6 4'), ('acd', None): ('#c0392b', ''),
-          ('acd', 16): ('#c0392b', '6 4')}
+SERIES = {('hacd', None): ('#1b6ca8', ''), ('hacd', 16): ('#1b6ca8', '6 4'), ('volume', None): ('#2e8b57', ''),
+          ('volume', 16): ('#2e8b57', '6 4'), ('acd', None): ('#c0392b', ''), ('acd', 16): ('#c0392b', '6 4')}
 WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 800, 460, 64, 250, 24, 52
 
 
@@ -246,7 +251,7 @@ def plot(shape, rows):
     samples = [2 ** (first + (last - first) * k / 200) for k in range(201)]
     guides = [('brute force: leaves', '#555', '2 3', [(n, n) for n in samples if n <= most]),
               ('log2(leaves)', '#999', '1 4', [(n, math.log2(n)) for n in samples])]
-    lines = [(f"{method}, {'branches of ' + str(faces) + ' faces' if faces else 'hulls'}", *style,
+    lines = [(f"{method}, {'branches of ' + str(faces) + ' faces' if faces else 'exact hulls'}", *style,
               sorted((row['leaves'], row['rays']) for row in rows if (row['method'], row['faces']) == (method, faces)))
              for (method, faces), style in SERIES.items()]
     for name, colour, dashes, points in lines + guides:
