@@ -7,7 +7,7 @@
 namespace convexact {
 namespace {
 
-using Group = std::optional<std::size_t>;  // none of a cluster that became no part
+using MaybeGroup = std::optional<std::size_t>;  // none of a cluster that became no part
 
 // The groups that parts are joined to, one join after another.
 class Joiner {
@@ -21,10 +21,10 @@ class Joiner {
   }
 
   // Of the part that has the triangle in its cluster. A cluster within another part is in none.
-  Group group_at(TriangleId t) const { return part_of_[t.index()]; }
+  MaybeGroup group_at(TriangleId t) const { return part_of_[t.index()]; }
 
   // The group of both. They may be one already: a flat cluster joined a part elsewhere.
-  Group join(Group a, Group b) {
+  MaybeGroup join(MaybeGroup a, MaybeGroup b) {
     if (!a || !b) return a ? a : b;
     const std::size_t first = last_group(*a), second = last_group(*b);
     if (first == second) return first;
@@ -42,13 +42,13 @@ class Joiner {
   }
 
   std::size_t parts_;
-  std::vector<Group> part_of_;          // by triangle
+  std::vector<MaybeGroup> part_of_;     // by triangle
   std::vector<std::size_t> joined_to_;  // by group: itself, as long as nothing joined it
   std::vector<Join> joins_;
 };
 
 void undo_splits(const SplitTree& tree, Joiner& joiner) {
-  std::vector<Group> group_of(tree.nodes.size());
+  std::vector<MaybeGroup> group_of(tree.nodes.size());
   for (const SplitLeaf& leaf : tree.leaves) {
     group_of[leaf.node] = joiner.group_at(leaf.triangles.front());
   }
@@ -60,7 +60,7 @@ void undo_splits(const SplitTree& tree, Joiner& joiner) {
 }
 
 void go_on_merging(const Clustering& clustering, Joiner& joiner) {
-  std::map<TriangleId, Group> group_of;  // by the lowest triangle of a cluster
+  std::map<TriangleId, MaybeGroup> group_of;  // by the lowest triangle of a cluster
   for (const auto& cluster : clustering.clusters) {
     group_of[cluster.front()] = joiner.group_at(cluster.front());
   }
