@@ -4,6 +4,7 @@
 [Backenhof2011] says of such a hierarchy, and is every answer that of brute force?
 
 Usage: bvh.py --convexact PROGRAM [--cow FILE] [--json FILE] [--plot FILE.svg]
+       bvh.py --convexact PROGRAM --mesh FILE [--mesh FILE...] [--json FILE]
 
 The cow of the thesis has 5,804 triangles and may not be shipped: name its file. Without it spot stands in. Trees are
 built over the parts of both methods at --concavity 0 --max-parts N, so that hacd merges on and acd splits on until
@@ -14,8 +15,11 @@ shape and run to a random point of its box; the other half start at a random poi
 A sample of the answers for each tree is decided again in Python's fractions, part by part. With --brute, more rays are
 cast at each part on its own by `convexact query rays`. Exit code 1 if an answer differs, or if rays against 64 parts of
 the cow visit more than a third of the nodes on average.
+
+With --mesh, the parts are those of the defaults of both methods, and branches have at most 16 halfspaces.
 """
 import argparse
+import itertools
 import json
 import math
 import pathlib
@@ -93,13 +97,14 @@ def write_rays(path, rays):
 
 
 def write_box(path, box):
-    corners = [(x, y, z) for x in (box[0][0], box[1][0]) for y in (box[0][1], box[1][1]) for z in (box[0][2], box[1][2])]
+    corners = itertools.product(*zip(*box))
     path.write_text(''.join(f'v {x!r} {y!r} {z!r}\n' for x, y, z in corners), encoding='utf-8')
     return path
 
 
 def write_part(path, points):
-    path.write_text(''.join('v ' + ' '.join(repr(float(x)) for x in point) + '\n' for point in points), encoding='utf-8')
+    lines = ['v ' + ' '.join(repr(float(x)) for x in point) + '\n' for point in points]
+    path.write_text(''.join(lines), encoding='utf-8')
     return path
 
 
@@ -154,16 +159,17 @@ def mean(numbers):
     return math.fsum(numbers) / len(numbers) if numbers else 0.0
 
 
-def examine(program, mesh, method, faces, count, questions, options, scratch):
-    """Builds a tree, asks it, and compares. The row of the table."""
-    path, parts = scratch / 'tree.json', ['--concavity', '0', '--max-parts', count]
+def examine(mesh, method, faces, count, questions, options, scratch):
+    """Builds a tree over so many parts, or over those of the defaults, asks it, and compares. The row of the table."""
+    program, path = options.convexact, scratch / 'tree.json'
+    parts = ['--concavity', '0', '--max-parts', count] if count else []
     source = ['--method', method, *parts]
     if method == 'volume':
         source = ['--from', scratch / 'parts.json']
         run(program, 'decompose', mesh, *parts, '--no-measures', '-o', source[1], '--json')
     began = time.monotonic()
     run(program, 'bvh', mesh, *source, *(['--faces', faces] if faces else []), '-o', path, '--json')
-    row = {'method': method, 'faces': faces, 'max_parts': count, 'build_seconds': round(time.monotonic() - began, 2)}
+    row = {'shape': pathlib.Path(mesh).stem, 'method': method, 'faces': faces, 'max_parts': count, 'build_seconds': round(time.monotonic() - began, 2)}
     judged = Judged(read_tree(path))
     rays, boxes = questions['rays'], questions['boxes']
     answer = run(program, 'query', 'rays', path, write_rays(scratch / 'rays.txt', rays), '--json')
@@ -195,14 +201,14 @@ def examine(program, mesh, method, faces, count, questions, options, scratch):
 def show(row):
     def cell(visits):
         return f"{visits:.1f} ({100 * visits / row['nodes']:.0f}%)"
-    made = (row['method'], row['faces'] or 'all', row['leaves'], row['nodes'], row['levels'], f"{row['build_seconds']:.1f}",
-            cell(row['outside']), cell(row['inside']), cell(row['boxes']),
+    made = (row['shape'], row['method'], row['faces'] or 'all', row['leaves'], row['nodes'], row['levels'],
+            f"{row['build_seconds']:.1f}", cell(row['outside']), cell(row['inside']), cell(row['boxes']),
             f"{row['differing']} of {row['compared']}" if 'compared' in row else 'not judged')
     print('| ' + ' | '.join(map(str, made)) + ' |', flush=True)
 
 
-HEAD = ('joined by', 'faces of branches', 'leaves', 'nodes', 'levels', 'seconds to build', 'visits of a ray from outside',
-        'from inside', 'visits of a box', 'answers unlike brute force')
+HEAD = ('shape', 'joined by', 'faces of branches', 'leaves', 'nodes', 'levels', 'seconds to build',
+        'visits of a ray from outside', 'from inside', 'visits of a box', 'answers unlike brute force')
 
 
 # ---- The plot
@@ -213,7 +219,7 @@ SERIES = {('hacd', None): ('#1b6ca8', ''), ('hacd', 16): ('#1b6ca8', '6 4'), ('v
 WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 800, 460, 64, 250, 24, 52
 
 
-def plot(shape, rows):
+def plot(rows):
     """Visits of a ray over the number of leaves, whose axis is logarithmic, as an SVG."""
     most_leaves, least_leaves = max(row['leaves'] for row in rows), min(row['leaves'] for row in rows)
     most = 1.25 * max(row['rays'] for row in rows)
@@ -244,7 +250,7 @@ def plot(shape, rows):
         line([f'{x},{y}', at(2 ** power, most)], '#ddd', '', 1)
         text(f'{x},{float(y) + 18:.1f}', 2 ** power, 'text-anchor="middle"')
     text(f'{(LEFT + WIDTH - RIGHT) / 2},{HEIGHT - 12}', 'leaves (logarithmic)', 'text-anchor="middle"')
-    text(f'18,{HEIGHT / 2}', f'nodes that a ray visits, {shape}',
+    text(f'18,{HEIGHT / 2}', f"nodes that a ray visits, {rows[0]['shape']}",
          f'text-anchor="middle" transform="rotate(-90 18 {HEIGHT / 2})"')
 
     top = TOP + 20
@@ -267,6 +273,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('--convexact', required=True)
     parser.add_argument('--cow')
+    parser.add_argument('--mesh', action='append', default=[], help='instead of the cow; may be repeated')
     parser.add_argument('--parts', default='4,8,16,32,64,128', help='numbers of parts (default 4,8,16,32,64,128)')
     parser.add_argument('--rays', type=int, default=2000, help='against each tree (default 2000)')
     parser.add_argument('--sample', type=int, default=40, help='of these, decided again by fractions (default 40)')
@@ -277,38 +284,38 @@ def main():
     parser.add_argument('--json')
     parser.add_argument('--plot')
     options = parser.parse_args()
-    if options.cow:
+    rows, counts, all_faces = [], list(map(int, options.parts.split(','))), FACES
+    if options.mesh:
+        meshes, counts, all_faces = options.mesh, (None,), FACES[-1:]
+    elif options.cow:
         found = triangles_of(options.cow)
         if found != COW_TRIANGLES:
             sys.exit(f'{options.cow}: {found} triangles, the cow of the thesis has {COW_TRIANGLES}')
-        shape, mesh = 'cow', options.cow
+        meshes = [options.cow]
     else:
         print('skipped: the cow, since --cow names no file; spot stands in')
-        shape, mesh = 'spot', ROOT / 'tests/data/spot.obj'
-    source = random.Random(options.seed)
-    box = box_of(mesh)
-    questions = {'rays': random_rays(source, box, options.rays), 'boxes': random_boxes(source, box, options.boxes),
-                 'many': random_rays(source, box, options.brute)}
+        meshes = [ROOT / 'tests/data/spot.obj']
     print('\n| ' + ' | '.join(HEAD) + ' |\n|' + '---|' * len(HEAD), flush=True)
-    rows = []
     with tempfile.TemporaryDirectory() as scratch:
-        for method in METHODS:
-            for faces in FACES:
-                for count in map(int, options.parts.split(',')):
-                    rows.append(examine(options.convexact, mesh, method, faces, count, questions, options,
-                                        pathlib.Path(scratch)))
-                    show(rows[-1])
+        for mesh in meshes:
+            source, box = random.Random(options.seed), box_of(mesh)
+            questions = {'rays': random_rays(source, box, options.rays),
+                         'boxes': random_boxes(source, box, options.boxes),
+                         'many': random_rays(source, box, options.brute)}
+            for method, faces, count in itertools.product(METHODS, all_faces, counts):
+                rows.append(examine(mesh, method, faces, count, questions, options, pathlib.Path(scratch)))
+                show(rows[-1])
     if options.json:
         pathlib.Path(options.json).write_text(json.dumps(rows, indent=1) + '\n', encoding='utf-8')
     if options.plot:
-        pathlib.Path(options.plot).write_text(plot(shape, rows), encoding='utf-8')
-    return conclude(shape, rows)
+        pathlib.Path(options.plot).write_text(plot(rows), encoding='utf-8')
+    return conclude(rows, bool(options.cow))
 
 
-def conclude(shape, rows):
+def conclude(rows, is_cow):
     status = 0
     for row in rows:
-        name = f"{row['method']}, {row['faces'] or 'all'} faces, {row['leaves']} leaves"
+        name = f"{row['shape']}, {row['method']}, {row['faces'] or 'all'} faces, {row['leaves']} leaves"
         if 'brute_compared' in row:
             print(f"{name}: {row['brute_compared']} rays take {row['tree_seconds']} s with the tree, and "
                   f"{row['brute_seconds']} s against one part after another")
@@ -318,7 +325,7 @@ def conclude(shape, rows):
         if row['max_parts'] == JUDGED_PARTS:
             share = row['rays'] / row['nodes']
             print(f"{name}: a ray visits {100 * share:.1f}% of the nodes")
-            if shape == 'cow' and share > JUDGED_SHARE:
+            if is_cow and share > JUDGED_SHARE:
                 print(f'{name}: more than a third', file=sys.stderr)
                 status = 1
     return status
