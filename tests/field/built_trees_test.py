@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Trees that the program has just built, before the independent judge: built_trees_test.py PROGRAM."""
+import copy
+import json
+import math
+import random
 import subprocess
 import sys
 import tempfile
@@ -52,6 +56,23 @@ class BuiltTrees(unittest.TestCase):
         tree, _ = self.build(DATA / "spot.obj", "--max-parts", "6", "--faces", "12", "--leaf-faces", "20")
         for node, entry in zip(tree.nodes, tree.document["hull_tree"]):
             self.assertLessEqual(entry["facets"], 20 if node.part is not None else 12)
+
+    def test_the_program_and_the_judge_agree_on_trees_with_a_corner_moved_by_an_ulp(self):
+        """Without --faces, corners of a branch are those of children, so most moves of a parent's corner are refused."""
+        tree, _ = self.build(DATA / "spot.obj", "--max-parts", "4", "--concavity", "20%", "--leaf-faces", "12")
+        source, path, refused = random.Random(8), self.folder / "moved.json", 0
+        for _ in range(24):
+            document = copy.deepcopy(tree.document)
+            entry = source.choice(document["parts"] + [node for node in document["hull_tree"] if node["part"] is None])
+            point, axis = source.choice(entry["vertices"]), source.randrange(3)
+            point[axis] = math.nextafter(point[axis], source.choice((-10, 10)))
+            path.write_text(json.dumps(document), encoding="utf-8")
+            ran = subprocess.run([PROGRAM, "verify", DATA / "spot.obj", path, "--claims", "tree-nested"], check=False,
+                                 capture_output=True)
+            faults = Judged(read_tree(path)).faults
+            self.assertEqual(ran.returncode, 1 if faults else 0, faults)
+            refused += ran.returncode
+        self.assertTrue(6 < refused < 24, refused)
 
     def test_spot_by_acd(self):
         tree, _ = self.build(DATA / "spot.obj", "--method", "acd", "--max-parts", "6")
