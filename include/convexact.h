@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* convexact.h - the C interface: does this enclose that? exactly; and enclose it in few halfspaces.
+/* convexact.h - the C interface: does this enclose that? exactly; and enclose it in few halfspaces,
+ * or in few convex parts.
  *
  * Link with -lconvexact_c. A halfspace is n1 x + n2 y + n3 z + d <= 0, with n pointing outward, so
  * rows of planes are n1, n2, n3, d. Points and planes are arrays of doubles, taken exactly as they
@@ -11,6 +12,11 @@
  *
  * Threads: there is no global state. Any functions may run at the same time, also on one result,
  * as long as no thread frees it meanwhile.
+ *
+ * Options: a struct whose first field is its size, as sizeof gives it, so that later versions can
+ * have more fields. Every other field that is 0 or NULL stands for its default, and NULL in the
+ * place of the struct for all defaults:
+ *     convexact_decompose_options options = {.size = sizeof options, .max_parts = 8};
  *
  * Errors: a function that can fail returns a status and sets its result to NULL unless it succeeds.
  * No exception passes. Only if GMP, which the numbers are made of, finds no memory does it end the
@@ -35,7 +41,7 @@ typedef enum convexact_status {
   CONVEXACT_OK = 0,
   CONVEXACT_INVALID_ARGUMENT = 2, /* A null pointer, a count of 0, fewer than 4 planes wanted, a
                                      face that is none, a tolerance that is none, a measure or
-                                     a number of bits that is none. */
+                                     a number of bits that is none, an option out of its range. */
   CONVEXACT_NOT_FINITE = 3,       /* A number is NaN or infinite. */
   CONVEXACT_NO_INTERIOR = 4,      /* Points lie in one plane where a solid is needed. */
   CONVEXACT_UNREPRESENTABLE = 5,  /* Doubles cannot hold the result; ask for fewer planes. */
@@ -164,6 +170,156 @@ CONVEXACT_API void convexact_solid_plane(const convexact_solid* result, size_t i
 CONVEXACT_API const char* convexact_solid_plane_text(const convexact_solid* result, size_t i);
 
 CONVEXACT_API void convexact_solid_free(convexact_solid* result);
+
+/* ---- A mesh as few convex parts -------------------------------------------------------------- */
+
+/* Where the clusters of triangles come from of which the parts are the hulls. */
+typedef enum convexact_method {
+  CONVEXACT_HACD = 0, /* Neighbouring triangles are merged. */
+  CONVEXACT_ACD = 1   /* The surface is split at notches. */
+} convexact_method;
+
+/* Of CONVEXACT_HACD: where concavity is measured. */
+typedef enum convexact_concavity {
+  CONVEXACT_CONCAVITY_SURFACE = 0, /* At every point of the triangles. */
+  CONVEXACT_CONCAVITY_VERTICES = 1 /* At their corners only. */
+} convexact_concavity;
+
+/* What becomes of clusters that lie in a plane. */
+typedef enum convexact_flat {
+  CONVEXACT_FLAT_AUTO = 0,    /* As thicken; but a mesh in one plane is CONVEXACT_NO_INTERIOR. */
+  CONVEXACT_FLAT_THICKEN = 1, /* They are made solid, by about 2^-20 of the diameter. */
+  CONVEXACT_FLAT_KEEP = 2,    /* A polygon, a segment or a point. */
+  CONVEXACT_FLAT_MERGE = 3    /* They join the neighbour with which they are least concave; a mesh
+                                 in one plane is CONVEXACT_NO_INTERIOR. */
+} convexact_flat;
+
+/* The options of `convexact decompose`, with its defaults; docs/usage.md tells more of each. */
+typedef struct convexact_decompose_options {
+  size_t size;           /* sizeof(convexact_decompose_options). */
+  int method;            /* A convexact_method. */
+  const char* concavity; /* The largest one allowed, taken as spelled: "3%" or "0.03d" for a share
+                            of the diameter, from 0 to 1; "0.05" for a length. NULL for "3%". */
+  size_t max_parts;      /* May lead beyond that concavity. 0 for no limit; as few as the mesh has
+                            components, or CONVEXACT_INVALID_ARGUMENT. */
+  int measure;           /* A convexact_concavity. */
+  size_t faces;          /* Planes to keep of each part, >= 4; 0 for all. */
+  size_t total_faces;    /* Instead of these: of all parts together, >= 4 for each; 0 for all. */
+  int flat;              /* A convexact_flat. */
+  int precision;         /* The numbers of the parts: 64 for doubles, 32 for doubles that are
+                            floats. 0 for 64. */
+  int no_volumes;        /* Not 0: do not measure volumes, which may take most of the time. */
+  uint64_t seed;         /* Of random orders. No result depends on it. */
+} convexact_decompose_options;
+
+typedef struct convexact_decomposition convexact_decomposition;
+
+/* Triangle t has the corners triangles[3 t] to [3 t + 2], indices of points from 0, counter-
+ * clockwise from outside; triangles are turned where the solid needs it. Every triangle gets an
+ * owner, a part that holds it: proven on the numbers of the part as they are. That covers the
+ * surface, and need not cover the solid. CONVEXACT_NO_INTERIOR if all triangles lie in one plane,
+ * unless `flat` is thicken or keep; CONVEXACT_UNREPRESENTABLE if the precision cannot hold a
+ * part. */
+CONVEXACT_API convexact_status convexact_decompose(const double* points, size_t point_count,
+                                                   const uint32_t* triangles, size_t triangle_count,
+                                                   const convexact_decompose_options* options,
+                                                   convexact_decomposition** result);
+
+CONVEXACT_API size_t convexact_decomposition_part_count(const convexact_decomposition* result);
+/* 1 if the concavity of every part is within the limit, else 0: max_parts, flat triangles that were
+ * merged, and notches that cannot be split may lead beyond it. */
+CONVEXACT_API int convexact_decomposition_eps_holds(const convexact_decomposition* result);
+/* For each triangle the part that owns it. */
+CONVEXACT_API const uint32_t* convexact_decomposition_owners(const convexact_decomposition* result);
+
+typedef enum convexact_volume {
+  CONVEXACT_VOLUME_SOLID = 0,     /* Of the mesh. */
+  CONVEXACT_VOLUME_UNION = 1,     /* Of the union of the parts. */
+  CONVEXACT_VOLUME_UNCOVERED = 2, /* Of the solid outside of the union. */
+  CONVEXACT_VOLUME_EXCESS = 3,    /* Of the union outside of the solid. */
+  CONVEXACT_VOLUME_OVERLAP = 4    /* What the parts' volumes add up to, less the union's. */
+} convexact_volume;
+
+/* The nearest doubles, or the same one twice, between which a convexact_volume lies. NaN if it was
+ * not measured; of solid, uncovered and excess also if the mesh encloses no solid. */
+CONVEXACT_API void convexact_decomposition_volume(const convexact_decomposition* result, int volume,
+                                                  double bounds[2]);
+
+/* Of part k < part count: its corners, three doubles each; it is the hull of these. */
+CONVEXACT_API size_t convexact_decomposition_vertex_count(const convexact_decomposition* result,
+                                                          size_t k);
+CONVEXACT_API const double* convexact_decomposition_vertices(const convexact_decomposition* result,
+                                                             size_t k);
+/* Its faces, convex polygons, as convexact_judge_mesh takes them: corners are indices of its
+ * vertices from 0. A part that is flat has one, or none if it is a segment or a point. */
+CONVEXACT_API size_t convexact_decomposition_face_count(const convexact_decomposition* result,
+                                                        size_t k);
+CONVEXACT_API const size_t* convexact_decomposition_face_sizes(
+    const convexact_decomposition* result, size_t k);
+CONVEXACT_API const uint32_t* convexact_decomposition_corners(const convexact_decomposition* result,
+                                                              size_t k);
+/* Its planes: of a part that is not flat one for each face, in the same order. */
+CONVEXACT_API size_t convexact_decomposition_plane_count(const convexact_decomposition* result,
+                                                         size_t k);
+/* Plane i < plane count, exactly: four coprime integers "n1 n2 n3 d". */
+CONVEXACT_API const char* convexact_decomposition_plane_text(const convexact_decomposition* result,
+                                                             size_t k, size_t i);
+/* Writes all planes of the part, rounded outward to numbers of the precision: proven to be bounded
+ * and to hold the part. This takes some time, and may fail: CONVEXACT_NO_INTERIOR if the part is
+ * flat, CONVEXACT_UNREPRESENTABLE if no rounding that was tried is bounded. */
+CONVEXACT_API convexact_status convexact_decomposition_planes(const convexact_decomposition* result,
+                                                              size_t k, double* planes);
+
+/* How the part came from the hull of its triangles. */
+typedef enum convexact_form {
+  CONVEXACT_FORM_HULL = 0,       /* It is the hull: every vertex is a point of the mesh. */
+  CONVEXACT_FORM_ROUNDED = 1,    /* The hull rounded outward; a box if it is too small for that. */
+  CONVEXACT_FORM_SIMPLIFIED = 2, /* Fewer planes around it. */
+  CONVEXACT_FORM_THICKENED = 3,  /* A flat hull made solid. */
+  CONVEXACT_FORM_FLAT = 4        /* A flat hull. */
+} convexact_form;
+
+/* A convexact_form; further values may follow. */
+CONVEXACT_API int convexact_decomposition_form(const convexact_decomposition* result, size_t k);
+/* How concave its triangles are: the length, rounded up, and its square exactly, "p" or "p/q". */
+CONVEXACT_API double convexact_decomposition_concavity(const convexact_decomposition* result,
+                                                       size_t k);
+CONVEXACT_API const char* convexact_decomposition_squared_concavity(
+    const convexact_decomposition* result, size_t k);
+/* 1 if that is within the limit, else 0. */
+CONVEXACT_API int convexact_decomposition_within_limit(const convexact_decomposition* result,
+                                                       size_t k);
+
+CONVEXACT_API void convexact_decomposition_free(convexact_decomposition* result);
+
+/* ---- Does the union of convex parts hold a mesh? Every claim of the oracle --------------------
+ */
+
+/* The options of `convexact verify --union`; docs/verdicts.md#CODE describes each claim. */
+typedef struct convexact_parts_options {
+  size_t size;               /* sizeof(convexact_parts_options). */
+  const char* claims;        /* The claims to decide, "covers-surface,parts-disjoint". NULL for all
+                                but covers-solid, parts-disjoint and parts-needed. */
+  const char* tolerance;     /* As in convexact_judge_mesh. */
+  size_t max_parts;          /* 0: not asked. The following ones are of each part. */
+  size_t max_facets;         /* As meant: coplanar up to rounding. 0: not asked. */
+  size_t max_vertices;       /* 0: not asked. */
+  size_t max_facet_vertices; /* 0: not asked. */
+} convexact_parts_options;
+
+/* A mesh as convexact_decompose takes it; without triangles (triangle_count 0; triangles may be
+ * NULL) its points are to be covered. Part k has vertex_counts[k] >= 1 vertices, and is their hull;
+ * vertices holds those of all parts, one after another. It may have faces: face_counts[k] of them,
+ * whose sizes and corners, indices of the vertices of part k from 0, follow those of the parts
+ * before, as in convexact_judge_mesh. Without any, face_counts is NULL, and so may be the others.
+ *
+ * The mesh may be flat. Any fault of the parts' shape is a violated claim, whose sentence calls
+ * part 3 part_3. */
+CONVEXACT_API convexact_status convexact_verify_parts(
+    const double* points, size_t point_count, const uint32_t* triangles, size_t triangle_count,
+    const double* vertices, const size_t* vertex_counts, size_t part_count, const uint32_t* corners,
+    const size_t* face_sizes, const size_t* face_counts, const convexact_parts_options* options,
+    convexact_verdict** result);
 
 #ifdef __cplusplus
 }

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
-// arrays.hpp - points and planes from and to the arrays and texts of the C interface.
+// arrays.hpp - points, planes, faces and options from and to the arrays, structs and texts of the C
+// interface.
 #pragma once
+#include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "convexact/error.hpp"
 #include "convexact/halfspace.hpp"
+#include "convexact/mesh.hpp"
 #include "convexact/point_set.hpp"
 
 namespace convexact::capi {
@@ -36,6 +41,58 @@ inline HalfspaceList to_list(const double* numbers, std::size_t count) {
     list.add(to_rational(Vector3<double>(row[0], row[1], row[2])), to_rational(row[3]));
   }
   return list;
+}
+
+/// Faces one after another: face f has sizes[f] corners, indices below `vertices`.
+/// @throws Error InvalidArgument for a null pointer, fewer than 3 corners and other indices.
+inline std::vector<std::vector<std::uint32_t>> to_faces(const std::uint32_t* corners,
+                                                        const std::size_t* sizes, std::size_t count,
+                                                        std::size_t vertices) {
+  if (count > 0 && (corners == nullptr || sizes == nullptr)) {
+    throw Error(ErrorCode::InvalidArgument, "the corners or sizes of faces are missing");
+  }
+  std::vector<std::vector<std::uint32_t>> faces;
+  for (std::size_t f = 0; f < count; ++f) {
+    if (sizes[f] < 3) throw Error(ErrorCode::InvalidArgument, "a face has fewer than 3 corners");
+    for (const std::uint32_t corner : faces.emplace_back(corners, corners + sizes[f])) {
+      if (corner >= vertices) {
+        throw Error(ErrorCode::InvalidArgument, "a corner is not the index of a vertex");
+      }
+    }
+    corners += sizes[f];
+  }
+  return faces;
+}
+
+/// A mesh of triangles, possibly none. @throws Error as to_points() and to_faces().
+inline Mesh to_mesh(const double* points, std::size_t point_count, const std::uint32_t* triangles,
+                    std::size_t triangle_count) {
+  if (triangle_count >= std::numeric_limits<std::uint32_t>::max()) {
+    throw Error(ErrorCode::InvalidArgument, "there are too many triangles");
+  }
+  const std::vector<std::size_t> sizes(triangle_count, 3);
+  Mesh mesh{to_points(points, point_count), {}, {}};
+  mesh.polygons = to_faces(triangles, sizes.data(), triangle_count, point_count);
+  return mesh;
+}
+
+/// What a caller gave, or all defaults. Fields of later versions must be 0.
+/// @throws Error InvalidArgument for a size that no version has, and for later fields.
+template <class Options>
+Options to_options(const Options* given) {
+  constexpr std::size_t kLargest = 4096;
+  if (given == nullptr) return {};
+  const auto* bytes = reinterpret_cast<const unsigned char*>(given);
+  if (given->size < sizeof(Options) || given->size > kLargest ||
+      std::any_of(bytes + sizeof(Options), bytes + given->size, [](auto b) { return b != 0; })) {
+    throw Error(ErrorCode::InvalidArgument, "options of another size");
+  }
+  return *given;
+}
+
+/// A count among options: none is 0.
+inline std::optional<std::size_t> to_limit(std::size_t count) {
+  return count == 0 ? std::nullopt : std::optional(count);
 }
 
 inline std::string to_text(const Halfspace& h) {

@@ -29,13 +29,11 @@ inline convexact_status status_of(ErrorCode code) {
   return CONVEXACT_INTERNAL;
 }
 
-/// Sets *result to what `make` returns, a new object, or to null.
-template <class Result, class Make>
-convexact_status guarded(Result** result, const Make& make) noexcept {
-  if (result == nullptr) return CONVEXACT_INVALID_ARGUMENT;
-  *result = nullptr;
+/// CONVEXACT_OK, or what the exception means that `work` ends with.
+template <class Work>
+convexact_status status_of_call(const Work& work) noexcept {
   try {
-    *result = new Result(make());
+    work();
     return CONVEXACT_OK;
   } catch (const Error& error) {
     return status_of(error.code());
@@ -44,6 +42,14 @@ convexact_status guarded(Result** result, const Make& make) noexcept {
   } catch (...) {
     return CONVEXACT_INTERNAL;
   }
+}
+
+/// Sets *result to what `make` returns, a new object, or to null.
+template <class Result, class Make>
+convexact_status guarded(Result** result, const Make& make) noexcept {
+  if (result == nullptr) return CONVEXACT_INVALID_ARGUMENT;
+  *result = nullptr;
+  return status_of_call([&] { *result = new Result(make()); });
 }
 
 }  // namespace convexact::capi

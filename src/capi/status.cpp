@@ -8,7 +8,7 @@ const char* convexact_status_text(int status) {
     case CONVEXACT_INVALID_ARGUMENT:
       return "an argument is invalid: a null pointer, a count of 0, fewer than 4 planes, a face of "
              "fewer than 3 corners, a corner that is not the index of a vertex, a malformed "
-             "tolerance, no such measure, or bits out of range";
+             "tolerance, no such measure, bits out of range, or an option out of its range";
     case CONVEXACT_NOT_FINITE:
       return "a number is NaN or infinite";
     case CONVEXACT_NO_INTERIOR:

@@ -1,35 +1,64 @@
 // SPDX-License-Identifier: MIT
+#include <sstream>
 #include <variant>
 
 #include "capi/arrays.hpp"
 #include "capi/guarded.hpp"
 #include "convexact/verify.hpp"
+#include "convexact/verify_parts.hpp"
 
 struct convexact_verdict {
-  convexact::Verdict verdict;
+  bool holds;
+  std::vector<convexact::Claim> claims;
 };
 
 namespace convexact::capi {
 namespace {
 
-// Faces one after another: face f has sizes[f] corners.
-std::vector<std::vector<std::uint32_t>> to_faces(const std::uint32_t* corners,
-                                                 const std::size_t* sizes, std::size_t count,
-                                                 std::size_t vertices) {
-  if (count > 0 && (corners == nullptr || sizes == nullptr)) {
-    throw Error(ErrorCode::InvalidArgument, "the corners or sizes of faces are missing");
+// The parts of arrays that hold all of them, one after another.
+std::vector<NamedPart> to_parts(const double* vertices, const std::size_t* vertex_counts,
+                                std::size_t count, const std::uint32_t* corners,
+                                const std::size_t* face_sizes, const std::size_t* face_counts) {
+  if (vertices == nullptr || vertex_counts == nullptr || count == 0) {
+    throw Error(ErrorCode::InvalidArgument, "the vertices of parts are missing");
   }
-  std::vector<std::vector<std::uint32_t>> faces;
-  for (std::size_t f = 0; f < count; ++f) {
-    if (sizes[f] < 3) throw Error(ErrorCode::InvalidArgument, "a face has fewer than 3 corners");
-    for (const std::uint32_t corner : faces.emplace_back(corners, corners + sizes[f])) {
-      if (corner >= vertices) {
-        throw Error(ErrorCode::InvalidArgument, "a corner is not the index of a vertex");
-      }
+  std::vector<NamedPart> parts;
+  for (std::size_t k = 0; k < count; ++k) {
+    Mesh mesh{to_points(vertices, vertex_counts[k]), {}, {}};
+    vertices += 3 * vertex_counts[k];
+    if (face_counts != nullptr && face_counts[k] > 0) {
+      mesh.polygons = to_faces(corners, face_sizes, face_counts[k], vertex_counts[k]);
+      for (const auto& polygon : mesh.polygons) corners += polygon.size();
+      face_sizes += face_counts[k];
     }
-    corners += sizes[f];
+    parts.push_back({"part_" + std::to_string(k), std::move(mesh)});
   }
-  return faces;
+  return parts;
+}
+
+std::vector<ClaimCode> to_claims(const char* names) {
+  std::vector<ClaimCode> claims;
+  if (names == nullptr) return claims;
+  std::istringstream list(names);
+  for (std::string name; std::getline(list, name, ',');) {
+    const std::optional<ClaimCode> code = claim_of_name(name);
+    if (!code) throw Error(ErrorCode::InvalidArgument, "no such claim");
+    claims.push_back(*code);
+  }
+  if (claims.empty()) throw Error(ErrorCode::InvalidArgument, "an empty list of claims");
+  return claims;
+}
+
+PartsRequest to_request(const convexact_parts_options& options) {
+  PartsRequest request;
+  request.claims = to_claims(options.claims);
+  if (options.tolerance != nullptr) request.tolerance = parse_tolerance(options.tolerance);
+  request.max_parts = to_limit(options.max_parts);
+  request.max_facets = to_limit(options.max_facets);
+  request.max_vertices = to_limit(options.max_vertices);
+  request.max_facet_vertices = to_limit(options.max_facet_vertices);
+  request.measures = false;
+  return request;
 }
 
 convexact_verdict judge(const PointSet& points, const Candidate& candidate, const char* tolerance) {
@@ -37,7 +66,9 @@ convexact_verdict judge(const PointSet& points, const Candidate& candidate, cons
   request.tightness = false;
   if (tolerance != nullptr) request.tolerance = parse_tolerance(tolerance);
   VerifyOutcome outcome = verify(points, candidate, request);
-  if (auto* verdict = std::get_if<Verdict>(&outcome)) return {std::move(*verdict)};
+  if (auto* verdict = std::get_if<Verdict>(&outcome)) {
+    return {verdict->holds(), std::move(verdict->claims)};
+  }
   throw Error(ErrorCode::NoInterior, "the points lie in one plane");
 }
 
@@ -67,17 +98,33 @@ convexact_status convexact_judge_mesh(const double* points, size_t point_count,
   });
 }
 
-int convexact_verdict_holds(const convexact_verdict* result) { return result->verdict.holds(); }
+convexact_status convexact_verify_parts(const double* points, size_t point_count,
+                                        const uint32_t* triangles, size_t triangle_count,
+                                        const double* vertices, const size_t* vertex_counts,
+                                        size_t part_count, const uint32_t* corners,
+                                        const size_t* face_sizes, const size_t* face_counts,
+                                        const convexact_parts_options* options,
+                                        convexact_verdict** result) {
+  return guarded(result, [&]() -> convexact_verdict {
+    convexact::PartsVerdict verdict = convexact::verify_parts(
+        to_mesh(points, point_count, triangles, triangle_count),
+        to_parts(vertices, vertex_counts, part_count, corners, face_sizes, face_counts),
+        to_request(to_options(options)));
+    return {verdict.holds(), std::move(verdict.claims)};
+  });
+}
+
+int convexact_verdict_holds(const convexact_verdict* result) { return result->holds; }
 size_t convexact_verdict_claim_count(const convexact_verdict* result) {
-  return result->verdict.claims.size();
+  return result->claims.size();
 }
 const char* convexact_verdict_claim_name(const convexact_verdict* result, size_t i) {
-  return convexact::name_of(result->verdict.claims[i].code);
+  return convexact::name_of(result->claims[i].code);
 }
 const char* convexact_verdict_claim_status(const convexact_verdict* result, size_t i) {
-  return convexact::name_of(result->verdict.claims[i].status);
+  return convexact::name_of(result->claims[i].status);
 }
 const char* convexact_verdict_claim_sentence(const convexact_verdict* result, size_t i) {
-  return result->verdict.claims[i].sentence.c_str();
+  return result->claims[i].sentence.c_str();
 }
 void convexact_verdict_free(convexact_verdict* result) { delete result; }

@@ -7,16 +7,18 @@
 #include <memory>
 
 #include "bvh/tree_report.hpp"
-#include "cli/diff_clusters.hpp"
 #include "cli/model_files.hpp"
 #include "cli/outputs.hpp"
 #include "cli/part_files.hpp"
+#include "cli/stdio_loop.hpp"
 #include "cli/verify_union.hpp"
 #include "convexact/decompose.hpp"
 #include "convexact/hull_tree.hpp"
 #include "io/json.hpp"
+#include "oracle/decompose_request.hpp"
 #include "oracle/written_parts.hpp"
 #include "report/parts_picture.hpp"
+#include "scene/decompose_options.hpp"
 #include "scene/decompose_report.hpp"
 #include "scene/decomposition_proof.hpp"
 #include "scene/result_json.hpp"
@@ -35,6 +37,7 @@ constexpr const char* kDecomposeFooter =
     "  convexact decompose cow.obj --total-faces 400 -o parts/ --tree tree.json --tree-faces 24\n"
     "  convexact decompose cow.obj --precision 32 -o parts/ -o cow.mjcf.xml -o cow.urdf\n"
     "  convexact verify cow.obj parts.obj --union\n"
+    "  convexact decompose --stdio <requests.jsonl\n"
     "\n"
     "Every part is the convex hull of a cluster of triangles. The parts hold every triangle, "
     "tested\n"
@@ -81,19 +84,8 @@ struct DecomposeArguments {
   std::string names = "part_%03d";
   Precision precision = Precision::Binary64;
   bool exact_volumes = false, no_measures = false;
+  StdioOptions stdio;
 };
-
-Rational parse_cosine(const std::string& text) {
-  try {
-    Rational cosine = parse_rational(text);
-    if (cosine > 0 && cosine <= 1) return cosine;
-  } catch (const Error&) {  // told below
-  }
-  throw Error(ErrorCode::InvalidArgument,
-              "--coplanar: expected the cosine of an angle, above 0 and at most 1, such as 0.99, "
-              "found " +
-                  in_quotes(text));
-}
 
 DecomposeRequest decompose_request(const DecomposeArguments& options) {
   if (options.faces && options.total_faces) {
@@ -106,11 +98,11 @@ DecomposeRequest decompose_request(const DecomposeArguments& options) {
   }
   DecomposeRequest request;
   request.method = options.method;
-  request.limit = parse_concavity(options.concavity);
+  request.limit = parse_concavity("--concavity", options.concavity);
   request.max_parts = options.max_parts;
   request.measure = options.measure;
   request.bridge = options.bridge;
-  request.coplanar = parse_cosine(options.coplanar);
+  request.coplanar = parse_cosine("--coplanar", options.coplanar);
   request.connect = options.connect;
   request.orient = options.orient;
   request.flat = options.flat;
@@ -331,8 +323,7 @@ void require_other_names(const DecomposeArguments& options, const PartNames& nam
   }
 }
 
-// decompose(), with the name of the object in errors about it. The stored formats name exact
-// integers as a way out, which parts do not have.
+// decompose(), with the name of the object in errors about it.
 DecomposeOutcome decompose_object(const std::string& name, const Mesh& mesh,
                                   const DecomposeRequest& request) {
   try {
@@ -340,15 +331,19 @@ DecomposeOutcome decompose_object(const std::string& name, const Mesh& mesh,
   } catch (const Error& error) {
     if (error.code() == ErrorCode::NoInterior) throw error.in_file(name);
     if (error.code() != ErrorCode::Unrepresentable) throw;
-    const std::string what = error.what();
     const bool is_narrow = request.precision == Precision::Binary32;
-    throw Error(error.code(), what.substr(0, what.find("; exact integers")) +
-                                  (is_narrow ? "; --precision 64 holds more" : ""))
+    throw Error(error.code(),
+                error.what() + std::string(is_narrow ? "; --precision 64 holds more" : ""))
         .in_file(name);
   }
 }
 
 int run_decompose(const DecomposeArguments& options) {
+  options.stdio.require_sensible();
+  if (options.stdio.is_asked) return answer_lines(options.stdio, answer_decompose_request);
+  if (options.input.empty()) {
+    throw Error(ErrorCode::InvalidArgument, "name an INPUT, or --stdio");
+  }
   DecomposeRequest request = decompose_request(options);
   const PartNames names(options.names);
   if (!options.files.tree.empty() && !options.files.tree.ends_with(".json")) {
@@ -412,11 +407,9 @@ void add_decompose_command(CLI::App& program, int& exit_code) {
   CLI::App& command = *program.add_subcommand(
       "decompose", "the surface of a mesh as few convex parts, each the hull of some triangles");
   command.footer(kDecomposeFooter);
-  command
-      .add_option("INPUT", options->input,
-                  "a mesh (OBJ, OFF, PLY, STL), or halfspaces (JSON, .ine, rows); - is standard "
-                  "input")
-      ->required();
+  command.add_option("INPUT", options->input,
+                     "a mesh (OBJ, OFF, PLY, STL), or halfspaces (JSON, .ine, rows); - is standard "
+                     "input");
   add_choice(
       command, "--method", options->method, kDecomposeMethodNames,
       "hacd merges neighbouring triangles, then clusters, by concavity and shape; acd splits "
@@ -485,6 +478,7 @@ void add_decompose_command(CLI::App& program, int& exit_code) {
                    "volumes in JSON as fractions, too, which may be very long");
   command.add_flag("--no-measures", options->no_measures, "do not measure volumes");
   add_scene_options(command, options->scene);
+  add_stdio_options(command, options->stdio, "one decomposition");
   finish_command(command, options, exit_code, run_decompose);
   add_stages_option(command, options->global);
 }

@@ -5,25 +5,12 @@
 #include "cli/progress.hpp"
 #include "cli/verify_union.hpp"
 #include "oracle/cluster_diff.hpp"
+#include "scene/decompose_options.hpp"
 #include "scene/decompose_report.hpp"
 #include "scene/result_json.hpp"
 #include "scene/stage_log.hpp"
 
 namespace convexact::cli {
-
-ConcavityLimit parse_concavity(const std::string& text) {
-  const bool is_percent = text.ends_with('%'), is_share = is_percent || text.ends_with('d');
-  try {
-    Rational value = parse_rational(text.substr(0, text.size() - (is_share ? 1 : 0)));
-    if (is_percent) value /= 100;
-    if (value >= 0 && (!is_share || value <= 1)) return {std::move(value), is_share};
-  } catch (const Error&) {  // told below
-  }
-  throw Error(ErrorCode::InvalidArgument,
-              "--concavity: expected a share of the diameter from 0 to 1, such as 3% or 0.03d, or "
-              "a length of at least 0, such as 0.05, found " +
-                  in_quotes(text));
-}
 
 std::string ClusterDiffOptions::foreign_to_removals() const {
   return concavity   ? "--concavity"
@@ -49,7 +36,7 @@ int run_cluster_diff(const GlobalOptions& global, const std::vector<std::string>
                      const SceneOptions& scene, const std::vector<Engine>& engines,
                      const ClusterDiffOptions& options) {
   ClusterOptions wanted;
-  if (options.concavity) wanted.limit = parse_concavity(*options.concavity);
+  if (options.concavity) wanted.limit = parse_concavity("--concavity", *options.concavity);
   wanted.max_parts = options.max_parts;
   wanted.measure = options.measure.value_or(ConcavityMeasure::Surface);
   wanted.connect = options.connect.value_or(Connect::Edge);

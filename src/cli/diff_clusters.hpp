@@ -11,10 +11,6 @@
 
 namespace convexact::cli {
 
-/// "3%" and "0.03d" are shares of the diameter, "0.05" is a length.
-/// @throws Error InvalidArgument, naming --concavity.
-[[nodiscard]] ConcavityLimit parse_concavity(const std::string& text);
-
 struct ClusterDiffOptions {
   bool is_asked = false;  ///< --clusters
   std::optional<std::string> concavity;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // convexact verify: the oracle.
 #include <algorithm>
-#include <csignal>
-#include <iostream>
 #include <memory>
 #include <optional>
 
@@ -10,6 +8,7 @@
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/promise_options.hpp"
+#include "cli/stdio_loop.hpp"
 #include "cli/verify_trace.hpp"
 #include "cli/verify_union.hpp"
 #include "convexact/error.hpp"
@@ -57,8 +56,7 @@ struct VerifyArguments {
   bool exact_facets = false, no_tightness = false, parts = false, inner = false;
   TraceOptions trace;
   UnionOptions of_union;
-  bool stdio = false;
-  std::optional<double> time_limit;
+  StdioOptions stdio;
 };
 
 // The meaning of the numbers of both files, from --numbers, or the profile, and --decimal.
@@ -214,35 +212,11 @@ int run_verify_candidate(const VerifyArguments& options) {
   return verdict.holds() ? 0 : 1;
 }
 
-// Answers each line of standard input with a line on standard output, at once, until the end of the
-// input; blank lines have no answer. Verdicts and errors are in the answers, so the exit code is 0.
-// A verdict that takes longer than the limit, in seconds, is an error.
-int run_verify_stdio(std::optional<double> time_limit) {
-  // The process mostly waits for a line, and it writes no files that could remain half-written.
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
-  std::ios::sync_with_stdio(false);
-  std::cin.exceptions(std::ios::badbit);  // a line that no memory holds is not the end of the input
-  for (std::string line; std::getline(std::cin, line);) {
-    const bool is_blank = line.find_first_not_of(" \t\r") == std::string::npos;
-    if (!is_blank) print(answer_request(line, time_limit) + "\n");
-  }
-  return 0;
-}
-
 int run_verify(const VerifyArguments& options) {
+  options.stdio.require_sensible();
+  if (options.stdio.is_asked) return answer_lines(options.stdio, answer_request);
   const bool has_input = !options.input.empty(), has_candidate = !options.candidate.empty(),
              has_trace = !options.trace.trace.empty();
-  if (options.stdio && (has_input || has_candidate || has_trace || options.parts)) {
-    throw Error(ErrorCode::InvalidArgument, "--stdio takes everything from standard input");
-  }
-  if (options.stdio && options.inner) {
-    throw Error(ErrorCode::InvalidArgument, "--stdio takes \"inner\": true in a request");
-  }
-  if (options.stdio) return run_verify_stdio(options.time_limit);
-  if (options.time_limit) {
-    throw Error(ErrorCode::InvalidArgument, "--time-limit is for each request of --stdio");
-  }
   if (!has_input || has_candidate == has_trace) {
     throw Error(ErrorCode::InvalidArgument,
                 "name an INPUT, and a CANDIDATE or a --trace, but not both; or --stdio");
@@ -312,15 +286,7 @@ void add_verify_command(CLI::App& program, int& exit_code) {
   add_union_options(command, options->of_union);
   add_decimal_option(command, options->decimal);
   add_trace_options(command, options->trace);
-  command.add_flag("--stdio", options->stdio,
-                   "answer requests on standard input, one JSON object per line, with one verdict "
-                   "per line; takes no other option but --time-limit and --max-memory");
-  add_text(command, "--time-limit",
-           "with --stdio: time for each request; beyond it the answer is an error",
-           [options](const auto& name, const auto& text) {
-             options->time_limit = parse_seconds(name, text);
-           })
-      ->type_name("SECONDS");
+  add_stdio_options(command, options->stdio, "one verdict");
   finish_command(command, options, exit_code, run_verify);
   add_stages_option(command, options->global);
 }

@@ -151,7 +151,11 @@ PointSet stored_points(Making& making, Precision precision) {
   } catch (const Error& error) {
     if (error.code() != ErrorCode::Unrepresentable) throw;
     auto box = box_around(making.corners, precision);
-    if (!box) throw;
+    if (!box) {
+      // The stored formats name exact integers as a way out, which parts do not have.
+      const std::string what = error.what();
+      throw Error(error.code(), what.substr(0, what.find("; exact integers")));
+    }
     making.part->faces = 6;
     return std::move(*box);
   }

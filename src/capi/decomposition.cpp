@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <limits>
+#include <variant>
+
+#include "capi/arrays.hpp"
+#include "capi/guarded.hpp"
+#include "convexact/decompose.hpp"
+#include "convexact/overlay.hpp"
+#include "convexact/stored.hpp"
+#include "number/precision.hpp"
+#include "scene/decompose_options.hpp"
+
+namespace convexact::capi {
+namespace {
+
+// A part as the arrays and texts that a caller borrows.
+struct PartArrays {
+  std::vector<double> vertices;
+  std::vector<std::size_t> face_sizes;
+  std::vector<std::uint32_t> corners;
+  std::vector<std::string> planes;
+  double concavity = 0;
+  std::string squared_concavity;
+};
+
+}  // namespace
+}  // namespace convexact::capi
+
+struct convexact_decomposition {
+  convexact::Decomposition made;
+  convexact::Precision precision;
+  std::vector<convexact::capi::PartArrays> parts;
+  std::vector<std::uint32_t> owners;  // by the caller's triangles
+};
+
+namespace convexact::capi {
+namespace {
+
+// The value of the enumeration of the interface.
+template <class Value, std::size_t N>
+Value chosen(const Value (&values)[N], int number) {
+  if (number < 0 || static_cast<std::size_t>(number) >= N) {
+    throw Error(ErrorCode::InvalidArgument, "an option has no such value");
+  }
+  return values[number];
+}
+
+constexpr DecomposeMethod kMethods[] = {DecomposeMethod::Hacd, DecomposeMethod::Acd};
+constexpr ConcavityMeasure kMeasures[] = {ConcavityMeasure::Surface, ConcavityMeasure::Vertices};
+constexpr FlatParts kFlat[] = {FlatParts::Auto, FlatParts::Thicken, FlatParts::Keep,
+                               FlatParts::Merge};
+
+DecomposeRequest to_request(const convexact_decompose_options& options) {
+  DecomposeRequest request;
+  request.method = chosen(kMethods, options.method);
+  if (options.concavity != nullptr) request.limit = parse_concavity("concavity", options.concavity);
+  request.max_parts = to_limit(options.max_parts);
+  request.measure = chosen(kMeasures, options.measure);
+  request.faces = to_limit(options.faces);
+  request.total_faces = to_limit(options.total_faces);
+  request.flat = chosen(kFlat, options.flat);
+  if (options.precision == 32) {
+    request.precision = Precision::Binary32;
+  } else if (options.precision != 0 && options.precision != 64) {
+    throw Error(ErrorCode::InvalidArgument, "a precision of neither 64 nor 32 bits");
+  }
+  request.measures = options.no_volumes == 0;
+  request.seed = options.seed;
+  return request;
+}
+
+PartArrays arrays_of(const Part& part) {
+  PartArrays arrays;
+  for (const Point& p : part.mesh.points.doubles()) {
+    arrays.vertices.insert(arrays.vertices.end(), p.begin(), p.end());
+  }
+  for (const auto& polygon : part.mesh.polygons) {
+    arrays.face_sizes.push_back(polygon.size());
+    arrays.corners.insert(arrays.corners.end(), polygon.begin(), polygon.end());
+  }
+  for (const Halfspace& h : part.halfspaces) arrays.planes.push_back(to_text(h));
+  const Rational& squared = part.concavity.squared;
+  arrays.squared_concavity = to_string(squared);
+  arrays.concavity = to_double(sqrt(Enclosure(squared, kMeasureBits)).high(), Rounding::Up);
+  return arrays;
+}
+
+// Of the triangles as the caller numbers them, of which each is one of the surface.
+std::vector<std::uint32_t> owners_of(const Decomposition& made, std::size_t triangles) {
+  if (made.owner.size() != triangles) {
+    throw Error(ErrorCode::Internal, "a triangle became several, or none");
+  }
+  std::vector<std::uint32_t> owners(triangles);
+  for (std::size_t t = 0; t < triangles; ++t) owners[made.surface.face[t]] = made.owner[t];
+  return owners;
+}
+
+convexact_decomposition decompose_mesh(const Mesh& mesh, const DecomposeRequest& request) {
+  DecomposeOutcome outcome = decompose(mesh, request);
+  auto* made = std::get_if<Decomposition>(&outcome);
+  if (made == nullptr) throw Error(ErrorCode::NoInterior, "the triangles lie in one plane");
+  convexact_decomposition result{std::move(*made), request.precision, {}, {}};
+  for (const Part& part : result.made.parts) result.parts.push_back(arrays_of(part));
+  result.owners = owners_of(result.made, mesh.polygons.size());
+  return result;
+}
+
+const Measured* measured_volume(const DecompositionMeasures& measures, int volume) {
+  const auto if_any = [](const std::optional<Measured>& x) { return x ? &*x : nullptr; };
+  switch (volume) {
+    case CONVEXACT_VOLUME_SOLID:
+      return if_any(measures.solid_volume);
+    case CONVEXACT_VOLUME_UNION:
+      return &measures.union_volume;
+    case CONVEXACT_VOLUME_UNCOVERED:
+      return if_any(measures.uncovered_volume);
+    case CONVEXACT_VOLUME_EXCESS:
+      return if_any(measures.excess_volume);
+    case CONVEXACT_VOLUME_OVERLAP:
+      return &measures.overlap_volume;
+  }
+  return nullptr;
+}
+
+void write_planes(const Part& part, Precision precision, double* planes) {
+  if (planes == nullptr) throw Error(ErrorCode::InvalidArgument, "the array is missing");
+  const PointSet& corners = part.mesh.points;
+  const ConvexPart stored = convex_part(corners);
+  if (!stored.solid) throw Error(ErrorCode::NoInterior, "the part is flat");
+  std::vector<PointId> all;
+  for (std::size_t i = 0; i < corners.size(); ++i) all.emplace_back(i);
+  for (const auto& plane : store_planes(*stored.solid, corners, all, precision).planes) {
+    planes = std::copy(plane.begin(), plane.end(), planes);
+  }
+}
+
+}  // namespace
+}  // namespace convexact::capi
+
+using namespace convexact::capi;
+
+convexact_status convexact_decompose(const double* points, size_t point_count,
+                                     const uint32_t* triangles, size_t triangle_count,
+                                     const convexact_decompose_options* options,
+                                     convexact_decomposition** result) {
+  return guarded(result, [&] {
+    if (triangle_count == 0) {
+      throw convexact::Error(convexact::ErrorCode::InvalidArgument, "there is no triangle");
+    }
+    return decompose_mesh(to_mesh(points, point_count, triangles, triangle_count),
+                          to_request(to_options(options)));
+  });
+}
+
+size_t convexact_decomposition_part_count(const convexact_decomposition* result) {
+  return result->parts.size();
+}
+int convexact_decomposition_eps_holds(const convexact_decomposition* result) {
+  return result->made.limit_holds;
+}
+const uint32_t* convexact_decomposition_owners(const convexact_decomposition* result) {
+  return result->owners.data();
+}
+void convexact_decomposition_volume(const convexact_decomposition* result, int volume,
+                                    double bounds[2]) {
+  bounds[0] = bounds[1] = std::numeric_limits<double>::quiet_NaN();
+  if (!result->made.measures) return;
+  if (const auto* measured = measured_volume(*result->made.measures, volume)) {
+    bounds[0] = measured->bounds.low_double();
+    bounds[1] = measured->bounds.high_double();
+  }
+}
+size_t convexact_decomposition_vertex_count(const convexact_decomposition* result, size_t k) {
+  return result->parts[k].vertices.size() / 3;
+}
+const double* convexact_decomposition_vertices(const convexact_decomposition* result, size_t k) {
+  return result->parts[k].vertices.data();
+}
+size_t convexact_decomposition_face_count(const convexact_decomposition* result, size_t k) {
+  return result->parts[k].face_sizes.size();
+}
+const size_t* convexact_decomposition_face_sizes(const convexact_decomposition* result, size_t k) {
+  return result->parts[k].face_sizes.data();
+}
+const uint32_t* convexact_decomposition_corners(const convexact_decomposition* result, size_t k) {
+  return result->parts[k].corners.data();
+}
+size_t convexact_decomposition_plane_count(const convexact_decomposition* result, size_t k) {
+  return result->parts[k].planes.size();
+}
+const char* convexact_decomposition_plane_text(const convexact_decomposition* result, size_t k,
+                                               size_t i) {
+  return result->parts[k].planes[i].c_str();
+}
+convexact_status convexact_decomposition_planes(const convexact_decomposition* result, size_t k,
+                                                double* planes) {
+  return status_of_call([&] { write_planes(result->made.parts[k], result->precision, planes); });
+}
+int convexact_decomposition_form(const convexact_decomposition* result, size_t k) {
+  switch (result->made.parts[k].form) {
+    case convexact::PartForm::Hull:
+      return CONVEXACT_FORM_HULL;
+    case convexact::PartForm::Rounded:
+      return CONVEXACT_FORM_ROUNDED;
+    case convexact::PartForm::Simplified:
+      return CONVEXACT_FORM_SIMPLIFIED;
+    case convexact::PartForm::Thickened:
+      return CONVEXACT_FORM_THICKENED;
+    case convexact::PartForm::Flat:
+      break;
+  }
+  return CONVEXACT_FORM_FLAT;
+}
+double convexact_decomposition_concavity(const convexact_decomposition* result, size_t k) {
+  return result->parts[k].concavity;
+}
+const char* convexact_decomposition_squared_concavity(const convexact_decomposition* result,
+                                                      size_t k) {
+  return result->parts[k].squared_concavity.c_str();
+}
+int convexact_decomposition_within_limit(const convexact_decomposition* result, size_t k) {
+  return result->made.parts[k].is_within_limit;
+}
+void convexact_decomposition_free(convexact_decomposition* result) { delete result; }

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// stdio_loop.hpp - subcommands that answer requests on standard input, a line of JSON each.
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "cli/command.hpp"
+
+namespace convexact::cli {
+
+struct StdioOptions {
+  const CLI::App* command = nullptr;  ///< Set by add_stdio_options().
+  bool is_asked = false;              ///< --stdio
+  std::optional<double> time_limit;   ///< --time-limit, in seconds
+
+  /// @throws Error InvalidArgument for what else the command line gives besides --stdio, and for a
+  ///               limit without it.
+  void require_sensible() const;
+};
+
+/// Adds --stdio and --time-limit. @param answers  What a line is answered with: "one verdict".
+void add_stdio_options(CLI::App& command, StdioOptions& options, const std::string& answers);
+
+/// Answers each line of standard input with a line on standard output, at once, until the end of
+/// the input; blank lines have no answer. Errors are in the answers, so the exit code is 0.
+/// @param answer  From a line and the limit for it to a line, both without their ends.
+int answer_lines(const StdioOptions& options,
+                 const std::function<std::string(std::string_view line,
+                                                 std::optional<double> time_limit)>& answer);
+
+}  // namespace convexact::cli

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "oracle/decompose_request.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "convexact/decompose.hpp"
+#include "io/json.hpp"
+#include "io/json_text.hpp"
+#include "oracle/request_line.hpp"
+#include "oracle/written_parts.hpp"
+#include "scene/decompose_options.hpp"
+#include "scene/decompose_report.hpp"
+#include "scene/result_json.hpp"
+
+namespace convexact {
+namespace {
+
+using nlohmann::json;
+
+Precision precision_in(const json& request) {
+  if (!request.contains("precision")) return Precision::Binary64;
+  if (request["precision"] == 32) return Precision::Binary32;
+  if (request["precision"] != 64) reject_request("precision as 64 or 32");
+  return Precision::Binary64;
+}
+
+std::uint64_t seed_in(const json& request) {
+  if (!request.contains("seed")) return DecomposeRequest().seed;
+  if (!request["seed"].is_number_unsigned()) reject_request("seed as a number from 0 to 2^64 - 1");
+  return request["seed"].get<std::uint64_t>();
+}
+
+// Each option by its name on the command line, with its meaning and default there.
+DecomposeRequest decompose_request_of(const json& request) {
+  DecomposeRequest wanted;
+  const auto choose = [&](const char* key, const auto& table, auto& value) {
+    value = choice_in(request, key, table).value_or(value);
+  };
+  choose("method", kDecomposeMethodNames, wanted.method);
+  choose("measure", kConcavityMeasureNames, wanted.measure);
+  choose("bridge", kBridgeChoiceNames, wanted.bridge);
+  choose("connect", kConnectNames, wanted.connect);
+  choose("orient", kOrientationNames, wanted.orient);
+  choose("flat", kFlatPartsNames, wanted.flat);
+  choose("engine", kEngineNames, wanted.engine);
+  if (request.contains("concavity")) {
+    wanted.limit = parse_concavity("concavity", std::string(number_text(request["concavity"])));
+  }
+  if (request.contains("coplanar")) {
+    wanted.coplanar = parse_cosine("coplanar", std::string(number_text(request["coplanar"])));
+  }
+  wanted.max_parts = count_in(request, "max_parts");
+  wanted.faces = count_in(request, "faces");
+  wanted.total_faces = count_in(request, "total_faces");
+  wanted.keep_inner = flag_in(request, "keep_inner").value_or(false);
+  wanted.exact_volumes = flag_in(request, "exact_volumes").value_or(false);
+  wanted.measures = !flag_in(request, "no_measures").value_or(false);
+  if (wanted.exact_volumes && !wanted.measures) {
+    reject_request("exact_volumes or no_measures, not both");
+  }
+  wanted.precision = precision_in(request);
+  wanted.seed = seed_in(request);
+  return wanted;
+}
+
+// The document on one line: line ends are between its values only, as texts in JSON have none.
+std::string document_line(const Decomposition& made, const DecomposeRequest& request) {
+  std::vector<std::string> names;
+  std::vector<WrittenPart> parts;
+  for (const Part& part : made.parts) {
+    names.push_back(fmt::format("part_{:03}", names.size()));
+    parts.push_back({names.back(), &part, &made.surface});
+  }
+  const auto document = decomposition_json(made, request, names, DecompositionDetail::All);
+  std::string line = proven_parts_json(document, parts, "the answer");
+  std::erase(line, '\n');
+  return line;
+}
+
+std::string decompose_answer(const json& request, std::optional<double> time_limit) {
+  require_known_keys(
+      request, {"id",          "points",        "triangles",   "decimal", "numbers",   "method",
+                "concavity",   "max_parts",     "measure",     "bridge",  "coplanar",  "faces",
+                "total_faces", "flat",          "keep_inner",  "connect", "orient",    "engine",
+                "precision",   "exact_volumes", "no_measures", "seed",    "time_limit"},
+      "the request");
+  if (!request.contains("points") || !request.contains("triangles")) {
+    reject_request("a request with 'points' and 'triangles'");
+  }
+  DecomposeRequest wanted = decompose_request_of(request);
+  Mesh mesh{points_of_request(request, decimal_of(request)), {}, {}};
+  mesh.polygons = polygons_of_json(request["triangles"], mesh.points.size());
+  return in_time(time_limit_of(request, time_limit), "parts",
+                 [&](const std::atomic<bool>* stop) -> std::string {
+                   wanted.watch.stop = stop;
+                   const DecomposeOutcome outcome = decompose(mesh, wanted);
+                   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
+                     return write_json(not_solid_answer(*reason));
+                   }
+                   return document_line(std::get<Decomposition>(outcome), wanted);
+                 });
+}
+
+}  // namespace
+
+std::string answer_decompose_request(std::string_view line, std::optional<double> time_limit) {
+  return answer_line(line, {"id", "points", "concavity", "coplanar"},
+                     [&](const json& request) { return decompose_answer(request, time_limit); });
+}
+
+}  // namespace convexact

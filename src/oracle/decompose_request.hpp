@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// decompose_request.hpp - a mesh to be decomposed and its parts, each a line of JSON.
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace convexact {
+
+/// Answers a request (docs/schema/decompose_request.schema.json) with one line of JSON, without a
+/// line end: the request's `id` and either what decomposition_json() says with all details, proven
+/// on its bytes, or `error`. Only std::bad_alloc is thrown.
+///
+/// Coordinates are read as in requests to the oracle (stdio_request.hpp). `concavity` and
+/// `coplanar` mean what their texts say exactly, as strings or as numbers.
+/// @param time_limit  Seconds that the decomposition may take; a request may ask for fewer. Beyond
+///                    them the answer is the error `stopped`, some milliseconds later.
+/// @par Cost  Reading, about 20 ns a byte, and decompose().
+[[nodiscard]] std::string answer_decompose_request(std::string_view line,
+                                                   std::optional<double> time_limit = {});
+
+}  // namespace convexact

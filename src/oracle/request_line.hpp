@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// request_line.hpp - what the requests of `verify --stdio` and `decompose --stdio` have in common:
+// their id, points, numbers and limit of time, and how faults are answered.
+#pragma once
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <initializer_list>
+#include <mutex>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+
+#include "convexact/error.hpp"
+#include "convexact/number.hpp"
+#include "convexact/point_set.hpp"
+#include "convexact/scene.hpp"
+#include "io/names.hpp"
+
+namespace convexact {
+
+/// @throws Error Malformed: "expected ..."
+[[noreturn]] void reject_request(const std::string& expected);
+
+/// @throws Error Malformed unless `object` is an object without any other key.
+void require_known_keys(const nlohmann::json& object, std::initializer_list<const char*> known,
+                        const char* what);
+
+/// The number, or true or false, under a key, if the request has it. @throws Error Malformed.
+[[nodiscard]] std::optional<std::size_t> count_in(const nlohmann::json& request, const char* key);
+[[nodiscard]] std::optional<bool> flag_in(const nlohmann::json& request, const char* key);
+
+/// The text under a key, if the request has it. @throws Error Malformed.
+[[nodiscard]] std::optional<std::string> word_in(const nlohmann::json& request, const char* key);
+
+/// One of a few words under a key, if the request has it. @throws Error Malformed.
+template <class Value, std::size_t N>
+std::optional<Value> choice_in(const nlohmann::json& request, const char* key,
+                               const NameTable<Value, N>& table) {
+  const std::optional<std::string> word = word_in(request, key);
+  if (!word) return std::nullopt;
+  if (const std::optional<Value> value = value_in(table, *word)) return value;
+  std::string names;
+  for (const auto& entry : table) {
+    names += (names.empty() ? "" : " or ") + std::string(entry.second);
+  }
+  reject_request(std::string(key) + " as " + names);
+}
+
+/// The text of a string, or of a number below a spelled key (JsonDocument).
+/// @throws Error Malformed for any other value.
+[[nodiscard]] std::string_view number_text(const nlohmann::json& value);
+
+/// What `decimal` and `numbers` say of numbers. @throws Error Malformed.
+[[nodiscard]] Decimal decimal_of(const nlohmann::json& request);
+
+/// The points of a request. @throws Error as coordinate_of_json() and points_of_json().
+[[nodiscard]] PointSet points_of_request(const nlohmann::json& request, Decimal decimal);
+
+/// The shorter one of the limits of the caller and of the request, in seconds.
+/// @throws Error Malformed.
+[[nodiscard]] std::optional<double> time_limit_of(const nlohmann::json& request,
+                                                  std::optional<double> limit);
+
+/// Sets a flag when some seconds are over, unless it is destroyed before.
+class TimeLimit {
+ public:
+  explicit TimeLimit(std::optional<double> seconds);
+  ~TimeLimit();
+  TimeLimit(const TimeLimit&) = delete;
+  TimeLimit& operator=(const TimeLimit&) = delete;
+
+  const std::atomic<bool>& is_over() const { return is_over_; }
+
+ private:
+  std::mutex mutex_;  // of has_ended_
+  std::condition_variable ended_;
+  bool has_ended_ = false;
+  std::atomic<bool> is_over_ = false;
+  std::thread waiter_;
+};
+
+/// @throws Error Stopped: "no verdict within the time limit of 2 s".
+[[noreturn]] void report_time_limit(const char* sought, double seconds);
+
+/// What `find` returns, given the flag that stops it. @param sought  "verdict", for the error.
+/// @throws Error Stopped beyond the limit, and what `find` throws.
+template <class Find>
+auto in_time(std::optional<double> seconds, const char* sought, const Find& find) {
+  const TimeLimit limit(seconds);
+  try {
+    return find(&limit.is_over());
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::Stopped || !seconds) throw;
+    report_time_limit(sought, *seconds);
+  }
+}
+
+/// {"error": ...} with the proof that the input encloses no volume.
+[[nodiscard]] nlohmann::ordered_json not_solid_answer(const NotSolid& reason);
+
+/// Answers a line with one line, without its end: the request's id, then what `answer` makes of
+/// the request: the text of an object with a key, on one line. Each Error is an answer, too.
+/// @param spelled  Keys below which numbers are kept as their text, "id" among them.
+[[nodiscard]] std::string answer_line(
+    std::string_view line, std::initializer_list<std::string_view> spelled,
+    const std::function<std::string(const nlohmann::json& request)>& answer);
+
+}  // namespace convexact

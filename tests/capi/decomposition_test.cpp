@@ -1,0 +1,588 @@
+// SPDX-License-Identifier: MIT
+// The C interface on an L of unit cells: its parts, what they own and measure, and the verdict on
+// them; faults are a status.
+#include <convexact.h>
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+struct Triangles {
+  std::vector<double> points;
+  std::vector<std::uint32_t> corners;
+
+  std::size_t point_count() const { return points.size() / 3; }
+  std::size_t count() const { return corners.size() / 3; }
+};
+
+// The L of the unit cells at (0, 0), (1, 0) and (0, 1), one high: an outline of eight edges, of
+// which each is a wall, and three squares below and above. The corners are (x, y, z) with x + y
+// <= 3.
+Triangles l_shape() {
+  Triangles mesh;
+  const std::vector<std::array<int, 2>> outline = {{0, 0}, {1, 0}, {2, 0}, {2, 1},
+                                                   {1, 1}, {1, 2}, {0, 2}, {0, 1}};
+  for (const auto& [x, y] : outline) {
+    for (const int z : {0, 1}) {
+      mesh.points.insert(mesh.points.end(), {double(x), double(y), double(z)});
+    }
+  }
+  const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    mesh.corners.insert(mesh.corners.end(), {a, b, c, a, c, d});
+  };
+  for (std::uint32_t k = 0; k < 8; ++k) {
+    const std::uint32_t a = 2 * k, b = 2 * ((k + 1) % 8);
+    quad(a, b, b + 1, a + 1);
+  }
+  for (const std::array<std::uint32_t, 4>& cell :
+       std::vector<std::array<std::uint32_t, 4>>{{0, 1, 4, 7}, {1, 2, 3, 4}, {7, 4, 5, 6}}) {
+    quad(2 * cell[0], 2 * cell[3], 2 * cell[2], 2 * cell[1]);
+    quad(2 * cell[0] + 1, 2 * cell[1] + 1, 2 * cell[2] + 1, 2 * cell[3] + 1);
+  }
+  return mesh;
+}
+
+// The floor of the L.
+Triangles flat_shape() {
+  Triangles mesh = l_shape();
+  mesh.corners = {0, 4, 2, 0, 6, 4};
+  return mesh;
+}
+
+using Decomposition =
+    std::unique_ptr<convexact_decomposition, decltype(&convexact_decomposition_free)>;
+
+convexact_decompose_options defaults() {
+  convexact_decompose_options options{};
+  options.size = sizeof options;
+  return options;
+}
+
+Decomposition decompose(const Triangles& mesh, const convexact_decompose_options& options) {
+  convexact_decomposition* result = nullptr;
+  REQUIRE(convexact_decompose(mesh.points.data(), mesh.point_count(), mesh.corners.data(),
+                              mesh.count(), &options, &result) == CONVEXACT_OK);
+  return {result, convexact_decomposition_free};
+}
+
+convexact_status refusal(const Triangles& mesh, const convexact_decompose_options* options) {
+  convexact_decomposition* result = nullptr;
+  const auto status = convexact_decompose(mesh.points.data(), mesh.point_count(),
+                                          mesh.corners.data(), mesh.count(), options, &result);
+  CHECK((result == nullptr) == (status != CONVEXACT_OK));
+  convexact_decomposition_free(result);
+  return status;
+}
+
+std::array<double, 2> volume(const Decomposition& parts, int which) {
+  std::array<double, 2> bounds{};
+  convexact_decomposition_volume(parts.get(), which, bounds.data());
+  return bounds;
+}
+
+bool is_unknown(const std::array<double, 2>& bounds) {
+  return std::isnan(bounds[0]) && std::isnan(bounds[1]);
+}
+
+// The value of n.p + d; exact for the small integers of this test.
+double value_at(const double* plane, const double* p) {
+  return plane[0] * p[0] + plane[1] * p[1] + plane[2] * p[2] + plane[3];
+}
+
+// The planes of a part, from their texts.
+std::vector<double> exact_planes(const Decomposition& parts, std::size_t k) {
+  std::vector<double> planes(4 * convexact_decomposition_plane_count(parts.get(), k));
+  for (std::size_t i = 0; i < planes.size() / 4; ++i) {
+    double* plane = &planes[4 * i];
+    REQUIRE(std::sscanf(convexact_decomposition_plane_text(parts.get(), k, i), "%lf %lf %lf %lf",
+                        plane, plane + 1, plane + 2, plane + 3) == 4);
+  }
+  return planes;
+}
+
+// Whether all points lie in all planes.
+bool all_inside(const std::vector<double>& planes, const double* points, std::size_t count) {
+  for (std::size_t i = 0; i < planes.size(); i += 4) {
+    for (std::size_t p = 0; p < count; ++p) {
+      if (value_at(&planes[i], points + 3 * p) > 0) return false;
+    }
+  }
+  return true;
+}
+
+void check_owners(const Triangles& mesh, const Decomposition& parts) {
+  const std::uint32_t* owners = convexact_decomposition_owners(parts.get());
+  const std::size_t count = convexact_decomposition_part_count(parts.get());
+  for (std::size_t t = 0; t < mesh.count(); ++t) {
+    REQUIRE(owners[t] < count);
+    const std::vector<double> planes = exact_planes(parts, owners[t]);
+    for (int c = 0; c < 3; ++c) {
+      CHECK(all_inside(planes, &mesh.points[3 * mesh.corners[3 * t + c]], 1));
+    }
+  }
+}
+
+// All parts in the arrays of convexact_verify_parts.
+struct Parts {
+  std::vector<double> vertices;
+  std::vector<std::size_t> vertex_counts, face_sizes, face_counts;
+  std::vector<std::uint32_t> corners;
+
+  explicit Parts(const Decomposition& parts) {
+    const convexact_decomposition* made = parts.get();
+    for (std::size_t k = 0; k < convexact_decomposition_part_count(made); ++k) {
+      const std::size_t points = convexact_decomposition_vertex_count(made, k),
+                        faces = convexact_decomposition_face_count(made, k);
+      vertex_counts.push_back(points);
+      face_counts.push_back(faces);
+      const double* xyz = convexact_decomposition_vertices(made, k);
+      vertices.insert(vertices.end(), xyz, xyz + 3 * points);
+      const std::uint32_t* corner = convexact_decomposition_corners(made, k);
+      for (std::size_t f = 0; f < faces; ++f) {
+        face_sizes.push_back(convexact_decomposition_face_sizes(made, k)[f]);
+        corners.insert(corners.end(), corner, corner + face_sizes.back());
+        corner += face_sizes.back();
+      }
+    }
+  }
+};
+
+struct Judged {
+  convexact_status status;
+  bool holds = false;
+  std::map<std::string, std::string> claims, sentences;
+};
+
+Judged taken(convexact_status status, convexact_verdict* result) {
+  CHECK((result == nullptr) == (status != CONVEXACT_OK));
+  Judged judged{status, false, {}, {}};
+  if (result == nullptr) return judged;
+  judged.holds = convexact_verdict_holds(result) == 1;
+  for (std::size_t i = 0; i < convexact_verdict_claim_count(result); ++i) {
+    const std::string name = convexact_verdict_claim_name(result, i);
+    judged.claims[name] = convexact_verdict_claim_status(result, i);
+    judged.sentences[name] = convexact_verdict_claim_sentence(result, i);
+  }
+  convexact_verdict_free(result);
+  return judged;
+}
+
+Judged judge(const Triangles& mesh, const Parts& parts,
+             const convexact_parts_options* options = nullptr) {
+  convexact_verdict* result = nullptr;
+  const auto status = convexact_verify_parts(
+      mesh.points.data(), mesh.point_count(), mesh.corners.data(), mesh.count(),
+      parts.vertices.data(), parts.vertex_counts.data(), parts.vertex_counts.size(),
+      parts.corners.data(), parts.face_sizes.data(), parts.face_counts.data(), options, &result);
+  return taken(status, result);
+}
+
+convexact_parts_options questions() {
+  convexact_parts_options options{};
+  options.size = sizeof options;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("C interface: an L becomes two parts that own its triangles") {
+  const Triangles mesh = l_shape();
+  for (const int method : {CONVEXACT_HACD, CONVEXACT_ACD}) {
+    CAPTURE(method);
+    convexact_decompose_options options = defaults();
+    options.method = method;
+    const Decomposition parts = decompose(mesh, options);
+    REQUIRE(convexact_decomposition_part_count(parts.get()) == 2);
+    CHECK(convexact_decomposition_eps_holds(parts.get()) == 1);
+    check_owners(mesh, parts);
+    CHECK(volume(parts, CONVEXACT_VOLUME_SOLID) == std::array{3.0, 3.0});
+    // V(solid) + V(excess) = V(union) + V(uncovered).
+    CHECK(volume(parts, CONVEXACT_VOLUME_UNION)[0] ==
+          3 + volume(parts, CONVEXACT_VOLUME_EXCESS)[0] -
+              volume(parts, CONVEXACT_VOLUME_UNCOVERED)[0]);
+    CHECK(is_unknown(volume(parts, -1)));
+    CHECK(is_unknown(volume(parts, 5)));
+    for (std::size_t k = 0; k < 2; ++k) {
+      CHECK(convexact_decomposition_form(parts.get(), k) == CONVEXACT_FORM_HULL);
+      CHECK(convexact_decomposition_within_limit(parts.get(), k) == 1);
+      CHECK(convexact_decomposition_concavity(parts.get(), k) == 0);
+      CHECK(std::string(convexact_decomposition_squared_concavity(parts.get(), k)) == "0");
+    }
+  }
+}
+
+TEST_CASE("C interface: a face for each plane of a part, and planes in doubles around it") {
+  const Decomposition parts = decompose(l_shape(), defaults());
+  for (std::size_t k = 0; k < convexact_decomposition_part_count(parts.get()); ++k) {
+    const double* vertices = convexact_decomposition_vertices(parts.get(), k);
+    const std::size_t count = convexact_decomposition_vertex_count(parts.get(), k),
+                      faces = convexact_decomposition_face_count(parts.get(), k);
+    const std::vector<double> planes = exact_planes(parts, k);
+    REQUIRE(planes.size() == 4 * faces);
+    CHECK(all_inside(planes, vertices, count));
+    const std::uint32_t* corner = convexact_decomposition_corners(parts.get(), k);
+    for (std::size_t f = 0; f < faces; ++f) {
+      for (std::size_t c = 0; c < convexact_decomposition_face_sizes(parts.get(), k)[f]; ++c) {
+        REQUIRE(*corner < count);
+        CHECK(value_at(&planes[4 * f], vertices + 3 * *corner++) == 0);
+      }
+    }
+    std::vector<double> rounded(planes.size());
+    REQUIRE(convexact_decomposition_planes(parts.get(), k, rounded.data()) == CONVEXACT_OK);
+    CHECK(all_inside(rounded, vertices, count));
+    convexact_containment* contained = nullptr;
+    REQUIRE(convexact_verify_planes(vertices, count, rounded.data(), faces, &contained) ==
+            CONVEXACT_OK);
+    CHECK(convexact_containment_holds(contained) == 1);
+    convexact_containment_free(contained);
+    CHECK(convexact_decomposition_planes(parts.get(), k, nullptr) == CONVEXACT_INVALID_ARGUMENT);
+  }
+}
+
+// With one part the L is held by its hull, a pentagonal prism: the square of side 2 less half a
+// cell. The diagonal (2, 1) - (1, 2) is a distance of sqrt(1/2) from the notch at (1, 1), but the
+// rays of the notch's walls run along x and y, where it is 1 away.
+TEST_CASE("C interface: a number of parts leads beyond the limit, and that is said") {
+  convexact_decompose_options options = defaults();
+  options.max_parts = 1;
+  const Decomposition parts = decompose(l_shape(), options);
+  REQUIRE(convexact_decomposition_part_count(parts.get()) == 1);
+  CHECK(convexact_decomposition_eps_holds(parts.get()) == 0);
+  CHECK(convexact_decomposition_within_limit(parts.get(), 0) == 0);
+  CHECK(convexact_decomposition_vertex_count(parts.get(), 0) == 10);
+  CHECK(convexact_decomposition_face_count(parts.get(), 0) == 7);
+  CHECK(std::string(convexact_decomposition_squared_concavity(parts.get(), 0)) == "1");
+  CHECK(convexact_decomposition_concavity(parts.get(), 0) == 1);
+  CHECK(volume(parts, CONVEXACT_VOLUME_SOLID) == std::array{3.0, 3.0});
+  CHECK(volume(parts, CONVEXACT_VOLUME_UNION) == std::array{3.5, 3.5});
+  CHECK(volume(parts, CONVEXACT_VOLUME_EXCESS) == std::array{0.5, 0.5});
+  CHECK(volume(parts, CONVEXACT_VOLUME_UNCOVERED) == std::array{0.0, 0.0});
+  CHECK(volume(parts, CONVEXACT_VOLUME_OVERLAP) == std::array{0.0, 0.0});
+}
+
+TEST_CASE("C interface: a limit is a share of the diameter or a length, taken as spelled") {
+  // The concavity of the whole L is 1, and its diameter 3.
+  const auto parts_at = [](const char* concavity) {
+    convexact_decompose_options options = defaults();
+    options.concavity = concavity;
+    return convexact_decomposition_part_count(decompose(l_shape(), options).get());
+  };
+  for (const char* enough : {"1", "34%", "0.34d", "33.34%", "1/3d"}) {
+    CAPTURE(enough);
+    CHECK(parts_at(enough) == 1);
+  }
+  for (const char* little : {"0.99999999999999999999999", "33.33%", "0.333333333333333333333d"}) {
+    CAPTURE(little);
+    CHECK(parts_at(little) == 2);
+  }
+}
+
+TEST_CASE("C interface: fewer planes, floats, and no volumes on request") {
+  const Triangles mesh = l_shape();
+  convexact_decompose_options options = defaults();
+  options.max_parts = 1;
+  options.faces = 6;
+  options.no_volumes = 1;
+  const Decomposition simplified = decompose(mesh, options);
+  CHECK(convexact_decomposition_form(simplified.get(), 0) == CONVEXACT_FORM_SIMPLIFIED);
+  CHECK(convexact_decomposition_face_count(simplified.get(), 0) == 6);  // the square's prism
+  CHECK(is_unknown(volume(simplified, CONVEXACT_VOLUME_UNION)));
+  check_owners(mesh, simplified);
+
+  Triangles thirds = mesh;
+  for (double& x : thirds.points) x /= 3;
+  options = defaults();
+  options.precision = 32;
+  options.concavity = "1%";
+  const Decomposition narrow = decompose(thirds, options);
+  for (std::size_t k = 0; k < convexact_decomposition_part_count(narrow.get()); ++k) {
+    CHECK(convexact_decomposition_form(narrow.get(), k) == CONVEXACT_FORM_ROUNDED);
+    const double* vertices = convexact_decomposition_vertices(narrow.get(), k);
+    for (std::size_t i = 0; i < 3 * convexact_decomposition_vertex_count(narrow.get(), k); ++i) {
+      CHECK(vertices[i] == double(float(vertices[i])));
+    }
+  }
+  Triangles huge = mesh;
+  for (double& x : huge.points) x *= 1e39;
+  CHECK(refusal(huge, &options) == CONVEXACT_UNREPRESENTABLE);
+}
+
+TEST_CASE("C interface: a flat mesh is refused, thickened, or kept flat") {
+  const Triangles mesh = flat_shape();
+  convexact_decompose_options options = defaults();
+  CHECK(refusal(mesh, &options) == CONVEXACT_NO_INTERIOR);
+  CHECK(refusal(mesh, nullptr) == CONVEXACT_NO_INTERIOR);
+  options.flat = CONVEXACT_FLAT_MERGE;
+  CHECK(refusal(mesh, &options) == CONVEXACT_NO_INTERIOR);
+  options.flat = CONVEXACT_FLAT_THICKEN;
+  const Decomposition thick = decompose(mesh, options);
+  CHECK(convexact_decomposition_form(thick.get(), 0) == CONVEXACT_FORM_THICKENED);
+  CHECK(judge(mesh, Parts(thick)).holds);
+  options.flat = CONVEXACT_FLAT_KEEP;
+  const Decomposition flat = decompose(mesh, options);
+  REQUIRE(convexact_decomposition_part_count(flat.get()) == 1);
+  CHECK(convexact_decomposition_form(flat.get(), 0) == CONVEXACT_FORM_FLAT);
+  CHECK(convexact_decomposition_face_count(flat.get(), 0) == 1);
+  CHECK(is_unknown(volume(flat, CONVEXACT_VOLUME_SOLID)));
+  CHECK(volume(flat, CONVEXACT_VOLUME_UNION) == std::array{0.0, 0.0});
+  std::vector<double> planes(4 * convexact_decomposition_plane_count(flat.get(), 0));
+  CHECK(convexact_decomposition_planes(flat.get(), 0, planes.data()) == CONVEXACT_NO_INTERIOR);
+  CHECK(judge(mesh, Parts(flat)).claims.at("parts-solid") == "violated");
+}
+
+TEST_CASE("C interface: options of a decomposition out of their range are refused") {
+  const Triangles mesh = l_shape();
+  using Options = convexact_decompose_options;
+  const auto with = [&](const auto& change) {
+    Options options = defaults();
+    change(options);
+    return refusal(mesh, &options);
+  };
+  CHECK(with([](Options&) {}) == CONVEXACT_OK);
+  const std::vector<void (*)(Options&)> faults = {
+      [](Options& o) { o.size = 0; },
+      [](Options& o) { o.size = sizeof o - 1; },
+      [](Options& o) { o.size = SIZE_MAX; },
+      [](Options& o) { o.method = 2; },
+      [](Options& o) { o.method = -1; },
+      [](Options& o) { o.concavity = ""; },
+      [](Options& o) { o.concavity = "-1"; },
+      [](Options& o) { o.concavity = "101%"; },
+      [](Options& o) { o.concavity = "much"; },
+      [](Options& o) { o.measure = 2; },
+      [](Options& o) { o.method = CONVEXACT_ACD, o.measure = CONVEXACT_CONCAVITY_VERTICES; },
+      [](Options& o) { o.faces = 3; },
+      [](Options& o) { o.total_faces = 3; },
+      [](Options& o) { o.total_faces = 7; },  // of two parts
+      [](Options& o) { o.faces = o.total_faces = 8; },
+      [](Options& o) { o.flat = 4; },
+      [](Options& o) { o.precision = 16; }};
+  for (std::size_t k = 0; k < faults.size(); ++k) {
+    CAPTURE(k);
+    CHECK(with(faults[k]) == CONVEXACT_INVALID_ARGUMENT);
+  }
+}
+
+// A later version may have further fields, of which 0 is the default.
+TEST_CASE("C interface: options of a later version pass if what is unknown is 0") {
+  struct Later {
+    convexact_decompose_options known;
+    std::uint64_t unknown;
+  };
+  const Triangles mesh = l_shape();
+  Later later{};
+  later.known.size = sizeof later;
+  CHECK(refusal(mesh, &later.known) == CONVEXACT_OK);
+  later.unknown = 1;
+  CHECK(refusal(mesh, &later.known) == CONVEXACT_INVALID_ARGUMENT);
+}
+
+TEST_CASE("C interface: meshes that make no sense are a status") {
+  const Triangles good = l_shape();
+  Triangles mesh = good;
+  mesh.corners.back() = std::uint32_t(mesh.point_count());
+  CHECK(refusal(mesh, nullptr) == CONVEXACT_INVALID_ARGUMENT);
+  for (const double x :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    mesh = good;
+    mesh.points[4] = x;
+    CHECK(refusal(mesh, nullptr) == CONVEXACT_NOT_FINITE);
+  }
+  mesh = good;
+  mesh.corners.clear();
+  CHECK(refusal(mesh, nullptr) == CONVEXACT_INVALID_ARGUMENT);
+  mesh = {{}, good.corners};
+  CHECK(refusal(mesh, nullptr) == CONVEXACT_INVALID_ARGUMENT);
+  CHECK(convexact_decompose(good.points.data(), good.point_count(), good.corners.data(),
+                            good.count(), nullptr, nullptr) == CONVEXACT_INVALID_ARGUMENT);
+  convexact_decomposition* result = nullptr;
+  CHECK(convexact_decompose(good.points.data(), good.point_count(), nullptr, good.count(), nullptr,
+                            &result) == CONVEXACT_INVALID_ARGUMENT);
+  CHECK(convexact_decompose(good.points.data(), good.point_count(), good.corners.data(), SIZE_MAX,
+                            nullptr, &result) == CONVEXACT_INVALID_ARGUMENT);
+  CHECK(result == nullptr);
+  convexact_decomposition_free(nullptr);
+}
+
+// Triangles with a corner twice, or in a line, and points that repeat: each keeps its number.
+TEST_CASE("C interface: every triangle that is given has an owner, also one without area") {
+  Triangles mesh = l_shape();
+  const std::vector<double> first(mesh.points.begin(), mesh.points.begin() + 3);
+  mesh.points.insert(mesh.points.end(), first.begin(), first.end());
+  const auto again = std::uint32_t(mesh.point_count() - 1);
+  const std::vector<std::uint32_t> degenerate = {0, 0, 2, again, 0, again, 0, 2, 4};
+  mesh.corners.insert(mesh.corners.begin(), degenerate.begin(), degenerate.end());
+  mesh.corners.insert(mesh.corners.end(), mesh.corners.end() - 3, mesh.corners.end());
+  const Decomposition parts = decompose(mesh, defaults());
+  check_owners(mesh, parts);
+}
+
+TEST_CASE("C interface: the parts of an L are judged") {
+  const Triangles mesh = l_shape();
+  const Decomposition made = decompose(mesh, defaults());
+  const Parts parts(made);
+  const Judged good = judge(mesh, parts);
+  CHECK(good.holds);
+  for (const char* claim : {"parts-solid", "parts-convex", "covers-points", "covers-surface"}) {
+    CAPTURE(claim);
+    CHECK(good.claims.at(claim) == "holds");
+  }
+  for (const char* claim : {"covers-solid", "parts-disjoint", "parts-needed", "max-parts"}) {
+    CAPTURE(claim);
+    CHECK(good.claims.at(claim) == "not-asked");
+  }
+  Parts raised = parts;  // a quarter above the floor, which was at z = 0
+  for (std::size_t i = 2; i < raised.vertices.size(); i += 3) {
+    if (raised.vertices[i] == 0) raised.vertices[i] = 0.25;
+  }
+  const Judged bad = judge(mesh, raised);
+  CHECK_FALSE(bad.holds);
+  CHECK(bad.claims.at("covers-points") == "violated");
+  CHECK(bad.claims.at("covers-surface") == "violated");
+  CHECK(bad.sentences.at("covers-points").find("8 of 16") != std::string::npos);
+  convexact_parts_options options = questions();
+  options.tolerance = "0.25";
+  CHECK(judge(mesh, raised, &options).holds);
+  options.tolerance = "0.24999";
+  CHECK_FALSE(judge(mesh, raised, &options).holds);
+}
+
+TEST_CASE("C interface: claims and budgets of parts are asked by name and number") {
+  const Triangles mesh = l_shape();
+  convexact_decompose_options one = defaults();
+  one.max_parts = 1;
+  const Parts hull(decompose(mesh, one));  // ten vertices, seven faces of at most five
+  convexact_parts_options options = questions();
+  options.claims = "covers-solid,parts-disjoint";
+  const Judged named = judge(mesh, hull, &options);
+  CHECK(named.holds);
+  CHECK(named.claims.at("covers-solid") == "holds");
+  CHECK(named.claims.at("parts-disjoint") == "holds");
+  CHECK(named.claims.at("covers-surface") == "not-asked");
+  const auto claim_with = [&](const char* claim, std::size_t convexact_parts_options::*limit,
+                              std::size_t value) {
+    options = questions();
+    options.*limit = value;
+    return judge(mesh, hull, &options).claims.at(claim);
+  };
+  using Options = convexact_parts_options;
+  CHECK(claim_with("max-parts", &Options::max_parts, 1) == "holds");
+  CHECK(claim_with("max-part-facets", &Options::max_facets, 7) == "holds");
+  CHECK(claim_with("max-part-facets", &Options::max_facets, 6) == "violated");
+  CHECK(claim_with("max-part-vertices", &Options::max_vertices, 10) == "holds");
+  CHECK(claim_with("max-part-vertices", &Options::max_vertices, 9) == "violated");
+  CHECK(claim_with("max-part-facet-vertices", &Options::max_facet_vertices, 5) == "holds");
+  CHECK(claim_with("max-part-facet-vertices", &Options::max_facet_vertices, 4) == "violated");
+  for (const char* claims : {"", "covers-everything", "contains-input", "covers-surface,,"}) {
+    CAPTURE(claims);
+    options = questions();
+    options.claims = claims;
+    CHECK(judge(mesh, hull, &options).status == CONVEXACT_INVALID_ARGUMENT);
+  }
+  options = questions();
+  options.claims = "max-parts";  // without a number
+  CHECK(judge(mesh, hull, &options).status == CONVEXACT_INVALID_ARGUMENT);
+  options = questions();
+  options.tolerance = "much";
+  CHECK(judge(mesh, hull, &options).status == CONVEXACT_INVALID_ARGUMENT);
+  options = questions();
+  options.size = 0;
+  CHECK(judge(mesh, hull, &options).status == CONVEXACT_INVALID_ARGUMENT);
+}
+
+TEST_CASE("C interface: faces of parts are judged, and parts without faces are their hulls") {
+  const Triangles mesh = l_shape();
+  Parts parts(decompose(mesh, defaults()));
+  convexact_verdict* result = nullptr;
+  const Judged hulls =
+      taken(convexact_verify_parts(mesh.points.data(), mesh.point_count(), mesh.corners.data(),
+                                   mesh.count(), parts.vertices.data(), parts.vertex_counts.data(),
+                                   2, nullptr, nullptr, nullptr, nullptr, &result),
+            result);
+  CHECK(hulls.holds);
+  CHECK(hulls.claims.at("parts-convex") == "not-applicable");
+  --parts.face_counts.back();  // an open side
+  parts.face_sizes.pop_back();
+  CHECK(judge(mesh, parts).claims.at("parts-convex") == "violated");
+  // Without triangles only the points are to be covered.
+  const Judged points =
+      taken(convexact_verify_parts(mesh.points.data(), mesh.point_count(), nullptr, 0,
+                                   parts.vertices.data(), parts.vertex_counts.data(), 2, nullptr,
+                                   nullptr, nullptr, nullptr, &result),
+            result);
+  CHECK(points.claims.at("covers-points") == "holds");
+  CHECK(points.claims.at("covers-surface") == "not-applicable");
+}
+
+TEST_CASE("C interface: arrays of parts that make no sense are a status") {
+  const Triangles mesh = l_shape();
+  const Parts good(decompose(mesh, defaults()));
+  Parts parts = good;
+  parts.corners.back() = 1000;
+  CHECK(judge(mesh, parts).status == CONVEXACT_INVALID_ARGUMENT);
+  parts = good;
+  parts.face_sizes[0] = 2;
+  CHECK(judge(mesh, parts).status == CONVEXACT_INVALID_ARGUMENT);
+  parts = good;
+  parts.vertex_counts[0] = 0;
+  CHECK(judge(mesh, parts).status == CONVEXACT_INVALID_ARGUMENT);
+  parts = good;
+  parts.vertices[1] = std::numeric_limits<double>::quiet_NaN();
+  CHECK(judge(mesh, parts).status == CONVEXACT_NOT_FINITE);
+  parts = good;
+  parts.vertex_counts.clear();
+  CHECK(judge(mesh, parts).status == CONVEXACT_INVALID_ARGUMENT);
+  convexact_verdict* result = nullptr;
+  const auto ask = [&](const double* vertices, const std::size_t* counts,
+                       const std::uint32_t* corners, const std::size_t* sizes) {
+    return taken(convexact_verify_parts(mesh.points.data(), mesh.point_count(), mesh.corners.data(),
+                                        mesh.count(), vertices, counts, 2, corners, sizes,
+                                        good.face_counts.data(), nullptr, &result),
+                 result)
+        .status;
+  };
+  const double* vertices = good.vertices.data();
+  const std::size_t* counts = good.vertex_counts.data();
+  const std::uint32_t* corners = good.corners.data();
+  const std::size_t* sizes = good.face_sizes.data();
+  CHECK(ask(vertices, counts, corners, sizes) == CONVEXACT_OK);
+  CHECK(ask(nullptr, counts, corners, sizes) == CONVEXACT_INVALID_ARGUMENT);
+  CHECK(ask(vertices, nullptr, corners, sizes) == CONVEXACT_INVALID_ARGUMENT);
+  CHECK(ask(vertices, counts, nullptr, sizes) == CONVEXACT_INVALID_ARGUMENT);
+  CHECK(ask(vertices, counts, corners, nullptr) == CONVEXACT_INVALID_ARGUMENT);
+  CHECK(convexact_verify_parts(mesh.points.data(), mesh.point_count(), mesh.corners.data(),
+                               mesh.count(), vertices, counts, 2, nullptr, nullptr, nullptr,
+                               nullptr, nullptr) == CONVEXACT_INVALID_ARGUMENT);
+}
+
+TEST_CASE("C interface: threads decompose at once, and read one result together") {
+  const Triangles mesh = l_shape();
+  const Decomposition shared = decompose(mesh, defaults());
+  std::vector<std::size_t> counts(4);
+  std::vector<std::thread> threads;
+  for (std::size_t& count : counts) {
+    threads.emplace_back([&] {
+      convexact_decomposition* own = nullptr;
+      if (convexact_decompose(mesh.points.data(), mesh.point_count(), mesh.corners.data(),
+                              mesh.count(), nullptr, &own) != CONVEXACT_OK) {
+        return;
+      }
+      std::vector<double> planes(4 * convexact_decomposition_plane_count(shared.get(), 0));
+      const auto status = convexact_decomposition_planes(shared.get(), 0, planes.data());
+      if (status == CONVEXACT_OK) count = convexact_decomposition_part_count(own);
+      convexact_decomposition_free(own);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const std::size_t count : counts) CHECK(count == 2);
+}
