@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Property of stdio: for any line, the answer is one line of JSON, an object with either a
 // verdict or an error of a documented kind (6 beyond its time limit); a verdict has the request's
-// id; the oracle's two ways agree. Property of test_vectors: every text is read, or refused with an
+// id; the oracle's two ways agree. Property of decompose_stdio: likewise, with the parts of the
+// mesh in the place of the verdict, and the oracle finds that they cover it.
+// Property of test_vectors: every text is read, or refused with an
 // Error of exit code 3.
 #include <nlohmann/json.hpp>
 
 #include "convexact/conform.hpp"
 #include "fuzz_target.hpp"
+#include "oracle/decompose_request.hpp"
 #include "oracle/stdio_request.hpp"
 #include "unless_refused.hpp"
 
@@ -32,6 +35,31 @@ void hold_stdio(FuzzInput& in) {
   if (request.contains("id")) FUZZ_CHECK(object["id"] == request["id"]);
 }
 
+void hold_decompose_stdio(FuzzInput& in) {
+  const std::string_view line = in.rest();
+  if (line.size() > 4096) return;
+  const std::string answer = answer_decompose_request(line, 20.0);
+  FUZZ_CHECK(answer.find('\n') == std::string::npos);
+  const json object = json::parse(answer);
+  FUZZ_CHECK(object.contains("error") != object.contains("parts"));
+  if (object.contains("error")) {
+    const int exit_code = object["error"].at("exit").get<int>();
+    FUZZ_CHECK(exit_code >= 2 && exit_code <= 6);
+    return;
+  }
+  const json request = json::parse(line);
+  FUZZ_CHECK(object.contains("id") == request.contains("id"));
+  // Read as doubles here, decimals would not mean the same with these.
+  if (request.contains("decimal") || request.contains("numbers")) return;
+  const json judged = {{"points", request["points"]},
+                       {"triangles", request["triangles"]},
+                       {"claims", {"covers-surface"}},
+                       {"candidate", object}};
+  const json verdict = json::parse(answer_request(judged.dump(), 20.0));
+  FUZZ_CHECK(verdict.contains("error") ? verdict["error"].at("exit") == 6
+                                       : verdict.at("verdict") == "holds");
+}
+
 void hold_test_vectors(FuzzInput& in) {
   const std::string_view text = in.rest();
   // A vector may name a file that is none of ours; an escape may spell the word.
@@ -43,6 +71,7 @@ void hold_test_vectors(FuzzInput& in) {
 }
 
 const FuzzTarget stdio("stdio", hold_stdio);
+const FuzzTarget decompose_stdio("decompose_stdio", hold_decompose_stdio);
 const FuzzTarget test_vectors("test_vectors", hold_test_vectors);
 
 }  // namespace

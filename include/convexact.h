@@ -209,6 +209,7 @@ typedef struct convexact_decompose_options {
   int precision;         /* The numbers of the parts: 64 for doubles, 32 for doubles that are
                             floats. 0 for 64. */
   int no_volumes;        /* Not 0: do not measure volumes, which may take most of the time. */
+  int exact_volumes;     /* Not 0: measure them as fractions, too, which may be very long. */
   uint64_t seed;         /* Of random orders. No result depends on it. */
 } convexact_decompose_options;
 
@@ -240,10 +241,14 @@ typedef enum convexact_volume {
   CONVEXACT_VOLUME_OVERLAP = 4    /* What the parts' volumes add up to, less the union's. */
 } convexact_volume;
 
-/* The nearest doubles, or the same one twice, between which a convexact_volume lies. NaN if it was
- * not measured; of solid, uncovered and excess also if the mesh encloses no solid. */
+/* Two doubles between which a convexact_volume lies: from 128 bits, or from the fraction if that
+ * was asked for, and then the same one twice if it is a double. NaN if it was not measured; of
+ * solid, uncovered and excess also if the mesh encloses no solid. */
 CONVEXACT_API void convexact_decomposition_volume(const convexact_decomposition* result, int volume,
                                                   double bounds[2]);
+/* "p" or "p/q" if exact_volumes asked for it and it was measured; else "". */
+CONVEXACT_API const char* convexact_decomposition_exact_volume(
+    const convexact_decomposition* result, int volume);
 
 /* Of part k < part count: its corners, three doubles each; it is the hull of these. */
 CONVEXACT_API size_t convexact_decomposition_vertex_count(const convexact_decomposition* result,

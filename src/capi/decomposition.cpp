@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <variant>
 
@@ -12,7 +13,6 @@
 #include "scene/decompose_options.hpp"
 
 namespace convexact::capi {
-namespace {
 
 // A part as the arrays and texts that a caller borrows.
 struct PartArrays {
@@ -24,7 +24,13 @@ struct PartArrays {
   std::string squared_concavity;
 };
 
-}  // namespace
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+struct VolumeNumbers {
+  std::array<double, 2> bounds = {kUnknown, kUnknown};
+  std::string exact;
+};
+
 }  // namespace convexact::capi
 
 struct convexact_decomposition {
@@ -32,6 +38,7 @@ struct convexact_decomposition {
   convexact::Precision precision;
   std::vector<convexact::capi::PartArrays> parts;
   std::vector<std::uint32_t> owners;  // by the caller's triangles
+  std::array<convexact::capi::VolumeNumbers, 5> volumes;
 };
 
 namespace convexact::capi {
@@ -65,7 +72,11 @@ DecomposeRequest to_request(const convexact_decompose_options& options) {
   } else if (options.precision != 0 && options.precision != 64) {
     throw Error(ErrorCode::InvalidArgument, "a precision of neither 64 nor 32 bits");
   }
+  if (options.no_volumes != 0 && options.exact_volumes != 0) {
+    throw Error(ErrorCode::InvalidArgument, "exact volumes, and none");
+  }
   request.measures = options.no_volumes == 0;
+  request.exact_volumes = options.exact_volumes != 0;
   request.seed = options.seed;
   return request;
 }
@@ -96,31 +107,37 @@ std::vector<std::uint32_t> owners_of(const Decomposition& made, std::size_t tria
   return owners;
 }
 
+VolumeNumbers numbers_of(const Measured& x) {
+  if (!x.exact) return {{x.bounds.low_double(), x.bounds.high_double()}, ""};
+  return {{to_double(*x.exact, Rounding::Down), to_double(*x.exact, Rounding::Up)},
+          to_string(*x.exact)};
+}
+
+// By convexact_volume.
+std::array<VolumeNumbers, 5> volumes_of(const DecompositionMeasures& measures) {
+  const auto if_any = [](const std::optional<Measured>& x) {
+    return x ? numbers_of(*x) : VolumeNumbers();
+  };
+  return {if_any(measures.solid_volume), numbers_of(measures.union_volume),
+          if_any(measures.uncovered_volume), if_any(measures.excess_volume),
+          numbers_of(measures.overlap_volume)};
+}
+
 convexact_decomposition decompose_mesh(const Mesh& mesh, const DecomposeRequest& request) {
   DecomposeOutcome outcome = decompose(mesh, request);
   auto* made = std::get_if<Decomposition>(&outcome);
   if (made == nullptr) throw Error(ErrorCode::NoInterior, "the triangles lie in one plane");
-  convexact_decomposition result{std::move(*made), request.precision, {}, {}};
+  convexact_decomposition result{std::move(*made), request.precision, {}, {}, {}};
   for (const Part& part : result.made.parts) result.parts.push_back(arrays_of(part));
   result.owners = owners_of(result.made, mesh.polygons.size());
+  if (result.made.measures) result.volumes = volumes_of(*result.made.measures);
   return result;
 }
 
-const Measured* measured_volume(const DecompositionMeasures& measures, int volume) {
-  const auto if_any = [](const std::optional<Measured>& x) { return x ? &*x : nullptr; };
-  switch (volume) {
-    case CONVEXACT_VOLUME_SOLID:
-      return if_any(measures.solid_volume);
-    case CONVEXACT_VOLUME_UNION:
-      return &measures.union_volume;
-    case CONVEXACT_VOLUME_UNCOVERED:
-      return if_any(measures.uncovered_volume);
-    case CONVEXACT_VOLUME_EXCESS:
-      return if_any(measures.excess_volume);
-    case CONVEXACT_VOLUME_OVERLAP:
-      return &measures.overlap_volume;
-  }
-  return nullptr;
+const VolumeNumbers& numbers_at(const convexact_decomposition& result, int volume) {
+  static const VolumeNumbers none;
+  const bool is_known = volume >= 0 && static_cast<std::size_t>(volume) < result.volumes.size();
+  return is_known ? result.volumes[static_cast<std::size_t>(volume)] : none;
 }
 
 void write_planes(const Part& part, Precision precision, double* planes) {
@@ -164,12 +181,12 @@ const uint32_t* convexact_decomposition_owners(const convexact_decomposition* re
 }
 void convexact_decomposition_volume(const convexact_decomposition* result, int volume,
                                     double bounds[2]) {
-  bounds[0] = bounds[1] = std::numeric_limits<double>::quiet_NaN();
-  if (!result->made.measures) return;
-  if (const auto* measured = measured_volume(*result->made.measures, volume)) {
-    bounds[0] = measured->bounds.low_double();
-    bounds[1] = measured->bounds.high_double();
-  }
+  const auto& numbers = numbers_at(*result, volume).bounds;
+  std::copy(numbers.begin(), numbers.end(), bounds);
+}
+const char* convexact_decomposition_exact_volume(const convexact_decomposition* result,
+                                                 int volume) {
+  return numbers_at(*result, volume).exact.c_str();
 }
 size_t convexact_decomposition_vertex_count(const convexact_decomposition* result, size_t k) {
   return result->parts[k].vertices.size() / 3;

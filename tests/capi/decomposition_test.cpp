@@ -90,6 +90,10 @@ std::array<double, 2> volume(const Decomposition& parts, int which) {
   return bounds;
 }
 
+std::string exact_volume(const Decomposition& parts, int which) {
+  return convexact_decomposition_exact_volume(parts.get(), which);
+}
+
 bool is_unknown(const std::array<double, 2>& bounds) {
   return std::isnan(bounds[0]) && std::isnan(bounds[1]);
 }
@@ -201,15 +205,18 @@ TEST_CASE("C interface: an L becomes two parts that own its triangles") {
     CAPTURE(method);
     convexact_decompose_options options = defaults();
     options.method = method;
+    options.exact_volumes = 1;
     const Decomposition parts = decompose(mesh, options);
     REQUIRE(convexact_decomposition_part_count(parts.get()) == 2);
     CHECK(convexact_decomposition_eps_holds(parts.get()) == 1);
     check_owners(mesh, parts);
     CHECK(volume(parts, CONVEXACT_VOLUME_SOLID) == std::array{3.0, 3.0});
-    // V(solid) + V(excess) = V(union) + V(uncovered).
+    CHECK(exact_volume(parts, CONVEXACT_VOLUME_SOLID) == "3");
+    // V(solid) + V(excess) = V(union) + V(uncovered); here in halves and quarters.
     CHECK(volume(parts, CONVEXACT_VOLUME_UNION)[0] ==
           3 + volume(parts, CONVEXACT_VOLUME_EXCESS)[0] -
               volume(parts, CONVEXACT_VOLUME_UNCOVERED)[0]);
+    CHECK(exact_volume(parts, -1) == "");
     CHECK(is_unknown(volume(parts, -1)));
     CHECK(is_unknown(volume(parts, 5)));
     for (std::size_t k = 0; k < 2; ++k) {
@@ -255,6 +262,7 @@ TEST_CASE("C interface: a face for each plane of a part, and planes in doubles a
 TEST_CASE("C interface: a number of parts leads beyond the limit, and that is said") {
   convexact_decompose_options options = defaults();
   options.max_parts = 1;
+  options.exact_volumes = 1;
   const Decomposition parts = decompose(l_shape(), options);
   REQUIRE(convexact_decomposition_part_count(parts.get()) == 1);
   CHECK(convexact_decomposition_eps_holds(parts.get()) == 0);
@@ -266,8 +274,17 @@ TEST_CASE("C interface: a number of parts leads beyond the limit, and that is sa
   CHECK(volume(parts, CONVEXACT_VOLUME_SOLID) == std::array{3.0, 3.0});
   CHECK(volume(parts, CONVEXACT_VOLUME_UNION) == std::array{3.5, 3.5});
   CHECK(volume(parts, CONVEXACT_VOLUME_EXCESS) == std::array{0.5, 0.5});
+  CHECK(exact_volume(parts, CONVEXACT_VOLUME_EXCESS) == "1/2");
   CHECK(volume(parts, CONVEXACT_VOLUME_UNCOVERED) == std::array{0.0, 0.0});
   CHECK(volume(parts, CONVEXACT_VOLUME_OVERLAP) == std::array{0.0, 0.0});
+  // Without fractions, from 128 bits.
+  options.exact_volumes = 0;
+  const Decomposition bounded = decompose(l_shape(), options);
+  const std::array<double, 2> bounds = volume(bounded, CONVEXACT_VOLUME_UNION);
+  CHECK(bounds[0] <= 3.5);
+  CHECK(bounds[1] >= 3.5);
+  CHECK(bounds[1] - bounds[0] < 1e-15);
+  CHECK(exact_volume(bounded, CONVEXACT_VOLUME_UNION) == "");
 }
 
 TEST_CASE("C interface: a limit is a share of the diameter or a length, taken as spelled") {
@@ -366,7 +383,8 @@ TEST_CASE("C interface: options of a decomposition out of their range are refuse
       [](Options& o) { o.total_faces = 7; },  // of two parts
       [](Options& o) { o.faces = o.total_faces = 8; },
       [](Options& o) { o.flat = 4; },
-      [](Options& o) { o.precision = 16; }};
+      [](Options& o) { o.precision = 16; },
+      [](Options& o) { o.no_volumes = o.exact_volumes = 1; }};
   for (std::size_t k = 0; k < faults.size(); ++k) {
     CAPTURE(k);
     CHECK(with(faults[k]) == CONVEXACT_INVALID_ARGUMENT);
@@ -503,25 +521,24 @@ TEST_CASE("C interface: claims and budgets of parts are asked by name and number
 TEST_CASE("C interface: faces of parts are judged, and parts without faces are their hulls") {
   const Triangles mesh = l_shape();
   Parts parts(decompose(mesh, defaults()));
-  convexact_verdict* result = nullptr;
-  const Judged hulls =
-      taken(convexact_verify_parts(mesh.points.data(), mesh.point_count(), mesh.corners.data(),
-                                   mesh.count(), parts.vertices.data(), parts.vertex_counts.data(),
-                                   2, nullptr, nullptr, nullptr, nullptr, &result),
-            result);
+  // With hulls alone, and with or without the triangles of the mesh.
+  const auto judge_hulls = [&](std::size_t triangles) {
+    convexact_verdict* result = nullptr;
+    const auto status = convexact_verify_parts(
+        mesh.points.data(), mesh.point_count(), triangles > 0 ? mesh.corners.data() : nullptr,
+        triangles, parts.vertices.data(), parts.vertex_counts.data(), 2, nullptr, nullptr, nullptr,
+        nullptr, &result);
+    return taken(status, result);
+  };
+  const Judged hulls = judge_hulls(mesh.count());
   CHECK(hulls.holds);
-  CHECK(hulls.claims.at("parts-convex") == "not-applicable");
+  CHECK(hulls.claims.at("parts-convex") == "holds");  // there is no face that is not
+  const Judged points = judge_hulls(0);
+  CHECK(points.claims.at("covers-points") == "holds");
+  CHECK(points.claims.at("covers-surface") == "not-applicable");
   --parts.face_counts.back();  // an open side
   parts.face_sizes.pop_back();
   CHECK(judge(mesh, parts).claims.at("parts-convex") == "violated");
-  // Without triangles only the points are to be covered.
-  const Judged points =
-      taken(convexact_verify_parts(mesh.points.data(), mesh.point_count(), nullptr, 0,
-                                   parts.vertices.data(), parts.vertex_counts.data(), 2, nullptr,
-                                   nullptr, nullptr, nullptr, &result),
-            result);
-  CHECK(points.claims.at("covers-points") == "holds");
-  CHECK(points.claims.at("covers-surface") == "not-applicable");
 }
 
 TEST_CASE("C interface: arrays of parts that make no sense are a status") {
@@ -542,14 +559,13 @@ TEST_CASE("C interface: arrays of parts that make no sense are a status") {
   parts = good;
   parts.vertex_counts.clear();
   CHECK(judge(mesh, parts).status == CONVEXACT_INVALID_ARGUMENT);
-  convexact_verdict* result = nullptr;
   const auto ask = [&](const double* vertices, const std::size_t* counts,
                        const std::uint32_t* corners, const std::size_t* sizes) {
-    return taken(convexact_verify_parts(mesh.points.data(), mesh.point_count(), mesh.corners.data(),
-                                        mesh.count(), vertices, counts, 2, corners, sizes,
-                                        good.face_counts.data(), nullptr, &result),
-                 result)
-        .status;
+    convexact_verdict* result = nullptr;
+    const auto status = convexact_verify_parts(
+        mesh.points.data(), mesh.point_count(), mesh.corners.data(), mesh.count(), vertices, counts,
+        2, corners, sizes, good.face_counts.data(), nullptr, &result);
+    return taken(status, result).status;
   };
   const double* vertices = good.vertices.data();
   const std::size_t* counts = good.vertex_counts.data();

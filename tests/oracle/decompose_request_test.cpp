@@ -74,18 +74,20 @@ TEST_CASE("decompose request: an L in two parts, with the request's id") {
 // With one part the L is its hull, whose volume is that of the square of side 2 less half a cell;
 // the walls of the notch are 1 deep in it, and the diameter is 3.
 TEST_CASE("decompose request: options are those of the command line") {
-  json answer = l_with("max_parts", 1);
+  json request = l_request();
+  request.update({{"max_parts", 1}, {"exact_volumes", true}});
+  json answer = ask(request);
   CHECK(answer["parts"].size() == 1);
   CHECK(answer["eps_holds"] == false);
   CHECK(answer["stop"] == "max-parts");
   CHECK(answer["parts"][0]["concavity"]["squared"] == "1");
-  CHECK(answer["union"]["low"] == 3.5);
+  CHECK(answer["union"]["exact"] == "7/2");
   for (const json& enough : {json("1"), json(1), json("34%"), json("0.34d"), json("1/3d")}) {
     CAPTURE(enough);
     CHECK(l_with("concavity", enough)["parts"].size() == 1);
   }
   // A number is taken as it is spelled, beyond the digits of a double.
-  json request = l_request();
+  request = l_request();
   std::string line = request.dump();
   line = "{\"concavity\":0.99999999999999999999999," + line.substr(1);
   CHECK(answered(line)["parts"].size() == 2);
@@ -143,8 +145,7 @@ TEST_CASE("decompose request: whatever is wrong with it is an error with its id"
   for (const auto& [key, value] : malformed) {
     json request = l_request();
     request[key] = value;
-    CAPTURE(key);
-    CAPTURE(value.dump());
+    CAPTURE(request.dump());
     const json answer = answered(request.dump());
     CHECK(code(answer) == "malformed");
     CHECK(answer.contains("id") == (std::string(key) != "id"));
