@@ -211,6 +211,7 @@ typedef struct convexact_decompose_options {
   int no_volumes;        /* Not 0: do not measure volumes, which may take most of the time. */
   int exact_volumes;     /* Not 0: measure them as fractions, too, which may be very long. */
   uint64_t seed;         /* Of random orders. No result depends on it. */
+  int for_tree; /* Not 0: find out which merges would come next, for a tree of the parts. */
 } convexact_decompose_options;
 
 typedef struct convexact_decomposition convexact_decomposition;
@@ -325,6 +326,56 @@ CONVEXACT_API convexact_status convexact_verify_parts(
     const double* vertices, const size_t* vertex_counts, size_t part_count, const uint32_t* corners,
     const size_t* face_sizes, const size_t* face_counts, const convexact_parts_options* options,
     convexact_verdict** result);
+
+/* ---- Parts under a tree of hulls ------------------------------------------------------------- */
+
+/* The options of `convexact bvh`; docs/hull-trees.md tells more of each. */
+typedef struct convexact_tree_options {
+  size_t size;       /* sizeof(convexact_tree_options). */
+  size_t faces;      /* Planes to keep of each branch, >= 4; 0 for all. */
+  size_t leaf_faces; /* Planes to keep of each part, >= 4; 0 for all. */
+  int precision;     /* As in convexact_decompose_options. */
+} convexact_tree_options;
+
+typedef struct convexact_tree convexact_tree;
+
+/* Where there is no such node or part. */
+#define CONVEXACT_NONE SIZE_MAX
+
+/* A binary tree whose leaves are the parts: by the splits of CONVEXACT_ACD, by the merges that
+ * CONVEXACT_HACD would make next if `for_tree` asked for them, and by least added volume where
+ * neither joins parts. Each hull holds the hulls of its children: proven on their numbers as they
+ * are. Parts that are flat are made solid. */
+CONVEXACT_API convexact_status convexact_decomposition_tree(const convexact_decomposition* parts,
+                                                            const convexact_tree_options* options,
+                                                            convexact_tree** result);
+
+/* Nodes stand level by level, the root first. */
+CONVEXACT_API size_t convexact_tree_node_count(const convexact_tree* result);
+/* Of node i < node count: its parent, CONVEXACT_NONE of the root; */
+CONVEXACT_API size_t convexact_tree_parent(const convexact_tree* result, size_t i);
+/* its children, two of a branch and none of a leaf; */
+CONVEXACT_API size_t convexact_tree_child_count(const convexact_tree* result, size_t i);
+CONVEXACT_API const size_t* convexact_tree_children(const convexact_tree* result, size_t i);
+/* of a leaf its part of the decomposition, of a branch CONVEXACT_NONE; */
+CONVEXACT_API size_t convexact_tree_part(const convexact_tree* result, size_t i);
+/* and the corners and faces of its hull, as those of a part. */
+CONVEXACT_API size_t convexact_tree_vertex_count(const convexact_tree* result, size_t i);
+CONVEXACT_API const double* convexact_tree_vertices(const convexact_tree* result, size_t i);
+CONVEXACT_API size_t convexact_tree_face_count(const convexact_tree* result, size_t i);
+CONVEXACT_API const size_t* convexact_tree_face_sizes(const convexact_tree* result, size_t i);
+CONVEXACT_API const uint32_t* convexact_tree_corners(const convexact_tree* result, size_t i);
+
+CONVEXACT_API void convexact_tree_free(convexact_tree* result);
+
+/* Judges the leaves, the nodes that are no parent, as convexact_verify_parts does parts, which are
+ * numbered in their order; and whether the nodes are a tree whose hulls hold their children, the
+ * claim tree-nested. Node i has the parent parents[i], a node or CONVEXACT_NONE, and is the hull of
+ * vertex_counts[i] >= 1 vertices, which follow those of the nodes before. */
+CONVEXACT_API convexact_status convexact_verify_tree(
+    const double* points, size_t point_count, const uint32_t* triangles, size_t triangle_count,
+    const double* vertices, const size_t* vertex_counts, const size_t* parents, size_t node_count,
+    const convexact_parts_options* options, convexact_verdict** result);
 
 #ifdef __cplusplus
 }

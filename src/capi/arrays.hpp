@@ -76,6 +76,30 @@ inline Mesh to_mesh(const double* points, std::size_t point_count, const std::ui
   return mesh;
 }
 
+/// Points and faces as the arrays that a caller borrows.
+struct MeshArrays {
+  std::vector<double> vertices;
+  std::vector<std::size_t> face_sizes;
+  std::vector<std::uint32_t> corners;
+
+  /// Of a mesh whose points are doubles.
+  explicit MeshArrays(const Mesh& mesh) {
+    for (const Point& p : mesh.points.doubles())
+      vertices.insert(vertices.end(), p.begin(), p.end());
+    for (const auto& polygon : mesh.polygons) {
+      face_sizes.push_back(polygon.size());
+      corners.insert(corners.end(), polygon.begin(), polygon.end());
+    }
+  }
+};
+
+/// 32, or 64 or 0 for doubles. @throws Error InvalidArgument for any other number.
+inline Precision to_precision(int bits) {
+  if (bits == 32) return Precision::Binary32;
+  if (bits == 0 || bits == 64) return Precision::Binary64;
+  throw Error(ErrorCode::InvalidArgument, "a precision of neither 64 nor 32 bits");
+}
+
 /// What a caller gave, or all defaults. Fields of later versions must be 0.
 /// @throws Error InvalidArgument for a size that no version has, and for later fields.
 template <class Options>

@@ -1,45 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "capi/decomposition.hpp"
+
 #include <algorithm>
-#include <array>
-#include <limits>
 #include <variant>
 
-#include "capi/arrays.hpp"
 #include "capi/guarded.hpp"
-#include "convexact/decompose.hpp"
 #include "convexact/overlay.hpp"
 #include "convexact/stored.hpp"
 #include "number/precision.hpp"
 #include "scene/decompose_options.hpp"
-
-namespace convexact::capi {
-
-// A part as the arrays and texts that a caller borrows.
-struct PartArrays {
-  std::vector<double> vertices;
-  std::vector<std::size_t> face_sizes;
-  std::vector<std::uint32_t> corners;
-  std::vector<std::string> planes;
-  double concavity = 0;
-  std::string squared_concavity;
-};
-
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
-struct VolumeNumbers {
-  std::array<double, 2> bounds = {kUnknown, kUnknown};
-  std::string exact;
-};
-
-}  // namespace convexact::capi
-
-struct convexact_decomposition {
-  convexact::Decomposition made;
-  convexact::Precision precision;
-  std::vector<convexact::capi::PartArrays> parts;
-  std::vector<std::uint32_t> owners;  // by the caller's triangles
-  std::array<convexact::capi::VolumeNumbers, 5> volumes;
-};
 
 namespace convexact::capi {
 namespace {
@@ -67,29 +36,19 @@ DecomposeRequest to_request(const convexact_decompose_options& options) {
   request.faces = to_limit(options.faces);
   request.total_faces = to_limit(options.total_faces);
   request.flat = chosen(kFlat, options.flat);
-  if (options.precision == 32) {
-    request.precision = Precision::Binary32;
-  } else if (options.precision != 0 && options.precision != 64) {
-    throw Error(ErrorCode::InvalidArgument, "a precision of neither 64 nor 32 bits");
-  }
+  request.precision = to_precision(options.precision);
   if (options.no_volumes != 0 && options.exact_volumes != 0) {
     throw Error(ErrorCode::InvalidArgument, "exact volumes, and none");
   }
   request.measures = options.no_volumes == 0;
   request.exact_volumes = options.exact_volumes != 0;
+  request.for_tree = options.for_tree != 0;
   request.seed = options.seed;
   return request;
 }
 
 PartArrays arrays_of(const Part& part) {
-  PartArrays arrays;
-  for (const Point& p : part.mesh.points.doubles()) {
-    arrays.vertices.insert(arrays.vertices.end(), p.begin(), p.end());
-  }
-  for (const auto& polygon : part.mesh.polygons) {
-    arrays.face_sizes.push_back(polygon.size());
-    arrays.corners.insert(arrays.corners.end(), polygon.begin(), polygon.end());
-  }
+  PartArrays arrays{MeshArrays(part.mesh), {}, 0, ""};
   for (const Halfspace& h : part.halfspaces) arrays.planes.push_back(to_text(h));
   const Rational& squared = part.concavity.squared;
   arrays.squared_concavity = to_string(squared);
@@ -189,19 +148,19 @@ const char* convexact_decomposition_exact_volume(const convexact_decomposition* 
   return numbers_at(*result, volume).exact.c_str();
 }
 size_t convexact_decomposition_vertex_count(const convexact_decomposition* result, size_t k) {
-  return result->parts[k].vertices.size() / 3;
+  return result->parts[k].mesh.vertices.size() / 3;
 }
 const double* convexact_decomposition_vertices(const convexact_decomposition* result, size_t k) {
-  return result->parts[k].vertices.data();
+  return result->parts[k].mesh.vertices.data();
 }
 size_t convexact_decomposition_face_count(const convexact_decomposition* result, size_t k) {
-  return result->parts[k].face_sizes.size();
+  return result->parts[k].mesh.face_sizes.size();
 }
 const size_t* convexact_decomposition_face_sizes(const convexact_decomposition* result, size_t k) {
-  return result->parts[k].face_sizes.data();
+  return result->parts[k].mesh.face_sizes.data();
 }
 const uint32_t* convexact_decomposition_corners(const convexact_decomposition* result, size_t k) {
-  return result->parts[k].corners.data();
+  return result->parts[k].mesh.corners.data();
 }
 size_t convexact_decomposition_plane_count(const convexact_decomposition* result, size_t k) {
   return result->parts[k].planes.size();

@@ -36,6 +36,31 @@ std::vector<NamedPart> to_parts(const double* vertices, const std::size_t* verte
   return parts;
 }
 
+// Nodes without children are the leaves, whose parts stand in their order.
+HullTree to_tree(std::vector<NamedPart> hulls, const std::size_t* parents) {
+  if (parents == nullptr) throw Error(ErrorCode::InvalidArgument, "the parents are missing");
+  HullTree tree;
+  tree.nodes.resize(hulls.size());
+  for (std::size_t i = 0; i < hulls.size(); ++i) {
+    if (parents[i] == CONVEXACT_NONE) continue;
+    if (parents[i] >= hulls.size()) {
+      throw Error(ErrorCode::InvalidArgument, "a parent is not the index of a node");
+    }
+    tree.nodes[i].parent = parents[i];
+    tree.nodes[parents[i]].children.push_back(i);
+  }
+  for (std::size_t i = 0; i < hulls.size(); ++i) {
+    HullTreeNode& node = tree.nodes[i];
+    if (!node.children.empty()) {
+      node.mesh = std::move(hulls[i].mesh);
+      continue;
+    }
+    node.part = tree.parts.size();
+    tree.parts.push_back({"part_" + std::to_string(*node.part), std::move(hulls[i].mesh)});
+  }
+  return tree;
+}
+
 std::vector<ClaimCode> to_claims(const char* names) {
   std::vector<ClaimCode> claims;
   if (names == nullptr) return claims;
@@ -72,6 +97,12 @@ convexact_verdict judge(const PointSet& points, const Candidate& candidate, cons
   throw Error(ErrorCode::NoInterior, "the points lie in one plane");
 }
 
+convexact_verdict judge_parts(const Mesh& mesh, const CandidateParts& parts,
+                              const convexact_parts_options* options) {
+  PartsVerdict verdict = verify_parts(mesh, parts, to_request(to_options(options)));
+  return {verdict.holds(), std::move(verdict.claims)};
+}
+
 }  // namespace
 }  // namespace convexact::capi
 
@@ -105,12 +136,24 @@ convexact_status convexact_verify_parts(const double* points, size_t point_count
                                         const size_t* face_sizes, const size_t* face_counts,
                                         const convexact_parts_options* options,
                                         convexact_verdict** result) {
-  return guarded(result, [&]() -> convexact_verdict {
-    convexact::PartsVerdict verdict = convexact::verify_parts(
+  return guarded(result, [&] {
+    return judge_parts(
         to_mesh(points, point_count, triangles, triangle_count),
-        to_parts(vertices, vertex_counts, part_count, corners, face_sizes, face_counts),
-        to_request(to_options(options)));
-    return {verdict.holds(), std::move(verdict.claims)};
+        to_parts(vertices, vertex_counts, part_count, corners, face_sizes, face_counts), options);
+  });
+}
+
+convexact_status convexact_verify_tree(const double* points, size_t point_count,
+                                       const uint32_t* triangles, size_t triangle_count,
+                                       const double* vertices, const size_t* vertex_counts,
+                                       const size_t* parents, size_t node_count,
+                                       const convexact_parts_options* options,
+                                       convexact_verdict** result) {
+  return guarded(result, [&] {
+    return judge_parts(
+        to_mesh(points, point_count, triangles, triangle_count),
+        to_tree(to_parts(vertices, vertex_counts, node_count, nullptr, nullptr, nullptr), parents),
+        options);
   });
 }
 

@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "bvh/tree_report.hpp"
-#include "cli/diff_clusters.hpp"
 #include "cli/outputs.hpp"
 #include "cli/part_files.hpp"
 #include "cli/verify_union.hpp"
@@ -14,6 +13,7 @@
 #include "convexact/io.hpp"
 #include "io/json.hpp"
 #include "report/parts_picture.hpp"
+#include "scene/decompose_options.hpp"
 #include "scene/decompose_report.hpp"
 
 namespace convexact::cli {
@@ -55,7 +55,7 @@ std::variant<TreeParts, NotSolid> decomposed_parts(const Mesh& mesh, const std::
                                                    const BvhArguments& options, StageLog& log) {
   DecomposeRequest request;
   request.method = options.method;
-  request.limit = parse_concavity(options.concavity);
+  request.limit = parse_concavity("--concavity", options.concavity);
   request.max_parts = options.max_parts;
   request.faces = options.tree.leaf_faces;
   request.precision = options.tree.precision;

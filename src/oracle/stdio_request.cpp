@@ -47,9 +47,11 @@ Candidate candidate(const json& object, Decimal decimal) {
   }
 }
 
-// The document of a decomposition says more of itself and of its parts than what is judged.
+// The document of a decomposition or of a tree says more of itself and of its parts than what is
+// judged.
 CandidateParts candidate_parts(const json& object, Decimal decimal) {
-  const bool is_document = object.contains("decomposition");
+  const bool has_tree = object.contains("hull_tree");
+  const bool is_document = has_tree || object.contains("decomposition");
   if (!is_document) require_known_keys(object, {"parts"}, "a candidate with parts");
   if (!object["parts"].is_array()) reject_request("the parts as an array");
   try {
@@ -58,6 +60,7 @@ CandidateParts candidate_parts(const json& object, Decimal decimal) {
       if (!is_document) require_known_keys(part, {"name", "vertices", "faces"}, "a part");
       parts.push_back(part_of_json(part, parts.size(), decimal));
     }
+    if (has_tree) return HullTree{std::move(parts), nodes_of_json(object["hull_tree"], decimal)};
     return parts;
   } catch (const Error& error) {
     return error;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The C interface on an L of unit cells: its parts, what they own and measure, and the verdict on
-// them; faults are a status.
+// The C interface on an L of unit cells: its parts, what they own and measure, the tree over them,
+// and verdicts on both; faults are a status.
 #include <convexact.h>
 #include <doctest/doctest.h>
 
@@ -579,6 +579,181 @@ TEST_CASE("C interface: arrays of parts that make no sense are a status") {
   CHECK(convexact_verify_parts(mesh.points.data(), mesh.point_count(), mesh.corners.data(),
                                mesh.count(), vertices, counts, 2, nullptr, nullptr, nullptr,
                                nullptr, nullptr) == CONVEXACT_INVALID_ARGUMENT);
+}
+
+namespace {
+
+using Tree = std::unique_ptr<convexact_tree, decltype(&convexact_tree_free)>;
+
+Tree tree_over(const Decomposition& parts, const convexact_tree_options* options = nullptr) {
+  convexact_tree* tree = nullptr;
+  REQUIRE(convexact_decomposition_tree(parts.get(), options, &tree) == CONVEXACT_OK);
+  return {tree, convexact_tree_free};
+}
+
+// All nodes in the arrays of convexact_verify_tree.
+struct Nodes {
+  std::vector<double> vertices;
+  std::vector<std::size_t> vertex_counts, parents;
+
+  explicit Nodes(const Tree& tree) {
+    for (std::size_t i = 0; i < convexact_tree_node_count(tree.get()); ++i) {
+      const double* xyz = convexact_tree_vertices(tree.get(), i);
+      vertex_counts.push_back(convexact_tree_vertex_count(tree.get(), i));
+      vertices.insert(vertices.end(), xyz, xyz + 3 * vertex_counts.back());
+      parents.push_back(convexact_tree_parent(tree.get(), i));
+    }
+  }
+};
+
+Judged judge_nodes(const Triangles& mesh, const Nodes& nodes,
+                   const convexact_parts_options* options = nullptr) {
+  convexact_verdict* result = nullptr;
+  const auto status =
+      convexact_verify_tree(mesh.points.data(), mesh.point_count(), mesh.corners.data(),
+                            mesh.count(), nodes.vertices.data(), nodes.vertex_counts.data(),
+                            nodes.parents.data(), nodes.parents.size(), options, &result);
+  return taken(status, result);
+}
+
+convexact_tree_options tree_defaults() {
+  convexact_tree_options options{};
+  options.size = sizeof options;
+  return options;
+}
+
+}  // namespace
+
+// The root over two parts is the hull of the L, a pentagonal prism.
+TEST_CASE("C interface: a tree over the parts of an L, whose hulls hold their children") {
+  const Triangles mesh = l_shape();
+  for (const int method : {CONVEXACT_HACD, CONVEXACT_ACD}) {
+    for (const int for_tree : {0, 1}) {
+      CAPTURE(method);
+      CAPTURE(for_tree);
+      convexact_decompose_options options = defaults();
+      options.method = method;
+      options.for_tree = for_tree;
+      const Decomposition parts = decompose(mesh, options);
+      const Tree tree = tree_over(parts);
+      REQUIRE(convexact_tree_node_count(tree.get()) == 3);
+      CHECK(convexact_tree_parent(tree.get(), 0) == CONVEXACT_NONE);
+      CHECK(convexact_tree_part(tree.get(), 0) == CONVEXACT_NONE);
+      CHECK(convexact_tree_vertex_count(tree.get(), 0) == 10);
+      CHECK(convexact_tree_face_count(tree.get(), 0) == 7);
+      REQUIRE(convexact_tree_child_count(tree.get(), 0) == 2);
+      std::size_t seen = 0;
+      for (std::size_t c = 0; c < 2; ++c) {
+        const std::size_t child = convexact_tree_children(tree.get(), 0)[c];
+        REQUIRE((child == 1 || child == 2));
+        CHECK(convexact_tree_parent(tree.get(), child) == 0);
+        CHECK(convexact_tree_child_count(tree.get(), child) == 0);
+        const std::size_t part = convexact_tree_part(tree.get(), child);
+        REQUIRE(part < 2);
+        seen |= std::size_t(1) << part;
+        CHECK(convexact_tree_vertex_count(tree.get(), child) ==
+              convexact_decomposition_vertex_count(parts.get(), part));
+      }
+      CHECK(seen == 3);  // each part once
+      std::size_t corners = 0;
+      for (std::size_t f = 0; f < 7; ++f) {
+        corners += convexact_tree_face_sizes(tree.get(), 0)[f];
+      }
+      CHECK(corners == 30);  // two pentagons and five squares
+      for (std::size_t c = 0; c < corners; ++c) {
+        CHECK(convexact_tree_corners(tree.get(), 0)[c] < 10);
+      }
+      const Judged judged = judge_nodes(mesh, Nodes(tree));
+      CHECK(judged.holds);
+      CHECK(judged.claims.at("tree-nested") == "holds");
+      CHECK(judged.claims.at("covers-surface") == "holds");
+    }
+  }
+}
+
+TEST_CASE("C interface: branches with fewer planes, floats, and a tree of one part") {
+  const Triangles mesh = l_shape();
+  convexact_tree_options options = tree_defaults();
+  options.faces = 6;
+  options.precision = 32;
+  const Tree tree = tree_over(decompose(mesh, defaults()), &options);
+  CHECK(convexact_tree_face_count(tree.get(), 0) == 6);  // the square's prism
+  CHECK(judge_nodes(mesh, Nodes(tree)).holds);
+  convexact_decompose_options one = defaults();
+  one.max_parts = 1;
+  const Tree single = tree_over(decompose(mesh, one));
+  REQUIRE(convexact_tree_node_count(single.get()) == 1);
+  CHECK(convexact_tree_parent(single.get(), 0) == CONVEXACT_NONE);
+  CHECK(convexact_tree_part(single.get(), 0) == 0);
+  CHECK(judge_nodes(mesh, Nodes(single)).holds);
+  options = tree_defaults();
+  options.leaf_faces = 6;
+  const Tree simple = tree_over(decompose(mesh, one), &options);
+  CHECK(convexact_tree_face_count(simple.get(), 0) == 6);
+}
+
+TEST_CASE("C interface: a tree of which something is wrong is a violated claim") {
+  const Triangles mesh = l_shape();
+  const Nodes good(tree_over(decompose(mesh, defaults())));
+  Nodes nodes = good;
+  for (std::size_t i = 0; i < 3 * nodes.vertex_counts[0]; ++i) nodes.vertices[i] *= 0.5;
+  const Judged shrunk = judge_nodes(mesh, nodes);
+  CHECK(shrunk.status == CONVEXACT_OK);
+  CHECK_FALSE(shrunk.holds);
+  CHECK(shrunk.claims.at("tree-nested") == "violated");
+  CHECK(shrunk.sentences.at("tree-nested") != "");
+  CHECK(shrunk.claims.at("covers-surface") == "holds");
+  nodes = good;
+  nodes.parents[1] = CONVEXACT_NONE;  // a second root
+  CHECK(judge_nodes(mesh, nodes).claims.at("tree-nested") == "violated");
+  nodes = good;
+  nodes.parents[0] = 1;  // a cycle, and no root
+  CHECK(judge_nodes(mesh, nodes).claims.at("tree-nested") == "violated");
+  // Parts alone are under no tree.
+  convexact_parts_options options = questions();
+  options.claims = "tree-nested";
+  CHECK(judge_nodes(mesh, good, &options).holds);
+  const Judged none = judge(mesh, Parts(decompose(mesh, defaults())), &options);
+  CHECK_FALSE(none.holds);
+  CHECK(none.claims.at("tree-nested") == "not-applicable");
+}
+
+TEST_CASE("C interface: trees that make no sense are a status") {
+  const Triangles mesh = l_shape();
+  const Decomposition parts = decompose(mesh, defaults());
+  convexact_tree* tree = nullptr;
+  CHECK(convexact_decomposition_tree(nullptr, nullptr, &tree) == CONVEXACT_INVALID_ARGUMENT);
+  CHECK(convexact_decomposition_tree(parts.get(), nullptr, nullptr) == CONVEXACT_INVALID_ARGUMENT);
+  using Options = convexact_tree_options;
+  const std::vector<void (*)(Options&)> faults = {
+      [](Options& o) { o.size = 0; }, [](Options& o) { o.faces = 3; },
+      [](Options& o) { o.leaf_faces = 3; }, [](Options& o) { o.precision = 16; }};
+  for (std::size_t k = 0; k < faults.size(); ++k) {
+    CAPTURE(k);
+    Options options = tree_defaults();
+    faults[k](options);
+    CHECK(convexact_decomposition_tree(parts.get(), &options, &tree) == CONVEXACT_INVALID_ARGUMENT);
+    CHECK(tree == nullptr);
+  }
+  convexact_tree_free(nullptr);
+  const Nodes good(tree_over(parts));
+  Nodes nodes = good;
+  nodes.parents[1] = 3;  // of three nodes
+  CHECK(judge_nodes(mesh, nodes).status == CONVEXACT_INVALID_ARGUMENT);
+  nodes = good;
+  nodes.vertex_counts[2] = 0;
+  CHECK(judge_nodes(mesh, nodes).status == CONVEXACT_INVALID_ARGUMENT);
+  nodes = good;
+  nodes.vertices[5] = std::numeric_limits<double>::infinity();
+  CHECK(judge_nodes(mesh, nodes).status == CONVEXACT_NOT_FINITE);
+  nodes = good;
+  nodes.parents.clear();
+  CHECK(judge_nodes(mesh, nodes).status == CONVEXACT_INVALID_ARGUMENT);
+  convexact_verdict* result = nullptr;
+  CHECK(convexact_verify_tree(mesh.points.data(), mesh.point_count(), mesh.corners.data(),
+                              mesh.count(), good.vertices.data(), good.vertex_counts.data(),
+                              nullptr, 3, nullptr, &result) == CONVEXACT_INVALID_ARGUMENT);
+  CHECK(result == nullptr);
 }
 
 TEST_CASE("C interface: threads decompose at once, and read one result together") {

@@ -366,3 +366,44 @@ TEST_CASE("stdio: an inner solid is judged by inside-input") {
   asked["inner"] = "yes";
   CHECK(json::parse(answer_request(asked.dump())).contains("error"));
 }
+
+TEST_CASE("stdio: of parts, triangles may stay as they are, and volumes be fractions") {
+  json asked = request({{"parts", {{{"vertices", cube_points()}}}}});
+  asked["triangles"] = {{1, 5, 7, 3}, {0, 2, 6, 4}, {2, 3, 7, 6},
+                        {0, 4, 5, 1}, {4, 6, 7, 5}, {0, 1, 3, 2}};  // clockwise from outside
+  CHECK(ask(asked)["surface"]["reversed_components"] == 1);
+  asked["orient"] = "keep";
+  CHECK(ask(asked)["surface"]["reversed_components"] == 0);
+  asked["exact_volumes"] = true;
+  CHECK(ask(asked)["error"]["code"] == "malformed");
+  asked["tightness"] = true;
+  CHECK(ask(asked)["measures"]["union_volume"]["exact"] == "1");
+  asked["orient"] = "turn";
+  CHECK(json::parse(answer_request(asked.dump()))["error"]["message"] ==
+        "expected orient as auto or keep");
+  json single = request({{"planes", cube_planes()}});
+  single["orient"] = "keep";
+  CHECK(ask(single)["error"]["code"] == "malformed");
+}
+
+// The cube in halves, under a root that is the cube, or too small.
+TEST_CASE("stdio: parts under a tree of hulls") {
+  json left = cube_points(), right = left;
+  for (json& row : left) row[0] = row[0] == 0 ? 0 : 0.5;
+  for (json& row : right) row[0] = row[0] == 0 ? 0.5 : 1;
+  const auto judged = [&](const json& root) {
+    const json nodes = {{{"parent", nullptr}, {"children", {1, 2}}, {"vertices", root}},
+                        {{"parent", 0}, {"part", 0}},
+                        {{"parent", 0}, {"part", 1}}};
+    return ask(
+        request({{"parts", {{{"vertices", left}}, {{"vertices", right}}}}, {"hull_tree", nodes}}));
+  };
+  const json good = judged(cube_points());
+  CHECK(good["verdict"] == "holds");
+  CHECK(claim(good, "tree-nested")["status"] == "holds");
+  const json bad = judged(left);
+  CHECK(bad["verdict"] == "violated");
+  CHECK(claim(bad, "tree-nested")["witness"]["nodes"] == json{0, 2});
+  const json malformed = request({{"parts", {{{"vertices", left}}}}, {"hull_tree", {3}}});
+  CHECK(claim(ask(malformed), "parts-readable")["status"] == "violated");
+}
