@@ -10,13 +10,13 @@
 #include "convexact/hull_tree.hpp"
 #include "convexact/measure.hpp"
 #include "number/arithmetic.hpp"
+#include "number/precision.hpp"
 #include "scene/stored_part.hpp"
 
 namespace convexact {
 namespace {
 
 constexpr std::size_t kNeighbours = 8;  // among which a group looks for its partner
-constexpr long kMeasureBits = 128;
 
 // A part, or the parts below a join.
 struct Group {
