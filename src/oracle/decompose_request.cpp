@@ -5,7 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bvh/tree_report.hpp"
 #include "convexact/decompose.hpp"
+#include "convexact/hull_tree.hpp"
 #include "io/json.hpp"
 #include "io/json_text.hpp"
 #include "oracle/request_line.hpp"
@@ -55,6 +57,7 @@ DecomposeRequest decompose_request_of(const json& request) {
   wanted.faces = count_in(request, "faces");
   wanted.total_faces = count_in(request, "total_faces");
   wanted.keep_inner = flag_in(request, "keep_inner").value_or(false);
+  wanted.for_tree = flag_in(request, "tree").value_or(false);
   wanted.exact_volumes = flag_in(request, "exact_volumes").value_or(false);
   wanted.measures = !flag_in(request, "no_measures").value_or(false);
   if (wanted.exact_volumes && !wanted.measures) {
@@ -65,31 +68,59 @@ DecomposeRequest decompose_request_of(const json& request) {
   return wanted;
 }
 
-// The document on one line: line ends are between its values only, as texts in JSON have none.
-std::string document_line(const Decomposition& made, const DecomposeRequest& request) {
+// Line ends of a document are between its values only, as texts in JSON have none.
+std::string on_one_line(std::string document) {
+  std::erase(document, '\n');
+  return document;
+}
+
+std::vector<std::string> names_of_parts(const Decomposition& made) {
   std::vector<std::string> names;
+  for (std::size_t k = 0; k < made.parts.size(); ++k) names.push_back(fmt::format("part_{:03}", k));
+  return names;
+}
+
+std::string document_line(const Decomposition& made, const DecomposeRequest& request) {
+  const std::vector<std::string> names = names_of_parts(made);
   std::vector<WrittenPart> parts;
-  for (const Part& part : made.parts) {
-    names.push_back(fmt::format("part_{:03}", names.size()));
-    parts.push_back({names.back(), &part, &made.surface});
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    parts.push_back({names[k], &made.parts[k], &made.surface});
   }
   const auto document = decomposition_json(made, request, names, DecompositionDetail::All);
-  std::string line = proven_parts_json(document, parts, "the answer");
-  std::erase(line, '\n');
-  return line;
+  return on_one_line(proven_parts_json(document, parts, "the answer"));
+}
+
+// What --tree writes.
+std::string tree_line(const Decomposition& made, const DecomposeRequest& request,
+                      std::optional<std::size_t> faces) {
+  const std::vector<std::string> names = names_of_parts(made);
+  std::vector<NamedPart> parts;
+  for (std::size_t k = 0; k < names.size(); ++k) parts.push_back({names[k], made.parts[k].mesh});
+  const TreeRequest tree{.faces = faces,
+                         .leaf_faces = {},
+                         .precision = request.precision,
+                         .seed = request.seed,
+                         .watch = {.stop = request.watch.stop}};
+  const TreeOrigin origin{"the request", name_in(kDecomposeMethodNames, request.method),
+                          made.surface.points.is_binary(), 0};
+  return on_one_line(proven_tree_file(build_tree(parts, joins_of(made), tree), tree, origin,
+                                      "the tree of the answer"));
 }
 
 std::string decompose_answer(const json& request, std::optional<double> time_limit) {
-  require_known_keys(
-      request, {"id",          "points",        "triangles",   "decimal", "numbers",   "method",
-                "concavity",   "max_parts",     "measure",     "bridge",  "coplanar",  "faces",
-                "total_faces", "flat",          "keep_inner",  "connect", "orient",    "engine",
-                "precision",   "exact_volumes", "no_measures", "seed",    "time_limit"},
-      "the request");
+  require_known_keys(request,
+                     {"id",          "points",    "triangles",   "decimal",   "numbers",
+                      "method",      "concavity", "max_parts",   "measure",   "bridge",
+                      "coplanar",    "faces",     "total_faces", "flat",      "keep_inner",
+                      "connect",     "orient",    "engine",      "precision", "exact_volumes",
+                      "no_measures", "seed",      "time_limit",  "tree",      "tree_faces"},
+                     "the request");
   if (!request.contains("points") || !request.contains("triangles")) {
     reject_request("a request with 'points' and 'triangles'");
   }
   DecomposeRequest wanted = decompose_request_of(request);
+  const std::optional<std::size_t> tree_faces = count_in(request, "tree_faces");
+  if (tree_faces && !wanted.for_tree) reject_request("tree_faces with tree only");
   Mesh mesh{points_of_request(request, decimal_of(request)), {}, {}};
   mesh.polygons = polygons_of_json(request["triangles"], mesh.points.size());
   return in_time(time_limit_of(request, time_limit), "parts",
@@ -99,7 +130,11 @@ std::string decompose_answer(const json& request, std::optional<double> time_lim
                    if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
                      return write_json(not_solid_answer(*reason));
                    }
-                   return document_line(std::get<Decomposition>(outcome), wanted);
+                   const auto& made = std::get<Decomposition>(outcome);
+                   std::string line = document_line(made, wanted);
+                   if (!wanted.for_tree) return line;
+                   line.back() = ',';
+                   return line + "\"tree_file\":" + tree_line(made, wanted, tree_faces) + "}";
                  });
 }
 

@@ -8,8 +8,9 @@
 namespace convexact {
 
 /// Answers a request (docs/schema/decompose_request.schema.json) with one line of JSON, without a
-/// line end: the request's `id` and either what decomposition_json() says with all details, proven
-/// on its bytes, or `error`. Only std::bad_alloc is thrown.
+/// line end: the request's `id` and either what decomposition_json() says with all details, and
+/// under `tree_file` what proven_tree_file() writes if asked for, both proven on their bytes; or
+/// `error`. Only std::bad_alloc is thrown.
 ///
 /// Coordinates are read as in requests to the oracle (stdio_request.hpp). `concavity` and
 /// `coplanar` mean what their texts say exactly, as strings or as numbers.

@@ -40,6 +40,7 @@ json ask(const json& request) {
   if (answer.contains("parts")) {
     json document = answer;
     document.erase("id");
+    document.erase("tree_file");
     CHECK(schema_complaint("decompose", document) == "");
   }
   return answer;
@@ -201,6 +202,30 @@ TEST_CASE("decompose request: an answer is a candidate of the oracle as it is") 
   json moved = judged;
   for (json& row : moved["candidate"]["parts"][0]["vertices"]) row[2] = row[2].get<double>() + 1;
   CHECK(json::parse(answer_request(moved.dump()))["verdict"] == "violated");
+}
+
+// The root over the two parts of the L is its hull, a pentagonal prism; with six halfspaces that of
+// the square.
+TEST_CASE("decompose request: a tree over the parts, which the oracle takes as it is") {
+  json request = l_request();
+  request["tree"] = true;
+  for (const std::size_t corners : {10, 8}) {
+    if (corners == 8) request["tree_faces"] = 6;
+    const json answer = ask(request);
+    CHECK(schema_complaint("hull-tree", answer["tree_file"]) == "");
+    const json& nodes = answer["tree_file"]["hull_tree"];
+    REQUIRE(nodes.size() == 3);
+    CHECK(nodes[0]["vertices"].size() == corners);
+    const json judged = {{"points", request["points"]},
+                         {"triangles", request["triangles"]},
+                         {"candidate", answer["tree_file"]},
+                         {"claims", {"covers-surface", "tree-nested"}}};
+    CHECK(schema_complaint("stdio_request", judged) == "");
+    CHECK(json::parse(answer_request(judged.dump()))["verdict"] == "holds");
+  }
+  request.erase("tree");
+  CHECK(ask(request)["error"]["code"] == "malformed");
+  CHECK_FALSE(ask(l_request()).contains("tree_file"));
 }
 
 TEST_CASE("decompose request: a corrupted one has an answer on one line, as the schema says") {
