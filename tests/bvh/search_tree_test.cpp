@@ -168,6 +168,10 @@ TEST_CASE("check: a claim of a tree that is not true, or not proven, is refused"
     c.first = Rational(3);
     c.parts = {1};
   });
+  refused([](TreeRayAnswer& c) {
+    c.first = Rational(3);  // where the ray meets part 1, and part 0 before
+    c.parts = {0, 1};
+  });
   refused([](TreeRayAnswer& c) { c.visited[0].first = 77; });
 
   const Polytope beside = solid_of(box_mesh({{1.5, 0, 0}, {2.5, 1, 1}}));
@@ -183,6 +187,12 @@ TEST_CASE("check: a claim of a tree that is not true, or not proven, is refused"
   claim.parts = {};
   CHECK_FALSE(check(tree, beside, claim));
   claim.parts = {0, 1};
+  CHECK_FALSE(check(tree, beside, claim));
+  // The root as apart, by what separates another hull.
+  const Overlap apart = find_overlap(solid_of(box_mesh(box_of({0, 9, 0}))), beside);
+  REQUIRE(std::holds_alternative<Separation>(apart));
+  claim.parts = {};
+  claim.visited = {{tree.root(), apart}};
   CHECK_FALSE(check(tree, beside, claim));
 }
 

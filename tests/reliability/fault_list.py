@@ -4,7 +4,7 @@
 CONSTANT, FORGOTTEN, TIE, SIGN = 'constant / 16', 'underflow forgotten', 'tie rule dropped', 'sign flipped'
 PUSH, SKIP, STALE = 'push too small', 'verification skipped', 'stale value trusted'
 
-_FAST, _GEO, _DEC = 'src/fast/', 'src/geometry/', 'src/decompose/'
+_FAST, _GEO, _DEC, _BVH = 'src/fast/', 'src/geometry/', 'src/decompose/', 'src/bvh/'
 _AUDIT = 'fast_plane_filter fast_audit'
 _CAPS = 'fast_cap_bounds fast_audit'
 _AGREE = 'fast'
@@ -231,4 +231,22 @@ FAULTS = [
     (SKIP, _DEC + 'notch.cpp', 'if (least[k] + 2 * NearDepth::kError < deepest) continue;', 'if (least[k] < deepest) continue;', 'split split_defined'),
     (TIE, _DEC + 'split.cpp', 'return x.lowest < y.lowest;', 'return x.lowest > y.lowest;', 'split split_defined'),
     (TIE, _DEC + 'split.cpp', 'leaf_count_ >= *options_.max_parts', 'leaf_count_ > *options_.max_parts', 'split split_defined'),
+    # Trees of hulls.
+    (STALE, _BVH + 'joins.cpp', 'while (joined_to_[group] != group) group = joined_to_[group];', '', 'hull_trees'),
+    (SKIP, _BVH + 'joins.cpp', 'if (first == second) return first;', '', 'hull_trees'),
+    (SIGN, _BVH + 'build_tree.cpp', 'return x.second < y.second;', 'return x.second > y.second;', 'hull_trees'),
+    (STALE, _BVH + 'build_tree.cpp', '- groups_[pair.first].volume -', '-', 'hull_trees'),
+    (SKIP, _BVH + 'build_tree.cpp', 'store_parts(branch, squared_diameter_, store_request(request_.faces), within);',
+     'store_parts(branch, squared_diameter_, store_request({}), within);', 'hull_trees'),
+    (SKIP, _BVH + 'tree_fault.cpp', 'if (roots.size() == 1) return {};', 'return {};', 'hull_trees'),
+    (SKIP, _BVH + 'tree_fault.cpp', 'if (parent == i) continue;', 'continue;', 'hull_trees'),
+    (SKIP, _BVH + 'tree_fault.cpp', 'if (lost == is_reached.end()) return {};', 'return {};', 'hull_trees'),
+    (SKIP, _BVH + 'tree_fault.cpp', 'if (leaf) {', 'if (false) {', 'hull_trees'),
+    (SKIP, _BVH + 'tree_fault.cpp', 'if (outside.empty()) continue;', 'continue;', 'hull_trees'),
+    (TIE, _BVH + 'search_tree.cpp', 'open.top().first <= *answer.first', 'open.top().first < *answer.first', 'hull_trees'),
+    (SKIP, _BVH + 'search_tree.cpp', 'if (visit == visits.end()) return false;', 'if (visit == visits.end()) continue;', 'hull_trees'),
+    (SKIP, _BVH + 'search_tree.cpp', 'if (!check(hull, ray, met)) return {};', '', 'hull_trees'),
+    (SKIP, _BVH + 'search_tree.cpp', 'if (!check(hull, solid, met)) return {};', '', 'hull_trees'),
+    (SKIP, _BVH + 'search_tree.cpp', 'visit.second.first() == *claim.first;', 'true;', 'hull_trees'),
+    (SKIP, _BVH + 'search_tree.cpp', '!answers.emplace(node, &answer).second', '(answers.emplace(node, &answer), false)', 'hull_trees'),
 ]
