@@ -133,19 +133,24 @@ def by_fractions(judged, rays, boxes):
 
 
 def part_by_part(program, tree, file, scratch):
-    """The answers of brute force by the program itself, which reads one part at a time."""
-    count = len(file.read_text(encoding='utf-8').splitlines())
-    best = [(None, [])] * count
+    """The answers of brute force by the program itself, which reads one part at a time, and its seconds."""
+    best, seconds = [(None, [])] * len(file.read_text(encoding='utf-8').splitlines()), 0
     for part, (_, points, _) in enumerate(tree.parts):
         answer = run(program, 'query', 'rays', write_part(scratch / 'part.obj', points), file, '--json')
+        seconds += seconds_of_rays(answer)
         for k, ray in enumerate(answer['rays']):
             if ray['hit']:
-                t = max(Fraction(ray['entry']['exact']), Fraction(0))
+                t = max(Fraction(ray['line']['entry']['exact']), Fraction(0))
                 if best[k][0] is None or t < best[k][0]:
                     best[k] = (t, [part])
                 elif t == best[k][0]:
                     best[k][1].append(part)
-    return best
+    return best, seconds
+
+
+def seconds_of_rays(answer):
+    """Without reading, checking and writing."""
+    return next(stage['seconds'] for stage in answer['stages'] if stage['name'] == 'rays')
 
 
 def ray_answers(answer):
@@ -187,14 +192,10 @@ def examine(mesh, method, faces, count, questions, options, scratch):
     row.update(compared=len(cast) + len(met), differing=wrong)
     if options.brute and count == JUDGED_PARTS:
         file = write_rays(scratch / 'many.txt', questions['many'])
-        began = time.monotonic()
-        given = ray_answers(run(program, 'query', 'rays', path, file, '--json'))
-        row['tree_seconds'] = round(time.monotonic() - began, 1)
-        began = time.monotonic()
-        brute = part_by_part(program, judged.tree, file, scratch)
-        row['brute_seconds'] = round(time.monotonic() - began, 1)
-        row['brute_compared'] = len(brute)
-        row['differing'] += sum(a != b for a, b in zip(brute, given))
+        answer = run(program, 'query', 'rays', path, file, '--json')
+        brute, seconds = part_by_part(program, judged.tree, file, scratch)
+        row.update(brute_compared=len(brute), tree_seconds=seconds_of_rays(answer), brute_seconds=seconds)
+        row['differing'] += sum(a != b for a, b in zip(brute, ray_answers(answer)))
     return row
 
 
@@ -275,9 +276,9 @@ def main():
     parser.add_argument('--cow')
     parser.add_argument('--mesh', action='append', default=[], help='instead of the cow; may be repeated')
     parser.add_argument('--parts', default='4,8,16,32,64,128', help='numbers of parts (default 4,8,16,32,64,128)')
-    parser.add_argument('--rays', type=int, default=2000, help='against each tree (default 2000)')
-    parser.add_argument('--sample', type=int, default=40, help='of these, decided again by fractions (default 40)')
-    parser.add_argument('--boxes', type=int, default=40, help='against each tree, all decided again (default 40)')
+    parser.add_argument('--rays', type=int, default=1000, help='against each tree (default 1000)')
+    parser.add_argument('--sample', type=int, default=30, help='of these, decided again by fractions (default 30)')
+    parser.add_argument('--boxes', type=int, default=20, help='against each tree, all decided again (default 20)')
     parser.add_argument('--brute', type=int, default=0,
                         help=f'rays against each tree of {JUDGED_PARTS} parts, and against each part (default 0)')
     parser.add_argument('--seed', type=int, default=1)
@@ -317,8 +318,8 @@ def conclude(rows, is_cow):
     for row in rows:
         name = f"{row['shape']}, {row['method']}, {row['faces'] or 'all'} faces, {row['leaves']} leaves"
         if 'brute_compared' in row:
-            print(f"{name}: {row['brute_compared']} rays take {row['tree_seconds']} s with the tree, and "
-                  f"{row['brute_seconds']} s against one part after another")
+            print(f"{name}: {row['brute_compared']} rays take {row['tree_seconds']:.2f} s with the tree, and "
+                  f"{row['brute_seconds']:.2f} s against one part after another")
         if row['faults'] or row['differing']:
             print(f"{name}: {row['faults'] or str(row['differing']) + ' answers differ'}", file=sys.stderr)
             status = 1
