@@ -343,7 +343,7 @@ typedef struct convexact_tree convexact_tree;
 #define CONVEXACT_NONE SIZE_MAX
 
 /* A binary tree whose leaves are the parts: by the splits of CONVEXACT_ACD, by the merges that
- * CONVEXACT_HACD would make next if `for_tree` asked for them, and by least added volume where
+ * CONVEXACT_HACD would make next if `for_tree` asked for them, and by the least common hull where
  * neither joins parts. Each hull holds the hulls of its children: proven on their numbers as they
  * are. Parts that are flat are made solid. */
 CONVEXACT_API convexact_status convexact_decomposition_tree(const convexact_decomposition* parts,

@@ -58,8 +58,8 @@ struct BuiltTree {
 /// Bottom-up, on stored numbers: a branch is the hull of its two children's stored points,
 /// simplified and rounded outward like a part. So numbers do not grow from level to level, and
 /// every hull holds those below it as they are written, which is proven. Flat parts are thickened.
-/// What `joins` leaves apart is joined by the least added volume, V(hull(A and B)) - V(A) - V(B),
-/// among the eight neighbours of each whose common boxes are smallest.
+/// What `joins` leaves apart is joined where the common hull has the least volume, among the eight
+/// neighbours of each whose common boxes are smallest.
 /// @param parts  At least one, each with a point.
 /// @param joins  Each of two groups that exist, and that no other join has.
 /// @throws Error InvalidArgument for joins and numbers that cannot be; Unrepresentable if the

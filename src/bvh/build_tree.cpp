@@ -138,13 +138,12 @@ class TreeBuilder {
                             groups - parts_.size(), a, b, groups));
   }
 
-  // ---- By least added volume
+  // ---- By the least volume of the common hull
 
   using Pair = std::pair<std::size_t, std::size_t>;
 
-  Rational added_volume(const Pair& pair, const Watch& watch) const {
-    const ConvexPart both = convex_part(corners_of(pair.first, pair.second), watch);
-    return volume(*both.solid) - groups_[pair.first].volume - groups_[pair.second].volume;
+  Rational common_volume(const Pair& pair, const Watch& watch) const {
+    return volume(*convex_part(corners_of(pair.first, pair.second), watch).solid);
   }
 
   // Half the surface of the box around both: doubles, since it only says where to look.
@@ -174,24 +173,24 @@ class TreeBuilder {
       if (!groups_[g].is_joined) roots.push_back(g);
     }
     std::map<std::size_t, std::vector<std::size_t>> beside;  // by root
-    std::map<Pair, Rational> added;
+    std::map<Pair, Rational> common;
     const auto look_around = [&](std::size_t root) {
       for (const std::size_t other : beside[root] = neighbours_of(root, roots)) {
         const Pair pair = std::minmax({root, other});
-        if (!added.contains(pair)) added.emplace(pair, added_volume(pair, watch));
+        if (!common.contains(pair)) common.emplace(pair, common_volume(pair, watch));
       }
     };
     if (roots.size() > 1) std::for_each(roots.begin(), roots.end(), look_around);
     while (roots.size() > 1) {
       const auto best =
-          std::min_element(added.begin(), added.end(),
+          std::min_element(common.begin(), common.end(),
                            [](const auto& x, const auto& y) { return x.second < y.second; });
       const auto [a, b] = best->first;
       const std::size_t both = join(a, b, watch);
       const auto is_gone = [a = a, b = b](std::size_t g) { return g == a || g == b; };
       std::erase_if(roots, is_gone);
       roots.push_back(both);
-      std::erase_if(added, [&](const auto& entry) {
+      std::erase_if(common, [&](const auto& entry) {
         return is_gone(entry.first.first) || is_gone(entry.first.second);
       });
       beside.erase(a);

@@ -23,15 +23,21 @@ constexpr const char* kBvhFooter =
     "Examples:\n"
     "  convexact bvh cow.obj -o cow_tree.json\n"
     "  convexact bvh cow.obj --method acd --concavity 5% --leaf-faces 24 --faces 16 -o tree.json\n"
+    "  convexact bvh cow.obj --join volume --faces 16 -o tree.json\n"
     "  convexact bvh cow.obj --from vhacd_parts.obj -o tree.json\n"
     "  convexact query rays tree.json rays.txt\n"
     "  convexact verify cow.obj tree.json --union\n"
     "\n"
     "Without --from the parts are those of convexact decompose, joined as acd split them, or as\n"
-    "hacd would merge them on; what that leaves apart, and the parts of a file, are joined by the\n"
-    "least added volume. Each hull is made from its children's stored numbers, and is proven on\n"
-    "its own to hold them: a ray or a solid that misses it misses all below.\n"
+    "hacd would merge them on; what that leaves apart, and the parts of a file, are joined where\n"
+    "the common hull has the least volume. Each hull is made from its children's stored numbers,\n"
+    "and is proven to hold them: a ray or a solid that misses it misses all below.\n"
     "convexact decompose --tree writes parts, proof, picture and tree in one run.";
+
+// How parts are joined.
+enum class JoinBy { Method, Volume };
+constexpr auto kJoinByNames =
+    name_table<JoinBy>({{JoinBy::Method, "method"}, {JoinBy::Volume, "volume"}});
 
 struct BvhArguments {
   GlobalOptions global;
@@ -40,6 +46,7 @@ struct BvhArguments {
   DecomposeMethod method = DecomposeMethod::Hacd;
   std::string concavity = "3%";
   std::optional<std::size_t> max_parts;
+  JoinBy join = JoinBy::Method;
   TreeRequest tree;
 };
 
@@ -60,7 +67,7 @@ std::variant<TreeParts, NotSolid> decomposed_parts(const Mesh& mesh, const std::
   request.faces = options.tree.leaf_faces;
   request.precision = options.tree.precision;
   request.measures = false;
-  request.for_tree = true;
+  request.for_tree = options.join == JoinBy::Method;
   request.seed = options.global.seed;
   request.watch = log.watch();
   DecomposeOutcome outcome = decompose(mesh, request);
@@ -68,10 +75,11 @@ std::variant<TreeParts, NotSolid> decomposed_parts(const Mesh& mesh, const std::
   auto& decomposition = std::get<Decomposition>(outcome);
   log.add(decomposition.stages);
   TreeParts made{.parts = {},
-                 .joins = joins_of(decomposition),
+                 .joins = {},
                  .surface = {},
                  .origin = {name, name_in(kDecomposeMethodNames, options.method),
                             decomposition.surface.points.is_binary(), 0}};
+  if (options.join == JoinBy::Method) made.joins = joins_of(decomposition);
   const PartNames names("part_%03d");
   for (Part& part : decomposition.parts) {
     made.parts.push_back({names(made.parts.size()), std::move(part.mesh)});
@@ -196,6 +204,10 @@ void add_bvh_command(CLI::App& program, int& exit_code) {
       ->excludes(from);
   add_count(command, "--max-parts", options->max_parts, {1},
             "of the decomposition: at least 1; may lead beyond the concavity allowed")
+      ->excludes(from);
+  add_choice(command, "--join", options->join, kJoinByNames,
+             "how parts are joined: as the method splits or would merge them, or where the common "
+             "hull has the least volume, which makes rays visit fewer nodes")
       ->excludes(from);
   add_faces(command, options->tree.faces, "how many halfspaces to keep of each branch, at least 4");
   add_count(command, "--leaf-faces", options->tree.leaf_faces, {4, std::uint64_t(1) << 32},

@@ -120,8 +120,8 @@ TEST_CASE("build_tree: one part is its own root") {
   CHECK_FALSE(find_tree_fault(built.tree));
 }
 
-TEST_CASE("build_tree: what adds the least volume is joined first") {
-  // Added volumes between neighbours: 1/4, 5, 1/2; then 5 + ... between the pairs.
+TEST_CASE("build_tree: where the common hull has the least volume is joined first") {
+  // Of neighbours 2 1/4, 7 and 2 1/2.
   const auto parts = parts_of_boxes({at_x(0), at_x(1.25), at_x(7.25), at_x(8.75)});
   const BuiltTree built = build_tree(parts, {});
   CHECK(parts_below(built.tree) == std::set<Nodes>{{0, 1}, {2, 3}, {0, 1, 2, 3}});

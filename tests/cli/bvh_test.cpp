@@ -102,6 +102,25 @@ TEST_CASE("bvh: a tree of decomposed parts is accepted by the oracle, by either 
   }
 }
 
+TEST_CASE("bvh --join volume: parts of a decomposition, joined as those of a file") {
+  const ScratchFolder scratch;
+  const std::string mesh = scratch.write("stairs.obj", stairs_obj());
+  const std::string parts = scratch.file("parts.obj"), tree = scratch.file("tree.json");
+  REQUIRE(run_program("decompose " + mesh + " --concavity 1% -o " + parts).exit == 0);
+  const json from = [&] {
+    (void)printed("bvh " + mesh + " --from " + parts + " -o " + tree, "hull-tree");
+    return tree_of(tree);
+  }();
+  const json joined = [&] {
+    (void)printed("bvh " + mesh + " --concavity 1% --join volume -o " + tree, "hull-tree");
+    return tree_of(tree);
+  }();
+  CHECK(joined["joins"]["by_method"] == 0);
+  CHECK(joined["hull_tree"] == from["hull_tree"]);
+  CHECK(joined["levels"] == from["levels"]);
+  CHECK(run_program("bvh " + mesh + " --from " + parts + " --join volume").exit == 2);
+}
+
 TEST_CASE("bvh --from: anybody's parts, joined by volume; what they leave uncovered is said") {
   const ScratchFolder scratch;
   const std::string mesh = scratch.write("mesh.obj", stairs_obj());
@@ -124,7 +143,7 @@ TEST_CASE("bvh --from: anybody's parts, joined by volume; what they leave uncove
   CHECK(claim_in(verdict, "covers-surface")["status"] == "violated");
   const Ran text = run_program("bvh " + mesh + " --from " + parts);
   CHECK(text.exit == 0);
-  CHECK(text.out.find("by least added volume") != std::string::npos);
+  CHECK(text.out.find("by the least volume of the common hull") != std::string::npos);
   CHECK(text.out.find("not all:") != std::string::npos);
   CHECK(text.out.find("nothing; -o tree.json keeps the tree") != std::string::npos);
 }

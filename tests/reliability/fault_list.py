@@ -235,7 +235,7 @@ FAULTS = [
     (STALE, _BVH + 'joins.cpp', 'while (joined_to_[group] != group) group = joined_to_[group];', '', 'hull_trees'),
     (SKIP, _BVH + 'joins.cpp', 'if (first == second) return first;', '', 'hull_trees'),
     (SIGN, _BVH + 'build_tree.cpp', 'return x.second < y.second;', 'return x.second > y.second;', 'hull_trees'),
-    (STALE, _BVH + 'build_tree.cpp', '- groups_[pair.first].volume -', '-', 'hull_trees'),
+    (STALE, _BVH + 'build_tree.cpp', 'if (std::any_of(others.begin(), others.end(), is_gone)) look_around(root);', '', 'hull_trees'),
     (SKIP, _BVH + 'build_tree.cpp', 'store_parts(branch, squared_diameter_, store_request(request_.faces), within);',
      'store_parts(branch, squared_diameter_, store_request({}), within);', 'hull_trees'),
     (SKIP, _BVH + 'tree_fault.cpp', 'if (roots.size() == 1) return {};', 'return {};', 'hull_trees'),

@@ -9,7 +9,7 @@ Usage: bvh.py --convexact PROGRAM [--cow FILE] [--json FILE] [--plot FILE.svg]
 The cow of the thesis has 5,804 triangles and may not be shipped: name its file. Without it spot stands in. Trees are
 built over the parts of both methods at --concavity 0 --max-parts N, so that hacd merges on and acd splits on until
 there are N; parts inside others are left out, so there may be fewer leaves. The parts of hacd are also joined by the
-least added volume, as parts of a file are: the rows "volume". Half the rays start on a sphere around the
+least volume of the common hull, as parts of a file are: the rows "volume". Half the rays start on a sphere around the
 shape and run to a random point of its box; the other half start at a random point of the box, in a random direction.
 
 A sample of the answers for each tree is decided again in Python's fractions, part by part. With --brute, more rays are
