@@ -135,6 +135,10 @@ int run_bvh(const BvhArguments& options) {
     return report_not_solid(options.global, name, *reason);
   }
   const Mesh& mesh = std::get<Mesh>(made);
+  if (mesh.polygons.empty()) {
+    throw Error(ErrorCode::NoInterior, "the input has no faces, so there is no surface")
+        .in_file(name);
+  }
   auto found = options.from.empty() ? decomposed_parts(mesh, name, options, log)
                                     : read_parts_of_tree(mesh, name, options, log);
   if (const auto* reason = std::get_if<NotSolid>(&found)) {

@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <random>
+#include <string>
 
 #include "assembled_meshes.hpp"
 #include "cells.hpp"
@@ -63,16 +65,25 @@ Scene random_scene(std::uint64_t seed, std::optional<std::size_t> faces) {
   return scene;
 }
 
+// CONVEXACT_TREE_SCENES=500 for 200,000 rays and 100,000 boxes.
+std::uint64_t scenes() {
+  const char* wanted = std::getenv("CONVEXACT_TREE_SCENES");
+  return wanted == nullptr ? 4 : std::stoul(wanted);
+}
+
+constexpr int kQueries = 200;  // of each scene
+
 }  // namespace
 
 TEST_CASE("cast_ray: the first hit of a tree is the first of all parts") {
+  std::size_t ties = 0;
   for (const std::optional<std::size_t> faces : {std::optional<std::size_t>(), {5}}) {
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    for (std::uint64_t seed = 1; seed <= scenes(); ++seed) {
       const Scene scene = random_scene(seed, faces);
       const SearchTree tree(scene.tree);
       Draw draw(100 + seed);
-      std::size_t hits = 0, ties = 0, visited = 0;
-      for (int i = 0; i < 200; ++i) {
+      std::size_t hits = 0, visited = 0;
+      for (int i = 0; i < kQueries; ++i) {
         const Ray ray = draw.ray(10);
         std::optional<Rational> first;
         std::vector<std::size_t> parts;
@@ -91,20 +102,20 @@ TEST_CASE("cast_ray: the first hit of a tree is the first of all parts") {
         ties += parts.size() > 1 ? 1 : 0;
         visited += answer.visited.size();
       }
-      CHECK(hits > 50);
-      CHECK(ties > 0);
-      CHECK(visited < 200 * tree.nodes().size());  // something was pruned
+      CHECK(hits > 30);
+      CHECK(visited < kQueries * tree.nodes().size());  // something was pruned
     }
   }
+  CHECK(ties > 0);
 }
 
 TEST_CASE("find_overlap: the parts of a tree that overlap are those that do alone") {
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+  for (std::uint64_t seed = 1; seed <= scenes(); ++seed) {
     const Scene scene = random_scene(seed, {});
     const SearchTree tree(scene.tree);
     Draw draw(200 + seed);
     std::size_t visited = 0, found = 0;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < kQueries; ++i) {
       const Polytope solid = solid_of(box_mesh(draw.box(10, 1)));
       std::vector<std::size_t> parts;
       for (std::size_t k = 0; k < scene.parts.size(); ++k) {
@@ -119,7 +130,7 @@ TEST_CASE("find_overlap: the parts of a tree that overlap are those that do alon
       found += parts.size();
     }
     CHECK(found > 0);
-    CHECK(visited < 60 * tree.nodes().size());
+    CHECK(visited < kQueries * tree.nodes().size());
   }
 }
 
