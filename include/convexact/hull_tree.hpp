@@ -70,6 +70,12 @@ struct BuiltTree {
 [[nodiscard]] BuiltTree build_tree(std::span<const NamedPart> parts, std::span<const Join> joins,
                                    const TreeRequest& request = {});
 
+/// Over the parts of a decomposition as they are stored, joined as joins_of() says.
+/// @param names  One for each part.
+[[nodiscard]] BuiltTree build_tree(const Decomposition& decomposition,
+                                   std::span<const std::string> names,
+                                   const TreeRequest& request = {});
+
 // ---- What can be wrong
 
 /// Why something is no tree of hulls that hold their children.

@@ -273,4 +273,13 @@ BuiltTree build_tree(std::span<const NamedPart> parts, std::span<const Join> joi
   return TreeBuilder(parts, request).run(joins);
 }
 
+BuiltTree build_tree(const Decomposition& decomposition, std::span<const std::string> names,
+                     const TreeRequest& request) {
+  std::vector<NamedPart> parts;
+  for (std::size_t k = 0; k < decomposition.parts.size(); ++k) {
+    parts.push_back({names[k], decomposition.parts[k].mesh});
+  }
+  return build_tree(parts, joins_of(decomposition), request);
+}
+
 }  // namespace convexact

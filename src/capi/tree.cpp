@@ -16,11 +16,7 @@ convexact_tree tree_of(const Decomposition& made, const convexact_tree_options& 
   request.faces = to_limit(options.faces);
   request.leaf_faces = to_limit(options.leaf_faces);
   request.precision = to_precision(options.precision);
-  std::vector<NamedPart> parts;
-  for (const Part& part : made.parts) {
-    parts.push_back({"part_" + std::to_string(parts.size()), part.mesh});
-  }
-  BuiltTree built = build_tree(parts, joins_of(made), request);
+  BuiltTree built = build_tree(made, std::vector<std::string>(made.parts.size()), request);
   convexact_tree result;
   for (std::size_t i = 0; i < built.tree.nodes.size(); ++i) {
     result.meshes.emplace_back(built.tree.mesh_of(i));

@@ -215,10 +215,6 @@ void add_folder(FilesOfParts& out, const std::string& folder, nlohmann::ordered_
 // The tree over the parts as they are stored: its file, and its levels in the picture.
 void add_tree(const DecomposedObject& object, const DecomposeRequest& request,
               const DecomposeArguments& options, FilesOfParts& out, Picture& picture) {
-  std::vector<NamedPart> parts;
-  for (std::size_t k = 0; k < object.result.parts.size(); ++k) {
-    parts.push_back({object.part_names[k], object.result.parts[k].mesh});
-  }
   const TreeRequest tree{.faces = options.tree_faces,
                          .leaf_faces = {},
                          .precision = request.precision,
@@ -226,7 +222,7 @@ void add_tree(const DecomposedObject& object, const DecomposeRequest& request,
                          .watch = {.stop = request.watch.stop}};
   const TreeOrigin origin{object.name, name_in(kDecomposeMethodNames, request.method),
                           object.result.surface.points.is_binary(), 0};
-  const BuiltTree built = build_tree(parts, joins_of(object.result), tree);
+  const BuiltTree built = build_tree(object.result, object.part_names, tree);
   const std::string& path = options.files.tree;
   out.files.emplace_back(path, proven_tree_file(built, tree, origin, path));
   out.tree = tree_summary(built, origin);

@@ -93,9 +93,6 @@ std::string document_line(const Decomposition& made, const DecomposeRequest& req
 // What --tree writes.
 std::string tree_line(const Decomposition& made, const DecomposeRequest& request,
                       std::optional<std::size_t> faces) {
-  const std::vector<std::string> names = names_of_parts(made);
-  std::vector<NamedPart> parts;
-  for (std::size_t k = 0; k < names.size(); ++k) parts.push_back({names[k], made.parts[k].mesh});
   const TreeRequest tree{.faces = faces,
                          .leaf_faces = {},
                          .precision = request.precision,
@@ -103,7 +100,7 @@ std::string tree_line(const Decomposition& made, const DecomposeRequest& request
                          .watch = {.stop = request.watch.stop}};
   const TreeOrigin origin{"the request", name_in(kDecomposeMethodNames, request.method),
                           made.surface.points.is_binary(), 0};
-  return on_one_line(proven_tree_file(build_tree(parts, joins_of(made), tree), tree, origin,
+  return on_one_line(proven_tree_file(build_tree(made, names_of_parts(made), tree), tree, origin,
                                       "the tree of the answer"));
 }
 

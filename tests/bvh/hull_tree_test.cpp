@@ -151,7 +151,8 @@ TEST_CASE("build_tree: joins of the caller come first, the rest by volume; other
        {std::vector<Join>{{0, 4}}, {{1, 1}}, {{0, 1}, {1, 2}}, {{0, 1}, {4, 4}}}) {
     CHECK(error_of([&] { return build_tree(parts, wrong); }).code() == ErrorCode::InvalidArgument);
   }
-  CHECK(error_of([&] { return build_tree({}, {}); }).code() == ErrorCode::InvalidArgument);
+  CHECK(error_of([&] { return build_tree(std::vector<NamedPart>(), {}); }).code() ==
+        ErrorCode::InvalidArgument);
   CHECK(error_of([&] { return build_tree(parts, {}, {.faces = 3}); }).code() ==
         ErrorCode::InvalidArgument);
   CHECK(error_of([&] { return build_tree(parts, {}, {.leaf_faces = 3}); }).code() ==
@@ -215,11 +216,9 @@ TEST_CASE("joins_of: the branches are the groups that acd split") {
     std::sort(below[i].begin(), below[i].end());
     split.insert(below[i]);
   }
-  std::vector<NamedPart> parts;
-  for (const Part& part : d.parts) parts.push_back({"part", part.mesh});
   const auto joins = joins_of(d);
   CHECK(joins.size() == d.parts.size() - 1);
-  const BuiltTree built = build_tree(parts, joins);
+  const BuiltTree built = build_tree(d, std::vector<std::string>(d.parts.size(), "part"));
   CHECK(parts_below(built.tree) == split);
   CHECK(built.given_joins == joins.size());
   check_nested(built.tree);
