@@ -40,7 +40,7 @@ std::string tenth_obj(const std::set<support::Cell>& cells, const std::string& o
   return text;
 }
 
-struct Refusal {
+struct ModelRefusal {
   std::string options;
   int exit;
   std::string says;
@@ -186,7 +186,7 @@ TEST_CASE("part models: what cannot be, is refused before anything is written") 
                     urdf = " -o " + scratch.file("l.urdf"), usd = " -o " + scratch.file("l.usda"),
                     folder = " -o " + scratch.file("parts/"),
                     second = " -o " + scratch.file("other/");
-  for (const Refusal& refusal : std::vector<Refusal>{
+  for (const ModelRefusal& refusal : std::vector<ModelRefusal>{
            {" --precision 32" + mjcf, 2, "one folder for them is needed, such as -o parts/"},
            {" --precision 32" + urdf, 2, "there are none"},
            {" --precision 32" + urdf + folder + second, 2, "there are several"},
