@@ -275,6 +275,31 @@ TEST_CASE("joins_of: clusters that became no part of their own are in no join") 
   CHECK(dropped >= 3);
 }
 
+TEST_CASE("joins_of: merges of clusters whose parts were joined before, by hand") {
+  // Cluster 3 joined the part of cluster 0, and cluster 4 lies in another part.
+  Decomposition d;
+  d.surface.triangles.resize(5);
+  const auto ids = [](std::vector<std::uint32_t> numbers) {
+    std::vector<TriangleId> triangles;
+    for (const std::uint32_t number : numbers) triangles.emplace_back(number);
+    return triangles;
+  };
+  for (const auto& cluster : {ids({0, 3}), ids({1}), ids({2})}) {
+    d.parts.emplace_back().cluster = cluster;
+  }
+  Clustering clustering;
+  for (std::uint32_t t = 0; t < 5; ++t) clustering.clusters.push_back(ids({t}));
+  const auto merge = [&](std::uint32_t kept, std::uint32_t gone) {
+    clustering.further_merges.push_back({.kept = TriangleId(kept), .gone = TriangleId(gone)});
+  };
+  merge(1, 4);  // nothing to join
+  merge(0, 1);  // parts 0 and 1 become group 3
+  merge(2, 3);  // part 2, and that group, to which part 0 belongs
+  merge(0, 2);  // one group already
+  d.origin = clustering;
+  CHECK(joins_of(d) == std::vector<Join>{{0, 1}, {2, 3}});
+}
+
 TEST_CASE("further merges: with a number of parts they begin where that ends") {
   const Surface surface = make_surface(stairs());
   for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
