@@ -167,38 +167,34 @@ class TreeBuilder {
     return nearest;
   }
 
+  // Of all pairs in which one looks at the other, the one of least common hull; of equal ones the
+  // lowest. Volumes that are known stay in `common`.
+  Pair best_pair(const std::vector<std::size_t>& roots, std::map<Pair, Rational>& common,
+                 const Watch& watch) const {
+    const std::pair<const Pair, Rational>* best = nullptr;
+    for (const std::size_t root : roots) {
+      for (const std::size_t other : neighbours_of(root, roots)) {
+        const Pair pair = std::minmax({root, other});
+        if (!common.contains(pair)) common.emplace(pair, common_volume(pair, watch));
+        const auto& found = *common.find(pair);
+        const bool is_better = best == nullptr || found.second < best->second ||
+                               (found.second == best->second && pair < best->first);
+        if (is_better) best = &found;
+      }
+    }
+    return best->first;
+  }
+
   void join_the_rest(const Watch& watch) {
     std::vector<std::size_t> roots;
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       if (!groups_[g].is_joined) roots.push_back(g);
     }
-    std::map<std::size_t, std::vector<std::size_t>> beside;  // by root
     std::map<Pair, Rational> common;
-    const auto look_around = [&](std::size_t root) {
-      for (const std::size_t other : beside[root] = neighbours_of(root, roots)) {
-        const Pair pair = std::minmax({root, other});
-        if (!common.contains(pair)) common.emplace(pair, common_volume(pair, watch));
-      }
-    };
-    if (roots.size() > 1) std::for_each(roots.begin(), roots.end(), look_around);
     while (roots.size() > 1) {
-      const auto best =
-          std::min_element(common.begin(), common.end(),
-                           [](const auto& x, const auto& y) { return x.second < y.second; });
-      const auto [a, b] = best->first;
-      const std::size_t both = join(a, b, watch);
-      const auto is_gone = [a = a, b = b](std::size_t g) { return g == a || g == b; };
-      std::erase_if(roots, is_gone);
-      roots.push_back(both);
-      std::erase_if(common, [&](const auto& entry) {
-        return is_gone(entry.first.first) || is_gone(entry.first.second);
-      });
-      beside.erase(a);
-      beside.erase(b);
-      look_around(both);
-      for (auto& [root, others] : beside) {
-        if (std::any_of(others.begin(), others.end(), is_gone)) look_around(root);
-      }
+      const Pair best = best_pair(roots, common, watch);
+      std::erase_if(roots, [&](std::size_t g) { return g == best.first || g == best.second; });
+      roots.push_back(join(best.first, best.second, watch));
     }
   }
 

@@ -12,6 +12,7 @@
 
 #include "assembled_meshes.hpp"
 #include "cells.hpp"
+#include "convexact/measure.hpp"
 #include "expect_error.hpp"
 #include "supporting_planes.hpp"
 
@@ -313,6 +314,82 @@ TEST_CASE("further merges: with a number of parts they begin where that ends") {
     auto merges = some.merges;
     merges.insert(merges.end(), some.further_merges.begin(), some.further_merges.end());
     CHECK(merges == all.merges);
+  }
+}
+
+// ---- The greedy choice, by its definition
+
+namespace {
+
+struct Root {
+  std::size_t id;
+  Nodes parts;
+  std::vector<RationalPoint> points;
+};
+
+Rational common_box(const Root& a, const Root& b) {
+  std::vector<RationalPoint> points = a.points;
+  points.insert(points.end(), b.points.begin(), b.points.end());
+  const RationalVector3 size = bounding_box(points).size();
+  return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+}
+
+Root joined_root(const Root& a, const Root& b, std::size_t id) {
+  Root both{id, a.parts, a.points};
+  both.parts.insert(both.parts.end(), b.parts.begin(), b.parts.end());
+  both.points.insert(both.points.end(), b.points.begin(), b.points.end());
+  std::sort(both.parts.begin(), both.parts.end());
+  return both;
+}
+
+// Of all pairs in which one is among the eight nearest of the other, the one of least common hull,
+// all looked for anew at each step.
+std::set<Nodes> greedy_by_definition(const std::vector<NamedPart>& parts) {
+  std::vector<Root> roots;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    roots.push_back({k, {k}, points_in(parts[k].mesh.points)});
+  }
+  std::set<Nodes> made;
+  for (std::size_t id = parts.size(); roots.size() > 1; ++id) {
+    std::optional<std::pair<Rational, Join>> best;
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+      std::vector<std::pair<Rational, std::size_t>> near;
+      for (std::size_t k = 0; k < roots.size(); ++k) {
+        if (k != i) near.emplace_back(common_box(roots[i], roots[k]), k);
+      }
+      std::sort(near.begin(), near.end());
+      near.resize(std::min<std::size_t>(near.size(), 8));
+      for (const auto& [box, k] : near) {
+        const PointSet points(joined_root(roots[i], roots[k], id).points);
+        const Join pair = std::minmax({i, k});
+        std::pair<Rational, Join> found(volume(*convex_part(points).solid), pair);
+        if (!best || found < *best) best = std::move(found);
+      }
+    }
+    const auto [i, k] = best->second;
+    Root both = joined_root(roots[i], roots[k], id);
+    made.insert(both.parts);
+    roots.erase(roots.begin() + std::ptrdiff_t(k));
+    roots.erase(roots.begin() + std::ptrdiff_t(i));
+    roots.push_back(std::move(both));  // ascending by id, as positions are
+  }
+  return made;
+}
+
+}  // namespace
+
+TEST_CASE("build_tree: the greedy choice is that of its definition") {
+  std::mt19937_64 random(11);
+  for (int run = 0; run < 6; ++run) {
+    std::vector<Box> boxes(16);
+    for (Box& box : boxes) {
+      for (int k = 0; k < 3; ++k) {
+        box.low[k] = double(random() % 20);
+        box.high[k] = box.low[k] + 1 + double(random() % 3);
+      }
+    }
+    const auto parts = parts_of_boxes(boxes);
+    CHECK(parts_below(build_tree(parts, {}).tree) == greedy_by_definition(parts));
   }
 }
 

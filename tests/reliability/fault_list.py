@@ -234,8 +234,9 @@ FAULTS = [
     # Trees of hulls.
     (STALE, _BVH + 'joins.cpp', 'while (joined_to_[group] != group) group = joined_to_[group];', '', 'hull_trees'),
     (SKIP, _BVH + 'joins.cpp', 'if (first == second) return first;', '', 'hull_trees'),
-    (SIGN, _BVH + 'build_tree.cpp', 'return x.second < y.second;', 'return x.second > y.second;', 'hull_trees'),
-    (STALE, _BVH + 'build_tree.cpp', 'if (std::any_of(others.begin(), others.end(), is_gone)) look_around(root);', '', 'hull_trees'),
+    (SIGN, _BVH + 'build_tree.cpp', 'found.second < best->second', 'found.second > best->second', 'hull_trees'),
+    (TIE, _BVH + 'build_tree.cpp', 'pair < best->first', 'best->first < pair', 'hull_trees'),
+    (CONSTANT, _BVH + 'build_tree.cpp', 'kNeighbours = 8;', 'kNeighbours = 2;', 'hull_trees'),
     (SKIP, _BVH + 'build_tree.cpp', 'store_parts(branch, squared_diameter_, store_request(request_.faces), within);',
      'store_parts(branch, squared_diameter_, store_request({}), within);', 'hull_trees'),
     (SKIP, _BVH + 'tree_fault.cpp', 'if (roots.size() == 1) return {};', 'return {};', 'hull_trees'),
