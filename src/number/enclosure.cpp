@@ -87,7 +87,19 @@ Enclosure::Enclosure(const Integer& x, long precision) : Enclosure(precision) {
   require_finite();
 }
 
+namespace {
+
+// MPFR remembers pi in each thread that needs it, and frees it in none.
+struct PiOfThread {
+  ~PiOfThread() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
+};
+
+void free_pi_with_its_thread() { [[maybe_unused]] static thread_local const PiOfThread at_end{}; }
+
+}  // namespace
+
 Enclosure Enclosure::pi(long precision) {
+  free_pi_with_its_thread();
   Enclosure result(precision);
   mpfr_const_pi(result.low_.data(), MPFR_RNDD);
   mpfr_const_pi(result.high_.data(), MPFR_RNDU);
@@ -183,6 +195,7 @@ Enclosure atan2(const Enclosure& y, const Enclosure& x) {
   if (mpfr_zero_p(y.low_.data()) && x.sign().value_or(Sign::Zero) == Sign::Zero) {
     reject_operand("the angle of the origin");
   }
+  free_pi_with_its_thread();
   BigFloat low(y.low_), high(y.high_);  // without the sign of -0, whose angles are negative
   mpfr_abs(low.data(), low.data(), MPFR_RNDD);
   mpfr_abs(high.data(), high.data(), MPFR_RNDU);
