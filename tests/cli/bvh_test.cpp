@@ -126,7 +126,7 @@ TEST_CASE("bvh --join volume: parts of a decomposition, joined as those of a fil
   CHECK(run_program("bvh " + mesh + " --from " + parts + " --join volume").exit == 2);
 }
 
-TEST_CASE("bvh --from: anybody's parts, joined by volume; what they leave uncovered is said") {
+TEST_CASE("bvh --from: parts of a file, joined by volume; what they leave uncovered is said") {
   const ScratchFolder scratch;
   const std::string mesh = scratch.write("mesh.obj", stairs_obj());
   const std::string tree = scratch.file("tree.json");
