@@ -103,6 +103,9 @@ struct DualHull {
 struct HalfspaceDual {
   DualHull dual;
   std::vector<std::size_t> rows;  ///< Input row of each halfspace of `dual`, counted from 0.
+  /// Input row of each dual point that the hull was made of: the tightest of each direction, in
+  /// canonical order. An observer's points are positions in this list.
+  std::vector<std::size_t> hull_rows;
   /// The other input rows, ascending: repeats of earlier rows, those with the direction of a
   /// tighter one, and those that the others imply.
   std::vector<std::size_t> redundant;
@@ -112,11 +115,13 @@ struct HalfspaceDual {
 /// @param center  Strictly inside every halfspace. The result does not depend on it.
 /// @param seed    Seed of the hull's insertion order; only the choice among triangulations of equal
 ///                faces may depend on it.
+/// @param observer  Sees the hull of the dual points grow; null for none.
 /// @throws Error  InvalidArgument if the center is not strictly inside or the intersection is
 ///                unbounded.
 /// @par Cost      Expected O(n log n).
 [[nodiscard]] HalfspaceDual dual_of(std::span<const Halfspace> halfspaces,
-                                    const RationalPoint& center, std::uint64_t seed = 1);
+                                    const RationalPoint& center, std::uint64_t seed = 1,
+                                    HullObserver* observer = nullptr);
 
 /// The solid that a dual hull stands for: equal vertices merged, facets maximal and in canonical
 /// order, counter-clockwise from outside. `triangles` may use a subset of the halfspaces.

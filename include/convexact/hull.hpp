@@ -119,6 +119,21 @@ struct HullOptions {
 /// A triangle of the surface under construction, counter-clockwise from outside.
 using HullTriangle = std::array<PointId, 3>;
 
+/// A point that still waits, filed with the triangle that it lies strictly beyond, and that the ray
+/// to it from the interior point meets.
+struct FiledPoint {
+  PointId point;
+  HullTriangle triangle;
+};
+
+/// The first simplex, and what becomes of the other points. The spans are valid during the call
+/// only.
+struct HullStart {
+  std::span<const HullTriangle> triangles;  ///< Four of them.
+  std::span<const FiledPoint> filed;
+  std::span<const InsideProof> inside;  ///< Points given up, each with its proof.
+};
+
 /// What one insertion does to the surface. The spans are valid during the call only.
 struct HullInsertion {
   PointId point;
@@ -129,6 +144,10 @@ struct HullInsertion {
   std::span<const PointId> horizon;
   /// The triangles (horizon[k], horizon[k + 1], point): they come.
   std::span<const HullTriangle> added;
+  /// The points that waited at a visible triangle: each is filed with one of those added ...
+  std::span<const FiledPoint> filed;
+  /// ... or given up, with its proof. So are the vertices that the point swallows.
+  std::span<const InsideProof> inside;
 };
 
 /// Sees the hull grow, for lessons. The surface that start() shows, less the triangles that each
@@ -136,10 +155,12 @@ struct HullInsertion {
 class HullObserver {
  public:
   virtual ~HullObserver() = default;
-  /// The four triangles of the first simplex. Not called for points that span no volume.
-  virtual void start(std::span<const HullTriangle> simplex) = 0;
+  /// Not called for points that span no volume.
+  virtual void start(const HullStart& start) = 0;
   /// Called after each insertion; points that lie inside when their turn comes are not inserted.
   virtual void inserted(const HullInsertion& insertion) = 0;
+  /// The hull in the end: coplanar triangles are merged, and only extreme points are corners.
+  virtual void finished(const Hull&) {}
 };
 
 }  // namespace convexact

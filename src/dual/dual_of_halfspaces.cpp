@@ -42,15 +42,17 @@ std::vector<std::size_t> tightest_rows(std::span<const Halfspace> halfspaces,
 }  // namespace
 
 HalfspaceDual dual_of(std::span<const Halfspace> halfspaces, const RationalPoint& center,
-                      std::uint64_t seed) {
+                      std::uint64_t seed, HullObserver* observer) {
   HalfspaceDual result;
   // (1) Dual points, one per direction.
-  const std::vector<std::size_t> rows = tightest_rows(halfspaces, result.redundant);
+  result.hull_rows = tightest_rows(halfspaces, result.redundant);
+  const std::vector<std::size_t>& rows = result.hull_rows;
   std::vector<DualPoint> points;
   for (const std::size_t row : rows) points.push_back(polar(halfspaces[row], center));
   // (2) Their hull. Flat means that some line lies in the intersection.
   HullOptions options;
   options.seed = seed;
+  options.observer = observer;
   const HullOutcome outcome = convex_hull(points, options);
   const Hull* hull = std::get_if<Hull>(&outcome);
   if (hull == nullptr) reject_unbounded();

@@ -50,7 +50,9 @@ HullOutcome hull_of(Points points, const HullOptions& options) {
   }
   const std::array<PointId, 4> simplex{basis[0], basis[1], basis[2], basis[3]};
   points.center_at(simplex);
-  return merge_facets(points, triangulate(points, simplex, options), simplex);
+  Hull hull = merge_facets(points, triangulate(points, simplex, options), simplex);
+  if (options.observer != nullptr) options.observer->finished(hull);
+  return hull;
 }
 
 }  // namespace

@@ -255,11 +255,20 @@ class IncrementalHull {
   void show_start() {
     std::vector<HullTriangle> simplex;
     for (const SurfaceTriangle& t : result_.triangles) simplex.push_back(t.corners);
-    observer_->start(simplex);
+    std::vector<FiledPoint> filed;
+    for (std::size_t i = 0; i < conflict_.size(); ++i) note_filed(PointId(i), filed);
+    observer_->start({simplex, filed, result_.inside});
+  }
+
+  void note_filed(PointId p, std::vector<FiledPoint>& filed) {
+    if (const std::uint32_t t = conflict_[p.index()]; t != kNone) {
+      filed.push_back({p, triangle(t).corners});
+    }
   }
 
   // Before the slots of the visible triangles are used again.
   void note_visible() {
+    inside_before_ = result_.inside.size();
     shown_visible_.clear();
     for (const std::uint32_t t : visible_) shown_visible_.push_back(triangle(t).corners);
   }
@@ -267,7 +276,10 @@ class IncrementalHull {
   void show_insertion(PointId apex) {
     std::vector<HullTriangle> added;
     for (const std::uint32_t t : added_) added.push_back(triangle(t).corners);
-    observer_->inserted({apex, shown_visible_, rim_, added});
+    std::vector<FiledPoint> filed;
+    for (const PointId p : orphans_) note_filed(p, filed);
+    observer_->inserted({apex, shown_visible_, rim_, added, filed,
+                         std::span(result_.inside).subspan(inside_before_)});
   }
 
   bool is_visible(PointId apex, std::uint32_t t) {
@@ -401,7 +413,9 @@ class IncrementalHull {
   std::vector<std::uint8_t> outer_edge_;
   std::vector<HorizonEdge> edges_;
   std::vector<PointId> rim_, orphans_, swallowed_;
-  std::vector<HullTriangle> shown_visible_;  // for an observer
+  // For an observer: what it is shown, and how many points had been given up before.
+  std::vector<HullTriangle> shown_visible_;
+  std::size_t inside_before_ = 0;
 };
 
 }  // namespace

@@ -17,8 +17,8 @@ void require(bool proven, const char* claim) {
 }
 
 SolidOutcome solid_of_points(const PointSet& points, std::uint64_t seed, bool check, StageLog& log,
-                             bool wants_dual) {
-  auto outcome = make_hull(points, seed, check, log);
+                             bool wants_dual, HullObserver* observer) {
+  auto outcome = make_hull(points, seed, check, log, observer);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return *reason;
   auto& hull = std::get<Hull>(outcome);
   Solid solid;
@@ -59,26 +59,27 @@ std::variant<RationalPoint, NotSolid> interior_of(std::span<const Halfspace> hal
 }
 
 // All but the points.
-SolidOutcome bounded_solid(std::span<const Halfspace> halfspaces, std::uint64_t seed,
-                           StageLog& log) {
+SolidOutcome bounded_solid(std::span<const Halfspace> halfspaces, std::uint64_t seed, StageLog& log,
+                           HullObserver* observer = nullptr) {
   const auto interior = log.run("empty, flat, bounded",
                                 [&] { return interior_of(halfspaces, LpOptions{.seed = seed}); });
   if (const auto* reason = std::get_if<NotSolid>(&interior)) return *reason;
   Solid solid;
   solid.interior = std::get<RationalPoint>(interior);
-  HalfspaceDual dual =
-      log.run("hull of dual points", [&] { return dual_of(halfspaces, *solid.interior, seed); });
+  HalfspaceDual dual = log.run(
+      "hull of dual points", [&] { return dual_of(halfspaces, *solid.interior, seed, observer); });
   solid.dual = std::move(dual.dual);
   solid.redundant = std::move(dual.redundant);
+  solid.hull_rows = std::move(dual.hull_rows);
   solid.polytope =
       log.run("polytope", [&] { return to_polytope(solid.dual.halfspaces, solid.dual.triangles); });
   return solid;
 }
 
 SolidOutcome solid_of_halfspaces(std::span<const Halfspace> halfspaces, std::uint64_t seed,
-                                 StageLog& log) {
+                                 StageLog& log, HullObserver* observer) {
   log.skip(stage::kHull, "the input is halfspaces");
-  SolidOutcome outcome = bounded_solid(halfspaces, seed, log);
+  SolidOutcome outcome = bounded_solid(halfspaces, seed, log, observer);
   auto* made = std::get_if<Solid>(&outcome);
   if (made == nullptr) return outcome;
   Solid& solid = *made;
@@ -91,9 +92,10 @@ SolidOutcome solid_of_halfspaces(std::span<const Halfspace> halfspaces, std::uin
 }  // namespace
 
 std::variant<Hull, NotSolid> make_hull(const PointSet& points, std::uint64_t seed, bool check,
-                                       StageLog& log) {
+                                       StageLog& log, HullObserver* observer) {
   HullOutcome outcome = log.run(stage::kHull, [&] {
-    return convex_hull(points, HullOptions{.seed = seed, .stop = log.watch().stop});
+    return convex_hull(points,
+                       HullOptions{.seed = seed, .stop = log.watch().stop, .observer = observer});
   });
   if (const auto* flat = std::get_if<FlatInput>(&outcome)) {
     require(check_flat(*flat, points), "every point lies on these planes");
@@ -119,11 +121,11 @@ std::variant<Polytope, NotSolid> make_polytope(std::span<const Halfspace> halfsp
 }
 
 SolidOutcome make_solid(const Shape& shape, std::uint64_t seed, bool check, StageLog& log,
-                        bool wants_dual) {
+                        bool wants_dual, HullObserver* observer) {
   if (const auto* points = std::get_if<PointSet>(&shape)) {
-    return solid_of_points(*points, seed, check, log, wants_dual);
+    return solid_of_points(*points, seed, check, log, wants_dual, observer);
   }
-  return solid_of_halfspaces(std::get<std::vector<Halfspace>>(shape), seed, log);
+  return solid_of_halfspaces(std::get<std::vector<Halfspace>>(shape), seed, log, observer);
 }
 
 // The mean of the solid's vertices on a short grid: as deep inside as the fast engines go when

@@ -22,6 +22,7 @@ struct Solid {
   std::vector<PointId> extreme;        ///< Of `points`: those whose hull holds the rest.
   std::size_t input_points = 0;        ///< 0 where the input is halfspaces.
   std::vector<std::size_t> redundant;  ///< Of halfspace input.
+  std::vector<std::size_t> hull_rows;  ///< Of halfspace input, as HalfspaceDual has them.
   HullCertificate certificate;         ///< Of point input.
   /// Strictly inside; known beforehand only where the way to the dual needed it.
   std::optional<RationalPoint> interior;
@@ -32,7 +33,8 @@ using SolidOutcome = std::variant<Solid, NotSolid>;
 /// The hull of points with its certificate checked if asked for, or why there is none.
 /// @throws Error Internal if a certificate fails.
 [[nodiscard]] std::variant<Hull, NotSolid> make_hull(const PointSet& points, std::uint64_t seed,
-                                                     bool check, StageLog& log);
+                                                     bool check, StageLog& log,
+                                                     HullObserver* observer = nullptr);
 
 /// The intersection of halfspaces, whose vertices may be beyond the largest double, or why it is no
 /// bounded solid. @throws Error Internal if a certificate fails.
@@ -42,9 +44,12 @@ using SolidOutcome = std::variant<Solid, NotSolid>;
 /// Runs the stages that the shape needs and notes in `log` those that it does not.
 /// @param check       Whether the certificates of the stages are checked, each a stage of its own.
 /// @param wants_dual  Without it, the solid of points has no dual: only removals need it.
+/// @param observer    Sees the hull grow, of the points or of the halfspaces' dual points; null for
+///                    none.
 /// @throws Error Internal if a certificate fails.
 [[nodiscard]] SolidOutcome make_solid(const Shape& shape, std::uint64_t seed, bool check,
-                                      StageLog& log, bool wants_dual = true);
+                                      StageLog& log, bool wants_dual = true,
+                                      HullObserver* observer = nullptr);
 
 /// A point strictly inside for programs that need no deeper one: the one that is known, or the mean
 /// of the solid's vertices on a short grid.

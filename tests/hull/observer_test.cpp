@@ -29,10 +29,10 @@ class Replay : public HullObserver {
   std::set<HullTriangle> surface;
   std::size_t starts = 0, insertions = 0;
 
-  void start(std::span<const HullTriangle> simplex) override {
+  void start(const HullStart& simplex) override {
     ++starts;
-    CHECK(simplex.size() == 4);
-    for (const HullTriangle& t : simplex) CHECK(surface.insert(turned(t)).second);
+    CHECK(simplex.triangles.size() == 4);
+    for (const HullTriangle& t : simplex.triangles) CHECK(surface.insert(turned(t)).second);
   }
 
   void inserted(const HullInsertion& insertion) override {
