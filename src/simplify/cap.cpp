@@ -103,24 +103,34 @@ Cap make_cap(std::span<const DualPoint> points, HalfspaceId i, std::span<const H
   return make_cap(ring, base, roof);
 }
 
-Rational volume(const Cap& cap) {
+std::vector<CapTetrahedron> tetrahedra(const Cap& cap) {
   std::vector<Arm> arms;
   for (const DualPlane& vertex : cap.vertices) {
     arms.push_back(arm_from(cap.vertices[0], vertex));
   }
   // Sides 0 and 1 and the base contain the apex; the others are the bases of pyramids over it.
-  std::vector<Fraction> six_volumes;
+  std::vector<CapTetrahedron> list;
   for (std::size_t t = 2; t < cap.sides.size(); ++t) {
     const std::vector<std::uint32_t>& side = cap.sides[t];
     const Arm& first = arms[side.back()];
     for (std::size_t c = 1; c + 1 < side.size(); ++c) {
       const Arm &u = arms[side[c - 1]], &v = arms[side[c]];
-      const Integer determinant = first.x.dot(u.x.cross(v.x));
+      Integer determinant = first.x.dot(u.x.cross(v.x));
       CONVEXACT_ASSERT(determinant >= 0);
       if (determinant != 0) {
-        six_volumes.push_back({determinant, Integer(first.d * u.d * v.d)});
+        list.push_back({{side.back(), side[c - 1], side[c]},
+                        std::move(determinant),
+                        Integer(first.d * u.d * v.d)});
       }
     }
+  }
+  return list;
+}
+
+Rational volume(const Cap& cap) {
+  std::vector<Fraction> six_volumes;
+  for (CapTetrahedron& t : tetrahedra(cap)) {
+    six_volumes.push_back({std::move(t.n), std::move(t.d)});
   }
   const Integer& d = cap.vertices[0].d;
   return sum_of(six_volumes, 6 * d * d * d);

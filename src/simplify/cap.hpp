@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // cap.hpp - the region that one removal adds, as an explicit polytope.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -33,7 +34,18 @@ struct Cap {
 [[nodiscard]] Cap make_cap(std::span<const DualPoint> points, HalfspaceId i,
                            std::span<const HalfspaceId> ring, const RingTriangulation& roof);
 
-/// Exact volume by tetrahedra from base vertex 0; every one counts positive or zero.
+/// One of the tetrahedra that a cap consists of; its fourth corner is base vertex 0.
+struct CapTetrahedron {
+  std::array<std::uint32_t, 3> corners;  ///< Of the cap's vertices.
+  /// Six times its volume is n / (d e^3), e the d of base vertex 0; both are positive.
+  Integer n, d;
+};
+
+/// Those that are not flat. The others have no volume, and none counts negative.
+/// @par Cost  O(k) determinants.
+[[nodiscard]] std::vector<CapTetrahedron> tetrahedra(const Cap& cap);
+
+/// Exact volume by tetrahedra().
 /// @par Cost  O(k) determinants, and a balanced sum of that many rationals.
 [[nodiscard]] Rational volume(const Cap& cap);
 

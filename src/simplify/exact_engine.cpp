@@ -7,9 +7,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
-#include "simplify/dual_surface.hpp"
 #include "simplify/growth_limit.hpp"
-#include "simplify/step_verification.hpp"
 
 namespace convexact {
 namespace {
@@ -23,8 +21,10 @@ void stop_if_asked(const std::atomic<bool>* stop) {
 // The greedy loop. It is eager: `removals_` and `queue_` are right for every halfspace at any time.
 class ExactEngine {
  public:
-  ExactEngine(const DualHull& dual, const RationalPoint& center, const SimplifyOptions& options)
+  ExactEngine(const DualHull& dual, const RationalPoint& center, const SimplifyOptions& options,
+              RunObserver* observer)
       : options_(options),
+        observer_(observer),
         surface_(dual.halfspaces, dual.triangles, center, options.seed, options.cost),
         removals_(surface_.size()),
         place_(surface_.size()),
@@ -63,6 +63,7 @@ class ExactEngine {
   const Cost& cost(HalfspaceId i) const { return *removals_[i.index()].cost; }
 
   const SimplifyOptions& options_;
+  RunObserver* observer_;
   DualSurface surface_;
   std::vector<Evaluation> evaluations_;
   std::vector<Removal> removals_;
@@ -87,7 +88,8 @@ ExactEngine::Entry ExactEngine::entry_of(HalfspaceId i, const Cost& cost) {
 void ExactEngine::evaluate(HalfspaceId i) {
   if (is_kept_[i.index()]) return;
   forget(i);
-  Removal& removal = removals_[i.index()] = surface_.removal_of(i);
+  Removal& removal = removals_[i.index()] = surface_.removal_of(i, observer_);
+  if (observer_ != nullptr) observer_->evaluated(surface_.size() - left(), removal);
   if (removal.cost) place_[i.index()] = queue_.insert(entry_of(i, *removal.cost)).first;
   if (options_.keep_evaluations) {
     evaluations_.push_back({surface_.size() - left(), i, removal.ring, removal.roof.triangles});
@@ -152,16 +154,19 @@ void ExactEngine::remove(HalfspaceId i) {
 }
 
 struct ExactRun::State {
-  State(const DualHull& dual, const RationalPoint& center, const SimplifyOptions& asked)
+  State(const DualHull& dual, const RationalPoint& center, const SimplifyOptions& asked,
+        RunObserver* watching)
       : options(asked),
-        engine(dual, center, options),
-        verification(dual, options.verify, options.seed, options.cost) {
+        observer(watching),
+        engine(dual, center, options, observer),
+        verification(dual, options.verify, options.seed, options.cost, observer) {
     run.halfspaces = dual.halfspaces;
     run.kept = options.keep;
     run.measure = options.cost;
   }
 
   const SimplifyOptions& options;
+  RunObserver* observer;
   ExactEngine engine;
   StepVerification verification;
   bool is_evaluated = false;
@@ -170,11 +175,11 @@ struct ExactRun::State {
 };
 
 ExactRun::ExactRun(const DualHull& dual, const RationalPoint& center,
-                   const SimplifyOptions& options) {
+                   const SimplifyOptions& options, RunObserver* observer) {
   if (options.faces < 4) {
     throw Error(ErrorCode::InvalidArgument, "a solid needs at least 4 faces");
   }
-  state_ = std::make_unique<State>(dual, center, options);
+  state_ = std::make_unique<State>(dual, center, options, observer);
 }
 
 ExactRun::~ExactRun() = default;
@@ -204,6 +209,7 @@ void ExactRun::make() {
   State& state = *state_;
   Step step = std::move(state.next.value());
   state.next.reset();
+  if (state.observer != nullptr) state.observer->chosen(step);
   state.verification.check(step);
   state.engine.remove(step.removed);
   state.run.steps.push_back(std::move(step));
@@ -219,8 +225,8 @@ Run ExactRun::finish(StopReason stop) {
 }
 
 Run simplify_exact(const DualHull& dual, const RationalPoint& center,
-                   const SimplifyOptions& options) {
-  ExactRun run(dual, center, options);
+                   const SimplifyOptions& options, RunObserver* observer) {
+  ExactRun run(dual, center, options, observer);
   std::optional<GrowthLimit> growth;
   if (options.max_growth) {
     growth.emplace(to_polytope(dual.halfspaces, dual.triangles), options);
@@ -241,6 +247,11 @@ Run simplify_exact(const DualHull& dual, const RationalPoint& center,
   Run record = run.finish(stop);
   if (stop == StopReason::GrowthLimit) record.growth_bits = growth->undecided_bits();
   return record;
+}
+
+Run simplify_exact(const DualHull& dual, const RationalPoint& center,
+                   const SimplifyOptions& options) {
+  return simplify_exact(dual, center, options, nullptr);
 }
 
 }  // namespace convexact

@@ -6,8 +6,20 @@
 
 #include "convexact/dual.hpp"
 #include "convexact/run.hpp"
+#include "simplify/dual_surface.hpp"
+#include "simplify/step_verification.hpp"
 
 namespace convexact {
+
+/// Sees the greedy loop, for lessons. What it is told of a ring being triangulated belongs to the
+/// evaluation that it is told of next; what is checked, to the step chosen last.
+class RunObserver : public RingObserver, public CheckObserver {
+ public:
+  /// @param step  Removals made before.
+  virtual void evaluated(std::size_t step, const Removal& removal) = 0;
+  /// A step that is about to be verified and made.
+  virtual void chosen(const Step& step) = 0;
+};
 
 /// Removes one halfspace after another, each time the one whose removal adds the least to the
 /// measure of the options; of equal ones the first in canonical order. Every sign and every cost is
@@ -23,12 +35,18 @@ namespace convexact {
 [[nodiscard]] Run simplify_exact(const DualHull& dual, const RationalPoint& center,
                                  const SimplifyOptions& options = {});
 
+/// The same run, watched. @param observer  Sees each evaluation, each step and its checks; null for
+///                                         none.
+[[nodiscard]] Run simplify_exact(const DualHull& dual, const RationalPoint& center,
+                                 const SimplifyOptions& options, RunObserver* observer);
+
 /// The run of simplify_exact(), step by step, for a loop that advances several of them and decides
 /// when they end.
 class ExactRun {
  public:
   /// As simplify_exact(). The arguments must outlive the object.
-  ExactRun(const DualHull& dual, const RationalPoint& center, const SimplifyOptions& options);
+  ExactRun(const DualHull& dual, const RationalPoint& center, const SimplifyOptions& options,
+           RunObserver* observer = nullptr);
   ExactRun(const ExactRun&) = delete;
   ExactRun& operator=(const ExactRun&) = delete;
   ~ExactRun();

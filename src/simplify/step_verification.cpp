@@ -15,7 +15,8 @@
 namespace convexact {
 
 struct StepVerification::State {
-  State(const DualHull& input, VerifyLevel wanted, std::uint64_t seed, CostMeasure measured);
+  State(const DualHull& input, VerifyLevel wanted, std::uint64_t seed, CostMeasure measured,
+        CheckObserver* watching);
 
   void check_ring(const Step& step) const;
   PlainSurface checked_disk(const Step& step) const;
@@ -28,11 +29,13 @@ struct StepVerification::State {
   PlainVertex vertex_of(const DualTriangle& t) const {
     return plain_vertex(plane(t[0]), plane(t[1]), plane(t[2]));
   }
-  void require(bool holds, const std::string& check) const {
-    if (holds) return;
+  void require(const TestedCondition& check) const {
+    if (observer != nullptr) observer->checked(check);
+    if (check.holds) return;
     throw Error(ErrorCode::Internal,
-                "verification of step " + std::to_string(number) + " failed: " + check);
+                "verification of step " + std::to_string(number) + " failed: " + check.name);
   }
+  void require(bool holds, const char* name) const { require(TestedCondition{name, holds}); }
 
   const DualHull& dual;
   VerifyLevel level;
@@ -43,15 +46,17 @@ struct StepVerification::State {
   std::optional<WholeDual> whole;     // level full only
   CostMeasure measure;
   std::optional<Cost> measured;  // level full, unless the measure is the volume: of the solid
+  CheckObserver* observer;
 };
 
 StepVerification::State::State(const DualHull& input, VerifyLevel wanted, std::uint64_t seed,
-                               CostMeasure of_costs)
+                               CostMeasure of_costs, CheckObserver* watching)
     : dual(input),
       level(wanted),
       surface(input.halfspaces.size(), input.triangles),
       present(input.halfspaces.size(), true),
-      measure(of_costs) {
+      measure(of_costs),
+      observer(watching) {
   for (const RationalPoint& v : input.vertices) vertices.push_back(plain_vertex(v));
   if (level != VerifyLevel::Full) return;
   whole.emplace(input.halfspaces, vertices, surface, seed);
@@ -81,7 +86,7 @@ void StepVerification::State::check_growth(const Step& step) {
 // that is gone has no edge, so neither it nor a ring that names it passes. (A ring that goes around
 // twice does, but then no new triangle has each corner on it once.)
 void StepVerification::State::check_ring(const Step& step) const {
-  const std::string name = "the ring is the one-ring of the removed dual point";
+  const char* const name = "the ring is the one-ring of the removed dual point";
   const std::size_t k = step.ring.size();
   require(k >= 3, name);
   for (std::size_t t = 0; t < k; ++t) {
@@ -94,7 +99,7 @@ void StepVerification::State::check_ring(const Step& step) const {
 // with the ring as its only rim, so they have k - 2 triangles or more (Euler): all that there are.
 // (A fan that closes instead comes back to the edge that leaves, which exists already.)
 PlainSurface StepVerification::State::checked_disk(const Step& step) const {
-  const std::string name = "the new triangles form a disk with the ring as its rim";
+  const char* const name = "the new triangles form a disk with the ring as its rim";
   const std::size_t k = step.ring.size();
   require(step.triangles.size() == k - 2, name);
   PlainSurface disk(surface.size(), {});
@@ -118,14 +123,18 @@ void StepVerification::State::check_cap(const Step& step) const {
   std::vector<PlainVertex> cap;
   for (const DualTriangle& t : step.triangles) {
     cap.push_back(vertex_of(t));
-    require(cap.back().d > 0, "every new triangle is bounded (D > 0)");
+    const Integer& d = cap.back().d;
+    require({"every new triangle is bounded (D > 0)", d > 0, t, {}, &d, ">0"});
   }
-  for (const PlainVertex& vertex : cap) {
-    require(value_at(vertex, plane(step.removed)) >= 0,
-            "every new cap vertex lies on or beyond the removed plane");
+  for (std::size_t n = 0; n < cap.size(); ++n) {
+    const DualTriangle& t = step.triangles[n];
+    const Integer beyond = value_at(cap[n], plane(step.removed));
+    require({"every new cap vertex lies on or beyond the removed plane", beyond >= 0, t,
+             step.removed, &beyond, ">=0"});
     for (const HalfspaceId j : step.ring) {
-      require(value_at(vertex, plane(j)) <= 0,
-              "every new cap vertex lies inside the other planes of the ring");
+      const Integer value = value_at(cap[n], plane(j));
+      require({"every new cap vertex lies inside the other planes of the ring", value <= 0, t, j,
+               &value, "<=0"});
     }
   }
 }
@@ -136,8 +145,9 @@ void StepVerification::State::check_rim(const Step& step, const PlainSurface& di
     const HalfspaceId from = step.ring[t], to = step.ring[(t + 1) % k];
     const auto apex = surface.third(to, from);
     require(apex.has_value(), "every ring edge has an outside");
-    const PlainVertex vertex = vertex_of({from, to, *disk.third(from, to)});
-    require(value_at(vertex, plane(*apex)) <= 0, "every ring edge is convex");
+    const DualTriangle inner{from, to, *disk.third(from, to)};
+    const Integer value = value_at(vertex_of(inner), plane(*apex));
+    require({"every ring edge is convex", value <= 0, inner, *apex, &value, "<=0"});
   }
 }
 
@@ -154,9 +164,10 @@ void StepVerification::State::replace(const Step& step) {
 }
 
 StepVerification::StepVerification(const DualHull& dual, VerifyLevel level, std::uint64_t seed,
-                                   CostMeasure measure)
-    : state_(level == VerifyLevel::None ? nullptr
-                                        : std::make_unique<State>(dual, level, seed, measure)) {}
+                                   CostMeasure measure, CheckObserver* observer)
+    : state_(level == VerifyLevel::None
+                 ? nullptr
+                 : std::make_unique<State>(dual, level, seed, measure, observer)) {}
 StepVerification::~StepVerification() = default;
 
 void StepVerification::check(const Step& step) {

@@ -3,12 +3,31 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "convexact/dual.hpp"
 #include "convexact/run.hpp"
 
 namespace convexact {
+
+/// One condition that a step is tested for. Those about a vertex where three planes meet have the
+/// integer whose sign decides.
+struct TestedCondition {
+  const char* name;
+  bool holds;
+  std::optional<DualTriangle> triangle = {};  ///< Whose vertex is tested ...
+  std::optional<HalfspaceId> plane = {};      ///< ... against which plane; none: its own D.
+  const Integer* value = nullptr;             ///< Valid during the call only.
+  const char* wants = nullptr;                ///< ">0", ">=0" or "<=0", where there is a value.
+};
+
+/// Sees what is tested, for lessons. A check that does not hold is the last one.
+class CheckObserver {
+ public:
+  virtual ~CheckObserver() = default;
+  virtual void checked(const TestedCondition& check) = 0;
+};
 
 /// Replays steps on its own copy of the dual's directed edges. It shares no code with any engine:
 /// it uses no center, computes with the planes (n, d) themselves, and assumes nothing about a step.
@@ -18,8 +37,9 @@ class StepVerification {
   /// @param dual   The dual hull from which the run starts; must outlive this object.
   /// @param seed   Draws the two primes of the volume check.
   /// @param measure  Of the costs of steps.
+  /// @param observer  Receives each condition tested; null for none.
   StepVerification(const DualHull& dual, VerifyLevel level, std::uint64_t seed = 1,
-                   CostMeasure measure = CostMeasure::Volume);
+                   CostMeasure measure = CostMeasure::Volume, CheckObserver* observer = nullptr);
   ~StepVerification();
 
   /// Checks the next step. @throws Error Internal, naming the step (counted from 1) and the check.
