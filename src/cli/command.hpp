@@ -42,6 +42,7 @@ void add_report_command(CLI::App& program, int& exit_code);
 void add_shrink_command(CLI::App& program, int& exit_code);
 void add_simplify_command(CLI::App& program, int& exit_code);
 void add_stress_command(CLI::App& program, int& exit_code);
+void add_teach_command(CLI::App& program, int& exit_code);
 void add_verify_command(CLI::App& program, int& exit_code);
 
 /// For a reproducer: the words of the command line, and each input as soon as it is read.

@@ -155,4 +155,26 @@ CLI::Option* add_seconds(CLI::App& command, const std::string& names, double& va
       ->default_str(fmt::format("{}", value));
 }
 
+CLI::Option* add_center_option(CLI::App& command, std::string& text) {
+  return command
+      .add_option("--center", text,
+                  "of the polar dual: chebyshev, or X,Y,Z strictly inside; the answer does not "
+                  "depend on it")
+      ->capture_default_str();
+}
+
+std::optional<RationalPoint> parse_center(const std::string& text) {
+  if (text == "chebyshev") return std::nullopt;
+  const std::vector<std::string> words = CLI::detail::split(text, ',');
+  if (words.size() == 3) {
+    try {
+      return RationalPoint(parse_rational(words[0]), parse_rational(words[1]),
+                           parse_rational(words[2]));
+    } catch (const Error&) {  // told below
+    }
+  }
+  throw Error(ErrorCode::InvalidArgument,
+              "--center: expected chebyshev or three numbers X,Y,Z, found '" + text + "'");
+}
+
 }  // namespace convexact::cli

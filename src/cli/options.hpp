@@ -13,6 +13,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
+#include "convexact/point_set.hpp"
 #include "io/names.hpp"
 #include "number/text.hpp"
 
@@ -110,6 +111,12 @@ CLI::Option* add_seconds(CLI::App& command, const std::string& names, double& va
 
 /// --tie-bits, the precision up to which mean widths are compared; the default is shown.
 CLI::Option* add_tie_bits(CLI::App& command, long& bits, const std::string& meaning);
+
+/// --center, of the polar dual; the default is shown.
+CLI::Option* add_center_option(CLI::App& command, std::string& text);
+
+/// What --center spells: "X,Y,Z", or nothing for "chebyshev". @throws Error InvalidArgument.
+[[nodiscard]] std::optional<RationalPoint> parse_center(const std::string& text);
 
 /// An option that takes one of a few words, in upper or lower case; the help shows them and the
 /// default, if there is one. @param value  A `Value`, or an optional one.

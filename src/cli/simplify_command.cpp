@@ -53,21 +53,6 @@ struct SimplifyArguments {
   InnerOnly only;
 };
 
-// "chebyshev" or "X,Y,Z".
-std::optional<RationalPoint> parse_center(const std::string& text) {
-  if (text == "chebyshev") return std::nullopt;
-  const std::vector<std::string> words = CLI::detail::split(text, ',');
-  if (words.size() == 3) {
-    try {
-      return RationalPoint(parse_rational(words[0]), parse_rational(words[1]),
-                           parse_rational(words[2]));
-    } catch (const Error&) {  // told below
-    }
-  }
-  throw Error(ErrorCode::InvalidArgument,
-              "--center: expected chebyshev or three numbers X,Y,Z, found '" + text + "'");
-}
-
 // --total-faces is for several parts. How many there are, the files say.
 void require_scene(const SimplifyArguments& options) {
   const auto reject = [](const std::string& why) {
@@ -252,11 +237,7 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
       "proven");
   add_choice(command, "--verify", options->verify, kVerifyLevelNames,
              "what is proven again at each step");
-  command
-      .add_option("--center", options->center,
-                  "of the polar dual: chebyshev, or X,Y,Z strictly inside; the answer does not "
-                  "depend on it")
-      ->capture_default_str();
+  add_center_option(command, options->center);
   command.add_flag("--exact-values", options->exact_values,
                    "with --json: volumes as fractions too");
   add_inner_options(command, options->only);

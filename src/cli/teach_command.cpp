@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// convexact teach: the construction of one shape, step by step, as the exact engine recorded it.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/outputs.hpp"
+#include "io/json.hpp"
+#include "scene/result_json.hpp"
+#include "simplify/trace_json.hpp"
+#include "teach/lesson.hpp"
+#include "teach/lesson_page.hpp"
+
+namespace convexact::cli {
+namespace {
+
+constexpr const char* kTeachFooter =
+    "Examples:\n"
+    "  convexact teach cube.obj -o lesson.html\n"
+    "  convexact teach planes.ine --faces 6 --cost area --measures volume,mean-width -o a.html\n"
+    "  convexact teach cube.obj --center 1/2,1/2,1/2 --precision 64 -o lesson.html -o lesson.json\n"
+    "  convexact teach cube.obj --json | jq .removals\n"
+    "\n"
+    "The lesson is a record of what the engine did: each point of the hull, each row of the "
+    "linear\n"
+    "program, each cost, each removal with the signs that verify it, and the rounding of the "
+    "result.\n"
+    "Of large inputs parts are left out; the summary and the lesson say which, and why.\n"
+    "A step that fails its verification is shown as the last one; the exit code is then 70.";
+
+struct TeachArguments {
+  GlobalOptions global;
+  std::string input;
+  SceneOptions scene;
+  std::vector<std::string> outputs;
+  std::string center = "chebyshev";
+  LessonRequest request;
+};
+
+void require_outputs(const TeachArguments& options) {
+  if (options.outputs.empty() && !options.global.json) {
+    throw Error(ErrorCode::InvalidArgument,
+                "teach needs a place for the lesson: add -o lesson.html (a page) or -o lesson.json "
+                "(its data), or --json to print the data");
+  }
+  for (const std::string& path : options.outputs) {
+    if (!path.ends_with(".html") && !path.ends_with(".json")) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "-o: expected a name that ends in .html or .json, found " + in_quotes(path));
+    }
+  }
+  require_other_files(options.outputs, {options.input});
+}
+
+OutputFiles lesson_files(const std::vector<std::string>& paths, const Lesson& lesson) {
+  OutputFiles files;
+  const std::string name = lesson.document["name"].get<std::string>();
+  for (const std::string& path : paths) {
+    files.emplace_back(path, path.ends_with(".html") ? lesson_page(name, lesson.document)
+                                                     : write_json(lesson.document) + "\n");
+  }
+  return files;
+}
+
+// The chapters, what is missing, and where the lesson is.
+std::string summary_of(const Lesson& lesson, const OutputFiles& files) {
+  const nlohmann::ordered_json& document = lesson.document;
+  std::string text = fmt::format(
+      "  input       {} {}, {} halfspaces\n", document["input"]["count"].get<std::size_t>(),
+      document["input"]["kind"].get<std::string>(), document["halfspaces"].size());
+  if (document.contains("hull")) {
+    text += fmt::format("  hull        {} insertions\n", document["hull"]["insertions"].size());
+  }
+  if (document.contains("center")) {
+    text += fmt::format("  center      a linear program of {} rows\n",
+                        document["halfspaces"].size() + 1);
+  }
+  if (document.contains("removals")) {
+    std::size_t checks = 0;
+    for (const auto& removal : document["removals"]) checks += removal["checks"].size();
+    text += fmt::format("  removals    {}, from {} evaluations, verified by {} checks\n",
+                        document["removals"].size(), document["evaluations"].size(), checks);
+  }
+  text += fmt::format("  left        {} halfspaces ({})\n", document["end"]["present"].size(),
+                      document["stop"].get<std::string>());
+  if (document.contains("storing")) {
+    text += fmt::format("  storing     {} planes in {}\n", document["storing"]["planes"].size(),
+                        document["storing"]["precision"].get<std::string>());
+  }
+  for (const auto& missing : document["left_out"]) {
+    text += fmt::format("  left out    {}: {}\n", missing["chapter"].get<std::string>(),
+                        missing["why"].get<std::string>());
+  }
+  for (const auto& [path, bytes] : files) text += "  written     " + path + "\n";
+  return text;
+}
+
+int run_teach(const TeachArguments& options) {
+  require_outputs(options);
+  LessonRequest request = options.request;
+  request.center = parse_center(options.center);
+  request.seed = options.global.seed;
+  Progress progress;
+  StageLog log(progress.watch());
+  const std::vector<SceneObject> scene =
+      log.run("read", StageKind::Io, [&] { return read_scene({options.input}, options.scene); });
+  const SceneObject& object = scene.front();  // without --parts a file is one object
+  request.watch = progress.watch();
+  const auto outcome = make_lesson(object, request);
+  if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
+    progress.clear();
+    return report_not_solid(options.global, object.name, *reason);
+  }
+  const auto& lesson = std::get<Lesson>(outcome);
+  log.add(lesson.stages);
+  const OutputFiles files =
+      log.run("write", StageKind::Io, [&] { return lesson_files(options.outputs, lesson); });
+  progress.clear();
+  if (lesson.failure) {
+    // The lesson shows the step; the report of the error has the usual form.
+    write_together(files, "");
+    throw Error(ErrorCode::Internal, *lesson.failure);
+  }
+  write_together(files, options.global.json ? write_json(lesson.document) + "\n"
+                                            : object.name + "\n" + summary_of(lesson, files) +
+                                                  stage_text(log.stages(), options.global.stages));
+  return 0;
+}
+
+}  // namespace
+
+void add_teach_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<TeachArguments>();
+  CLI::App& command = *program.add_subcommand(
+      "teach", "a lesson: how the halfspaces of one shape are found and removed, step by step");
+  command.footer(kTeachFooter);
+  command
+      .add_option("INPUT", options->input,
+                  "points or a mesh (OBJ, OFF, PLY, STL, XYZ), or halfspaces (JSON, .ine, rows); - "
+                  "is standard input")
+      ->required();
+  add_faces(command, options->request.faces, "how many halfspaces to keep, at least 4");
+  add_choice(command, "--cost", options->request.cost, kCostMeasureNames,
+             "what the solid shall gain least of");
+  add_text(command, "--measures",
+           "further costs of each evaluation to show, out of volume,area,mean-width",
+           [&request = options->request](const auto& option, const auto& text) {
+             request.measures = parse_words(option, text, kCostMeasureNames);
+           });
+  add_center_option(command, options->center);
+  command
+      .add_option("-o,--output", options->outputs,
+                  "file for the lesson, by extension: .html, a page that needs no other file, or "
+                  ".json; may be repeated")
+      ->expected(1)
+      ->take_all();
+  add_choice<Precision>(command, "--precision", options->request.precision,
+                        {{"64", Precision::Binary64}, {"32", Precision::Binary32}},
+                        "the numbers in which the lesson stores the result");
+  options->scene.on_read = remember_input;
+  add_decimal_option(command, options->scene.decimal);
+  finish_command(command, options, exit_code, run_teach);
+  add_stages_option(command, options->global);
+}
+
+}  // namespace convexact::cli

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// chapters.hpp - the recorders of a lesson: each watches one algorithm and writes down what that
+// does, as docs/schema/lesson.schema.json describes it.
+#pragma once
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "convexact/hull.hpp"
+#include "convexact/linear_program.hpp"
+#include "convexact/stored.hpp"
+#include "scene/solid.hpp"
+#include "simplify/exact_engine.hpp"
+#include "teach/frame.hpp"
+#include "teach/lesson.hpp"
+
+namespace convexact {
+
+/// Parts of a lesson that are missing, each with its reason.
+class LeftOutParts {
+ public:
+  void add(const char* chapter, const std::string& why) {
+    list_.push_back({{"chapter", chapter}, {"why", why}});
+  }
+  const nlohmann::ordered_json& list() const { return list_; }
+
+ private:
+  nlohmann::ordered_json list_ = nlohmann::ordered_json::array();
+};
+
+/// Corners of a triangle of either kind.
+template <class Id>
+nlohmann::ordered_json triangle_json(const std::array<Id, 3>& t) {
+  return {t[0].index(), t[1].index(), t[2].index()};
+}
+
+/// Integers of a dual point: n1, n2, n3, w.
+[[nodiscard]] nlohmann::ordered_json dual_point_json(const DualPoint& point);
+
+/// A cost as a trace has it, or null for an unbounded removal.
+[[nodiscard]] nlohmann::ordered_json cost_or_null(const std::optional<Cost>& cost);
+
+/// Writes down how a hull grows; beyond kMostLessonInsertions it only counts.
+class HullRecorder : public HullObserver {
+ public:
+  void start(const HullStart& start) override;
+  void inserted(const HullInsertion& insertion) override;
+  void finished(const Hull& hull) override;
+
+  std::size_t insertions() const { return count_; }
+  /// The keys from "triangles" on. Facets are in the order of the hull.
+  nlohmann::ordered_json take() { return std::move(chapter_); }
+
+ private:
+  nlohmann::ordered_json chapter_;
+  std::size_t count_ = 0;
+};
+
+/// Writes down how the linear program of chebyshev_center() is solved.
+class CenterRecorder : public LpObserver {
+ public:
+  explicit CenterRecorder(std::span<const Halfspace> halfspaces);
+  void start(const LpPoint& optimum) override;
+  void inserted(const LpInsertion& insertion) override;
+
+  nlohmann::ordered_json take(const ChebyshevCenter& center);
+
+ private:
+  bool is_tight(std::size_t row, const LpPoint& point) const;
+  nlohmann::ordered_json name_of(std::size_t row) const;
+
+  std::span<const Halfspace> halfspaces_;
+  std::vector<Rational> norms_;  // upper bounds, as the program has them
+  std::set<std::size_t> rows_;   // inserted so far
+  nlohmann::ordered_json chapter_;
+};
+
+/// Writes down the removals, from where at most kMostLessonHalfspaces are left.
+class RemovalRecorder : public RunObserver {
+ public:
+  /// The arguments must outlive the object.
+  RemovalRecorder(const DualHull& dual, const LessonFrame& frame, const LessonRequest& request);
+
+  void started(const DualTriangle& first) override;
+  void inserted(HalfspaceId corner, std::span<const DualTriangle> lost,
+                std::span<const DualTriangle> gained) override;
+  void evaluated(std::size_t step, const Removal& removal) override;
+  void chosen(const Step& step) override;
+  void checked(const TestedCondition& check) override;
+  /// To be called when the run has ended, also if it failed. @param why  Then, of the engine.
+  void finish(const std::optional<std::string>& why = {});
+
+  /// {"step", "check"} of the check that did not hold, or what else made the engine give up; null
+  /// if the run succeeded.
+  const nlohmann::ordered_json& failed() const { return failed_; }
+  std::size_t steps() const { return steps_; }
+  /// Of the steps that were made.
+  std::vector<HalfspaceId> present() const;
+  /// The first costs of all halfspaces; empty if there are too many of these.
+  const std::vector<std::optional<Cost>>& first_costs() const { return first_costs_; }
+  /// Whether the run came so far that there is anything to show.
+  bool has_begun() const { return has_begun_; }
+  /// How many removals are not shown.
+  std::size_t skipped() const { return skipped_; }
+
+  nlohmann::ordered_json topology = {};
+  nlohmann::ordered_json evaluations = nlohmann::ordered_json::array();
+  nlohmann::ordered_json removals = nlohmann::ordered_json::array();
+
+ private:
+  struct Seen {
+    std::size_t step = 0;
+    Removal removal;
+    DualTriangle first;
+    nlohmann::ordered_json insertions;  // Chew's
+  };
+
+  void make_chosen_step();
+  void begin();
+  nlohmann::ordered_json evaluation_json(const Seen& seen) const;
+  nlohmann::ordered_json others_of(const Removal& removal) const;
+  nlohmann::ordered_json removal_json(const Step& step);
+
+  const DualHull& dual_;
+  const LessonFrame& frame_;
+  const LessonRequest& request_;
+  std::vector<DualPoint> points_;
+  std::vector<IntegerVector3> directions_;
+  AdjacencyMatrix surface_;
+  std::vector<bool> is_present_;
+  std::size_t skipped_;
+  std::size_t steps_ = 0;  // made
+  std::optional<Step> chosen_;
+  Seen current_;              // the evaluation at hand
+  std::vector<Seen> latest_;  // by halfspace
+  std::vector<std::optional<Cost>> first_costs_;
+  bool has_begun_ = false;
+  Rational volume_;
+  nlohmann::ordered_json failed_;
+};
+
+/// How a result is rounded outward, plane by plane, against rounding to nearest. Null, and a reason
+/// in `left_out`, if the format cannot hold it.
+/// @param ids  Of the planes of `exact`.
+[[nodiscard]] nlohmann::ordered_json storing_chapter(const Polytope& exact,
+                                                     std::span<const HalfspaceId> ids,
+                                                     const Solid& solid, Precision precision,
+                                                     LeftOutParts& left_out);
+
+}  // namespace convexact
