@@ -4,7 +4,7 @@
 CONSTANT, FORGOTTEN, TIE, SIGN = 'constant / 16', 'underflow forgotten', 'tie rule dropped', 'sign flipped'
 PUSH, SKIP, STALE = 'push too small', 'verification skipped', 'stale value trusted'
 
-_FAST, _GEO, _DEC, _BVH = 'src/fast/', 'src/geometry/', 'src/decompose/', 'src/bvh/'
+_FAST, _GEO, _DEC, _BVH, _TEACH = 'src/fast/', 'src/geometry/', 'src/decompose/', 'src/bvh/', 'src/teach/'
 _AUDIT = 'fast_plane_filter fast_audit'
 _CAPS = 'fast_cap_bounds fast_audit'
 _AGREE = 'fast'
@@ -231,6 +231,17 @@ FAULTS = [
     (SKIP, _DEC + 'notch.cpp', 'if (least[k] + 2 * NearDepth::kError < deepest) continue;', 'if (least[k] < deepest) continue;', 'split split_defined'),
     (TIE, _DEC + 'split.cpp', 'return x.lowest < y.lowest;', 'return x.lowest > y.lowest;', 'split split_defined'),
     (TIE, _DEC + 'split.cpp', 'leaf_count_ >= *options_.max_parts', 'leaf_count_ > *options_.max_parts', 'split split_defined'),
+    # Lessons, and what their observers are told.
+    (SIGN, _TEACH + 'storing_chapter.cpp', 'if (value > support.value)', 'if (value < support.value)', 'teach'),
+    (SIGN, _TEACH + 'frame.cpp', 'Rational(point[k] - center_[k])', 'Rational(point[k] + center_[k])', 'teach'),
+    (CONSTANT, _TEACH + 'frame.cpp', 'extent.maxCoeff() > 16 * extent.minCoeff()', 'extent.maxCoeff() > extent.minCoeff()', 'teach'),
+    (STALE, _TEACH + 'removal_chapter.cpp', '  for (const DualTriangle& t : chosen_->triangles) surface_.add(t);\n', '', 'teach'),
+    (STALE, _TEACH + 'removal_chapter.cpp', 'latest_[i] = std::move(current_);', 'if (step == 0) latest_[i] = current_;', 'teach'),
+    (SKIP, _TEACH + 'removal_chapter.cpp', '{"holds", check.holds},', '{"holds", true},', 'teach'),
+    (STALE, 'src/hull/incremental_hull.cpp', '    for (const PointId p : orphans_) note_filed(p, filed);\n', '', 'teach'),
+    (SKIP, 'src/simplify/step_verification.cpp', '    if (observer != nullptr) observer->checked(check);\n    if (check.holds) return;',
+     '    if (check.holds) return;', 'teach'),
+
     # Trees of hulls.
     (STALE, _BVH + 'joins.cpp', 'while (joined_to_[group] != group) group = joined_to_[group];', '', 'hull_trees'),
     (SKIP, _BVH + 'joins.cpp', 'if (first == second) return first;', '', 'hull_trees'),
