@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Turns files into C++: embed.py OUTPUT NAME=FILE... defines a std::string_view for each."""
+"""Turns files into C++: embed.py OUTPUT HEADER NAME=FILE... defines the std::string_views that the header declares."""
 import sys
 
 
@@ -13,7 +13,7 @@ def definition(name, path):
 
 
 with open(sys.argv[1], 'w', encoding='ascii') as output:
-    output.write('// Made by embed.py.\n#include "page_parts.hpp"\n\nnamespace convexact {\n')
-    for argument in sys.argv[2:]:
+    output.write(f'// Made by embed.py.\n#include "{sys.argv[2]}"\n\nnamespace convexact {{\n')
+    for argument in sys.argv[3:]:
         output.write(definition(*argument.split('=', 1)))
     output.write('}  // namespace convexact\n')

@@ -1,15 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "teach/lesson_page.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "io/json.hpp"
 #include "report/page_parts.hpp"
+#include "teach/lesson_parts.hpp"
 
 namespace convexact {
 
 std::string lesson_page(std::string_view name, const nlohmann::ordered_json& lesson) {
-  return "<!doctype html><meta charset=\"utf-8\"><title>" + escaped_html(name) +
-         "</title><script type=\"application/json\">" + for_script_element(write_json(lesson)) +
-         "</script>\n";
+  std::string script;
+  for (const std::string_view part :
+       {kRationalScript, kPaneScript, kRecordScript, kChaptersScript, kRemovalsScript,
+        kStoringScript, kLessonScript}) {
+    script += part;
+  }
+  return fill_page(kLessonPage, {{"TITLE", escaped_html(as_utf8(std::string(name)))},
+                                 {"STYLE", kLessonStyle},
+                                 {"DATA", for_script_element(write_json(lesson))},
+                                 {"SCRIPT", script}});
 }
 
 }  // namespace convexact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lesson_page.hpp - the page that shows a lesson.
+// lesson_page.hpp - a lesson as a page that can be walked through.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace convexact {
 
-/// One HTML file that needs no other. @param lesson  As docs/schema/lesson.schema.json describes
-/// it.
+/// A self-contained HTML page of a lesson (docs/schema/lesson.schema.json); it opens from disk and
+/// asks nothing of the network. @param name  Of the input, plain text in any encoding.
 [[nodiscard]] std::string lesson_page(std::string_view name, const nlohmann::ordered_json& lesson);
 
 }  // namespace convexact

@@ -140,7 +140,8 @@ void RemovalRecorder::begin() {
               {"present", present()},
               {"triangles", triangles_json(triangles)},
               {"vertices", std::move(vertices)},
-              {"vertex_of", std::move(vertex_of)}};
+              {"vertex_of", std::move(vertex_of)},
+              {"volume", volume_}};
   for (const HalfspaceId i : present()) {
     // Nothing is evaluated if there is nothing to remove.
     if (!latest_[i.index()].removal.ring.empty()) {
@@ -153,6 +154,7 @@ ordered_json RemovalRecorder::evaluation_json(const Seen& seen) const {
   return {{"step", seen.step},
           {"halfspace", seen.removal.removed.index()},
           {"ring", seen.removal.ring},
+          {"triangles", triangles_json(seen.removal.roof.triangles)},
           {"cost", cost_or_null(seen.removal.cost)},
           {"others", others_of(seen.removal)}};
 }
@@ -214,7 +216,6 @@ ordered_json RemovalRecorder::removal_json(const Step& step) {
   }
   entry["tetrahedra"] = std::move(pieces);
   entry["cap_volume"] = Rational(six_volume / 6);
-  entry["volume_before"] = volume_;
   volume_ += six_volume / 6;
   entry["volume_after"] = volume_;
   entry["checks"] = ordered_json::array();

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// lesson_parts.hpp - the files that the page of a lesson is made of.
+#pragma once
+#include <string_view>
+
+namespace convexact {
+
+extern const std::string_view kLessonPage, kLessonStyle;
+/// In this order they are one script.
+extern const std::string_view kRationalScript, kPaneScript, kRecordScript, kChaptersScript,
+    kRemovalsScript, kStoringScript, kLessonScript;
+
+}  // namespace convexact

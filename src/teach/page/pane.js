@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// A pane draws convex bodies, points, balls and arrows as SVG, which prints, needs no graphics card, and
+// whose parts can be picked. All panes turn together: a dual point lies in the direction of its plane's
+// normal, and that should be seen.
+"use strict";
+
+const camera = {
+  turn: 0.6, tilt: 0.35, listeners: [],
+  move(right, down) {
+    this.turn += right;
+    this.tilt = Math.max(-1.57, Math.min(1.57, this.tilt + down));
+    for (const draw of this.listeners) draw();
+  },
+  // Three rows: to the right, up, towards the viewer.
+  rows() {
+    const [s, c] = [Math.sin(this.turn), Math.cos(this.turn)], [u, v] = [Math.sin(this.tilt), Math.cos(this.tilt)];
+    return [[c, 0, s], [u * s, v, -u * c], [-v * s, u, v * c]];
+  },
+};
+
+const times = (row, p) => row[0] * p[0] + row[1] * p[1] + row[2] * p[2];
+const escaped = text => String(text).replace(/[&<>"]/g, c => ({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;"})[c]);
+
+class Pane {
+  // What is picked goes to `pick` as the text of data-pick.
+  constructor(figure, pick) {
+    this.svg = figure.querySelector("svg");
+    this.items = [];
+    this.zoom = 1;
+    this.radius = 1;
+    camera.listeners.push(() => this.draw());
+    this.follow(pick);
+  }
+
+  // What is to be seen, and the radius about the origin that must fit. Items are, from the outside to the inside:
+  //   {faces: [{points, pick, mark, label}], mark}  a convex body, corners counter-clockwise from outside
+  //   {dots: [{at, pick, mark, label}]}, {lines: [{from, to, mark}]}, {ball: {at, radii}, mark}
+  show(items, radius) {
+    this.items = items;
+    this.radius = radius || 1;
+    this.draw();
+  }
+
+  draw() {
+    const [right, up, near] = camera.rows(), scale = 180 * this.zoom / this.radius;
+    const flat = p => [scale * times(right, p), -scale * times(up, p)];
+    const text = ([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`;
+    const attributes = (kind, part) => `class="${kind} ${part.mark || ""}"` +
+      (part.pick === undefined ? "" : ` data-pick="${escaped(part.pick)}"`);
+    const labels = [], count = this.items.reduce((sum, item) => sum + (item.faces || []).length, 0);
+    this.svg.classList.toggle("fine", count > 150);
+    const label = (part, at) => {
+      if (part.label !== undefined) {
+        labels.push(`<text x="${at[0].toFixed(1)}" y="${at[1].toFixed(1)}" class="${part.mark || ""}">${escaped(part.label)}</text>`);
+      }
+    };
+    const behind = [], within = [], front = [];
+    for (const item of this.items) {
+      const backs = [], fronts = [];
+      for (const face of item.faces || []) {
+        const corners = face.points.map(flat);
+        let area = 0;
+        corners.forEach(([x, y], k) => {
+          const [u, v] = corners[(k + 1) % corners.length];
+          area += x * v - u * y;
+        });
+        const isFront = area < 0;  // y points down
+        const mark = {mark: `${item.mark || ""} ${face.mark || ""} ${isFront ? "front" : "back"}`, pick: isFront ? face.pick : undefined};
+        (isFront ? fronts : backs).push(`<path ${attributes("face", mark)} d="M${corners.map(text).join("L")}z"/>`);
+        label({...face, mark: mark.mark}, [0, 1].map(k => corners.reduce((sum, p) => sum + p[k], 0) / corners.length));
+      }
+      behind.push(backs.join(""));
+      front.unshift(fronts.join(""));
+      for (const line of item.lines || []) {
+        within.push(`<path ${attributes("line", line)} d="M${text(flat(line.from))}L${text(flat(line.to))}"/>`);
+      }
+      if (item.ball) within.push(this.outline(item, [right, up], scale, flat(item.ball.at)));
+      for (let dot of item.dots || []) {
+        const at = flat(dot.at);
+        dot = {...dot, mark: `${dot.mark || ""} ${times(near, dot.at) < -1e-9 ? "far" : ""}`};
+        within.push(`<circle ${attributes("dot", dot)} cx="${at[0].toFixed(2)}" cy="${at[1].toFixed(2)}" r="${dot.size || 4}"/>`);
+        label(dot, [at[0] + 7, at[1] - 7]);
+      }
+    }
+    // Dots and lines can be seen through faces, so they may come last.
+    this.svg.innerHTML = behind.join("") + front.join("") + within.join("") + labels.join("");
+  }
+
+  // A ball of the solid's space is an ellipsoid where axes are drawn to scales of their own. Its outline is the
+  // ellipse {M u : |u| = 1} with M the two drawn rows, scaled.
+  outline(item, rows, scale, [x, y]) {
+    const m = rows.map(row => row.map((value, k) => scale * value * item.ball.radii[k]));
+    const a = times(m[0], m[0]), b = -times(m[0], m[1]), c = times(m[1], m[1]);  // M M', y down
+    const middle = (a + c) / 2, rest = Math.hypot((a - c) / 2, b), angle = Math.atan2(2 * b, a - c) / 2;
+    return `<ellipse class="ball ${item.mark || ""}" rx="${Math.sqrt(middle + rest).toFixed(2)}" ry="${Math.sqrt(Math.max(0, middle - rest)).toFixed(2)}"` +
+      ` transform="translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${(angle * 180 / Math.PI).toFixed(2)})"/>`;
+  }
+
+  // One finger or the mouse turns, two fingers zoom; a click that does not move picks.
+  follow(pick) {
+    const fingers = new Map();
+    let moved = 0, apart = 0;
+    const span = () => {
+      const [a, b] = [...fingers.values()];
+      return Math.hypot(a[0] - b[0], a[1] - b[1]);
+    };
+    this.svg.onpointerdown = event => {
+      fingers.set(event.pointerId, [event.clientX, event.clientY]);
+      if (fingers.size === 1) moved = 0;
+      if (fingers.size === 2) apart = span();
+    };
+    this.svg.onpointermove = event => {
+      const last = fingers.get(event.pointerId);
+      if (!last) return;
+      const by = [event.clientX - last[0], event.clientY - last[1]];
+      fingers.set(event.pointerId, [event.clientX, event.clientY]);
+      moved += Math.abs(by[0]) + Math.abs(by[1]);
+      if (moved < 4) return;
+      this.svg.setPointerCapture(event.pointerId);
+      if (fingers.size === 2) {
+        this.scale(span() / apart);
+        apart = span();
+      } else if (fingers.size === 1) {
+        camera.move(by[0] / 150, by[1] / 150);
+      }
+    };
+    this.svg.onpointerup = this.svg.onpointercancel = event => fingers.delete(event.pointerId);
+    this.svg.onclick = event => {
+      const part = event.target.closest("[data-pick]");
+      if (moved < 4) pick(part ? part.dataset.pick : null);
+    };
+    this.svg.onwheel = event => {
+      if (document.activeElement !== this.svg) return;  // else the page scrolls
+      event.preventDefault();
+      this.scale(Math.exp(-event.deltaY / 800));
+    };
+    const keys = {ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1]};
+    this.svg.onkeydown = event => {
+      if (event.ctrlKey || event.metaKey || event.altKey) return;
+      if (keys[event.key]) camera.move(...keys[event.key]);
+      else if (event.key === "+" || event.key === "=") this.scale(1.1);
+      else if (event.key === "-") this.scale(1 / 1.1);
+      else return;
+      event.preventDefault();
+      event.stopPropagation();
+    };
+  }
+
+  scale(factor) {
+    this.zoom = Math.max(0.2, Math.min(1e4, this.zoom * factor));
+    this.draw();
+  }
+}

@@ -1,0 +1,308 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""lesson_page_test.py PROGRAM DATA [SCREENSHOTS] - walks through lessons in headless Chromium, from disk, by keys
+alone: no complaint, nothing asked of the network, every recorded number on the page is the record's, what the page
+works out agrees with it, deep links land, and a record that is wrong is shown to be wrong. Leaves a screenshot of
+each chapter in the folder, if one is named."""
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+from fractions import Fraction
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "report"))
+import chromium  # noqa: E402
+
+CUBE = """v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 0.5 1\nv 1 1 0.5\nv 0.5 1 1\n"""
+CHAPTERS = ["hull", "center", "polar", "topology", "removal", "verification", "storing"]
+
+# What a step shows: numbers with where they come from, verdicts, what is drawn, and how far the page reaches.
+STEP = """(() => {
+  const text = document.querySelector("main").innerText;
+  return {hash: location.hash.slice(1), title: document.querySelector("main h2").textContent,
+    say: document.getElementById("say").innerText, text,
+    numbers: [...document.querySelectorAll("[data-at]")].map(e => [e.dataset.at, e.dataset.exact, e.localName === "mrow" ? null : e.textContent]),
+    computed: [...document.querySelectorAll("[data-computed]")].map(e => e.dataset.computed),
+    no: document.querySelectorAll(".no").length, yes: document.querySelectorAll(".yes").length,
+    drawn: [...document.querySelectorAll("#panes svg")].map(svg => svg.querySelectorAll("path, circle, ellipse").length),
+    bad: document.querySelector("#panes").innerHTML.match(/NaN|Infinity|undefined/g),
+    here: document.querySelectorAll("#contents a[aria-current]").length,
+    last: document.getElementById("next").disabled,
+    wide: document.documentElement.scrollWidth - innerWidth};
+})()"""
+
+
+def at(document, pointer):
+    for key in pointer.split("/")[1:]:
+        document = document[int(key) if isinstance(document, list) else key]
+    return document
+
+
+def press(page, key):
+    for kind in ("rawKeyDown", "keyUp"):
+        page.call("Input.dispatchKeyEvent", type=kind, key=key, code=key)
+
+
+def opened(path, hash_="", width=1300, height=900, dark=False, still=True):
+    media = [("prefers-color-scheme", "dark" if dark else "light")]
+    if still:
+        media.append(("prefers-reduced-motion", "reduce"))
+    return chromium.Page(pathlib.Path(path).resolve().as_uri() + hash_, width=width, height=height, media=media)
+
+
+def says(shown, exact):
+    """Whether a number as it is shown is the exact one: in full, or cut off after some digits."""
+    shown = shown.replace("\u2212", "-")
+    if "\u2026" not in shown:
+        return Fraction(shown) == Fraction(exact)
+    digits, power = shown.split("\u2026")
+    unit = Fraction(1, 10 ** len(digits.partition(".")[2])) * Fraction(10) ** int(power[1:] or 0)
+    value = Fraction(digits) * Fraction(10) ** int(power[1:] or 0)
+    return value != Fraction(exact) and abs(value) <= abs(Fraction(exact)) < abs(value) + unit
+
+
+def check_step(step, lesson, name):
+    where = f"{name} #{step['hash']}"
+    assert step["bad"] is None, (where, step["bad"])
+    assert not re.search(r"undefined|NaN|\[object|null", step["text"]), (where, step["text"])
+    assert len(step["say"]) > 40 and step["say"].rstrip()[-1] in ".?:", (where, step["say"])
+    assert step["no"] == 0, f"{where}: the page does not agree with the record"
+    assert step["here"] == 1, where
+    assert step["wide"] <= 0, f"{where}: wider than the window by {step['wide']}"
+    for pointer, exact, shown in step["numbers"]:
+        assert at(lesson, pointer) == exact, (where, pointer)
+        if shown is not None and not pointer.endswith("/decimal"):
+            assert says(shown, exact), (where, pointer, shown, exact)
+
+
+def walk(page, lesson, name):
+    """Steps by id, from the first to the last, by the right arrow alone."""
+    press(page, "Home")
+    steps = {}
+    while True:
+        step = page.evaluate(STEP)
+        check_step(step, lesson, name)
+        assert step["hash"] not in steps, f"{name}: #{step['hash']} twice"
+        steps[step["hash"]] = step
+        if step["last"]:
+            assert not page.complaints, page.complaints
+            return steps
+        press(page, "ArrowRight")
+
+
+def lesson_of(program, arguments):
+    done = subprocess.run([program, "teach", *arguments, "--json"], check=True, stdout=subprocess.PIPE)
+    return json.loads(done.stdout)
+
+
+def check_lesson(program, name, arguments, folder, expected):
+    """A lesson from its first step to its last."""
+    path = os.path.join(folder, name + ".html")
+    subprocess.run([program, "teach", *arguments, "-o", path], check=True, stdout=subprocess.DEVNULL)
+    lesson = lesson_of(program, arguments)
+    page = opened(path)
+    try:
+        steps = walk(page, lesson, name)
+        assert [c for c in CHAPTERS if any(s.split("-")[0] == c for s in steps)] == expected, steps.keys()
+        for chapter in CHAPTERS:  # a chapter that is left out says why
+            if chapter not in expected:
+                assert any(entry["chapter"] == chapter for entry in lesson["left_out"]), (name, chapter)
+        for step in steps.values():
+            assert max(step["drawn"]) > 3, (name, step["hash"])
+        press(page, "PageUp")
+        assert page.evaluate("location.hash.slice(1)") in steps
+        keep(path, name, expected)
+        return path, lesson, steps
+    finally:
+        page.close()
+
+
+def keep(path, name, chapters):
+    if len(sys.argv) <= 3:
+        return
+    for width, dark in ((1300, False), (1300, True), (400, False), (400, True)):
+        page = opened(path, width=width, dark=dark)
+        for chapter in chapters:
+            page.evaluate(f"location.hash = '#{chapter}'; new Promise(requestAnimationFrame)")
+            page.screenshot(os.path.join(sys.argv[3], f"{name}-{chapter}-{width}-{'dark' if dark else 'light'}.png"))
+        page.close()
+
+
+def check_cube(program, folder):
+    """The numbers of docs/construction.md, where the page says them."""
+    cube = os.path.join(folder, "cube.obj")
+    pathlib.Path(cube).write_text(CUBE, encoding="ascii")
+    path, lesson, steps = check_lesson(program, "cube", [cube, "--center", "0.5,0.5,0.5"], folder,
+                                       [c for c in CHAPTERS if c != "center"])
+    assert "which adds 1/48" in steps["removal-1"]["say"], steps["removal-1"]["say"]
+    assert "from 47/48 to 1." in steps["removal-1-cap"]["say"], steps["removal-1-cap"]["say"]
+    assert steps["removal-1"]["text"].count("25/48") == 3 and steps["removal-1"]["text"].count("unbounded\n") + steps["removal-1"]["text"].count("unbounded\t") == 3
+    check_lesson(program, "cube-chebyshev", [cube, "--measures", "area,mean-width"], folder, CHAPTERS)
+    return path, lesson
+
+
+def check_polar(path):
+    """Picking by the table and by a click, and a center that moves: signs and costs stay."""
+    page = opened(path, "#polar")
+    try:
+        page.evaluate('document.querySelector("[data-picker]").value = "h5"; document.querySelector("[data-picker]").dispatchEvent(new Event("input", {bubbles: true}))')
+        said = page.evaluate('document.getElementById("say").innerText')
+        assert "Halfspace 5 is a facet" in said and "5 neighbours" in said, said  # row 5 of the matrix: 2 4 1 6 3
+        lit = page.evaluate('document.querySelectorAll("#solid .face.chosen, #dual .dot.chosen").length')
+        assert lit == 2, lit
+        # A triangle of the dual, clicked.
+        place = page.evaluate("""(() => {
+          const face = document.querySelector('#dual .face.front[data-pick="t3,5,4"], #dual .face.front'), box = face.getBoundingClientRect();
+          for (let x = box.left + 1; x < box.right; x += 2) for (let y = box.top + 1; y < box.bottom; y += 2)
+            if (document.elementFromPoint(x, y) === face) return [x, y, face.dataset.pick];
+        })()""")
+        for kind in ("mousePressed", "mouseReleased"):
+            page.call("Input.dispatchMouseEvent", type=kind, x=place[0], y=place[1], button="left", clickCount=1)
+        said = page.evaluate('document.getElementById("say").innerText')
+        assert f"The planes {place[2][1:].replace(',', ', ')} meet in a vertex" in said, (said, place)
+        numbers = 'document.getElementById("more").innerText'
+        before = page.evaluate(numbers)
+        page.evaluate("""(() => { const s = document.querySelector("[data-center='0']"); s.value = 5; s.dispatchEvent(new Event("input", {bubbles: true})); })()""")
+        after, said = page.evaluate(numbers), page.evaluate('document.getElementById("say").innerText')
+        assert before != after and "no sign and no cost has changed" in said, said
+        press(page, "Escape")
+        said = page.evaluate('document.getElementById("say").innerText')
+        assert "Halfspace 6 is a facet" in said, said  # what the step is about if nothing is picked
+        assert not page.complaints, page.complaints
+    finally:
+        page.close()
+
+
+def check_candidates(path):
+    """What would be if another halfspace went: its cost, or the triangle that has no corner."""
+    page = opened(path, "#removal-1")
+    try:
+        for i, says_ in (("3", "that would add 25/48"), ("0", "the solid would be unbounded")):
+            page.evaluate(f"document.querySelector('#more button[data-pick=\"h{i}\"]').click()")
+            said = page.evaluate('document.getElementById("say").innerText')
+            assert f"If {i} went instead, {says_}" in said, said
+        assert page.evaluate("document.getElementById('more').innerText").count("none") >= 1
+    finally:
+        page.close()
+
+
+def check_doubles(program, folder):
+    """A needle far from the origin: doubles beside exact numbers are off, and have wrong signs."""
+    needle = os.path.join(folder, "far-needle.obj")
+    points = [(k << 17, 10**15 + k * k * 3 % 11, 10**15 - k * k * k % 7) for k in range(-4, 5)]
+    pathlib.Path(needle).write_text("".join("v %d %d %d\n" % p for p in points), encoding="ascii")
+    path = os.path.join(folder, "far-needle.html")
+    subprocess.run([program, "teach", needle, "--precision", "64", "-o", path], check=True, stdout=subprocess.DEVNULL)
+    page = opened(path, "#verification")
+    try:
+        page.evaluate("document.getElementById('doubles').click()")
+        signs, off = 0, []
+        while not page.evaluate("document.getElementById('next').disabled"):
+            signs += page.evaluate("document.getElementById('more').innerText").count("the wrong sign")
+            press(page, "ArrowRight")
+        page.evaluate("location.hash = '#removal-1'; new Promise(requestAnimationFrame)")
+        off = re.findall(r"([0-9.e+]+)%", page.evaluate("document.getElementById('more').innerText"))
+        assert signs > 0 and max(map(float, off)) > 1, (signs, off)
+        assert not page.complaints, page.complaints
+    finally:
+        page.close()
+
+
+def check_links(path):
+    for link, title in (("hull", "The hull"), ("removal", "Removal 1: the cheapest"), ("removal-1", "Removal 1: the cheapest"),
+                        ("removal-1-cap", "Removal 1: the cap"), ("verification", "Step 1, checked"), ("storing", "Storing"), ("nothing-there", "")):
+        page = opened(path, "#" + link)
+        seen = page.evaluate(STEP)
+        assert title in seen["title"] and seen["drawn"][0] > 3, (link, seen["title"])
+        assert page.evaluate("scrollY") == 0, link
+        if title:
+            assert page.evaluate(f"document.getElementById('{link}') !== null"), link
+        page.close()
+
+
+def check_wrong_record(path, folder):
+    """A cost, a check or a triangle that an engine got wrong: the page says so."""
+    text = pathlib.Path(path).read_text(encoding="utf-8")
+    for step, change in (("removal-1-cap", ('"cap_volume":"1/48"', '"cap_volume":"1/47"')),
+                         ("removal-1-cap", ('"height":"1"', '"height":"-1"')),
+                         ("verification", ('"value":"1"', '"value":"-1"'))):
+        wrong = os.path.join(folder, "wrong.html")
+        assert change[0] in text, change
+        pathlib.Path(wrong).write_text(text.replace(*change), encoding="utf-8")
+        page = opened(wrong, "#" + step)
+        assert page.evaluate(STEP)["no"] > 0, (step, change)
+        page.close()
+
+
+def check_names(program, folder):
+    """A name that would end a script or an element, or is no UTF-8."""
+    for name in (b"</script><script>alert(1)</script>.obj", b"a\"'<b>&amp;\xff.obj"):
+        folder_of_name = os.path.join(folder, "names")
+        source = os.path.join(os.fsencode(folder), b"".join([b"x", name.replace(b"/", b"\\")]))
+        pathlib.Path(os.fsdecode(source)).write_text(CUBE, encoding="ascii")
+        path = os.path.join(folder, "named.html")
+        subprocess.run([program, "teach", source, "-o", path], check=True, stdout=subprocess.DEVNULL)
+        page = opened(path)
+        seen = page.evaluate("[document.scripts.length, document.querySelector('h1').innerText, document.querySelectorAll('h1 b').length]")
+        assert seen[0] == 2 and seen[1].startswith("x") and seen[2] == 0 and not page.complaints, (seen, page.complaints)
+        page.close()
+
+
+def check_sizes(path, chapters):
+    """Nothing is wider than the window, not on a phone and not in the dark."""
+    for width, dark in ((400, False), (400, True), (1300, True)):
+        page = opened(path, width=width, height=800, dark=dark)
+        for chapter in chapters:
+            page.evaluate(f"location.hash = '#{chapter}'; new Promise(requestAnimationFrame)")
+            seen = page.evaluate(STEP)
+            assert seen["wide"] <= 0, (chapter, width, seen["wide"])
+        assert not page.complaints, page.complaints
+        page.close()
+
+
+def check_motion(path):
+    """The cap grows by itself, unless the reader prefers that nothing moves."""
+    sight = '[...document.querySelectorAll("#solid path")].map(e => e.getAttribute("d")).join()'
+    for still in (False, True):
+        page = opened(path, "#removal-1", still=still)
+        page.evaluate("location.hash = '#removal-1-cap'; new Promise(requestAnimationFrame)")
+        first = page.evaluate(sight)
+        page.evaluate("new Promise(done => setTimeout(done, 1500))")
+        assert (page.evaluate(sight) == first) == still, still
+        page.close()
+
+
+def main():
+    program, data = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+    if len(sys.argv) > 3:
+        sys.argv[3] = os.path.abspath(sys.argv[3])
+    if chromium.find() is None:
+        print("skipped: Chromium is not installed (Debian package chromium)")
+        return 77
+    with tempfile.TemporaryDirectory() as folder:
+        path, lesson = check_cube(program, folder)
+        check_polar(path)
+        check_candidates(path)
+        check_doubles(program, folder)
+        check_links(path)
+        check_wrong_record(path, folder)
+        check_names(program, folder)
+        check_sizes(path, CHAPTERS)
+        check_motion(path)
+        for name, family in (("icosahedron", ["icosahedron"]), ("needle", ["needle", "--points", "12", "--aspect", "1e9"]),
+                             ("huge", ["huge", "--points", "8"])):
+            shape = os.path.join(folder, name + ".obj")
+            subprocess.run([program, "generate", *family, "-o", shape], check=True, stdout=subprocess.DEVNULL)
+            check_lesson(program, name, [shape, "--precision", "64"], folder, CHAPTERS)
+        planes = os.path.join(folder, "planes.json")
+        subprocess.run([program, "hull", os.path.join(folder, "cube.obj"), "-o", planes], check=True, stdout=subprocess.DEVNULL)
+        check_lesson(program, "planes", [planes], folder, CHAPTERS)
+    print(f"lessons: walked through, {len(lesson['halfspaces'])} halfspaces and more")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
