@@ -66,11 +66,11 @@ InnerRequest request_of(const InnerArguments& options) {
 }
 
 std::string picture_of(const std::vector<FoundObject<InnerResult>>& objects) {
-  PictureLayer inner{.name = "inner hull", .color = "#5b8def", .edges = true};
-  PictureLayer input{.name = "input", .color = "#cd965a", .shown = false};
+  PictureLayer inner{.name = "inner hull", .color = "#56b4e9", .edges = true, .right = true};
+  PictureLayer input{.name = "input", .color = "#e69f00", .shown = false};
   PictureLayer hull{.name = "hull of the input", .color = "#8f8f8f", .opacity = 0.25};
   for (const auto& [source, result] : objects) {
-    inner.add(result.solid);
+    inner.add_to_pick(result.solid, objects.size() > 1 ? as_utf8(source.name) : "inner hull");
     input.add(std::get<PointSet>(source.shape).doubles(), source.polygons);
     std::vector<std::vector<std::uint32_t>> triangles;
     for (const auto& [a, b, c] : result.start.triangles) {

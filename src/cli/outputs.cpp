@@ -38,7 +38,7 @@ std::string file_of(const SceneObject& object) {
 
 // A scan has many points of no face; over its surface they would look like cracks.
 PictureLayer points_of_no_face(const PictureLayer& input) {
-  PictureLayer loose{.name = "points of no face", .color = "#8a4b12", .shown = false};
+  PictureLayer loose{.name = "points of no face", .color = "#009e73", .shown = false};
   std::vector<bool> is_used(input.points.size());
   for (const auto& polygon : input.polygons) {
     for (const std::uint32_t corner : polygon) is_used[corner] = true;
@@ -50,17 +50,18 @@ PictureLayer points_of_no_face(const PictureLayer& input) {
 }
 
 std::string picture_bytes(const std::vector<OutputObject>& objects) {
-  PictureLayer input{.name = "input", .color = "#cd965a"};
+  PictureLayer input{.name = "input", .color = "#e69f00"};
   PictureLayer solids{
-      .name = "enclosing solid", .color = "#5b8def", .opacity = 0.25, .edges = true};
-  PictureLayer kept{.name = "kept faces", .color = "#c2402f", .edges = true};
+      .name = "enclosing solid", .color = "#56b4e9", .opacity = 0.25, .edges = true, .right = true};
+  PictureLayer kept{.name = "kept faces", .color = "#d55e00", .edges = true, .right = true};
   std::set<std::string> files;
   for (const OutputObject& object : objects) {
     files.insert(file_of(object.source));
     if (const PointSet* points = points_of(object.source)) {
       input.add(points->doubles(), object.source.polygons);
     }
-    solids.add(object.solid.exact);
+    solids.add_to_pick(object.solid.exact,
+                       objects.size() > 1 ? as_utf8(object.source.name) : "enclosing solid");
     for (const std::size_t plane : object.kept) kept.add_facet(object.solid.exact, plane);
   }
   Picture picture;

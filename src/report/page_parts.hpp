@@ -9,7 +9,8 @@
 namespace convexact {
 
 extern const std::string_view kReportPage, kReportStyle, kReportScript, kChartLibrary;
-extern const std::string_view kViewerPage, kViewerStyle, kViewerScript, kThreeLibrary;
+extern const std::string_view kViewerPage, kViewerStyle, kFacetsScript, kShapesScript,
+    kViewerScript, kThreeLibrary;
 
 /// The page with a text in place of each mark such as @TITLE@. Marks inside of these texts stay.
 /// @throws std::out_of_range if the page has a mark without a text.

@@ -14,14 +14,13 @@
 namespace convexact {
 namespace {
 
-// Neighbours in the list differ in hue; red is for what is uncovered.
-constexpr std::array kColors = {"#4e79a7", "#f2b134", "#59a14f", "#b07aa1", "#76b7b2", "#9c755f",
-                                "#8cd17d", "#86bcb6", "#499894", "#d4a6c8", "#79706e", "#a0cbe8"};
+// Distinct to colour-blind eyes, too [OkabeIto2008]; vermilion is for what is uncovered.
+constexpr std::array kColors = {"#56b4e9", "#e69f00", "#009e73", "#f0e442", "#0072b2", "#cc79a7"};
 constexpr std::size_t kMostSwitches = 32;  // parts with a switch of their own
 constexpr std::size_t kMostApart = 64;     // parts with a way of their own as well
 
 PictureLayer uncovered_layer(const SurfaceCoverage& coverage) {
-  PictureLayer layer{.name = "uncovered", .color = "#e5202b"};
+  PictureLayer layer{.name = "uncovered", .color = "#d55e00"};
   for (const UncoveredPiece& piece : coverage.uncovered) {
     if (piece.corners.size() < 3) continue;
     std::vector<Point> corners;
@@ -145,11 +144,13 @@ void add_apart(const std::vector<const Mesh*>& meshes, Picture& picture) {
   std::vector<PictureLayer> parts;
   for (std::size_t k = 0; k < meshes.size(); ++k) {
     if (k < kMostApart) {
-      parts.push_back(
-          {.name = fmt::format("part {}", k), .color = kColors[k % kColors.size()], .edges = true});
+      parts.push_back({.name = fmt::format("part {}", k),
+                       .color = kColors[k % kColors.size()],
+                       .edges = true,
+                       .right = true});
       parts.back().away = 0.8 * (middle(*meshes[k]) - center);
     } else if (k == kMostApart) {
-      parts.push_back({.name = "other parts", .color = "#bab0ac", .edges = true});
+      parts.push_back({.name = "other parts", .color = "#bab0ac", .edges = true, .right = true});
     }
     // A part that is a segment or a point has no polygon, and is not drawn.
     parts.back().add(meshes[k]->points.doubles(), meshes[k]->polygons);
@@ -177,12 +178,15 @@ Picture parts_picture(const Mesh& input, const PartsVerdict& verdict, const std:
     layers.push_back({.name = as_utf8(verdict.parts[k].name),
                       .color = kColors[k % kColors.size()],
                       .opacity = 0.55,
-                      .edges = true});
+                      .edges = true,
+                      .right = true});
   }
   for (std::size_t k = 0; k < verdict.hulls.size(); ++k) {
     PictureLayer& layer = layers[k % kMostSwitches];
     if (k == kMostSwitches + k % kMostSwitches) layer.name += " and others";
-    if (const auto& solid = verdict.hulls[k].solid) layer.add(*solid);
+    if (const auto& solid = verdict.hulls[k].solid) {
+      layer.add_to_pick(*solid, as_utf8(verdict.parts[k].name));
+    }
   }
   for (PictureLayer& layer : layers) {
     if (!layer.polygons.empty()) picture.layers.push_back(std::move(layer));
@@ -228,7 +232,8 @@ std::vector<PictureLayer> tree_layers(const BuiltTree& built) {
                        .color = kColors[layers.size() % kColors.size()],
                        .opacity = 0.3,
                        .edges = true,
-                       .shown = false};
+                       .shown = false,
+                       .right = true};
     for (std::size_t i = 0; i < level.nodes; ++i, ++node) {
       const Mesh& mesh = built.tree.mesh_of(node);
       layer.add(mesh.points.doubles(), mesh.polygons);

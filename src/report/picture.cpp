@@ -21,6 +21,8 @@ constexpr int kGrid = 32767;                   // drawn coordinates are integers
 constexpr std::size_t kMostDrawn = 1000000;    // triangles or dots of a layer
 constexpr std::size_t kMostTurning = 30000;    // while a page turns that has no fast graphics
 constexpr std::size_t kMostStaticDots = 3000;  // of a layer, in the static drawing
+constexpr std::size_t kMostPicked = 5000;      // facets of a layer that can be picked
+constexpr std::size_t kMostNumbered = 200;     // facets of a page with a number at each
 
 // Maps the scene's bounding box into the cube [-1, 1]^3. The power of two keeps huge coordinates
 // from overflowing and subnormal ones from vanishing.
@@ -57,6 +59,10 @@ class Frame {
 };
 
 // --- what viewer.js draws -----------------------------------------------------------------------
+
+bool can_be_picked(const PictureLayer& layer) {
+  return !layer.solids.empty() && layer.polygons.size() <= kMostPicked;
+}
 
 using GridPoint = std::array<std::int16_t, 3>;
 using Triangle = std::array<std::uint32_t, 3>;
@@ -195,15 +201,37 @@ nlohmann::ordered_json geometry_json(const PictureLayer& layer, const DrawnLayer
   return json;
 }
 
+// Every point, also where several share a place.
+std::vector<GridPoint> grid_points(const PictureLayer& layer, const Frame& frame) {
+  std::vector<GridPoint> points;
+  for (const Point& p : layer.points) {
+    const Point place = frame(p) * kGrid;
+    GridPoint& grid = points.emplace_back();
+    for (int k = 0; k < 3; ++k) grid[k] = static_cast<std::int16_t>(std::lround(place[k]));
+  }
+  return points;
+}
+
+// What facets.js reads. Corners are not merged on the grid, so facets that share two are
+// neighbours.
+nlohmann::ordered_json facets_json(const PictureLayer& layer, const Frame& frame) {
+  nlohmann::ordered_json solids = nlohmann::ordered_json::array();
+  auto polygon = layer.polygons.begin();
+  for (const PictureSolid& solid : layer.solids) {
+    const auto end = polygon + static_cast<std::ptrdiff_t>(solid.planes.size());
+    solids.push_back({{"name", solid.name},
+                      {"planes", solid.planes},
+                      {"polygons", std::vector<std::vector<std::uint32_t>>(polygon, end)}});
+    polygon = end;
+  }
+  return {{"corners", base64<std::int16_t>(grid_points(layer, frame))}, {"solids", solids}};
+}
+
 // Every polygon as a fan, with the polygon of each triangle.
 nlohmann::ordered_json colored_json(const PictureLayer& layer, const Frame& frame) {
   DrawnLayer drawn;
+  drawn.points = grid_points(layer, frame);
   std::vector<std::array<std::uint32_t, 1>> polygon_of;
-  for (const Point& p : layer.points) {
-    const Point place = frame(p) * kGrid;
-    GridPoint& grid = drawn.points.emplace_back();
-    for (int k = 0; k < 3; ++k) grid[k] = static_cast<std::int16_t>(std::lround(place[k]));
-  }
   for (std::uint32_t f = 0; f < layer.polygons.size(); ++f) {
     const auto& polygon = layer.polygons[f];
     for (std::size_t k = 2; k < polygon.size(); ++k) {
@@ -227,13 +255,14 @@ nlohmann::ordered_json colored_json(const PictureLayer& layer, const Frame& fram
 
 // A layer as viewer.js reads it. "turning", if it is there, is a coarser geometry.
 nlohmann::ordered_json layer_json(const PictureLayer& layer, const Frame& frame) {
+  nlohmann::ordered_json json = {{"color", layer.color}, {"opacity", layer.opacity}};
+  if (layer.right) json["right"] = true;
+  if (can_be_picked(layer)) json.update(facets_json(layer, frame));
   if (layer.has_colors() && layer.polygons.size() <= kMostDrawn) {
-    nlohmann::ordered_json colored = {{"color", layer.color}, {"opacity", layer.opacity}};
-    colored.update(colored_json(layer, frame));
-    return colored;
+    json.update(colored_json(layer, frame));
+    return json;
   }
   const DrawnLayer drawn = drawn_layer(layer, frame, kMostDrawn);
-  nlohmann::ordered_json json = {{"color", layer.color}, {"opacity", layer.opacity}};
   json.update(geometry_json(layer, drawn));
   if (!layer.away.isZero()) {
     const Point away = frame.length(layer.away) * kGrid;
@@ -342,9 +371,13 @@ std::string control_list(const std::vector<PictureLayer>& layers) {
       R"(<label hidden>{} <input type="range" id="{}" min="0" max="{}" value="{}"> )"
       R"(<output>{}</output></label>)"
       "\n";
+  constexpr std::string_view kSwitch = R"(<label hidden><input type="checkbox" id="{}"> {}</label>)"
+                                       "\n";
   bool moves = false;
-  std::size_t merges = 0, splits = 0;
+  std::size_t merges = 0, splits = 0, facets = 0, right = 0;
   for (const PictureLayer& layer : layers) {
+    if (layer.right) ++right;
+    if (can_be_picked(layer)) facets += layer.polygons.size();
     moves = moves || !layer.away.isZero();
     if (layer.splits) {
       splits = std::max(splits, *layer.splits);
@@ -353,6 +386,10 @@ std::string control_list(const std::vector<PictureLayer>& layers) {
     }
   }
   std::string list;
+  if (facets > 0 && facets <= kMostNumbered) {
+    list += fmt::format(kSwitch, "numbers", "numbers of facets");
+  }
+  if (right > 0 && right < layers.size()) list += fmt::format(kSwitch, "pair", "side by side");
   if (moves) list += fmt::format(kSlider, "draw parts apart", "apart", 100, 0, "");
   if (merges > 0) list += fmt::format(kSlider, "merges", "merges", merges, merges, merges);
   if (splits > 0) list += fmt::format(kSlider, "splits", "splits", splits, splits, splits);
@@ -390,6 +427,17 @@ void PictureLayer::add(const Polytope& solid) {
   add(corners, solid.facets);
 }
 
+void PictureLayer::add_to_pick(const Polytope& solid, std::string name) {
+  add(solid);
+  std::vector<std::string> planes;
+  for (const Halfspace& plane : solid.planes) {
+    const auto& n = plane.normal();
+    planes.push_back(fmt::format("({}, {}, {}, {})", to_string(n[0]), to_string(n[1]),
+                                 to_string(n[2]), to_string(plane.offset())));
+  }
+  solids.push_back({std::move(name), std::move(planes)});
+}
+
 void PictureLayer::add_facet(const Polytope& solid, std::size_t facet) {
   std::vector<Point> corners;
   std::vector<std::uint32_t> polygon;
@@ -416,6 +464,8 @@ std::string picture_html(const Picture& picture) {
                                  {"DATA", for_script_element(layers.dump())},
                                  {"STYLE", kViewerStyle},
                                  {"LIBRARY", kThreeLibrary},
+                                 {"FACETS", kFacetsScript},
+                                 {"SHAPES", kShapesScript},
                                  {"SCRIPT", kViewerScript}});
 }
 

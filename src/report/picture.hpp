@@ -13,6 +13,13 @@
 
 namespace convexact {
 
+/// A solid whose facets a reader can pick, and what the page then tells. Exact numbers travel as
+/// text.
+struct PictureSolid {
+  std::string name;                 ///< Plain text.
+  std::vector<std::string> planes;  ///< By facet: "(n1, n2, n3, d)", n.x + d <= 0.
+};
+
 /// What a picture shows and hides at once: surfaces, or points.
 struct PictureLayer {
   std::string name;    ///< Plain text; stands beside the layer's switch.
@@ -21,6 +28,7 @@ struct PictureLayer {
                        ///< counter-clockwise from outside.
   bool edges = false;  ///< Draws the edges of the polygons.
   bool shown = true;   ///< When the page opens.
+  bool right = false;  ///< Stands in the right pane where a reader has two, else in the left one.
   std::vector<Point> points = {};  ///< Drawn as dots if there are no polygons.
   std::vector<std::vector<std::uint32_t>> polygons = {};  ///< Indices into `points`.
   /// How far the layer moves, in the scene's units, when a reader draws layers apart.
@@ -33,6 +41,8 @@ struct PictureLayer {
   std::vector<std::array<std::uint32_t, 2>> merges = {};
   /// The last so many merges undo splits: a reader asks for a number of these instead.
   std::optional<std::size_t> splits = {};
+  /// The polygons are the facets of these solids, one solid after another. Empty: none is picked.
+  std::vector<PictureSolid> solids = {};
 
   /// Whether polygons have colours of their own; then they are drawn in full, without edges.
   bool has_colors() const { return !heat.empty() || !merges.empty(); }
@@ -41,6 +51,8 @@ struct PictureLayer {
   void add(std::span<const Point> more, const std::vector<std::vector<std::uint32_t>>& faces);
   /// Adds a solid, its corners rounded to nearest.
   void add(const Polytope& solid);
+  /// The same, and its facets can be picked. All polygons of the layer must be added like this.
+  void add_to_pick(const Polytope& solid, std::string name);
   /// Adds one facet of it.
   void add_facet(const Polytope& solid, std::size_t facet);
 };

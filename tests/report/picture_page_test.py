@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """picture_page_test.py PROGRAM DATA [SCREENSHOTS] - opens pictures in headless Chromium, from disk, with its
-software renderer: no complaint, no crack, at least 20 frames a second for the bunny and its proxy; and
-without WebGL, where the static drawing stands. Writes screenshots into the folder, if one is named."""
+software renderer: no complaint, no crack, at least 20 frames a second for the bunny and its proxy; numbers
+and planes of facets by mouse, finger and keys; two panes; light, dark and printed; and without WebGL, where
+the static drawing stands. Writes screenshots into the folder, if one is named."""
+import json
+import math
 import os
 import pathlib
 import subprocess
@@ -12,6 +15,8 @@ import tempfile
 import chromium
 
 FRAMES_A_SECOND = 20
+CUBE = "".join(f"v {k & 1} {k >> 1 & 1} {k >> 2}\n" for k in range(8)) + (
+    "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n")
 
 # The canvas as its window of 800x600; turned a little by each frame, which is waited for.
 SIZE = """new Promise(done => {
@@ -21,8 +26,11 @@ SIZE = """new Promise(done => {
 PRELUDE = """
 const canvas = document.querySelector("canvas"), gl = canvas.getContext("webgl2");
 const size = () => [gl.drawingBufferWidth, gl.drawingBufferHeight];
+canvas.setPointerCapture = () => {};  // there is none for a pointer that is made up
 const frame = async (right, down) => {
-  canvas.dispatchEvent(new PointerEvent("pointermove", {buttons: 1, movementX: right, movementY: down}));
+  for (const [type, clientX, clientY] of [["down", 0, 0], ["move", right, down], ["cancel", right, down]]) {
+    canvas.dispatchEvent(new PointerEvent("pointer" + type, {pointerId: 99, clientX, clientY}));
+  }
   await new Promise(requestAnimationFrame);
 };
 """
@@ -66,7 +74,7 @@ CRACKS = "(async () => {" + PRELUDE + """
   for (let k = 0; k < reached.length; ++k) {
     if (pixels[4 * k + 3] === 255) {
       ++covered;
-      if (pixels[4 * k] < 0.4 * 0xcd) ++dark;
+      if (pixels[4 * k] < 0.4 * 0xe6) ++dark;
     } else if (!reached[k]) {
       ++enclosed;
     }
@@ -83,8 +91,81 @@ SIGHT = "(async () => {" + PRELUDE + """
 SHOWN = """[...document.querySelectorAll("#layers input")].map(box => box.hidden ? null : box.checked)"""
 
 
-def opened(path, **how):
-    return chromium.Page(pathlib.Path(path).resolve().as_uri(), width=820, height=760, **how)
+# Of each half of what is seen, or of all: where it is covered, as [left, right, low, high].
+BOXES = "(async () => {" + PRELUDE + """
+  await new Promise(done => setTimeout(done, 400));  // at rest
+  await frame(0, 0);
+  const [width, height] = size(), pixels = new Uint8Array(4 * width * height);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  const across = ACROSS, down = DOWN, boxes = [];
+  for (let k = 0; k < across * down; ++k) {
+    const x0 = k % across * width / across, y0 = Math.floor(k / across) * height / down, box = [1e9, -1, 1e9, -1];
+    for (let y = 0; y < Math.floor(height / down); ++y) {
+      for (let x = 0; x < Math.floor(width / across); ++x) {
+        if (pixels[4 * (Math.floor(y + y0) * width + Math.floor(x + x0)) + 3] === 0) continue;
+        box[0] = Math.min(box[0], x), box[1] = Math.max(box[1], x);
+        box[2] = Math.min(box[2], y), box[3] = Math.max(box[3], y);
+      }
+    }
+    boxes.push(box.map(x => x * canvas.clientWidth / width));
+  }
+  return boxes;
+})()"""
+# The numbers at facets that are seen, with their places on the page.
+NUMBERS = """(async () => {
+  await new Promise(requestAnimationFrame);
+  await new Promise(requestAnimationFrame);
+  return [...document.querySelectorAll("#view b")].filter(label => !label.hidden).map(label => {
+    const box = label.getBoundingClientRect();
+    return [Number(label.textContent), box.x + box.width / 2, box.y + box.height / 2];
+  });
+})()"""
+TOLD = 'document.getElementById("told").innerText'
+# The least ratio of luminances [WCAG 2.2, contrast ratio] of texts to the page behind them.
+CONTRAST = """(() => {
+  const light = color => {
+    const [r, g, b] = color.match(/[\\d.]+/g).map(x => x / 255)
+      .map(x => x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b + 0.05;
+  };
+  const paper = light(getComputedStyle(document.body).backgroundColor);
+  return Math.min(...["h1", "#how", "small", "#told", "#view b"].map(name => {
+    const ink = light(getComputedStyle(document.querySelector(name)).color);
+    return Math.max(ink, paper) / Math.min(ink, paper);
+  }));
+})()"""
+
+
+def opened(path, width=820, height=760, **how):
+    return chromium.Page(pathlib.Path(path).resolve().as_uri(), width=width, height=height, **how)
+
+
+def mouse(page, *steps):
+    for kind, x, y in steps:
+        page.call("Input.dispatchMouseEvent", type="mouse" + kind, x=x, y=y, button="left", clickCount=1,
+                  buttons=0 if kind == "Released" else 1)
+
+
+def click(page, x, y):
+    mouse(page, ("Moved", x, y), ("Pressed", x, y), ("Released", x, y))
+
+
+def drag(page, x, y, right, down):
+    mouse(page, ("Pressed", x, y), ("Moved", x + right, y + down), ("Released", x + right, y + down))
+
+
+def press(page, key):
+    text = {"Enter": "\r"}.get(key, key if len(key) == 1 else "")
+    page.call("Input.dispatchKeyEvent", type="keyDown", key=key, text=text)
+    page.call("Input.dispatchKeyEvent", type="keyUp", key=key)
+
+
+def middle(page):
+    return page.evaluate('(b => [b.x + b.width / 2, b.y + b.height / 2])(document.querySelector("canvas").getBoundingClientRect())')
+
+
+def boxes(page, across=1, down=1):
+    return page.evaluate(BOXES.replace("ACROSS", str(across)).replace("DOWN", str(down)))
 
 
 def cracks(page, right, down, at_rest):
@@ -181,6 +262,188 @@ def check_decomposition(path, control, fewer):
         page.close()
 
 
+def check_picking(cube):
+    """The unit cube, seen from -x, +y and +z: what is where, and what is next to what, by definition."""
+    solid = json.loads(pathlib.Path(cube + ".json").read_text())["halfspaces"]
+    number = {tuple(map(int, plane)): k for k, plane in enumerate(solid)}
+    left, right = number[-1, 0, 0, 0], number[1, 0, 0, -1]
+    top, bottom = number[0, 1, 0, -1], number[0, -1, 0, 0]
+    front, back = number[0, 0, 1, -1], number[0, 0, -1, 0]
+    page = opened(cube + ".html", width=1300, height=900, graphics=chromium.SOFTWARE_WEBGL)
+    try:
+        x, y = middle(page)
+        places = {left: (x - 150, y + 30), top: (x, y - 170), front: (x + 100, y + 50)}
+        planes = {left: "(-1, 0, 0, 0)", top: "(0, 1, 0, -1)", front: "(0, 0, 1, -1)"}
+        for facet, place in places.items():
+            click(page, *place)
+            told = page.evaluate(TOLD)
+            assert told.startswith(f"Facet {facet} of enclosing solid: plane {planes[facet]}; 4 corners; next to "), told
+            beside = sorted(map(int, told.rstrip(".").split("next to ")[1].split(", ")))
+            opposite = {left: right, top: bottom, front: back}[facet]
+            assert beside == sorted({*range(6)} - {facet, opposite}), told
+        keep(page, "cube_picked")
+        press(page, "Escape")
+        assert page.evaluate(TOLD) == ""
+        click(page, *places[top])
+        lit = page.evaluate(SIGHT)
+        click(page, 20, y + 200)  # beside it
+        assert page.evaluate(TOLD) == "" and page.evaluate(SIGHT) != lit
+        drag(page, *places[top], 40, 0)  # is no click
+        drag(page, *places[top], -40, 0)
+        assert page.evaluate(TOLD) == ""
+        press(page, "Enter")
+        assert page.evaluate(TOLD).startswith("Facet "), "the middle of the view"
+
+        assert page.evaluate(NUMBERS) == []
+        page.evaluate('document.getElementById("numbers").click()')
+        seen = {k: place for k, *place in page.evaluate(NUMBERS)}
+        assert sorted(seen) == sorted(places), seen
+        for facet, place in seen.items():
+            click(page, *place)
+            assert page.evaluate(TOLD).startswith(f"Facet {facet} "), (facet, page.evaluate(TOLD))
+        keep(page, "cube_numbers")
+        drag(page, x, y, 30, 0)
+        moved = {k: place for k, *place in page.evaluate(NUMBERS)}
+        # A point of the side that looks at the reader goes where the mouse goes.
+        assert sorted(moved) == sorted(seen) and moved[front][0] > seen[front][0] + 5, (seen, moved)
+        drag(page, x - 200, y, 471 - 30, 0)  # half a turn: 150 pixels each radian
+        assert sorted(k for k, *_ in page.evaluate(NUMBERS)) == sorted((right, top, back))
+        page.evaluate('document.querySelector("#layers input:last-of-type").click()')
+        page.evaluate('document.querySelectorAll("#layers input")[1].click()')
+        assert page.evaluate(NUMBERS) == [], "of a layer that is hidden"
+        assert not page.complaints, page.complaints
+    finally:
+        page.close()
+
+
+def check_keys(path, planes):
+    """By keys alone, every facet once, with the very integers of the summary."""
+    page = opened(path, graphics=chromium.SOFTWARE_WEBGL)
+    try:
+        while page.evaluate("document.activeElement.tagName") != "CANVAS":
+            page.call("Input.dispatchKeyEvent", type="keyDown", key="Tab", windowsVirtualKeyCode=9)
+        for k, plane in enumerate(planes):
+            press(page, "n")
+            told = page.evaluate(TOLD)
+            assert told.startswith(f"Facet {k} of enclosing solid: plane ({', '.join(plane)}); "), told
+            assert page.evaluate('document.getElementById("facet").value') == str(k)
+        keep(page, "keys")
+        press(page, "p")
+        assert page.evaluate(TOLD).startswith(f"Facet {len(planes) - 2} ")
+        press(page, "Escape")
+        press(page, "p")
+        assert page.evaluate(TOLD).startswith(f"Facet {len(planes) - 1} ")
+        assert any(abs(int(x)) > 2 ** 53 for plane in planes for x in plane), "doubles would do"
+        assert not page.complaints, page.complaints
+    finally:
+        page.close()
+
+
+def check_panes(cube, width, across, down):
+    """The input, a cube, and its solid, which is the same one: both panes look alike, however they are turned."""
+    page = opened(cube + ".html", width=width, height=900, graphics=chromium.SOFTWARE_WEBGL)
+    try:
+        page.evaluate('document.getElementById("pair").click()')
+        x, y = middle(page)
+        turns = []
+        for right in (0, 60):
+            drag(page, x - 100, y - 100, right, right)
+            one, other = boxes(page, across, down)
+            # Edges are a little thicker than nothing.
+            assert max(abs(a - b) for a, b in zip(one, other)) < 6 and one[1] - one[0] > 80, (one, other)
+            turns.append(one)
+        assert turns[0] != turns[1], turns
+        page.evaluate('document.getElementById("numbers").click()')
+        half = 0 if down > 1 else 1  # above or below, left or right
+        assert all(place[half] > (x, y)[1 - half] for _, *place in
+                   [(k, b, a) for k, a, b in page.evaluate(NUMBERS)]), page.evaluate(NUMBERS)
+        k, a, b = page.evaluate(NUMBERS)[0]
+        click(page, a, b)
+        assert page.evaluate(TOLD).startswith(f"Facet {k} "), page.evaluate(TOLD)
+        keep(page, f"panes_{width}")
+        assert not page.complaints, page.complaints
+    finally:
+        page.close()
+
+
+def check_touch(cube):
+    page = opened(cube + ".html", width=400, height=800, graphics=chromium.SOFTWARE_WEBGL)
+    try:
+        page.call("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=2)
+        x, y = middle(page)
+
+        def touch(kind, *places):
+            page.call("Input.dispatchTouchEvent", type="touch" + kind,
+                      touchPoints=[{"x": x + right, "y": y + down, "id": k} for k, (right, down) in enumerate(places)])
+
+        (before,) = boxes(page)
+        touch("Start", (-40, 0))
+        touch("Start", (-40, 0), (40, 0))
+        for apart in (34, 30, 26):
+            touch("Move", (-apart, 0), (apart, 0))
+        touch("End")
+        (after,) = boxes(page)
+        share = (after[1] - after[0]) / (before[1] - before[0])
+        assert math.isclose(share, 26 / 40, rel_tol=0.03), (share, before, after)
+        assert page.evaluate(TOLD) == "", "a pinch picks nothing"
+        touch("Start", (0, 0))
+        touch("Move", (60, 0))
+        touch("End")
+        (turned,) = boxes(page)
+        assert turned != after
+        touch("Start", (0, 0))
+        touch("End")
+        assert page.evaluate(TOLD).startswith("Facet "), "a tap picks"
+        assert not page.complaints, page.complaints
+    finally:
+        page.close()
+
+
+def check_looks(path):
+    """Light and dark, wide and narrow: texts stand out. Nothing moves by itself. Print has the words."""
+    for scheme in ("light", "dark"):
+        for width in (1300, 400):
+            page = opened(path, width=width, height=900, graphics=chromium.SOFTWARE_WEBGL,
+                          media=(("prefers-color-scheme", scheme), ("prefers-reduced-motion", "reduce")))
+            try:
+                page.evaluate('document.getElementById("numbers").click()')
+                page.evaluate('document.querySelector("canvas").focus()')
+                press(page, "n")
+                assert page.evaluate(CONTRAST) >= 4.5, page.evaluate(CONTRAST)
+                assert page.evaluate("document.documentElement.scrollWidth") <= width
+                page.evaluate("new Promise(done => setTimeout(done, 600))")
+                shots = []
+                for _ in range(2):
+                    shots.append(page.call("Page.captureScreenshot")["data"])
+                    page.evaluate("new Promise(done => setTimeout(done, 700))")
+                assert shots[0] == shots[1], "something moves by itself"
+                keep(page, f"{scheme}_{width}")
+                if scheme == "light" and width == 1300:
+                    told = page.evaluate(TOLD)
+                    page.call("Emulation.setEmulatedMedia", media="print")
+                    assert told and page.evaluate(TOLD) == told
+                    assert page.evaluate("""["#view svg", "#told", "#view canvas", "#view b", "#facet"].map(
+                        name => document.querySelector(name).getClientRects().length > 0)""") == [True, True, False, False, False]
+                    keep(page, "print")
+                assert not page.complaints, page.complaints
+            finally:
+                page.close()
+
+
+def check_names(path):
+    """Names of files and objects are texts, wherever the page puts them."""
+    page = opened(path, graphics=chromium.SOFTWARE_WEBGL)
+    try:
+        page.evaluate('document.querySelector("canvas").focus()')
+        press(page, "n")
+        assert "</script><img" in page.evaluate(TOLD), page.evaluate(TOLD)
+        assert page.evaluate('document.querySelectorAll("#facet optgroup").length') == 2
+        assert page.evaluate('document.images.length === 0 && typeof hacked === "undefined"')
+        assert not page.complaints, page.complaints
+    finally:
+        page.close()
+
+
 def check_static(path):
     """Without WebGL: the drawing and the numbers, no switches, no complaint."""
     page = opened(path, graphics=chromium.NO_WEBGL)
@@ -191,6 +454,9 @@ def check_static(path):
         assert min(box) > 300, box
         text = page.evaluate("document.body.innerText")
         assert "35947 points, 69451 faces" in text and "18 halfspaces" in text, text
+        page.evaluate("""(list => { list.value = 3; list.dispatchEvent(new Event("change")); })(
+            document.getElementById("facet"))""")
+        assert page.evaluate(TOLD).startswith("Facet 3 of enclosing solid: plane ("), page.evaluate(TOLD)
         assert not page.complaints, page.complaints
         keep(page, "bunny_static")
     finally:
@@ -211,10 +477,27 @@ def main():
         for name, faces in (("sphere.obj", "12"), (data / "bunny.obj", "18")):
             subprocess.run([program, "simplify", name, "--faces", faces, "--picture",
                             pathlib.Path(name).stem + ".html"], check=True, stdout=subprocess.DEVNULL)
+        pathlib.Path("cube.obj").write_text(CUBE)
+        subprocess.run([program, "simplify", "cube.obj", "--faces", "6", "--picture", "cube.html", "-o", "cube.json"],
+                       check=True, stdout=subprocess.DEVNULL)
+        solid = subprocess.run([program, "simplify", data / "spot.obj", "--faces", "14", "--json", "--picture", "spot.html"],
+                               check=True, stdout=subprocess.PIPE).stdout
+        hostile = pathlib.Path("\"><img src=x onerror='hacked=1'>.obj")
+        name = "</script><img src=x onerror=hacked=1>"
+        hostile.write_text(f"o {name}\n{CUBE}o '\"><!--\n" + CUBE.replace("v ", "v 3").replace("f ", "f -"))
+        subprocess.run([program, "simplify", hostile, "--faces", "6", "--parts", "--picture", "hostile.html"],
+                       check=True, stdout=subprocess.DEVNULL)
         for method, limit in (("hacd", "3%"), ("acd", "10%")):
             subprocess.run([program, "decompose", data / "spot.obj", "--method", method, "--concavity", limit,
                             "--no-measures", "--picture", f"{method}.html"], check=True, stdout=subprocess.DEVNULL)
         check_convex("sphere.html")
+        check_picking("cube")
+        check_keys("spot.html", json.loads(solid)["output"]["planes"])
+        check_panes("cube", 1300, 2, 1)
+        check_panes("cube", 400, 1, 2)
+        check_touch("cube")
+        check_looks("spot.html")
+        check_names("hostile.html")
         check_decomposition("hacd.html", "merges", 40)
         check_decomposition("acd.html", "splits", 5)
         check_static("bunny.html")

@@ -1,183 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Draws the layers that the element #picture carries, by three.js: surfaces, lit and flat, and points.
-// Without WebGL 2 it leaves the static drawing of the page in its place.
+// Draws the picture by three.js, turns and zooms it, numbers its facets and picks them. Without WebGL 2
+// it leaves the static drawing of the page in its place.
 "use strict";
 (() => {
 const view = document.getElementById("view"), canvas = document.createElement("canvas");
 const context = canvas.getContext("webgl2", {alpha: true, antialias: false});
 if (!context) return;
 
-// --- the layers ----------------------------------------------------------------------------------
-
-function numbersOf(base64, Type) {
-  return new Type(Uint8Array.from(atob(base64), c => c.charCodeAt(0)).buffer);
-}
-function indicesOf(layer, base64) {
-  return numbersOf(base64, layer.wide ? Uint32Array : Uint16Array);
-}
-
-function geometryOf(data) {
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute("position", new THREE.BufferAttribute(
-    Float32Array.from(numbersOf(data.points, Int16Array), x => x / 32767), 3));
-  if (data.triangles !== undefined) {
-    geometry.setIndex(new THREE.BufferAttribute(indicesOf(data, data.triangles), 1));
-  }
-  return geometry;
-}
-
-// Flat faces take their normals from what is drawn, so they need no winding; the light comes from the
-// viewer's left shoulder and from above. The library's own lights take twice as long in software. Faces
-// lie a little behind edges at the same place.
-const kVertex = `
-  varying vec3 place;
-  varying vec3 shade;
-  void main() {
-    #ifdef USE_COLOR
-      shade = color;
-    #else
-      shade = vec3(1.0);
-    #endif
-    vec4 seen = modelViewMatrix * vec4(position, 1.0);
-    place = seen.xyz;
-    gl_Position = projectionMatrix * seen;
-  }`;
-const kFragment = `
-  uniform vec3 paint;
-  uniform float opacity;
-  varying vec3 place;
-  varying vec3 shade;
-  void main() {
-    vec3 normal = normalize(cross(dFdx(place), dFdy(place)));
-    float light = 0.5 + 0.09 * normal.y + 0.6 * max(0.0, dot(normal, vec3(-0.36, 0.58, 0.73)));
-    gl_FragColor = vec4(light * paint * shade, opacity);
-  }`;
-function faceMaterial(layer, more) {
-  return new THREE.ShaderMaterial({vertexShader: kVertex, fragmentShader: kFragment,
-    uniforms: {paint: {value: new THREE.Color(layer.color)}, opacity: {value: layer.opacity}},
-    side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1, ...more});
-}
-
-// --- polygons with colours of their own ------------------------------------------------------------
-
-// From blue over yellow to red.
-function heatColor(x, color) {
-  const stops = [[0.17, 0.48, 0.71], [1, 1, 0.75], [0.84, 0.1, 0.11]];
-  const k = x < 0.5 ? 0 : 1, rest = 2 * x - k;
-  return color.setRGB(...[0, 1, 2].map(i => stops[k][i] + rest * (stops[k + 1][i] - stops[k][i])));
-}
-// Names that are close get hues that are not: the golden section spreads them.
-function groupColor(name, color) {
-  return color.setHSL(0.618034 * name % 1, 0.55, 0.45 + 0.2 * (0.754878 * name % 1));
-}
-// The name of each polygon's group after so many merges.
-function groupsAfter(merges, steps, count) {
-  const parent = Uint32Array.from({length: count}, (_, k) => k);
-  for (let k = 0; k < 2 * steps; k += 2) parent[merges[k + 1]] = merges[k];
-  // A parent is lower than its child, so one pass in this order leads all to the top.
-  for (let k = 0; k < count; ++k) parent[k] = parent[parent[k]];
-  return parent;
-}
-function coloredGroup(layer) {
-  const geometry = geometryOf(layer).toNonIndexed(), of = numbersOf(layer.polygonOf, Uint32Array);
-  const colors = new THREE.BufferAttribute(new Float32Array(9 * of.length), 3), color = new THREE.Color();
-  geometry.setAttribute("color", colors);
-  const count = of.reduce((most, k) => Math.max(most, k + 1), 0);
-  const paint = colorOf => {
-    of.forEach((polygon, t) => {
-      colorOf(polygon);
-      for (let k = 0; k < 3; ++k) colors.setXYZ(3 * t + k, color.r, color.g, color.b);
-    });
-    colors.needsUpdate = true;
-  };
-  const group = new THREE.Group();
-  group.add(new THREE.Mesh(geometry, faceMaterial({...layer, color: "#ffffff"}, {vertexColors: true})));
-  if (layer.heat) {
-    const heat = numbersOf(layer.heat, Uint8Array);
-    paint(polygon => heatColor(heat[polygon] / 255, color));
-  }
-  if (layer.merges) {
-    const merges = numbersOf(layer.merges, Uint32Array), all = merges.length / 2;
-    const showAfter = steps => {
-      const names = groupsAfter(merges, Math.max(0, Math.min(steps, all)), count);
-      paint(polygon => groupColor(names[polygon], color));
-    };
-    if (layer.splits === undefined) {
-      group.userData.merge = showAfter;
-      showAfter(all);
-    } else {
-      group.userData.split = splits => showAfter(all - splits);
-      group.userData.split(layer.splits);
-    }
-  }
-  return group;
-}
-
-// --- surfaces and points ---------------------------------------------------------------------------
-
-// Edges are thin prisms of four sides: WebGL draws lines one pixel wide only.
-function edgesOf(layer, points) {
-  const pairs = indicesOf(layer, layer.edges), thickness = pairs.length < 1000 ? 0.004 : 0.0015;
-  const corners = [], indices = [];
-  const ends = [new THREE.Vector3(), new THREE.Vector3()], across = new THREE.Vector3();
-  for (let k = 0; k < pairs.length; k += 2) {
-    const first = corners.length / 3;
-    ends.forEach((end, i) => end.fromBufferAttribute(points, pairs[k + i]));
-    const along = new THREE.Vector3().subVectors(ends[1], ends[0]).normalize();
-    across.set(along.z, along.x, along.y).cross(along);  // zero only if all three are equal
-    if (across.lengthSq() < 1e-6) across.set(1, -1, 0);
-    across.setLength(thickness);
-    for (let side = 0; side < 4; ++side) {
-      for (const end of ends) corners.push(end.x + across.x, end.y + across.y, end.z + across.z);
-      const [a, b, c, d] = [0, 1, 2, 3].map(i => first + (2 * side + i) % 8);
-      indices.push(a, b, c, c, b, d);
-      across.applyAxisAngle(along, Math.PI / 2);
-    }
-  }
-  const prisms = new THREE.BufferGeometry();
-  prisms.setAttribute("position", new THREE.Float32BufferAttribute(corners, 3));
-  prisms.setIndex(indices);
-  return more => new THREE.Mesh(prisms, new THREE.MeshBasicMaterial(
-    {color: new THREE.Color(layer.color).multiplyScalar(0.55), side: THREE.DoubleSide, ...more}));
-}
-
-// Layers that can be seen through are drawn after the others, in the order of the list: faces that
-// look away, edges, faces in front, edges once more. So edges behind a face are fainter than those in
-// front.
-function groupOf(layer, place) {
-  if (layer.polygonOf) return coloredGroup(layer);
-  const group = new THREE.Group(), clear = layer.opacity < 1;
-  const geometry = geometryOf(layer), turning = layer.turning ? geometryOf(layer.turning) : geometry;
-  const add = (object, order) => {
-    object.renderOrder = 10 * place + order;
-    if (object.geometry === geometry) object.userData = {geometry, turning};
-    group.add(object);
-  };
-  if (layer.triangles === undefined) {
-    add(new THREE.Points(geometry, new THREE.PointsMaterial(
-      {color: layer.color, size: 3.5, sizeAttenuation: false})), 0);
-    return group;
-  }
-  const edges = layer.edges ? edgesOf(layer, geometry.attributes.position) : null;
-  if (clear) {
-    const seen = {transparent: true, depthWrite: false};
-    add(new THREE.Mesh(geometry, faceMaterial(layer, {...seen, side: THREE.BackSide})), 0);
-    if (edges) add(edges({...seen, opacity: 0.4}), 1);
-    add(new THREE.Mesh(geometry, faceMaterial(layer, {...seen, side: THREE.FrontSide, depthWrite: true})), 2);
-  } else {
-    add(new THREE.Mesh(geometry, faceMaterial(layer, {})), 0);
-  }
-  if (edges) add(edges({transparent: clear}), 3);
-  return group;
-}
-
 // --- the scene -----------------------------------------------------------------------------------
 
 const renderer = new THREE.WebGLRenderer({canvas, context});
 const scene = new THREE.Scene(), camera = new THREE.PerspectiveCamera(30, 1, 0.01, 100);
 let radius = 0, radiusTogether = 0, radiusApart = 0;
-JSON.parse(document.getElementById("picture").textContent).forEach((layer, place) => {
-  const group = groupOf(layer, place), box = document.querySelectorAll("#layers input")[place];
+picture.layers.forEach((layer, place) => {
+  const group = shapes.groupOf(layer, place), box = document.querySelectorAll("#layers input")[place];
   scene.add(group);
   for (const part of group.children) {
     part.geometry.computeBoundingSphere();
@@ -186,21 +22,19 @@ JSON.parse(document.getElementById("picture").textContent).forEach((layer, place
     group.userData.away = new THREE.Vector3(...(layer.away || [0, 0, 0])).divideScalar(32767);
     radiusApart = Math.max(radiusApart, sphere.center.clone().add(group.userData.away).length() + sphere.radius);
   }
-  group.visible = box.checked;
+  group.userData.right = layer.right === true;
+  group.userData.box = box;
   box.hidden = false;
-  box.onchange = () => {
-    group.visible = box.checked;
-    redraw();
-  };
+  box.onchange = redraw;
 });
 
 radius = radiusTogether;
 function control(id, act) {
-  const slider = document.getElementById(id);
-  if (!slider) return;
-  slider.parentElement.hidden = false;
-  slider.oninput = () => {
-    act(Number(slider.value));
+  const input = document.getElementById(id);
+  if (!input) return;
+  input.parentElement.hidden = false;
+  input.oninput = () => {
+    act(input.type === "checkbox" ? input.checked : Number(input.value));
     redraw();
   };
 }
@@ -214,6 +48,120 @@ for (const [id, step] of [["merges", "merge"], ["splits", "split"]]) {
     for (const group of scene.children) group.userData[step]?.(steps);
   });
 }
+
+// --- one pane, or two --------------------------------------------------------------------------------
+
+let pair = false;
+control("pair", on => {
+  pair = on;
+  view.classList.toggle("pair", on);
+  // What was hidden at first, such as the input of a decomposition, is why there are two panes.
+  for (const right of [false, true]) {
+    const boxes = scene.children.filter(group => group.userData.right === right).map(group => group.userData.box);
+    if (on && !boxes.some(box => box.checked)) boxes[0].checked = true;
+  }
+});
+
+// In pixels of the page, from the upper left corner of the view; in a narrow one they are stacked.
+function panes() {
+  const width = view.clientWidth, height = view.clientHeight, stacked = width < 700;
+  if (!pair) return [{left: 0, top: 0, width, height}];
+  return [false, true].map(right => stacked
+    ? {right, left: 0, top: right ? height / 2 : 0, width, height: height / 2}
+    : {right, left: right ? width / 2 : 0, top: 0, width: width / 2, height});
+}
+// The camera as it sees a pane, with the layers of this pane alone.
+function aim(pane) {
+  camera.aspect = pane.width / Math.max(1, pane.height);
+  const half = Math.atan(Math.tan(Math.PI * camera.fov / 360) * Math.min(1, camera.aspect));
+  const distance = 1.03 * radius / Math.sin(half);
+  camera.position.set(Math.sin(-turn) * Math.cos(tilt), Math.sin(tilt), Math.cos(turn) * Math.cos(tilt))
+    .multiplyScalar(distance);
+  camera.lookAt(0, 0, 0);
+  camera.near = Math.max(0.01, distance - 1.1 * radius);
+  camera.far = distance + 1.1 * radius;
+  camera.zoom = zoom;
+  camera.updateProjectionMatrix();
+  camera.updateMatrixWorld();
+  for (const group of scene.children) {
+    const {right, box} = group.userData;
+    group.visible = box.checked && (pane.right === undefined || pane.right === right);
+  }
+}
+
+// --- facets: their numbers, and the one that is picked -----------------------------------------------
+
+for (const facet of picture.facets) {
+  const layer = picture.layers[facet.place];
+  layer.places ||= picture.numbersOf(layer.corners, Int16Array);
+  facet.group = scene.children[facet.place];
+  facet.points = facet.corners.map(k => new THREE.Vector3().fromArray(layer.places, 3 * k).divideScalar(32767));
+  facet.middle = facet.points.reduce((sum, p) => sum.add(p), new THREE.Vector3()).divideScalar(facet.points.length);
+  facet.normal = new THREE.Vector3();  // twice the area long: the sum of a fan around the middle
+  facet.points.forEach((p, k) => {
+    const next = facet.points[(k + 1) % facet.points.length].clone().sub(facet.middle);
+    facet.normal.add(p.clone().sub(facet.middle).cross(next));
+  });
+}
+// Whether it is drawn and looks at the camera.
+function isSeen({group, middle, normal}) {
+  return group.visible && normal.dot(camera.position.clone().sub(group.position).sub(middle)) > 0;
+}
+
+let labels = [];
+control("numbers", on => {
+  for (const label of labels) label.remove();
+  labels = on ? picture.facets.map(facet => document.createElement("b")) : [];
+  labels.forEach((label, k) => label.textContent = picture.facets[k].number);
+  view.append(...labels);
+});
+function placeLabels(pane) {
+  labels.forEach((label, k) => {
+    const {group, middle} = picture.facets[k];
+    if (pane.right !== undefined && pane.right !== group.userData.right) return;
+    const place = middle.clone().add(group.position).project(camera);
+    label.hidden = !isSeen(picture.facets[k]) || Math.abs(place.x) > 1 || Math.abs(place.y) > 1;
+    label.style.left = pane.left + (1 + place.x) / 2 * pane.width + "px";
+    label.style.top = pane.top + (1 - place.y) / 2 * pane.height + "px";
+  });
+}
+
+// The index of the nearest facet at a place of the view, or -1.
+function facetAt(x, y) {
+  const pane = panes().find(({left, top, width, height}) =>
+    x >= left && x < left + width && y >= top && y < top + height);
+  if (!pane) return -1;
+  aim(pane);
+  const caster = new THREE.Raycaster(), ray = new THREE.Ray(), hit = new THREE.Vector3();
+  caster.setFromCamera(new THREE.Vector2(2 * (x - pane.left) / pane.width - 1,
+    1 - 2 * (y - pane.top) / pane.height), camera);
+  let nearest = -1, least = Infinity;
+  picture.facets.forEach((facet, index) => {
+    if (!isSeen(facet)) return;
+    ray.copy(caster.ray).origin.sub(facet.group.position);
+    for (let k = 2; k < facet.points.length; ++k) {
+      if (!ray.intersectTriangle(facet.points[0], facet.points[k - 1], facet.points[k], false, hit)) continue;
+      const distance = hit.distanceTo(ray.origin);
+      if (distance < least) [nearest, least] = [index, distance];
+    }
+  });
+  return nearest;
+}
+
+let lit = null;
+picture.onpick = (facet, byPointer) => {
+  if (lit) {
+    lit.removeFromParent();
+    for (const part of lit.children) part.geometry.dispose();
+  }
+  lit = null;
+  if (facet) {
+    lit = shapes.litFacet(facet.points, facet.place);
+    facet.group.add(lit);
+    if (!byPointer) turnTo(facet.normal.clone().normalize());
+  }
+  redraw();
+};
 
 // --- turning and zooming -------------------------------------------------------------------------
 
@@ -230,16 +178,15 @@ function setQuality(full) {
   });
 }
 function draw() {
-  const half = Math.atan(Math.tan(Math.PI * camera.fov / 360) * Math.min(1, camera.aspect));
-  const distance = 1.03 * radius / Math.sin(half);
-  camera.position.set(Math.sin(-turn) * Math.cos(tilt), Math.sin(tilt), Math.cos(turn) * Math.cos(tilt))
-    .multiplyScalar(distance);
-  camera.lookAt(0, 0, 0);
-  camera.near = Math.max(0.01, distance - 1.1 * radius);
-  camera.far = distance + 1.1 * radius;
-  camera.zoom = zoom;
-  camera.updateProjectionMatrix();
-  renderer.render(scene, camera);
+  renderer.setScissorTest(pair);
+  for (const pane of panes()) {
+    const fromBelow = view.clientHeight - pane.top - pane.height;
+    renderer.setViewport(pane.left, fromBelow, pane.width, pane.height);
+    renderer.setScissor(pane.left, fromBelow, pane.width, pane.height);
+    aim(pane);
+    renderer.render(scene, camera);
+    placeLabels(pane);
+  }
 }
 function drawAtRest() {
   setQuality(true);
@@ -263,31 +210,70 @@ function move(right, down, factor) {
   redraw();
 }
 
-canvas.onpointerdown = event => canvas.setPointerCapture(event.pointerId);
+// Only if this side cannot be seen well; at once, as nothing here moves by itself.
+function turnTo(normal) {
+  const [x, y, z] = [Math.sin(-turn) * Math.cos(tilt), Math.sin(tilt), Math.cos(turn) * Math.cos(tilt)];
+  if (normal.dot(new THREE.Vector3(x, y, z)) > 0.5) return;
+  if (Math.hypot(normal.x, normal.z) > 0.01) turn = Math.atan2(-normal.x, normal.z);
+  tilt = Math.asin(Math.max(-1, Math.min(1, normal.y)));
+}
+
+// One finger, or the mouse, turns; two zoom. One that goes up where it went down picks.
+const pointers = new Map();
+let travelled = 0;
+canvas.onpointerdown = event => {
+  canvas.setPointerCapture(event.pointerId);
+  travelled = pointers.size > 0 ? Infinity : 0;
+  pointers.set(event.pointerId, {x: event.clientX, y: event.clientY});
+};
 canvas.onpointermove = event => {
-  if (event.buttons) move(event.movementX / 150, event.movementY / 150, 1);
+  const before = pointers.get(event.pointerId), now = {x: event.clientX, y: event.clientY};
+  if (!before) return;
+  pointers.set(event.pointerId, now);
+  if (pointers.size === 1) {
+    travelled += Math.hypot(now.x - before.x, now.y - before.y);
+    move((now.x - before.x) / 150, (now.y - before.y) / 150, 1);
+  } else if (pointers.size === 2) {
+    const [other] = [...pointers].filter(([id]) => id !== event.pointerId).map(([, place]) => place);
+    const apart = place => Math.max(1, Math.hypot(place.x - other.x, place.y - other.y));
+    move(0, 0, apart(now) / apart(before));
+  }
+};
+canvas.onpointerup = canvas.onpointercancel = event => {
+  const isTap = event.type === "pointerup" && event.button === 0 && travelled < 6;
+  if (!pointers.delete(event.pointerId) || !isTap || picture.facets.length === 0) return;
+  const box = canvas.getBoundingClientRect();
+  picture.pick(facetAt(event.clientX - box.left, event.clientY - box.top), true);
 };
 canvas.onwheel = event => {
   event.preventDefault();
   move(0, 0, Math.exp(-event.deltaY / 800));
 };
-const kKeys = {ArrowLeft: [-0.1, 0, 1], ArrowRight: [0.1, 0, 1], ArrowUp: [0, -0.1, 1], ArrowDown: [0, 0.1, 1],
+const kMoves = {ArrowLeft: [-0.1, 0, 1], ArrowRight: [0.1, 0, 1], ArrowUp: [0, -0.1, 1], ArrowDown: [0, 0.1, 1],
   "+": [0, 0, 1.1], "=": [0, 0, 1.1], "-": [0, 0, 1 / 1.1]};
+// Enter and the space bar pick the facet in the middle.
+function pickMiddle() {
+  const {left, top, width, height} = panes().at(-1);
+  picture.pick(facetAt(left + width / 2, top + height / 2), true);
+}
+const kPicks = {n: () => picture.next(1), p: () => picture.next(-1), Enter: pickMiddle, " ": pickMiddle};
 canvas.onkeydown = event => {
-  if (!kKeys[event.key] || event.ctrlKey || event.metaKey) return;
+  const act = kMoves[event.key] ? () => move(...kMoves[event.key]) : picture.facets.length && kPicks[event.key];
+  if (!act || event.ctrlKey || event.metaKey || event.altKey) return;
   event.preventDefault();
-  move(...kKeys[event.key]);
+  act();
 };
 
 canvas.tabIndex = 0;
-canvas.setAttribute("role", "img");
+canvas.setAttribute("role", "application");  // or screen readers would keep the keys for themselves
+canvas.setAttribute("aria-describedby", "how");
 canvas.setAttribute("aria-label", document.title + ": a picture that can be turned");
 document.getElementById("how").hidden = false;
+document.getElementById("how-to-pick").hidden = picture.facets.length === 0;
 view.className = "live";
 view.append(canvas);
 new ResizeObserver(() => {
   renderer.setSize(view.clientWidth, view.clientHeight);
-  camera.aspect = view.clientWidth / Math.max(1, view.clientHeight);
   drawAtRest();
 }).observe(view);
 
