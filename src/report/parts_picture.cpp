@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "io/json.hpp"
 #include "number/text.hpp"
@@ -137,23 +138,37 @@ Point middle(const Mesh& mesh) {
   return sum;
 }
 
+// A part with its planes by polygon, where they are known: neither flat ones nor files have them.
+struct DrawnPart {
+  const Mesh* mesh;
+  std::span<const Halfspace> planes = {};
+};
+
 // The parts, most of them with a way of their own from the middle of all.
-void add_apart(const std::vector<const Mesh*>& meshes, Picture& picture) {
+void add_apart(const std::vector<DrawnPart>& drawn, Picture& picture) {
   Point center = Point::Zero();
-  for (const Mesh* mesh : meshes) center += middle(*mesh) / static_cast<double>(meshes.size());
+  for (const DrawnPart& part : drawn) {
+    center += middle(*part.mesh) / static_cast<double>(drawn.size());
+  }
   std::vector<PictureLayer> parts;
-  for (std::size_t k = 0; k < meshes.size(); ++k) {
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    const auto& [mesh, planes] = drawn[k];
     if (k < kMostApart) {
       parts.push_back({.name = fmt::format("part {}", k),
                        .color = kColors[k % kColors.size()],
                        .edges = true,
                        .right = true});
-      parts.back().away = 0.8 * (middle(*meshes[k]) - center);
+      parts.back().away = 0.8 * (middle(*mesh) - center);
     } else if (k == kMostApart) {
       parts.push_back({.name = "other parts", .color = "#bab0ac", .edges = true, .right = true});
     }
     // A part that is a segment or a point has no polygon, and is not drawn.
-    parts.back().add(meshes[k]->points.doubles(), meshes[k]->polygons);
+    if (k < kMostApart && planes.size() == mesh->polygons.size()) {
+      parts.back().add_to_pick(mesh->points.doubles(), mesh->polygons, planes,
+                               fmt::format("part {}", k));
+    } else {
+      parts.back().add(mesh->points.doubles(), mesh->polygons);
+    }
   }
   std::erase_if(parts, [](const PictureLayer& layer) { return layer.polygons.empty(); });
   std::move(parts.begin(), parts.end(), std::back_inserter(picture.layers));
@@ -210,9 +225,9 @@ Picture decomposition_picture(const Decomposition& decomposition, const std::str
   for (double& x : heat.heat) x = longest > 0 ? x / longest : 0;
   picture.layers = {std::move(steps), std::move(heat)};
 
-  std::vector<const Mesh*> meshes;
-  for (const Part& part : decomposition.parts) meshes.push_back(&part.mesh);
-  add_apart(meshes, picture);
+  std::vector<DrawnPart> drawn;
+  for (const Part& part : decomposition.parts) drawn.push_back({&part.mesh, part.halfspaces});
+  add_apart(drawn, picture);
 
   const double diameter = sqrt(Enclosure(decomposition.squared_diameter(), 64)).high_double();
   picture.caption = fmt::format(
@@ -246,9 +261,9 @@ std::vector<PictureLayer> tree_layers(const BuiltTree& built) {
 Picture tree_picture(const BuiltTree& built, const std::string& title) {
   Picture picture;
   picture.title = as_utf8(title);
-  std::vector<const Mesh*> meshes;
-  for (const NamedPart& part : built.tree.parts) meshes.push_back(&part.mesh);
-  add_apart(meshes, picture);
+  std::vector<DrawnPart> drawn;
+  for (const NamedPart& part : built.tree.parts) drawn.push_back({&part.mesh});
+  add_apart(drawn, picture);
   for (PictureLayer& layer : tree_layers(built)) picture.layers.push_back(std::move(layer));
   if (built.levels.size() > 1)
     picture.layers[picture.layers.size() - built.levels.size() + 1].shown = true;

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "report/page_parts.hpp"
 
@@ -224,6 +225,7 @@ nlohmann::ordered_json facets_json(const PictureLayer& layer, const Frame& frame
                       {"polygons", std::vector<std::vector<std::uint32_t>>(polygon, end)}});
     polygon = end;
   }
+  CONVEXACT_ASSERT(polygon == layer.polygons.end());
   return {{"corners", base64<std::int16_t>(grid_points(layer, frame))}, {"solids", solids}};
 }
 
@@ -419,23 +421,32 @@ Point drawn_at(const RationalPoint& vertex) {
   return corner;
 }
 
-}  // namespace
-
-void PictureLayer::add(const Polytope& solid) {
+std::vector<Point> drawn_corners(const Polytope& solid) {
   std::vector<Point> corners;
   for (const RationalPoint& vertex : solid.vertices) corners.push_back(drawn_at(vertex));
-  add(corners, solid.facets);
+  return corners;
 }
 
-void PictureLayer::add_to_pick(const Polytope& solid, std::string name) {
-  add(solid);
-  std::vector<std::string> planes;
-  for (const Halfspace& plane : solid.planes) {
+}  // namespace
+
+void PictureLayer::add(const Polytope& solid) { add(drawn_corners(solid), solid.facets); }
+
+void PictureLayer::add_to_pick(const Polytope& solid, std::string solid_name) {
+  add_to_pick(drawn_corners(solid), solid.facets, solid.planes, std::move(solid_name));
+}
+
+void PictureLayer::add_to_pick(std::span<const Point> corners,
+                               const std::vector<std::vector<std::uint32_t>>& facets,
+                               std::span<const Halfspace> planes, std::string solid_name) {
+  CONVEXACT_ASSERT(facets.size() == planes.size());
+  add(corners, facets);
+  PictureSolid& solid = solids.emplace_back();
+  solid.name = std::move(solid_name);
+  for (const Halfspace& plane : planes) {
     const auto& n = plane.normal();
-    planes.push_back(fmt::format("({}, {}, {}, {})", to_string(n[0]), to_string(n[1]),
-                                 to_string(n[2]), to_string(plane.offset())));
+    solid.planes.push_back(fmt::format("({}, {}, {}, {})", to_string(n[0]), to_string(n[1]),
+                                       to_string(n[2]), to_string(plane.offset())));
   }
-  solids.push_back({std::move(name), std::move(planes)});
 }
 
 void PictureLayer::add_facet(const Polytope& solid, std::size_t facet) {

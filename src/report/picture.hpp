@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "convexact/halfspace.hpp"
 #include "convexact/point_set.hpp"
 #include "convexact/polytope.hpp"
 
@@ -52,7 +53,11 @@ struct PictureLayer {
   /// Adds a solid, its corners rounded to nearest.
   void add(const Polytope& solid);
   /// The same, and its facets can be picked. All polygons of the layer must be added like this.
-  void add_to_pick(const Polytope& solid, std::string name);
+  void add_to_pick(const Polytope& solid, std::string solid_name);
+  /// A solid with corners in doubles; planes[k] bounds facets[k].
+  void add_to_pick(std::span<const Point> corners,
+                   const std::vector<std::vector<std::uint32_t>>& facets,
+                   std::span<const Halfspace> planes, std::string solid_name);
   /// Adds one facet of it.
   void add_facet(const Polytope& solid, std::size_t facet);
 };

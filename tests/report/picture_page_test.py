@@ -277,8 +277,9 @@ def check_picking(cube):
         for facet, place in places.items():
             click(page, *place)
             told = page.evaluate(TOLD)
-            assert told.startswith(f"Facet {facet} of enclosing solid: plane {planes[facet]}; 4 corners; next to "), told
-            beside = sorted(map(int, told.rstrip(".").split("next to ")[1].split(", ")))
+            assert told.startswith(f"Facet {facet} of enclosing solid: 4 corners, next to "), told
+            assert told.endswith(f". Plane {planes[facet]}."), told
+            beside = sorted(map(int, told.split("next to ")[1].split(".")[0].split(", ")))
             opposite = {left: right, top: bottom, front: back}[facet]
             assert beside == sorted({*range(6)} - {facet, opposite}), told
         keep(page, "cube_picked")
@@ -325,7 +326,7 @@ def check_keys(path, planes):
         for k, plane in enumerate(planes):
             press(page, "n")
             told = page.evaluate(TOLD)
-            assert told.startswith(f"Facet {k} of enclosing solid: plane ({', '.join(plane)}); "), told
+            assert told.startswith(f"Facet {k} of enclosing solid: ") and told.endswith(f" Plane ({', '.join(plane)})."), told
             assert page.evaluate('document.getElementById("facet").value') == str(k)
         keep(page, "keys")
         press(page, "p")
@@ -361,6 +362,29 @@ def check_panes(cube, width, across, down):
         click(page, a, b)
         assert page.evaluate(TOLD).startswith(f"Facet {k} "), page.evaluate(TOLD)
         keep(page, f"panes_{width}")
+        assert not page.complaints, page.complaints
+    finally:
+        page.close()
+
+
+def check_parts(path, parts):
+    """The facets of parts, and the input beside them, which was hidden at first."""
+    page = opened(path, graphics=chromium.SOFTWARE_WEBGL)
+    try:
+        told = page.evaluate("""[...document.querySelectorAll("#facet option")].slice(1).map(option => {
+            option.parentElement.parentElement.value = option.value;
+            document.getElementById("facet").onchange();
+            return document.getElementById("told").innerText;
+        })""")
+        expected = [(k, f"part {number}", f"Plane ({', '.join(plane)}).") for number, part in enumerate(parts)
+                    for k, plane in enumerate(part["halfspaces"])]
+        assert len(told) == len(expected) > 100, (len(told), len(expected))
+        for line, (k, name, plane) in zip(told, expected):
+            assert line.startswith(f"Facet {k} of {name}: ") and line.endswith(plane), (line, name, plane)
+        page.evaluate('document.getElementById("pair").click()')
+        assert page.evaluate(SHOWN)[0]
+        assert min(box[1] - box[0] for box in boxes(page, 2, 1)) > 80
+        keep(page, "parts_beside_input")
         assert not page.complaints, page.complaints
     finally:
         page.close()
@@ -418,13 +442,15 @@ def check_looks(path):
                     page.evaluate("new Promise(done => setTimeout(done, 700))")
                 assert shots[0] == shots[1], "something moves by itself"
                 keep(page, f"{scheme}_{width}")
-                if scheme == "light" and width == 1300:
+                if width == 1300:
                     told = page.evaluate(TOLD)
-                    page.call("Emulation.setEmulatedMedia", media="print")
+                    page.call("Emulation.setEmulatedMedia", media="print",
+                              features=[{"name": "prefers-color-scheme", "value": scheme}])
+                    assert page.evaluate("getComputedStyle(document.body).color") == "rgb(0, 0, 0)"
                     assert told and page.evaluate(TOLD) == told
                     assert page.evaluate("""["#view svg", "#told", "#view canvas", "#view b", "#facet"].map(
                         name => document.querySelector(name).getClientRects().length > 0)""") == [True, True, False, False, False]
-                    keep(page, "print")
+                    keep(page, f"{scheme}_print")
                 assert not page.complaints, page.complaints
             finally:
                 page.close()
@@ -456,7 +482,7 @@ def check_static(path):
         assert "35947 points, 69451 faces" in text and "18 halfspaces" in text, text
         page.evaluate("""(list => { list.value = 3; list.dispatchEvent(new Event("change")); })(
             document.getElementById("facet"))""")
-        assert page.evaluate(TOLD).startswith("Facet 3 of enclosing solid: plane ("), page.evaluate(TOLD)
+        assert page.evaluate(TOLD).startswith("Facet 3 of enclosing solid: "), page.evaluate(TOLD)
         assert not page.complaints, page.complaints
         keep(page, "bunny_static")
     finally:
@@ -489,12 +515,13 @@ def main():
                        check=True, stdout=subprocess.DEVNULL)
         for method, limit in (("hacd", "3%"), ("acd", "10%")):
             subprocess.run([program, "decompose", data / "spot.obj", "--method", method, "--concavity", limit,
-                            "--no-measures", "--picture", f"{method}.html"], check=True, stdout=subprocess.DEVNULL)
+                            "--no-measures", "--picture", f"{method}.html", "-o", f"{method}.json"], check=True, stdout=subprocess.DEVNULL)
         check_convex("sphere.html")
         check_picking("cube")
         check_keys("spot.html", json.loads(solid)["output"]["planes"])
         check_panes("cube", 1300, 2, 1)
         check_panes("cube", 400, 1, 2)
+        check_parts("hacd.html", json.loads(pathlib.Path("hacd.json").read_text())["parts"])
         check_touch("cube")
         check_looks("spot.html")
         check_names("hostile.html")

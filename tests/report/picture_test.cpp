@@ -160,6 +160,56 @@ TEST_CASE("picture: more than a million points are drawn on a coarser grid of th
   CHECK(points > 250000);  // a grid twice as coarse as needed has a quarter of the points
 }
 
+TEST_CASE("picture: facets that can be picked carry their planes as text, beyond the doubles") {
+  // [0, 2^70]^3, facet by facet in canonical order; corner k has the bits of k.
+  Integer side = 1;
+  for (int k = 0; k < 70; ++k) side *= 2;
+  Polytope box;
+  for (int k = 0; k < 8; ++k) {
+    box.vertices.emplace_back(Rational(side * (k & 1)), Rational(side * (k >> 1 & 1)),
+                              Rational(side * (k >> 2)));
+  }
+  box.facets = {{0, 4, 6, 2}, {0, 1, 5, 4}, {0, 2, 3, 1}, {4, 5, 7, 6}, {2, 6, 7, 3}, {1, 3, 7, 5}};
+  for (const auto& facet : box.facets) {
+    box.planes.push_back(
+        Halfspace::through(box.vertices[facet[0]], box.vertices[facet[1]], box.vertices[facet[2]]));
+  }
+  PictureLayer layer{.name = "n", .color = "#000000", .edges = true, .right = true};
+  layer.add_to_pick(box, "</script><b>");
+  layer.add_to_pick(box, "again");
+  const std::string page = picture_html({"t", "c", {cube(1), layer}});
+  CHECK_FALSE(has(page, "<b>"));
+  const auto layers = layers_of(page);
+  CHECK_FALSE(layers[0].contains("solids"));
+  const auto& solids = layers[1]["solids"];
+  REQUIRE(solids.size() == 2);
+  CHECK(solids[0]["name"] == "</script><b>");
+  const std::string end = "-1180591620717411303424)";  // -2^70
+  const std::vector<std::string> planes = {"(-1, 0, 0, 0)",    "(0, -1, 0, 0)",
+                                           "(0, 0, -1, 0)",    "(0, 0, 1, " + end,
+                                           "(0, 1, 0, " + end, "(1, 0, 0, " + end};
+  CHECK(solids[0]["planes"] == planes);
+  CHECK(solids[1]["planes"] == planes);
+  CHECK(solids[0]["polygons"] == box.facets);
+  CHECK(solids[1]["polygons"][0] == std::vector<std::uint32_t>{8, 12, 14, 10});
+  CHECK(numbers_of(layers[1]["corners"]).size() == 2 * 8 * 3);
+  CHECK(has(page, R"(id="numbers")"));
+  CHECK(has(page, R"(id="pair")"));
+
+  SUBCASE("one pane is enough for layers of one side") {
+    CHECK_FALSE(has(picture_html({"t", "c", {layer}}), R"(id="pair")"));
+    CHECK_FALSE(has(picture_html({"t", "c", {cube(1), cube(2)}}), R"(id="pair")"));
+  }
+  SUBCASE("many facets have no numbers, and very many are not picked") {
+    for (int k = 2; k < 34; ++k) layer.add_to_pick(box, "more");  // 204 facets
+    const std::string many = picture_html({"t", "c", {layer}});
+    CHECK_FALSE(has(many, R"(id="numbers")"));
+    CHECK(layers_of(many)[0]["solids"].size() == 34);
+    for (int k = 34; k < 834; ++k) layer.add_to_pick(box, "more");  // 5004 facets
+    CHECK_FALSE(layers_of(picture_html({"t", "c", {layer}}))[0].contains("solids"));
+  }
+}
+
 TEST_CASE("polygons with colours of their own keep their order, and move apart") {
   PictureLayer colored = cube(2);
   colored.edges = false;

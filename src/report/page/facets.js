@@ -10,7 +10,7 @@ function numbersOf(base64, Type) {
 
 const layers = JSON.parse(document.getElementById("picture").textContent);
 
-// The facets of a solid. Who has an edge the other way round is the neighbour there.
+// The facets of a solid. The neighbour at an edge has this edge the other way round.
 function facetsOf({name, planes, polygons}, place) {
   const left = new Map(), edge = (corners, k) => [corners[k], corners[(k + 1) % corners.length]];
   polygons.forEach((corners, number) => {
@@ -31,8 +31,9 @@ function pick(index, byPointer = false) {
   picked = index;
   list.value = index;
   const facet = facets[index];
-  told.textContent = facet ? `Facet ${facet.number} of ${facet.name}: plane ${facet.plane}; ` +
-    `${facet.corners.length} corners; next to ${facet.neighbours.join(", ")}.` : "";
+  told.textContent = facet ? `Facet ${facet.number} of ${facet.name}: ${facet.corners.length} corners, ` +
+    `next to ${facet.neighbours.join(", ")}. Plane ${facet.plane}.` : "";
+  told.tabIndex = facet ? 0 : -1;  // long numbers are scrolled by keys, too
   self.onpick(facet, byPointer);
 }
 // The next facet of a layer that is shown, or the one before.

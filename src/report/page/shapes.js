@@ -184,7 +184,7 @@ function litFacet(corners, place) {
   face.setIndex(fan);
   const lit = new THREE.Group(), seen = {side: THREE.DoubleSide, transparent: true, depthWrite: false};
   lit.add(new THREE.Mesh(face, new THREE.MeshBasicMaterial({...seen, color: "#ffffff", opacity: 0.85})),
-    new THREE.Mesh(prismsOf(pairs, points, 0.009), new THREE.MeshBasicMaterial({...seen, color: "#000000"})));
+    new THREE.Mesh(prismsOf(pairs, points, 0.013), new THREE.MeshBasicMaterial({...seen, color: "#000000"})));
   for (const part of lit.children) part.renderOrder = 10 * place + 1.5;
   return lit;
 }
