@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fast/mesh.hpp"
 
+#include <utility>
+
 #include "convexact/error.hpp"
 
 namespace convexact {
@@ -87,6 +89,7 @@ void HalfEdgeMesh::remove(HalfspaceId v, const OneRing& ring,
   for (const std::uint32_t outer : ring.outer) slots_.push_back(edges_[outer].twin / 3);
   for (const std::uint32_t slot : {slots_[k - 2], slots_[k - 1]}) {
     for (std::uint32_t h = 3 * slot; h < 3 * slot + 3; ++h) edges_[h].tail = kNone;
+    edges_[3 * slot].twin = std::exchange(freed_, slot);
   }
   out_[v.index()] = kNone;
 
@@ -111,12 +114,47 @@ void HalfEdgeMesh::remove(HalfspaceId v, const OneRing& ring,
   }
 }
 
+// The triangles seen, those of slots_, make room for a fan around v: one triangle for each edge of
+// their rim, which is two more than they are.
+void HalfEdgeMesh::fill_seen(HalfspaceId v) {
+  // (1) The rim: edges of the seen triangles with an unseen one across, as the half-edge there.
+  rim_.clear();
+  for (const std::uint32_t slot : slots_) {
+    for (std::uint32_t h = 3 * slot; h < 3 * slot + 3; ++h) {
+      if (!is_seen_[edges_[h].twin / 3]) rim_.push_back(edges_[h].twin);
+    }
+  }
+  CONVEXACT_ASSERT(rim_.size() == slots_.size() + 2);
+  // (2) Two more slots, freed ones if there are any.
+  while (slots_.size() < rim_.size()) {
+    if (freed_ == kNone) {
+      slots_.push_back(static_cast<std::uint32_t>(edges_.size() / 3));
+      edges_.resize(edges_.size() + 3);
+    } else {
+      slots_.push_back(freed_);
+      freed_ = edges_[3 * freed_].twin;
+    }
+  }
+  // (3) The triangle (v, a, b) for the edge a -> b, which `outer` runs along from b to a.
+  for (std::size_t m = 0; m < rim_.size(); ++m) {
+    const std::uint32_t h = 3 * slots_[m], outer = rim_[m];
+    edges_[h].tail = v.value;
+    edges_[h + 1].tail = edges_[next(outer)].tail;
+    edges_[h + 2].tail = edges_[outer].tail;
+    link(h + 1, outer);
+    out_[edges_[h + 1].tail] = h + 1;
+  }
+  // (4) Its edge b -> v has the one of the triangle after it, v -> b, across.
+  for (const std::uint32_t slot : slots_) {
+    link(3 * slot + 2, out_[edges_[3 * slot + 2].tail] - 1);
+  }
+  out_[v.index()] = 3 * slots_.front();
+}
+
 std::vector<DualTriangle> HalfEdgeMesh::triangles() const {
   std::vector<DualTriangle> list;
   for (std::size_t h = 0; h < edges_.size(); h += 3) {
-    if (edges_[h].tail == kNone) continue;
-    list.push_back({HalfspaceId(edges_[h].tail), HalfspaceId(edges_[h + 1].tail),
-                    HalfspaceId(edges_[h + 2].tail)});
+    if (edges_[h].tail != kNone) list.push_back(triangle(static_cast<std::uint32_t>(h / 3)));
   }
   return list;
 }

@@ -37,7 +37,7 @@ struct OneRing {
 
 /// A closed triangulated sphere. Half-edges 3t, 3t + 1, 3t + 2 bound triangle t counter-clockwise.
 /// Removing a vertex of degree k frees k triangles and takes k - 2 of them again, so nothing is
-/// ever allocated.
+/// ever allocated; inserting one takes freed triangles first.
 class HalfEdgeMesh {
  public:
   /// @param twins  Of half-edge 3 t + c, which leaves corner c of triangle t, the opposite one.
@@ -54,6 +54,21 @@ class HalfEdgeMesh {
   }
   /// Removes v and closes the hole. `ring` is v's, `triangles` a triangulation of it.
   void remove(HalfspaceId v, const OneRing& ring, std::span<const RingTriangle> triangles);
+  /// Puts v where it is not, and joins it to the rim of the triangles that it sees.
+  /// @param sees  Of each DualTriangle. Those seen form a disk, and each of its vertices is on the
+  ///              rim.
+  /// @par Cost    One question for each triangle.
+  template <class Sees>
+  void insert(HalfspaceId v, const Sees& sees) {
+    is_seen_.assign(edges_.size() / 3, false);
+    slots_.clear();
+    for (std::uint32_t slot = 0; slot < is_seen_.size(); ++slot) {
+      if (edges_[3 * slot].tail == kNone || !sees(triangle(slot))) continue;
+      is_seen_[slot] = true;
+      slots_.push_back(slot);
+    }
+    fill_seen(v);
+  }
   /// Every triangle once; the ones freed are left out.
   std::vector<DualTriangle> triangles() const;
   /// Every vertex that was not removed, ascending.
@@ -67,14 +82,23 @@ class HalfEdgeMesh {
     edges_[b].twin = a;
   }
 
+  DualTriangle triangle(std::uint32_t slot) const {
+    return {HalfspaceId(edges_[3 * slot].tail), HalfspaceId(edges_[3 * slot + 1].tail),
+            HalfspaceId(edges_[3 * slot + 2].tail)};
+  }
+  void fill_seen(HalfspaceId v);
+
   struct HalfEdge {
     std::uint32_t tail;  // kNone in a freed triangle
-    std::uint32_t twin;
+    std::uint32_t twin;  // of the first one of a freed triangle: the next freed triangle, or kNone
   };
 
   std::vector<HalfEdge> edges_;
   std::vector<std::uint32_t> out_;    // of each vertex some half-edge that starts there
-  std::vector<std::uint32_t> slots_;  // scratch of remove()
+  std::uint32_t freed_ = kNone;       // the last triangle that was freed
+  std::vector<std::uint32_t> slots_;  // scratch of remove() and insert()
+  std::vector<bool> is_seen_;         // scratch of insert(), as the next
+  std::vector<std::uint32_t> rim_;
 };
 
 }  // namespace convexact
