@@ -28,6 +28,7 @@
 #include "convexact/root_sum.hpp"
 #include "convexact/run.hpp"
 #include "convexact/scene.hpp"
+#include "convexact/search.hpp"
 #include "convexact/shapes.hpp"
 #include "convexact/shrink.hpp"
 #include "convexact/simplify.hpp"

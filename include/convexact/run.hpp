@@ -58,6 +58,12 @@ struct Step {
   TieEvidence tie_evidence = {};             ///< Why the costs of `tie` count as equal.
 };
 
+/// Halfspaces left by a run, exchanged for removed ones so that the measure falls.
+struct Move {
+  std::vector<HalfspaceId> removed, inserted;  ///< Ascending, equally many.
+  std::optional<Cost> measure = {};  ///< Of the solid after it, exactly; if it was asked for.
+};
+
 /// Why a run ended.
 enum class StopReason {
   Reached,             ///< The wanted number of halfspaces, or it was already met.
@@ -93,6 +99,8 @@ struct Run {
   std::vector<DualTriangle> triangles = {};
   /// Every evaluation in the order in which it was made; empty unless it was asked for.
   std::vector<Evaluation> evaluations = {};
+  /// Made after the steps, which `triangles` and the functions below are about.
+  std::vector<Move> moves = {};
 };
 
 /// The halfspaces that the first `count` steps of a run removed, in the order of removal.

@@ -26,6 +26,7 @@ enum class StageKind { Io, Compute };
 namespace stage {
 inline constexpr const char* kHull = "hull";          ///< From points to the facets of their hull.
 inline constexpr const char* kSimplify = "simplify";  ///< The removals.
+inline constexpr const char* kSearch = "search";      ///< Exchanges after them.
 }  // namespace stage
 
 struct Stage {

@@ -12,6 +12,7 @@
 #include "convexact/measure.hpp"
 #include "convexact/run.hpp"
 #include "convexact/scene.hpp"
+#include "convexact/search.hpp"
 #include "convexact/watch.hpp"
 
 namespace convexact {
@@ -38,6 +39,9 @@ struct SimplifyRequest {
   CostMeasure cost = CostMeasure::Volume;
   CompareLimits compare = {};  ///< Of mean widths.
   Engine engine = Engine::Filtered;
+  /// Makes the result smaller after the removals. With `faces` only, and neither for the float
+  /// engine nor with `record`.
+  SearchRequest search = {};
   bool trace = false;  ///< Keep the full record of every step. Not for the float engine.
   /// Keep the data for a proof of the run. For every engine and measure. By volume and by area the
   /// proof shows that each removal was the cheapest; of mean widths, and of the float engine's
@@ -57,6 +61,21 @@ struct SimplifyRequest {
 struct KeptFacet {
   HalfspaceId id;     ///< Among the facets of the input, in canonical order.
   std::size_t plane;  ///< Its place in the planes of the result.
+};
+
+/// What a search achieved. Measures are those that the run keeps small.
+struct SearchResult {
+  /// The move that the measure fell most by; of those that seem to be equal the first.
+  struct Best {
+    std::size_t move;  ///< Its place in `moves`.
+    Enclosure before, after;
+  };
+
+  SearchRequest request;
+  std::size_t tried = 0;          ///< Exchanges whose measures were compared.
+  std::vector<Move> moves;        ///< Those made, with ids among the facets of the input.
+  Enclosure greedy, now;          ///< Of the solid that the removals left, and of the result.
+  std::optional<Best> best = {};  ///< None without moves.
 };
 
 struct SimplifyResult {
@@ -86,6 +105,7 @@ struct SimplifyResult {
   std::size_t tested_points = 0;  ///< Points tested directly against every survivor.
   Engine engine = Engine::Filtered;
   VerifyLevel verified = VerifyLevel::Local;
+  std::optional<SearchResult> search;     ///< If one was asked for.
   std::optional<FloatBound> float_bound;  ///< Of the float engine: the proven bounds on its errors.
   std::vector<Stage> stages;  ///< Each with its time, or the reason why it was left out.
 };

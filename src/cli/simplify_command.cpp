@@ -23,6 +23,7 @@ constexpr const char* kSimplifyFooter =
     "  convexact simplify bunny.obj --max-growth 5% --growth-of area -o proxy.obj\n"
     "  convexact simplify bunny.obj --faces 18 --cost area -o fewer-ray-hits.obj\n"
     "  convexact simplify bunny.obj --faces 18 --cost mean-width --tie-bits 8192\n"
+    "  convexact simplify bunny.obj --faces 18 --search local --moves 1000 -o tighter.obj\n"
     "  convexact simplify hammer.obj --faces 12 --keep normal:0,0,-1 --keep group:head -o "
     "proxy.obj\n"
     "  convexact simplify room.obj --parts --faces 12 -o proxies.obj\n"
@@ -48,6 +49,8 @@ struct SimplifyArguments {
   long tie_bits = CompareLimits{}.bits;
   std::string center = "chebyshev";
   Engine engine = Engine::Filtered;
+  SearchKind search = SearchKind::None;
+  std::optional<std::size_t> moves;
   VerifyLevel verify = VerifyLevel::Local;
   bool exact_values = false;
   InnerOnly only;
@@ -63,10 +66,25 @@ void require_scene(const SimplifyArguments& options) {
     reject("is for several parts: give --parts, or several inputs");
   }
   if (options.center != "chebyshev") reject("has a center for each part: leave --center out");
+  if (options.search != SearchKind::None) {
+    reject("shares halfspaces out by removals: give --faces for each part to --search");
+  }
+}
+
+SearchRequest search_of(const SimplifyArguments& options) {
+  SearchRequest request{options.search};
+  if (!options.moves) return request;
+  if (options.search != SearchKind::Local) {
+    throw Error(ErrorCode::InvalidArgument,
+                "--moves counts the kicks of a local search: give --search local as well");
+  }
+  request.kicks = *options.moves;
+  return request;
 }
 
 SimplifyRequest request_of(const SimplifyArguments& options) {
   SimplifyRequest request;
+  request.search = search_of(options);
   if (options.faces != 0) request.faces = options.faces;
   if (options.total_faces) require_scene(options);
   if (!options.max_growth.empty())
@@ -129,6 +147,8 @@ int run_inward(const SimplifyArguments& options) {
   if (options.tie_bits != CompareLimits{}.bits) foreign.emplace_back("--tie-bits");
   if (!options.keep.empty()) foreign.emplace_back("--keep");
   if (options.total_faces) foreign.emplace_back("--total-faces");
+  if (options.search != SearchKind::None) foreign.emplace_back("--search");
+  if (options.moves) foreign.emplace_back("--moves");
   if (options.center != "chebyshev") foreign.emplace_back("--center");
   return run_inner({options.global, options.inputs, options.scene, options.output, options.only,
                     options.faces, options.engine, options.verify, options.exact_values},
@@ -235,6 +255,11 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
       command, "--engine", options->engine, kEngineNames,
       "rationals everywhere; the same answer, faster; or doubles that choose, the result still "
       "proven");
+  add_choice(command, "--search", options->search, kSearchKindNames,
+             "after the removals, exchange kept halfspaces for facets next to them as long as the "
+             "solid shrinks; local tries random exchanges, too");
+  add_count(command, "--moves", options->moves, {0, std::uint64_t(1) << 32},
+            "with --search local: how many random exchanges are tried (default: 200)");
   add_choice(command, "--verify", options->verify, kVerifyLevelNames,
              "what is proven again at each step");
   add_center_option(command, options->center);

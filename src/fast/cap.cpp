@@ -264,15 +264,18 @@ Interval<double> scaled_enclosure(const Cost& cost, long exponent) {
 }
 
 CostBounds<double> six_times_volume(const FastDual& dual) {
-  const HalfEdgeMesh mesh(dual.size(), dual.triangles());
+  return six_times_volume(dual, HalfEdgeMesh(dual.size(), dual.triangles()));
+}
+
+CostBounds<double> six_times_volume(const FastDual& dual, const HalfEdgeMesh& mesh) {
   IntervalDeterminants<double>::Sum sum;
   OneRing ring;
   RingGeometry<double> geometry;
   std::size_t terms = 0;
   bool certain = true;
-  for (std::size_t i = 0; i < dual.size(); ++i) {
-    mesh.one_ring(HalfspaceId(i), ring);
-    geometry.load(HalfspaceId(i), ring.vertices, [&](HalfspaceId v) { return dual.near(v); });
+  for (const HalfspaceId i : mesh.vertices()) {
+    mesh.one_ring(i, ring);
+    geometry.load(i, ring.vertices, [&](HalfspaceId v) { return dual.near(v); });
     IntervalDeterminants<double> determinants(geometry, Roundoff<double>::kUnit);
     add_cone(length(ring), determinants, sum);
     terms += ring.vertices.size();

@@ -104,7 +104,9 @@ class FilteredCap {
 /// A cost in units of 2^exponent, as two doubles around it.
 [[nodiscard]] Interval<double> scaled_enclosure(const Cost& cost, long exponent);
 
-/// Six times the volume of the initial solid, in units of 2^dual.volume_exponent().
+/// Six times the volume of the solid whose dual hull the mesh is, in units of
+/// 2^dual.volume_exponent(); without a mesh, of the initial solid.
+[[nodiscard]] CostBounds<double> six_times_volume(const FastDual& dual, const HalfEdgeMesh& mesh);
 [[nodiscard]] CostBounds<double> six_times_volume(const FastDual& dual);
 /// Volume, area or mean width of the solid whose dual hull the triangles are, exactly, in the
 /// caller's units.

@@ -142,6 +142,24 @@ Json float_bound_json(const FloatBound& bound) {
       {"doubtful", bound.doubtful},    {"ties", bound.ties}, {"end_proven", bound.is_end_proven}};
 }
 
+Json search_json(const SearchResult& search) {
+  const auto& [kind, kicks] = search.request;
+  const auto measure = [](const Enclosure& x) { return measured_json({x, {}}, kDigits); };
+  Json json = {{"kind", name_in(kSearchKindNames, kind)}};
+  if (kind == SearchKind::Local) json["kicks"] = kicks;
+  json["tried"] = search.tried;
+  json["accepted"] = search.moves.size();
+  json["greedy"] = measure(search.greedy);
+  json["now"] = measure(search.now);
+  if (const auto& best = search.best) {
+    json["best_move"] = {{"removed", search.moves[best->move].removed},
+                         {"inserted", search.moves[best->move].inserted},
+                         {"before", measure(best->before)},
+                         {"after", measure(best->after)}};
+  }
+  return json;
+}
+
 }  // namespace
 
 Json result_json(const SimplifyResult& result) {
@@ -162,6 +180,7 @@ Json result_json(const SimplifyResult& result) {
   if (result.limited) json[measure_key(*result.growth_of)] = growth_json(*result.limited);
   if (result.growth_bits > 0) json["growth_undecided_bits"] = result.growth_bits;
   if (!result.float_bound) json["ties"] = ties_json(result.ties);
+  if (result.search) json["search"] = search_json(*result.search);
   json["engine"] = name_of(result.engine);
   if (result.float_bound) json["float_bound"] = float_bound_json(*result.float_bound);
   if (result.start && result.run) json["proof"] = proof_claim(*result.run);

@@ -14,6 +14,7 @@
 #include "fast/checks.hpp"
 #include "lp/interior_point.hpp"
 #include "number/precision.hpp"
+#include "scene/search_stage.hpp"
 #include "simplify/replay.hpp"
 
 namespace convexact {
@@ -148,7 +149,8 @@ bool keeps_record(const SimplifyRequest& request) {
 // Whether the exact planes of the whole input are not needed.
 bool is_lean(const Shape& shape, const SimplifyRequest& request) {
   const bool needs_polytope = request.center || request.cost != CostMeasure::Volume ||
-                              limited_measure(request) || !request.keep.empty();
+                              limited_measure(request) || !request.keep.empty() ||
+                              request.search.kind != SearchKind::None;
   return std::holds_alternative<PointSet>(shape) && !keeps_record(request) && !request.record &&
          !needs_polytope;
 }
@@ -174,6 +176,7 @@ void require_sensible(const SimplifyRequest& request) {
                 fmt::format("mean widths are compared with {} to {} bits, not {}", kLeastTieBits,
                             kMostTieBits, request.compare.bits));
   }
+  require_sensible_search(request);
   if (request.engine == Engine::Float && (request.trace || request.verify == VerifyLevel::Full)) {
     throw Error(ErrorCode::InvalidArgument,
                 "the float engine keeps no record of its steps: no trace, no full verification");
@@ -329,6 +332,7 @@ SimplifyResult finish_run(RunInput& input, InputMeasures before, RunEnd end,
       .tested_points = tested,
       .engine = request.engine,
       .verified = request.verify,
+      .search = std::move(end.search),
       .float_bound = end.bound,
       .stages = log.stages()};
 }

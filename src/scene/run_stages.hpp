@@ -52,6 +52,7 @@ struct RunEnd {
   std::optional<FloatBound> bound = {};
   TieTally ties = {};
   long growth_bits = 0;
+  std::optional<SearchResult> search = {};
 };
 
 /// Of an engine that keeps no record, and of one that does.

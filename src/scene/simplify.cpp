@@ -6,6 +6,7 @@
 #include "fast/filtered_engine.hpp"
 #include "fast/float_engine.hpp"
 #include "scene/run_stages.hpp"
+#include "scene/search_stage.hpp"
 #include "simplify/exact_engine.hpp"
 
 namespace convexact {
@@ -42,6 +43,7 @@ SimplifyOutcome simplify(const Shape& shape, const SimplifyRequest& request) {
   if (const auto* reason = std::get_if<NotSolid>(&prepared)) return *reason;
   RunInput& input = *std::get<std::unique_ptr<RunInput>>(prepared);
   RunEnd end = make_run(input, request, log);
+  if (request.search.kind != SearchKind::None) search_further(end, input, request, log);
   InputMeasures before = measure_input(input, request, log);
   SimplifyResult result = finish_run(input, std::move(before), std::move(end), request, log);
   if (result.float_bound && request.max_growth) {

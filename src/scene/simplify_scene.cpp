@@ -21,6 +21,11 @@ void require_sensible_scene(std::size_t parts, const SceneRequest& request) {
   if (request.each.faces || request.each.center || !request.each.keep.empty()) {
     refuse("of a scene, faces, center and what is kept are not the same for every part");
   }
+  if (request.each.search.kind != SearchKind::None) {
+    refuse(
+        "a scene shares its halfspaces out by removals; a search is for a run with faces of its "
+        "own");
+  }
   if (!request.keep.empty() && request.keep.size() != parts) {
     refuse("what is kept is not given for each part");
   }

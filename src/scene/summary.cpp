@@ -146,6 +146,27 @@ std::string float_lines(const SimplifyResult& result) {
   return summary_line("doubtful", doubts + "; --engine filtered decides");
 }
 
+// How much of what the removals added is left, and by how many moves.
+std::string search_lines(const SearchResult& search, const Enclosure& input) {
+  const bool is_local = search.request.kind == SearchKind::Local;
+  const std::string kind =
+      is_local ? "walk and " + counted(search.request.kicks, "kick", "kicks") : "walk";
+  const std::string text =
+      summary_line("search", fmt::format("{}: {} compared, {} made", kind,
+                                         counted(search.tried, "exchange", "exchanges"),
+                                         counted(search.moves.size(), "move", "moves")));
+  if (!search.best) return text;
+  const auto share = [&](const Enclosure& part) {
+    return certain(Enclosure(Integer(100), kMeasureBits) * part / (search.greedy - input), 4) + "%";
+  };
+  return text + summary_line(
+                    "", fmt::format("{} -> {}: {} of what the removals added; the best move took "
+                                    "{} off",
+                                    certain(search.greedy, kSummaryDigits),
+                                    certain(search.now, kSummaryDigits), share(search.now - input),
+                                    share(search.best->before - search.best->after)));
+}
+
 std::string stored_lines(const Stored& solid) {
   std::string text;
   if (const auto& planes = solid.planes) {
@@ -180,6 +201,10 @@ std::string summary(const SimplifyResult& result) {
   }
   text += summary_line(
       "volume", growth_line(result.input_volume.bounds, result.output_volume.bounds, result.steps));
+  if (result.search) {
+    text += search_lines(*result.search,
+                         result.measure ? (*result.measure)[0] : result.input_volume.bounds);
+  }
   text += ties_text(result.ties, result.steps, "several removals", "the first in order");
   if (result.float_bound) text += float_lines(result) + tie_line(result);
   text += summary_line("verified", verified_line(result));

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// search.hpp - beyond greedy: kept halfspaces exchanged for others as long as the solid shrinks.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "convexact/dual.hpp"
+#include "convexact/polytope.hpp"
+#include "convexact/run.hpp"
+
+namespace convexact {
+
+/// What is tried to make the solid that a run leaves smaller, with as many halfspaces.
+enum class SearchKind {
+  None,
+  Walk,   ///< Exchanges of one halfspace for a facet next to it, until none helps.
+  Local,  ///< The same, then kicks: random exchanges with a walk after them, kept if that helped.
+};
+
+struct SearchRequest {
+  SearchKind kind = SearchKind::None;
+  std::size_t kicks = 200;  ///< Of SearchKind::Local.
+};
+
+struct SearchOptions {
+  SearchRequest request = {SearchKind::Walk};
+  Engine engine = Engine::Filtered;    ///< Not Float.
+  std::vector<HalfspaceId> keep = {};  ///< Of those at the start, ascending: never exchanged.
+  CostMeasure cost = CostMeasure::Volume;
+  CompareLimits compare = {};  ///< Of mean widths. What is undecided is not smaller.
+  std::uint64_t seed = 1;      ///< Of the kicks: another one may lead elsewhere.
+  /// Called after every kick with the number of kicks made.
+  std::function<void(std::size_t kicks)> progress = {};
+  /// When it becomes true, the search ends with Error(Stopped).
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// How a search went.
+struct SearchRun {
+  std::vector<Move> moves;  ///< Each proven to make the measure smaller; without measures.
+  /// About how much each of them changed the measure, below 0, in a unit of the run.
+  std::vector<double> changes;
+  std::size_t tried = 0;  ///< Exchanges whose measures were compared.
+};
+
+/// Exchanges kept halfspaces for facets of the input, so that the measure falls. The rule, which
+/// both engines follow to the same moves: for each kept halfspace in canonical order, of all facets
+/// that have an edge with it on the input and are not kept, the one that leaves the least measure
+/// takes its place, the first in canonical order on a tie, if that is proven to be less than
+/// before; again and again, until a pass over all of them changes nothing. A kick draws one to
+/// three kept halfspaces, and for each a facet two to eleven edges away; what is kept already, and
+/// what leaves the solid unbounded, is passed over. The walk follows. If the measure is not proven
+/// to be less than before the kick, all of that is undone; otherwise it is one move.
+/// @param dual   The dual hull of the input.
+/// @param input  The same as a polytope.
+/// @param start  The halfspaces kept at the start, at least 4, ascending; they bound a solid.
+/// @throws Error InvalidArgument for the float engine, or if the center is not strictly inside;
+///               Stopped.
+/// @par Cost     An exchange of k halfspaces inserts and removes a dual point: 2k - 4 signs and two
+///               caps. A pass compares one for each edge of a kept facet.
+/// @par Source   docs/design/search.md
+[[nodiscard]] SearchRun search_exchanges(const DualHull& dual, const Polytope& input,
+                                         const RationalPoint& center,
+                                         std::vector<HalfspaceId> start,
+                                         const SearchOptions& options = {});
+
+}  // namespace convexact

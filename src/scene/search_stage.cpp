@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "scene/search_stage.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "convexact/error.hpp"
+#include "convexact/measure.hpp"
+#include "convexact/search.hpp"
+#include "number/precision.hpp"
+#include "search/exchange_surface.hpp"
+
+namespace convexact {
+namespace {
+
+[[noreturn]] void reject(const char* why) { throw Error(ErrorCode::InvalidArgument, why); }
+
+// The solids that the moves of a search lead to, each from its planes alone.
+class SolidsOfMoves {
+ public:
+  SolidsOfMoves(const DualHull& dual, const RationalPoint& center, std::vector<bool> start,
+                const std::vector<Move>& moves)
+      : dual_(dual), center_(center), start_(std::move(start)), moves_(moves) {}
+
+  // After so many moves. @throws Error Internal if the planes do not bound it.
+  Polytope after(std::size_t count) const;
+
+ private:
+  const DualHull& dual_;
+  const RationalPoint& center_;
+  const std::vector<bool> start_;  // of each halfspace whether the removals left it
+  const std::vector<Move>& moves_;
+};
+
+Polytope SolidsOfMoves::after(std::size_t count) const {
+  std::vector<bool> is_there = start_;
+  for (std::size_t k = 0; k < count; ++k) {
+    for (const HalfspaceId i : moves_[k].removed) is_there[i.index()] = false;
+    for (const HalfspaceId i : moves_[k].inserted) is_there[i.index()] = true;
+  }
+  std::vector<Halfspace> planes;
+  for (std::size_t i = 0; i < is_there.size(); ++i) {
+    if (is_there[i]) planes.push_back(dual_.halfspaces[i]);
+  }
+  try {
+    const HalfspaceDual dual = dual_of(planes, center_);
+    if (dual.redundant.empty()) return to_polytope(dual.dual.halfspaces, dual.dual.triangles);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::InvalidArgument) throw;
+  }
+  throw Error(ErrorCode::Internal, "a search left a solid that its planes do not bound");
+}
+
+// The first of the least changes, up to rounding: congruent caps hardly ever round alike.
+std::optional<std::size_t> best_of(const std::vector<double>& changes) {
+  if (changes.empty()) return {};
+  constexpr double kNearly = 1 - 0x1p-20;
+  const double least = *std::min_element(changes.begin(), changes.end());
+  const auto best = std::find_if(changes.begin(), changes.end(),
+                                 [&](double change) { return change <= kNearly * least; });
+  return static_cast<std::size_t>(best - changes.begin());
+}
+
+void require_smaller(const Polytope& after, const Polytope& before,
+                     const SimplifyRequest& request) {
+  const Watch watch(request.watch.stop);
+  const Ordering order =
+      compare(exact_measure(after, request.cost, watch), exact_measure(before, request.cost, watch),
+              request.compare, watch);
+  if (order.order != Order::Less) {
+    throw Error(ErrorCode::Internal, "a search did not make the solid smaller");
+  }
+}
+
+}  // namespace
+
+void require_sensible_search(const SimplifyRequest& request) {
+  if (request.search.kind == SearchKind::None) return;
+  if (request.engine == Engine::Float) {
+    reject(
+        "a search proves that each of its moves helps, which doubles cannot: choose the filtered "
+        "or the exact engine");
+  }
+  if (!request.faces) {
+    reject(
+        "a search keeps the number of halfspaces, which a growth limit leaves open: give the "
+        "number of faces as well");
+  }
+  if (request.record) {
+    reject(
+        "a proof is about the removals of a run, and a search ends elsewhere: leave out the one "
+        "or the other");
+  }
+}
+
+void search_further(RunEnd& end, const RunInput& input, const SimplifyRequest& request,
+                    StageLog& log) {
+  const DualHull& dual = input.solid->dual;
+  // (1) Exchanges, from what the removals left.
+  std::vector<bool> is_left(dual.halfspaces.size(), true);
+  for (const HalfspaceId i : end.run ? removed_in(*end.run) : end.removed) {
+    is_left[i.index()] = false;
+  }
+  std::vector<HalfspaceId> start;
+  for (std::size_t i = 0; i < is_left.size(); ++i) {
+    if (is_left[i]) start.emplace_back(i);
+  }
+  SearchOptions options{.request = request.search,
+                        .engine = request.engine,
+                        .keep = input.keep,
+                        .cost = request.cost,
+                        .compare = request.compare,
+                        .seed = request.seed,
+                        .stop = request.watch.stop};
+  if (request.watch.progress) {
+    options.progress = [&](std::size_t kicks) {
+      request.watch.progress(stage::kSearch, kicks, request.search.kicks);
+    };
+  }
+  SearchRun found = log.run(stage::kSearch, [&] {
+    const Polytope& polytope = input.solid->polytope;
+    return input.dual ? search_exchanges(dual, *input.dual, polytope, input.center,
+                                         std::move(start), options)
+                      : search_exchanges(dual, polytope, input.center, std::move(start), options);
+  });
+  end.search = log.run("search result", [&] {
+    // (2) Each solid, if that is asked for, and the last one.
+    const SolidsOfMoves solids(dual, input.center, std::move(is_left), found.moves);
+    const std::size_t count = found.moves.size();
+    const bool wants_each = request.trace || request.verify == VerifyLevel::Full;
+    Polytope before = end.polytope;
+    for (std::size_t k = wants_each || count == 0 ? 1 : count; k <= count; ++k) {
+      Polytope after = solids.after(k);
+      if (request.verify != VerifyLevel::None) require_smaller(after, before, request);
+      if (request.trace) found.moves[k - 1].measure = exact_measure(after, request.cost);
+      before = std::move(after);
+    }
+    // (3) What was achieved.
+    const auto measured = [&](const Polytope& polytope) {
+      return enclose_measure(polytope, request.cost, kMeasureBits);
+    };
+    SearchResult result{request.search, found.tried, found.moves, measured(end.polytope),
+                        measured(before)};
+    if (const auto best = best_of(found.changes)) {
+      result.best.emplace(SearchResult::Best{*best, measured(solids.after(*best)),
+                                             measured(solids.after(*best + 1))});
+    }
+    end.polytope = std::move(before);
+    return result;
+  });
+  if (end.run) end.run->moves = std::move(found.moves);
+}
+
+}  // namespace convexact

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+
+#include "convexact/measure.hpp"
+#include "search/exchange_surface.hpp"
+#include "simplify/dual_surface.hpp"
+
+namespace convexact {
+namespace {
+
+class ExactSurface : public ExchangeSurface {
+ public:
+  ExactSurface(const DualHull& dual, std::span<const DualTriangle> triangles,
+               const RationalPoint& center, CostMeasure measure)
+      : halfspaces_(dual.halfspaces),
+        surface_(dual.halfspaces, triangles, center, 1, measure),
+        measure_(measure) {}
+
+  std::optional<Change> change(HalfspaceId i, HalfspaceId j) override {
+    surface_.insert(j);
+    const Removal of_i = surface_.removal_of(i), of_j = surface_.removal_of(j);
+    surface_.apply(of_j);
+    if (!of_i.cost) return {};
+    Cost lost = of_j.cost.value();
+    lost *= Rational(-1);
+    Change result;
+    result.exact = sum_of(std::array{*of_i.cost, lost});
+    return result;
+  }
+
+  Cost exact_change(HalfspaceId i, HalfspaceId j) override { return *change(i, j).value().exact; }
+
+  void exchange(HalfspaceId i, HalfspaceId j) override {
+    surface_.insert(j);
+    surface_.apply(surface_.removal_of(i));
+  }
+
+  std::vector<DualTriangle> triangles() const override { return surface_.triangles(); }
+  Cost measure(std::span<const DualTriangle> triangles) const override {
+    return exact_measure(to_polytope(halfspaces_, triangles), measure_);
+  }
+
+ private:
+  std::span<const Halfspace> halfspaces_;
+  DualSurface surface_;
+  CostMeasure measure_;
+};
+
+}  // namespace
+
+std::unique_ptr<ExchangeSurface> make_exact_surface(const DualHull& dual,
+                                                    std::span<const DualTriangle> triangles,
+                                                    const RationalPoint& center,
+                                                    CostMeasure measure) {
+  return std::make_unique<ExactSurface>(dual, triangles, center, measure);
+}
+
+}  // namespace convexact

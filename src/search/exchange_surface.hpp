@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// exchange_surface.hpp - a solid of few halfspaces, and what exchanging one of them does to it.
+#pragma once
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "convexact/cost.hpp"
+#include "convexact/dual.hpp"
+#include "convexact/search.hpp"
+#include "fast/cap_volume.hpp"
+#include "fast/dual.hpp"
+
+namespace convexact {
+
+/// The measure after an exchange minus the one before.
+struct Change {
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();  ///< Around it, in a unit of the surface.
+  std::optional<Cost> exact = {};
+};
+
+/// The kept halfspaces, all of them facets of the input, so that none is ever redundant. Exchanging
+/// i for j inserts j first: where few halfspaces are kept, the solid without i is mostly unbounded.
+/// With both of them it gains the cap of i and loses that of j.
+/// Preconditions: i is kept, j is not.
+class ExchangeSurface {
+ public:
+  virtual ~ExchangeSurface() = default;
+
+  /// None if the solid would be unbounded. An engine that has bounds leaves `exact` out.
+  virtual std::optional<Change> change(HalfspaceId i, HalfspaceId j) = 0;
+  /// The same exactly, of an exchange that leaves the solid bounded.
+  virtual Cost exact_change(HalfspaceId i, HalfspaceId j) = 0;
+  /// Makes it. Precondition: it leaves the solid bounded.
+  virtual void exchange(HalfspaceId i, HalfspaceId j) = 0;
+
+  /// Bounds of the measure as it is now, in one unit, for comparisons with former ones: infinite
+  /// where only exact numbers are known.
+  virtual Interval<double> measure_bounds() const {
+    return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  }
+  /// The dual hull of what is kept.
+  virtual std::vector<DualTriangle> triangles() const = 0;
+  /// The measure of the solid with that dual hull.
+  virtual Cost measure(std::span<const DualTriangle> triangles) const = 0;
+};
+
+/// Every sign and every cost in integers and rationals.
+/// @param dual      Of the input; must outlive the surface.
+/// @param triangles The dual hull of what is kept.
+[[nodiscard]] std::unique_ptr<ExchangeSurface> make_exact_surface(
+    const DualHull& dual, std::span<const DualTriangle> triangles, const RationalPoint& center,
+    CostMeasure measure);
+
+/// Doubles with bounds, which exact numbers follow where they leave a sign or an order open.
+/// @param dual  Of the input, with its ids; must outlive the surface.
+[[nodiscard]] std::unique_ptr<ExchangeSurface> make_filtered_surface(
+    const FastDual& dual, std::span<const DualTriangle> triangles, CostMeasure measure);
+
+/// As the other search_exchanges(). @param fast  Of `dual`, for the filtered engine.
+[[nodiscard]] SearchRun search_exchanges(const DualHull& dual, const FastDual& fast,
+                                         const Polytope& input, const RationalPoint& center,
+                                         std::vector<HalfspaceId> start,
+                                         const SearchOptions& options);
+
+}  // namespace convexact

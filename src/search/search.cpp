@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+#include "convexact/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "convexact/error.hpp"
+#include "fast/signs.hpp"
+#include "number/random.hpp"
+#include "search/exchange_surface.hpp"
+
+namespace convexact {
+namespace {
+
+using Ids = std::vector<HalfspaceId>;
+
+// Of each facet those that it has an edge with, ascending.
+std::vector<Ids> neighbours_of(const Polytope& input) {
+  std::vector<Ids> lists(input.facets.size());
+  for (const Edge& edge : edges(input)) {
+    lists[edge.left].emplace_back(edge.right);
+    lists[edge.right].emplace_back(edge.left);
+  }
+  for (Ids& list : lists) std::sort(list.begin(), list.end());
+  return lists;
+}
+
+// The triangles of the dual hull of some halfspaces of the input.
+std::vector<DualTriangle> dual_triangles_of(const DualHull& dual, const Ids& ids,
+                                            const RationalPoint& center) {
+  std::vector<Halfspace> halfspaces;
+  for (const HalfspaceId i : ids) halfspaces.push_back(dual.halfspaces.at(i.index()));
+  const HalfspaceDual of_ids = dual_of(halfspaces, center);
+  const auto id = [&](HalfspaceId k) { return ids[of_ids.rows[k.index()]]; };
+  std::vector<DualTriangle> triangles;
+  for (const DualTriangle& t : of_ids.dual.triangles) {
+    triangles.push_back({id(t[0]), id(t[1]), id(t[2])});
+  }
+  return triangles;
+}
+
+Ids difference(const Ids& a, const Ids& b) {
+  Ids only_a;
+  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(only_a));
+  return only_a;
+}
+
+double middle_of(const Change& change) {
+  const double lower = change.exact ? change.exact->low_double() : change.lower;
+  const double upper = change.exact ? change.exact->high_double() : change.upper;
+  const double middle = lower + (upper - lower) / 2;
+  return std::isfinite(middle) ? middle : 0;
+}
+
+Cost zero_of(CostMeasure measure) {
+  switch (measure) {
+    case CostMeasure::Volume:
+      return Rational(0);
+    case CostMeasure::Area:
+      return Cost(RootSum());
+    case CostMeasure::MeanWidth:
+      break;
+  }
+  return Cost(AngleSum());
+}
+
+// The facets that so many steps, and no fewer, lead to from one of them, ascending.
+Ids facets_away(const std::vector<Ids>& neighbours, HalfspaceId from, std::uint64_t steps) {
+  Ids before, now = {from};
+  for (; steps > 0; --steps) {
+    Ids next;
+    for (const HalfspaceId i : now) {
+      next.insert(next.end(), neighbours[i.index()].begin(), neighbours[i.index()].end());
+    }
+    std::sort(next.begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    // A neighbour is a step nearer, as near, or a step farther.
+    next = difference(difference(next, now), before);
+    before = std::exchange(now, std::move(next));
+  }
+  return now;
+}
+
+class ExchangeSearch {
+ public:
+  ExchangeSearch(std::unique_ptr<ExchangeSurface> surface, const Polytope& input, Ids start,
+                 const SearchOptions& options);
+  SearchRun run();
+
+ private:
+  struct Exchange {
+    HalfspaceId out, in;
+    Change change;
+  };
+
+  bool is_kept(HalfspaceId i) const { return std::binary_search(kept_.begin(), kept_.end(), i); }
+  Ids exchangeable() const { return difference(kept_, options_.keep); }
+  bool is_less(const Cost& a, const Cost& b) const;
+  bool is_less(Exchange& a, std::optional<Exchange>& b);
+  const Cost& exactly(Exchange& exchange);
+  std::optional<Exchange> best_exchange(HalfspaceId out);
+  void make(Exchange exchange);
+  void walk(bool is_kick);
+  void kick();
+  bool has_shrunk();
+  void accept();
+  void undo();
+
+  const SearchOptions& options_;
+  const Watch watch_;
+  const std::vector<Ids> neighbours_;
+  const std::unique_ptr<ExchangeSurface> surface_;
+  const Cost zero_;
+  Random random_;
+  Ids kept_;  // ascending
+  // The best that is known so far, and the exchanges made since.
+  Ids best_;
+  std::vector<DualTriangle> best_triangles_;
+  Interval<double> best_bounds_;
+  std::optional<Cost> best_measure_;  // if it was needed
+  std::vector<Exchange> since_;
+  SearchRun run_;
+};
+
+ExchangeSearch::ExchangeSearch(std::unique_ptr<ExchangeSurface> surface, const Polytope& input,
+                               Ids start, const SearchOptions& options)
+    : options_(options),
+      watch_(options.stop),
+      neighbours_(neighbours_of(input)),
+      surface_(std::move(surface)),
+      zero_(zero_of(options.cost)),
+      random_(options.seed),
+      kept_(std::move(start)),
+      best_(kept_),
+      best_triangles_(surface_->triangles()),
+      best_bounds_(surface_->measure_bounds()) {}
+
+// What is not decided is not smaller.
+bool ExchangeSearch::is_less(const Cost& a, const Cost& b) const {
+  return compare(a, b, options_.compare, watch_).order == Order::Less;
+}
+
+// Bounds only settle what exact numbers would say. Without b: whether a makes the measure smaller.
+bool ExchangeSearch::is_less(Exchange& a, std::optional<Exchange>& b) {
+  const double lower = b ? b->change.lower : 0, upper = b ? b->change.upper : 0;
+  if (a.change.lower >= upper) return false;
+  if (a.change.upper < lower) return true;
+  return is_less(exactly(a), b ? exactly(*b) : zero_);
+}
+
+// Precondition: it is not made.
+const Cost& ExchangeSearch::exactly(Exchange& exchange) {
+  std::optional<Cost>& exact = exchange.change.exact;
+  if (!exact) exact = surface_->exact_change(exchange.out, exchange.in);
+  return *exact;
+}
+
+// The incumbent leads until a candidate is proven smaller, and that one until the next is.
+std::optional<ExchangeSearch::Exchange> ExchangeSearch::best_exchange(HalfspaceId out) {
+  std::optional<Exchange> leader;
+  for (const HalfspaceId in : neighbours_[out.index()]) {
+    if (is_kept(in)) continue;
+    watch_.ask();
+    ++run_.tried;
+    const std::optional<Change> change = surface_->change(out, in);
+    if (!change) continue;
+    Exchange candidate{out, in, *change};
+    if (is_less(candidate, leader)) leader = std::move(candidate);
+  }
+  return leader;
+}
+
+void ExchangeSearch::make(Exchange exchange) {
+  surface_->exchange(exchange.out, exchange.in);
+  kept_.erase(std::lower_bound(kept_.begin(), kept_.end(), exchange.out));
+  kept_.insert(std::lower_bound(kept_.begin(), kept_.end(), exchange.in), exchange.in);
+  since_.push_back(std::move(exchange));
+}
+
+// Ends, because the measure falls each time and there are finitely many sets.
+void ExchangeSearch::walk(bool is_kick) {
+  for (bool helped = true; helped;) {
+    helped = false;
+    for (const HalfspaceId out : exchangeable()) {
+      std::optional<Exchange> best = best_exchange(out);
+      if (!best) continue;
+      helped = true;
+      make(std::move(*best));
+      if (!is_kick) accept();
+    }
+  }
+}
+
+void ExchangeSearch::kick() {
+  constexpr std::uint64_t kMostExchanges = 3, kFewestSteps = 2, kMostSteps = 11;
+  // (1) Random exchanges.
+  for (std::uint64_t left = 1 + uniform_below(random_, kMostExchanges); left > 0; --left) {
+    const Ids candidates = exchangeable();
+    const HalfspaceId out = candidates[uniform_below(random_, candidates.size())];
+    const std::uint64_t steps =
+        kFewestSteps + uniform_below(random_, kMostSteps - kFewestSteps + 1);
+    const Ids there = facets_away(neighbours_, out, steps);
+    if (there.empty()) continue;
+    const HalfspaceId in = there[uniform_below(random_, there.size())];
+    if (is_kept(in)) continue;
+    ++run_.tried;
+    if (std::optional<Change> change = surface_->change(out, in)) make({out, in, *change});
+  }
+  if (since_.empty()) return;
+  // (2) From there to the nearest solid that no exchange makes smaller.
+  walk(true);
+  // (3) Back, unless that one is smaller than the best so far.
+  if (has_shrunk()) {
+    accept();
+  } else {
+    undo();
+  }
+}
+
+// Whether the measure is proven smaller than the best so far.
+bool ExchangeSearch::has_shrunk() {
+  if (kept_ == best_) return false;
+  double lower = 0, upper = 0;
+  for (const Exchange& exchange : since_) {
+    lower = next_below(lower + exchange.change.lower);
+    upper = next_above(upper + exchange.change.upper);
+  }
+  if (lower >= 0) return false;
+  if (upper < 0) return true;
+  // A kick may lead by way of a solid so large that the changes cancel.
+  const Interval<double> now = surface_->measure_bounds();
+  if (now.lower >= best_bounds_.upper) return false;
+  if (now.upper < best_bounds_.lower) return true;
+  if (!best_measure_) best_measure_ = surface_->measure(best_triangles_);
+  return is_less(surface_->measure(surface_->triangles()), *best_measure_);
+}
+
+void ExchangeSearch::accept() {
+  double change = 0;
+  for (const Exchange& exchange : since_) change += middle_of(exchange.change);
+  run_.changes.push_back(change);
+  since_.clear();
+  best_triangles_ = surface_->triangles();
+  best_bounds_ = surface_->measure_bounds();
+  best_measure_.reset();
+  run_.moves.push_back({difference(best_, kept_), difference(kept_, best_)});
+  best_ = kept_;
+}
+
+// The exchanges the other way round, the last one first: each leads to a solid that was there.
+void ExchangeSearch::undo() {
+  for (auto exchange = since_.rbegin(); exchange != since_.rend(); ++exchange) {
+    surface_->exchange(exchange->in, exchange->out);
+  }
+  since_.clear();
+  kept_ = best_;
+}
+
+SearchRun ExchangeSearch::run() {
+  if (options_.request.kind == SearchKind::None || exchangeable().empty()) return {};
+  walk(false);
+  if (options_.request.kind == SearchKind::Local) {
+    for (std::size_t made = 1; made <= options_.request.kicks; ++made) {
+      watch_.ask();
+      kick();
+      if (options_.progress) options_.progress(made);
+    }
+  }
+  return std::move(run_);
+}
+
+}  // namespace
+
+SearchRun search_exchanges(const DualHull& dual, const Polytope& input, const RationalPoint& center,
+                           std::vector<HalfspaceId> start, const SearchOptions& options) {
+  switch (options.engine) {
+    case Engine::Exact: {
+      const auto triangles = dual_triangles_of(dual, start, center);
+      auto surface = make_exact_surface(dual, triangles, center, options.cost);
+      return ExchangeSearch(std::move(surface), input, std::move(start), options).run();
+    }
+    case Engine::Filtered:
+      return search_exchanges(dual, FastDual::of(dual, center), input, center, std::move(start),
+                              options);
+    case Engine::Float:
+      break;
+  }
+  throw Error(ErrorCode::InvalidArgument,
+              "a search compares exactly: it needs the exact or the filtered engine");
+}
+
+SearchRun search_exchanges(const DualHull& dual, const FastDual& fast, const Polytope& input,
+                           const RationalPoint& center, std::vector<HalfspaceId> start,
+                           const SearchOptions& options) {
+  const auto triangles = dual_triangles_of(dual, start, center);
+  return ExchangeSearch(make_filtered_surface(fast, triangles, options.cost), input,
+                        std::move(start), options)
+      .run();
+}
+
+}  // namespace convexact

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Inserting and removing vertices of a half-edge mesh, against the triangles that it must have.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "convexact/measure.hpp"
+#include "fast/cap.hpp"
+#include "searched.hpp"
+#include "shapes/makers.hpp"
+
+using namespace convexact;
+
+namespace {
+
+// What any closed sphere around these vertices satisfies: every ring is read off both ways.
+void check_closed(const HalfEdgeMesh& mesh, std::size_t size) {
+  AdjacencyMatrix matrix(size);
+  for (const DualTriangle& t : mesh.triangles()) matrix.add(t);
+  CHECK(matrix.is_closed_manifold());
+  const std::vector<HalfspaceId> vertices = mesh.vertices();
+  CHECK(mesh.triangles().size() == 2 * vertices.size() - 4);
+  OneRing ring;
+  for (const HalfspaceId v : vertices) {
+    mesh.one_ring(v, ring);
+    const auto least = std::min_element(ring.vertices.begin(), ring.vertices.end());
+    std::rotate(ring.vertices.begin(), least, ring.vertices.end());
+    CHECK(ring.vertices == matrix.one_ring(v));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("HalfEdgeMesh: inserted vertices are joined to the rim of what they see") {
+  for (const std::vector<Point>& points :
+       {shapes::cut_cube(8, 0.25), shapes::icosahedron(), shapes::in_ball(40, 1)}) {
+    const Greedy greedy(points, 4, CostMeasure::Volume);
+    const FastDual dual = FastDual::of(greedy.dual, greedy.center);
+    const DualSigns signs(dual);
+    HalfEdgeMesh mesh(dual.size(), dual.triangles(), dual.twins());
+    FilteredCap cap(dual, mesh, CostMeasure::Volume, 1);
+    Random random(4);
+    std::vector<HalfspaceId> gone;
+    const auto remove_some = [&] {
+      std::vector<HalfspaceId> all = mesh.vertices();
+      shuffle(std::span(all), random);
+      for (const HalfspaceId v : all) {
+        cap.prepare(v);
+        if (cap.in_doubles().kind == Boundedness::Unbounded) continue;
+        mesh.remove(v, cap.ring(), cap.triangles());
+        cap.invalidate();
+        gone.push_back(v);
+      }
+    };
+    for (int round = 0; round < 4; ++round) {
+      remove_some();
+      check_closed(mesh, dual.size());
+      shuffle(std::span(gone), random);
+      for (std::size_t left = round == 3 ? 0 : gone.size() / 2; gone.size() > left;) {
+        const HalfspaceId v = gone.back();
+        gone.pop_back();
+        mesh.insert(v, [&](const DualTriangle& t) {
+          return signs.height(t[0], t[1], t[2], v) != Sign::Negative;
+        });
+        cap.invalidate();
+        check_closed(mesh, dual.size());
+      }
+    }
+    // Everything is back: the same solid, if with other triangles on level points.
+    const Polytope again = to_polytope(greedy.dual.halfspaces, mesh.triangles());
+    CHECK(again.planes == greedy.input.planes);
+    CHECK(volume(again) == volume(greedy.input));
+  }
+}

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// Searches with known ends, and what must not change them.
+#include "convexact/search.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <set>
+
+#include "convexact/measure.hpp"
+#include "convexact/simplify.hpp"
+#include "convexact/simplify_scene.hpp"
+#include "expect_error.hpp"
+#include "motion.hpp"
+#include "searched.hpp"
+#include "shapes/makers.hpp"
+
+using namespace convexact;
+
+namespace {
+
+SimplifyRequest request_for(std::size_t faces, SearchKind kind = SearchKind::None,
+                            std::size_t kicks = 200) {
+  SimplifyRequest request;
+  request.faces = faces;
+  request.search = {kind, kicks};
+  return request;
+}
+
+SimplifyResult simplified(const std::vector<Point>& points, const SimplifyRequest& request) {
+  return std::get<SimplifyResult>(simplify(Shape(PointSet(points)), request));
+}
+
+std::set<Halfspace> planes_of(const SimplifyResult& result) {
+  return {result.solid.exact.planes.begin(), result.solid.exact.planes.end()};
+}
+
+double ratio(const SimplifyResult& result) {
+  return (result.output_volume.bounds / result.input_volume.bounds).high_double();
+}
+
+}  // namespace
+
+// The largest ball in the icosahedron with edges a has the radius (3 + sqrt 5) a / (4 sqrt 3), and
+// the regular tetrahedron around a ball of radius r the volume 8 sqrt 3 r^3. Over the volume
+// 5 (3 + sqrt 5) a^3 / 12 that is (3 + sqrt 5)^2 / 10 = (7 + 3 sqrt 5) / 5 = 2.7416...
+TEST_CASE("search: the regular tetrahedron around an icosahedron") {
+  const double expected = (7 + 3 * std::sqrt(5.0)) / 5;
+  for (const Engine engine : {Engine::Filtered, Engine::Exact}) {
+    SimplifyRequest request = request_for(4);
+    request.engine = engine;
+    CHECK(ratio(simplified(shapes::icosahedron(), request)) > 5);
+    request.search.kind = SearchKind::Local;
+    CHECK(ratio(simplified(shapes::icosahedron(), request)) == doctest::Approx(expected));
+  }
+}
+
+TEST_CASE("search: every measure is smaller after a search, and the report says by how much") {
+  for (const CostMeasure measure : kMeasures) {
+    CAPTURE(static_cast<int>(measure));
+    SimplifyRequest request = request_for(8);
+    request.cost = measure;
+    request.verify = VerifyLevel::Full;
+    const std::vector<Point> points = shapes::in_ball(60, 3);
+    const SimplifyResult greedy = simplified(points, request);
+    request.search.kind = SearchKind::Local;
+    request.trace = true;
+    const SimplifyResult found = simplified(points, request);
+    CHECK(found.solid.exact.planes.size() == 8);
+    const auto same = [&](const Enclosure& x, const Polytope& polytope) {
+      return to_decimal(x, 12) == to_decimal(enclose_measure(polytope, measure, 100), 12);
+    };
+    REQUIRE(found.search.has_value());
+    CHECK(same(found.search->greedy, greedy.solid.exact));
+    CHECK(same(found.search->now, found.solid.exact));
+    const std::vector<Move>& moves = found.run->moves;
+    REQUIRE(moves.size() >= 1);
+    REQUIRE(found.search->best.has_value());
+    const auto& best = *found.search->best;
+    Enclosure before = found.search->greedy;
+    for (std::size_t k = 0; k < moves.size(); ++k) {
+      const Enclosure after = moves[k].measure->enclose(100);
+      CHECK(after.high() < before.low());
+      CHECK((before - after).low_double() <= 1.00001 * (best.before - best.after).high_double());
+      before = after;
+    }
+  }
+}
+
+TEST_CASE("search: with all facets kept, or none to take their place, nothing is exchanged") {
+  SimplifyRequest request = request_for(100, SearchKind::Local, 20);
+  const SimplifyResult all = simplified(shapes::cube(), request);
+  CHECK(all.steps == 0);
+  CHECK(all.search->moves.empty());
+  CHECK_FALSE(all.search->best.has_value());
+  request.faces = 4;
+  CHECK(simplified(shapes::tetrahedron(), request).search->tried == 0);
+}
+
+TEST_CASE("search: the same seed gives the same moves, and no kicks are a walk") {
+  const Greedy greedy(shapes::in_ball(80, 2), 7, CostMeasure::Volume);
+  const SearchOptions local{.request = {SearchKind::Local, 50}, .seed = 3};
+  CHECK(same_moves(greedy.search(local), greedy.search(local)));
+  CHECK(same_moves(greedy.search({.request = {SearchKind::Local, 0}}), greedy.search({})));
+  CHECK(greedy.search({.request = {SearchKind::None}}).tried == 0);
+}
+
+TEST_CASE("search: the order of points, points inside, motions and scales change nothing") {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    CAPTURE(seed);
+    const std::vector<Point> points = shapes::lattice(40, 9, seed);
+    const SimplifyRequest request = request_for(6, SearchKind::Local, 30);
+    const std::set<Halfspace> expected = planes_of(simplified(points, request));
+    CHECK(planes_of(simplified(motion::with_irrelevant(points, seed), request)) == expected);
+    // These keep the directions of normals, and so the canonical order.
+    for (const auto& moved : {motion::Motion::translation_and_scale({5, -7, 11}, 3),
+                              motion::Motion::translation_and_scale({0, 0, 0}, -40)}) {
+      std::set<Halfspace> carried;
+      for (const Halfspace& plane : expected) carried.insert(moved(plane));
+      CHECK(planes_of(simplified(moved(points), request)) == carried);
+    }
+  }
+}
+
+TEST_CASE("search: what is kept on request is never exchanged") {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    CAPTURE(seed);
+    const Greedy greedy(shapes::in_ball(20, seed), 8, CostMeasure::Volume);
+    const std::vector<HalfspaceId> keep(greedy.left.begin(), greedy.left.begin() + 5);
+    const SearchRun found = greedy.search(
+        {.request = {SearchKind::Local, 40}, .keep = keep, .cost = CostMeasure::Volume});
+    for (const Move& move : found.moves) {
+      for (const HalfspaceId i : move.removed) {
+        CHECK(std::find(keep.begin(), keep.end(), i) == keep.end());
+      }
+    }
+    // With all of them kept there is nothing to exchange.
+    const SearchRun none = greedy.search({.request = {SearchKind::Local, 40}, .keep = greedy.left});
+    CHECK(none.tried == 0);
+  }
+}
+
+TEST_CASE("search: requests that make no sense") {
+  const SimplifyRequest walk = request_for(4, SearchKind::Walk);
+  const auto is_refused = [](const SimplifyRequest& request, const std::string& why) {
+    const Error error = error_of([&] { return simplified(shapes::cube(), request); });
+    CHECK(error.code() == ErrorCode::InvalidArgument);
+    CHECK(std::string(error.what()).find(why) != std::string::npos);
+  };
+  SimplifyRequest request = walk;
+  request.engine = Engine::Float;
+  is_refused(request, "engine");
+  request = walk;
+  request.faces.reset();
+  request.max_growth = Rational(1);
+  is_refused(request, "number of faces");
+  request = walk;
+  request.record = true;
+  is_refused(request, "proof");
+  SceneRequest scene;
+  scene.each.search = {SearchKind::Walk};
+  scene.total_faces = 8;
+  const std::vector<Shape> parts(2, Shape(PointSet(shapes::cube())));
+  CHECK(error_of([&] { return simplify_scene(parts, scene); }).code() ==
+        ErrorCode::InvalidArgument);
+  const Greedy greedy(shapes::cube(), 6, CostMeasure::Volume);
+  CHECK(error_of([&] { return greedy.search({.engine = Engine::Float}); }).code() ==
+        ErrorCode::InvalidArgument);
+}
