@@ -33,7 +33,7 @@ struct Expected {
       {"trace-bounded", Status::Holds},         {"trace-greedy", Status::Holds},
       {"trace-cost", Status::NotAsked},         {"trace-ties", Status::NotAsked},
       {"trace-left", Status::NotAsked},         {"trace-kept", Status::NotAsked},
-      {"trace-stop", Status::NotAsked}};
+      {"trace-stop", Status::NotAsked},         {"trace-moves", Status::NotAsked}};
 
   void violate(const char* code) { statuses[code] = Status::Violated; }
   void ask(const char* code, bool holds) {

@@ -46,6 +46,8 @@ struct RemovalOrder {
   std::optional<StopReason> stop = {};
   /// The facets that it states to keep, in any order; none if it states nothing.
   std::optional<std::vector<HalfspaceId>> kept = {};
+  /// Exchanges after the steps, by positions in `facets`; a measure is a claim.
+  std::vector<Move> moves = {};
 };
 
 /// The share by which one cost exceeds another: of volumes the number itself, of areas and mean
@@ -208,6 +210,8 @@ struct JudgeOptions {
 /// For mean widths it is as options.compare says; what that leaves undecided violates no claim, and
 /// the claim that it is about does not hold but is Status::Undecided. A plane that is no facet
 /// plane is the nearest facet's if rounding explains the difference; the verdict counts these.
+/// Moves after the last step are judged, if that is reached, by the measures of their solids, each
+/// intersected from scratch.
 /// @param center  Strictly inside the solid.
 /// @throws Error  InvalidArgument for a negative limit, for a facet that is to be left out and does
 ///                not exist, is removed, or bounds the rest, or for one to be kept that does not

@@ -10,6 +10,7 @@
 #include "convexact/watch.hpp"
 #include "fast/filtered_loop.hpp"
 #include "oracle/facet_match.hpp"
+#include "oracle/judge_moves.hpp"
 #include "oracle/removal_cost.hpp"
 #include "oracle/trace_verdict.hpp"
 
@@ -51,6 +52,7 @@ enum class TraceCode : unsigned char {
   Left,
   Kept,
   Stop,
+  Moves,
 };
 
 // One claim per code; of each the first violation is kept.
@@ -94,7 +96,8 @@ class TraceClaims {
                                      {"trace-ties", Status::NotAsked},
                                      {"trace-left", Status::NotAsked},
                                      {"trace-kept", Status::NotAsked},
-                                     {"trace-stop", Status::NotAsked}};
+                                     {"trace-stop", Status::NotAsked},
+                                     {"trace-moves", Status::NotAsked}};
 };
 
 class TraceJudge {
@@ -147,6 +150,7 @@ class TraceJudge {
   void compare_ties(const OrderedStep& removal, const JudgedStep& judged);
   bool may_be_tie(const std::vector<HalfspaceId>& claimed, const std::vector<HalfspaceId>& tie);
   void check_stop();
+  void judge_moves();
   void confirm() const;
 
   std::size_t step() const { return verdict_.steps.size(); }
@@ -198,6 +202,7 @@ TraceVerdict TraceJudge::run() {
   const bool is_complete = std::all_of(order_.steps.begin(), order_.steps.end(),
                                        [&](const OrderedStep& r) { return follow(r); });
   if (is_complete) check_stop();
+  if (is_complete && purpose_ == Purpose::Verdict) judge_moves();
   if (verdict_.worst && !verdict_.at) verdict_.rating = TraceRating::UpToRegret;
   if (first_undecided_ && !verdict_.at) {
     verdict_.rating = TraceRating::Undecided;
@@ -525,6 +530,23 @@ void TraceJudge::check_stop() {
                                       {},
                                       "ends because no other removal is bounded",
                                       removal_text(*missed, loop_.cost(*missed))});
+  }
+}
+
+void TraceJudge::judge_moves() {
+  if (order_.moves.empty()) return;
+  claims_.ask(TraceCode::Moves);
+  std::vector<bool> is_there(dual_.halfspaces.size(), true);
+  for (const HalfspaceId id : verdict_.left_out) is_there[id.index()] = false;
+  for (const JudgedStep& step : verdict_.steps) is_there[step.removed.index()] = false;
+  const auto fault =
+      find_move_fault(order_, facets_, dual_.halfspaces, std::move(is_there), center_, options_);
+  if (!fault) return;
+  TraceWitness witness{{}, fault->row, fault->found, fault->expected};
+  if (fault->is_open) {
+    claims_.leave_open(TraceCode::Moves, std::move(witness));
+  } else {
+    claims_.violate(TraceCode::Moves, std::move(witness));
   }
 }
 

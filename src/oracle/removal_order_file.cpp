@@ -59,6 +59,8 @@ class StepReader {
   HalfspaceId facet(const json& number) const;
   void read_claims(const json& step, CostMeasure measure, OrderedStep& ordered) const;
   std::optional<Cost> claimed_cost(const json& cost, CostMeasure measure) const;
+  std::vector<HalfspaceId> facets(const json& object, const char* key) const;
+  void read_moves(const json& list, RemovalOrder& order);
   CostMeasure measure_of(const json& document) const;
   StopReason stop_reason(const json& name) const;
 
@@ -113,6 +115,27 @@ StopReason StepReader::stop_reason(const json& name) const {
   reject("reached, growth-limit, all-unbounded or all-kept-or-unbounded");
 }
 
+std::vector<HalfspaceId> StepReader::facets(const json& object, const char* key) const {
+  if (!object.contains(key) || !object[key].is_array()) reject("an array of ids");
+  std::vector<HalfspaceId> ids;
+  for (const json& number : object[key]) ids.push_back(facet(number));
+  return ids;
+}
+
+void StepReader::read_moves(const json& list, RemovalOrder& order) {
+  if (!list.is_array()) reject("an array");
+  for (const json& move : list) {
+    place_ = "move " + std::to_string(order.moves.size() + 1);
+    if (!move.is_object()) reject("an object with 'removed' and 'inserted'");
+    Move& ordered = order.moves.emplace_back();
+    ordered.removed = facets(move, "removed");
+    ordered.inserted = facets(move, "inserted");
+    if (move.contains("measure") && move["measure"].is_object()) {
+      ordered.measure = claimed_cost(move["measure"], order.measure);
+    }
+  }
+}
+
 CostMeasure StepReader::measure_of(const json& document) const {
   if (!document.contains("measure")) return asked_.value_or(CostMeasure::Volume);
   const json& name = document["measure"];
@@ -146,10 +169,9 @@ void StepReader::read(const json& document, RemovalOrder& order) {
   place_ = "stop";
   if (document.contains("stop")) order.stop = stop_reason(document["stop"]);
   place_ = "kept";
-  if (!document.contains("kept")) return;
-  if (!document["kept"].is_array()) reject("an array of ids");
-  order.kept.emplace();
-  for (const json& number : document["kept"]) order.kept->push_back(facet(number));
+  if (document.contains("kept")) order.kept = facets(document, "kept");
+  place_ = "moves";
+  if (document.contains("moves")) read_moves(document["moves"], order);
 }
 
 RemovalOrder read_json_order(std::string_view bytes, const std::optional<ListedFacets>& facets,

@@ -142,6 +142,16 @@ ordered_json to_json(const Step& step) {
   return object;
 }
 
+ordered_json to_json(const std::vector<Move>& moves) {
+  ordered_json list = ordered_json::array();
+  for (const Move& move : moves) {
+    list.push_back({{"removed", to_json(move.removed)},
+                    {"inserted", to_json(move.inserted)},
+                    {"measure", cost_json(move.measure.value())}});
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string write_trace_json(const Run& run) {
@@ -154,6 +164,7 @@ std::string write_trace_json(const Run& run) {
                            {"steps", std::move(steps)},
                            {"stop", name_of(run.stop)}};
   if (!run.kept.empty()) document["kept"] = to_json(run.kept);
+  if (!run.moves.empty()) document["moves"] = to_json(run.moves);
   return write_json(document) + "\n";
 }
 

@@ -48,7 +48,7 @@ inline constexpr int kTraceVersion = 2;
 /// cost is {"value": nearest double, or null beyond the largest one, "decimal": 17 digits} with, by
 /// the measure, "exact": "p/q", "roots": [["q", "N"], ...], or
 /// "edges": [["factor", "squared length", "squared cross product", "dot product"], ...].
-/// Precondition: each step has its cost.
+/// Precondition: each step has its cost, and each move its measure.
 [[nodiscard]] std::string write_trace_json(const Run& run);
 
 }  // namespace convexact
