@@ -4,7 +4,8 @@
 CONSTANT, FORGOTTEN, TIE, SIGN = 'constant / 16', 'underflow forgotten', 'tie rule dropped', 'sign flipped'
 PUSH, SKIP, STALE = 'push too small', 'verification skipped', 'stale value trusted'
 
-_FAST, _GEO, _DEC, _BVH, _TEACH = 'src/fast/', 'src/geometry/', 'src/decompose/', 'src/bvh/', 'src/teach/'
+_FAST, _GEO, _DEC, _BVH = 'src/fast/', 'src/geometry/', 'src/decompose/', 'src/bvh/'
+_TEACH, _SEARCH = 'src/teach/', 'src/search/'
 _AUDIT = 'fast_plane_filter fast_audit'
 _CAPS = 'fast_cap_bounds fast_audit'
 _AGREE = 'fast'
@@ -261,4 +262,12 @@ FAULTS = [
     (SKIP, _BVH + 'search_tree.cpp', 'if (!check(hull, solid, met)) return {};', '', 'hull_trees'),
     (SKIP, _BVH + 'search_tree.cpp', 'visit.second.first() == *claim.first;', 'true;', 'hull_trees'),
     (SKIP, _BVH + 'search_tree.cpp', '!answers.emplace(node, &answer).second', '(answers.emplace(node, &answer), false)', 'hull_trees'),
+    # Beyond greedy.
+    (SKIP, _SEARCH + 'search.cpp', 'if (upper < 0) return true;', 'if (lower < 0) return true;', 'search'),
+    (STALE, _SEARCH + 'search.cpp', 'for (auto exchange = since_.rbegin();', 'for (auto exchange = since_.rbegin() + 1;', 'search'),
+    (STALE, _SEARCH + 'search.cpp', 'best_measure_.reset();', '', 'search search_property'),
+    (SKIP, _SEARCH + 'search.cpp', 'return difference(kept_, options_.keep);', 'return kept_;', 'search'),
+    (SIGN, _SEARCH + 'filtered_surface.cpp', 'next_above(gained.upper - lost.lower)', 'next_above(gained.lower - lost.upper)', 'search search_property'),
+    (TIE, 'src/oracle/judge_moves.cpp', '} else if (change != Order::Less) {', '} else if (change == Order::Greater) {', 'oracle'),
+    (SKIP, 'src/oracle/judge_moves.cpp', 'if (is_there_[id->index()] == there) {', 'if (false) {', 'oracle'),
 ]
