@@ -15,21 +15,21 @@
 namespace convexact {
 namespace {
 
-using Ids = std::vector<HalfspaceId>;
+using HalfspaceIds = std::vector<HalfspaceId>;
 
 // Of each facet those that it has an edge with, ascending.
-std::vector<Ids> neighbours_of(const Polytope& input) {
-  std::vector<Ids> lists(input.facets.size());
+std::vector<HalfspaceIds> neighbours_of(const Polytope& input) {
+  std::vector<HalfspaceIds> lists(input.facets.size());
   for (const Edge& edge : edges(input)) {
     lists[edge.left].emplace_back(edge.right);
     lists[edge.right].emplace_back(edge.left);
   }
-  for (Ids& list : lists) std::sort(list.begin(), list.end());
+  for (HalfspaceIds& list : lists) std::sort(list.begin(), list.end());
   return lists;
 }
 
 // The triangles of the dual hull of some halfspaces of the input.
-std::vector<DualTriangle> dual_triangles_of(const DualHull& dual, const Ids& ids,
+std::vector<DualTriangle> dual_triangles_of(const DualHull& dual, const HalfspaceIds& ids,
                                             const RationalPoint& center) {
   std::vector<Halfspace> halfspaces;
   for (const HalfspaceId i : ids) halfspaces.push_back(dual.halfspaces.at(i.index()));
@@ -42,8 +42,8 @@ std::vector<DualTriangle> dual_triangles_of(const DualHull& dual, const Ids& ids
   return triangles;
 }
 
-Ids difference(const Ids& a, const Ids& b) {
-  Ids only_a;
+HalfspaceIds difference(const HalfspaceIds& a, const HalfspaceIds& b) {
+  HalfspaceIds only_a;
   std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(only_a));
   return only_a;
 }
@@ -68,10 +68,11 @@ Cost zero_of(CostMeasure measure) {
 }
 
 // The facets that so many steps, and no fewer, lead to from one of them, ascending.
-Ids facets_away(const std::vector<Ids>& neighbours, HalfspaceId from, std::uint64_t steps) {
-  Ids before, now = {from};
+HalfspaceIds facets_away(const std::vector<HalfspaceIds>& neighbours, HalfspaceId from,
+                         std::uint64_t steps) {
+  HalfspaceIds before, now = {from};
   for (; steps > 0; --steps) {
-    Ids next;
+    HalfspaceIds next;
     for (const HalfspaceId i : now) {
       next.insert(next.end(), neighbours[i.index()].begin(), neighbours[i.index()].end());
     }
@@ -86,8 +87,8 @@ Ids facets_away(const std::vector<Ids>& neighbours, HalfspaceId from, std::uint6
 
 class ExchangeSearch {
  public:
-  ExchangeSearch(std::unique_ptr<ExchangeSurface> surface, const Polytope& input, Ids start,
-                 const SearchOptions& options);
+  ExchangeSearch(std::unique_ptr<ExchangeSurface> surface, const Polytope& input,
+                 HalfspaceIds start, const SearchOptions& options);
   SearchRun run();
 
  private:
@@ -97,7 +98,7 @@ class ExchangeSearch {
   };
 
   bool is_kept(HalfspaceId i) const { return std::binary_search(kept_.begin(), kept_.end(), i); }
-  Ids exchangeable() const { return difference(kept_, options_.keep); }
+  HalfspaceIds exchangeable() const { return difference(kept_, options_.keep); }
   bool is_less(const Cost& a, const Cost& b) const;
   bool is_less(Exchange& a, std::optional<Exchange>& b);
   const Cost& exactly(Exchange& exchange);
@@ -111,13 +112,13 @@ class ExchangeSearch {
 
   const SearchOptions& options_;
   const Watch watch_;
-  const std::vector<Ids> neighbours_;
+  const std::vector<HalfspaceIds> neighbours_;
   const std::unique_ptr<ExchangeSurface> surface_;
   const Cost zero_;
   Random random_;
-  Ids kept_;  // ascending
+  HalfspaceIds kept_;  // ascending
   // The best that is known so far, and the exchanges made since.
-  Ids best_;
+  HalfspaceIds best_;
   std::vector<DualTriangle> best_triangles_;
   Interval<double> best_bounds_;
   std::optional<Cost> best_measure_;  // if it was needed
@@ -126,7 +127,7 @@ class ExchangeSearch {
 };
 
 ExchangeSearch::ExchangeSearch(std::unique_ptr<ExchangeSurface> surface, const Polytope& input,
-                               Ids start, const SearchOptions& options)
+                               HalfspaceIds start, const SearchOptions& options)
     : options_(options),
       watch_(options.stop),
       neighbours_(neighbours_of(input)),
@@ -198,11 +199,11 @@ void ExchangeSearch::kick() {
   constexpr std::uint64_t kMostExchanges = 3, kFewestSteps = 2, kMostSteps = 11;
   // (1) Random exchanges.
   for (std::uint64_t left = 1 + uniform_below(random_, kMostExchanges); left > 0; --left) {
-    const Ids candidates = exchangeable();
+    const HalfspaceIds candidates = exchangeable();
     const HalfspaceId out = candidates[uniform_below(random_, candidates.size())];
     const std::uint64_t steps =
         kFewestSteps + uniform_below(random_, kMostSteps - kFewestSteps + 1);
-    const Ids there = facets_away(neighbours_, out, steps);
+    const HalfspaceIds there = facets_away(neighbours_, out, steps);
     if (there.empty()) continue;
     const HalfspaceId in = there[uniform_below(random_, there.size())];
     if (is_kept(in)) continue;
