@@ -19,11 +19,11 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-Enclosure root_of(const Rational& square) { return sqrt(Enclosure(square, kMeasureBits)); }
+Enclosure enclosed_root_of(const Rational& square) { return sqrt(Enclosure(square, kMeasureBits)); }
 
 Enclosure percent_of(const Enclosure& length, const Rational& squared_diameter) {
   if (squared_diameter == 0) return Enclosure(kMeasureBits);  // a single point
-  return Enclosure(Integer(100), kMeasureBits) * length / root_of(squared_diameter);
+  return Enclosure(Integer(100), kMeasureBits) * length / enclosed_root_of(squared_diameter);
 }
 
 TieTally ties_of(const Clustering& clustering) {
@@ -53,12 +53,12 @@ OrderedJson indices_json(std::span<const TriangleId> triangles) {
 OrderedJson limit_json(const ConcavityLimit& limit, const Decomposition& decomposition) {
   OrderedJson json = {{limit.is_share ? "share" : "length", to_string(limit.value)}};
   json["squared"] = to_string(decomposition.squared_limit());
-  json["bounds"] = interval_json(root_of(decomposition.squared_limit()));
+  json["bounds"] = interval_json(enclosed_root_of(decomposition.squared_limit()));
   return json;
 }
 
 OrderedJson concavity_json(const Concavity& concavity, const Rational& squared_diameter) {
-  const Enclosure length = root_of(concavity.squared);
+  const Enclosure length = enclosed_root_of(concavity.squared);
   return {{"squared", to_string(concavity.squared)},
           {"bounds", interval_json(length)},
           {"percent", percent_of(length, squared_diameter).high_double()},
@@ -108,7 +108,7 @@ OrderedJson part_entry(const Decomposition& decomposition, std::size_t number,
       {"concavity", concavity_json(part.concavity, decomposition.squared_diameter())}};
   if (const auto& least = part.least_squared_concavity) {
     json["least_concavity"] = {{"squared", to_string(*least)},
-                               {"bounds", interval_json(root_of(*least))}};
+                               {"bounds", interval_json(enclosed_root_of(*least))}};
   }
   if (detail == DecompositionDetail::Numbers) return json;
   json["owns"] = indices_json(part.owns);
@@ -211,7 +211,7 @@ std::string percent_text(const Enclosure& percent) {
 
 // A share with its length, or the other way round.
 std::string limit_text(const ConcavityLimit& limit, const Decomposition& decomposition) {
-  const Enclosure length = root_of(decomposition.squared_limit());
+  const Enclosure length = enclosed_root_of(decomposition.squared_limit());
   if (limit.is_share) {
     return fmt::format("{} of the diameter, a length of {}", percent_text(limit.value * 100),
                        interval_text(length));
@@ -279,7 +279,7 @@ std::string concavity_line(const Decomposition& decomposition, std::span<const s
   });
   if (worst == parts.end()) return "";
   if (worst->concavity.squared == 0) return text_line("concavity", "0 in every part");
-  const Enclosure length = root_of(worst->concavity.squared);
+  const Enclosure length = enclosed_root_of(worst->concavity.squared);
   return text_line(
       "concavity",
       fmt::format("at most {} ({} of the diameter), in {} at triangle {}", interval_text(length),

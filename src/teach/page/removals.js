@@ -125,7 +125,7 @@ function removalSteps(removal, k) {
     const around = {...mark(surfaceAfter(k).ring(shown), "ring"), [shown]: "chosen"};
     const all = candidates(k), able = all.filter(candidate => candidate.cost !== null).length, other = shown === i ? null : all.find(candidate => candidate.i === shown);
     return {
-      say: `There are ${before} halfspaces, and ${able === before ? "each" : able} of them could go. Removing one lets the solid grow, and its cost is how much ${measured} that adds. ${all.length > able ? `Without one of the other ${all.length - able} the solid would become unbounded. ` : ""}The cheapest is ${tag(i)}, which adds ${cost(`${at}/cost`)}${
+      say: `There are ${before} halfspaces, and ${able === before ? "each" : able} of them could go. Removing one lets the solid grow, and its cost is how much ${measured} that adds. ${all.length > able ? `Without ${all.length - able === 1 ? "the other one" : `one of the other ${all.length - able}`} the solid would become unbounded. ` : ""}The cheapest is ${tag(i)}, which adds ${cost(`${at}/cost`)}${
         removal.tie.length > 1 ? `. That is an exact tie of ${tags(removal.tie)}; the first in canonical order goes` : ""}.${other ? ` If ${tag(shown)} went instead, ${other.cost ? `that would add ${cost(`/evaluations/${other.e}/cost`)}` : "the solid would be unbounded"}.` : ""}`,
       solid: {items: solidScene(k, around), radius: reachOf(k)},
       dual: {items: [dualItem(surfaceAfter(k), around)], radius: dualReach()},
