@@ -6,11 +6,14 @@
 // --- doubles, to show beside exact numbers what they make of them ------------------------------------
 
 const doubles = {
+  known: new Map(),
   // As a program in doubles has a plane: its numbers to nearest, scaled so that the largest entry of the normal is 1.
-  plane: i => {
+  plane(i) {
+    if (this.known.has(i)) return this.known.get(i);
     const numbers = plane(i), size = x => x.sign() < 0 ? x.negated() : x;
     const largest = numbers.slice(0, 3).map(size).reduce((a, b) => a.compare(b) > 0 ? a : b);
-    return numbers.map(x => x.over(largest).toNumber());
+    this.known.set(i, numbers.map(x => x.over(largest).toNumber()));
+    return this.known.get(i);
   },
   det: (a, b, c) => a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]),
   gap(i, j, k) { return this.det(this.plane(i), this.plane(j), this.plane(k)); },
@@ -24,6 +27,12 @@ const doubles = {
       (6 * this.gap(a, b, c) * this.gap(i, a, b) * this.gap(i, b, c) * this.gap(i, c, a)), 0);
   },
 };
+
+// Where they are far off, they are shown from the start.
+display.doubles = (lesson.removals || []).some(removal => {
+  const near = doubles.volume(removal.removed, removal.triangles.map(t => t.corners)), exact = Rational.of(removal.cap_volume).toNumber();
+  return !(Math.abs(near - exact) <= 0.01 * exact);
+});
 
 // --- removal ---------------------------------------------------------------------------------------
 
@@ -49,7 +58,7 @@ function candidateTable(k, removal) {
     let float = [];
     if (withDoubles) {
       const near = value && doubles.volume(i, lesson.evaluations[e].triangles), exact = value && Rational.of(value.exact).toNumber();
-      float = value ? [String(near), Number.isFinite(near) ? `${(100 * Math.abs(near - exact) / exact).toPrecision(2)}%` : "no number"] : ["", ""];
+      float = value ? Number.isFinite(near) ? [String(near), `${(100 * Math.abs(near - exact) / exact).toPrecision(2)}%`] : ["no number", ""] : ["", ""];
     }
     const note = i === removal?.removed ? "<b>goes</b>" : ties.has(i) ? "tie" : "";
     return row([value ? rank + 1 : "", `<button type="button" class="link" data-pick="h${i}">${i}</button>`, cost(`${at}/cost`), ...others, ...float, note],
@@ -239,7 +248,7 @@ function verificationChapter() {
         own = verdict(agrees);
         if (display.doubles && !check.triangle.includes(check.plane)) {
           const near = check.plane === null ? doubles.gap(...check.triangle) : doubles.height(check.triangle, check.plane);
-          own += ` <span class="${Math.sign(near) === value.sign() ? "" : "no"}">doubles: ${String(near).replace("-", "\u2212")}${Math.sign(near) === value.sign() ? "" : " \u2014 the wrong sign"}</span>`;
+          own += ` <span class="${Math.sign(near) === value.sign() ? "" : "wrong"}">doubles: ${Number.isNaN(near) ? "no number" : String(near).replace("-", "\u2212")}${Math.sign(near) === value.sign() ? "" : " \u2014 the wrong sign"}</span>`;
         }
       }
       return row([escaped(check.check), check.triangle ? tags(check.triangle) : "", check.plane === null ? "" : tag(check.plane),
