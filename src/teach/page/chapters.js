@@ -103,16 +103,17 @@ function centerChapter(center) {
   const items = (v, tight, now) => [first ? {...solidItem(first(), {...mark(tight.filter(r => !isLast(r)), "tight"), ...(now === undefined ? {} : {[now]: "chosen"})}), mark: "glass"} : {},
     ...ball(v, ""), {dots: isFinite(v) ? [{at: drawn(v), mark: "center"}] : []}];
   // The tight constraints' normals as arrows: a ball is pinned when they can balance.
-  const arrows = (weights) => [{lines: weights.map(([r]) => {
-    const [a, b, c] = lesson.halfspaces[r].drawn, l = Math.hypot(a, b, c);
-    return {from: [0, 0, 0], to: [a / l, b / l, c / l], mark: "arrow"};
-  }), dots: weights.map(([r]) => {
-    const [a, b, c] = lesson.halfspaces[r].drawn, l = Math.hypot(a, b, c);
-    return {at: [a / l, b / l, c / l], label: r, mark: "arrow"};
-  })}];
-  const asBall = (where, v) => isFinite(v) ? `<p>center ${triple2(`${where}/x`)}, radius ${number(`${where}/x/3`)}</p>`
+  const tip = r => {
+    const normal = lesson.halfspaces[r].drawn, length = Math.hypot(...normal.slice(0, 3));
+    return normal.slice(0, 3).map(v => v / length);
+  };
+  const arrows = rows => [{
+    lines: rows.map(r => ({from: [0, 0, 0], to: tip(r), mark: "arrow"})),
+    dots: rows.map(r => ({at: tip(r), label: r, mark: "arrow"})),
+  }];
+  const asBall = (where, v) => isFinite(v) ? `<p>center ${middleOf(`${where}/x`)}, radius ${number(`${where}/x/3`)}</p>`
     : `<p>Not bounded yet: from (x, y, z, r) = (${list(`${where}/x`)}) it may go M times (${list(`${where}/direction`)}), for any M.</p>`;
-  const triple2 = where => `(${[0, 1, 2].map(k => number(`${where}/${k}`)).join(", ")})`;
+  const middleOf = where => `(${[0, 1, 2].map(k => number(`${where}/${k}`)).join(", ")})`;
   const statement = "<p>The ball with center x and radius r lies in the halfspace n\u00b7x + d \u2264 0 if and only if n\u00b7x + d + |n| r \u2264 0. Lengths |n| are often irrational, so U, a rational that is at least |n|, stands in their place. The largest r is a linear program in four unknowns:</p>" +
     formula(word("max"), mi("r"), mo("\u2003:\u2003"), sub("n", "i"), mo("\u00b7"), mi("x"), mo("+"), sub("d", "i"), mo("+"), sub("U", "i"), mi("r"), mo("\u2264"), mn(0));
   const steps = [{id: "center", title: "The largest ball", show: () => ({
@@ -120,18 +121,18 @@ function centerChapter(center) {
     solid: {items: items(center.start, []), note: "Without any constraint, the ball is as large as you like."}, dual: {items: []},
     more: statement + asBall(`${place}/start`, center.start),
   })}];
-  let current = center.start, currentAt = `${place}/start`, tight = [], number_ = 0;
+  let current = center.start, currentAt = `${place}/start`, tight = [], counted = 0;
   center.insertions.forEach((step, k) => {
     const at = `${place}/insertions/${k}`;
     if (step.unmoved) {
-      number_ += step.unmoved;
+      counted += step.unmoved;
       return;
     }
-    ++number_;
-    const before = current, beforeAt = currentAt, beforeTight = tight, count = number_;
+    ++counted;
+    const before = current, rank = counted;
     if (step.moved) [current, currentAt, tight] = [step, at, step.tight];
     const after = current, afterAt = currentAt, afterTight = tight;
-    steps.push({id: `center-${count}`, title: isLast(step.row) ? "Not a negative radius" : `Halfspace ${step.row}`, show: () => {
+    steps.push({id: `center-${rank}`, title: isLast(step.row) ? "Not a negative radius" : `Halfspace ${step.row}`, show: () => {
       const value = valueAt(step.row, before), grows = value.infinite.sign();
       const broken = grows > 0 || (grows === 0 && value.finite.sign() > 0);
       return {
@@ -139,7 +140,7 @@ function centerChapter(center) {
           : step.moved ? `The best ball so far sticks out of halfspace ${tag(step.row)}, so the new best ball must touch plane ${tag(step.row)}. ${isFinite(after) ? `It touches ${many(afterTight.length, "plane")} now.` : "There is still no largest ball: it goes on growing."}`
           : `The best ball so far does not stick out of halfspace ${tag(step.row)}, so nothing changes.`,
         solid: {items: items(after, afterTight, isLast(step.row) ? undefined : step.row)},
-        dual: {items: [...arrows(afterTight.filter(r => !isLast(r)).map(r => [r])), origin], radius: 1.2, name: "normals", note: "Directions of the planes that the ball touches."},
+        dual: {items: [...arrows(afterTight.filter(r => !isLast(r))), origin], radius: 1.2, name: "normals", note: "Directions of the planes that the ball touches."},
         more: (isLast(step.row) ? "" : `<p>Halfspace ${tag(step.row)} and the ball before:</p>` +
           formula(mi("n"), mo("\u00b7"), mi("x"), mo("+"), mi("d"), mo("+"), mi("U"), mi("r"), mo("="),
             grows ? mathOf(value.infinite) + mi("M") + (value.finite.sign() < 0 ? "" : mo("+")) : "", mathOf(value.finite), mo(broken ? ">" : "\u2264"), mn(0)) +
@@ -156,7 +157,7 @@ function centerChapter(center) {
     return {
       say: `No ball is larger, and these few numbers prove it: the normals of ${tags(touching.map(([r]) => r))}, multiplied by positive factors \u03bb, cancel out. So moving the ball away from one of these planes moves it towards another.`,
       solid: {items: items({x: [...center.optimum, center.optimum_radius], direction: ["0", "0", "0", "0"]}, touching.map(([r]) => r))},
-      dual: {items: [...arrows(touching), origin], radius: 1.2, name: "normals", note: "Weighted by the factors, they are in balance."},
+      dual: {items: [...arrows(touching.map(([r]) => r)), origin], radius: 1.2, name: "normals", note: "Weighted by the factors, they are in balance."},
       more: table(["halfspace", "factor \u03bb", "(n1, n2, n3, d)", "U"], touching.map(([r], t) => row([tag(r), number(`${place}/touching/${t}/1`), planeText(r), number(`${place}/norms/${r}`)])), "Certificate") +
         formula(mo("\u2211"), mi("\u03bb"), mi("n"), mo("="), mo("("), sums.map(mathOf).join(mo(",")), mo(")")) +
         formula(mi("r"), mo("="), mo("\u2212"), mo("\u2211"), mi("\u03bb"), mi("d"), mo("/"), mo("\u2211"), mi("\u03bb"), mi("U"), mo("="), mathOf(depth.over(weight))) +

@@ -72,7 +72,6 @@ const gapTable = ({halfspace, triangles}) => table([`triangle without ${halfspac
   const d = planeThrough(t).D;
   return row([tags(t), computed(d), d.sign() > 0 ? "yes" : "none"]);
 }), "Triangles that would close the hole");
-const planeOf = i => ({n: plane(i).slice(0, 3), d: plane(i)[3]});
 // x and D of the plane through three dual points, as the record has them: in primitive integers.
 function planeThrough(t) {
   const [a, b, c] = t.map(i => vector(lesson.halfspaces[i].dual)), n = v => v.slice(0, 3);
@@ -269,7 +268,7 @@ function verificationChapter() {
       say: "Each halfspace that is left is one of the first ones, and all of the input lies inside of it. At the end each is tested at its witness, a vertex of the input that lies on its plane: so none of the planes could be moved inward.",
       solid: {items: solidScene(lesson.removals.length, {})}, dual: {items: [dualItem(surfaceAfter(lesson.removals.length))], radius: dualReach()},
       more: table(["halfspace", "witness", "n\u00b7x + d", "= 0?"], lesson.end.witness.map(([i, x], n) => {
-        const {n: normal, d} = planeOf(i), value = dot(normal, vector(x)).plus(d);
+        const value = dot(plane(i).slice(0, 3), vector(x)).plus(plane(i)[3]);
         return row([tag(i), `(${x.map((_, c) => number(`/end/witness/${n}/1/${c}`)).join(", ")})`, computed(value), verdict(value.sign() === 0)]);
       }), "Witnesses"),
     })});
