@@ -155,6 +155,31 @@ CONVEXACT_API convexact_status convexact_simplify_by(const double* points, size_
                                                      size_t plane_count, int cost, long tie_bits,
                                                      convexact_solid** result);
 
+/* What is tried after the removals to make the measure smaller with as many planes. */
+typedef enum convexact_search {
+  CONVEXACT_SEARCH_NONE = 0,
+  CONVEXACT_SEARCH_WALK = 1, /* Exchanges of a plane for that of a facet next to it. */
+  CONVEXACT_SEARCH_LOCAL = 2 /* The same, then random exchanges, each with a walk after it. */
+} convexact_search;
+
+typedef struct convexact_simplify_options {
+  size_t size;   /* sizeof(convexact_simplify_options). */
+  int cost;      /* A convexact_cost. */
+  long tie_bits; /* As of convexact_simplify_by. */
+  int search;    /* A convexact_search. Every exchange is proven to make the measure smaller. */
+  size_t kicks;  /* Of CONVEXACT_SEARCH_LOCAL: how many random exchanges. 0 for 200. */
+  uint64_t seed; /* Of these; the same one leads to the same planes everywhere. 0 for 1. */
+} convexact_simplify_options;
+
+/* The same with options. */
+CONVEXACT_API convexact_status convexact_simplify_with(const double* points, size_t point_count,
+                                                       size_t plane_count,
+                                                       const convexact_simplify_options* options,
+                                                       convexact_solid** result);
+
+/* How many exchanges a search made after the removals. */
+CONVEXACT_API size_t convexact_solid_move_count(const convexact_solid* result);
+
 /* In how many steps several removals cost the same, or were not told apart. */
 CONVEXACT_API size_t convexact_solid_tie_count(const convexact_solid* result);
 /* Of how many of these it is not proven that the costs are equal; 0 unless by mean width. */

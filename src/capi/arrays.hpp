@@ -15,6 +15,15 @@
 
 namespace convexact::capi {
 
+/// The value of an enumeration of the interface. @throws Error InvalidArgument if it has none.
+template <class Value, std::size_t N>
+Value chosen(const Value (&values)[N], int number) {
+  if (number < 0 || static_cast<std::size_t>(number) >= N) {
+    throw Error(ErrorCode::InvalidArgument, "an option has no such value");
+  }
+  return values[number];
+}
+
 /// @throws Error InvalidArgument for a null pointer or none or too many of them.
 inline void require_array(const double* numbers, std::size_t count) {
   if (numbers == nullptr || count == 0 || count >= std::numeric_limits<std::uint32_t>::max()) {

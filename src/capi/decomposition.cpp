@@ -13,15 +13,6 @@
 namespace convexact::capi {
 namespace {
 
-// The value of the enumeration of the interface.
-template <class Value, std::size_t N>
-Value chosen(const Value (&values)[N], int number) {
-  if (number < 0 || static_cast<std::size_t>(number) >= N) {
-    throw Error(ErrorCode::InvalidArgument, "an option has no such value");
-  }
-  return values[number];
-}
-
 constexpr DecomposeMethod kMethods[] = {DecomposeMethod::Hacd, DecomposeMethod::Acd};
 constexpr ConcavityMeasure kMeasures[] = {ConcavityMeasure::Surface, ConcavityMeasure::Vertices};
 constexpr FlatParts kFlat[] = {FlatParts::Auto, FlatParts::Thicken, FlatParts::Keep,

@@ -10,34 +10,30 @@ struct convexact_solid {
   std::vector<std::array<double, 4>> planes;
   std::vector<std::string> texts;  // before rounding
   convexact::TieTally ties;
+  std::size_t moves = 0;
 };
 
 namespace convexact::capi {
 namespace {
 
-CostMeasure measure_of(int cost) {
-  switch (cost) {
-    case CONVEXACT_COST_VOLUME:
-      return CostMeasure::Volume;
-    case CONVEXACT_COST_AREA:
-      return CostMeasure::Area;
-    case CONVEXACT_COST_MEAN_WIDTH:
-      return CostMeasure::MeanWidth;
-  }
-  throw Error(ErrorCode::InvalidArgument, "no such measure");
-}
+constexpr CostMeasure kCosts[] = {CostMeasure::Volume, CostMeasure::Area, CostMeasure::MeanWidth};
+constexpr SearchKind kSearches[] = {SearchKind::None, SearchKind::Walk, SearchKind::Local};
 
-convexact_solid simplify_points(PointSet points, std::size_t plane_count, int cost = 0,
-                                long tie_bits = 0) {
+convexact_solid simplify_points(PointSet points, std::size_t plane_count,
+                                const convexact_simplify_options& options) {
   SimplifyRequest request;
   request.faces = plane_count;
-  request.cost = measure_of(cost);
-  if (tie_bits != 0) request.compare.bits = tie_bits;
+  request.cost = chosen(kCosts, options.cost);
+  if (options.tie_bits != 0) request.compare.bits = options.tie_bits;
+  request.search.kind = chosen(kSearches, options.search);
+  if (options.kicks != 0) request.search.kicks = options.kicks;
+  if (options.seed != 0) request.seed = options.seed;
   request.store.planes = Precision::Binary64;
   const SimplifyOutcome outcome = simplify(std::move(points), request);
   const auto* result = std::get_if<SimplifyResult>(&outcome);
   if (result == nullptr) throw Error(ErrorCode::NoInterior, "the points lie in one plane");
-  convexact_solid solid{result->solid.planes->planes, {}, result->ties};
+  const std::size_t moves = result->search ? result->search->moves.size() : 0;
+  convexact_solid solid{result->solid.planes->planes, {}, result->ties, moves};
   for (const Halfspace& plane : result->solid.exact.planes) solid.texts.push_back(to_text(plane));
   return solid;
 }
@@ -49,17 +45,28 @@ using namespace convexact::capi;
 
 convexact_status convexact_simplify(const double* points, size_t point_count, size_t plane_count,
                                     convexact_solid** result) {
-  return guarded(result,
-                 [&] { return simplify_points(to_points(points, point_count), plane_count); });
+  return convexact_simplify_with(points, point_count, plane_count, nullptr, result);
 }
 
 convexact_status convexact_simplify_by(const double* points, size_t point_count, size_t plane_count,
                                        int cost, long tie_bits, convexact_solid** result) {
+  convexact_simplify_options options{};
+  options.size = sizeof options;
+  options.cost = cost;
+  options.tie_bits = tie_bits;
+  return convexact_simplify_with(points, point_count, plane_count, &options, result);
+}
+
+convexact_status convexact_simplify_with(const double* points, size_t point_count,
+                                         size_t plane_count,
+                                         const convexact_simplify_options* options,
+                                         convexact_solid** result) {
   return guarded(result, [&] {
-    return simplify_points(to_points(points, point_count), plane_count, cost, tie_bits);
+    return simplify_points(to_points(points, point_count), plane_count, to_options(options));
   });
 }
 
+size_t convexact_solid_move_count(const convexact_solid* result) { return result->moves; }
 size_t convexact_solid_tie_count(const convexact_solid* result) {
   return std::accumulate(result->ties.steps.begin(), result->ties.steps.end(), std::size_t{0});
 }

@@ -27,6 +27,7 @@ constexpr const char* kStressFooter =
     "  convexact stress mixture --seeds 1000        random shapes, put together at random\n"
     "  convexact stress my_mesh.obj                 scaled and moved\n"
     "  convexact stress lattice --cost area         greedy by area\n"
+    "  convexact stress lattice --search local      and a search from where it ends\n"
     "  convexact stress --json > stress.json\n"
     "\n"
     "Columns: early: runs that end above the wanted number; diff: runs that removed a halfspace\n"
@@ -41,6 +42,8 @@ struct StressArguments {
   SweepOptions sweep;
   std::string engines = "exact,filtered,float";
   CostMeasure cost = CostMeasure::Volume;
+  // Fewer kicks than of one run: the exact engine makes them, too.
+  SearchRequest search{.kicks = 20};
   StressLimits limits{120, std::uint64_t(4) << 30};
   std::size_t jobs = 2;
   bool list = false, cases = false;
@@ -117,6 +120,7 @@ int run_stress(const StressArguments& options) {
   StressRequest request;
   request.engines = parse_words("--engines", options.engines, kEngineNames);
   request.cost = options.cost;
+  request.search = options.search;
   request.limits = options.limits;
   request.processes = options.jobs;
   request.stop = &interrupted();
@@ -156,6 +160,10 @@ void add_run_options(CLI::App& command, StressArguments& options) {
   command.add_option("--engines", options.engines, "which to run")->capture_default_str();
   add_choice(command, "--cost", options.cost, kCostMeasureNames,
              "what each removal is to add the least to; every answer is judged by it");
+  add_choice(command, "--search", options.search.kind, kSearchKindNames,
+             "what the exact and the filtered engine try after the removals");
+  add_count(command, "--moves", options.search.kicks, {0, std::uint64_t(1) << 32},
+            "with --search local: how many random exchanges each tries");
   add_seconds(command, "--time-limit", options.limits.seconds,
               "processor time of each engine on each input, and of the judge");
   add_bytes(command, "--memory-limit", options.limits.memory,

@@ -142,7 +142,9 @@ ordered_json to_json(const Step& step) {
   return object;
 }
 
-ordered_json to_json(const std::vector<Move>& moves) {
+}  // namespace
+
+ordered_json moves_json(const std::vector<Move>& moves) {
   ordered_json list = ordered_json::array();
   for (const Move& move : moves) {
     list.push_back({{"removed", to_json(move.removed)},
@@ -151,8 +153,6 @@ ordered_json to_json(const std::vector<Move>& moves) {
   }
   return list;
 }
-
-}  // namespace
 
 std::string write_trace_json(const Run& run) {
   ordered_json halfspaces = ordered_json::array(), steps = ordered_json::array();
@@ -164,7 +164,7 @@ std::string write_trace_json(const Run& run) {
                            {"steps", std::move(steps)},
                            {"stop", name_of(run.stop)}};
   if (!run.kept.empty()) document["kept"] = to_json(run.kept);
-  if (!run.moves.empty()) document["moves"] = to_json(run.moves);
+  if (!run.moves.empty()) document["moves"] = moves_json(run.moves);
   return write_json(document) + "\n";
 }
 

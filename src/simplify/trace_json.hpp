@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "convexact/cost.hpp"
 #include "convexact/run.hpp"
@@ -38,6 +39,9 @@ inline constexpr int kTraceVersion = 2;
 
 /// A cost as a trace has it, see write_trace_json().
 [[nodiscard]] nlohmann::ordered_json cost_json(const Cost& cost);
+
+/// Moves as a trace has them, see write_trace_json().
+[[nodiscard]] nlohmann::ordered_json moves_json(const std::vector<Move>& moves);
 
 /// The exact number of such an object: what "exact", "roots" or "edges" spell, by the measure; none
 /// if the object does not have that key.

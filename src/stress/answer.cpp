@@ -15,7 +15,8 @@
 namespace convexact {
 namespace {
 
-constexpr std::size_t kMostStored = 4000;  // solids of more halfspaces are not stored
+constexpr std::size_t kMostStored = 4000;   // solids of more halfspaces are not stored
+constexpr std::size_t kMostSearched = 100;  // no search starts from more halfspaces
 
 // Processor time of this process, not wall time: other load must not count.
 double processor_time() {
@@ -156,6 +157,18 @@ void store_all(const Polytope& result, const Solid& solid, bool whole, EngineAns
   }
 }
 
+// Its own removals again, then the search from their end.
+Polytope take_search(const Shape& shape, SimplifyRequest request, const SearchRequest& search,
+                     EngineAnswer& answer) {
+  request.trace = true;
+  request.search = search;
+  SimplifyOutcome outcome = simplify(shape, request);
+  auto& result = std::get<SimplifyResult>(outcome);
+  answer.search.emplace(
+      SearchAnswer{std::move(result.run.value().moves), result.solid.exact.planes});
+  return std::move(result.solid.exact);
+}
+
 void answer_for(const Shape& shape, const Question& question, EngineAnswer& answer) {
   StageLog log;
   const SolidOutcome outcome = make_solid(shape, question.seed, true, log);
@@ -173,7 +186,7 @@ void answer_for(const Shape& shape, const Question& question, EngineAnswer& answ
   request.cost = question.cost;
   request.seed = question.seed;
   request.trace = question.engine == Engine::Exact;
-  const Polytope result = run_pipeline(shape, request, answer);
+  Polytope result = run_pipeline(shape, request, answer);
   if (question.engine != Engine::Exact) take_lean_run(shape, solid, question, faces, answer);
   if (question.engine == Engine::Filtered) {
     request.trace = true;
@@ -187,6 +200,10 @@ void answer_for(const Shape& shape, const Question& question, EngineAnswer& answ
   }
   if (question.engine == Engine::Float) {
     for (const LeanStep& step : answer.lean) answer.run.steps.emplace_back().removed = step.removed;
+  }
+  if (question.search.kind != SearchKind::None && question.engine != Engine::Float &&
+      result.planes.size() <= kMostSearched) {
+    result = take_search(shape, request, question.search, answer);
   }
   if (result.planes.size() <= kMostStored) store_all(result, solid, false, answer);
   if (question.engine == Engine::Filtered && solid.polytope.planes.size() <= kMostStored) {

@@ -32,6 +32,12 @@ struct LeanStep {
   std::uint64_t tied = 0;
 };
 
+/// Where a search led from the end of the removals.
+struct SearchAnswer {
+  std::vector<Move> moves;      ///< Each with the measure that it left.
+  std::vector<Halfspace> left;  ///< The planes of its result.
+};
+
 struct EngineAnswer {
   Engine engine = Engine::Exact;
   StressEnd end = StressEnd::Failed;
@@ -47,6 +53,8 @@ struct EngineAnswer {
   /// By area or mean width: this measure of the same two.
   std::optional<std::array<ReportedVolume, 2>> measure;
   std::optional<StressClaim> claim;  ///< Of the float engine.
+  /// None if none was asked for, of the float engine, and where more than 100 halfspaces are left.
+  std::optional<SearchAnswer> search;
   std::vector<StoredBytes> stored;
   double seconds = 0;        ///< Of processor time: the pipeline with the exact result, not stored.
   std::uint64_t memory = 0;  ///< Peak of its process, known to the parent only.
@@ -57,12 +65,13 @@ struct Question {
   std::size_t faces = 4;
   std::uint64_t seed = 1;
   CostMeasure cost = CostMeasure::Volume;
+  SearchRequest search = {};
 };
 
 /// Runs an engine through the pipeline, as users do; again where needed for the record of its
-/// steps; and stores the result in every format, unless it is large. Of a solid that takes long,
-/// the exact engine makes the first removals only. The errors of convexact become part of the
-/// answer.
+/// steps, and for a search; and stores the result in every format, unless it is large. Of a solid
+/// that takes long, the exact engine makes the first removals only. The errors of convexact become
+/// part of the answer.
 [[nodiscard]] EngineAnswer answer_of(const Shape& shape, const Question& question);
 
 /// From one process to another. Costs are of run.measure. Numbers stay exact; of each step only

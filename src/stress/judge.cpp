@@ -117,6 +117,7 @@ class Judge {
  private:
   void judge_promised_order(const EngineAnswer& answer, StressRun& run);
   void judge_lean_run(const EngineAnswer& answer, StressRun& run) const;
+  void judge_search(const EngineAnswer& answer, StressRun& run) const;
   void compare_with_others(const EngineAnswer& answer, StressRun& run) const;
   const EngineAnswer* reference(std::size_t steps) const;
   void measure_volume_error(const EngineAnswer& answer, StressRun& run) const;
@@ -141,6 +142,7 @@ void Judge::judge(const EngineAnswer& answer, StressRun& run) {
   } else {
     judge_promised_order(answer, run);
     judge_lean_run(answer, run);
+    if (answer.search) judge_search(answer, run);
   }
   compare_with_others(answer, run);
   measure_volume_error(answer, run);
@@ -190,6 +192,22 @@ void Judge::judge_lean_run(const EngineAnswer& answer, StressRun& run) const {
     }
   }
   run.cost_error = largest;
+}
+
+// What it says of itself, and against the other engine, if that starts from the same.
+void Judge::judge_search(const EngineAnswer& answer, StressRun& run) const {
+  append(run.faults, faults_of_search(solid_, answer));
+  run.moves = answer.search->moves.size();
+  const auto is_same = [](const Move& a, const Move& b) {
+    return a.removed == b.removed && a.inserted == b.inserted;
+  };
+  for (const EngineAnswer& other : answers_) {
+    if (!other.search || other.left != answer.left) continue;
+    const std::vector<Move>&ours = answer.search->moves, &theirs = other.search->moves;
+    if (!std::equal(ours.begin(), ours.end(), theirs.begin(), theirs.end(), is_same)) {
+      run.faults.push_back("the searches of exact and filtered differ");
+    }
+  }
 }
 
 // Exact and filtered promise the same, step by step, as far as both went.

@@ -59,6 +59,12 @@ struct CenteredDual {
 [[nodiscard]] std::vector<std::string> faults_of_volume(const CenteredDual& solid,
                                                         const EngineAnswer& answer);
 
+/// Follows the moves of a search from the end of the removals: each must exchange halfspaces that
+/// are there for as many others, leave a bounded solid of less measure, and state that measure. The
+/// last one must be the result. Every solid is intersected from scratch.
+[[nodiscard]] std::vector<std::string> faults_of_search(const CenteredDual& solid,
+                                                        const EngineAnswer& answer);
+
 /// Of the float engine: adds to the run its errors against exact costs and minima in its own
 /// states, and what is wrong. An error is no fault; an error beyond its own bound is one, and so is
 /// an unbounded solid. @param verdict  Of follow().

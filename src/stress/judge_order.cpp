@@ -8,6 +8,7 @@
 
 #include "convexact/measure.hpp"
 #include "number/arithmetic.hpp"
+#include "oracle/judge_moves.hpp"
 #include "oracle/removal_cost.hpp"
 #include "simplify/trace_json.hpp"
 #include "stress/judge.hpp"
@@ -74,6 +75,14 @@ bool add_up(const std::vector<Step>& steps, const Cost& first, const Cost& last)
   return expected.low() <= sum.high() && sum.low() <= expected.high();
 }
 
+// Without steps.
+RemovalOrder order_about(const Run& run) {
+  RemovalOrder order;
+  order.measure = run.measure;
+  for (const Halfspace& h : run.halfspaces) order.facets.emplace_back(h);
+  return order;
+}
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Whether the run ends for want of bounded removals where there is one.
@@ -114,9 +123,7 @@ bool is_valid_order(const Run& run) {
 }
 
 TraceVerdict follow(const CenteredDual& solid, const EngineAnswer& answer) {
-  RemovalOrder order;
-  order.measure = answer.run.measure;
-  for (const Halfspace& h : answer.run.halfspaces) order.facets.emplace_back(h);
+  RemovalOrder order = order_about(answer.run);
   const bool is_large = answer.run.halfspaces.size() > kLarge;
   const std::size_t all = answer.run.steps.size();
   const std::size_t count = is_large ? std::min(kSteps, all) : all;
@@ -213,6 +220,33 @@ std::vector<std::string> faults_of_volume(const CenteredDual& solid, const Engin
         fmt::format("the costs do not add up to the growth of the {}", name_of(measure)));
   }
   return faults;
+}
+
+std::vector<std::string> faults_of_search(const CenteredDual& solid, const EngineAnswer& answer) {
+  if (!is_valid_order(answer.run)) return {"the removals are not different halfspaces"};
+  const std::vector<Halfspace>& all = solid.dual.halfspaces;
+  const SearchAnswer& search = answer.search.value();
+  RemovalOrder order = order_about(answer.run);
+  order.moves = search.moves;
+  std::vector<bool> is_there(all.size(), true);
+  for (const HalfspaceId i : removed_in(answer.run)) is_there[i.index()] = false;
+  // (1) Each move.
+  const auto fault = find_move_fault(order, NamedFacets(solid.dual, order, JudgeOptions().unit),
+                                     all, is_there, solid.center, {});
+  if (fault && !fault->is_open) {
+    return {fmt::format("move {}: {}, expected {}", fault->row, fault->found, fault->expected)};
+  }
+  // (2) The end.
+  for (const Move& move : search.moves) {
+    for (const HalfspaceId i : move.removed) is_there[i.index()] = false;
+    for (const HalfspaceId i : move.inserted) is_there[i.index()] = true;
+  }
+  std::vector<Halfspace> left;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (is_there[i]) left.push_back(all[i]);
+  }
+  if (left != search.left) return {"the result of the search is not where its moves lead"};
+  return {};
 }
 
 double error_of_cost(const ReportedVolume& reported, const Cost& cost) {

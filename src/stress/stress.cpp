@@ -150,8 +150,11 @@ std::unique_ptr<ChildProcess> Sweep::start(std::size_t i) const {
     });
   }
   const Engine engine = request_.engines[answers.size()];
-  const Question question{
-      .engine = engine, .faces = input.faces, .seed = input.seed, .cost = request_.cost};
+  const Question question{.engine = engine,
+                          .faces = input.faces,
+                          .seed = input.seed,
+                          .cost = request_.cost,
+                          .search = request_.search};
   return start([&] { return answer_json(request_.answer(input.make(), question)); });
 }
 

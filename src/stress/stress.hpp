@@ -20,6 +20,8 @@ struct StressLimits {
 struct StressRequest {
   std::vector<Engine> engines = {Engine::Exact, Engine::Filtered, Engine::Float};
   CostMeasure cost = CostMeasure::Volume;  ///< The measure that the runs keep small.
+  /// After the removals of the exact and the filtered engine, where few halfspaces are left.
+  SearchRequest search = {};
   StressLimits limits;
   std::size_t processes = 1;  ///< At the same time, >= 1.
   /// The engines under test; replaced where the judge itself is tested.

@@ -145,6 +145,7 @@ Json run_json(const StressRun& run) {
   json["first_difference"] = optional_json(run.first_difference);
   json["other_ties"] = run.other_ties;
   if (run.undecided > 0) json["undecided"] = run.undecided;
+  if (run.moves) json["moves"] = *run.moves;
   json["regret"] = optional_json(run.regret);
   json["claim"] = claim_json(run.claim);
   json["stored"] = Json::array();
@@ -173,6 +174,7 @@ StressRun run_in(const Json& json) {
   take(run.first_difference, json.at("first_difference"));
   run.other_ties = json.at("other_ties");
   run.undecided = json.value("undecided", std::size_t(0));
+  if (json.contains("moves")) run.moves = json.at("moves").get<std::size_t>();
   take(run.regret, json.at("regret"));
   run.claim = claim_in(json.at("claim"));
   for (const Json& stored : json.at("stored")) run.stored.push_back(stored_in(stored));
@@ -197,6 +199,23 @@ std::vector<StressRun> stress_runs_in(const Json& json) {
   return runs;
 }
 
+Json search_json(const std::optional<SearchAnswer>& search) {
+  if (!search) return nullptr;
+  return {{"moves", moves_json(search->moves)}, {"left", search->left}};
+}
+
+std::optional<SearchAnswer> search_in(const Json& json, CostMeasure measure) {
+  if (json.is_null()) return std::nullopt;
+  SearchAnswer search;
+  for (const Json& entry : json.at("moves")) {
+    search.moves.push_back({entry.at("removed").get<std::vector<HalfspaceId>>(),
+                            entry.at("inserted").get<std::vector<HalfspaceId>>(),
+                            cost_in_json(nlohmann::json(entry.at("measure")), measure)});
+  }
+  search.left = json.at("left").get<std::vector<Halfspace>>();
+  return search;
+}
+
 Json answer_json(const EngineAnswer& answer) {
   Json stored = Json::array();
   for (const StoredBytes& kept : answer.stored) {
@@ -218,6 +237,7 @@ Json answer_json(const EngineAnswer& answer) {
           {"input_volume", volume_json(answer.input_volume)},
           {"output_volume", volume_json(answer.output_volume)},
           {"claim", claim_json(answer.claim)},
+          {"search", search_json(answer.search)},
           {"stored", stored},
           {"seconds", answer.seconds}};
 }
@@ -247,6 +267,7 @@ EngineAnswer answer_in(const Json& json) {
   answer.input_volume = volume_in(json.at("input_volume"));
   answer.output_volume = volume_in(json.at("output_volume"));
   answer.claim = claim_in(json.at("claim"));
+  answer.search = search_in(json.at("search"), answer.run.measure);
   for (const Json& entry : json.at("stored")) {
     answer.stored.push_back({stored_in(entry.at("stored")), entry.at("bytes")});
   }

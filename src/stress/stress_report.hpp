@@ -89,6 +89,7 @@ struct StressRun {
   std::optional<std::size_t> first_difference;
   std::size_t other_ties = 0;  ///< Steps that remove another one of exactly tied halfspaces.
   std::size_t undecided = 0;   ///< Steps by mean width that the judge neither accepts nor refutes.
+  std::optional<std::size_t> moves;  ///< Of a search after the removals.
   std::optional<double> regret;  ///< Largest (cost - minimum) / minimum of a step; may be infinite.
   std::optional<StressClaim> claim;  ///< Of the float engine.
 

@@ -3,11 +3,13 @@
 #include <convexact.h>
 #include <doctest/doctest.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -343,6 +345,84 @@ TEST_CASE("C interface: ties are counted, and proven for each measure") {
           CONVEXACT_INVALID_ARGUMENT);
     CHECK(solid == nullptr);
   }
+}
+
+namespace {
+
+// The rows (n1, n2, n3, d) after a search.
+struct Searched {
+  std::vector<std::string> planes;
+  std::size_t moves = 0;
+};
+
+Searched searched(const Numbers& points, int search, std::size_t kicks = 0,
+                  std::uint64_t seed = 0) {
+  const convexact_simplify_options options{
+      sizeof options, CONVEXACT_COST_VOLUME, 0, search, kicks, seed};
+  convexact_solid* solid = nullptr;
+  REQUIRE(convexact_simplify_with(points.data(), points.size() / 3, 4, &options, &solid) ==
+          CONVEXACT_OK);
+  Searched result{{}, convexact_solid_move_count(solid)};
+  for (std::size_t i = 0; i < convexact_solid_plane_count(solid); ++i) {
+    result.planes.emplace_back(convexact_solid_plane_text(solid, i));
+  }
+  convexact_solid_free(solid);
+  return result;
+}
+
+// Of the tetrahedron of four planes: |D|^3 / (6 |D1 D2 D3 D4|), with the determinant D of the rows
+// and those of the normals of three planes each.
+double tetrahedron_volume(const std::vector<std::string>& planes) {
+  REQUIRE(planes.size() == 4);
+  Eigen::Matrix4d rows;
+  for (int i = 0; i < 4; ++i) {
+    std::istringstream words(planes[static_cast<std::size_t>(i)]);
+    for (int c = 0; c < 4; ++c) words >> rows(i, c);
+    rows.row(i) /= rows.row(i).head<3>().norm();
+  }
+  double minors = 1;
+  for (int i = 0; i < 4; ++i) {
+    Eigen::Matrix3d three;
+    for (int k = 0, row = 0; k < 4; ++k) {
+      if (k != i) three.row(row++) = rows.row(k).head<3>();
+    }
+    minors *= three.determinant();
+  }
+  return std::abs(std::pow(rows.determinant(), 3) / (6 * minors));
+}
+
+}  // namespace
+
+// Around an icosahedron the tightest four of its planes are those of a regular tetrahedron:
+// (7 + 3 sqrt 5) / 5 times its volume, which is 5 (3 + sqrt 5) / 12 edges^3.
+TEST_CASE("C interface: a search ends at fewer volume") {
+  const double phi = (1 + std::sqrt(5.0)) / 2;
+  Numbers points;
+  for (const double a : {-1.0, 1.0}) {
+    for (const double b : {-phi, phi}) {
+      points.insert(points.end(), {0, a, b, a, b, 0, b, 0, a});
+    }
+  }
+  const double hull = 8 * 5 * (3 + std::sqrt(5.0)) / 12;  // of edges of length 2
+  const Searched none = searched(points, CONVEXACT_SEARCH_NONE);
+  CHECK(none.moves == 0);
+  CHECK(searched(points, CONVEXACT_SEARCH_NONE, 7).planes == none.planes);
+  const Searched local = searched(points, CONVEXACT_SEARCH_LOCAL);
+  CHECK(local.moves > 0);
+  CHECK(tetrahedron_volume(local.planes) / hull ==
+        doctest::Approx((7 + 3 * std::sqrt(5.0)) / 5).epsilon(1e-9));
+  CHECK(tetrahedron_volume(none.planes) / hull > 5);
+  CHECK(searched(points, CONVEXACT_SEARCH_LOCAL, 200, 1).planes == local.planes);
+
+  convexact_solid* solid = nullptr;
+  convexact_simplify_options options{sizeof options, 0, 0, 3, 0, 0};
+  CHECK(convexact_simplify_with(points.data(), 12, 4, &options, &solid) ==
+        CONVEXACT_INVALID_ARGUMENT);
+  options.size = 1;
+  CHECK(convexact_simplify_with(points.data(), 12, 4, &options, &solid) ==
+        CONVEXACT_INVALID_ARGUMENT);
+  CHECK(convexact_simplify_with(points.data(), 12, 6, nullptr, &solid) == CONVEXACT_OK);
+  convexact_solid_free(solid);
 }
 
 TEST_CASE("C interface: many threads at once come to the same verdicts") {

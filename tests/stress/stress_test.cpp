@@ -413,3 +413,80 @@ TEST_CASE("stress --cost: wrong costs, measures and choices by area and mean wid
                 }).empty());
   }
 }
+
+namespace {
+
+// Solids around which greedy removals miss the best planes, so that a search makes moves.
+std::vector<StressInput> searched_input() { return inputs_at("random-ball", {14}); }
+
+StressRequest with_search(CostMeasure cost = CostMeasure::Volume) {
+  StressRequest request;
+  request.engines = {Engine::Exact, Engine::Filtered};
+  request.cost = cost;
+  request.search = {SearchKind::Local, 5};
+  return request;
+}
+
+void check_search_caught(const Corruption& corrupt) {
+  for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
+    StressRequest request = with_search();
+    request.engines = {engine};
+    request.answer = [&](const Shape& shape, const Question& question) {
+      EngineAnswer answer = answer_of(shape, question);
+      corrupt(answer);
+      return answer;
+    };
+    CHECK_FALSE(stress(searched_input(), request).passes());
+  }
+}
+
+}  // namespace
+
+TEST_CASE("stress: searches of both engines pass, by every measure") {
+  for (const CostMeasure cost : {CostMeasure::Volume, CostMeasure::Area, CostMeasure::MeanWidth}) {
+    std::vector<StressInput> inputs = searched_input();
+    for (const auto& more :
+         {tied_input(), inputs_at("needle", {1e300}), inputs_at("prism", {12})}) {
+      inputs.insert(inputs.end(), more.begin(), more.end());
+    }
+    const StressReport report = stress(inputs, with_search(cost));
+    for (const StressRun& run : report.runs) {
+      CAPTURE(run.family);
+      CHECK_MESSAGE(run.passes(), (run.passes() ? "" : run.faults[0]));
+      CHECK(run.moves.has_value());
+    }
+    CHECK(report.runs[0].moves.value() > 0);
+    CHECK(schema_complaint("stress", nlohmann::json::parse(stress_json(report).dump())) == "");
+  }
+}
+
+TEST_CASE("stress: a search that is not what it says is a fault") {
+  check_search_caught(
+      [](EngineAnswer& a) { a.search->moves.back().measure = a.run.steps[0].cost; });
+  check_search_caught([](EngineAnswer& a) { a.search->moves.pop_back(); });
+  check_search_caught([](EngineAnswer& a) { a.search->left = a.left; });
+  check_search_caught([](EngineAnswer& a) {  // back, which makes the solid larger
+    const Move last = a.search->moves.back();
+    a.search->moves.push_back({last.inserted, last.removed, a.run.steps[0].cost});
+  });
+  check_search_caught([](EngineAnswer& a) {  // what is not there
+    a.search->moves.front().removed = a.search->moves.front().inserted;
+  });
+}
+
+TEST_CASE("stress: searches that differ are a fault of both") {
+  StressRequest request = with_search();
+  request.answer = [](const Shape& shape, const Question& question) {
+    Question other = question;
+    if (question.engine == Engine::Filtered) other.search = {SearchKind::Local, 0};
+    EngineAnswer answer = answer_of(shape, other);
+    if (question.engine == Engine::Filtered) {
+      answer.search->moves.clear();  // true of a search that finds nothing
+      answer.search->left = answer.left;
+    }
+    return answer;
+  };
+  const StressReport report = stress(searched_input(), request);
+  REQUIRE(report.runs.size() == 2);
+  for (const StressRun& run : report.runs) CHECK_FALSE(run.passes());
+}
