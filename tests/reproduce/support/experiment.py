@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: MIT
+"""What the experiments on the figures of [Jacobson2026] share: options, meshes, runs, and the record of what was found.
+
+A record is one object: {"id", "figure", "command", "claims": [{"paper", "here", "verdict"}], "tables": [{"title",
+"head", "rows"}], "skipped": [...]}. It is printed as Markdown, written by --json, and docs/reproduction.md is made of it.
+"""
+import argparse
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+SHIPPED = ('spot', 'teapot', 'bunny')
+# May not be shipped: named and skipped where they are absent. The bunny there is the one that is shipped.
+OTHERS = ('suzanne', 'cow', 'homer', 'fandisk', 'rocker-arm')
+AS_CLAIMED, DIFFERS, NOT_COMPARABLE = 'as claimed', 'differs', 'not comparable'
+
+
+class Experiment:
+    """Options of the command line, and the record that grows."""
+
+    def __init__(self, script, figure, description, add_options=lambda parser: None):
+        parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+        parser.add_argument('--convexact', required=True, help='the program')
+        parser.add_argument('--meshes', type=pathlib.Path, help='a folder with ' + ', '.join(OTHERS) + ' as .obj')
+        parser.add_argument('--only', action='append', help='only this mesh; may be repeated')
+        parser.add_argument('--json', type=pathlib.Path, help='where to write the record')
+        parser.add_argument('--plot', type=pathlib.Path, help='where to write a plot (.svg), if there is one')
+        add_options(parser)
+        self.options = parser.parse_args()
+        words = [word for word in sys.argv[1:] if word not in ('--convexact', self.options.convexact)]
+        name = pathlib.Path(script).stem
+        self.record = {'id': name, 'figure': figure, 'command': ' '.join(['./dev reproduce', name, *self.shown(words)]),
+                       'claims': [], 'tables': [], 'skipped': []}
+
+    def shown(self, words):
+        """The options as anybody would give them: without the files that are written, and with names of folders only."""
+        kept, skip = [], False
+        for word in words:
+            if skip or word in ('--json', '--plot'):
+                skip = not skip
+                continue
+            kept.append(pathlib.Path(word).name if '/' in word else word)
+        return kept
+
+    def meshes(self, names=SHIPPED + OTHERS):
+        """(name, path) of those that are there; the record says which are not."""
+        for name in names:
+            if self.options.only and name not in self.options.only:
+                continue
+            path = ROOT / 'tests' / 'data' / f'{name}.obj'
+            if name not in SHIPPED:
+                path = self.options.meshes / f'{name}.obj' if self.options.meshes else None
+            if path is None or not path.is_file():
+                self.record['skipped'].append(f'{name}: may not be shipped, and --meshes names no folder that has it')
+                continue
+            yield name, path
+
+    def run(self, *arguments, codes=(0,)):
+        """What a command of the program prints with --json."""
+        ran = subprocess.run([self.options.convexact, *map(str, arguments), '--json'], capture_output=True, text=True)
+        if ran.returncode not in codes:
+            sys.exit(f'{" ".join(map(str, arguments))}: exit code {ran.returncode}\n{ran.stdout[-2000:]}{ran.stderr[-2000:]}')
+        return json.loads(ran.stdout)
+
+    def claim(self, paper, here, verdict):
+        """verdict: a boolean, or one of the words above."""
+        if isinstance(verdict, bool):
+            verdict = AS_CLAIMED if verdict else DIFFERS
+        self.record['claims'].append({'paper': paper, 'here': here, 'verdict': verdict})
+
+    def table(self, title, head, rows):
+        self.record['tables'].append({'title': title, 'head': list(map(str, head)),
+                                      'rows': [list(map(str, row)) for row in rows]})
+
+    def finish(self):
+        """Prints the record and writes it. Returns 0; that something differs is a result and no failure."""
+        print(markdown(self.record), end='')
+        if self.options.json:
+            self.options.json.parent.mkdir(parents=True, exist_ok=True)
+            self.options.json.write_text(json.dumps(self.record, indent=1, ensure_ascii=False) + '\n', encoding='utf-8')
+        return 0
+
+
+def table_lines(head, rows):
+    return [f'| {" | ".join(head)} |', '|' + '---|' * len(head), *(f'| {" | ".join(row)} |' for row in rows)]
+
+
+def markdown(record, heading='##'):
+    """A record as a section of a page."""
+    lines = [f'{heading} {record["id"]}: {record["figure"]}', '', f'`{record["command"]}`', '']
+    if record['claims']:
+        lines += table_lines(['the paper', 'here', 'verdict'],
+                             [[claim['paper'], claim['here'], claim['verdict']] for claim in record['claims']]) + ['']
+    for table in record['tables']:
+        lines += [table['title'] + ':', '', *table_lines(table['head'], table['rows']), '']
+    if record['skipped']:
+        lines += ['Skipped: ' + '; '.join(record['skipped']) + '.', '']
+    return '\n'.join(lines)
+
+
+def ratio(measures, key='volume'):
+    """A measure of the result over that of the hull, as `simplify --json` and `compare --json` have it."""
+    return measures[key]['ratio']
+
+
+def measures_of(experiment, solid):
+    """Volume, area and mean width of a file, as doubles."""
+    answer = experiment.run('hull', solid)
+    return {key: answer[key]['value'] for key in ('volume', 'area', 'mean_width')}
+
+
+def points_of(mesh):
+    """The vertices of an OBJ."""
+    with open(mesh, encoding='utf-8') as lines:
+        return [tuple(map(float, line.split()[1:4])) for line in lines if line.startswith('v ')]
+
+
+def faces_of(mesh):
+    """The faces of an OBJ, as indices of vertices from 0."""
+    with open(mesh, encoding='utf-8') as lines:
+        return [[int(word.split('/')[0]) - 1 for word in line.split()[1:]] for line in lines if line.startswith('f ')]
+
+
+def scratch():
+    """A folder that goes with the program."""
+    return tempfile.TemporaryDirectory()
