@@ -176,6 +176,15 @@ FilteredCap::FilteredCap(const FastDual& dual, const HalfEdgeMesh& mesh, CostMea
 void FilteredCap::prepare(HalfspaceId i) {
   if (prepared_ == i) return;
   mesh_.one_ring(i, ring_);
+  triangulate(i);
+}
+
+void FilteredCap::prepare(HalfspaceId i, const OneRing& ring) {
+  ring_ = ring;
+  triangulate(i);
+}
+
+void FilteredCap::triangulate(HalfspaceId i) {
   geometry_.load(i, ring_.vertices, [&](HalfspaceId v) { return dual_.near(v); });
   Beyond beyond{*this, geometry_.filter(Roundoff<double>::kUnit).height};
   if (observer_ == nullptr) {

@@ -50,6 +50,8 @@ class FilteredCap {
 
   /// Reads the ring of i and triangulates it, unless it is the one read last.
   void prepare(HalfspaceId i);
+  /// The same for a dual point that is not on the mesh, with the ring that it would have.
+  void prepare(HalfspaceId i, const OneRing& ring);
   /// Forgets the ring read last: the mesh has changed.
   void invalidate() { prepared_.reset(); }
   const OneRing& ring() const { return ring_; }
@@ -80,6 +82,7 @@ class FilteredCap {
  private:
   struct Beyond;
   struct ObservedBeyond;
+  void triangulate(HalfspaceId i);
   bool is_bounded() const;
 
   const FastDual& dual_;

@@ -114,19 +114,33 @@ void HalfEdgeMesh::remove(HalfspaceId v, const OneRing& ring,
   }
 }
 
+// Along the edges of the seen triangles with an unseen one across, which is on the right.
+void HalfEdgeMesh::walk_rim(OneRing& ring) const {
+  ring.vertices.clear();
+  ring.outer.clear();
+  const auto is_inner = [&](std::uint32_t h) { return is_seen_[edges_[h].twin / 3] != 0; };
+  std::uint32_t first = kNone;
+  for (std::size_t s = 0; first == kNone; ++s) {
+    for (std::uint32_t h = 3 * slots_[s]; h < 3 * slots_[s] + 3; ++h) {
+      if (!is_inner(h)) first = h;
+    }
+  }
+  std::uint32_t h = first;
+  do {
+    ring.vertices.emplace_back(edges_[h].tail);
+    ring.outer.push_back(edges_[h].twin);
+    for (h = next(h); is_inner(h);) h = next(edges_[h].twin);
+  } while (h != first);
+}
+
 // The triangles seen, those of slots_, make room for a fan around v: one triangle for each edge of
 // their rim, which is two more than they are.
 void HalfEdgeMesh::fill_seen(HalfspaceId v) {
-  // (1) The rim: edges of the seen triangles with an unseen one across, as the half-edge there.
-  rim_.clear();
-  for (const std::uint32_t slot : slots_) {
-    for (std::uint32_t h = 3 * slot; h < 3 * slot + 3; ++h) {
-      if (!is_seen_[edges_[h].twin / 3]) rim_.push_back(edges_[h].twin);
-    }
-  }
-  CONVEXACT_ASSERT(rim_.size() == slots_.size() + 2);
-  // (2) Two more slots, freed ones if there are any.
-  while (slots_.size() < rim_.size()) {
+  walk_rim(rim_);
+  const std::size_t k = rim_.vertices.size();
+  CONVEXACT_ASSERT(k == slots_.size() + 2);
+  // (1) Two more slots, freed ones if there are any.
+  while (slots_.size() < k) {
     if (freed_ == kNone) {
       slots_.push_back(static_cast<std::uint32_t>(edges_.size() / 3));
       edges_.resize(edges_.size() + 3);
@@ -135,18 +149,16 @@ void HalfEdgeMesh::fill_seen(HalfspaceId v) {
       freed_ = edges_[3 * freed_].twin;
     }
   }
-  // (3) The triangle (v, a, b) for the edge a -> b, which `outer` runs along from b to a.
-  for (std::size_t m = 0; m < rim_.size(); ++m) {
-    const std::uint32_t h = 3 * slots_[m], outer = rim_[m];
+  // (2) The triangle (v, a, b) for each edge a -> b of the rim, and the next one across b -> v.
+  for (std::size_t m = 0; m < k; ++m) {
+    const std::size_t after = m + 1 < k ? m + 1 : 0;
+    const std::uint32_t h = 3 * slots_[m];
     edges_[h].tail = v.value;
-    edges_[h + 1].tail = edges_[next(outer)].tail;
-    edges_[h + 2].tail = edges_[outer].tail;
-    link(h + 1, outer);
+    edges_[h + 1].tail = rim_.vertices[m].value;
+    edges_[h + 2].tail = rim_.vertices[after].value;
+    link(h + 1, rim_.outer[m]);
+    link(h + 2, 3 * slots_[after]);
     out_[edges_[h + 1].tail] = h + 1;
-  }
-  // (4) Its edge b -> v has the one of the triangle after it, v -> b, across.
-  for (const std::uint32_t slot : slots_) {
-    link(3 * slot + 2, out_[edges_[3 * slot + 2].tail] - 1);
   }
   out_[v.index()] = 3 * slots_.front();
 }

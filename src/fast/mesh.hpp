@@ -55,19 +55,19 @@ class HalfEdgeMesh {
   /// Removes v and closes the hole. `ring` is v's, `triangles` a triangulation of it.
   void remove(HalfspaceId v, const OneRing& ring, std::span<const RingTriangle> triangles);
   /// Puts v where it is not, and joins it to the rim of the triangles that it sees.
-  /// @param sees  Of each DualTriangle. Those seen form a disk, and each of its vertices is on the
-  ///              rim.
+  /// @param sees  Asked of each triangle, in the order of triangles(). Those seen form a disk, and
+  ///              each of its vertices is on the rim.
   /// @par Cost    One question for each triangle.
   template <class Sees>
-  void insert(HalfspaceId v, const Sees& sees) {
-    is_seen_.assign(edges_.size() / 3, false);
-    slots_.clear();
-    for (std::uint32_t slot = 0; slot < is_seen_.size(); ++slot) {
-      if (edges_[3 * slot].tail == kNone || !sees(triangle(slot))) continue;
-      is_seen_[slot] = true;
-      slots_.push_back(slot);
-    }
+  void insert(HalfspaceId v, Sees sees) {
+    look(sees);
     fill_seen(v);
+  }
+  /// The ring that insert() would give a vertex. Nothing changes.
+  template <class Sees>
+  void rim(Sees sees, OneRing& ring) {
+    look(sees);
+    walk_rim(ring);
   }
   /// Every triangle once; the ones freed are left out.
   std::vector<DualTriangle> triangles() const;
@@ -86,6 +86,17 @@ class HalfEdgeMesh {
     return {HalfspaceId(edges_[3 * slot].tail), HalfspaceId(edges_[3 * slot + 1].tail),
             HalfspaceId(edges_[3 * slot + 2].tail)};
   }
+  template <class Sees>
+  void look(Sees& sees) {
+    is_seen_.assign(edges_.size() / 3, 0);
+    slots_.clear();
+    for (std::uint32_t slot = 0; slot < is_seen_.size(); ++slot) {
+      if (edges_[3 * slot].tail == kNone || !sees(triangle(slot))) continue;
+      is_seen_[slot] = 1;
+      slots_.push_back(slot);
+    }
+  }
+  void walk_rim(OneRing& ring) const;
   void fill_seen(HalfspaceId v);
 
   struct HalfEdge {
@@ -96,9 +107,9 @@ class HalfEdgeMesh {
   std::vector<HalfEdge> edges_;
   std::vector<std::uint32_t> out_;    // of each vertex some half-edge that starts there
   std::uint32_t freed_ = kNone;       // the last triangle that was freed
-  std::vector<std::uint32_t> slots_;  // scratch of remove() and insert()
-  std::vector<bool> is_seen_;         // scratch of insert(), as the next
-  std::vector<std::uint32_t> rim_;
+  std::vector<std::uint32_t> slots_;  // scratch of remove() and insert(): those seen
+  std::vector<char> is_seen_;         // scratch of insert(), as the next
+  OneRing rim_;
 };
 
 }  // namespace convexact

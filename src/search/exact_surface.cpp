@@ -35,7 +35,7 @@ class ExactSurface : public ExchangeSurface {
     surface_.apply(surface_.removal_of(i));
   }
 
-  std::vector<DualTriangle> triangles() const override { return surface_.triangles(); }
+  std::vector<DualTriangle> triangles() override { return surface_.triangles(); }
   Cost measure(std::span<const DualTriangle> triangles) const override {
     return exact_measure(to_polytope(halfspaces_, triangles), measure_);
   }

@@ -39,11 +39,11 @@ class ExchangeSurface {
 
   /// Bounds of the measure as it is now, in one unit, for comparisons with former ones: infinite
   /// where only exact numbers are known.
-  virtual Interval<double> measure_bounds() const {
+  virtual Interval<double> measure_bounds() {
     return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   }
   /// The dual hull of what is kept.
-  virtual std::vector<DualTriangle> triangles() const = 0;
+  virtual std::vector<DualTriangle> triangles() = 0;
   /// The measure of the solid with that dual hull.
   virtual Cost measure(std::span<const DualTriangle> triangles) const = 0;
 };

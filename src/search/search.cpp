@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "convexact/error.hpp"
@@ -104,7 +105,7 @@ class ExchangeSearch {
   const Cost& exactly(Exchange& exchange);
   std::optional<Exchange> best_exchange(HalfspaceId out);
   void make(Exchange exchange);
-  void walk(bool is_kick);
+  bool walk(bool is_kick);
   void kick();
   bool has_shrunk();
   void accept();
@@ -116,7 +117,9 @@ class ExchangeSearch {
   const std::unique_ptr<ExchangeSurface> surface_;
   const Cost zero_;
   Random random_;
-  HalfspaceIds kept_;  // ascending
+  HalfspaceIds kept_;              // ascending
+  std::set<HalfspaceId> settled_;  // of what is kept, what no exchange of it would help now
+  std::set<HalfspaceIds> walked_;  // what was kept at the start of every pass so far
   // The best that is known so far, and the exchanges made since.
   HalfspaceIds best_;
   std::vector<DualTriangle> best_triangles_;
@@ -178,21 +181,30 @@ void ExchangeSearch::make(Exchange exchange) {
   surface_->exchange(exchange.out, exchange.in);
   kept_.erase(std::lower_bound(kept_.begin(), kept_.end(), exchange.out));
   kept_.insert(std::lower_bound(kept_.begin(), kept_.end(), exchange.in), exchange.in);
+  settled_.clear();
   since_.push_back(std::move(exchange));
 }
 
-// Ends, because the measure falls each time and there are finitely many sets.
-void ExchangeSearch::walk(bool is_kick) {
+// Ends, because the measure falls each time and there are finitely many sets. Returns false where
+// the end is known to be no smaller than the best: a pass has begun here before, and what follows
+// is the same.
+bool ExchangeSearch::walk(bool is_kick) {
   for (bool helped = true; helped;) {
+    if (!walked_.insert(kept_).second) return false;
     helped = false;
     for (const HalfspaceId out : exchangeable()) {
+      if (settled_.contains(out)) continue;
       std::optional<Exchange> best = best_exchange(out);
-      if (!best) continue;
+      if (!best) {
+        settled_.insert(out);
+        continue;
+      }
       helped = true;
       make(std::move(*best));
       if (!is_kick) accept();
     }
   }
+  return true;
 }
 
 void ExchangeSearch::kick() {
@@ -212,9 +224,9 @@ void ExchangeSearch::kick() {
   }
   if (since_.empty()) return;
   // (2) From there to the nearest solid that no exchange makes smaller.
-  walk(true);
+  const bool is_new = walk(true);
   // (3) Back, unless that one is smaller than the best so far.
-  if (has_shrunk()) {
+  if (is_new && has_shrunk()) {
     accept();
   } else {
     undo();
@@ -257,6 +269,7 @@ void ExchangeSearch::undo() {
     surface_->exchange(exchange->in, exchange->out);
   }
   since_.clear();
+  settled_.clear();
   kept_ = best_;
 }
 
