@@ -237,6 +237,7 @@ RunEnd end_of(const FastResult& result, const FastDual& dual, Engine engine, Sta
   RunEnd end{.steps = result.steps.size(),
              .stop = result.stop,
              .polytope = log.run("polytope", [&] { return polytope_of(result, dual, engine); }),
+             .triangles = result.triangles,
              .bound = result.bound,
              .ties = result.ties,
              .growth_bits = result.growth_bits};
@@ -249,6 +250,7 @@ RunEnd end_of(Run run, StageLog& log) {
       .steps = run.steps.size(),
       .stop = run.stop,
       .polytope = log.run("polytope", [&] { return to_polytope(run.halfspaces, run.triangles); }),
+      .triangles = run.triangles,
       .growth_bits = run.growth_bits};
   for (const Step& step : run.steps) end.ties.add(step.tie_evidence);
   end.run = std::move(run);

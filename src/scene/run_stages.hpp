@@ -47,7 +47,8 @@ struct RunEnd {
   std::size_t steps = 0;
   StopReason stop = StopReason::Reached;
   Polytope polytope;
-  std::vector<HalfspaceId> removed = {};  ///< By an engine that keeps no record.
+  std::vector<DualTriangle> triangles = {};  ///< The dual hull of what is left.
+  std::vector<HalfspaceId> removed = {};     ///< By an engine that keeps no record.
   std::optional<Run> run = {};
   std::optional<FloatBound> bound = {};
   TieTally ties = {};

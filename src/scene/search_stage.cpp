@@ -101,10 +101,6 @@ void search_further(RunEnd& end, const RunInput& input, const SimplifyRequest& r
   for (const HalfspaceId i : end.run ? removed_in(*end.run) : end.removed) {
     is_left[i.index()] = false;
   }
-  std::vector<HalfspaceId> start;
-  for (std::size_t i = 0; i < is_left.size(); ++i) {
-    if (is_left[i]) start.emplace_back(i);
-  }
   SearchOptions options{.request = request.search,
                         .engine = request.engine,
                         .keep = input.keep,
@@ -118,10 +114,8 @@ void search_further(RunEnd& end, const RunInput& input, const SimplifyRequest& r
     };
   }
   SearchRun found = log.run(stage::kSearch, [&] {
-    const Polytope& polytope = input.solid->polytope;
-    return input.dual ? search_exchanges(dual, *input.dual, polytope, input.center,
-                                         std::move(start), options)
-                      : search_exchanges(dual, polytope, input.center, std::move(start), options);
+    return search_exchanges(dual, input.dual ? &*input.dual : nullptr, input.solid->polytope,
+                            input.center, end.triangles, options);
   });
   end.search = log.run("search result", [&] {
     // (2) Each solid, if that is asked for, and the last one.
@@ -141,9 +135,12 @@ void search_further(RunEnd& end, const RunInput& input, const SimplifyRequest& r
     };
     SearchResult result{request.search, found.tried, found.moves, measured(end.polytope),
                         measured(before)};
+    const auto measured_after = [&](std::size_t k) {
+      return k == 0 ? result.greedy : k == count ? result.now : measured(solids.after(k));
+    };
     if (const auto best = best_of(found.changes)) {
-      result.best.emplace(SearchResult::Best{*best, measured(solids.after(*best)),
-                                             measured(solids.after(*best + 1))});
+      result.best.emplace(
+          SearchResult::Best{*best, measured_after(*best), measured_after(*best + 1)});
     }
     end.polytope = std::move(before);
     return result;

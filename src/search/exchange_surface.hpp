@@ -60,10 +60,12 @@ class ExchangeSurface {
 [[nodiscard]] std::unique_ptr<ExchangeSurface> make_filtered_surface(
     const FastDual& dual, std::span<const DualTriangle> triangles, CostMeasure measure);
 
-/// As the other search_exchanges(). @param fast  Of `dual`, for the filtered engine.
-[[nodiscard]] SearchRun search_exchanges(const DualHull& dual, const FastDual& fast,
+/// As the other search_exchanges().
+/// @param fast   Of `dual`, for the filtered engine; null if there is none yet.
+/// @param start  The dual hull of what is kept at the start.
+[[nodiscard]] SearchRun search_exchanges(const DualHull& dual, const FastDual* fast,
                                          const Polytope& input, const RationalPoint& center,
-                                         std::vector<HalfspaceId> start,
+                                         std::span<const DualTriangle> start,
                                          const SearchOptions& options);
 
 }  // namespace convexact

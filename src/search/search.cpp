@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "convexact/error.hpp"
+#include "fast/mesh.hpp"
 #include "fast/signs.hpp"
 #include "number/random.hpp"
 #include "search/exchange_surface.hpp"
@@ -20,11 +21,18 @@ using HalfspaceIds = std::vector<HalfspaceId>;
 
 // Of each facet those that it has an edge with, ascending.
 std::vector<HalfspaceIds> neighbours_of(const Polytope& input) {
-  std::vector<HalfspaceIds> lists(input.facets.size());
-  for (const Edge& edge : edges(input)) {
-    lists[edge.left].emplace_back(edge.right);
-    lists[edge.right].emplace_back(edge.left);
+  std::vector<std::uint32_t> tail, head, facet;  // of each half-edge
+  for (std::uint32_t f = 0; f < input.facets.size(); ++f) {
+    const auto& corners = input.facets[f];
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+      tail.push_back(corners[c]);
+      head.push_back(corners[c + 1 < corners.size() ? c + 1 : 0]);
+      facet.push_back(f);
+    }
   }
+  const std::vector<std::uint32_t> twins = match_twins(tail, head, input.vertices.size());
+  std::vector<HalfspaceIds> lists(input.facets.size());
+  for (std::size_t h = 0; h < twins.size(); ++h) lists[facet[h]].emplace_back(facet[twins[h]]);
   for (HalfspaceIds& list : lists) std::sort(list.begin(), list.end());
   return lists;
 }
@@ -41,6 +49,13 @@ std::vector<DualTriangle> dual_triangles_of(const DualHull& dual, const Halfspac
     triangles.push_back({id(t[0]), id(t[1]), id(t[2])});
   }
   return triangles;
+}
+
+// Ascending.
+HalfspaceIds ids_in(std::span<const DualTriangle> triangles) {
+  std::set<HalfspaceId> ids;
+  for (const DualTriangle& t : triangles) ids.insert(t.begin(), t.end());
+  return {ids.begin(), ids.end()};
 }
 
 HalfspaceIds difference(const HalfspaceIds& a, const HalfspaceIds& b) {
@@ -290,29 +305,32 @@ SearchRun ExchangeSearch::run() {
 
 SearchRun search_exchanges(const DualHull& dual, const Polytope& input, const RationalPoint& center,
                            std::vector<HalfspaceId> start, const SearchOptions& options) {
+  return search_exchanges(dual, nullptr, input, center, dual_triangles_of(dual, start, center),
+                          options);
+}
+
+SearchRun search_exchanges(const DualHull& dual, const FastDual* fast, const Polytope& input,
+                           const RationalPoint& center, std::span<const DualTriangle> start,
+                           const SearchOptions& options) {
   switch (options.engine) {
-    case Engine::Exact: {
-      const auto triangles = dual_triangles_of(dual, start, center);
-      auto surface = make_exact_surface(dual, triangles, center, options.cost);
-      return ExchangeSearch(std::move(surface), input, std::move(start), options).run();
+    case Engine::Exact:
+      return ExchangeSearch(make_exact_surface(dual, start, center, options.cost), input,
+                            ids_in(start), options)
+          .run();
+    case Engine::Filtered: {
+      if (fast == nullptr) {
+        const FastDual made = FastDual::of(dual, center);
+        return search_exchanges(dual, &made, input, center, start, options);
+      }
+      return ExchangeSearch(make_filtered_surface(*fast, start, options.cost), input, ids_in(start),
+                            options)
+          .run();
     }
-    case Engine::Filtered:
-      return search_exchanges(dual, FastDual::of(dual, center), input, center, std::move(start),
-                              options);
     case Engine::Float:
       break;
   }
   throw Error(ErrorCode::InvalidArgument,
               "a search compares exactly: it needs the exact or the filtered engine");
-}
-
-SearchRun search_exchanges(const DualHull& dual, const FastDual& fast, const Polytope& input,
-                           const RationalPoint& center, std::vector<HalfspaceId> start,
-                           const SearchOptions& options) {
-  const auto triangles = dual_triangles_of(dual, start, center);
-  return ExchangeSearch(make_filtered_surface(fast, triangles, options.cost), input,
-                        std::move(start), options)
-      .run();
 }
 
 }  // namespace convexact
