@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// method.hpp - methods that enclose a hull in few halfspaces, or put few of its vertices inside.
+//
+// A method proposes directions, or vertices, and proves nothing: what it works with may be doubles.
+// refit.hpp makes a solid of its proposal in exact numbers.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "convexact/point_set.hpp"
+#include "convexact/polytope.hpp"
+#include "convexact/watch.hpp"
+#include "scene/solid.hpp"
+
+namespace convexact {
+
+/// A hull as the methods see it: exact, and as a triangle mesh in doubles.
+struct HullToFit {
+  const Solid& solid;
+  /// solid.polytope.vertices, each coordinate rounded to nearest.
+  std::vector<Point> vertices;
+  /// The facets of solid.polytope cut into fans, as indices of vertices, counter-clockwise from
+  /// outside; 2 vertices.size() - 4 of them.
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  Watch watch = {};  ///< Methods whose loops may take seconds ask it.
+
+  const Polytope& polytope() const { return solid.polytope; }
+};
+
+/// Keeps a reference to the solid. @throws Error Unrepresentable for a vertex beyond the largest
+/// double.
+[[nodiscard]] HullToFit hull_to_fit(const Solid& solid, const Watch& watch = {});
+
+/// Outward directions, none of them zero. Their lengths do not matter, and repeats are allowed.
+using Normals = std::vector<RationalVector3>;
+/// Indices into polytope().vertices, each at most once.
+using Corners = std::vector<std::uint32_t>;
+
+/// A method for solids around the hull: it proposes at most `faces` >= 4 directions.
+/// The same seed gives the same proposal on every platform.
+struct Method {
+  std::string_view name;
+  Normals (*propose)(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
+  bool takes_faces;            ///< Otherwise it proposes the same whatever `faces` is.
+  std::string_view summary;    ///< What it does, for people.
+  std::string_view source;     ///< A key of docs/references.md; empty for the project's own.
+  std::size_t least_faces = 4; ///< Directions that it cannot do without.
+};
+
+/// A method for solids inside the hull, whose vertices are the hull's: it proposes vertices that
+/// span a volume and whose hull has at most `faces` triangles, so at most faces / 2 + 2 of them.
+struct InnerMethod {
+  std::string_view name;
+  Corners (*propose)(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
+  std::string_view summary, source;
+};
+
+/// All of them, in the order of tables.
+[[nodiscard]] std::span<const Method> methods();
+[[nodiscard]] std::span<const InnerMethod> inner_methods();
+
+// Fixed directions.
+[[nodiscard]] Normals propose_aabb(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
+[[nodiscard]] Normals propose_kdop14(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
+[[nodiscard]] Normals propose_kdop18(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
+[[nodiscard]] Normals propose_kdop26(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
+
+// A box in the best of many orientations.
+[[nodiscard]] Normals propose_obb(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
+
+// Directions of facets, or of groups of them.
+[[nodiscard]] Normals propose_mck(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
+[[nodiscard]] Normals propose_stl(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
+
+// Facets that removals leave.
+[[nodiscard]] Normals propose_greedy(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
+[[nodiscard]] Normals propose_greedy_area(const HullToFit& hull, std::size_t faces,
+                                          std::uint64_t seed);
+[[nodiscard]] Normals propose_greedy_mean_width(const HullToFit& hull, std::size_t faces,
+                                                std::uint64_t seed);
+[[nodiscard]] Normals propose_search(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
+[[nodiscard]] Normals propose_random(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
+
+}  // namespace convexact
