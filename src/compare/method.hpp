@@ -20,7 +20,8 @@ namespace convexact {
 /// A hull as the methods see it: exact, and as a triangle mesh in doubles.
 struct HullToFit {
   const Solid& solid;
-  /// solid.polytope.vertices, each coordinate rounded to nearest.
+  /// solid.polytope.vertices less the middle of their box, times a power of two that leaves the
+  /// largest coordinate in [1/2, 1]; then rounded to nearest. Directions stay as they are.
   std::vector<Point> vertices;
   /// The facets of solid.polytope cut into fans, as indices of vertices, counter-clockwise from
   /// outside; 2 vertices.size() - 4 of them.
@@ -30,8 +31,7 @@ struct HullToFit {
   const Polytope& polytope() const { return solid.polytope; }
 };
 
-/// Keeps a reference to the solid. @throws Error Unrepresentable for a vertex beyond the largest
-/// double.
+/// Keeps a reference to the solid.
 [[nodiscard]] HullToFit hull_to_fit(const Solid& solid, const Watch& watch = {});
 
 /// Outward directions, none of them zero. Their lengths do not matter, and repeats are allowed.
@@ -39,15 +39,14 @@ using Normals = std::vector<RationalVector3>;
 /// Indices into polytope().vertices, each at most once.
 using Corners = std::vector<std::uint32_t>;
 
-/// A method for solids around the hull: it proposes at most `faces` >= 4 directions.
-/// The same seed gives the same proposal on every platform.
+/// A method for solids around the hull: it proposes at most `faces` >= 4 directions, unless it
+/// knows no fewer. The same seed gives the same proposal.
 struct Method {
   std::string_view name;
   Normals (*propose)(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
-  bool takes_faces;            ///< Otherwise it proposes the same whatever `faces` is.
-  std::string_view summary;    ///< What it does, for people.
-  std::string_view source;     ///< A key of docs/references.md; empty for the project's own.
-  std::size_t least_faces = 4; ///< Directions that it cannot do without.
+  bool takes_faces;          ///< Otherwise it proposes the same whatever `faces` is.
+  std::string_view summary;  ///< What it does, for people.
+  std::string_view source;     ///< A key of docs/references.md.
 };
 
 /// A method for solids inside the hull, whose vertices are the hull's: it proposes vertices that
