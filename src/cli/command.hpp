@@ -31,6 +31,7 @@ void add_global_options(CLI::App& command, GlobalOptions& options);
 void add_stages_option(CLI::App& command, GlobalOptions& options);
 
 /// Each adds its subcommand to the program; the subcommand's exit code goes to `exit_code`.
+void add_compare_command(CLI::App& program, int& exit_code);
 void add_conform_command(CLI::App& program, int& exit_code);
 void add_bvh_command(CLI::App& program, int& exit_code);
 void add_decompose_command(CLI::App& program, int& exit_code);

@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
        {add_hull_command, add_simplify_command, add_decompose_command, add_bvh_command,
         add_verify_command, add_diff_command, add_report_command, add_conform_command,
         add_generate_command, add_shrink_command, add_stress_command, add_query_command,
-        add_teach_command}) {
+        add_compare_command, add_teach_command}) {
     add_to(program, exit_code);
   }
   try {

@@ -21,7 +21,7 @@ namespace convexact {
 struct HullToFit {
   const Solid& solid;
   /// solid.polytope.vertices less the middle of their box, times a power of two that leaves the
-  /// largest coordinate in [1/2, 1]; then rounded to nearest. Directions stay as they are.
+  /// largest coordinate in (1/4, 1); then rounded to nearest. Directions stay as they are.
   std::vector<Point> vertices;
   /// The facets of solid.polytope cut into fans, as indices of vertices, counter-clockwise from
   /// outside; 2 vertices.size() - 4 of them.
@@ -46,7 +46,7 @@ struct Method {
   Normals (*propose)(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
   bool takes_faces;          ///< Otherwise it proposes the same whatever `faces` is.
   std::string_view summary;  ///< What it does, for people.
-  std::string_view source;     ///< A key of docs/references.md.
+  std::string_view source;   ///< A key of docs/references.md.
 };
 
 /// A method for solids inside the hull, whose vertices are the hull's: it proposes vertices that

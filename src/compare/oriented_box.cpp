@@ -20,12 +20,10 @@ template <class Scalar>
 std::array<Vector3<Scalar>, 3> axes_of(const std::array<Scalar, 4>& q) {
   const auto& [w, x, y, z] = q;
   const Scalar two(2);
-  return {Vector3<Scalar>(w * w + x * x - y * y - z * z, two * (x * y - w * z),
-                          two * (x * z + w * y)),
-          Vector3<Scalar>(two * (x * y + w * z), w * w - x * x + y * y - z * z,
-                          two * (y * z - w * x)),
-          Vector3<Scalar>(two * (x * z - w * y), two * (y * z + w * x),
-                          w * w - x * x - y * y + z * z)};
+  return {
+      Vector3<Scalar>(w * w + x * x - y * y - z * z, two * (x * y - w * z), two * (x * z + w * y)),
+      Vector3<Scalar>(two * (x * y + w * z), w * w - x * x + y * y - z * z, two * (y * z - w * x)),
+      Vector3<Scalar>(two * (x * z - w * y), two * (y * z + w * x), w * w - x * x - y * y + z * z)};
 }
 
 Quaternion normalized(const Quaternion& q) {

@@ -52,8 +52,7 @@ class RandomRemovals {
   std::vector<HalfspaceId> left_at(std::size_t count) {
     std::size_t next = 0;
     while (next < order_.size() && kept_.size() + order_.size() - next > count) {
-      const std::size_t wanted =
-          std::min(order_.size(), kept_.size() + order_.size() - count);
+      const std::size_t wanted = std::min(order_.size(), kept_.size() + order_.size() - count);
       next = furthest_bounded(next, wanted);
       if (next == wanted) break;
       kept_.push_back(order_[next++]);
@@ -117,8 +116,7 @@ Normals propose_search(const HullToFit& hull, std::size_t faces, std::uint64_t s
   std::vector<HalfspaceId> kept = greedily_kept(hull, fast, faces, seed, CostMeasure::Volume);
   SearchOptions options{.request = {SearchKind::Local}, .seed = seed};
   options.progress = [&hull](std::size_t) { hull.watch.ask(); };
-  const SearchRun found =
-      search_exchanges(dual, fast, hull.polytope(), center, kept, options);
+  const SearchRun found = search_exchanges(dual, fast, hull.polytope(), center, kept, options);
   for (const Move& move : found.moves) {
     std::erase_if(kept, [&](HalfspaceId i) {
       return std::binary_search(move.removed.begin(), move.removed.end(), i);

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// convexact compare: solids of few planes by other methods, refitted and measured exactly.
+#include <algorithm>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/outputs.hpp"
+#include "cli/progress.hpp"
+#include "compare/compare.hpp"
+#include "convexact/scene.hpp"
+#include "io/json.hpp"
+
+namespace convexact::cli {
+namespace {
+
+constexpr const char* kCompareFooter =
+    "Examples:\n"
+    "  convexact compare bunny.obj --faces 18\n"
+    "  convexact compare bunny.obj spot.obj --faces 12 --methods greedy,mck,stl --csv out.csv\n"
+    "  convexact compare --list\n"
+    "\n"
+    "A method proposes directions. Each gets the plane that touches the hull, exactly; the solid\n"
+    "is proven to be bounded and to hold every point. Volume, area and mean width are ratios to\n"
+    "those of the hull; distance is the Hausdorff distance over the diameter of its box; seconds\n"
+    "are those of the proposal. A method of more than K planes is shown and not ranked.";
+
+struct CompareArguments {
+  GlobalOptions global;
+  std::vector<std::string> inputs;
+  SceneOptions scene;
+  std::string csv;
+  bool list = false;
+  CompareRequest request;
+};
+
+std::vector<const Method*> methods_named(const std::string& option, const std::string& text) {
+  std::vector<const Method*> chosen;
+  for (const std::string& word : words_of(text)) {
+    const auto found = std::find_if(methods().begin(), methods().end(),
+                                    [&](const Method& method) { return method.name == word; });
+    if (found == methods().end()) {
+      std::string names;
+      for (const Method& method : methods()) {
+        names += (names.empty() ? "" : ",") + std::string(method.name);
+      }
+      throw Error(ErrorCode::InvalidArgument,
+                  option + ": expected names out of " + names + ", found " + in_quotes(word));
+    }
+    if (std::find(chosen.begin(), chosen.end(), &*found) == chosen.end()) {
+      chosen.push_back(&*found);
+    }
+  }
+  return chosen;
+}
+
+int run_compare(const CompareArguments& options) {
+  if (options.list) {
+    options.global.json ? print(methods_json()) : print(methods_text());
+    return 0;
+  }
+  if (options.inputs.empty()) throw Error(ErrorCode::InvalidArgument, "INPUT is required");
+  if (!options.csv.empty()) require_other_files({options.csv}, options.inputs);
+  CompareRequest request = options.request;
+  request.seed = options.global.seed;
+  if (request.methods.empty()) {
+    for (const Method& method : methods()) request.methods.push_back(&method);
+  }
+  Progress progress;
+  request.watch = progress.watch();
+  std::vector<Comparison> comparisons;
+  for (const SceneObject& object : read_scene(options.inputs, options.scene)) {
+    auto compared = compare_methods(object.name, object.shape, request);
+    if (const auto* reason = std::get_if<NotSolid>(&compared)) {
+      progress.clear();
+      return report_not_solid(options.global, object.name, of_typed_rows(*reason, object.rows));
+    }
+    comparisons.push_back(std::get<Comparison>(std::move(compared)));
+  }
+  progress.clear();
+  OutputFiles files;
+  if (!options.csv.empty()) files.emplace_back(options.csv, compare_csv(comparisons));
+  write_together(files, options.global.json
+                            ? write_json(compare_json(comparisons, request), 2) + "\n"
+                            : compare_text(comparisons));
+  return 0;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<CompareArguments>();
+  CLI::App& command = *program.add_subcommand(
+      "compare", "measure exactly how tightly other methods enclose the inputs");
+  command.footer(kCompareFooter);
+  command.add_option("INPUT", options->inputs, "meshes or halfspaces");
+  add_faces(command, options->request.faces, "planes of each solid, at least 4");
+  add_text(command, "--methods", "names between commas (default: all)",
+           [options](const auto& option, const auto& text) {
+             options->request.methods = methods_named(option, text);
+           })
+      ->type_name("NAME,...");
+  command.add_flag("--list", options->list, "name every method with its source, and end");
+  command.add_option("--csv", options->csv, "write a row for each input and method to this file");
+  add_scene_options(command, options->scene);
+  finish_command(command, options, exit_code, run_compare);
+  command.get_option("--seed")->description("seed of the methods that choose at random");
+}
+
+}  // namespace convexact::cli

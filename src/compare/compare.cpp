@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "compare/compare.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace convexact {
+namespace {
+
+// What `work` returns, and its seconds.
+template <class Work>
+auto timed(double& seconds, Work&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  auto made = work();
+  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return made;
+}
+
+MethodResult run_method(const Method& method, const HullToFit& hull, const HullMeasures& measures,
+                        const CompareRequest& request) {
+  double seconds = 0, refit_seconds = 0;
+  const Normals proposal =
+      timed(seconds, [&] { return method.propose(hull, request.faces, request.seed); });
+  RefitOutcome outcome = timed(refit_seconds, [&] {
+    return refit(hull, measures, proposal, request.seed, request.watch.stop);
+  });
+  return {&method, seconds, refit_seconds, std::move(outcome)};
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+}  // namespace
+
+const MethodResult* Comparison::least() const {
+  const MethodResult* least = nullptr;
+  for (const MethodResult& result : results) {
+    if (!result.fits(faces)) continue;
+    if (least == nullptr || result.solid()->volume_ratio < least->solid()->volume_ratio) {
+      least = &result;
+    }
+  }
+  return least;
+}
+
+bool Comparison::beats_greedy(const MethodResult& result) const {
+  const auto greedy = std::find_if(results.begin(), results.end(), [](const MethodResult& other) {
+    return other.method->name == "greedy";
+  });
+  return greedy != results.end() && greedy->solid() != nullptr && result.fits(faces) &&
+         result.solid()->volume_ratio < greedy->solid()->volume_ratio;
+}
+
+std::variant<Comparison, NotSolid> compare_methods(const std::string& name, const Shape& shape,
+                                                   const CompareRequest& request) {
+  StageLog log(request.watch);
+  SolidOutcome outcome = make_solid(shape, request.seed, true, log);
+  if (auto* reason = std::get_if<NotSolid>(&outcome)) return std::move(*reason);
+  const auto& solid = std::get<Solid>(outcome);
+  const HullMeasures measures = log.run(
+      "measures of the hull", [&] { return measures_of(solid.polytope, log.watch("hull")); });
+  Comparison comparison{name,
+                        solid.input_points,
+                        solid.polytope.vertices.size(),
+                        solid.polytope.facets.size(),
+                        request.faces,
+                        {}};
+  for (const Method* method : request.methods) {
+    const std::string stage(method->name);
+    comparison.results.push_back(log.run(stage, [&] {
+      return run_method(*method, hull_to_fit(solid, log.watch(stage)), measures, request);
+    }));
+  }
+  return comparison;
+}
+
+std::vector<MethodMedian> medians(const std::vector<Comparison>& comparisons) {
+  std::vector<MethodMedian> list;
+  if (comparisons.empty()) return list;
+  for (const MethodResult& first : comparisons.front().results) {
+    std::vector<double> volume, area, mean_width, distance, seconds;
+    for (const Comparison& comparison : comparisons) {
+      for (const MethodResult& result : comparison.results) {
+        if (result.method != first.method || !result.fits(comparison.faces)) continue;
+        const Ratios ratios = ratios_of(*result.solid());
+        volume.push_back(ratios.volume);
+        area.push_back(ratios.area);
+        mean_width.push_back(ratios.mean_width);
+        distance.push_back(ratios.distance);
+        seconds.push_back(result.seconds);
+      }
+    }
+    if (volume.empty()) continue;
+    list.push_back({first.method, volume.size(), median(volume), median(area), median(mean_width),
+                    median(distance), median(seconds)});
+  }
+  std::stable_sort(list.begin(), list.end(), [](const MethodMedian& a, const MethodMedian& b) {
+    return a.volume < b.volume;
+  });
+  return list;
+}
+
+}  // namespace convexact

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// What convexact compare says: tables, JSON and CSV.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compare/compare.hpp"
+#include "io/json.hpp"
+
+namespace convexact {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kRatioDigits = 17;  // in JSON, all of them certain
+constexpr const char* kMeasures = "{:>10.5f} {:>10.5f} {:>11.5f} {:>9.5f} {:>9.3g}";
+
+std::string heading(const char* first) {
+  return fmt::format("  {:<18} {:>6} {:>10} {:>10} {:>11} {:>9} {:>9}\n", "method", first, "volume",
+                     "area", "mean width", "distance", "seconds");
+}
+
+// What stands behind a row.
+std::string remark(const Comparison& comparison, const MethodResult& result) {
+  std::string text;
+  if (result.solid() == nullptr) return "unbounded";
+  if (!result.fits(comparison.faces)) {
+    return fmt::format("more than {} planes, not ranked", comparison.faces);
+  }
+  if (&result == comparison.least()) text = "least volume";
+  if (comparison.beats_greedy(result)) text += text.empty() ? "beats greedy" : ", beats greedy";
+  return text;
+}
+
+std::string row_of(const Comparison& comparison, const MethodResult& result) {
+  std::string row = fmt::format("  {:<18} ", result.method->name);
+  if (const Refit* solid = result.solid()) {
+    const Ratios ratios = ratios_of(*solid);
+    row += fmt::format("{:>6} ", solid->solid.planes.size()) +
+           fmt::format(fmt::runtime(kMeasures), ratios.volume, ratios.area, ratios.mean_width,
+                       ratios.distance, result.seconds);
+  } else {
+    row += fmt::format("{:>6} {:>10} {:>10} {:>11} {:>9} {:>9.3g}", "-", "-", "-", "-", "-",
+                       result.seconds);
+  }
+  const std::string note = remark(comparison, result);
+  return row + (note.empty() ? "" : "  " + note) + "\n";
+}
+
+// Bounded and unbounded ones apart, the first by volume.
+std::vector<const MethodResult*> by_volume(const Comparison& comparison) {
+  std::vector<const MethodResult*> order;
+  for (const MethodResult& result : comparison.results) order.push_back(&result);
+  std::stable_sort(order.begin(), order.end(), [](const MethodResult* a, const MethodResult* b) {
+    if (a->solid() == nullptr || b->solid() == nullptr) return a->solid() != nullptr && !b->solid();
+    return a->solid()->volume_ratio < b->solid()->volume_ratio;
+  });
+  return order;
+}
+
+std::string winners_text(const Comparison& comparison) {
+  std::string names;
+  for (const MethodResult* result : by_volume(comparison)) {
+    if (!comparison.beats_greedy(*result)) continue;
+    names += (names.empty() ? "" : ", ") + std::string(result->method->name);
+  }
+  return names.empty() ? "" : "  less volume than greedy: " + names + "\n";
+}
+
+std::string table_of(const Comparison& comparison) {
+  std::string text =
+      fmt::format(
+          "{}: {} facets, {} vertices; at most {} planes; measures over "
+          "those of the hull\n",
+          comparison.name, comparison.facets, comparison.vertices, comparison.faces) +
+      heading("planes");
+  for (const MethodResult* result : by_volume(comparison)) text += row_of(comparison, *result);
+  return text + winners_text(comparison);
+}
+
+std::string table_of(const std::vector<MethodMedian>& list, std::size_t inputs) {
+  std::string text = fmt::format("medians over {} inputs\n", inputs) + heading("inputs");
+  for (const MethodMedian& of : list) {
+    text += fmt::format("  {:<18} {:>6} ", of.method->name, of.inputs) +
+            fmt::format(fmt::runtime(kMeasures), of.volume, of.area, of.mean_width, of.distance,
+                        of.seconds) +
+            "\n";
+  }
+  return text;
+}
+
+Json result_json(const Comparison& comparison, const MethodResult& result) {
+  Json json = {{"method", result.method->name},
+               {"seconds", result.seconds},
+               {"refit_seconds", result.refit_seconds}};
+  if (const auto* ray = std::get_if<RecessionRay>(&result.outcome)) {
+    json["unbounded"] = vector_json(ray->direction);
+    return json;
+  }
+  const Refit& refit = *result.solid();
+  const auto ratio = [](const Enclosure& x) { return measured_json({x, {}}, kRatioDigits); };
+  json["planes"] = refit.solid.planes.size();
+  json["fits"] = result.fits(comparison.faces);
+  json["least"] = &result == comparison.least();
+  json["beats_greedy"] = comparison.beats_greedy(result);
+  json["volume"] = ratio(Enclosure(refit.volume_ratio, kMeasureBits));
+  json["area"] = ratio(refit.area_ratio);
+  json["mean_width"] = ratio(refit.mean_width_ratio);
+  json["distance"] = ratio(sqrt(Enclosure(refit.squared_distance_ratio, kMeasureBits)));
+  json["halfspaces"] = Json::array();
+  for (const Halfspace& plane : refit.solid.planes) json["halfspaces"].push_back(plane_json(plane));
+  return json;
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == text.npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
+}
+
+}  // namespace
+
+std::string compare_text(const std::vector<Comparison>& comparisons) {
+  std::string text;
+  for (const Comparison& comparison : comparisons) {
+    text += (text.empty() ? "" : "\n") + table_of(comparison);
+  }
+  if (comparisons.size() > 1) text += "\n" + table_of(medians(comparisons), comparisons.size());
+  return text;
+}
+
+Json compare_json(const std::vector<Comparison>& comparisons, const CompareRequest& request) {
+  Json json = {{"faces", request.faces}, {"seed", request.seed}, {"inputs", Json::array()}};
+  for (const Comparison& comparison : comparisons) {
+    Json input = {{"name", comparison.name},
+                  {"points", comparison.points},
+                  {"vertices", comparison.vertices},
+                  {"facets", comparison.facets},
+                  {"methods", Json::array()}};
+    for (const MethodResult& result : comparison.results) {
+      input["methods"].push_back(result_json(comparison, result));
+    }
+    json["inputs"].push_back(std::move(input));
+  }
+  json["medians"] = Json::array();
+  for (const MethodMedian& of : medians(comparisons)) {
+    json["medians"].push_back({{"method", of.method->name},
+                               {"inputs", of.inputs},
+                               {"volume", of.volume},
+                               {"area", of.area},
+                               {"mean_width", of.mean_width},
+                               {"distance", of.distance},
+                               {"seconds", of.seconds}});
+  }
+  return json;
+}
+
+std::string compare_csv(const std::vector<Comparison>& comparisons) {
+  std::string csv =
+      "input,method,faces,planes,volume,area,mean width,distance,seconds,refit seconds,"
+      "fits,beats greedy\r\n";
+  for (const Comparison& comparison : comparisons) {
+    const std::string name = csv_field(as_utf8(comparison.name));
+    for (const MethodResult& result : comparison.results) {
+      csv += fmt::format("{},{},{},", name, result.method->name, comparison.faces);
+      if (const Refit* refit = result.solid()) {
+        const Ratios ratios = ratios_of(*refit);
+        csv += fmt::format("{},{},{},{},{},", refit->solid.planes.size(), ratios.volume,
+                           ratios.area, ratios.mean_width, ratios.distance);
+      } else {
+        csv += ",,,,,";
+      }
+      csv += fmt::format("{},{},{},{}\r\n", result.seconds, result.refit_seconds,
+                         result.fits(comparison.faces), comparison.beats_greedy(result));
+    }
+  }
+  return csv;
+}
+
+std::string methods_text() {
+  std::string text;
+  for (const Method& method : methods()) {
+    text += fmt::format("{:<18} {}{}\n", method.name, method.summary,
+                        method.source.empty() ? "" : fmt::format(" [{}]", method.source));
+  }
+  return text;
+}
+
+Json methods_json() {
+  Json list = Json::array();
+  for (const Method& method : methods()) {
+    list.push_back({{"name", method.name},
+                    {"summary", method.summary},
+                    {"source", method.source},
+                    {"takes_faces", method.takes_faces}});
+  }
+  return {{"methods", list}};
+}
+
+}  // namespace convexact

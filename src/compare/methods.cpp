@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The table of all methods, and the hull as they see it.
+#include <array>
+
+#include "compare/method.hpp"
+#include "convexact/measure.hpp"
+#include "number/arithmetic.hpp"
+
+namespace convexact {
+
+std::span<const Method> methods() {
+  static constexpr Method kMethods[] = {
+      {"greedy", propose_greedy, true, "the removals of convexact simplify, by volume",
+       "Jacobson2026"},
+      {"greedy-area", propose_greedy_area, true, "the same by area", "Jacobson2026"},
+      {"greedy-mean-width", propose_greedy_mean_width, true, "the same by mean width",
+       "Jacobson2026"},
+      {"search", propose_search, true,
+       "greedy, then exchanges of convexact simplify --search local; beyond the paper", ""},
+      {"mck", propose_mck, true, "vertices selected by the volume that they recover", "MCK2013"},
+      {"stl", propose_stl, true, "k-means of unweighted facet normals", "STL2025"},
+      {"aabb", propose_aabb, false, "the box of the axes: 6 planes", "Jacobson2026"},
+      {"kdop14", propose_kdop14, false, "axes and space diagonals: 14 planes", "Jacobson2026"},
+      {"kdop18", propose_kdop18, false, "axes and face diagonals: 18 planes", "Jacobson2026"},
+      {"kdop26", propose_kdop26, false, "axes, face and space diagonals: 26 planes",
+       "Jacobson2026"},
+      {"obb", propose_obb, false, "the least box of 100,000 orientations, then downhill: 6 planes",
+       "Alexa2022"},
+      {"random", propose_random, true, "bounded removals in a random order", "Jacobson2026"},
+  };
+  return kMethods;
+}
+
+HullToFit hull_to_fit(const Solid& solid, const Watch& watch) {
+  const Polytope& polytope = solid.polytope;
+  const BoundingBox box = bounding_box(polytope.vertices);
+  const RationalPoint middle = (box.low + box.high) / Rational(2);
+  long exponent = exponent_of(Rational(box.size().maxCoeff())) - 1;  // of half the widest side
+  HullToFit hull{solid, {}, {}, watch};
+  for (const RationalPoint& vertex : polytope.vertices) {
+    Point near;
+    for (const int k : {0, 1, 2}) {
+      near[k] =
+          to_double(scale_by_power_of_two(vertex[k] - middle[k], -exponent), Rounding::Nearest);
+    }
+    hull.vertices.push_back(near);
+  }
+  for (const auto& facet : polytope.facets) {
+    for (std::size_t k = 2; k < facet.size(); ++k) {
+      hull.triangles.push_back({facet[0], facet[k - 1], facet[k]});
+    }
+  }
+  return hull;
+}
+
+}  // namespace convexact

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// refit.hpp - directions made a solid that holds the hull, exactly, and measured.
+#pragma once
+#include <variant>
+
+#include "compare/method.hpp"
+#include "convexact/linear_program.hpp"
+#include "convexact/measure.hpp"
+
+namespace convexact {
+
+/// What the solids around a hull are measured against.
+struct HullMeasures {
+  Rational volume;
+  Enclosure area, mean_width;
+  Rational squared_diameter;  ///< Of its box.
+};
+
+[[nodiscard]] HullMeasures measures_of(const Polytope& hull, const Watch& watch = {});
+
+/// The least solid with facets of the given directions that holds a hull.
+struct Refit {
+  Polytope solid;
+  Rational volume_ratio;  ///< Over the hull's, exact, as the next two are enclosures.
+  Enclosure area_ratio, mean_width_ratio;
+  /// Hausdorff distance to the hull, over the diameter of its box; squared and exact.
+  Rational squared_distance_ratio;
+};
+
+/// The measures as doubles, within some units of the last place; the distance is not squared.
+struct Ratios {
+  double volume, area, mean_width, distance;
+};
+[[nodiscard]] Ratios ratios_of(const Refit& refit);
+
+/// A solid, or a direction in which the proposed halfspaces leave it open.
+using RefitOutcome = std::variant<Refit, RecessionRay>;
+
+/// Moves the plane of each direction to where it touches the hull, drops what is redundant, and
+/// proves on what is left that it is bounded and holds every point of the input.
+/// @throws Error InvalidArgument for a direction that is zero; Internal if a proof fails; Stopped.
+/// @par Cost  An exact product for each direction and vertex, a solid of that many halfspaces, a
+///            sign for each plane and point, and the Hausdorff distance.
+[[nodiscard]] RefitOutcome refit(const HullToFit& hull, const HullMeasures& measures,
+                                 const Normals& directions, std::uint64_t seed,
+                                 const std::atomic<bool>* stop = nullptr);
+
+}  // namespace convexact
