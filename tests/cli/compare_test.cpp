@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// convexact compare: what it prints is as the schema says and true of the solids in it; wrong usage
+// and inputs without volume are refused.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "json_schema.hpp"
+#include "process.hpp"
+
+using nlohmann::json;
+using support::bytes_of;
+using support::data;
+using support::Ran;
+using support::run_program;
+using support::ScratchFolder;
+
+namespace {
+
+// [0, 1]^3 as an OBJ without faces, and the octahedron with vertices +-1.
+constexpr const char* kCube =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n";
+constexpr const char* kOctahedron = "v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n";
+
+json answer_of(const std::string& arguments, int exit = 0) {
+  const Ran ran = run_program("compare " + arguments + " --json");
+  CHECK_MESSAGE(ran.exit == exit, ran.err);
+  json document = json::parse(ran.out);
+  const std::string complaint = schema_complaint("compare", document);
+  CHECK_MESSAGE(complaint.empty(), complaint);
+  return document;
+}
+
+std::string message_of(const std::string& arguments, int exit) {
+  const json error = answer_of(arguments, exit)["error"];
+  CHECK(error["exit"] == exit);
+  return error["message"];
+}
+
+bool includes(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("compare: two solids with known ratios, and their medians") {
+  const ScratchFolder scratch;
+  const std::string cube = scratch.write("cube.obj", kCube),
+                    octahedron = scratch.write("octahedron.obj", kOctahedron);
+  const json answer =
+      answer_of(cube + " " + octahedron + " --faces 13 --methods greedy,aabb,kdop14");
+  REQUIRE(answer["inputs"].size() == 2);
+  // The box of the octahedron has 8 over 4/3 of the volume.
+  const json& box = answer["inputs"][1]["methods"][1];
+  CHECK(box["method"] == "aabb");
+  CHECK(box["volume"]["decimal"] == "6");
+  CHECK(box["planes"] == 6);
+  CHECK(box["least"] == false);
+  CHECK(box["halfspaces"].size() == 6);
+  // Of several equally small ones the first is the least, and none of them beats greedy.
+  for (const json& input : answer["inputs"]) {
+    CHECK(input["methods"][0]["least"] == true);
+    for (const json& method : input["methods"]) CHECK(method["beats_greedy"] == false);
+  }
+  const json& medians = answer["medians"];
+  REQUIRE(medians.size() == 3);
+  CHECK(medians[2]["method"] == "aabb");
+  CHECK(medians[2]["volume"] == 3.5);
+  CHECK(medians[2]["inputs"] == 2);
+}
+
+TEST_CASE("compare: the table names the least, what beats greedy, and what has too many planes") {
+  const Ran ran = run_program("compare " + data("spot.obj") + " --faces 12 " +
+                              "--methods greedy,search,kdop26,stl");
+  CHECK(ran.exit == 0);
+  CHECK(includes(ran.out, "least volume"));
+  CHECK(includes(ran.out, "more than 12 planes, not ranked"));
+  CHECK(includes(ran.out, "596 facets"));
+  CHECK_FALSE(includes(ran.out, "medians"));
+}
+
+TEST_CASE("compare: the CSV has a row for each input and method") {
+  const ScratchFolder scratch;
+  const std::string cube = scratch.write("a,cube.obj", kCube), csv = scratch.file("out.csv");
+  CHECK(run_program("compare '" + cube + "' --methods aabb,obb --csv " + csv).exit == 0);
+  const std::string bytes = bytes_of(csv);
+  CHECK(std::count(bytes.begin(), bytes.end(), '\n') == 3);
+  CHECK(includes(bytes, "a,cube.obj\",aabb,18,6,1,1,1,0,"));
+}
+
+TEST_CASE("compare: the list has every method") {
+  const json list = answer_of("--list");
+  std::vector<std::string> names;
+  for (const json& method : list["methods"]) names.push_back(method["name"]);
+  for (const char* name : {"greedy", "search", "mck", "stl", "aabb", "kdop26", "obb", "random"}) {
+    CHECK(std::count(names.begin(), names.end(), name) == 1);
+  }
+  const Ran ran = run_program("compare --list");
+  CHECK(ran.exit == 0);
+  for (const std::string& name : names) CHECK(includes(ran.out, name));
+}
+
+TEST_CASE("compare: wrong usage and inputs without volume are refused, and nothing is written") {
+  const ScratchFolder scratch;
+  const std::string cube = scratch.write("cube.obj", kCube),
+                    flat = scratch.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n");
+  const std::string unknown = message_of(cube + " --methods greedy,qslim", 2);
+  CHECK(includes(unknown, "qslim"));
+  CHECK(includes(unknown, "mck"));
+  CHECK(includes(message_of("", 2), "INPUT"));
+  message_of(cube + " --faces 3", 2);
+  message_of(cube + " --methods ''", 2);
+  message_of(cube + " --csv " + cube, 2);
+  CHECK(bytes_of(cube) == kCube);
+  message_of(scratch.file("none.obj"), 3);
+  const std::string csv = scratch.file("out.csv");
+  message_of(cube + " " + flat + " --methods aabb --csv " + csv, 4);
+  CHECK_FALSE(std::filesystem::exists(csv));
+}
+
+TEST_CASE("compare: the same seed prints the same solids") {
+  const auto solids = [](const std::string& seed) {
+    json methods = answer_of(data("spot.obj") + " --faces 9 --methods stl,random --seed " +
+                             seed)["inputs"][0]["methods"];
+    return std::vector<json>{methods[0]["halfspaces"], methods[1]["halfspaces"]};
+  };
+  CHECK(solids("3") == solids("3"));
+  CHECK(solids("3") != solids("4"));
+}
