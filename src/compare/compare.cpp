@@ -21,9 +21,8 @@ MethodResult run_method(const Method& method, const HullToFit& hull, const HullM
   double seconds = 0, refit_seconds = 0;
   const Normals proposal =
       timed(seconds, [&] { return method.propose(hull, request.faces, request.seed); });
-  RefitOutcome outcome = timed(refit_seconds, [&] {
-    return refit(hull, measures, proposal, request.seed, request.watch.stop);
-  });
+  RefitOutcome outcome =
+      timed(refit_seconds, [&] { return refit(hull, measures, proposal, request.seed); });
   return {&method, seconds, refit_seconds, std::move(outcome)};
 }
 
@@ -71,7 +70,8 @@ std::variant<Comparison, NotSolid> compare_methods(const std::string& name, cons
   for (const Method* method : request.methods) {
     const std::string stage(method->name);
     comparison.results.push_back(log.run(stage, [&] {
-      return run_method(*method, hull_to_fit(solid, log.watch(stage)), measures, request);
+      return run_method(*method, hull_to_fit(solid, log.watch(stage), request.watch.stop), measures,
+                        request);
     }));
   }
   return comparison;

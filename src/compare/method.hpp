@@ -5,6 +5,7 @@
 // refit.hpp makes a solid of its proposal in exact numbers.
 #pragma once
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -26,13 +27,15 @@ struct HullToFit {
   /// The facets of solid.polytope cut into fans, as indices of vertices, counter-clockwise from
   /// outside; 2 vertices.size() - 4 of them.
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  Watch watch = {};  ///< Methods whose loops may take seconds ask it.
+  Watch watch = {};                         ///< Methods whose loops may take seconds ask it, ...
+  const std::atomic<bool>* stop = nullptr;  ///< ... or hand this flag on.
 
   const Polytope& polytope() const { return solid.polytope; }
 };
 
 /// Keeps a reference to the solid.
-[[nodiscard]] HullToFit hull_to_fit(const Solid& solid, const Watch& watch = {});
+[[nodiscard]] HullToFit hull_to_fit(const Solid& solid, const Watch& watch = {},
+                                    const std::atomic<bool>* stop = nullptr);
 
 /// Outward directions, none of them zero. Their lengths do not matter, and repeats are allowed.
 using Normals = std::vector<RationalVector3>;

@@ -31,12 +31,13 @@ std::span<const Method> methods() {
   return kMethods;
 }
 
-HullToFit hull_to_fit(const Solid& solid, const Watch& watch) {
+HullToFit hull_to_fit(const Solid& solid, const Watch& watch, const std::atomic<bool>* stop) {
   const Polytope& polytope = solid.polytope;
   const BoundingBox box = bounding_box(polytope.vertices);
   const RationalPoint middle = (box.low + box.high) / Rational(2);
-  long exponent = exponent_of(Rational(box.size().maxCoeff())) - 1;  // of half the widest side
-  HullToFit hull{solid, {}, {}, watch};
+  const long exponent =
+      exponent_of(Rational(box.size().maxCoeff())) - 1;  // of half the widest side
+  HullToFit hull{solid, {}, {}, watch, stop};
   for (const RationalPoint& vertex : polytope.vertices) {
     Point near;
     for (const int k : {0, 1, 2}) {

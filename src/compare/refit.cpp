@@ -49,7 +49,7 @@ Ratios ratios_of(const Refit& refit) {
 }
 
 RefitOutcome refit(const HullToFit& hull, const HullMeasures& measures, const Normals& directions,
-                   std::uint64_t seed, const std::atomic<bool>* stop) {
+                   std::uint64_t seed) {
   // (1) Touching halfspaces, each once.
   std::vector<Halfspace> halfspaces;
   for (const RationalVector3& direction : directions) {
@@ -68,7 +68,7 @@ RefitOutcome refit(const HullToFit& hull, const HullMeasures& measures, const No
     throw Error(ErrorCode::Internal, "a refitted solid misses a point of the input");
   }
   // (4) Its measures.
-  const HausdorffDistance distance = hausdorff_distance(solid, hull.polytope(), stop);
+  const HausdorffDistance distance = hausdorff_distance(solid, hull.polytope(), hull.stop);
   const HullMeasures after = measures_of(solid, hull.watch);
   return Refit{.solid = std::move(solid),
                .volume_ratio = after.volume / measures.volume,

@@ -42,7 +42,6 @@ using RefitOutcome = std::variant<Refit, RecessionRay>;
 /// @par Cost  An exact product for each direction and vertex, a solid of that many halfspaces, a
 ///            sign for each plane and point, and the Hausdorff distance.
 [[nodiscard]] RefitOutcome refit(const HullToFit& hull, const HullMeasures& measures,
-                                 const Normals& directions, std::uint64_t seed,
-                                 const std::atomic<bool>* stop = nullptr);
+                                 const Normals& directions, std::uint64_t seed);
 
 }  // namespace convexact

@@ -27,7 +27,7 @@ std::vector<HalfspaceId> greedily_kept(const HullToFit& hull, const FastDual& du
   options.faces = faces;
   options.cost = cost;
   options.seed = seed;
-  options.progress = [&hull](std::size_t) { hull.watch.ask(); };
+  options.stop = hull.stop;
   return simplify_filtered(dual, options).survivors;
 }
 
@@ -114,8 +114,7 @@ Normals propose_search(const HullToFit& hull, std::size_t faces, std::uint64_t s
   const RationalPoint center = interior_point_of(hull.solid);
   const FastDual fast = FastDual::of(dual, center);
   std::vector<HalfspaceId> kept = greedily_kept(hull, fast, faces, seed, CostMeasure::Volume);
-  SearchOptions options{.request = {SearchKind::Local}, .seed = seed};
-  options.progress = [&hull](std::size_t) { hull.watch.ask(); };
+  const SearchOptions options{.request = {SearchKind::Local}, .seed = seed, .stop = hull.stop};
   const SearchRun found = search_exchanges(dual, fast, hull.polytope(), center, kept, options);
   for (const Move& move : found.moves) {
     std::erase_if(kept, [&](HalfspaceId i) {

@@ -75,7 +75,8 @@ TEST_CASE("methods: every solid holds every point, in at most so many planes") {
       CAPTURE(std::string(each.name));
       for (const std::size_t faces : {6u, 12u, 19u}) {
         if (!each.takes_faces && faces != 6) continue;
-        if (each.name == "search" && faces != 12) continue;  // takes the most time
+        const bool is_large = compared.solid.polytope.facets.size() > 40;
+        if (each.name == "search" && (faces != 12 || is_large)) continue;  // takes the most time
         CAPTURE(faces);
         const Normals normals = each.propose(compared.hull, faces, 3);
         if (each.takes_faces && normals.size() > faces) {
