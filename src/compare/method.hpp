@@ -77,6 +77,14 @@ struct InnerMethod {
 [[nodiscard]] Normals propose_mck(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
 [[nodiscard]] Normals propose_stl(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
 
+// Facets of a mesh that has lost edges; vertices of one.
+[[nodiscard]] Normals propose_bloom(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
+[[nodiscard]] Normals propose_tlg(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
+[[nodiscard]] Normals propose_qem_dual(const HullToFit& hull, std::size_t faces,
+                                       std::uint64_t seed);
+[[nodiscard]] Corners propose_qem_ends(const HullToFit& hull, std::size_t faces,
+                                       std::uint64_t seed);
+
 // Facets that removals leave.
 [[nodiscard]] Normals propose_greedy(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
 [[nodiscard]] Normals propose_greedy_area(const HullToFit& hull, std::size_t faces,

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// collapse.hpp - a closed triangle mesh in doubles that loses one edge after another, the cheapest
+// first.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "convexact/point_set.hpp"
+#include "convexact/watch.hpp"
+
+namespace convexact {
+
+using MeshCorner = std::uint32_t;
+using MeshTriangle = std::array<MeshCorner, 3>;  ///< Counter-clockwise from outside.
+
+class CollapsingMesh;
+
+/// Where the vertex goes that an edge becomes, and what that costs.
+struct Contraction {
+  double cost;
+  Point at;
+};
+
+/// What a collapse costs, and where it leads.
+class CollapseRule {
+ public:
+  virtual ~CollapseRule() = default;
+  /// Ways to collapse the edge (a, b), the best first: the first that the mesh can take counts.
+  virtual std::vector<Contraction> contractions(const CollapsingMesh& mesh, MeshCorner a,
+                                                MeshCorner b) const = 0;
+  /// Called after b has become a.
+  virtual void merged(MeshCorner a, MeshCorner b) = 0;
+};
+
+/// A closed triangle mesh without a boundary. A collapse must keep it one: both ends of the edge
+/// have just two common neighbours (the link condition), four vertices stay, and no triangle turns
+/// over.
+class CollapsingMesh {
+ public:
+  /// @param rule  Must outlive the mesh.
+  CollapsingMesh(std::vector<Point> vertices, std::span<const MeshTriangle> triangles,
+                 CollapseRule& rule);
+
+  /// Collapses edges until so many vertices are left, or no edge can be collapsed. Of equally cheap
+  /// edges the one with the lower numbers goes first.
+  void reduce_to(std::size_t vertices, const Watch& watch = {});
+
+  const Point& at(MeshCorner v) const { return vertices_[v]; }
+  /// The triangles that are left, and those at an end of an edge.
+  std::vector<MeshTriangle> triangles() const;
+  std::vector<MeshTriangle> triangles_at(MeshCorner a, MeshCorner b) const;
+  /// The vertices that are left, ascending.
+  std::vector<MeshCorner> corners() const;
+
+ private:
+  using Edge = std::pair<MeshCorner, MeshCorner>;  // ascending
+  struct Plan {
+    double cost;
+    Edge edge;
+    bool operator<(const Plan& other) const {
+      return cost != other.cost ? cost < other.cost : edge < other.edge;
+    }
+  };
+
+  bool is_gone(const MeshTriangle& t) const { return t[0] == t[1]; }
+  std::set<MeshCorner> neighbours(MeshCorner v) const;
+  bool has_simple_link(MeshCorner a, MeshCorner b) const;
+  bool turns_over(MeshCorner a, MeshCorner b, const Point& to) const;
+  void plan(Edge edge);
+  void forget(Edge edge);
+  void collapse(Edge edge, const Point& to);
+
+  std::vector<Point> vertices_;
+  std::vector<MeshTriangle> triangles_;             // (0, 0, 0) where one is gone
+  std::vector<std::vector<std::uint32_t>> around_;  // of each vertex its triangles
+  CollapseRule& rule_;
+  std::size_t left_;
+  std::set<Plan> queue_;
+  std::map<Edge, Contraction> planned_;
+};
+
+/// Twice the area of a triangle along its outward normal.
+[[nodiscard]] Point area_vector(const Point& a, const Point& b, const Point& c);
+
+}  // namespace convexact
