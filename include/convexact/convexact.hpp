@@ -11,6 +11,7 @@
 #include "convexact/halfspace.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/hull_tree.hpp"
+#include "convexact/implicit.hpp"
 #include "convexact/inner.hpp"
 #include "convexact/inner_run.hpp"
 #include "convexact/io.hpp"

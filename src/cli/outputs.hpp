@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/implicit_input.hpp"
 #include "cli/progress.hpp"
 #include "convexact/run.hpp"
 #include "convexact/scene.hpp"
@@ -117,6 +118,19 @@ using OutputFiles = std::vector<std::pair<std::string, std::string>>;
 /// @throws Error as AtomicOutput and print().
 void write_together(const OutputFiles& files, const std::string& summary);
 
+/// The objects of all inputs; of a command with --implicit, possibly the corners of its cells.
+template <class Arguments>
+std::vector<SceneObject> read_objects(const Arguments& options, StageLog& log) {
+  if constexpr (requires { options.implicit; }) {
+    if (options.implicit.is_given()) {
+      return {log.run("cells", [&] {
+        return read_implicit_object(options.implicit, options.scene, log.watch("cells"));
+      })};
+    }
+  }
+  return log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
+}
+
 /// Runs a subcommand that reads objects, finds something about them, watched, and writes the
 /// outputs and the answer; returns the exit code.
 /// @param find    From all objects to what is found about each, or to one without volume.
@@ -127,8 +141,7 @@ int run_on_scene(const Arguments& options, Find&& find, Answer&& answer) {
   require_other_files(options.output.all_paths(), options.inputs);
   Progress progress;
   StageLog log(progress.watch());
-  std::vector<SceneObject> scene =
-      log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
+  std::vector<SceneObject> scene = read_objects(options, log);
   options.output.require_room_for(scene.size());
   std::variant<std::vector<FoundObject<Result>>, FlatObject> found =
       find(std::move(scene), log, progress.watch());

@@ -30,6 +30,7 @@ constexpr const char* kSimplifyFooter =
     "  convexact simplify room.obj --parts --total-faces 144 -o proxies.obj\n"
     "  convexact simplify planes.ine --faces 6 --json --trace steps.json\n"
     "  convexact simplify bunny.obj --inner --vertices 32 -o inside.obj\n"
+    "  convexact simplify --implicit capsule.json --box -2,-2,-2,4 --depth 7 --faces 18\n"
     "\n"
     "Without --precision, planes are written as exact integers and meshes in binary64 (STL: 32).\n"
     "Every result that is written was tested, on the stored numbers, to hold every input point;\n"
@@ -54,6 +55,7 @@ struct SimplifyArguments {
   VerifyLevel verify = VerifyLevel::Local;
   bool exact_values = false;
   InnerOnly only;
+  ImplicitOptions implicit;
 };
 
 // --total-faces is for several parts. How many there are, the files say.
@@ -124,12 +126,14 @@ std::string answer_of(const FoundSolids& objects, const std::optional<FoundTotal
         objects.size() == 1 && !together
             ? result_json(objects[0].result)
             : nlohmann::ordered_json{{"objects", objects_json(objects, result_json)}};
+    if (options.implicit.is_given()) document["implicit"] = implicit_json(*options.implicit.found);
     if (together) document["total"] = totals_json(together->totals, together->gaps);
     document["stages"] = stages_json(stages);
     return write_json(document, 2) + "\n";
   }
   std::string text;
   for (const auto& [source, result] : objects) text += source.name + "\n" + summary(result);
+  if (options.implicit.is_given()) text += implicit_summary(*options.implicit.found);
   if (together) text += summary(together->totals, together->gaps);
   text += written_lines(options.output);
   if (options.output.all_paths().empty()) {
@@ -214,7 +218,22 @@ int run_together(const SimplifyArguments& options, const SimplifyRequest& each) 
   });
 }
 
+// The corners of cells have no parts, and a hull inside theirs says nothing about the shape.
+void require_plain(const SimplifyArguments& options) {
+  options.implicit.require_complete(options.inputs);
+  if (!options.implicit.is_given()) return;
+  require_other_files(options.output.all_paths(), {options.implicit.file});
+  const char* option = options.only.inner    ? "--inner"
+                       : options.scene.parts ? "--parts"
+                       : options.total_faces ? "--total-faces"
+                                             : nullptr;
+  if (option == nullptr) return;
+  throw Error(ErrorCode::InvalidArgument,
+              std::string(option) + " is for meshes: leave it out with --implicit");
+}
+
 int run_simplify(const SimplifyArguments& options) {
+  require_plain(options);
   require_inner(options.only);
   if (options.only.inner) return run_inward(options);
   const SimplifyRequest request = request_of(options);
@@ -266,6 +285,7 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
   command.add_flag("--exact-values", options->exact_values,
                    "with --json: volumes as fractions too");
   add_inner_options(command, options->only);
+  add_implicit_options(command, options->implicit);
   finish_command(command, options, exit_code, run_simplify);
   add_stages_option(command, options->global);
 }

@@ -10,14 +10,14 @@ import re
 import sys
 
 # From the top down.
-ROOMS = ["error", "number", "geometry", "shapes", "io", "lp", "hull", "dual", "measure", "simplify", "fast", "search", "stored",
+ROOMS = ["error", "number", "geometry", "shapes", "io", "lp", "hull", "dual", "implicit", "measure", "simplify", "fast", "search", "stored",
          "surface", "overlay", "decompose", "scene", "query", "bvh", "oracle", "report", "teach", "compare", "stress", "cli", "capi", "check"]
 # The room of each public header.
 PUBLIC = {
     "error": "error", "watch": "error", "number": "number", "root_sum": "number",
     "angle_sum": "number", "point_set": "geometry", "halfspace": "geometry",
     "polytope": "geometry", "predicates": "geometry", "shapes": "shapes", "mesh": "io", "io": "io",
-    "linear_program": "lp", "hull": "hull", "dual": "dual", "measure": "measure", "cost": "number", "run": "simplify", "inner_run": "simplify", "keep": "simplify", "search": "search",
+    "linear_program": "lp", "hull": "hull", "dual": "dual", "implicit": "implicit", "measure": "measure", "cost": "number", "run": "simplify", "inner_run": "simplify", "keep": "simplify", "search": "search",
     "stored": "stored", "surface": "surface", "overlay": "overlay", "union_distance": "overlay", "cluster": "decompose", "split": "decompose", "decompose": "scene", "scene": "scene", "simplify": "scene", "inner": "scene", "simplify_scene": "scene", "parts": "scene", "query": "query", "hull_tree": "bvh", "verify": "oracle", "verify_run": "oracle", "verify_parts": "oracle",
     "conform": "oracle", "shrink": "oracle", "convexact": "capi"}
 # What stays apart on purpose, so that a mistake in one cannot hide in the other: (room, room it may

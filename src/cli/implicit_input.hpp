@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// implicit_input.hpp - simplify --implicit: its options, the corners of cells as an object, and
+// what the summary says about them.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "convexact/implicit.hpp"
+#include "convexact/scene.hpp"
+
+namespace convexact::cli {
+
+/// What is known about a shape and its cells.
+struct ImplicitFound {
+  ImplicitBounds bounds;
+  ImplicitCells cells;
+  std::optional<ImplicitMeasures> measures;
+};
+
+/// The options of simplify that stand in for INPUT.
+struct ImplicitOptions {
+  std::string file;  ///< Empty if not given.
+  std::optional<ImplicitBox> box;
+  std::optional<std::size_t> depth;
+  /// Filled by read_implicit_object().
+  std::shared_ptr<ImplicitFound> found = std::make_shared<ImplicitFound>();
+
+  bool is_given() const { return !file.empty(); }
+  /// @param inputs  Meshes that were named.
+  /// @throws Error InvalidArgument unless there is either an input or all of these options.
+  void require_complete(const std::vector<std::string>& inputs) const;
+};
+
+/// Adds the options; INPUT of the command may be left out from now on.
+void add_implicit_options(CLI::App& command, ImplicitOptions& options);
+
+/// Reads the shape and finds its cells; their corners are the points of the object.
+/// @throws Error as read_bytes(), and as read_implicit_bytes() and kept_cells() with the file.
+[[nodiscard]] SceneObject read_implicit_object(const ImplicitOptions& options,
+                                               const SceneOptions& scene, const Watch& watch);
+
+/// Level by level, and the bounds that are known.
+[[nodiscard]] nlohmann::ordered_json implicit_json(const ImplicitFound& found);
+[[nodiscard]] std::string implicit_summary(const ImplicitFound& found);
+
+}  // namespace convexact::cli
