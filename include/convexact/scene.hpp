@@ -27,6 +27,7 @@ namespace stage {
 inline constexpr const char* kHull = "hull";          ///< From points to the facets of their hull.
 inline constexpr const char* kSimplify = "simplify";  ///< The removals.
 inline constexpr const char* kSearch = "search";      ///< Exchanges after them.
+inline constexpr const char* kOptimum = "optimum";    ///< The same, and the search for the least.
 }  // namespace stage
 
 struct Stage {

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "convexact/dual.hpp"
@@ -14,13 +15,16 @@ namespace convexact {
 /// What is tried to make the solid that a run leaves smaller, with as many halfspaces.
 enum class SearchKind {
   None,
-  Walk,   ///< Exchanges of one halfspace for a facet next to it, until none helps.
-  Local,  ///< The same, then kicks: random exchanges with a walk after them, kept if that helped.
+  Walk,     ///< Exchanges of one halfspace for a facet next to it, until none helps.
+  Local,    ///< The same, then kicks: random exchanges with a walk after them, kept if that helped.
+  Optimal,  ///< The same, then all other choices, until no halfspaces of the input, as many, bound
+            ///< less: proven. By volume only.
 };
 
 struct SearchRequest {
   SearchKind kind = SearchKind::None;
-  std::size_t kicks = 200;  ///< Of SearchKind::Local.
+  std::size_t kicks = 200;         ///< Of SearchKind::Local and Optimal.
+  std::size_t nodes = 10'000'000;  ///< Of SearchKind::Optimal: most states to be looked at.
 };
 
 struct SearchOptions {
@@ -32,8 +36,21 @@ struct SearchOptions {
   std::uint64_t seed = 1;      ///< Of the kicks: another one may lead elsewhere.
   /// Called after every kick with the number of kicks made.
   std::function<void(std::size_t kicks)> progress = {};
+  /// Called from time to time by search_optimal() with the number of states looked at so far, and a
+  /// bound: at most this share of the incumbent's volume can be saved.
+  std::function<void(std::size_t nodes, double gap)> bounded = {};
   /// When it becomes true, the search ends with Error(Stopped).
   const std::atomic<bool>* stop = nullptr;
+  /// When it becomes true, search_optimal() looks no further, and returns what it has.
+  const std::atomic<bool>* settle = nullptr;
+};
+
+/// What search_optimal() has proven.
+struct Optimality {
+  bool is_proven = false;  ///< No other halfspaces of the input, as many, bound a smaller volume.
+  /// They bound no smaller volume than this, which is that of the result if it is proven the least.
+  Rational lower_bound;
+  std::size_t nodes = 0;  ///< States looked at. The engines may differ where volumes are equal.
 };
 
 /// How a search went.
@@ -41,7 +58,8 @@ struct SearchRun {
   std::vector<Move> moves;  ///< Each proven to make the measure smaller; without measures.
   /// About how much each of them changed the measure, below 0, in a unit of the run.
   std::vector<double> changes;
-  std::size_t tried = 0;  ///< Exchanges whose measures were compared.
+  std::size_t tried = 0;                      ///< Exchanges whose measures were compared.
+  std::optional<Optimality> optimality = {};  ///< Of search_optimal().
 };
 
 /// Exchanges kept halfspaces for facets of the input, so that the measure falls. The rule, which
@@ -64,5 +82,20 @@ struct SearchRun {
                                          const RationalPoint& center,
                                          std::vector<HalfspaceId> start,
                                          const SearchOptions& options = {});
+
+/// The least volume that as many halfspaces of the input as there are at the start bound, those to
+/// be kept among them. A local search leads to the incumbent. Branch and bound then looks at all
+/// sets of removals, but for those that are proven to end at no smaller volume, and takes what is
+/// proven to be smaller as the incumbent; if that helped, it is one more move. Of several sets of
+/// the least volume the result is the one that the local search found, or else the first in the
+/// order of the branches; it is the same for both engines unless the limit of nodes ends the
+/// search.
+/// @throws Error As search_exchanges(); InvalidArgument unless the measure is the volume: by area
+///               and mean width a removal may come to cost less, so that nothing bounds it.
+/// @par Cost     Exponential in the worst case. Each state costs some thirty caps.
+/// @par Source   docs/design/search.md
+[[nodiscard]] SearchRun search_optimal(const DualHull& dual, const Polytope& input,
+                                       const RationalPoint& center, std::vector<HalfspaceId> start,
+                                       const SearchOptions& options = {});
 
 }  // namespace convexact

@@ -76,6 +76,7 @@ struct SearchResult {
   std::vector<Move> moves;        ///< Those made, with ids among the facets of the input.
   Enclosure greedy, now;          ///< Of the solid that the removals left, and of the result.
   std::optional<Best> best = {};  ///< None without moves.
+  std::optional<Optimality> optimality = {};  ///< Of SearchKind::Optimal.
 };
 
 struct SimplifyResult {

@@ -20,6 +20,8 @@ struct StageWatch {
   std::function<void(const std::string& stage, std::size_t done, std::size_t total)> progress = {};
   /// When it becomes true, the request ends with Error Stopped. A signal handler may set it.
   const std::atomic<bool>* stop = nullptr;
+  /// When it becomes true, a search for the least volume ends with the best so far.
+  const std::atomic<bool>* settle = nullptr;
 };
 
 /// The check that a loop that may take seconds makes at each of its steps; without arguments it

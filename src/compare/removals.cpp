@@ -115,7 +115,7 @@ Normals propose_search(const HullToFit& hull, std::size_t faces, std::uint64_t s
   const FastDual fast = FastDual::of(dual, center);
   std::vector<HalfspaceId> kept = greedily_kept(hull, fast, faces, seed, CostMeasure::Volume);
   const SearchOptions options{.request = {SearchKind::Local}, .seed = seed, .stop = hull.stop};
-  const SearchRun found = search_exchanges(dual, fast, hull.polytope(), center, kept, options);
+  const SearchRun found = search_exchanges(dual, hull.polytope(), center, kept, options);
   for (const Move& move : found.moves) {
     std::erase_if(kept, [&](HalfspaceId i) {
       return std::binary_search(move.removed.begin(), move.removed.end(), i);

@@ -7,6 +7,7 @@
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "io/json.hpp"
+#include "number/precision.hpp"
 #include "simplify/trace_json.hpp"
 
 namespace convexact {
@@ -142,11 +143,23 @@ Json float_bound_json(const FloatBound& bound) {
       {"doubtful", bound.doubtful},    {"ties", bound.ties}, {"end_proven", bound.is_end_proven}};
 }
 
-Json search_json(const SearchResult& search) {
-  const auto& [kind, kicks] = search.request;
+// @param is_exact  Whether volumes are to be given as fractions, too.
+Json search_json(const SearchResult& search, bool is_exact) {
+  const SearchKind kind = search.request.kind;
   const auto measure = [](const Enclosure& x) { return measured_json({x, {}}, kDigits); };
   Json json = {{"kind", name_in(kSearchKindNames, kind)}};
-  if (kind == SearchKind::Local) json["kicks"] = kicks;
+  if (kind != SearchKind::Walk) json["kicks"] = search.request.kicks;
+  if (search.optimality) {
+    const auto& [is_proven, lower_bound, nodes] = *search.optimality;
+    const Enclosure bound(lower_bound, kMeasureBits);
+    json["optimum"] = {
+        {"proven", is_proven},
+        {"nodes", nodes},
+        {"node_limit", search.request.nodes},
+        {"lower_bound",
+         measured_json({bound, is_exact ? std::optional(lower_bound) : std::nullopt}, kDigits)},
+        {"gap", is_proven ? 0 : ((search.now - bound) / search.now).high_double()}};
+  }
   json["tried"] = search.tried;
   json["accepted"] = search.moves.size();
   json["greedy"] = measure(search.greedy);
@@ -180,7 +193,8 @@ Json result_json(const SimplifyResult& result) {
   if (result.limited) json[measure_key(*result.growth_of)] = growth_json(*result.limited);
   if (result.growth_bits > 0) json["growth_undecided_bits"] = result.growth_bits;
   if (!result.float_bound) json["ties"] = ties_json(result.ties);
-  if (result.search) json["search"] = search_json(*result.search);
+  if (result.search)
+    json["search"] = search_json(*result.search, result.output_volume.exact.has_value());
   json["engine"] = name_of(result.engine);
   if (result.float_bound) json["float_bound"] = float_bound_json(*result.float_bound);
   if (result.start && result.run) json["proof"] = proof_claim(*result.run);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/search_stage.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -81,6 +83,12 @@ void require_sensible_search(const SimplifyRequest& request) {
         "a search proves that each of its moves helps, which doubles cannot: choose the filtered "
         "or the exact engine");
   }
+  if (request.search.kind == SearchKind::Optimal && request.cost != CostMeasure::Volume) {
+    reject(
+        "only a volume can be proven the least: removing a halfspace may come to add less area or "
+        "mean width than before, so no bound holds for what is left to be tried; leave out the "
+        "cost, or search by walk or local");
+  }
   if (!request.faces) {
     reject(
         "a search keeps the number of halfspaces, which a growth limit leaves open: give the "
@@ -107,15 +115,23 @@ void search_further(RunEnd& end, const RunInput& input, const SimplifyRequest& r
                         .cost = request.cost,
                         .compare = request.compare,
                         .seed = request.seed,
-                        .stop = request.watch.stop};
+                        .stop = request.watch.stop,
+                        .settle = request.watch.settle};
+  const bool is_optimal = request.search.kind == SearchKind::Optimal;
+  const char* const name = is_optimal ? stage::kOptimum : stage::kSearch;
   if (request.watch.progress) {
     options.progress = [&](std::size_t kicks) {
-      request.watch.progress(stage::kSearch, kicks, request.search.kicks);
+      request.watch.progress(name, kicks, request.search.kicks);
+    };
+    options.bounded = [&](std::size_t nodes, double gap) {
+      request.watch.progress(fmt::format("{}, gap {:.1g}%", name, 100 * gap), nodes,
+                             request.search.nodes);
     };
   }
-  SearchRun found = log.run(stage::kSearch, [&] {
-    return search_exchanges(dual, input.dual ? &*input.dual : nullptr, input.solid->polytope,
-                            input.center, end.triangles, options);
+  SearchRun found = log.run(name, [&] {
+    const auto search = is_optimal ? search_optimal_from : search_from;
+    return search(dual, input.dual ? &*input.dual : nullptr, input.solid->polytope, input.center,
+                  end.triangles, options);
   });
   end.search = log.run("search result", [&] {
     // (2) Each solid, if that is asked for, and the last one.
@@ -135,6 +151,7 @@ void search_further(RunEnd& end, const RunInput& input, const SimplifyRequest& r
     };
     SearchResult result{request.search, found.tried, found.moves, measured(end.polytope),
                         measured(before)};
+    result.optimality = found.optimality;
     const auto measured_after = [&](std::size_t k) {
       return k == 0 ? result.greedy : k == count ? result.now : measured(solids.after(k));
     };

@@ -146,15 +146,31 @@ std::string float_lines(const SimplifyResult& result) {
   return summary_line("doubtful", doubts + "; --engine filtered decides");
 }
 
+std::string optimum_line(const SearchResult& search) {
+  const auto& [is_proven, lower_bound, nodes] = *search.optimality;
+  const std::string states = counted(nodes, "state", "states");
+  if (is_proven) {
+    return summary_line("optimum", "proven: no other facets, as many, bound less; by " + states);
+  }
+  const Enclosure bound(lower_bound, kMeasureBits), hundred(Integer(100), kMeasureBits);
+  return summary_line(
+      "optimum",
+      fmt::format("not proven: {} were looked at; as many facets bound at least {}, up to {}% less "
+                  "than these",
+                  states, certain(bound, kSummaryDigits),
+                  certain(hundred * (search.now - bound) / search.now, 2)));
+}
+
 // How much of what the removals added is left, and by how many moves.
 std::string search_lines(const SearchResult& search, const Enclosure& input) {
-  const bool is_local = search.request.kind == SearchKind::Local;
+  const bool has_kicks = search.request.kind != SearchKind::Walk;
   const std::string kind =
-      is_local ? "walk and " + counted(search.request.kicks, "kick", "kicks") : "walk";
-  const std::string text =
+      has_kicks ? "walk and " + counted(search.request.kicks, "kick", "kicks") : "walk";
+  std::string text =
       summary_line("search", fmt::format("{}: {} compared, {} made", kind,
                                          counted(search.tried, "exchange", "exchanges"),
                                          counted(search.moves.size(), "move", "moves")));
+  if (search.optimality) text += optimum_line(search);
   if (!search.best) return text;
   const auto share = [&](const Enclosure& part) {
     return certain(Enclosure(Integer(100), kMeasureBits) * part / (search.greedy - input), 4) + "%";

@@ -60,12 +60,24 @@ class ExchangeSurface {
 [[nodiscard]] std::unique_ptr<ExchangeSurface> make_filtered_surface(
     const FastDual& dual, std::span<const DualTriangle> triangles, CostMeasure measure);
 
-/// As the other search_exchanges().
+/// As search_exchanges().
 /// @param fast   Of `dual`, for the filtered engine; null if there is none yet.
 /// @param start  The dual hull of what is kept at the start.
-[[nodiscard]] SearchRun search_exchanges(const DualHull& dual, const FastDual* fast,
-                                         const Polytope& input, const RationalPoint& center,
-                                         std::span<const DualTriangle> start,
-                                         const SearchOptions& options);
+[[nodiscard]] SearchRun search_from(const DualHull& dual, const FastDual* fast,
+                                    const Polytope& input, const RationalPoint& center,
+                                    std::span<const DualTriangle> start,
+                                    const SearchOptions& options);
+/// As search_optimal().
+[[nodiscard]] SearchRun search_optimal_from(const DualHull& dual, const FastDual* fast,
+                                            const Polytope& input, const RationalPoint& center,
+                                            std::span<const DualTriangle> start,
+                                            const SearchOptions& options);
+
+/// The dual hull of some halfspaces of an input.
+[[nodiscard]] std::vector<DualTriangle> dual_triangles_of(const DualHull& dual,
+                                                          std::span<const HalfspaceId> ids,
+                                                          const RationalPoint& center);
+/// The ids in it, ascending.
+[[nodiscard]] std::vector<HalfspaceId> ids_in(std::span<const DualTriangle> triangles);
 
 }  // namespace convexact

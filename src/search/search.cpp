@@ -37,27 +37,6 @@ std::vector<HalfspaceIds> neighbours_of(const Polytope& input) {
   return lists;
 }
 
-// The triangles of the dual hull of some halfspaces of the input.
-std::vector<DualTriangle> dual_triangles_of(const DualHull& dual, const HalfspaceIds& ids,
-                                            const RationalPoint& center) {
-  std::vector<Halfspace> halfspaces;
-  for (const HalfspaceId i : ids) halfspaces.push_back(dual.halfspaces.at(i.index()));
-  const HalfspaceDual of_ids = dual_of(halfspaces, center);
-  const auto id = [&](HalfspaceId k) { return ids[of_ids.rows[k.index()]]; };
-  std::vector<DualTriangle> triangles;
-  for (const DualTriangle& t : of_ids.dual.triangles) {
-    triangles.push_back({id(t[0]), id(t[1]), id(t[2])});
-  }
-  return triangles;
-}
-
-// Ascending.
-HalfspaceIds ids_in(std::span<const DualTriangle> triangles) {
-  std::set<HalfspaceId> ids;
-  for (const DualTriangle& t : triangles) ids.insert(t.begin(), t.end());
-  return {ids.begin(), ids.end()};
-}
-
 HalfspaceIds difference(const HalfspaceIds& a, const HalfspaceIds& b) {
   HalfspaceIds only_a;
   std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(only_a));
@@ -303,15 +282,33 @@ SearchRun ExchangeSearch::run() {
 
 }  // namespace
 
-SearchRun search_exchanges(const DualHull& dual, const Polytope& input, const RationalPoint& center,
-                           std::vector<HalfspaceId> start, const SearchOptions& options) {
-  return search_exchanges(dual, nullptr, input, center, dual_triangles_of(dual, start, center),
-                          options);
+std::vector<DualTriangle> dual_triangles_of(const DualHull& dual, std::span<const HalfspaceId> ids,
+                                            const RationalPoint& center) {
+  std::vector<Halfspace> halfspaces;
+  for (const HalfspaceId i : ids) halfspaces.push_back(dual.halfspaces.at(i.index()));
+  const HalfspaceDual of_ids = dual_of(halfspaces, center);
+  const auto id = [&](HalfspaceId k) { return ids[of_ids.rows[k.index()]]; };
+  std::vector<DualTriangle> triangles;
+  for (const DualTriangle& t : of_ids.dual.triangles) {
+    triangles.push_back({id(t[0]), id(t[1]), id(t[2])});
+  }
+  return triangles;
 }
 
-SearchRun search_exchanges(const DualHull& dual, const FastDual* fast, const Polytope& input,
-                           const RationalPoint& center, std::span<const DualTriangle> start,
-                           const SearchOptions& options) {
+std::vector<HalfspaceId> ids_in(std::span<const DualTriangle> triangles) {
+  std::set<HalfspaceId> ids;
+  for (const DualTriangle& t : triangles) ids.insert(t.begin(), t.end());
+  return {ids.begin(), ids.end()};
+}
+
+SearchRun search_exchanges(const DualHull& dual, const Polytope& input, const RationalPoint& center,
+                           std::vector<HalfspaceId> start, const SearchOptions& options) {
+  return search_from(dual, nullptr, input, center, dual_triangles_of(dual, start, center), options);
+}
+
+SearchRun search_from(const DualHull& dual, const FastDual* fast, const Polytope& input,
+                      const RationalPoint& center, std::span<const DualTriangle> start,
+                      const SearchOptions& options) {
   switch (options.engine) {
     case Engine::Exact:
       return ExchangeSearch(make_exact_surface(dual, start, center, options.cost), input,
@@ -320,7 +317,7 @@ SearchRun search_exchanges(const DualHull& dual, const FastDual* fast, const Pol
     case Engine::Filtered: {
       if (fast == nullptr) {
         const FastDual made = FastDual::of(dual, center);
-        return search_exchanges(dual, &made, input, center, start, options);
+        return search_from(dual, &made, input, center, start, options);
       }
       return ExchangeSearch(make_filtered_surface(*fast, start, options.cost), input, ids_in(start),
                             options)

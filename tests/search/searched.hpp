@@ -28,6 +28,10 @@ struct Greedy {
   std::vector<HalfspaceId> left;
 };
 
+inline SearchRun find_optimum(const Greedy& greedy, const SearchOptions& options) {
+  return search_optimal(greedy.dual, greedy.input, greedy.center, greedy.left, options);
+}
+
 inline bool same_moves(const SearchRun& a, const SearchRun& b) {
   return a.tried == b.tried && std::equal(a.moves.begin(), a.moves.end(), b.moves.begin(),
                                           b.moves.end(), [](const Move& x, const Move& y) {
