@@ -101,9 +101,31 @@ def markdown(record, heading='##'):
     return '\n'.join(lines)
 
 
-def ratio(measures, key='volume'):
-    """A measure of the result over that of the hull, as `simplify --json` and `compare --json` have it."""
-    return measures[key]['ratio']
+def ratio(answer, key='volume'):
+    """A measure of the result of `simplify --json` over that of the hull."""
+    return answer[key]['ratio']
+
+
+def compared(experiment, mesh, faces, methods=None):
+    """What `convexact compare` finds of each method: volume, area and mean width over those of the hull, the Hausdorff
+    distance over the diameter, and the planes."""
+    chosen = ('--methods', ','.join(methods)) if methods else ()
+    answer = experiment.run('compare', mesh, '--faces', faces, *chosen)
+    return {made['method']: made for made in answer['inputs'][0]['methods']}
+
+
+def fitting(made):
+    """Those that are bounded and have no more planes than asked for, by volume."""
+    return sorted((name for name in made if made[name].get('fits')), key=lambda name: made[name]['volume']['value'])
+
+
+def proxies(experiment, mesh, faces, folder):
+    """(method, file of its planes) of each that fits, the least volume first."""
+    made = compared(experiment, mesh, faces)
+    for name in fitting(made):
+        file = pathlib.Path(folder) / 'proxy.json'
+        file.write_text(json.dumps({'halfspaces': made[name]['halfspaces']}), encoding='utf-8')
+        yield name, file
 
 
 def measures_of(experiment, solid):
