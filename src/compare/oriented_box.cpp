@@ -62,10 +62,13 @@ struct Oriented {
   double volume;
 };
 
-// Turns about the axes by ever smaller angles, as long as the box shrinks.
+// Turns about the axes by ever smaller angles, as long as the box shrinks. The rounds are limited:
+// on needles, where rounding moves volumes more than small turns do, it might shrink for hours.
 Oriented descend(const HullToFit& hull, Oriented best) {
   constexpr double kFirstAngle = 0.05, kLastAngle = 1e-9;
-  for (double angle = kFirstAngle; angle > kLastAngle;) {
+  constexpr int kRounds = 500;
+  double angle = kFirstAngle;
+  for (int round = 0; round < kRounds && angle > kLastAngle; ++round) {
     hull.watch.ask();
     bool is_smaller = false;
     for (const std::size_t axis : {1u, 2u, 3u}) {
