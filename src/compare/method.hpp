@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// method.hpp - methods that enclose a hull in few halfspaces, or put few of its vertices inside.
+// method.hpp - methods that enclose a hull in few halfspaces.
 //
-// A method proposes directions, or vertices, and proves nothing: what it works with may be doubles.
+// A method proposes directions and proves nothing: what it works with may be doubles.
 // refit.hpp makes a solid of its proposal in exact numbers.
 #pragma once
 #include <array>
@@ -39,11 +39,11 @@ struct HullToFit {
 
 /// Outward directions, none of them zero. Their lengths do not matter, and repeats are allowed.
 using Normals = std::vector<RationalVector3>;
-/// Indices into polytope().vertices, each at most once.
+/// What a method for solids inside the hull proposes: indices into polytope().vertices.
 using Corners = std::vector<std::uint32_t>;
 
-/// A method for solids around the hull: it proposes at most `faces` >= 4 directions, unless it
-/// knows no fewer. The same seed gives the same proposal.
+/// A method for solids around the hull: it proposes at most `faces` >= 4 directions, unless
+/// its directions are fixed or no further removal is bounded. The same seed gives the same ones.
 struct Method {
   std::string_view name;
   Normals (*propose)(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
@@ -52,17 +52,8 @@ struct Method {
   std::string_view source;   ///< A key of docs/references.md.
 };
 
-/// A method for solids inside the hull, whose vertices are the hull's: it proposes vertices that
-/// span a volume and whose hull has at most `faces` triangles, so at most faces / 2 + 2 of them.
-struct InnerMethod {
-  std::string_view name;
-  Corners (*propose)(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
-  std::string_view summary, source;
-};
-
 /// All of them, in the order of tables.
 [[nodiscard]] std::span<const Method> methods();
-[[nodiscard]] std::span<const InnerMethod> inner_methods();
 
 // Fixed directions.
 [[nodiscard]] Normals propose_aabb(const HullToFit& hull, std::size_t faces, std::uint64_t seed);

@@ -120,6 +120,7 @@ TEST_CASE("outputs: option values that are not UTF-8 are refused in JSON that ca
         "stress " + bad + ".obj",
         "stress --engines " + bad,
         "report " + input + " --sections " + bad,
+        "compare " + input + " --methods " + bad,
         "diff " + input + " --engines " + bad,
         "conform --vectors " + bad + " -- a {input} {faces} {output}",
         "conform -o " + bad + " -- a {input} {faces} {output}",

@@ -35,6 +35,7 @@ const std::vector<CountOption> kCounts = {
     {"verify %INPUT% %INPUT%", "--max-facets", "0 to 18446744073709551615", nullptr},
     {"verify %INPUT% %INPUT%", "--max-vertices", "0 to 18446744073709551615", nullptr},
     {"verify %INPUT% %INPUT%", "--max-facet-vertices", "0 to 18446744073709551615", nullptr},
+    {"compare %INPUT%", "--faces", "4 to 4294967296", "3"},
     {"report %INPUT%", "--faces", "4 to 4294967296", "0"},
     {"report %INPUT%", "--repetitions", "1 to 1000", "0"},
     {"conform", "--level", "1 to 3", "4"},
