@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Directions of the facets of a mesh that has lost edges: by quadrics on the hull [GH1997] and on
-// its dual, and by added volume, where no vertex goes inward [SGG2000]; and the vertices that are
-// left where edges shrink onto their ends.
+// Directions of the facets of a mesh that has lost edges: by quadrics on the hull and on its dual
+// [GarlandHeckbert1997], and by added volume, where no vertex goes inward [Sander2000].
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -44,11 +43,8 @@ Quadric quadric_of(const Point& p, const Point& q, const Point& r) {
 // best of the midpoint and the ends.
 class QuadricRule : public CollapseRule {
  public:
-  enum class Places { Anywhere, Ends };
-
-  QuadricRule(std::span<const Point> vertices, std::span<const MeshTriangle> triangles,
-              Places places)
-      : quadrics_(vertices.size()), places_(places) {
+  QuadricRule(std::span<const Point> vertices, std::span<const MeshTriangle> triangles)
+      : quadrics_(vertices.size()) {
     for (const MeshTriangle& t : triangles) {
       const Quadric quadric = quadric_of(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
       for (const MeshCorner v : t) quadrics_[v].add(quadric);
@@ -60,16 +56,11 @@ class QuadricRule : public CollapseRule {
     Quadric sum = quadrics_[a];
     sum.add(quadrics_[b]);
     std::vector<Contraction> ways;
-    for (const Point& p : {mesh.at(a), mesh.at(b)}) ways.push_back({sum(p), p});
-    if (places_ == Places::Anywhere) {
-      const Point middle = (mesh.at(a) + mesh.at(b)) / 2;
-      ways.push_back({sum(middle), middle});
-    }
+    const Point middle = (mesh.at(a) + mesh.at(b)) / 2;
+    for (const Point& p : {middle, mesh.at(a), mesh.at(b)}) ways.push_back({sum(p), p});
     std::stable_sort(ways.begin(), ways.end(),
                      [](const Contraction& x, const Contraction& y) { return x.cost < y.cost; });
-    if (places_ == Places::Anywhere) {
-      if (const auto least = least_point(sum)) ways.insert(ways.begin(), {sum(*least), *least});
-    }
+    if (const auto least = least_point(sum)) ways.insert(ways.begin(), {sum(*least), *least});
     return ways;
   }
   void merged(MeshCorner a, MeshCorner b) override { quadrics_[a].add(quadrics_[b]); }
@@ -84,7 +75,6 @@ class QuadricRule : public CollapseRule {
   }
 
   std::vector<Quadric> quadrics_;
-  Places places_;
 };
 
 // Edges go by the volume that is added, to a point on or beyond all planes at the edge: the
@@ -195,7 +185,7 @@ std::size_t vertices_for(std::size_t faces) { return faces / 2 + 2; }
 }  // namespace
 
 Normals propose_bloom(const HullToFit& hull, std::size_t faces, std::uint64_t) {
-  QuadricRule rule(hull.vertices, hull.triangles, QuadricRule::Places::Anywhere);
+  QuadricRule rule(hull.vertices, hull.triangles);
   CollapsingMesh mesh(hull.vertices, hull.triangles, rule);
   mesh.reduce_to(vertices_for(faces), hull.watch);
   Normals normals;
@@ -208,7 +198,7 @@ Normals propose_bloom(const HullToFit& hull, std::size_t faces, std::uint64_t) {
 
 Normals propose_qem_dual(const HullToFit& hull, std::size_t faces, std::uint64_t) {
   const DualMesh dual = dual_mesh_of(hull);
-  QuadricRule rule(dual.vertices, dual.triangles, QuadricRule::Places::Anywhere);
+  QuadricRule rule(dual.vertices, dual.triangles);
   CollapsingMesh mesh(dual.vertices, dual.triangles, rule);
   mesh.reduce_to(faces, hull.watch);
   Normals normals;
@@ -234,20 +224,6 @@ Normals propose_tlg(const HullToFit& hull, std::size_t faces, std::uint64_t seed
     normals.push_back(h.normal().cast<Rational>());
   }
   return normals;
-}
-
-Corners propose_qem_ends(const HullToFit& hull, std::size_t faces, std::uint64_t) {
-  QuadricRule rule(hull.vertices, hull.triangles, QuadricRule::Places::Ends);
-  CollapsingMesh mesh(hull.vertices, hull.triangles, rule);
-  mesh.reduce_to(vertices_for(faces), hull.watch);
-  Corners corners;
-  for (const MeshCorner v : mesh.corners()) {
-    const auto at = std::find(hull.vertices.begin(), hull.vertices.end(), mesh.at(v));
-    corners.push_back(static_cast<std::uint32_t>(at - hull.vertices.begin()));
-  }
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  return corners;
 }
 
 }  // namespace convexact

@@ -39,8 +39,6 @@ struct HullToFit {
 
 /// Outward directions, none of them zero. Their lengths do not matter, and repeats are allowed.
 using Normals = std::vector<RationalVector3>;
-/// What a method for solids inside the hull proposes: indices into polytope().vertices.
-using Corners = std::vector<std::uint32_t>;
 
 /// A method for solids around the hull: it proposes at most `faces` >= 4 directions, unless
 /// its directions are fixed or no further removal is bounded. The same seed gives the same ones.
@@ -68,12 +66,10 @@ struct Method {
 [[nodiscard]] Normals propose_mck(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
 [[nodiscard]] Normals propose_stl(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
 
-// Facets of a mesh that has lost edges; vertices of one.
+// Facets of a mesh that has lost edges.
 [[nodiscard]] Normals propose_bloom(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
 [[nodiscard]] Normals propose_tlg(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
 [[nodiscard]] Normals propose_qem_dual(const HullToFit& hull, std::size_t faces,
-                                       std::uint64_t seed);
-[[nodiscard]] Corners propose_qem_ends(const HullToFit& hull, std::size_t faces,
                                        std::uint64_t seed);
 
 // Facets that removals leave.

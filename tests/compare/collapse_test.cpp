@@ -124,15 +124,3 @@ TEST_CASE("collapsed meshes: few faces, and no more than asked for") {
     }
   }
 }
-
-TEST_CASE("qem-ends: vertices of the hull, as few as asked for, that span a volume") {
-  const ComparedHull sphere(shapes::fibonacci_sphere(100));
-  for (const std::size_t faces : {4u, 18u, 60u}) {
-    const Corners corners = propose_qem_ends(sphere.hull, faces, 1);
-    CHECK(corners.size() == faces / 2 + 2);
-    CHECK(std::is_sorted(corners.begin(), corners.end()));
-    std::vector<Point> left;
-    for (const std::uint32_t v : corners) left.push_back(sphere.hull.vertices[v]);
-    CHECK(std::holds_alternative<Hull>(convex_hull(PointSet(left))));
-  }
-}
