@@ -170,17 +170,18 @@ std::string search_lines(const SearchResult& search, const Enclosure& input) {
       summary_line("search", fmt::format("{}: {} compared, {} made", kind,
                                          counted(search.tried, "exchange", "exchanges"),
                                          counted(search.moves.size(), "move", "moves")));
-  if (search.optimality) text += optimum_line(search);
-  if (!search.best) return text;
   const auto share = [&](const Enclosure& part) {
     return certain(Enclosure(Integer(100), kMeasureBits) * part / (search.greedy - input), 4) + "%";
   };
-  return text + summary_line(
-                    "", fmt::format("{} -> {}: {} of what the removals added; the best move took "
-                                    "{} off",
-                                    certain(search.greedy, kSummaryDigits),
-                                    certain(search.now, kSummaryDigits), share(search.now - input),
-                                    share(search.best->before - search.best->after)));
+  if (search.best) {
+    text +=
+        summary_line("", fmt::format("{} -> {}: {} of what the removals added; the best move "
+                                     "took {} off",
+                                     certain(search.greedy, kSummaryDigits),
+                                     certain(search.now, kSummaryDigits), share(search.now - input),
+                                     share(search.best->before - search.best->after)));
+  }
+  return search.optimality ? text + optimum_line(search) : text;
 }
 
 std::string stored_lines(const Stored& solid) {
