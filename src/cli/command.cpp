@@ -22,12 +22,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::atomic<bool> interrupt_flag = false;
+std::atomic<bool> interrupt_flag = false, settle_flag = false, may_settle_flag = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler");
 
 // The first interrupt makes the work end by itself, so that no half-written file remains; the
-// second one, with the default action restored, ends the process.
+// second one, with the default action restored, ends the process. A search that can settle takes
+// one before these.
 extern "C" void on_interrupt(int signal) {
+  if (may_settle_flag.exchange(false)) {
+    settle_flag = true;
+    return;
+  }
   interrupt_flag = true;
   std::signal(signal, SIG_DFL);
 }
@@ -195,5 +200,7 @@ std::optional<fs::path> find_shipped(const fs::path& name,
 }
 
 const std::atomic<bool>& interrupted() noexcept { return interrupt_flag; }
+const std::atomic<bool>& settled() noexcept { return settle_flag; }
+void let_interrupt_settle(bool may_settle) noexcept { may_settle_flag = may_settle; }
 
 }  // namespace convexact::cli

@@ -80,6 +80,10 @@ void print(const nlohmann::ordered_json& document);
 /// Becomes true when an interrupt (Ctrl-C, SIGTERM) arrives; long loops check it and end with
 /// Stopped.
 const std::atomic<bool>& interrupted() noexcept;
+/// While a search that can end with what it has is running, the first interrupt makes this true
+/// instead.
+const std::atomic<bool>& settled() noexcept;
+void let_interrupt_settle(bool may_settle) noexcept;
 
 /// Finds a file or folder that comes with the program: "vectors", "data/bunny.obj", "profiles.json"
 /// and the like. The first place that `is_it` accepts: beside the installed program, in the source

@@ -58,10 +58,12 @@ StageWatch Progress::watch() {
   return {.begins = [this](const std::string& stage) { begin(stage); },
           .progress = [this](const std::string& stage, std::size_t done,
                              std::size_t total) { (*this)(stage, done, total); },
-          .stop = &interrupted()};
+          .stop = &interrupted(),
+          .settle = &settled()};
 }
 
 void Progress::begin(const std::string& what) {
+  let_interrupt_settle(what.starts_with(stage::kOptimum));
   const std::lock_guard lock(mutex_);
   what_ = what;
   began_ = Clock::now();

@@ -113,5 +113,41 @@ TEST_CASE("--search: what it cannot be combined with, and what to do instead") {
   CHECK(contains(refused(data("spot.obj") + " --total-faces 16 --search walk"), "--faces"));
   CHECK(contains(refused("--faces 6 --moves 3"), "--search local"));
   CHECK(contains(refused("--faces 6 --search walk --moves 3"), "--search local"));
-  CHECK(contains(refused("--faces 6 --search optimal"), "local"));
+  CHECK(contains(refused("--faces 6 --search best"), "local"));
+  for (const std::string cost : {"area", "mean-width"}) {
+    CHECK(contains(refused("--faces 6 --search optimal --cost " + cost), "only a volume"));
+  }
+  CHECK(contains(refused("--faces 6 --search optimal --proof p.txt"), "leave out"));
+  CHECK(contains(refused("--faces 6 --search local --nodes 3"), "--search optimal"));
+  CHECK(contains(refused("--faces 6 --search optimal --nodes 0"), "--nodes"));
+}
+
+// The regular tetrahedron, as in tests/search/search_test.cpp.
+TEST_CASE("--search optimal: a proof, its report, and its trace") {
+  const ScratchFolder scratch;
+  const std::string solid = scratch.file("icosahedron.obj"), trace = scratch.file("trace.json");
+  REQUIRE(run_program("generate icosahedron -o " + solid).exit == 0);
+  const std::string request = solid + " --faces 4 --search optimal --moves 0";
+  const json result = searched(request + " --exact-values --trace " + trace);
+  const json& search = result["search"];
+  CHECK(search["kind"] == "optimal");
+  CHECK(result["volume"]["ratio"].get<double>() == doctest::Approx(2.741640786));
+  CHECK(search["optimum"]["proven"] == true);
+  CHECK(search["optimum"]["gap"] == 0);
+  CHECK(search["optimum"]["lower_bound"]["exact"] == result["volume"]["output"]["exact"]);
+  const auto judged = run_program("verify " + solid + " --trace " + trace + " --json");
+  CHECK(judged.exit == 0);
+  CHECK(status_of(json::parse(judged.out), "trace-moves") == "holds");
+  CHECK(contains(run_program("simplify " + request).out, "proven: no other facets"));
+}
+
+TEST_CASE("--search optimal: a limit of nodes is no failure, and no proof") {
+  const std::string request = data("spot.obj") + " --faces 8 --search optimal --nodes 20";
+  const json optimum = searched(request)["search"]["optimum"];
+  CHECK(optimum["proven"] == false);
+  CHECK(optimum["nodes"] <= 20);
+  CHECK(optimum["node_limit"] == 20);
+  CHECK(optimum["gap"] > 0);
+  CHECK(optimum["gap"] < 1);
+  CHECK(contains(run_program("simplify " + request).out, "not proven"));
 }
