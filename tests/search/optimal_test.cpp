@@ -26,9 +26,11 @@ SearchOptions optimal(Engine engine = Engine::Filtered, std::size_t kicks = 3) {
 
 TEST_CASE("optimal: no choice of the definition is smaller, in both engines") {
   std::size_t choices = 0, improved = 0;
-  const std::vector<std::vector<Point>> list = {shapes::octahedron(),  shapes::cut_cube(3, 0.25),
-                                                shapes::antiprism(4),  shapes::bipyramid(5),
-                                                shapes::in_ball(7, 1), shapes::lattice(9, 4, 2)};
+  // In the last two, weights that are twice too high cut the least choice off.
+  const std::vector<std::vector<Point>> list = {shapes::octahedron(),   shapes::cut_cube(3, 0.25),
+                                                shapes::antiprism(4),   shapes::bipyramid(5),
+                                                shapes::in_ball(7, 1),  shapes::lattice(9, 4, 2),
+                                                shapes::in_ball(8, 18), shapes::lattice(10, 4, 14)};
   for (const std::vector<Point>& points : list) {
     const std::size_t most = Greedy(points, 4, CostMeasure::Volume).dual.halfspaces.size();
     CAPTURE(most);
