@@ -18,11 +18,10 @@ inline constexpr auto kEngineNames = name_table<Engine>(
     {{Engine::Exact, "exact"}, {Engine::Filtered, "filtered"}, {Engine::Float, "float"}});
 inline const char* name_of(Engine engine) { return name_in(kEngineNames, engine); }
 
-inline constexpr auto kSearchKindNames = name_table<SearchKind>(
-    {{SearchKind::None, "none"},
-     {SearchKind::Walk, "walk"},
-     {SearchKind::Local, "local"},
-     {SearchKind::Optimal, "optimal"}});
+inline constexpr auto kSearchKindNames = name_table<SearchKind>({{SearchKind::None, "none"},
+                                                                 {SearchKind::Walk, "walk"},
+                                                                 {SearchKind::Local, "local"},
+                                                                 {SearchKind::Optimal, "optimal"}});
 
 inline constexpr auto kVerifyLevelNames = name_table<VerifyLevel>(
     {{VerifyLevel::None, "none"}, {VerifyLevel::Local, "local"}, {VerifyLevel::Full, "full"}});
