@@ -39,13 +39,15 @@ def main():
                     judged += 1
                     far += abs(found['rate'] - middle) > SIGMAS * found['sigma']
                     row.append(f'{100 * found["rate"]:.1f}% ({100 * middle:.1f}%)')
-                rates[method] = 1 - answer['lines']['predicted']['low']
                 rows.append(row)
-            best = max(rates, key=rates.get)
+                if method != 'search':  # beyond the paper
+                    rates[method] = answer['lines']['predicted']['high']
+            best = min(rates, key=rates.get)
             if not best.startswith('greedy'):
                 beaten.append(f'{name}: {best}')
-    experiment.claim('fewest false hits of lines among all methods', 'of all methods but ' + ', '.join(beaten) if beaten
-                     else 'on every mesh one of the three greedy runs has the fewest, by the closed form', not beaten)
+    experiment.claim('fewest false hits of lines among all methods', 'fewer: ' + ', '.join(beaten) if beaten else
+                     'on every mesh one of the three greedy runs has the fewest, by the closed form (search is not ranked)',
+                     not beaten)
     experiment.claim('(no number)', f'{far} of {judged} rates are farther than {SIGMAS} standard deviations from the '
                      'closed form', far == 0)
     experiment.table(f'False hits of {options.lines:,} lines, planes and points at {FACES} faces, and the closed form',
