@@ -67,14 +67,14 @@ int run_compare(const CompareArguments& options) {
   }
   Progress progress;
   request.watch = progress.watch();
-  std::vector<Comparison> comparisons;
+  std::vector<MethodComparison> comparisons;
   for (const SceneObject& object : read_scene(options.inputs, options.scene)) {
     auto compared = compare_methods(object.name, object.shape, request);
     if (const auto* reason = std::get_if<NotSolid>(&compared)) {
       progress.clear();
       return report_not_solid(options.global, object.name, of_typed_rows(*reason, object.rows));
     }
-    comparisons.push_back(std::get<Comparison>(std::move(compared)));
+    comparisons.push_back(std::get<MethodComparison>(std::move(compared)));
   }
   progress.clear();
   OutputFiles files;

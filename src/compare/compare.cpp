@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "report/timing.hpp"
+
 namespace convexact {
 namespace {
 
@@ -26,15 +28,9 @@ MethodResult run_method(const Method& method, const HullToFit& hull, const HullM
   return {&method, seconds, refit_seconds, std::move(outcome)};
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
-
 }  // namespace
 
-const MethodResult* Comparison::least() const {
+const MethodResult* MethodComparison::least() const {
   const MethodResult* least = nullptr;
   for (const MethodResult& result : results) {
     if (!result.fits(faces)) continue;
@@ -45,7 +41,7 @@ const MethodResult* Comparison::least() const {
   return least;
 }
 
-bool Comparison::beats_greedy(const MethodResult& result) const {
+bool MethodComparison::beats_greedy(const MethodResult& result) const {
   const auto greedy = std::find_if(results.begin(), results.end(), [](const MethodResult& other) {
     return other.method->name == "greedy";
   });
@@ -53,20 +49,21 @@ bool Comparison::beats_greedy(const MethodResult& result) const {
          result.solid()->volume_ratio < greedy->solid()->volume_ratio;
 }
 
-std::variant<Comparison, NotSolid> compare_methods(const std::string& name, const Shape& shape,
-                                                   const CompareRequest& request) {
+std::variant<MethodComparison, NotSolid> compare_methods(const std::string& name,
+                                                         const Shape& shape,
+                                                         const CompareRequest& request) {
   StageLog log(request.watch);
   SolidOutcome outcome = make_solid(shape, request.seed, true, log);
   if (auto* reason = std::get_if<NotSolid>(&outcome)) return std::move(*reason);
   const auto& solid = std::get<Solid>(outcome);
   const HullMeasures measures = log.run(
       "measures of the hull", [&] { return measures_of(solid.polytope, log.watch("hull")); });
-  Comparison comparison{name,
-                        solid.input_points,
-                        solid.polytope.vertices.size(),
-                        solid.polytope.facets.size(),
-                        request.faces,
-                        {}};
+  MethodComparison comparison{name,
+                              solid.input_points,
+                              solid.polytope.vertices.size(),
+                              solid.polytope.facets.size(),
+                              request.faces,
+                              {}};
   for (const Method* method : request.methods) {
     const std::string stage(method->name);
     comparison.results.push_back(log.run(stage, [&] {
@@ -77,12 +74,12 @@ std::variant<Comparison, NotSolid> compare_methods(const std::string& name, cons
   return comparison;
 }
 
-std::vector<MethodMedian> medians(const std::vector<Comparison>& comparisons) {
+std::vector<MethodMedian> medians(const std::vector<MethodComparison>& comparisons) {
   std::vector<MethodMedian> list;
   if (comparisons.empty()) return list;
   for (const MethodResult& first : comparisons.front().results) {
     std::vector<double> volume, area, mean_width, distance, seconds;
-    for (const Comparison& comparison : comparisons) {
+    for (const MethodComparison& comparison : comparisons) {
       for (const MethodResult& result : comparison.results) {
         if (result.method != first.method || !result.fits(comparison.faces)) continue;
         const Ratios ratios = ratios_of(*result.solid());

@@ -34,7 +34,7 @@ struct MethodResult {
 };
 
 /// All methods on one input.
-struct Comparison {
+struct MethodComparison {
   std::string name;
   std::size_t points = 0;  ///< 0 where the input is halfspaces.
   std::size_t vertices = 0, facets = 0;
@@ -48,9 +48,8 @@ struct Comparison {
 };
 
 /// @throws Error Internal if a proof fails; Stopped.
-[[nodiscard]] std::variant<Comparison, NotSolid> compare_methods(const std::string& name,
-                                                                 const Shape& shape,
-                                                                 const CompareRequest& request);
+[[nodiscard]] std::variant<MethodComparison, NotSolid> compare_methods(
+    const std::string& name, const Shape& shape, const CompareRequest& request);
 
 /// The median of a method's measures over the inputs on which it made a solid that fits.
 struct MethodMedian {
@@ -60,15 +59,15 @@ struct MethodMedian {
 };
 
 /// Of the methods with such an input, by their volumes.
-[[nodiscard]] std::vector<MethodMedian> medians(const std::vector<Comparison>& comparisons);
+[[nodiscard]] std::vector<MethodMedian> medians(const std::vector<MethodComparison>& comparisons);
 
 /// A table for each input, and one of medians if there are several.
-[[nodiscard]] std::string compare_text(const std::vector<Comparison>& comparisons);
+[[nodiscard]] std::string compare_text(const std::vector<MethodComparison>& comparisons);
 /// docs/schema/compare.schema.json.
-[[nodiscard]] nlohmann::ordered_json compare_json(const std::vector<Comparison>& comparisons,
+[[nodiscard]] nlohmann::ordered_json compare_json(const std::vector<MethodComparison>& comparisons,
                                                   const CompareRequest& request);
 /// A row for each input and method, with a heading. RFC 4180.
-[[nodiscard]] std::string compare_csv(const std::vector<Comparison>& comparisons);
+[[nodiscard]] std::string compare_csv(const std::vector<MethodComparison>& comparisons);
 
 /// Every method with what it does and its source.
 [[nodiscard]] std::string methods_text();

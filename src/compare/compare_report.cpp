@@ -21,7 +21,7 @@ std::string heading(const char* first) {
 }
 
 // What stands behind a row.
-std::string remark(const Comparison& comparison, const MethodResult& result) {
+std::string remark(const MethodComparison& comparison, const MethodResult& result) {
   std::string text;
   if (result.solid() == nullptr) return "unbounded";
   if (!result.fits(comparison.faces)) {
@@ -32,7 +32,7 @@ std::string remark(const Comparison& comparison, const MethodResult& result) {
   return text;
 }
 
-std::string row_of(const Comparison& comparison, const MethodResult& result) {
+std::string row_of(const MethodComparison& comparison, const MethodResult& result) {
   std::string row = fmt::format("  {:<18} ", result.method->name);
   if (const Refit* solid = result.solid()) {
     const Ratios ratios = ratios_of(*solid);
@@ -48,7 +48,7 @@ std::string row_of(const Comparison& comparison, const MethodResult& result) {
 }
 
 // Bounded and unbounded ones apart, the first by volume.
-std::vector<const MethodResult*> by_volume(const Comparison& comparison) {
+std::vector<const MethodResult*> by_volume(const MethodComparison& comparison) {
   std::vector<const MethodResult*> order;
   for (const MethodResult& result : comparison.results) order.push_back(&result);
   std::stable_sort(order.begin(), order.end(), [](const MethodResult* a, const MethodResult* b) {
@@ -58,7 +58,7 @@ std::vector<const MethodResult*> by_volume(const Comparison& comparison) {
   return order;
 }
 
-std::string winners_text(const Comparison& comparison) {
+std::string winners_text(const MethodComparison& comparison) {
   std::string names;
   for (const MethodResult* result : by_volume(comparison)) {
     if (!comparison.beats_greedy(*result)) continue;
@@ -67,7 +67,7 @@ std::string winners_text(const Comparison& comparison) {
   return names.empty() ? "" : "  less volume than greedy: " + names + "\n";
 }
 
-std::string table_of(const Comparison& comparison) {
+std::string table_of(const MethodComparison& comparison) {
   std::string text =
       fmt::format(
           "{}: {} facets, {} vertices; at most {} planes; measures over "
@@ -89,7 +89,7 @@ std::string table_of(const std::vector<MethodMedian>& list, std::size_t inputs) 
   return text;
 }
 
-Json result_json(const Comparison& comparison, const MethodResult& result) {
+Json result_json(const MethodComparison& comparison, const MethodResult& result) {
   Json json = {{"method", result.method->name},
                {"seconds", result.seconds},
                {"refit_seconds", result.refit_seconds}};
@@ -121,18 +121,18 @@ std::string csv_field(const std::string& text) {
 
 }  // namespace
 
-std::string compare_text(const std::vector<Comparison>& comparisons) {
+std::string compare_text(const std::vector<MethodComparison>& comparisons) {
   std::string text;
-  for (const Comparison& comparison : comparisons) {
+  for (const MethodComparison& comparison : comparisons) {
     text += (text.empty() ? "" : "\n") + table_of(comparison);
   }
   if (comparisons.size() > 1) text += "\n" + table_of(medians(comparisons), comparisons.size());
   return text;
 }
 
-Json compare_json(const std::vector<Comparison>& comparisons, const CompareRequest& request) {
+Json compare_json(const std::vector<MethodComparison>& comparisons, const CompareRequest& request) {
   Json json = {{"faces", request.faces}, {"seed", request.seed}, {"inputs", Json::array()}};
-  for (const Comparison& comparison : comparisons) {
+  for (const MethodComparison& comparison : comparisons) {
     Json input = {{"name", comparison.name},
                   {"points", comparison.points},
                   {"vertices", comparison.vertices},
@@ -156,11 +156,11 @@ Json compare_json(const std::vector<Comparison>& comparisons, const CompareReque
   return json;
 }
 
-std::string compare_csv(const std::vector<Comparison>& comparisons) {
+std::string compare_csv(const std::vector<MethodComparison>& comparisons) {
   std::string csv =
       "input,method,faces,planes,volume,area,mean width,distance,seconds,refit seconds,"
       "fits,beats greedy\r\n";
-  for (const Comparison& comparison : comparisons) {
+  for (const MethodComparison& comparison : comparisons) {
     const std::string name = csv_field(as_utf8(comparison.name));
     for (const MethodResult& result : comparison.results) {
       csv += fmt::format("{},{},{},", name, result.method->name, comparison.faces);
