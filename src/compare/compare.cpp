@@ -2,7 +2,6 @@
 #include "compare/compare.hpp"
 
 #include <algorithm>
-#include <chrono>
 
 #include "report/timing.hpp"
 
@@ -12,9 +11,9 @@ namespace {
 // What `work` returns, and its seconds.
 template <class Work>
 auto timed(double& seconds, Work&& work) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   auto made = work();
-  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  seconds = watch.seconds();
   return made;
 }
 
