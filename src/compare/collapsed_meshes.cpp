@@ -157,7 +157,9 @@ struct DualMesh {
 
 DualMesh dual_mesh_of(const HullToFit& hull) {
   const DualHull& dual = hull.solid.dual;
-  const RationalPoint center = interior_point_of(hull.solid);
+  RationalPoint center = RationalPoint::Zero();
+  for (const RationalPoint& v : hull.polytope().vertices) center += v;
+  center /= Rational(hull.polytope().vertices.size());
   std::vector<RationalVector3> points;
   Rational largest = 0;
   for (const Halfspace& h : dual.halfspaces) {
