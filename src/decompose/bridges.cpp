@@ -97,7 +97,7 @@ void add_sorted(std::vector<std::uint32_t>& list, std::uint32_t item) {
 // ---- Paths
 
 namespace {
-constexpr std::uint64_t kFar = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t kUnreached = std::numeric_limits<std::uint64_t>::max();
 }
 
 ShortestPaths::ShortestPaths(const Patch& patch, std::span<const Point> near)
@@ -108,7 +108,7 @@ ShortestPaths::ShortestPaths(const Patch& patch, std::span<const Point> near)
 std::uint64_t& ShortestPaths::distance(std::uint32_t point) {
   if (search_[point] != current_) {
     search_[point] = current_;
-    distances_[point] = kFar;
+    distances_[point] = kUnreached;
   }
   return distances_[point];
 }
@@ -145,7 +145,7 @@ std::vector<std::uint32_t> ShortestPaths::operator()(std::uint32_t from, std::ui
     const auto ways = patch_.ways(p);  // ascending by their ends
     p = std::find_if(ways.begin(), ways.end(), [&](const Patch::Way& way) {
           const std::uint64_t before = distance(way.to);
-          return before != kFar && before + way.length == distance(p);
+          return before != kUnreached && before + way.length == distance(p);
         })->to;
   }
   path.push_back(from);

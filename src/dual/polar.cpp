@@ -14,7 +14,7 @@ Result primitive(const RationalVector3& v, const Rational& w) {
   return {std::move(x), std::move(d)};
 }
 
-RationalVector3 to_rational(const IntegerVector3& v) {
+RationalVector3 rationals(const IntegerVector3& v) {
   return {Rational(v[0]), Rational(v[1]), Rational(v[2])};
 }
 
@@ -25,11 +25,11 @@ DualPoint polar(const Halfspace& halfspace, const RationalPoint& center) {
   if (w <= 0) {
     throw Error(ErrorCode::InvalidArgument, "the center is not strictly inside every halfspace");
   }
-  return primitive<DualPoint>(to_rational(halfspace.normal()), w);
+  return primitive<DualPoint>(rationals(halfspace.normal()), w);
 }
 
 Halfspace polar(const DualPoint& point, const RationalPoint& center) {
-  const RationalVector3 n = to_rational(point.n);
+  const RationalVector3 n = rationals(point.n);
   return {n, Rational(-(Rational(point.w) + n.dot(center)))};
 }
 
