@@ -101,6 +101,8 @@ struct Run {
   std::vector<Evaluation> evaluations = {};
   /// Made after the steps, which `triangles` and the functions below are about.
   std::vector<Move> moves = {};
+  /// Whether the volume after the moves is proven to be the least of as many halfspaces.
+  bool is_least = false;
 };
 
 /// The halfspaces that the first `count` steps of a run removed, in the order of removal.

@@ -95,6 +95,7 @@ class Proof {
     read_other_points();
     require_input_rows();
     read_kept();
+    if (optimal_) read_tree();
     for (;;) {
       if (words_.take_if("evaluate")) {
         evaluate();
@@ -104,6 +105,7 @@ class Proof {
         break;
       }
     }
+    if (optimal_) require_least();
     read_survivors();
     const std::string stored = read_stored();
     words_.end();
@@ -115,6 +117,12 @@ class Proof {
            count(left_.size(), " planes left are bounded and hold every point\n") + stored;
   }
   std::string said_of_costs() const {
+    if (optimal_) {
+      return "adds the stated volume\nproven: no other " + std::to_string(left_.size()) +
+             " planes" + (kept_ == 0 ? "" : ", " + std::to_string(kept_) + " of them kept,") +
+             " bound a smaller volume, by " + std::to_string(states_) + " states and " +
+             std::to_string(evaluations_) + " evaluations\n";
+    }
     if (measure_ == Measure::None) {
       return "leaves a bounded solid\nnot claimed: what a removal adds, or that it was the "
              "cheapest\n";
@@ -127,13 +135,17 @@ class Proof {
   }
   std::string name_of_measure() const { return measure_ == Measure::Volume ? "volume" : "area"; }
 
-  // Version 1 has two of the claims, and planes are kept from version 3 on.
+  // Version 1 has two of the claims, planes are kept from version 3 on, and version 5 is about an
+  // optimum.
   void read_claim() {
     expect(words_.take_if("convexact-proof"), "convexact-proof");
     WordList claims{"greedy", "costs"};
-    if (!words_.take_if("1")) {
+    optimal_ = may_keep_ = words_.take_if("5");
+    if (optimal_) {
+      claims = {"optimal"};
+    } else if (!words_.take_if("1")) {
       may_keep_ = words_.take_if("3");
-      expect(may_keep_ || words_.take_if("2"), "version 1, 2 or 3");
+      expect(may_keep_ || words_.take_if("2"), "version 1, 2, 3 or 5");
       claims.insert(claims.end(), {"greedy-area", "costs-not-shown"});
     }
     const std::string claim = words_.take();
@@ -263,6 +275,88 @@ class Proof {
       removals_[i].kept = true;
       queue_.erase({Cost(), i});
     }
+  }
+
+  // What the branches of a tree leave as it was.
+  struct State {
+    Surface surface;
+    std::set<std::size_t> left;
+    std::vector<Removal> removals;
+    std::set<std::pair<Cost, std::size_t>> queue;
+    Rational added;
+    std::size_t branch;
+  };
+  State state(std::size_t branch) const {
+    return {surface_, left_, removals_, queue_, added_, branch};
+  }
+  void restore(State state) {
+    surface_ = std::move(state.surface);
+    left_ = std::move(state.left);
+    removals_ = std::move(state.removals);
+    queue_ = std::move(state.queue);
+    added_ = std::move(state.added);
+  }
+
+  // (18) In each state the choices with one more removal are looked at in a branch, and after that
+  // its plane stays, until the rest is shown to add no less. The tree ends in the state where it
+  // began.
+  void read_tree() {
+    expect(words_.take_if("least"), "least");
+    wanted_ = words_.id(planes_.size() + 1);
+    least_ = words_.rational();
+    const State start = state(0);
+    std::vector<State> above;
+    for (;;) {
+      if (words_.take_if("evaluate")) {
+        evaluate();
+      } else if (words_.take_if("branch")) {
+        const std::size_t i = words_.id(planes_.size());
+        require(left_.size() > wanted_, "no more removals are to go");
+        require(removals_[i].fresh, "it is not evaluated in this state");
+        above.push_back(state(i));
+        take(i);
+      } else {
+        expect(words_.take_if("close"), "evaluate, branch or close");
+        require_no_less();
+        if (above.empty()) break;
+        const std::size_t i = above.back().branch;
+        restore(std::move(above.back()));
+        above.pop_back();
+        queue_.erase({removals_[i].cost, i});
+        removals_[i].kept = true;
+      }
+    }
+    restore(start);
+  }
+  // Costs never fall, so the lowest of them are a bound for all choices of removals to go. Of
+  // fewer planes than these there is no choice.
+  void require_no_less() {
+    ++states_;
+    Rational bound = added_;
+    std::size_t to_go = left_.size() - wanted_;
+    for (const auto& [cost, i] : queue_) {
+      if (to_go == 0) break;
+      bound += volume_of(i);
+      --to_go;
+    }
+    require(to_go > 0 || bound >= least_, "a choice of removals may add less");
+  }
+  // The lower bound of its cost.
+  Rational volume_of(std::size_t i) const {
+    Rational sum = 0;
+    for (const auto& [plane, term] : removals_[i].terms) {
+      for (const auto& [radicand, factor] : term) sum += factor;
+    }
+    return sum;
+  }
+  void take(std::size_t i) {
+    if (optimal_) added_ += volume_of(i);
+    replace(i, removals_[i]);
+  }
+  // (19) The removals lead to as many planes as the tree is about, and add what it calls the least.
+  void require_least() const {
+    require(left_.size() == wanted_, "another number of planes is left than the tree is about");
+    require(added_ == least_, "the removals add another volume than the least");
   }
 
   // What the removal of i would add, in the state at hand. A plane that is gone has no ring and
@@ -420,7 +514,7 @@ class Proof {
   void remove() {
     const std::size_t i = words_.id(planes_.size());
     require_cheapest(i);
-    replace(i, removals_[i]);
+    take(i);
     ++steps_;
   }
 
@@ -545,7 +639,7 @@ class Proof {
   }
 
   Words words_;
-  bool greedy_ = false, may_keep_ = false;
+  bool greedy_ = false, may_keep_ = false, optimal_ = false;
   Measure measure_ = Measure::Volume;
   Row interior_;
   std::set<Row> rows_;
@@ -556,6 +650,9 @@ class Proof {
   std::vector<Removal> removals_;
   std::set<std::pair<Cost, std::size_t>> queue_;  // by proven lower bound, equal ones by id
   std::size_t steps_ = 0, evaluations_ = 0, ties_ = 0, kept_ = 0;
+  // Of a tree: the volume that the removals so far add, the least, and for how many planes.
+  Rational added_, least_;
+  std::size_t wanted_ = 0, states_ = 0;
 };
 
 // What a proof of any kind proves, and that it is about a mesh file if one is given.

@@ -16,13 +16,16 @@ CollapsingMesh::CollapsingMesh(std::vector<Point> vertices, std::span<const Mesh
       around_(vertices_.size()),
       rule_(rule),
       left_(vertices_.size()) {
-  std::set<Edge> edges;
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-    for (const std::size_t k : {0u, 1u, 2u}) {
-      const MeshCorner tail = triangles_[t][k], head = triangles_[t][(k + 1) % 3];
-      around_[tail].push_back(t);
-      edges.insert(std::minmax({tail, head}));
-    }
+    for (const MeshCorner v : triangles_[t]) around_[v].push_back(t);
+  }
+  plan_all();
+}
+
+void CollapsingMesh::plan_all() {
+  std::set<Edge> edges;
+  for (const MeshTriangle& t : triangles()) {
+    for (const std::size_t k : {0u, 1u, 2u}) edges.insert(std::minmax({t[k], t[(k + 1) % 3]}));
   }
   for (const Edge& edge : edges) plan(edge);
 }
@@ -59,7 +62,8 @@ void CollapsingMesh::plan(Edge edge) {
   const auto [a, b] = edge;
   if (!has_simple_link(a, b)) return;
   for (const Contraction& contraction : rule_.contractions(*this, a, b)) {
-    if (!std::isfinite(contraction.cost) || turns_over(a, b, contraction.at)) continue;
+    if (!std::isfinite(contraction.cost)) continue;
+    if (!may_turn_over_ && turns_over(a, b, contraction.at)) continue;
     planned_.insert_or_assign(edge, contraction);
     queue_.insert({contraction.cost, edge});
     return;
@@ -74,8 +78,14 @@ void CollapsingMesh::forget(Edge edge) {
 }
 
 void CollapsingMesh::reduce_to(std::size_t vertices, const Watch& watch) {
-  while (left_ > std::max<std::size_t>(vertices, 4) && !queue_.empty()) {
+  while (left_ > std::max<std::size_t>(vertices, 4)) {
     watch.ask();
+    if (queue_.empty()) {
+      if (may_turn_over_) return;
+      may_turn_over_ = true;
+      plan_all();
+      continue;
+    }
     const Edge edge = queue_.begin()->edge;
     collapse(edge, planned_.at(edge).at);
   }

@@ -39,8 +39,8 @@ class CollapseRule {
 };
 
 /// A closed triangle mesh without a boundary. A collapse must keep it one: both ends of the edge
-/// have just two common neighbours (the link condition), four vertices stay, and no triangle turns
-/// over.
+/// have just two common neighbours (the link condition), and four vertices stay. No triangle turns
+/// over, unless every collapse that is left would do that.
 class CollapsingMesh {
  public:
   /// @param rule  Must outlive the mesh.
@@ -73,6 +73,7 @@ class CollapsingMesh {
   bool has_simple_link(MeshCorner a, MeshCorner b) const;
   bool turns_over(MeshCorner a, MeshCorner b, const Point& to) const;
   void plan(Edge edge);
+  void plan_all();
   void forget(Edge edge);
   void collapse(Edge edge, const Point& to);
 
@@ -81,6 +82,7 @@ class CollapsingMesh {
   std::vector<std::vector<std::uint32_t>> around_;  // of each vertex its triangles
   CollapseRule& rule_;
   std::size_t left_;
+  bool may_turn_over_ = false;
   std::set<Plan> queue_;
   std::map<Edge, Contraction> planned_;
 };

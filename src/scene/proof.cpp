@@ -6,13 +6,14 @@
 
 #include "convexact/error.hpp"
 #include "convexact/linear_program.hpp"
+#include "scene/cost_tree.hpp"
 #include "scene/result_json.hpp"
 #include "simplify/cap.hpp"
 
 namespace convexact {
 namespace {
 
-class ProofWriter {
+class ProofWriter : private CostTreeObserver {
  public:
   ProofWriter(const RunStart& start, const Run& run, const PointSet& points)
       : start_(start), run_(run), points_(points) {
@@ -71,6 +72,13 @@ class ProofWriter {
   void write_hull();
   void write_inside();
   void write_run();
+  void write_least();
+  void write_optimum();
+  std::vector<HalfspaceId> optimum() const;
+  void evaluated(const Removal& removal) override;
+  void branches(const Removal& removal) override;
+  void closes() override { line("close"); }
+  void write_vertices(const std::vector<DualPlane>& planes);
   void write_evaluation(const Evaluation& evaluation);
   void write_removal(const Step& step);
   bool shows_costs() const { return run_.measure != CostMeasure::MeanWidth; }
@@ -87,11 +95,16 @@ class ProofWriter {
 };
 
 std::string ProofWriter::write(const std::optional<StoredPlanes>& stored) {
-  line("convexact-proof", run_.kept.empty() ? "2" : "3", proof_claim(run_));
+  const char* version = run_.is_least ? "5" : run_.kept.empty() ? "2" : "3";
+  line("convexact-proof", version, proof_claim(run_));
   write_hull();
   write_inside();
   for (const HalfspaceId i : run_.kept) line("keep", i);
-  write_run();
+  if (run_.moves.empty() && !run_.is_least) {
+    write_run();
+  } else {
+    write_optimum();
+  }
   if (stored) write_stored(*stored);
   const auto lines = static_cast<std::size_t>(std::count(text_.begin(), text_.end(), '\n'));
   line("end", lines + 1);
@@ -182,9 +195,11 @@ void ProofWriter::write_removal(const Step& step) {
   } else {
     line("remove", step.removed);
   }
-  for (const DualPlane& plane : appraisal->roof.planes) {
-    line("vertex", polar(plane, start_.interior));
-  }
+  write_vertices(appraisal->roof.planes);
+}
+
+void ProofWriter::write_vertices(const std::vector<DualPlane>& planes) {
+  for (const DualPlane& plane : planes) line("vertex", polar(plane, start_.interior));
 }
 
 void ProofWriter::write_run() {
@@ -200,6 +215,67 @@ void ProofWriter::write_run() {
     write_removal(step);
   }
   line("survive", survivors(run_));
+}
+
+// What a search left, ascending.
+std::vector<HalfspaceId> ProofWriter::optimum() const {
+  std::vector<HalfspaceId> kept = survivors(run_);
+  for (const Move& move : run_.moves) {
+    std::erase_if(kept, [&](HalfspaceId i) {
+      return std::binary_search(move.removed.begin(), move.removed.end(), i);
+    });
+    kept.insert(kept.end(), move.inserted.begin(), move.inserted.end());
+  }
+  std::sort(kept.begin(), kept.end());
+  return kept;
+}
+
+// The removals that lead to where a search ended, in the order of their ids, which is as good as
+// any other; before them the tree which shows that this is the least volume, if it does.
+void ProofWriter::write_optimum() {
+  const std::vector<HalfspaceId> left = optimum();
+  DualSurface surface(run_.halfspaces, start_.dual.triangles, start_.interior);
+  std::vector<Removal> removals;
+  Rational added = 0;
+  for (std::size_t i = 0; i < run_.halfspaces.size(); ++i) {
+    if (std::binary_search(left.begin(), left.end(), HalfspaceId(i))) continue;
+    removals.push_back(surface.removal_of(HalfspaceId(i)));
+    added += removals.back().cost.value().rational();
+    surface.apply(removals.back());
+  }
+  if (run_.is_least) {
+    line("least", left.size(), added);
+    std::vector<HalfspaceId> free;
+    for (std::size_t i = 0; i < run_.halfspaces.size(); ++i) {
+      const HalfspaceId id(i);
+      if (!std::binary_search(run_.kept.begin(), run_.kept.end(), id)) free.push_back(id);
+    }
+    for (auto removal = removals.rbegin(); removal != removals.rend(); ++removal) {
+      surface.undo(*removal);
+    }
+    walk_cost_tree(surface, std::move(free), removals.size(), added, *this);
+  }
+  for (const Removal& removal : removals) {
+    evaluated(removal);
+    line("remove", removal.removed);
+    write_vertices(removal.roof.planes);
+  }
+  line("survive", left);
+}
+
+void ProofWriter::evaluated(const Removal& removal) {
+  if (removal.cost) {
+    return line("evaluate", removal.removed, "cost", removal.cost->rational(), "ring", removal.ring,
+                "triangles", removal.roof.triangles);
+  }
+  const auto open = std::find_if(removal.roof.planes.begin(), removal.roof.planes.end(),
+                                 [](const DualPlane& plane) { return plane.d <= 0; });
+  line("evaluate", removal.removed, "unbounded", open->x);
+}
+
+void ProofWriter::branches(const Removal& removal) {
+  line("branch", removal.removed);
+  write_vertices(removal.roof.planes);
 }
 
 // Each plane with a weight; the weighted normals add up to zero.
@@ -221,6 +297,8 @@ void ProofWriter::write_stored(const StoredPlanes& stored) {
 }  // namespace
 
 const char* proof_claim(const Run& run) {
+  if (run.is_least) return "optimal";
+  if (!run.moves.empty()) return "costs";
   switch (run.measure) {
     case CostMeasure::Volume:
       return run.is_greedy ? "greedy" : "costs";

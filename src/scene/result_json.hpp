@@ -57,7 +57,8 @@ inline constexpr auto kPrecisionNames =
 [[nodiscard]] std::string stage_text(const std::vector<Stage>& stages, bool list_all);
 
 /// The claim of the proof of a run, as docs/proof-format.md names it: "greedy", "costs",
-/// "greedy-area" or "costs-not-shown".
+/// "greedy-area", "costs-not-shown" or "optimal"; where a search led elsewhere without a proof,
+/// "costs", of the removals that lead there.
 /// @throws Error  Internal for a run by area that is not greedy.
 [[nodiscard]] const char* proof_claim(const Run& run);
 

@@ -94,10 +94,10 @@ void require_sensible_search(const SimplifyRequest& request) {
         "a search keeps the number of halfspaces, which a growth limit leaves open: give the "
         "number of faces as well");
   }
-  if (request.record) {
+  if (request.record && request.search.kind != SearchKind::Optimal) {
     reject(
-        "a proof is about the removals of a run, and a search ends elsewhere: leave out the one "
-        "or the other");
+        "a proof is about the removals of a run, and this search ends elsewhere: leave out the one "
+        "or the other, or search for the optimum");
   }
 }
 
@@ -162,7 +162,9 @@ void search_further(RunEnd& end, const RunInput& input, const SimplifyRequest& r
     end.polytope = std::move(before);
     return result;
   });
-  if (end.run) end.run->moves = std::move(found.moves);
+  if (!end.run) return;
+  end.run->is_least = found.optimality && found.optimality->is_proven;
+  end.run->moves = std::move(found.moves);
 }
 
 }  // namespace convexact

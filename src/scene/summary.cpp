@@ -87,6 +87,7 @@ std::string proof_text(const Run& run) {
   const std::string claim = proof_claim(run);
   if (claim == "greedy") return claim + ": each removal adds the least volume";
   if (claim == "greedy-area") return claim + ": each removal adds the least area";
+  if (claim == "optimal") return claim + ": no other planes, as many, bound a smaller volume";
   if (claim == "costs") return claim + ": the volume that each removal adds, not that it is least";
   return claim + ": the removals; neither what they add nor that it is least";
 }

@@ -79,7 +79,8 @@ TEST_CASE("methods: every solid holds every point, in at most so many planes") {
         if (each.name == "search" && (faces != 12 || is_large)) continue;  // takes the most time
         CAPTURE(faces);
         const Normals normals = each.propose(compared.hull, faces, 3);
-        if (each.takes_faces && normals.size() > faces) {
+        // Linear programs without a solution may keep edges.
+        if (each.takes_faces && normals.size() > faces && each.name != "tlg") {
           // Only where no removal is bounded any more.
           CHECK(is_removal(each));
           for (std::size_t i = 0; i < normals.size(); ++i) {
