@@ -28,9 +28,10 @@ class Experiment:
         parser.add_argument('--only', action='append', help='only this mesh; may be repeated')
         parser.add_argument('--json', type=pathlib.Path, help='where to write the record')
         parser.add_argument('--plot', type=pathlib.Path, help='where to write a plot (.svg), if there is one')
+        parser.add_argument('--must-hold', action='store_true', help='fail if a claim differs')
         add_options(parser)
         self.options = parser.parse_args()
-        words = [word for word in sys.argv[1:] if word not in ('--convexact', self.options.convexact)]
+        words = [word for word in sys.argv[1:] if word not in ('--convexact', '--must-hold', self.options.convexact)]
         name = pathlib.Path(script).stem
         self.record = {'id': name, 'figure': figure, 'command': ' '.join(['./dev reproduce', name, *self.shown(words)]),
                        'claims': [], 'tables': [], 'skipped': []}
@@ -76,12 +77,13 @@ class Experiment:
                                       'rows': [list(map(str, row)) for row in rows]})
 
     def finish(self):
-        """Prints the record and writes it. Returns 0; that something differs is a result and no failure."""
+        """Prints the record and writes it. That something differs is a result, and no failure unless it must hold."""
         print(markdown(self.record), end='')
         if self.options.json:
             self.options.json.parent.mkdir(parents=True, exist_ok=True)
             self.options.json.write_text(json.dumps(self.record, indent=1, ensure_ascii=False) + '\n', encoding='utf-8')
-        return 0
+        differs = any(claim['verdict'] == DIFFERS for claim in self.record['claims'])
+        return 1 if differs and self.options.must_hold else 0
 
 
 def table_lines(head, rows):
