@@ -24,7 +24,7 @@ using support::ScratchFolder;
 
 namespace {
 
-std::string obj_of(const support::Mesh& mesh) {
+std::string obj_with(const support::Mesh& mesh) {
   std::ostringstream text;
   for (const support::Point& p : mesh.points.doubles()) {
     text << "v " << p[0] << " " << p[1] << " " << p[2] << "\n";
@@ -43,7 +43,7 @@ std::string stairs_obj() {
   for (int x = 0; x < 4; ++x) {
     for (int y = 0; y <= x; ++y) cells.insert({x, y, 0});
   }
-  return obj_of(support::mesh_of_cells(cells));
+  return obj_with(support::mesh_of_cells(cells));
 }
 
 json tree_of(const std::string& path) {
@@ -71,7 +71,7 @@ const json& claim_in(const json& verdict, const std::string& code) {
 }
 
 // Six integer points around a unit cube.
-std::string cube_at(int x) { return obj_of(support::box_mesh(support::box_of({x, 0, 0}))); }
+std::string cube_at(int x) { return obj_with(support::box_mesh(support::box_of({x, 0, 0}))); }
 
 }  // namespace
 

@@ -19,11 +19,11 @@ using support::ScratchFolder;
 namespace {
 
 // [0, 1]^3 as an OBJ without faces, and the octahedron with vertices +-1.
-constexpr const char* kCube =
+constexpr const char* kUnitCube =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n";
-constexpr const char* kOctahedron = "v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n";
+constexpr const char* kUnitOctahedron = "v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n";
 
-json answer_of(const std::string& arguments, int exit = 0) {
+json comparison_of(const std::string& arguments, int exit = 0) {
   const Ran ran = run_program("compare " + arguments + " --json");
   CHECK_MESSAGE(ran.exit == exit, ran.err);
   json document = json::parse(ran.out);
@@ -32,13 +32,13 @@ json answer_of(const std::string& arguments, int exit = 0) {
   return document;
 }
 
-std::string message_of(const std::string& arguments, int exit) {
-  const json error = answer_of(arguments, exit)["error"];
+std::string comparison_error(const std::string& arguments, int exit) {
+  const json error = comparison_of(arguments, exit)["error"];
   CHECK(error["exit"] == exit);
   return error["message"];
 }
 
-bool includes(const std::string& text, const std::string& part) {
+bool has_text(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -46,10 +46,10 @@ bool includes(const std::string& text, const std::string& part) {
 
 TEST_CASE("compare: two solids with known ratios, and their medians") {
   const ScratchFolder scratch;
-  const std::string cube = scratch.write("cube.obj", kCube),
-                    octahedron = scratch.write("octahedron.obj", kOctahedron);
+  const std::string cube = scratch.write("cube.obj", kUnitCube),
+                    octahedron = scratch.write("octahedron.obj", kUnitOctahedron);
   const json answer =
-      answer_of(cube + " " + octahedron + " --faces 13 --methods greedy,aabb,kdop14");
+      comparison_of(cube + " " + octahedron + " --faces 13 --methods greedy,aabb,kdop14");
   REQUIRE(answer["inputs"].size() == 2);
   // The box of the octahedron has 8 over 4/3 of the volume.
   const json& box = answer["inputs"][1]["methods"][1];
@@ -74,23 +74,23 @@ TEST_CASE("compare: the table names the least, what beats greedy, and what has t
   const Ran ran = run_program("compare " + data("spot.obj") + " --faces 12 " +
                               "--methods greedy,search,kdop26,stl");
   CHECK(ran.exit == 0);
-  CHECK(includes(ran.out, "least volume"));
-  CHECK(includes(ran.out, "more than 12 planes, not ranked"));
-  CHECK(includes(ran.out, "596 facets"));
-  CHECK_FALSE(includes(ran.out, "medians"));
+  CHECK(has_text(ran.out, "least volume"));
+  CHECK(has_text(ran.out, "more than 12 planes, not ranked"));
+  CHECK(has_text(ran.out, "596 facets"));
+  CHECK_FALSE(has_text(ran.out, "medians"));
 }
 
 TEST_CASE("compare: the CSV has a row for each input and method") {
   const ScratchFolder scratch;
-  const std::string cube = scratch.write("a,cube.obj", kCube), csv = scratch.file("out.csv");
+  const std::string cube = scratch.write("a,cube.obj", kUnitCube), csv = scratch.file("out.csv");
   CHECK(run_program("compare '" + cube + "' --methods aabb,obb --csv " + csv).exit == 0);
   const std::string bytes = bytes_of(csv);
   CHECK(std::count(bytes.begin(), bytes.end(), '\n') == 3);
-  CHECK(includes(bytes, "a,cube.obj\",aabb,18,6,1,1,1,0,"));
+  CHECK(has_text(bytes, "a,cube.obj\",aabb,18,6,1,1,1,0,"));
 }
 
 TEST_CASE("compare: the list has every method") {
-  const json list = answer_of("--list");
+  const json list = comparison_of("--list");
   std::vector<std::string> names;
   for (const json& method : list["methods"]) names.push_back(method["name"]);
   for (const char* name : {"greedy", "search", "mck", "stl", "aabb", "kdop26", "obb", "random"}) {
@@ -98,31 +98,31 @@ TEST_CASE("compare: the list has every method") {
   }
   const Ran ran = run_program("compare --list");
   CHECK(ran.exit == 0);
-  for (const std::string& name : names) CHECK(includes(ran.out, name));
+  for (const std::string& name : names) CHECK(has_text(ran.out, name));
 }
 
 TEST_CASE("compare: wrong usage and inputs without volume are refused, and nothing is written") {
   const ScratchFolder scratch;
-  const std::string cube = scratch.write("cube.obj", kCube),
+  const std::string cube = scratch.write("cube.obj", kUnitCube),
                     flat = scratch.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n");
-  const std::string unknown = message_of(cube + " --methods greedy,qslim", 2);
-  CHECK(includes(unknown, "qslim"));
-  CHECK(includes(unknown, "mck"));
-  CHECK(includes(message_of("", 2), "INPUT"));
-  message_of(cube + " --faces 3", 2);
-  message_of(cube + " --methods ''", 2);
-  message_of(cube + " --csv " + cube, 2);
-  CHECK(bytes_of(cube) == kCube);
-  message_of(scratch.file("none.obj"), 3);
+  const std::string unknown = comparison_error(cube + " --methods greedy,qslim", 2);
+  CHECK(has_text(unknown, "qslim"));
+  CHECK(has_text(unknown, "mck"));
+  CHECK(has_text(comparison_error("", 2), "INPUT"));
+  comparison_error(cube + " --faces 3", 2);
+  comparison_error(cube + " --methods ''", 2);
+  comparison_error(cube + " --csv " + cube, 2);
+  CHECK(bytes_of(cube) == kUnitCube);
+  comparison_error(scratch.file("none.obj"), 3);
   const std::string csv = scratch.file("out.csv");
-  message_of(cube + " " + flat + " --methods aabb --csv " + csv, 4);
+  comparison_error(cube + " " + flat + " --methods aabb --csv " + csv, 4);
   CHECK_FALSE(std::filesystem::exists(csv));
 }
 
 TEST_CASE("compare: the same seed prints the same solids") {
   const auto solids = [](const std::string& seed) {
-    json methods = answer_of(data("spot.obj") + " --faces 9 --methods stl,random --seed " +
-                             seed)["inputs"][0]["methods"];
+    json methods = comparison_of(data("spot.obj") + " --faces 9 --methods stl,random --seed " +
+                                 seed)["inputs"][0]["methods"];
     return std::vector<json>{methods[0]["halfspaces"], methods[1]["halfspaces"]};
   };
   CHECK(solids("3") == solids("3"));

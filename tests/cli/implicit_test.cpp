@@ -19,7 +19,7 @@ const std::string kBoxOption = " --box=-2,-2,-2,4 ";
 
 std::string implicit_arguments(const std::string& file) { return "simplify --implicit " + file; }
 
-std::string refused_with(int exit, const std::string& arguments) {
+std::string implicit_refused(int exit, const std::string& arguments) {
   const auto ran = run_program(arguments + " --faces 18");
   CAPTURE(arguments);
   CHECK(ran.exit == exit);
@@ -27,7 +27,7 @@ std::string refused_with(int exit, const std::string& arguments) {
   return ran.err;
 }
 
-bool mentions(const std::string& text, const std::string& part) {
+bool tells(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -63,45 +63,46 @@ TEST_CASE("simplify --implicit: the summary, with and without a known tightness"
   const auto known =
       run_program(implicit_arguments(data("capsule.json")) + kBoxOption + "--depth 4 --faces 18");
   CHECK(known.exit == 0);
-  CHECK(mentions(known.out, "tightness 1: no corner is farther than"));
-  CHECK(mentions(known.out, "Steiner"));
+  CHECK(tells(known.out, "tightness 1: no corner is farther than"));
+  CHECK(tells(known.out, "Steiner"));
   const std::string file =
       scratch.write("cut.json", R"({"intersection": [{"sphere": {"center": [0, 0, 0], "radius": 1}},
                                        {"half-space": {"normal": [1, 1, 0], "offset": 0}}]})");
   const auto unknown = run_program(implicit_arguments(file) + kBoxOption + "--depth 4 --faces 8");
   CHECK(unknown.exit == 0);
-  CHECK(mentions(unknown.out, "tightness not known"));
-  CHECK_FALSE(mentions(unknown.out, "Steiner"));
+  CHECK(tells(unknown.out, "tightness not known"));
+  CHECK_FALSE(tells(unknown.out, "Steiner"));
 }
 
 TEST_CASE("simplify --implicit: options that do not go together are exit code 2") {
   const std::string capsule = implicit_arguments(data("capsule.json"));
-  CHECK(mentions(refused_with(2, "simplify"), "INPUT is required"));
-  CHECK(mentions(refused_with(2, "simplify " + data("spot.obj") + " --depth 3"), "--implicit"));
-  CHECK(mentions(refused_with(2, "simplify " + data("spot.obj") + kBoxOption), "--implicit"));
-  CHECK(mentions(refused_with(2, capsule + " --depth 3"), "--box"));
-  CHECK(mentions(refused_with(2, capsule + kBoxOption), "--depth"));
+  CHECK(tells(implicit_refused(2, "simplify"), "INPUT is required"));
+  CHECK(tells(implicit_refused(2, "simplify " + data("spot.obj") + " --depth 3"), "--implicit"));
+  CHECK(tells(implicit_refused(2, "simplify " + data("spot.obj") + kBoxOption), "--implicit"));
+  CHECK(tells(implicit_refused(2, capsule + " --depth 3"), "--box"));
+  CHECK(tells(implicit_refused(2, capsule + kBoxOption), "--depth"));
   const std::string all = capsule + kBoxOption + "--depth 3 ";
-  CHECK(mentions(refused_with(2, all + data("spot.obj")), "leave INPUT out"));
-  CHECK(mentions(refused_with(2, all + "--inner"), "--inner"));
-  CHECK(mentions(refused_with(2, all + "--parts"), "--parts"));
-  CHECK(mentions(refused_with(2, capsule + " --box=0,0,0 --depth 3"), "x0,y0,z0,edge"));
-  CHECK(mentions(refused_with(2, capsule + " --box=0,0,0,-1 --depth 3"), "above 0"));
-  CHECK(mentions(refused_with(2, capsule + kBoxOption + "--depth 21"), "0 to 20"));
+  CHECK(tells(implicit_refused(2, all + data("spot.obj")), "leave INPUT out"));
+  CHECK(tells(implicit_refused(2, all + "--inner"), "--inner"));
+  CHECK(tells(implicit_refused(2, all + "--parts"), "--parts"));
+  CHECK(tells(implicit_refused(2, capsule + " --box=0,0,0 --depth 3"), "x0,y0,z0,edge"));
+  CHECK(tells(implicit_refused(2, capsule + " --box=0,0,0,-1 --depth 3"), "above 0"));
+  CHECK(tells(implicit_refused(2, capsule + kBoxOption + "--depth 21"), "0 to 20"));
 }
 
 TEST_CASE("simplify --implicit: shapes that are refused, and boxes that do not hold them") {
   const ScratchFolder scratch;
   const std::string capsule = implicit_arguments(data("capsule.json"));
-  CHECK(mentions(refused_with(4, capsule + " --box=-1,-1,-1,2 --depth 5"), "may leave the box"));
-  CHECK(mentions(refused_with(4, capsule + " --box=5,5,5,2 --depth 5"), "empty"));
+  CHECK(tells(implicit_refused(4, capsule + " --box=-1,-1,-1,2 --depth 5"), "may leave the box"));
+  CHECK(tells(implicit_refused(4, capsule + " --box=5,5,5,2 --depth 5"), "empty"));
   const std::string bad =
       scratch.write("bad.json", R"({"sphere": {"center": [0, 0, 0], "radius": -1}})");
-  CHECK(mentions(refused_with(3, implicit_arguments(bad) + kBoxOption + "--depth 3"),
-                 "bad.json: /sphere: expected a radius above 0, found -1"));
-  CHECK(refused_with(
+  CHECK(tells(implicit_refused(3, implicit_arguments(bad) + kBoxOption + "--depth 3"),
+              "bad.json: /sphere: expected a radius above 0, found -1"));
+  CHECK(implicit_refused(
             3, implicit_arguments(scratch.file("missing.json")) + kBoxOption + "--depth 3") != "");
   // The shape is an input, which an output would overwrite.
-  CHECK(mentions(refused_with(2, implicit_arguments(bad) + kBoxOption + "--depth 3 --trace " + bad),
-                 "is an input"));
+  CHECK(
+      tells(implicit_refused(2, implicit_arguments(bad) + kBoxOption + "--depth 3 --trace " + bad),
+            "is an input"));
 }

@@ -137,7 +137,7 @@ TEST_CASE("outputs: option values that are not UTF-8 are refused in JSON that ca
 
 TEST_CASE("outputs: if standard output cannot be written, every file stays as it was (#13)") {
   const std::string tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
-  for (const char* json : {"", "--json "}) {
+  for (const std::string json : {"", "--json "}) {
     const ScratchFolder scratch;
     const std::string input = scratch.write("a.obj", tetrahedron);
     const std::string old = scratch.write("old.obj", "old"), fresh = scratch.file("fresh.json");

@@ -17,7 +17,7 @@ using support::ScratchFolder;
 namespace {
 
 // The corners of a cube without one, which leaves seven facets.
-constexpr const char* kCutCube =
+constexpr const char* kLessonCube =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 0\nv 1 0 1\nv 0 1 1\nv 1 .5 1\nv 1 1 .5\nv .5 1 1\n";
 
 json lesson_in(const std::string& text) {
@@ -30,7 +30,7 @@ json lesson_in(const std::string& text) {
 
 TEST_CASE("teach: a page, its data, and the same on standard output") {
   const ScratchFolder scratch;
-  const std::string cube = scratch.write("cube.obj", kCutCube);
+  const std::string cube = scratch.write("cube.obj", kLessonCube);
   const std::string page = scratch.file("lesson.html"), file = scratch.file("lesson.json");
   const Ran ran = run_program("teach " + cube + " -o " + page + " -o " + file);
   REQUIRE_MESSAGE(ran.exit == 0, ran.err);
@@ -78,7 +78,7 @@ TEST_CASE("teach: the removals are those of simplify --engine exact") {
 
 TEST_CASE("teach: what it does not take") {
   const ScratchFolder scratch;
-  const std::string cube = scratch.write("cube.obj", kCutCube);
+  const std::string cube = scratch.write("cube.obj", kLessonCube);
   const Ran nowhere = run_program("teach " + cube);
   CHECK(nowhere.exit == 2);
   CHECK(nowhere.err.find("-o lesson.html") != std::string::npos);
@@ -108,7 +108,7 @@ TEST_CASE("teach: names of inputs are text, whatever they spell") {
   const ScratchFolder scratch;
   for (const std::string name :
        {"<!--<script>alert(1)<|script>.obj", "\xff\xfe.obj", "a b&\".obj"}) {
-    const std::string cube = scratch.write(name, kCutCube);
+    const std::string cube = scratch.write(name, kLessonCube);
     const std::string page = scratch.file("lesson.html"), file = scratch.file("lesson.json");
     const Ran ran = run_program("teach '" + cube + "' -o " + page + " -o " + file);
     REQUIRE_MESSAGE(ran.exit == 0, ran.err);

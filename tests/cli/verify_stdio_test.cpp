@@ -17,7 +17,7 @@ namespace {
 const char* const kQuestion =
     R"("points": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], "candidate": {"planes": [[-1,0,0,0],[0,-1,0,0],[0,0,-1,0],[1,1,1,-1]]})";
 
-std::vector<json> answers(const std::string& requests, const std::string& options = "") {
+std::vector<json> verdicts_of(const std::string& requests, const std::string& options = "") {
   const ScratchFolder scratch;
   const auto ran =
       run_program("verify --stdio " + options + " <" + scratch.write("requests", requests));
@@ -33,7 +33,7 @@ std::vector<json> answers(const std::string& requests, const std::string& option
 TEST_CASE("verify --stdio: a line for each request in its order; errors do not end it") {
   const std::string good = std::string(R"({"id": "a", )") + kQuestion + "}";
   const std::vector<json> list =
-      answers(good + "\n\n  \t\r\nnonsense\n{\"id\": 2}\n" + good + "\r\n" + good);
+      verdicts_of(good + "\n\n  \t\r\nnonsense\n{\"id\": 2}\n" + good + "\r\n" + good);
   REQUIRE(list.size() == 5);
   CHECK(list[0]["verdict"] == "holds");
   CHECK(list[0]["id"] == "a");
@@ -44,11 +44,11 @@ TEST_CASE("verify --stdio: a line for each request in its order; errors do not e
 }
 
 TEST_CASE("verify --stdio: nothing in, nothing out; a line of a megabyte is one request") {
-  CHECK(answers("").empty());
+  CHECK(verdicts_of("").empty());
   std::string points = "[0,0,0],[1,0,0],[0,1,0],[0,0,1]";
   for (int k = 0; k < 65000; ++k) points += ",[0.25,0.25,0.25]";
   const std::vector<json> list =
-      answers(R"({"points": [)" + points +
+      verdicts_of(R"({"points": [)" + points +
               R"(], "candidate": {"planes": [[-1,0,0,0],[0,-1,0,0],[0,0,-1,0],[1,1,1,-1]]}})"
               "\n");
   REQUIRE(list.size() == 1);
@@ -63,7 +63,7 @@ TEST_CASE("verify --stdio: after a request of endless nesting the next ones are 
     requests +=
         std::string(R"({"before": 0, ")") + key + "\": " + deep + ", " + kQuestion + "}\n" + good;
   }
-  const std::vector<json> list = answers(requests);
+  const std::vector<json> list = verdicts_of(requests);
   REQUIRE(list.size() == 12);
   for (std::size_t k = 0; k < list.size(); k += 2) {
     CHECK(list[k]["error"]["code"] == "malformed");
@@ -95,13 +95,13 @@ TEST_CASE(
     CHECK(answer["error"]["exit"] == 6);
     CHECK(answer["error"]["message"] == "no verdict within the time limit of 0.001 s");
   };
-  std::vector<json> list = answers(requests);
+  std::vector<json> list = verdicts_of(requests);
   REQUIRE(list.size() == 3);
   CHECK(list[0]["id"] == 1);
   check_stopped(list[0]);
   CHECK(list[1]["verdict"] == "holds");
   CHECK(list[2]["verdict"] == "holds");
-  list = answers(long_request(R"("id": 3, "time_limit": 900)") + long_request(R"("id": 4)") + good,
+  list = verdicts_of(long_request(R"("id": 3, "time_limit": 900)") + long_request(R"("id": 4)") + good,
                  "--time-limit 0.001");
   REQUIRE(list.size() == 3);
   check_stopped(list[0]);
@@ -109,7 +109,7 @@ TEST_CASE(
   CHECK(list[2]["id"] == "after");
   for (const char* limit : {"0", "-1", "\"1\"", "null", "1e7", "true"}) {
     const std::string request = "{\"time_limit\": " + std::string(limit) + ", " + kQuestion + "}\n";
-    CHECK(answers(request)[0]["error"]["code"] == "malformed");
+    CHECK(verdicts_of(request)[0]["error"]["code"] == "malformed");
   }
   CHECK(run_program("verify --stdio --time-limit 0 </dev/null").exit == 2);
   CHECK(run_program("verify a.obj b.obj --time-limit 1").exit == 2);
