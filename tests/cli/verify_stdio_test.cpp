@@ -49,8 +49,8 @@ TEST_CASE("verify --stdio: nothing in, nothing out; a line of a megabyte is one 
   for (int k = 0; k < 65000; ++k) points += ",[0.25,0.25,0.25]";
   const std::vector<json> list =
       verdicts_of(R"({"points": [)" + points +
-              R"(], "candidate": {"planes": [[-1,0,0,0],[0,-1,0,0],[0,0,-1,0],[1,1,1,-1]]}})"
-              "\n");
+                  R"(], "candidate": {"planes": [[-1,0,0,0],[0,-1,0,0],[0,0,-1,0],[1,1,1,-1]]}})"
+                  "\n");
   REQUIRE(list.size() == 1);
   CHECK(list[0]["outside"]["tested"] == 65004);
 }
@@ -101,8 +101,9 @@ TEST_CASE(
   check_stopped(list[0]);
   CHECK(list[1]["verdict"] == "holds");
   CHECK(list[2]["verdict"] == "holds");
-  list = verdicts_of(long_request(R"("id": 3, "time_limit": 900)") + long_request(R"("id": 4)") + good,
-                 "--time-limit 0.001");
+  list =
+      verdicts_of(long_request(R"("id": 3, "time_limit": 900)") + long_request(R"("id": 4)") + good,
+                  "--time-limit 0.001");
   REQUIRE(list.size() == 3);
   check_stopped(list[0]);
   check_stopped(list[1]);
