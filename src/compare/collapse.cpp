@@ -87,7 +87,8 @@ void CollapsingMesh::reduce_to(std::size_t vertices, const Watch& watch) {
       continue;
     }
     const Edge edge = queue_.begin()->edge;
-    collapse(edge, planned_.at(edge).at);
+    const Point to = planned_.at(edge).at;  // the plan goes
+    collapse(edge, to);
   }
 }
 
