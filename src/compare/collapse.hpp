@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -37,6 +38,13 @@ class CollapseRule {
   /// Called after b has become a.
   virtual void merged(MeshCorner a, MeshCorner b) = 0;
 };
+
+/// By the squared distances from the planes of the triangles that a vertex has taken in, weighted
+/// by area: to the least point, or the best of the midpoint and the ends [GarlandHeckbert1997].
+[[nodiscard]] std::unique_ptr<CollapseRule> quadric_rule(std::span<const Point> vertices,
+                                                         std::span<const MeshTriangle> triangles);
+/// By the added volume, to a point on or beyond all planes at the edge [Sander2000].
+[[nodiscard]] std::unique_ptr<CollapseRule> outward_rule();
 
 /// A closed triangle mesh without a boundary. A collapse must keep it one: both ends of the edge
 /// have just two common neighbours (the link condition), and four vertices stay. No triangle turns

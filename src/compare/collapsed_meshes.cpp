@@ -186,6 +186,13 @@ std::size_t vertices_for(std::size_t faces) { return faces / 2 + 2; }
 
 }  // namespace
 
+std::unique_ptr<CollapseRule> quadric_rule(std::span<const Point> vertices,
+                                           std::span<const MeshTriangle> triangles) {
+  return std::make_unique<QuadricRule>(vertices, triangles);
+}
+
+std::unique_ptr<CollapseRule> outward_rule() { return std::make_unique<OutwardRule>(); }
+
 Normals propose_bloom(const HullToFit& hull, std::size_t faces, std::uint64_t) {
   QuadricRule rule(hull.vertices, hull.triangles);
   CollapsingMesh mesh(hull.vertices, hull.triangles, rule);

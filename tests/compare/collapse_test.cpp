@@ -5,8 +5,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "compared_hulls.hpp"
 #include "convexact/shapes.hpp"
@@ -45,6 +47,14 @@ void check_closed_sphere(const CollapsingMesh& mesh) {
   CHECK(mesh.corners().size() + triangles.size() == directed.size() / 2 + 2);
 }
 
+double six_volumes(const CollapsingMesh& mesh) {
+  double sum = 0;
+  for (const MeshTriangle& t : mesh.triangles()) {
+    sum += mesh.at(t[0]).dot(mesh.at(t[1]).cross(mesh.at(t[2])));
+  }
+  return sum;
+}
+
 // [-4, 4]^3 without a corner of legs 1/2.
 ComparedHull cut_cube() {
   std::vector<Point> points;
@@ -74,6 +84,48 @@ TEST_CASE("collapse: the mesh stays a closed sphere down to a tetrahedron") {
   }
 }
 
+// By the definition: the new vertex is where the rule put it, whatever the mesh forgets meanwhile.
+// A plan that is read after it was forgotten shows where freed memory is overwritten, as meson test
+// has it done by MALLOC_PERTURB_.
+TEST_CASE("collapse: the new vertex is where the rule planned it") {
+  class Recording : public ShortestFirst {
+   public:
+    std::vector<Contraction> contractions(const CollapsingMesh& of, MeshCorner a,
+                                          MeshCorner b) const override {
+      mesh = &of;
+      auto ways = ShortestFirst::contractions(of, a, b);
+      planned[{a, b}] = ways.front().at;
+      return ways;
+    }
+    void merged(MeshCorner a, MeshCorner b) override {
+      ShortestFirst::merged(a, b);
+      misplaced += mesh->at(a) != planned.at({a, b});
+    }
+
+    mutable const CollapsingMesh* mesh = nullptr;
+    mutable std::map<std::pair<MeshCorner, MeshCorner>, Point> planned;
+    int misplaced = 0;
+  };
+  const ComparedHull compared(shapes::fibonacci_sphere(150));
+  const std::vector<Point>& vertices = compared.hull.vertices;
+  const auto count = static_cast<MeshCorner>(vertices.size());
+  for (const MeshCorner stride : {1u, 7u, 11u, 13u, 17u, 19u, 23u, 29u, 31u, 37u}) {
+    CAPTURE(stride);
+    REQUIRE(std::gcd(stride, count) == 1);
+    std::vector<Point> numbered(count);
+    for (MeshCorner v = 0; v < count; ++v) numbered[v * stride % count] = vertices[v];
+    std::vector<MeshTriangle> triangles = compared.hull.triangles;
+    for (MeshTriangle& t : triangles) {
+      for (MeshCorner& v : t) v = v * stride % count;
+    }
+    Recording rule;
+    CollapsingMesh mesh(numbered, triangles, rule);
+    mesh.reduce_to(4);
+    CHECK(rule.merges > 0);
+    CHECK(rule.misplaced == 0);
+  }
+}
+
 TEST_CASE("collapse: without a legal collapse the mesh stays as it is") {
   class Never : public CollapseRule {
     std::vector<Contraction> contractions(const CollapsingMesh&, MeshCorner,
@@ -87,6 +139,72 @@ TEST_CASE("collapse: without a legal collapse the mesh stays as it is") {
   CollapsingMesh mesh(compared.hull.vertices, compared.hull.triangles, rule);
   mesh.reduce_to(4);
   CHECK(mesh.corners().size() == 20);
+}
+
+// The planes of a flat patch have no distance from its points, so a cube whose faces have a vertex
+// in the middle becomes the cube: eight corners, and six times [-1, 1]^3 is 48.
+TEST_CASE("quadrics: flat patches cost nothing, and the cube is left of a divided one") {
+  std::vector<Point> vertices;
+  for (int k = 0; k < 8; ++k) vertices.emplace_back(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+  std::vector<MeshTriangle> triangles;
+  for (const int axis : {0, 1, 2}) {
+    for (const int side : {0, 1}) {
+      Point middle = Point::Zero();
+      middle[axis] = side ? 1 : -1;
+      const auto center = static_cast<MeshCorner>(vertices.size());
+      vertices.push_back(middle);
+      const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3, base = side << axis;
+      const int ring[] = {base, base | u, base | u | v, base | v};
+      for (int k = 0; k < 4; ++k) {
+        auto from = static_cast<MeshCorner>(ring[k]),
+             to = static_cast<MeshCorner>(ring[(k + 1) % 4]);
+        if (!side) std::swap(from, to);
+        triangles.push_back({center, from, to});
+      }
+    }
+  }
+  const auto rule = quadric_rule(vertices, triangles);
+  CollapsingMesh mesh(vertices, triangles, *rule);
+  CHECK(six_volumes(mesh) == 48);
+  CHECK(rule->contractions(mesh, 0, 8).front().cost == doctest::Approx(0));
+  // From (-1, -1, -1) to (1, -1, -1): area 2 lies on x = -1 and on x = 1, and x = 0 is the best.
+  CHECK(rule->contractions(mesh, 0, 1).front().cost == doctest::Approx(4));
+  mesh.reduce_to(8);
+  CHECK(mesh.corners().size() == 8);
+  CHECK(six_volumes(mesh) == doctest::Approx(48).epsilon(1e-12));
+}
+
+// By the definition of the rule. The hull of what is left holds the vertices but for rounding.
+TEST_CASE("tlg: no collapse takes volume away, and every vertex stays inside") {
+  std::vector<std::vector<Point>> families = {shapes::octahedron(), shapes::fibonacci_sphere(60),
+                                              shapes::fibonacci_sphere(200)};
+  families.push_back(cut_cube().hull.vertices);
+  for (const auto& points : families) {
+    const ComparedHull compared(points);
+    CAPTURE(compared.hull.vertices.size());
+    const auto rule = outward_rule();
+    CollapsingMesh mesh(compared.hull.vertices, compared.hull.triangles, *rule);
+    double volume = six_volumes(mesh);
+    for (std::size_t left = mesh.corners().size(); left-- > 4;) {
+      mesh.reduce_to(left);
+      const double after = six_volumes(mesh);
+      CHECK(after >= volume - 1e-9);
+      volume = after;
+    }
+    std::vector<Point> corners;
+    for (const MeshCorner v : mesh.corners()) corners.push_back(mesh.at(v));
+    const ComparedHull around(corners);
+    double beyond = 0;  // exact signs, lengths of normals in doubles
+    for (const Halfspace& plane : around.solid.polytope.planes) {
+      const RationalVector3 n = plane.normal().cast<Rational>();
+      const double length = std::sqrt(to_double(Rational(n.dot(n)), Rounding::Nearest));
+      for (const Point& p : compared.hull.vertices) {
+        beyond = std::max(beyond,
+                          to_double(Rational(plane(to_rational(p))), Rounding::Nearest) / length);
+      }
+    }
+    CHECK(beyond <= 1e-9);
+  }
 }
 
 TEST_CASE("bloom, tlg: with room for every facet they are the hull") {
