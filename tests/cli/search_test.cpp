@@ -117,7 +117,6 @@ TEST_CASE("--search: what it cannot be combined with, and what to do instead") {
   for (const std::string cost : {"area", "mean-width"}) {
     CHECK(contains(refused("--faces 6 --search optimal --cost " + cost), "only a volume"));
   }
-  CHECK(contains(refused("--faces 6 --search optimal --proof p.txt"), "leave out"));
   CHECK(contains(refused("--faces 6 --search local --nodes 3"), "--search optimal"));
   CHECK(contains(refused("--faces 6 --search optimal --nodes 0"), "--nodes"));
 }
@@ -128,7 +127,10 @@ TEST_CASE("--search optimal: a proof, its report, and its trace") {
   const std::string solid = scratch.file("icosahedron.obj"), trace = scratch.file("trace.json");
   REQUIRE(run_program("generate icosahedron -o " + solid).exit == 0);
   const std::string request = solid + " --faces 4 --search optimal --moves 0";
-  const json result = searched(request + " --exact-values --trace " + trace);
+  const std::string proof = scratch.file("proof.txt");
+  const json result = searched(request + " --exact-values --trace " + trace + " --proof " + proof);
+  CHECK(result["proof"] == "optimal");
+  CHECK(bytes_of(proof).starts_with("convexact-proof 5 optimal\n"));
   const json& search = result["search"];
   CHECK(search["kind"] == "optimal");
   CHECK(result["volume"]["ratio"].get<double>() == doctest::Approx(2.741640786));
