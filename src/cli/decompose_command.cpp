@@ -450,6 +450,7 @@ void add_decompose_command(CLI::App& program, int& exit_code) {
                   "/) with a file for each; or a model for simulators, with --precision 32: "
                   ".mjcf.xml or .urdf beside a folder, .usda; may be repeated")
       ->expected(1)
+      ->allow_extra_args(false)  // an INPUT that need not be there may follow
       ->take_all();
   command
       .add_option("--names", options->names,

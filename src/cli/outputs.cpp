@@ -158,6 +158,7 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
                   "file for the result, by extension: .obj .off .ply .stl .xyz or .json .ine .txt; "
                   "may be repeated")
       ->expected(1)
+      ->allow_extra_args(false)  // an INPUT that need not be there may follow
       ->take_all();
   command.add_option("--picture", options.picture, "a page (.html) that shows input and result");
   add_choice<int>(command, "--precision", options.precision, {{"64", 64}, {"32", 32}},

@@ -153,6 +153,7 @@ void add_teach_command(CLI::App& program, int& exit_code) {
                   "file for the lesson, by extension: .html, a page that needs no other file, or "
                   ".json; may be repeated")
       ->expected(1)
+      ->allow_extra_args(false)
       ->take_all();
   add_choice<Precision>(command, "--precision", options->request.precision,
                         {{"64", Precision::Binary64}, {"32", Precision::Binary32}},
