@@ -80,7 +80,7 @@ constexpr std::array<std::pair<const char*, std::optional<ProbeTally> FalsePosit
      {"points", &FalsePositives::points}}};
 
 // "1/3 (0.33333333333333333)", "2", or the digits alone of a fraction too long to read.
-std::string number_text(const Rational& x) {
+std::string rational_text(const Rational& x) {
   constexpr std::size_t kReadable = 24;
   const std::string exact = to_string(x), decimal = to_decimal(x, kDigits);
   if (exact == decimal) return exact;
@@ -100,8 +100,8 @@ std::string ray_text(const RayAnswer& answer) {
   }
   const LineInterval& line = *answer.line;
   const std::string interval =
-      fmt::format("t from {} to {}, halfspaces {} to {}", number_text(line.entry),
-                  number_text(line.exit), ids_text(line.entry_facets), ids_text(line.exit_facets));
+      fmt::format("t from {} to {}, halfspaces {} to {}", rational_text(line.entry),
+                  rational_text(line.exit), ids_text(line.entry_facets), ids_text(line.exit_facets));
   if (!answer.is_hit()) return fmt::format("miss   behind the origin: {}\n", interval);
   const char* note = line.entry < 0            ? " (begins inside)"
                      : line.entry == line.exit ? " (touches)"
@@ -157,7 +157,7 @@ std::string overlap_text(const NamedPolytope& a, const NamedPolytope& b, const O
   if (const auto* common = std::get_if<CommonPoint>(&answer)) {
     const RationalPoint& x = common->point;
     return solids_text(a, b) + fmt::format("overlap: yes; common point {}, {}, {}\n",
-                                           number_text(x[0]), number_text(x[1]), number_text(x[2]));
+                                           rational_text(x[0]), rational_text(x[1]), rational_text(x[2]));
   }
   const auto& apart = std::get<Separation>(answer);
   const IntegerVector3& n = apart.plane.normal();
@@ -214,7 +214,7 @@ std::string false_positives_text(const NamedPolytope& a, const NamedPolytope& b,
     text += fmt::format(
         "A is not inside B: its vertex {}, {}, {} is beyond halfspace {} of B. No rate is "
         "predicted.\n",
-        number_text(v[0]), number_text(v[1]), number_text(v[2]), found.outside->facet.value);
+        rational_text(v[0]), rational_text(v[1]), rational_text(v[2]), found.outside->facet.value);
   } else {
     text += "A is inside B, proven exactly\n";
   }
