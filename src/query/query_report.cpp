@@ -99,9 +99,9 @@ std::string ray_text(const RayAnswer& answer) {
                        answer.missed.size() > 1 ? "s" : "", ids_text(answer.missed));
   }
   const LineInterval& line = *answer.line;
-  const std::string interval =
-      fmt::format("t from {} to {}, halfspaces {} to {}", rational_text(line.entry),
-                  rational_text(line.exit), ids_text(line.entry_facets), ids_text(line.exit_facets));
+  const std::string interval = fmt::format("t from {} to {}, halfspaces {} to {}",
+                                           rational_text(line.entry), rational_text(line.exit),
+                                           ids_text(line.entry_facets), ids_text(line.exit_facets));
   if (!answer.is_hit()) return fmt::format("miss   behind the origin: {}\n", interval);
   const char* note = line.entry < 0            ? " (begins inside)"
                      : line.entry == line.exit ? " (touches)"
@@ -157,7 +157,8 @@ std::string overlap_text(const NamedPolytope& a, const NamedPolytope& b, const O
   if (const auto* common = std::get_if<CommonPoint>(&answer)) {
     const RationalPoint& x = common->point;
     return solids_text(a, b) + fmt::format("overlap: yes; common point {}, {}, {}\n",
-                                           rational_text(x[0]), rational_text(x[1]), rational_text(x[2]));
+                                           rational_text(x[0]), rational_text(x[1]),
+                                           rational_text(x[2]));
   }
   const auto& apart = std::get<Separation>(answer);
   const IntegerVector3& n = apart.plane.normal();
