@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "convexact/error.hpp"
@@ -53,13 +54,15 @@ Polytope SolidsOfMoves::after(std::size_t count) const {
   throw Error(ErrorCode::Internal, "a search left a solid that its planes do not bound");
 }
 
-// The first of the least changes, up to rounding: congruent caps hardly ever round alike.
+// The first of the least changes, up to rounding: congruent caps hardly ever round alike. A change
+// that exact numbers prove to be below 0 may come out above it in doubles.
 std::optional<std::size_t> best_of(const std::vector<double>& changes) {
   if (changes.empty()) return {};
-  constexpr double kNearly = 1 - 0x1p-20;
+  constexpr double kNearly = 0x1p-20;
   const double least = *std::min_element(changes.begin(), changes.end());
-  const auto best = std::find_if(changes.begin(), changes.end(),
-                                 [&](double change) { return change <= kNearly * least; });
+  const auto best = std::find_if(changes.begin(), changes.end(), [&](double change) {
+    return change <= least + kNearly * std::abs(least);
+  });
   return static_cast<std::size_t>(best - changes.begin());
 }
 

@@ -16,6 +16,7 @@
 #include "number/arithmetic.hpp"
 #include "search/exchange_surface.hpp"
 #include "search/shrunk_surface.hpp"
+#include "search/symmetries.hpp"
 
 namespace convexact {
 namespace {
@@ -39,7 +40,8 @@ double at_most(double sum, std::size_t count) {
 
 class BranchAndBound {
  public:
-  BranchAndBound(std::unique_ptr<ShrunkSurface> surface, std::size_t size, HalfspaceIds incumbent,
+  BranchAndBound(std::unique_ptr<ShrunkSurface> surface, std::size_t size,
+                 std::vector<Symmetry> symmetries, HalfspaceIds incumbent,
                  const SearchOptions& options);
 
   // Looks at all sets, or until it is told to settle.
@@ -83,6 +85,7 @@ class BranchAndBound {
   bool is_exact_bound_reached();
   bool keep_dear();
   void keep(HalfspaceId i);
+  void keep_orbit(HalfspaceId i);
   HalfspaceId choose() const;
   void explore();
   void branch(HalfspaceId i);
@@ -93,6 +96,7 @@ class BranchAndBound {
   const Watch watch_;
   const std::unique_ptr<ShrunkSurface> surface_;
   const Rational input_volume_;
+  std::vector<Symmetry> symmetries_;  // those that keep what is to be kept in all sets
   std::vector<Plane> planes_;
   HalfspaceIds incumbent_;
   Rational incumbent_volume_;
@@ -102,8 +106,9 @@ class BranchAndBound {
   std::size_t to_go_;             // removals
   Interval<double> added_{0, 0};  // by those made
   HalfspaceIds free_;             // ascending
-  std::vector<Share> shares_;     // of those, ascending, as bound() found them
-  std::vector<double> weights_;   // scratch of share()
+  HalfspaceIds removed_;
+  std::vector<Share> shares_;    // of those, ascending, as bound() found them
+  std::vector<double> weights_;  // scratch of share()
   // The way here: what to restore on the way back, and of each state on it a bound of what is left
   // to be looked at below.
   HalfspaceIds kept_;
@@ -115,11 +120,13 @@ class BranchAndBound {
 
 // Every halfspace less leaves a bounded solid on the way to the incumbent, as that is one.
 BranchAndBound::BranchAndBound(std::unique_ptr<ShrunkSurface> surface, std::size_t size,
-                               HalfspaceIds incumbent, const SearchOptions& options)
+                               std::vector<Symmetry> symmetries, HalfspaceIds incumbent,
+                               const SearchOptions& options)
     : options_(options),
       watch_(options.stop),
       surface_(std::move(surface)),
       input_volume_(surface_->volume()),
+      symmetries_(std::move(symmetries)),
       planes_(size),
       to_go_(size - incumbent.size()) {
   for (std::size_t i = 0; i < size; ++i) free_.emplace_back(i);
@@ -143,6 +150,14 @@ const Rational& BranchAndBound::exact_cost(HalfspaceId i) {
 
 void BranchAndBound::run() {
   for (const HalfspaceId i : options_.keep) keep(i);
+  symmetries_.erase(std::remove_if(symmetries_.begin(), symmetries_.end(),
+                                   [this](const Symmetry& symmetry) {
+                                     return std::any_of(options_.keep.begin(), options_.keep.end(),
+                                                        [&](HalfspaceId i) {
+                                                          return at(symmetry[i.index()]).is_free;
+                                                        });
+                                   }),
+                    symmetries_.end());
   if (to_go_ == 0) return;
   for (const HalfspaceId i : HalfspaceIds(free_)) {
     at(i).cost = surface_->cost(i);
@@ -201,7 +216,7 @@ void BranchAndBound::explore() {
     }
     const HalfspaceId i = choose();
     branch(i);
-    keep(i);
+    keep_orbit(i);
   }
   open_.pop_back();
   undo_to(kept, costs);
@@ -217,6 +232,7 @@ void BranchAndBound::branch(HalfspaceId i) {
   surface_->remove(i);
   --to_go_;
   at(i).is_removed = true;
+  removed_.push_back(i);
   keep(i);
   for (const HalfspaceId j : ring) {
     Plane& plane = at(j);
@@ -230,6 +246,7 @@ void BranchAndBound::branch(HalfspaceId i) {
   surface_->insert(i);
   ++to_go_;
   at(i).is_removed = false;
+  removed_.pop_back();
   undo_to(kept, costs);
   added_ = before;
 }
@@ -238,6 +255,21 @@ void BranchAndBound::keep(HalfspaceId i) {
   at(i).is_free = false;
   free_.erase(std::lower_bound(free_.begin(), free_.end(), i));
   kept_.push_back(i);
+}
+
+// Keeps i and what the symmetries that only exchange the removed planes make of it. Of each choice
+// that one of these is part of, a symmetry makes one as large that i is part of; unless a plane of
+// that one is kept already, it has just been looked at, and otherwise it was settled before.
+void BranchAndBound::keep_orbit(HalfspaceId i) {
+  keep(i);
+  for (const Symmetry& symmetry : symmetries_) {
+    const HalfspaceId other = symmetry[i.index()];
+    if (at(other).is_free && std::all_of(removed_.begin(), removed_.end(), [&](HalfspaceId r) {
+          return at(symmetry[r.index()]).is_removed;
+        })) {
+      keep(other);
+    }
+  }
 }
 
 void BranchAndBound::undo_to(std::size_t kept, std::size_t costs) {
@@ -349,9 +381,10 @@ HalfspaceIds left_by(const std::vector<Move>& moves, HalfspaceIds start) {
 }
 
 SearchRun search_beyond(SearchRun run, std::unique_ptr<ShrunkSurface> surface, std::size_t size,
-                        HalfspaceIds start, const SearchOptions& options) {
+                        std::vector<Symmetry> symmetries, HalfspaceIds start,
+                        const SearchOptions& options) {
   const HalfspaceIds found = left_by(run.moves, std::move(start));
-  BranchAndBound search(std::move(surface), size, found, options);
+  BranchAndBound search(std::move(surface), size, std::move(symmetries), found, options);
   search.run();
   run.optimality = search.optimality();
   if (search.incumbent() != found) {
@@ -396,7 +429,8 @@ SearchRun search_optimal_from(const DualHull& dual, const FastDual* fast, const 
   return search_beyond(search_from(dual, fast, input, center, start, local),
                        options.engine == Engine::Exact ? make_exact_shrunk_surface(dual, center)
                                                        : make_filtered_shrunk_surface(*fast),
-                       dual.halfspaces.size(), ids_in(start), options);
+                       dual.halfspaces.size(), symmetries_of(dual.halfspaces, input), ids_in(start),
+                       options);
 }
 
 }  // namespace convexact

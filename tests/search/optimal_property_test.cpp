@@ -67,6 +67,35 @@ TEST_CASE("optimal: proven for every number of halfspaces, and never above a loc
   MESSAGE(cases << " cases, " << better << " better than local search, " << nodes << " states");
 }
 
+// A shear by quarters moves these corners without rounding and keeps every volume, but none of the
+// symmetries except the point reflection.
+TEST_CASE("optimal: symmetries save states, and change no volume") {
+  std::size_t symmetric = 0, sheared = 0;
+  for (const std::vector<Point>& points :
+       {shapes::octahedron(), shapes::dodecahedron(), shapes::cut_cube(8, 0.25),
+        shapes::chamfered_box({1, 1, 1}, 0.25), shapes::chamfered_box({1, 1, 2}, 0.25)}) {
+    std::vector<Point> moved = points;
+    for (Point& p : moved) p = {p[0] + p[1] / 4 + p[2] / 2, p[1] + p[2] / 4, p[2]};
+    const std::size_t most = Greedy(points, 4, CostMeasure::Volume).dual.halfspaces.size();
+    for (std::size_t faces = 4; faces < most; ++faces) {
+      CAPTURE(most);
+      CAPTURE(faces);
+      const Greedy here(points, faces, CostMeasure::Volume);
+      const Greedy there(moved, faces, CostMeasure::Volume);
+      if (here.left.size() != there.left.size()) continue;  // greedy ends at one of several ties
+      const Optimality a = *find_optimum(here, {.request = {SearchKind::Optimal, 5}}).optimality;
+      const Optimality b = *find_optimum(there, {.request = {SearchKind::Optimal, 5}}).optimality;
+      REQUIRE(a.is_proven);
+      REQUIRE(b.is_proven);
+      CHECK(a.lower_bound == b.lower_bound);
+      symmetric += a.nodes;
+      sheared += b.nodes;
+    }
+  }
+  CHECK(2 * symmetric < sheared);
+  MESSAGE(symmetric << " states, " << sheared << " without symmetries");
+}
+
 TEST_CASE("optimal: both engines find the same planes, and the definition no smaller volume") {
   for (const std::vector<Point>& points : {shapes::in_ball(8, 3), shapes::dodecahedron(),
                                            shapes::prism(10), shapes::lattice(10, 5, 4)}) {

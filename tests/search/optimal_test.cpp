@@ -57,10 +57,13 @@ TEST_CASE("optimal: no choice of the definition is smaller, in both engines") {
 }
 
 TEST_CASE("optimal: what is kept on request is kept, and the rest is the least") {
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    CAPTURE(seed);
-    const Greedy greedy(shapes::in_ball(8, seed), 6, CostMeasure::Volume);
+  // The last three have symmetries, which few keep what is to be kept.
+  for (const std::vector<Point>& points :
+       {shapes::in_ball(8, 1), shapes::in_ball(8, 2), shapes::in_ball(8, 3), shapes::octahedron(),
+        shapes::dodecahedron(), shapes::cut_cube(3, 0.25)}) {
+    const Greedy greedy(points, 6, CostMeasure::Volume);
     const definition::HalfspaceArrangement arrangement(greedy.dual.halfspaces);
+    CAPTURE(greedy.dual.halfspaces.size());
     const std::vector<HalfspaceId> keep(greedy.left.begin(), greedy.left.begin() + 2);
     const definition::Subset kept = definition::subset_of(keep);
     SearchOptions options = optimal();
