@@ -271,6 +271,9 @@ FAULTS = [
     # A bound that is too high: weights that count twice, and one removal too many.
     (SKIP, _SEARCH + 'optimal.cpp', 'plane.cost.lower + sum / 2', 'plane.cost.lower + sum', 'search search_property'),
     (SKIP, _SEARCH + 'optimal.cpp', 'k + 1 < to_go_', 'k < to_go_', 'search search_property'),
+    (SKIP, _SEARCH + 'optimal.cpp', 'return at(symmetry[r.index()]).is_removed;', 'return r.index() < symmetry.size();', 'search'),
+    (SKIP, _SEARCH + 'optimal.cpp', 'return at(symmetry[i.index()]).is_free;', 'return at(symmetry[i.index()]).is_removed;', 'search'),
+    (TIE, 'src/scene/search_stage.cpp', 'least + kNearly * std::abs(least)', 'least - kNearly * least', 'search'),
     (TIE, 'src/oracle/judge_moves.cpp', '} else if (change != Order::Less) {', '} else if (change == Order::Greater) {', 'oracle'),
     (SKIP, 'src/oracle/judge_moves.cpp', 'if (is_there_[id->index()] == there) {', 'if (false) {', 'oracle'),
 ]
