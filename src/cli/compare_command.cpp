@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// convexact compare: solids of few planes by other methods, refitted and measured exactly.
+// convexact compare: solids of few planes, or inside of few vertices, by other methods, refitted
+// and measured exactly.
 #include <algorithm>
 #include <memory>
+#include <span>
 
 #include "cli/command.hpp"
 #include "cli/outputs.hpp"
@@ -17,12 +19,14 @@ constexpr const char* kCompareFooter =
     "Examples:\n"
     "  convexact compare bunny.obj --faces 18\n"
     "  convexact compare bunny.obj spot.obj --faces 12 --methods greedy,mck,stl --csv out.csv\n"
+    "  convexact compare bunny.obj --inner --vertices 32\n"
     "  convexact compare --list\n"
     "\n"
     "A method proposes directions. Each gets the plane that touches the hull, exactly; the solid\n"
     "is proven to be bounded and to hold every point. Volume, area and mean width are ratios to\n"
     "those of the hull; distance is the Hausdorff distance over the diameter of its box; seconds\n"
-    "are those of the proposal. A method of more than K planes is shown and not ranked.";
+    "are those of the proposal. A method of more than K planes is shown and not ranked.\n"
+    "With --inner a method proposes vertices of the hull; their own hull is proven to lie inside.";
 
 struct CompareArguments {
   GlobalOptions global;
@@ -36,21 +40,31 @@ struct CompareArguments {
 std::vector<const Method*> methods_named(const std::string& option, const std::string& text) {
   std::vector<const Method*> chosen;
   for (const std::string& word : words_of(text)) {
-    const auto found = std::find_if(methods().begin(), methods().end(),
-                                    [&](const Method& method) { return method.name == word; });
-    if (found == methods().end()) {
-      std::string names;
-      for (const Method& method : methods()) {
+    const Method* found = nullptr;
+    std::string names;
+    for (const std::span<const Method> table : {methods(), inner_methods()}) {
+      for (const Method& method : table) {
         names += (names.empty() ? "" : ",") + std::string(method.name);
+        if (method.name == word) found = &method;
       }
+    }
+    if (found == nullptr) {
       throw Error(ErrorCode::InvalidArgument,
                   option + ": expected names out of " + names + ", found " + in_quotes(word));
     }
-    if (std::find(chosen.begin(), chosen.end(), &*found) == chosen.end()) {
-      chosen.push_back(&*found);
-    }
+    if (std::find(chosen.begin(), chosen.end(), found) == chosen.end()) chosen.push_back(found);
   }
   return chosen;
+}
+
+void require_kind(const std::vector<const Method*>& chosen, bool inner) {
+  for (const Method* method : chosen) {
+    if (method->is_inner() == inner) continue;
+    throw Error(ErrorCode::InvalidArgument,
+                "--methods: " + in_quotes(std::string(method->name)) +
+                    (inner ? " encloses the hull; --inner compares solids inside"
+                           : " makes a solid inside; give --inner as well"));
+  }
 }
 
 int run_compare(const CompareArguments& options) {
@@ -62,8 +76,11 @@ int run_compare(const CompareArguments& options) {
   if (!options.csv.empty()) require_other_files({options.csv}, options.inputs);
   CompareRequest request = options.request;
   request.seed = options.global.seed;
+  require_kind(request.methods, request.inner);
   if (request.methods.empty()) {
-    for (const Method& method : methods()) request.methods.push_back(&method);
+    for (const Method& method : request.inner ? inner_methods() : methods()) {
+      request.methods.push_back(&method);
+    }
   }
   Progress progress;
   request.watch = progress.watch();
@@ -93,8 +110,15 @@ void add_compare_command(CLI::App& program, int& exit_code) {
       "compare", "measure exactly how tightly other methods enclose the inputs");
   command.footer(kCompareFooter);
   command.add_option("INPUT", options->inputs, "meshes or halfspaces");
-  add_faces(command, options->request.faces, "planes of each solid, at least 4");
-  add_text(command, "--methods", "names between commas (default: all)",
+  CLI::Option* faces =
+      add_faces(command, options->request.size, "planes of each solid, at least 4");
+  CLI::Option* inner = command.add_flag("--inner", options->request.inner,
+                                        "compare solids inside the inputs, of few vertices");
+  inner->excludes(faces);
+  add_count(command, "--vertices", options->request.size, {4, std::uint64_t(1) << 32},
+            "with --inner: vertices of each solid, at least 4")
+      ->needs(inner);
+  add_text(command, "--methods", "names between commas (default: all of the kind)",
            [options](const auto& option, const auto& text) {
              options->request.methods = methods_named(option, text);
            })

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Directions of the facets of a mesh that has lost edges: by quadrics on the hull and on its dual
-// [GarlandHeckbert1997], and by added volume, where no vertex goes inward [Sander2000].
+// [GarlandHeckbert1997], and by added volume, where no vertex goes inward [Sander2000]. Or the
+// vertices that are left.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -39,12 +40,15 @@ Quadric quadric_of(const Point& p, const Point& q, const Point& r) {
   return {weight * n * n.transpose(), weight * offset * n, weight * offset * offset};
 }
 
+enum class QuadricPlacement { Free, Ends };
+
 // Edges go by quadrics: to the least point, or where that is not determined, or not allowed, to the
-// best of the midpoint and the ends.
+// best of the midpoint and the ends. Or only to the better end.
 class QuadricRule : public CollapseRule {
  public:
-  QuadricRule(std::span<const Point> vertices, std::span<const MeshTriangle> triangles)
-      : quadrics_(vertices.size()) {
+  QuadricRule(std::span<const Point> vertices, std::span<const MeshTriangle> triangles,
+              QuadricPlacement placement = QuadricPlacement::Free)
+      : placement_(placement), quadrics_(vertices.size()) {
     for (const MeshTriangle& t : triangles) {
       const Quadric quadric = quadric_of(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
       for (const MeshCorner v : t) quadrics_[v].add(quadric);
@@ -56,10 +60,13 @@ class QuadricRule : public CollapseRule {
     Quadric sum = quadrics_[a];
     sum.add(quadrics_[b]);
     std::vector<Contraction> ways;
-    const Point middle = (mesh.at(a) + mesh.at(b)) / 2;
-    for (const Point& p : {middle, mesh.at(a), mesh.at(b)}) ways.push_back({sum(p), p});
+    std::vector<Point> places = {mesh.at(a), mesh.at(b)};
+    const bool is_free = placement_ == QuadricPlacement::Free;
+    if (is_free) places.insert(places.begin(), (mesh.at(a) + mesh.at(b)) / 2);
+    for (const Point& p : places) ways.push_back({sum(p), p});
     std::stable_sort(ways.begin(), ways.end(),
                      [](const Contraction& x, const Contraction& y) { return x.cost < y.cost; });
+    if (!is_free) return ways;
     if (const auto least = least_point(sum)) ways.insert(ways.begin(), {sum(*least), *least});
     return ways;
   }
@@ -74,6 +81,7 @@ class QuadricRule : public CollapseRule {
     return Point(-q.a.inverse() * q.b);
   }
 
+  QuadricPlacement placement_;
   std::vector<Quadric> quadrics_;
 };
 
@@ -215,6 +223,20 @@ Normals propose_qem_dual(const HullToFit& hull, std::size_t faces, std::uint64_t
     if (!mesh.at(v).isZero()) normals.push_back(to_rational(mesh.at(v)));
   }
   return normals;
+}
+
+// A vertex that is left has the place of one that was there. Where rounding gave two the same
+// place, the first stands for both.
+HullCorners select_qem_ends(const HullToFit& hull, std::size_t vertices, std::uint64_t) {
+  QuadricRule rule(hull.vertices, hull.triangles, QuadricPlacement::Ends);
+  CollapsingMesh mesh(hull.vertices, hull.triangles, rule);
+  mesh.reduce_to(vertices, hull.watch);
+  HullCorners left;
+  for (const MeshCorner v : mesh.corners()) {
+    const auto found = std::find(hull.vertices.begin(), hull.vertices.end(), mesh.at(v));
+    left.push_back(static_cast<std::uint32_t>(found - hull.vertices.begin()));
+  }
+  return left;
 }
 
 // What is left may have dents, so the hull of its vertices counts.

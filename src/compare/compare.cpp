@@ -20,8 +20,15 @@ auto timed(double& seconds, Work&& work) {
 MethodResult run_method(const Method& method, const HullToFit& hull, const HullMeasures& measures,
                         const CompareRequest& request) {
   double seconds = 0, refit_seconds = 0;
+  if (method.is_inner()) {
+    const HullCorners corners =
+        timed(seconds, [&] { return method.select(hull, request.size, request.seed); });
+    RefitOutcome outcome = timed(
+        refit_seconds, [&] { return hull_of_corners(hull, measures, corners, request.seed); });
+    return {&method, seconds, refit_seconds, std::move(outcome)};
+  }
   const Normals proposal =
-      timed(seconds, [&] { return method.propose(hull, request.faces, request.seed); });
+      timed(seconds, [&] { return method.propose(hull, request.size, request.seed); });
   RefitOutcome outcome =
       timed(refit_seconds, [&] { return refit(hull, measures, proposal, request.seed); });
   return {&method, seconds, refit_seconds, std::move(outcome)};
@@ -29,23 +36,20 @@ MethodResult run_method(const Method& method, const HullToFit& hull, const HullM
 
 }  // namespace
 
-const MethodResult* MethodComparison::least() const {
-  const MethodResult* least = nullptr;
+const MethodResult* MethodComparison::tightest() const {
+  const MethodResult* best = nullptr;
   for (const MethodResult& result : results) {
-    if (!result.fits(faces)) continue;
-    if (least == nullptr || result.solid()->volume_ratio < least->solid()->volume_ratio) {
-      least = &result;
-    }
+    if (result.fits(size) && (best == nullptr || result.is_tighter(*best))) best = &result;
   }
-  return least;
+  return best;
 }
 
-bool MethodComparison::beats_greedy(const MethodResult& result) const {
-  const auto greedy = std::find_if(results.begin(), results.end(), [](const MethodResult& other) {
-    return other.method->name == "greedy";
+bool MethodComparison::beats_own(const MethodResult& result) const {
+  const auto own = std::find_if(results.begin(), results.end(), [&](const MethodResult& other) {
+    return other.method->name == (inner ? "drop" : "greedy");
   });
-  return greedy != results.end() && greedy->solid() != nullptr && result.fits(faces) &&
-         result.solid()->volume_ratio < greedy->solid()->volume_ratio;
+  return own != results.end() && own->solid() != nullptr && result.fits(size) &&
+         result.is_tighter(*own);
 }
 
 std::variant<MethodComparison, NotSolid> compare_methods(const std::string& name,
@@ -61,7 +65,8 @@ std::variant<MethodComparison, NotSolid> compare_methods(const std::string& name
                               solid.input_points,
                               solid.polytope.vertices.size(),
                               solid.polytope.facets.size(),
-                              request.faces,
+                              request.size,
+                              request.inner,
                               {}};
   for (const Method* method : request.methods) {
     const std::string stage(method->name);
@@ -80,7 +85,7 @@ std::vector<MethodMedian> medians(const std::vector<MethodComparison>& compariso
     std::vector<double> volume, area, mean_width, distance, seconds;
     for (const MethodComparison& comparison : comparisons) {
       for (const MethodResult& result : comparison.results) {
-        if (result.method != first.method || !result.fits(comparison.faces)) continue;
+        if (result.method != first.method || !result.fits(comparison.size)) continue;
         const Ratios ratios = ratios_of(*result.solid());
         volume.push_back(ratios.volume);
         area.push_back(ratios.area);
@@ -94,7 +99,7 @@ std::vector<MethodMedian> medians(const std::vector<MethodComparison>& compariso
                     median(distance), median(seconds)});
   }
   std::stable_sort(list.begin(), list.end(), [](const MethodMedian& a, const MethodMedian& b) {
-    return a.volume < b.volume;
+    return a.method->is_inner() ? a.volume > b.volume : a.volume < b.volume;
   });
   return list;
 }

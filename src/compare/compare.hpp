@@ -13,7 +13,8 @@
 namespace convexact {
 
 struct CompareRequest {
-  std::size_t faces = 18;  ///< Planes of each solid, at least 4.
+  std::size_t size = 18;  ///< Planes of each solid, or vertices of each one inside; at least 4.
+  bool inner = false;     ///< Solids inside the inputs; all methods are of that kind.
   std::vector<const Method*> methods;
   std::uint64_t seed = 1;  ///< Of the methods that choose at random.
   StageWatch watch = {};
@@ -27,9 +28,17 @@ struct MethodResult {
   RefitOutcome outcome;
 
   const Refit* solid() const { return std::get_if<Refit>(&outcome); }
-  /// Whether it made a solid of at most so many planes.
-  bool fits(std::size_t faces) const {
-    return solid() != nullptr && solid()->solid.planes.size() <= faces;
+  /// Planes, or vertices of a solid inside. There must be a solid.
+  std::size_t size() const {
+    const Polytope& made = solid()->solid;
+    return method->is_inner() ? made.vertices.size() : made.planes.size();
+  }
+  /// Whether it made a solid that is no larger than so.
+  bool fits(std::size_t most) const { return solid() != nullptr && size() <= most; }
+  /// Whether its solid is nearer to the hull than the other one: by volume, exactly.
+  bool is_tighter(const MethodResult& other) const {
+    const Rational &mine = solid()->volume_ratio, &its = other.solid()->volume_ratio;
+    return method->is_inner() ? mine > its : mine < its;
   }
 };
 
@@ -38,13 +47,14 @@ struct MethodComparison {
   std::string name;
   std::size_t points = 0;  ///< 0 where the input is halfspaces.
   std::size_t vertices = 0, facets = 0;
-  std::size_t faces = 0;  ///< As requested.
+  std::size_t size = 0;  ///< As requested.
+  bool inner = false;
   std::vector<MethodResult> results;
 
-  /// The least volume among the solids that fit, the first on a tie; null if none does.
-  const MethodResult* least() const;
-  /// Whether a solid that fits has less volume than that of the method greedy, exactly.
-  bool beats_greedy(const MethodResult& result) const;
+  /// The tightest of the solids that fit, the first on a tie; null if none does.
+  const MethodResult* tightest() const;
+  /// Whether a solid that fits is tighter than that of our own greedy removals.
+  bool beats_own(const MethodResult& result) const;
 };
 
 /// @throws Error Internal if a proof fails; Stopped.
@@ -58,7 +68,7 @@ struct MethodMedian {
   double volume = 0, area = 0, mean_width = 0, distance = 0, seconds = 0;
 };
 
-/// Of the methods with such an input, by their volumes.
+/// Of the methods with such an input, the tightest first.
 [[nodiscard]] std::vector<MethodMedian> medians(const std::vector<MethodComparison>& comparisons);
 
 /// A table for each input, and one of medians if there are several.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// method.hpp - methods that enclose a hull in few halfspaces.
+// method.hpp - methods that enclose a hull in few halfspaces, or keep few of its vertices.
 //
-// A method proposes directions and proves nothing: what it works with may be doubles.
+// A method proposes directions or vertices and proves nothing: what it works with may be doubles.
 // refit.hpp makes a solid of its proposal in exact numbers.
 #pragma once
 #include <array>
@@ -40,18 +40,28 @@ struct HullToFit {
 /// Outward directions, none of them zero. Their lengths do not matter, and repeats are allowed.
 using Normals = std::vector<RationalVector3>;
 
+/// Indices of HullToFit::vertices, repeats allowed.
+using HullCorners = std::vector<std::uint32_t>;
+
 /// A method for solids around the hull: it proposes at most `faces` >= 4 directions, unless
 /// its directions are fixed or no further removal is bounded. The same seed gives the same ones.
+/// One for solids inside selects vertices instead: at most `vertices` >= 4, unless no further edge
+/// can be collapsed.
 struct Method {
   std::string_view name;
   Normals (*propose)(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
   bool takes_faces;          ///< Otherwise it proposes the same whatever `faces` is.
   std::string_view summary;  ///< What it does, for people.
   std::string_view source;   ///< A key of docs/references.md.
+  /// Of a method for solids inside, which has no `propose`; null of the others.
+  HullCorners (*select)(const HullToFit& hull, std::size_t vertices, std::uint64_t seed) = nullptr;
+
+  bool is_inner() const { return select != nullptr; }
 };
 
-/// All of them, in the order of tables.
+/// All of them for solids around the hull, and for those inside, in the order of tables.
 [[nodiscard]] std::span<const Method> methods();
+[[nodiscard]] std::span<const Method> inner_methods();
 
 // Fixed directions.
 [[nodiscard]] Normals propose_aabb(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
@@ -80,5 +90,11 @@ struct Method {
                                                 std::uint64_t seed);
 [[nodiscard]] Normals propose_search(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
 [[nodiscard]] Normals propose_random(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
+
+// Vertices that removals or collapses leave.
+[[nodiscard]] HullCorners select_drop(const HullToFit& hull, std::size_t vertices,
+                                      std::uint64_t seed);
+[[nodiscard]] HullCorners select_qem_ends(const HullToFit& hull, std::size_t vertices,
+                                          std::uint64_t seed);
 
 }  // namespace convexact

@@ -37,6 +37,16 @@ std::span<const Method> methods() {
   return kMethods;
 }
 
+std::span<const Method> inner_methods() {
+  static constexpr Method kMethods[] = {
+      {"drop", nullptr, false, "the removals of convexact simplify --inner", "Jacobson2026",
+       select_drop},
+      {"qem-ends", nullptr, false, "edges of the hull collapsed onto an end by quadrics",
+       "GarlandHeckbert1997", select_qem_ends},
+  };
+  return kMethods;
+}
+
 HullToFit hull_to_fit(const Solid& solid, const Watch& watch, const std::atomic<bool>* stop) {
   const Polytope& polytope = solid.polytope;
   const BoundingBox box = bounding_box(polytope.vertices);

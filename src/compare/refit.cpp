@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "convexact/error.hpp"
+#include "convexact/hull.hpp"
 #include "convexact/stored.hpp"
 #include "number/arithmetic.hpp"
 #include "number/precision.hpp"
@@ -30,6 +31,17 @@ Polytope solid_of(const std::vector<Halfspace>& halfspaces, std::uint64_t seed) 
     throw Error(ErrorCode::Internal, "bounded halfspaces around a hull bound no solid");
   }
   return std::get<Polytope>(std::move(made));
+}
+
+// `distance` is that between the solid and the hull.
+Refit refit_of(Polytope solid, const HausdorffDistance& distance, const HullMeasures& measures,
+               const Watch& watch) {
+  const HullMeasures after = measures_of(solid, watch);
+  return Refit{.solid = std::move(solid),
+               .volume_ratio = after.volume / measures.volume,
+               .area_ratio = after.area / measures.area,
+               .mean_width_ratio = after.mean_width / measures.mean_width,
+               .squared_distance_ratio = distance.squared / measures.squared_diameter};
 }
 
 }  // namespace
@@ -69,12 +81,31 @@ RefitOutcome refit(const HullToFit& hull, const HullMeasures& measures, const No
   }
   // (4) Its measures.
   const HausdorffDistance distance = hausdorff_distance(solid, hull.polytope(), hull.stop);
-  const HullMeasures after = measures_of(solid, hull.watch);
-  return Refit{.solid = std::move(solid),
-               .volume_ratio = after.volume / measures.volume,
-               .area_ratio = after.area / measures.area,
-               .mean_width_ratio = after.mean_width / measures.mean_width,
-               .squared_distance_ratio = distance.squared / measures.squared_diameter};
+  return refit_of(std::move(solid), distance, measures, hull.watch);
+}
+
+RefitOutcome hull_of_corners(const HullToFit& hull, const HullMeasures& measures,
+                             HullCorners corners, std::uint64_t seed) {
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  std::vector<RationalPoint> selected;
+  for (const std::uint32_t corner : corners) {
+    if (corner >= hull.polytope().vertices.size()) {
+      throw Error(ErrorCode::InvalidArgument, "the hull has no such vertex");
+    }
+    selected.push_back(hull.polytope().vertices[corner]);
+  }
+  if (selected.size() < 4) return FlatSelection{};
+  const PointSet points(std::move(selected));
+  const HullOutcome outcome = convex_hull(points, {.seed = seed, .stop = hull.stop});
+  const auto* found = std::get_if<Hull>(&outcome);
+  if (found == nullptr) return FlatSelection{};
+  if (count_outside(hull.polytope().planes, points) != 0) {
+    throw Error(ErrorCode::Internal, "a selected vertex is outside of the hull");
+  }
+  Polytope solid = to_polytope(*found, points);
+  const HausdorffDistance distance = hausdorff_distance(hull.polytope(), solid, hull.stop);
+  return refit_of(std::move(solid), distance, measures, hull.watch);
 }
 
 }  // namespace convexact

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// refit.hpp - directions made a solid that holds the hull, exactly, and measured.
+// refit.hpp - directions made a solid that holds the hull, or vertices of the hull one inside,
+// exactly, and measured.
 #pragma once
 #include <variant>
 
@@ -9,7 +10,7 @@
 
 namespace convexact {
 
-/// What the solids around a hull are measured against.
+/// What the solids around a hull, and those inside, are measured against.
 struct HullMeasures {
   Rational volume;
   Enclosure area, mean_width;
@@ -18,7 +19,8 @@ struct HullMeasures {
 
 [[nodiscard]] HullMeasures measures_of(const Polytope& hull, const Watch& watch = {});
 
-/// The least solid with facets of the given directions that holds a hull.
+/// The least solid with facets of the given directions that holds a hull, or the hull of some of
+/// its vertices.
 struct Refit {
   Polytope solid;
   Rational volume_ratio;  ///< Over the hull's, exact, as the next two are enclosures.
@@ -33,8 +35,11 @@ struct Ratios {
 };
 [[nodiscard]] Ratios ratios_of(const Refit& refit);
 
-/// A solid, or a direction in which the proposed halfspaces leave it open.
-using RefitOutcome = std::variant<Refit, RecessionRay>;
+/// Selected vertices lie in one plane.
+struct FlatSelection {};
+
+/// A solid, or a direction in which the proposed halfspaces leave it open, or why there is none.
+using RefitOutcome = std::variant<Refit, RecessionRay, FlatSelection>;
 
 /// Moves the plane of each direction to where it touches the hull, drops what is redundant, and
 /// proves on what is left that it is bounded and holds every point of the input.
@@ -43,5 +48,13 @@ using RefitOutcome = std::variant<Refit, RecessionRay>;
 ///            sign for each plane and point, and the Hausdorff distance.
 [[nodiscard]] RefitOutcome refit(const HullToFit& hull, const HullMeasures& measures,
                                  const Normals& directions, std::uint64_t seed);
+
+/// The hull of the selected vertices. Each is proven to lie in every halfspace of the hull.
+/// @throws Error InvalidArgument for a vertex that the hull does not have; Internal if a proof
+///         fails; Stopped.
+/// @par Cost  A hull of the vertices, a sign for each of them and plane, and the Hausdorff
+/// distance.
+[[nodiscard]] RefitOutcome hull_of_corners(const HullToFit& hull, const HullMeasures& measures,
+                                           HullCorners corners, std::uint64_t seed);
 
 }  // namespace convexact

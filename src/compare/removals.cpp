@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Directions of the facets that removals leave: the greedy ones, those after a search, random ones.
+// And the vertices that greedy removals leave.
 #include <algorithm>
 #include <numeric>
 
 #include "compare/method.hpp"
+#include "convexact/error.hpp"
+#include "convexact/hull.hpp"
 #include "convexact/linear_program.hpp"
 #include "convexact/search.hpp"
 #include "fast/filtered_engine.hpp"
+#include "fast/filtered_inner.hpp"
 #include "number/random.hpp"
 #include "search/exchange_surface.hpp"
 
@@ -127,6 +131,21 @@ Normals propose_search(const HullToFit& hull, std::size_t faces, std::uint64_t s
 
 Normals propose_random(const HullToFit& hull, std::size_t faces, std::uint64_t seed) {
   return normals_of(hull.solid.dual, RandomRemovals(hull, seed).left_at(faces));
+}
+
+HullCorners select_drop(const HullToFit& hull, std::size_t vertices, std::uint64_t seed) {
+  const PointSet points(hull.polytope().vertices);
+  const HullOutcome outcome = convex_hull(points, {.seed = seed, .stop = hull.stop});
+  const auto* found = std::get_if<Hull>(&outcome);
+  if (found == nullptr) throw Error(ErrorCode::Internal, "the vertices of a hull have none");
+  const VertexHull start = vertex_hull(*found, points);
+  const InnerRun run = simplify_inner_filtered(
+      start, InnerOptions{.vertices = vertices, .seed = seed, .stop = hull.stop});
+  HullCorners left;
+  for (const VertexId v : vertices_left(run, start.ids.size())) {
+    left.push_back(start.ids[v.index()].value);
+  }
+  return left;
 }
 
 }  // namespace convexact

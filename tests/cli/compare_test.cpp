@@ -89,11 +89,47 @@ TEST_CASE("compare: the CSV has a row for each input and method") {
   CHECK(has_text(bytes, "a,cube.obj\",aabb,18,6,1,1,1,0,"));
 }
 
+TEST_CASE("compare: of a cube inside, four corners keep a third") {
+  const ScratchFolder scratch;
+  const std::string cube = scratch.write("cube.obj", kUnitCube), csv = scratch.file("out.csv");
+  const json answer = comparison_of(cube + " --inner --vertices 4 --csv " + csv);
+  CHECK(answer["vertices"] == 4);
+  CHECK_FALSE(answer.contains("faces"));
+  const json& methods = answer["inputs"][0]["methods"];
+  REQUIRE(methods.size() == 2);
+  CHECK(methods[0]["method"] == "drop");
+  CHECK(methods[0]["vertices"] == 4);
+  CHECK(methods[0]["volume"]["value"].get<double>() == doctest::Approx(1 / 3.0));
+  CHECK(methods[0]["most"] == true);
+  CHECK(methods[1]["method"] == "qem-ends");
+  CHECK(has_text(bytes_of(csv), "most vertices"));
+  const json whole = comparison_of(cube + " --inner --vertices 8");
+  for (const json& method : whole["inputs"][0]["methods"]) {
+    CHECK(method["volume"]["decimal"] == "1");
+    CHECK(method["beats_drop"] == false);
+  }
+  const Ran ran = run_program("compare " + data("spot.obj") + " --inner --vertices 12");
+  CHECK(ran.exit == 0);
+  CHECK(has_text(ran.out, "at most 12 vertices, inside"));
+  CHECK(has_text(ran.out, "most volume"));
+}
+
+TEST_CASE("compare: options of solids around the inputs and inside do not mix") {
+  const ScratchFolder scratch;
+  const std::string cube = scratch.write("cube.obj", kUnitCube);
+  CHECK(has_text(comparison_error(cube + " --inner --faces 6", 2), "--inner"));
+  CHECK(has_text(comparison_error(cube + " --vertices 6", 2), "--inner"));
+  CHECK(has_text(comparison_error(cube + " --methods drop", 2), "give --inner"));
+  CHECK(has_text(comparison_error(cube + " --inner --methods drop,aabb", 2), "encloses the hull"));
+  comparison_error(cube + " --inner --vertices 3", 2);
+}
+
 TEST_CASE("compare: the list has every method") {
   const json list = comparison_of("--list");
   std::vector<std::string> names;
   for (const json& method : list["methods"]) names.push_back(method["name"]);
-  for (const char* name : {"greedy", "search", "mck", "stl", "aabb", "kdop26", "obb", "random"}) {
+  for (const char* name :
+       {"greedy", "search", "mck", "stl", "aabb", "kdop26", "obb", "random", "drop", "qem-ends"}) {
     CHECK(std::count(names.begin(), names.end(), name) == 1);
   }
   const Ran ran = run_program("compare --list");

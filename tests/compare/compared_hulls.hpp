@@ -27,6 +27,10 @@ struct ComparedHull {
     return convexact::refit(hull, measures, normals, 1);
   }
 
+  convexact::RefitOutcome inside(const convexact::HullCorners& corners) const {
+    return convexact::hull_of_corners(hull, measures, corners, 1);
+  }
+
   convexact::Solid solid;
   convexact::HullToFit hull;
   convexact::HullMeasures measures;

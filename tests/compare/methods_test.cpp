@@ -120,6 +120,10 @@ TEST_CASE("methods: the same seed proposes the same, and the hull's place and si
     CHECK(first == each.propose(here.hull, 10, 4));
     CHECK(directions(first) == directions(each.propose(there.hull, 10, 4)));
   }
+  for (const Method& each : inner_methods()) {
+    CAPTURE(std::string(each.name));
+    CHECK(each.select(here.hull, 10, 4) == each.select(there.hull, 10, 4));
+  }
   CHECK(method("random").propose(here.hull, 10, 4) != method("random").propose(here.hull, 10, 5));
 }
 
@@ -189,4 +193,42 @@ TEST_CASE("removals: greedy is least by its own measure, search is not above it,
   CHECK(by_volume.solid.planes.size() == 18);
   CHECK(by_area.solid.planes.size() == 18);
   CHECK(by_width.solid.planes.size() == 18);
+}
+
+TEST_CASE("inner methods: at most so many vertices of the hull, whose hull lies inside") {
+  for (const auto& shape : small_shapes()) {
+    CAPTURE(shape.first);
+    const ComparedHull compared(shape.second);
+    const Polytope& hull = compared.solid.polytope;
+    for (const Method& each : inner_methods()) {
+      CAPTURE(std::string(each.name));
+      for (const std::size_t vertices : {4u, 9u, 18u}) {
+        CAPTURE(vertices);
+        const HullCorners corners = each.select(compared.hull, vertices, 3);
+        CHECK(corners.size() == std::min(vertices, hull.vertices.size()));
+        const auto outcome = compared.inside(corners);
+        const auto* inside = std::get_if<Refit>(&outcome);
+        if (inside == nullptr) {
+          CHECK(each.name == "qem-ends");  // a removal that leaves a flat set costs all the volume
+          continue;
+        }
+        CHECK(inside->volume_ratio <= 1);
+        CHECK((inside->volume_ratio == 1) == (vertices >= hull.vertices.size()));
+        for (const RationalPoint& p : inside->solid.vertices) {
+          CHECK(std::count(hull.vertices.begin(), hull.vertices.end(), p) == 1);
+          for (const Halfspace& plane : hull.planes) CHECK(plane(p) <= 0);
+        }
+      }
+    }
+  }
+}
+
+// Each removal of a corner of a cube loses a sixth, if none of its neighbours went before: a third
+// is left of it.
+TEST_CASE("drop: of a cube the corners of a regular tetrahedron are left") {
+  const ComparedHull cube(shapes::cube());
+  for (const std::size_t vertices : {4u, 5u, 6u, 7u, 8u}) {
+    const auto outcome = cube.inside(inner_methods()[0].select(cube.hull, vertices, 1));
+    CHECK(std::get<Refit>(outcome).volume_ratio == 1 - Rational(8 - vertices) / 6);
+  }
 }

@@ -91,6 +91,29 @@ TEST_CASE("refit: repeats and lengths of directions do not matter") {
   CHECK(std::get<Refit>(outcome).volume_ratio == 1);
 }
 
+TEST_CASE("refit: the hull of selected corners, by closed forms") {
+  const ComparedHull cube(shapes::cube());
+  const std::vector<RationalPoint>& vertices = cube.solid.polytope.vertices;
+  HullCorners even, all, side;
+  for (std::uint32_t v = 0; v < 8; ++v) {
+    const RationalPoint& p = vertices[v];
+    all.push_back(v);
+    if (p.x() * p.y() * p.z() > 0) even.push_back(v);
+    if (p.x() > 0) side.push_back(v);
+  }
+  // A corner is 2/sqrt(3) away from the regular tetrahedron of the others, over sqrt(12).
+  const Refit tetrahedron = std::get<Refit>(cube.inside(even));
+  CHECK(tetrahedron.volume_ratio == Rational(1) / 3);
+  CHECK(tetrahedron.squared_distance_ratio == Rational(1) / 9);
+  CHECK(ratios_of(tetrahedron).area == doctest::Approx(1 / std::sqrt(3.0)).epsilon(1e-14));
+  CHECK(tetrahedron.solid.vertices.size() == 4);
+  all.push_back(0);  // repeats do not matter
+  CHECK(std::get<Refit>(cube.inside(all)).volume_ratio == 1);
+  CHECK(std::holds_alternative<FlatSelection>(cube.inside(side)));
+  CHECK(std::holds_alternative<FlatSelection>(cube.inside({0, 3, 5})));
+  CHECK(error_of([&] { return cube.inside({0, 1, 2, 8}); }).code() == ErrorCode::InvalidArgument);
+}
+
 TEST_CASE("refit: rational input is held exactly") {
   // A tetrahedron whose corners are no doubles, in a box with sides 1/3, 1/7 and 1/11.
   const Rational x = parse_rational("1/3"), y = parse_rational("1/7"), z = parse_rational("1/11");
