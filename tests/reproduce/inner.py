@@ -24,7 +24,8 @@ def claim(experiment, pairs):
     if equal:
         here += f'; the same volume for {", ".join(equal)}'
     if behind:
-        here += f'; collapses keep more for {", ".join(run for _, run in behind)}, at most {-100 * behind[0][0]:.2f}% of the hull'
+        runs = ', '.join(run for _, run in behind)
+        here += f'; collapses keep more for {runs}, at most {-100 * behind[0][0]:.2f}% of the hull'
     experiment.claim('tighter than QEM edge collapse onto endpoints', here, not behind and not equal)
 
 
