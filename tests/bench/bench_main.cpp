@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
   register_loops_by_cost(inputs);
   register_query_bench(inputs);
   register_inner_bench(inputs);
+  register_box_bench(inputs);
   register_exact_growth();
   register_scene_bench(inputs);
   register_overlay_bench(bench_meshes());

@@ -21,6 +21,9 @@ void register_query_bench(const std::vector<BenchInput>& inputs);
 /// INPUT/inner, /inner-costs, /outer: an inner run on a hull, without and with the exact costs of
 /// its steps, and the run by volume on the same hull; down to the end, each step proven again.
 void register_inner_bench(const std::vector<BenchInput>& inputs);
+/// INPUT/obb, /cgal-obb (the peer): the oriented box of a hull by `compare`. The counter "volume"
+/// is that of the box, in the same unit for both.
+void register_box_bench(const std::vector<BenchInput>& inputs);
 /// exact_growth/HALFSPACES: the exact engine alone.
 void register_exact_growth();
 /// scene/shared and scene/own: the meshes' points as parts, once with one budget of 18 halfspaces

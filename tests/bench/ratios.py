@@ -12,7 +12,8 @@ COLUMNS = [("hull", "cgal"), ("hull", "qhull"), ("filtered", "cgal"), ("float", 
            ("by-area", "by-volume"), ("by-mean-width", "by-volume"),
            ("by-area-exact", "by-area"), ("by-mean-width-exact", "by-mean-width"), ("inner", "outer"), ("inner-costs", "outer"), ("shared", "own"), ("union", "nef-union"),
            ("filtered", "hacd"), ("filtered", "float"), ("owners", "filtered"),
-           ("acd", "filtered"), ("acd-paths", "acd")]
+           ("acd", "filtered"), ("acd-paths", "acd"),
+           ("obb", "cgal-obb")]
 
 
 def medians(path):
