@@ -61,7 +61,7 @@ std::optional<Rows> halfspaces_by_library(std::string_view bytes, HalfspaceForma
   return sorted(rows);
 }
 
-void hold(FuzzInput& in) {
+void hold_checked_mesh(FuzzInput& in) {
   const std::size_t kind = in.below(7);
   const bool as_spelt = in.below(2) == 1;
   const Decimal decimal = as_spelt ? Decimal::Exact : Decimal::Nearest;
@@ -80,6 +80,6 @@ void hold(FuzzInput& in) {
   if (faces) FUZZ_CHECK(*faces == *faces_by_library(bytes, kMeshes[kind], decimal));
 }
 
-const FuzzTarget target("checked_mesh", hold);
+const FuzzTarget kCheckedMesh("checked_mesh", hold_checked_mesh);
 
 }  // namespace

@@ -79,7 +79,7 @@ std::vector<Point> points_of(FuzzInput& in) {
   return points;
 }
 
-void hold(FuzzInput& in) {
+void hold_simplify(FuzzInput& in) {
   SimplifyOptions options;
   options.faces = 4 + in.below(5);
   options.verify = in.below(16) == 0 ? VerifyLevel::Full : VerifyLevel::Local;
@@ -99,6 +99,6 @@ void hold(FuzzInput& in) {
   check_bounded(dual, simplify_float(dual, options));
 }
 
-const FuzzTarget target("simplify", hold);
+const FuzzTarget kSimplify("simplify", hold_simplify);
 
 }  // namespace

@@ -49,7 +49,7 @@ void check_planes(const Polytope& polytope) {
   FUZZ_CHECK(std::is_sorted(polytope.planes.begin(), polytope.planes.end()));
 }
 
-void hold(FuzzInput& in) {
+void hold_hull(FuzzInput& in) {
   HullOptions options;
   options.seed = in.byte();
   options.furthest_first_effort = static_cast<double>(in.below(3)) / 2;
@@ -73,6 +73,6 @@ void hold(FuzzInput& in) {
   check_planes(to_polytope(hull, points));
 }
 
-const FuzzTarget target("hull", hold);
+const FuzzTarget kHull("hull", hold_hull);
 
 }  // namespace

@@ -58,7 +58,7 @@ void check_mesh(const StoredMesh& stored, const std::vector<stored_checker::Homo
   FUZZ_CHECK(stored_checker::count_outside(planes, points) == 0);
 }
 
-void hold(FuzzInput& in) {
+void hold_stored(FuzzInput& in) {
   SimplifyRequest request;
   request.faces = 4 + in.below(6);
   request.engine = in.below(3) == 0 ? Engine::Filtered : Engine::Float;
@@ -79,6 +79,6 @@ void hold(FuzzInput& in) {
   }
 }
 
-const FuzzTarget target("stored", hold);
+const FuzzTarget kStored("stored", hold_stored);
 
 }  // namespace

@@ -185,6 +185,6 @@ void hold_surface(FuzzInput& in) {
   FUZZ_CHECK(volume.bounds.contains(*volume.exact));
 }
 
-const FuzzTarget target("surface", hold_surface);
+const FuzzTarget kSurface("surface", hold_surface);
 
 }  // namespace

@@ -186,7 +186,7 @@ void check_left_out(const DualHull& solid, const RationalPoint& center, const Re
   FUZZ_CHECK(without.worst == left_out.worst);
 }
 
-void hold(FuzzInput& in) {
+void hold_trace(FuzzInput& in) {
   const PointSet points(in.grid_points(in.rarely() ? 9 : 6, 2));
   const HullOutcome outcome = convex_hull(points);
   const Hull* hull = std::get_if<Hull>(&outcome);
@@ -213,6 +213,6 @@ void hold(FuzzInput& in) {
   check_left_out(solid, center, maker.order(), options, verdict);
 }
 
-const FuzzTarget target("trace", hold);
+const FuzzTarget kTrace("trace", hold_trace);
 
 }  // namespace

@@ -14,7 +14,7 @@ using namespace convexact;
 namespace {
 
 // The definitions take time to the fourth power of this.
-constexpr std::size_t kMostPoints = 7, kMostPointsRarely = 14;
+constexpr std::size_t kMostInputs = 7, kMostInputsRarely = 14;
 constexpr std::size_t kMostRows = 7, kMostRowsRarely = 12;
 
 void check_verdict(const PointSet& input, const Candidate& candidate, bool tightness) {
@@ -32,7 +32,7 @@ void check_verdict(const PointSet& input, const Candidate& candidate, bool tight
 Mesh mesh_of(FuzzInput& in) {
   Mesh mesh;
   const std::vector<Point> points =
-      in.grid_points(in.rarely() ? kMostPointsRarely : kMostPoints, 2);
+      in.grid_points(in.rarely() ? kMostInputsRarely : kMostInputs, 2);
   mesh.points = PointSet(points);
   if (points.empty()) return mesh;
   for (std::size_t count = in.below(13); count > 0 && !in.empty(); --count) {
@@ -71,8 +71,8 @@ constexpr const char* kNames[] = {"c.obj",  "c.off", "c.ply", "c.stl",
 
 bool is_small(const Candidate& candidate) {
   if (const auto* mesh = std::get_if<Mesh>(&candidate)) {
-    return mesh->points.size() <= kMostPointsRarely &&
-           mesh->polygons.size() <= 2 * kMostPointsRarely;
+    return mesh->points.size() <= kMostInputsRarely &&
+           mesh->polygons.size() <= 2 * kMostInputsRarely;
   }
   const auto* list = std::get_if<HalfspaceList>(&candidate);
   return list == nullptr || list->halfspaces.size() <= kMostRows;

@@ -34,12 +34,14 @@ OPTIONS = ['-Dassertions=true', '-Dbuildtype=plain', '-Db_ndebug=false', '-Dopti
 # Which places of a file hold conditions, and the tests (with the sources of each that are asked first).
 CLAIMS, REFUSALS, ANSWERS, SKIPS = 'claims', 'refusals', 'answers', 'skips'
 _CHECK = [('check', 'wrong_proof_test,metric_proof_test,same_points_test,stored_reach_test'), ('check_mutated', '')]
+_DECOMPOSITION = [('check', 'wrong_decomposition_test,decomposition_proof_test'), ('check_mutated', '')]
 _SIMPLIFY = [('simplify', 'step_verification_test,whole_dual_test'), ('simplify', '')]
 _LP = [('lp', 'certificates_test,chebyshev_center_test,feasibility_test'), ('lp', '')]
 FILES = {
     'src/check/convexact_check.cpp': ((CLAIMS, REFUSALS, SKIPS), _CHECK),
     'src/check/text.hpp': ((CLAIMS,), _CHECK),
     'src/check/mesh_file.hpp': ((CLAIMS, REFUSALS), _CHECK),
+    'src/check/decomposition.hpp': ((CLAIMS, REFUSALS, SKIPS), _DECOMPOSITION),
     'src/fast/checks.cpp': ((CLAIMS, REFUSALS, ANSWERS), [('fast', 'step_check_test,check_surface_test'), ('fast', '')]),
     'src/simplify/step_verification.cpp': ((CLAIMS,), _SIMPLIFY),
     'src/simplify/plain_surface.cpp': ((REFUSALS,), _SIMPLIFY),
