@@ -114,7 +114,7 @@ void hold_decomposition_proof(FuzzInput& in) {
 
 void hold_decomposition_text(FuzzInput& in) { check_claims(std::string(in.rest())); }
 
-const FuzzTarget decomposition_proof("decomposition_proof", hold_decomposition_proof);
-const FuzzTarget decomposition_text("decomposition_text", hold_decomposition_text);
+const FuzzTarget kDecompositionProof("decomposition_proof", hold_decomposition_proof);
+const FuzzTarget kDecompositionText("decomposition_text", hold_decomposition_text);
 
 }  // namespace

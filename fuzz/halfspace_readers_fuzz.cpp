@@ -31,8 +31,8 @@ void hold(FuzzInput& in) {
   }
 }
 
-const FuzzTarget json("halfspaces_json", hold<HalfspaceFormat::Json>);
-const FuzzTarget ine("ine", hold<HalfspaceFormat::Ine>);
-const FuzzTarget rows("rows", hold<HalfspaceFormat::Rows>);
+const FuzzTarget kJson("halfspaces_json", hold<HalfspaceFormat::Json>);
+const FuzzTarget kIne("ine", hold<HalfspaceFormat::Ine>);
+const FuzzTarget kRows("rows", hold<HalfspaceFormat::Rows>);
 
 }  // namespace

@@ -19,6 +19,6 @@ void hold_implicit(FuzzInput& in) {
   FUZZ_CHECK(range.low <= exact.high_double() && exact.low_double() <= range.high);
 }
 
-const FuzzTarget implicit_shape("implicit", hold_implicit);
+const FuzzTarget kImplicit("implicit", hold_implicit);
 
 }  // namespace

@@ -75,6 +75,6 @@ void hold_inner(FuzzInput& in) {
   if (start.points.size() <= 10) check_least(start, exact);
 }
 
-const FuzzTarget inner_target("inner", hold_inner);
+const FuzzTarget kInner("inner", hold_inner);
 
 }  // namespace

@@ -108,7 +108,7 @@ void hold_feasibility(FuzzInput& in) {
   if (volume) FUZZ_CHECK((*volume > 0) == is_solid);
 }
 
-const FuzzTarget lp("lp", hold_lp);
-const FuzzTarget feasibility("feasibility", hold_feasibility);
+const FuzzTarget kLp("lp", hold_lp);
+const FuzzTarget kFeasibility("feasibility", hold_feasibility);
 
 }  // namespace

@@ -54,10 +54,10 @@ void hold(FuzzInput& in) {
   check_binary32(bytes, format, exact->points);
 }
 
-const FuzzTarget obj("obj", hold<MeshFormat::Obj>);
-const FuzzTarget off("off", hold<MeshFormat::Off>);
-const FuzzTarget ply("ply", hold<MeshFormat::Ply>);
-const FuzzTarget stl("stl", hold<MeshFormat::Stl>);
-const FuzzTarget xyz("xyz", hold<MeshFormat::Xyz>);
+const FuzzTarget kObj("obj", hold<MeshFormat::Obj>);
+const FuzzTarget kOff("off", hold<MeshFormat::Off>);
+const FuzzTarget kPly("ply", hold<MeshFormat::Ply>);
+const FuzzTarget kStl("stl", hold<MeshFormat::Stl>);
+const FuzzTarget kXyz("xyz", hold<MeshFormat::Xyz>);
 
 }  // namespace

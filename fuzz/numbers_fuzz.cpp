@@ -148,8 +148,8 @@ void hold_decimals(FuzzInput& in) {
   if (bits < 2000) check_printed(*exact, digits);
 }
 
-const FuzzTarget expansions("expansions", hold_expansions);
-const FuzzTarget rounding("rounding", hold_rounding);
-const FuzzTarget decimals("decimals", hold_decimals);
+const FuzzTarget kExpansions("expansions", hold_expansions);
+const FuzzTarget kRounding("rounding", hold_rounding);
+const FuzzTarget kDecimals("decimals", hold_decimals);
 
 }  // namespace

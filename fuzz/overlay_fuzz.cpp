@@ -284,7 +284,7 @@ void hold_subtract(FuzzInput& in) {
   }
 }
 
-const FuzzTarget clip("clip", hold_clip);
-const FuzzTarget subtract_target("subtract", hold_subtract);
+const FuzzTarget kClip("clip", hold_clip);
+const FuzzTarget kSubtract("subtract", hold_subtract);
 
 }  // namespace

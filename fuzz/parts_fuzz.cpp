@@ -112,7 +112,7 @@ void hold_parts_file(FuzzInput& in) {
   if (verdict[CoversSurface].status == Status::Holds) FUZZ_CHECK(covers);
 }
 
-const FuzzTarget structured("parts", hold_parts);
-const FuzzTarget bytes("parts_file", hold_parts_file);
+const FuzzTarget kParts("parts", hold_parts);
+const FuzzTarget kPartsFile("parts_file", hold_parts_file);
 
 }  // namespace

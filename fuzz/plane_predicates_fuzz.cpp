@@ -148,7 +148,7 @@ void hold_dual_signs(FuzzInput& in) {
   check_signs(dual, in);
 }
 
-const FuzzTarget planes("plane_signs", hold_plane_signs);
-const FuzzTarget duals("dual_signs", hold_dual_signs);
+const FuzzTarget kPlaneSigns("plane_signs", hold_plane_signs);
+const FuzzTarget kDualSigns("dual_signs", hold_dual_signs);
 
 }  // namespace

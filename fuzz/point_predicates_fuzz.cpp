@@ -77,7 +77,7 @@ void hold_plane_side(FuzzInput& in) {
   FUZZ_CHECK(count_outside(halfspaces, PointSet(points)) == outside);
 }
 
-const FuzzTarget orient("orient3d", hold_orient3d);
-const FuzzTarget side("plane_side", hold_plane_side);
+const FuzzTarget kOrient3d("orient3d", hold_orient3d);
+const FuzzTarget kPlaneSide("plane_side", hold_plane_side);
 
 }  // namespace

@@ -124,7 +124,7 @@ void hold_proof(FuzzInput& in) {
 
 void hold_proof_text(FuzzInput& in) { check_claims(std::string(in.rest()), ""); }
 
-const FuzzTarget proof("proof", hold_proof);
-const FuzzTarget proof_text("proof_text", hold_proof_text);
+const FuzzTarget kProof("proof", hold_proof);
+const FuzzTarget kProofText("proof_text", hold_proof_text);
 
 }  // namespace

@@ -107,7 +107,7 @@ void hold_query(FuzzInput& in) {
   }
 }
 
-const FuzzTarget rays("rays", hold_rays);
-const FuzzTarget query("query", hold_query);
+const FuzzTarget kRays("rays", hold_rays);
+const FuzzTarget kQuery("query", hold_query);
 
 }  // namespace

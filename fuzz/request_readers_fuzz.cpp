@@ -70,8 +70,8 @@ void hold_test_vectors(FuzzInput& in) {
   FUZZ_CHECK(vectors->size() <= text.size());
 }
 
-const FuzzTarget stdio("stdio", hold_stdio);
-const FuzzTarget decompose_stdio("decompose_stdio", hold_decompose_stdio);
-const FuzzTarget test_vectors("test_vectors", hold_test_vectors);
+const FuzzTarget kStdio("stdio", hold_stdio);
+const FuzzTarget kDecomposeStdio("decompose_stdio", hold_decompose_stdio);
+const FuzzTarget kTestVectors("test_vectors", hold_test_vectors);
 
 }  // namespace

@@ -44,6 +44,6 @@ void hold_removal_order(FuzzInput& in) {
   FUZZ_CHECK(by_id.facets == facets);
 }
 
-const FuzzTarget removal_order("removal_order", hold_removal_order);
+const FuzzTarget kRemovalOrder("removal_order", hold_removal_order);
 
 }  // namespace

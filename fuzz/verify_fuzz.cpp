@@ -86,7 +86,7 @@ void hold_candidates(FuzzInput& in) {
   check_verdict(PointSet(shapes::cube()), candidate, in.rest().size() % 16 == 15);
 }
 
-const FuzzTarget structured("verify", hold_verify);
-const FuzzTarget bytes("candidates", hold_candidates);
+const FuzzTarget kVerify("verify", hold_verify);
+const FuzzTarget kCandidates("candidates", hold_candidates);
 
 }  // namespace

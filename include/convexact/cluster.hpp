@@ -166,8 +166,8 @@ struct Clustering {
 /// @throws Error InvalidArgument for a limit out of its range, and if there are more groups than
 ///               `max_parts`, naming their number; Stopped, as the watch says.
 /// @par Cost     A hull and a bound for each triangle of two clusters, once or twice per triangle
-/// of
-///               the surface; the exact engine: at each merge, for each pair at the merged cluster.
+///               of the surface; the exact engine: at each merge, for each pair at the merged
+///               cluster.
 /// @par Source   [MamouGhorbel2009]
 [[nodiscard]] Clustering cluster(const Surface& surface, const ClusterOptions& options = {});
 

@@ -72,8 +72,7 @@ class Cost {
   /// The order of two costs of one measure, and what it rests on.
   /// @param limits  Of the comparison of two mean widths.
   /// @throws Error  InvalidArgument for costs of different measures, or if limits.bits < 1;
-  /// Stopped,
-  ///                as the watch says.
+  ///                Stopped, as the watch says.
   friend Ordering compare(const Cost& a, const Cost& b, const CompareLimits& limits,
                           const Watch& watch);
 

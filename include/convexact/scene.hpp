@@ -46,8 +46,8 @@ using NotSolid = std::variant<FlatInput, EmptyProof, FlatProof, RecessionRay>;
 /// @param rows  Of the list; without any, the proof stays as it is.
 [[nodiscard]] NotSolid of_typed_rows(NotSolid reason, const TypedRows& rows);
 
-/// One sentence for people: the kind of the input, and its proof. Points and
-/// halfspaces count from 0.
+/// One sentence for people: the kind of the input, and its proof. Points and halfspaces
+/// count from 0.
 [[nodiscard]] std::string describe(const NotSolid& reason);
 
 /// A shape to be enclosed: the hull of points, or an intersection of halfspaces.

@@ -115,8 +115,8 @@ using SimplifyOutcome = std::variant<SimplifyResult, NotSolid>;
 
 /// Runs the stages that the request and the shape need.
 /// @throws Error InvalidArgument for an invalid request or a center that is not strictly inside;
-/// Unrepresentable if a stored format cannot hold the result; Stopped; Internal if
-///         a verification fails.
+///               Unrepresentable if a stored format cannot hold the result; Stopped; Internal if
+///               a verification fails.
 [[nodiscard]] SimplifyOutcome simplify(const Shape& shape, const SimplifyRequest& request);
 
 struct HullRequest {

@@ -87,12 +87,10 @@ struct StoredMesh {
 /// @param input      n >= 4 points that span a volume.
 /// @param witnesses  Input points whose hull holds all the others.
 /// @throws Error     Unrepresentable if a coordinate overflows, if the ladder ends, or if the
-/// stored
-///                   solid lies farther from the exact one than that one is long; Internal if an
-///                   input point is found outside.
+///                   stored solid lies farther from the exact one than that one is long; Internal
+///                   if an input point is found outside.
 /// @par Cost         For each rung a hull of the vertices and facets * witnesses products in
-/// doubles;
-///                   facets * points at the end.
+///                   doubles; facets * points at the end.
 [[nodiscard]] StoredMesh store_mesh(const Polytope& exact, const PointSet& input,
                                     std::span<const PointId> witnesses, Precision precision);
 

@@ -18,7 +18,8 @@ namespace convexact {
 
 struct PartsRequest {
   /// The claims to decide; the budgets are asked by their numbers. Empty: all but covers-solid,
-  /// parts-disjoint and parts-needed; tree-nested if there is a tree. Claims that stand here must apply for the verdict to hold.
+  /// parts-disjoint and parts-needed; tree-nested if there is a tree. Claims that stand here must
+  /// apply for the verdict to hold.
   std::vector<ClaimCode> claims = {};
   /// Distances of faces to their planes (parts-convex), and of points of the input to the union
   /// (covers-points, covers-surface), that pass. Relative ones refer to the input's diameter.
@@ -61,7 +62,7 @@ struct PartsVerdict {
   /// One for each of kPartsClaims, in that order; then TreeNested, if there is a tree or it was
   /// named.
   std::vector<Claim> claims;
-  Surface surface;            ///< Of the input.
+  Surface surface;  ///< Of the input.
   std::vector<JudgedPart> parts;
   std::vector<ConvexPart> hulls;               ///< By part: what it stands for.
   std::size_t points = 0, points_outside = 0;  ///< If covers-points was decided.

@@ -204,8 +204,8 @@ struct JudgeOptions {
 /// matters, in the state that *the order* has reached. They are not simply believed: what all
 /// removals cost together is computed again from the measures of the solid before and after,
 /// intersected from scratch, and compared: volumes modulo two random primes, areas and mean widths
-/// by enclosures of 256 bits; and at the step that decides
-/// (the worst, the unbounded one, else the last) both costs are computed from their definition.
+/// by enclosures of 256 bits; and at the step that decides (the worst, the
+/// unbounded one, else the last) both costs are computed from their definition.
 /// A regret against the limit is decided by the order of two costs, exact for volumes and areas.
 /// For mean widths it is as options.compare says; what that leaves undecided violates no claim, and
 /// the claim that it is about does not hold but is Status::Undecided. A plane that is no facet

@@ -137,7 +137,8 @@ std::string tree_summary(const BuiltTree& built, const TreeOrigin& origin) {
           fmt::format("{} as {}", built.given_joins,
                       origin.parts == "acd" ? "acd split them" : "hacd would merge them next"));
     }
-    if (by_volume > 0) how.push_back(fmt::format("{} by the least volume of the common hull", by_volume));
+    if (by_volume > 0)
+      how.push_back(fmt::format("{} by the least volume of the common hull", by_volume));
     text += labelled("joined", fmt::format("{}", fmt::join(how, ", ")));
   }
   return text + labelled("nested", "every hull holds its children, tested on the stored numbers");

@@ -6,6 +6,7 @@
 #include <deque>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "decomposition.hpp"
@@ -657,13 +658,13 @@ class Proof {
 
 // What a proof of any kind proves, and that it is about a mesh file if one is given.
 template <class AnyProof>
-std::string prove(const std::string& bytes, const std::string& mesh) {
+std::string prove(const std::string& bytes, const std::optional<std::string>& mesh) {
   AnyProof proof(bytes);
   std::string proven = proof.check();
-  if (!mesh.empty()) proven += proof.require_same(mesh);
+  if (mesh) proven += proof.require_same(*mesh);
   return proven;
 }
-std::string prove_by_kind(const std::string& bytes, const std::string& mesh) {
+std::string prove_by_kind(const std::string& bytes, const std::optional<std::string>& mesh) {
   Words words(bytes);
   const bool is_decomposition = words.take_if("convexact-proof") && words.take_if("4");
   return is_decomposition ? prove<DecompositionProof>(bytes, mesh) : prove<Proof>(bytes, mesh);
@@ -679,7 +680,8 @@ int main(int argc, char** argv) {
   check::end_if_memory_is_short();
   try {
     const std::string bytes = bytes_of_file(argv[1]);
-    std::cout << prove_by_kind(bytes, argc == 3 ? argv[2] : "");
+    std::cout << prove_by_kind(bytes,
+                               argc == 3 ? std::optional<std::string>(argv[2]) : std::nullopt);
     return 0;
   } catch (const Failure& failure) {
     std::cerr << "convexact-check: " << failure.where << ": " << failure.what << "\n";

@@ -479,52 +479,61 @@ class DecompositionProof {
   }
 
   // For (9): each face of the file has the corners of its triangles, and its boundary is theirs.
-  // That means: of the edges of the face and of its triangles each occurs an even number of times.
-  // Empty if so. Counts faces whose triangles run the other way.
+  // That means: of the edges of the face and of its triangles each occurs an even number of times,
+  // and there are as many triangles as a polygon of these corners takes, so that none of them
+  // cancel. Empty if so. Counts faces whose triangles do not all run as the file says.
   std::string difference_to(const MeshFile& file, std::size_t& turned) const {
     if (!file.is_mesh) return "it is of another kind";
     std::map<Row, std::size_t> ids;
     for (std::size_t p = 0; p < points_.size(); ++p) ids[points_[p]] = p;
+    struct Edge {
+      std::size_t uses = 0;
+      long along = 0;  // how often it is run along by triangles rather than by the face
+    };
     struct Face {
       IdSet corners;
-      std::set<Pair> odd, directed;  // edges; the latter of its triangles
+      std::size_t triangles = 0;
+      std::map<Pair, Edge> edges;
+
+      void run_along(std::size_t from, std::size_t to, bool is_of_file) {
+        if (from == to) return;
+        Edge& edge = edges[sorted(from, to)];
+        ++edge.uses;
+        edge.along += (from < to) != is_of_file ? 1 : -1;
+      }
     };
     std::vector<Face> faces(file.faces.size());
-    const auto run_along = [](Face& face, std::size_t from, std::size_t to) {
-      if (from == to) return;
-      const Pair edge = sorted(from, to);
-      if (face.odd.erase(edge) == 0) face.odd.insert(edge);
-    };
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       if (face_[t] >= faces.size()) return "it has fewer faces than the proof";
       Face& face = faces[face_[t]];
+      ++face.triangles;
       for (std::size_t e = 0; e < 3; ++e) {
-        const std::size_t from = triangles_[t][e], to = triangles_[t][(e + 1) % 3];
-        face.corners.insert(from);
-        face.directed.insert({from, to});
-        run_along(face, from, to);
+        face.corners.insert(triangles_[t][e]);
+        face.run_along(triangles_[t][e], triangles_[t][(e + 1) % 3], false);
       }
     }
     for (std::size_t f = 0; f < faces.size(); ++f) {
       const std::string which = "its face " + std::to_string(f + 1);
-      Ids cycle;
+      Ids cycle;  // each corner once in a row
       for (const std::size_t corner : file.faces[f]) {
         const auto found = ids.find(file.rows[corner]);
         if (found == ids.end()) return which + " has a corner that is not in the proof";
-        cycle.push_back(found->second);
+        if (cycle.empty() || cycle.back() != found->second) cycle.push_back(found->second);
       }
+      while (cycle.size() > 1 && cycle.front() == cycle.back()) cycle.pop_back();
       Face& face = faces[f];
-      bool runs_alike = false, runs_back = false;
       for (std::size_t k = 0; k < cycle.size(); ++k) {
-        const std::size_t from = cycle[k], to = cycle[(k + 1) % cycle.size()];
-        run_along(face, from, to);
-        runs_alike = runs_alike || face.directed.count({from, to}) == 1;
-        runs_back = runs_back || face.directed.count({to, from}) == 1;
+        face.run_along(cycle[k], cycle[(k + 1) % cycle.size()], true);
       }
-      if (face.corners != IdSet(cycle.begin(), cycle.end()) || !face.odd.empty()) {
-        return which + " is not the one of the proof";
+      bool is_same = face.corners == IdSet(cycle.begin(), cycle.end()) &&
+                     face.triangles + 2 == std::max<std::size_t>(cycle.size(), 3);
+      bool is_alike = true;
+      for (const auto& [ends, edge] : face.edges) {
+        is_same = is_same && edge.uses % 2 == 0;
+        is_alike = is_alike && edge.along == 0;
       }
-      turned += runs_back && !runs_alike ? 1 : 0;
+      if (!is_same) return which + " is not the one of the proof";
+      turned += is_alike ? 0 : 1;
     }
     return "";
   }

@@ -397,10 +397,14 @@ inline MeshFile parse_mesh_file(const std::string& bytes, const std::string& pat
 }
 
 inline std::string bytes_of_file(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (!in.is_open()) throw Failure{3, "expected a file that can be read", path};
-  return bytes;
+  try {
+    std::ifstream in(path, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    if (in.is_open()) return bytes;
+  } catch (const std::ios_base::failure&) {
+    // A folder opens, and cannot be read.
+  }
+  throw Failure{3, "expected a file that can be read", path.empty() ? "''" : path};
 }
 
 }  // namespace check

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <limits>
 #include <new>
 #include <utility>
@@ -79,6 +80,17 @@ void release(void* block, std::size_t) {
 void install_memory_functions() { mp_set_memory_functions(allocate, reallocate, release); }
 
 void limit_memory(std::uint64_t bytes, std::function<void()> words) {
+  // Destructors of JSON values allocate, and must not throw: what ends them ends the run as GMP
+  // does.
+  std::set_terminate([] {
+    try {
+      if (std::current_exception()) std::rethrow_exception(std::current_exception());
+    } catch (const std::bad_alloc&) {
+      end_process();
+    } catch (...) {
+    }
+    std::abort();
+  });
   last_words() = std::move(words);
   bytes_in_use = 0;
   // The largest signed count, which is more than any machine has.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// T by signs that doubles decide or DualSigns; then CapVolume in doubles, double-doubles,
-// rationals.
+// T by signs that doubles decide or DualSigns; then the cost: CapVolume or MetricCost for bounds,
+// rationals, roots and angles for the number.
 #include "fast/cap.hpp"
 
 #include <algorithm>

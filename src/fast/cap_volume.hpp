@@ -114,7 +114,7 @@ enum class Boundedness : unsigned char {
 template <class Scalar>
 struct CostBounds {
   Boundedness kind;
-  Scalar lower;  ///< At most six times the volume, >= 0; also where the kind is Doubtful.
+  Scalar lower;  ///< At most a multiple of the cost, >= 0; also where the kind is Doubtful.
   Scalar upper;  ///< At least that, if the cap is bounded.
 
   static CostBounds doubtful() {

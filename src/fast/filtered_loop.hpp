@@ -47,11 +47,11 @@ class GrowthBudget {
 };
 
 /// The queue holds, for every halfspace that is not to be kept and whose removal may be bounded, a
-/// lower bound of its cost, in
-/// units of FilteredCap's bounds. When its ring changes, the entry is *stale*, and evaluated again
-/// only when it comes near the top [Minoux1978]. That needs bounds that stay true. A volume never
-/// decreases, so its bound does. Areas and mean widths may fall; but those of their terms that do
-/// not name a removed plane do not, so the bound of a stale entry is the sum of these.
+/// lower bound of its cost, in units of FilteredCap's bounds. When its ring changes, the entry is
+/// *stale*, and evaluated again only when it comes near the top [Minoux1978]. That needs bounds
+/// that stay true. A volume never decreases, so its bound does. Areas and mean widths may fall; but
+/// those of their terms that do not name a removed plane do not, so the bound of a stale entry is
+/// the sum of these.
 class FilteredLoop {
  public:
   /// @param observer  Receives every sign and bound; null costs nothing.

@@ -29,7 +29,9 @@ std::string folder_of(const std::string& target) {
 // Follows symbolic links to the file itself, which need not exist yet.
 std::string resolve(const std::string& path) {
   std::error_code failed;
-  const auto resolved = std::filesystem::weakly_canonical(path, failed);
+  // Of a file that does not exist, a relative name would stay as it is spelt.
+  const auto absolute = std::filesystem::absolute(path, failed);
+  const auto resolved = std::filesystem::weakly_canonical(absolute, failed);
   return failed ? path : resolved.string();
 }
 

@@ -59,8 +59,7 @@ class SupportProgram {
 
   /// max n.x over the polytope; n nonzero.
   /// @par Cost  A product in doubles for each neighbour on the way from the optimum of the last
-  /// call,
-  ///            then as many 3x3 determinants as facets meet in the vertex.
+  ///            call, then as many 3x3 determinants as facets meet in the vertex.
   [[nodiscard]] Rational maximum(const IntegerVector3& n);
 
  private:

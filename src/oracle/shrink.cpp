@@ -2,6 +2,7 @@
 #include "convexact/shrink.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <unordered_set>
@@ -29,6 +30,14 @@ Rational round_to_digits(const Rational& x, long digits) {
   const Integer twice = numerator(scaled) / denominator(scaled);
   const Rational rounded = scale_by_power_of_two(Rational(Integer((twice + 1) / 2)), -digits);
   return x < 0 ? Rational(-rounded) : rounded;
+}
+
+// Whether no coordinate lies beyond the largest double, as a difference may, or one rounded up.
+bool are_finite(const Rows& rows) {
+  return std::ranges::all_of(rows, [](const Row& row) {
+    return std::ranges::all_of(
+        row, [](const Rational& x) { return std::isfinite(to_double(x, Rounding::Nearest)); });
+  });
 }
 
 // Values to try for x, simplest first: fewer bits each than x has.
@@ -292,6 +301,7 @@ Shrunk shrink(const PointSet& points, const StillFails& fails,
               const std::function<void(const PointSet&)>& progress) {
   std::size_t tries = 0;
   const auto rows_fail = [&](const Rows& candidate, std::span<const PointId> origin) {
+    if (!are_finite(candidate)) return false;
     const PointSet set = points_of(candidate);
     if (points.is_binary() && !set.is_binary()) return false;
     ++tries;

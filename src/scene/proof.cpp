@@ -72,7 +72,6 @@ class ProofWriter : private CostTreeObserver {
   void write_hull();
   void write_inside();
   void write_run();
-  void write_least();
   void write_optimum();
   std::vector<HalfspaceId> optimum() const;
   void evaluated(const Removal& removal) override;

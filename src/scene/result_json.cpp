@@ -199,7 +199,7 @@ Json result_json(const SimplifyResult& result) {
   if (result.float_bound) json["float_bound"] = float_bound_json(*result.float_bound);
   if (result.start && result.run) json["proof"] = proof_claim(*result.run);
   json["verified"] = {{"level", name_in(kVerifyLevelNames, result.verified)},
-                      {"steps", result.steps},
+                      {"steps", result.engine == Engine::Float ? 0 : result.steps},
                       {"violations", 0}};
   return json;
 }

@@ -16,6 +16,7 @@
 #include "number/precision.hpp"
 #include "scene/search_stage.hpp"
 #include "simplify/replay.hpp"
+#include "simplify/step_verification.hpp"
 
 namespace convexact {
 namespace {
@@ -126,6 +127,13 @@ std::size_t verify_containment(const PointSet& points, const Polytope& result, V
                 fmt::format("{} input points lie outside the result", outside));
   }
   return points.size();
+}
+
+// What the exact engine does while it runs: the filtered one makes the local checks only.
+void verify_steps(const Run& run, const DualHull& dual, const SimplifyRequest& request) {
+  StepVerification verification(dual, request.verify, request.seed, request.cost);
+  for (const Step& step : run.steps) verification.check(step);
+  verification.finish();
 }
 
 // Where the result has them. @throws Error Internal if it has lost one.
@@ -289,6 +297,9 @@ SimplifyResult finish_run(RunInput& input, InputMeasures before, RunEnd end,
     end.run = log.run("replay",
                       [&] { return replay(solid->dual, input.center, end.removed, request.seed); });
     end.run->kept = input.keep;
+  }
+  if (request.engine == Engine::Filtered && request.verify == VerifyLevel::Full) {
+    log.run("steps again", [&] { verify_steps(*end.run, solid->dual, request); });
   }
   std::vector<KeptFacet> kept;
   if (solid) kept = find_kept(solid->dual.halfspaces, input.keep, end.polytope.planes);

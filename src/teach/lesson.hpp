@@ -40,8 +40,7 @@ struct Lesson {
 /// Runs the stages of `simplify --engine exact` on an object, watches them, and records what they
 /// do. The removals are those of the same request without a lesson.
 /// @throws Error InvalidArgument as simplify(); Internal if a certificate before the removals
-/// fails;
-///               Stopped as the watch says.
+///               fails; Stopped as the watch says.
 [[nodiscard]] std::variant<Lesson, NotSolid> make_lesson(const SceneObject& object,
                                                          const LessonRequest& request);
 

@@ -7,7 +7,7 @@
 
 CheckerVerdict check_proof(const std::string& text, const std::string& mesh) {
   try {
-    return {0, prove_by_kind(text, mesh)};
+    return {0, prove_by_kind(text, mesh.empty() ? std::nullopt : std::optional(mesh))};
   } catch (const Failure& failure) {
     return {failure.exit_code, failure.where + ": " + failure.what};
   }

@@ -276,6 +276,48 @@ TEST_CASE("decomposition proof: the faces of a mesh file") {
   CHECK(verdict_on("a.obj", points + sides + "f 5 6 x\n").exit_code == 3);
 }
 
+// Each of these proofs is right about its triangles, which are not those of the cube: of its first
+// face one is flipped, or there are two more that cancel.
+TEST_CASE("decomposition proof: triangles of a face that are flipped, or that cancel") {
+  const support::ScratchFolder scratch;
+  const std::string cube =
+      scratch.write("cube.obj",
+                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n"
+                    "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
+  const std::string before =
+      "convexact-proof 4 decomposition\nmeasure surface\nlimit share 3/100\nneighbours edges\n"
+      "point 0 0 0\npoint 0 0 1\npoint 0 1 0\npoint 0 1 1\npoint 1 0 0\npoint 1 0 1\n"
+      "point 1 1 0\npoint 1 1 1\ntriangle 0 1 2 4\ntriangle 0 4 1 2\n";
+  const std::string between =
+      "triangle 1 3 2 4\ntriangle 1 5 3 1\ntriangle 1 4 5 2\ntriangle 2 3 6 3\n"
+      "triangle 2 6 4 0\ntriangle 3 5 7 1\ntriangle 3 7 6 3\ntriangle 4 6 5 5\n"
+      "triangle 5 6 7 5\n";
+  const std::string hull =
+      "facet 0 1 3\nfacet 0 3 2\nfacet 0 2 6\nfacet 0 6 4\nfacet 0 4 5\nfacet 0 5 1\n"
+      "facet 1 5 7\nfacet 1 7 3\nfacet 2 3 7\nfacet 2 7 6\nfacet 4 6 7\nfacet 4 7 5\n"
+      "within 0 0 3\nwithin 4 1 5\nwithin 6 4 8\nwithin 8 6 9\nwithin 10 10 11\npart hull 1\n";
+  const auto proof = [&](const std::string& third, const std::string& more,
+                         const std::string& clusters, const std::string& owned) {
+    const std::string body = before + third + between + more + clusters + hull + owned;
+    return body + "end " + std::to_string(std::ranges::count(body, '\n') + 1) + "\n";
+  };
+  const std::string of_rest = "cluster 0 1 3 4 5 6 8 9 10 11\n",
+                    sides = "side 0 0 -1 0\nside 0 0 1 0\n";
+  // With the one half of a side flipped, that side is a cluster of its own.
+  const std::string flipped = proof("triangle 0 4 2 0\n", "",
+                                    "cluster 2 7\n" + sides + "within 0 7\nwithin 1 2\n" + of_rest,
+                                    "owns 0 1 2 3 4 5 6 7 8 9 10 11\napart 0 1 2 0 0 1 1 1\n");
+  const CheckerVerdict turned = check_proof(flipped, cube);
+  CHECK_MESSAGE(turned.exit_code == 0, turned.said);
+  check_says(turned.said, "1 of them turned,");
+  const std::string cancelling =
+      proof("triangle 0 2 4 0\n", "triangle 0 4 2 0\ntriangle 0 2 4 0\n",
+            "cluster 2 7 12 13\n" + sides + "within 0 2 7 13\nwithin 1 12\n" + of_rest,
+            "owns 0 1 2 3 4 5 6 7 8 9 10 11 12 13\napart 0 1 12 0 0 1 1 1\n");
+  CHECK(check_proof(cancelling).exit_code == 0);
+  check_says(check_proof(cancelling, cube).said, "its face 1 is not the one of the proof");
+}
+
 TEST_CASE("decomposition proof: triangles of STL, and decimals as spelt") {
   const support::ScratchFolder scratch;
   const std::string points = "v 0.1 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n",

@@ -128,6 +128,10 @@ TEST_CASE("convexact-check: a mesh beside the proof, its exit codes and what it 
   CHECK(run_checker(proof + " " + scratch.file("absent.obj"), scratch) == 3);
   CHECK(run_checker(proof + " " + scratch.write("mesh.json", "[]"), scratch) == 3);
   CHECK(run_checker(proof + " --fast", scratch) == 2);
+  // A folder opens like a file; an empty name is one that a script has lost.
+  CHECK(run_checker(proof + " " + scratch.file(""), scratch) == 3);
+  CHECK(run_checker(proof + " ''", scratch) == 3);
+  CHECK(run_checker(scratch.file(""), scratch) == 3);
 }
 
 TEST_CASE("convexact-check: proofs of decompositions that the program wrote") {
@@ -169,8 +173,7 @@ TEST_CASE("convexact-check: proofs of decompositions that the program wrote") {
   const support::Ran ran =
       support::run_program("decompose " + two + " --parts --proof " + proof + "2");
   CHECK(ran.exit == 2);
-  CHECK(ran.err.find("--proof: it shows one object, but there are several") !=
-        std::string::npos);
+  CHECK(ran.err.find("--proof: it shows one object, but there are several") != std::string::npos);
 }
 
 TEST_CASE("convexact-check: files that include nothing of ours but each other") {

@@ -447,7 +447,9 @@ TEST_CASE("wrong decomposition: malformed") {
   const std::pair<const char*, const char*> changes[] = {
       {"convexact-proof", "convexact-proof 4 greedy"},
       {"convexact-proof", "convexact-proof 5 decomposition"},
+      {"convexact-proof", "convexact-proof 4"},
       {"measure", "measure bridge"},
+      {"measure", "measure"},
       {"limit", "limit share -1/100"},
       {"limit", "limit 3"},
       {"neighbours", "neighbours all"},
@@ -468,6 +470,13 @@ TEST_CASE("wrong decomposition: malformed") {
     const std::string line = change.second;
     CAPTURE(line);
     CHECK(check_proof(Forged(right).set(change.first, 0, line).text()).exit_code == 3);
+  }
+  for (const char* const keyword : {"measure", "limit", "neighbours", "owns"}) {
+    CAPTURE(keyword);
+    Forged without(right);
+    Line& line = without.line(keyword);
+    line.erase(line.begin());
+    CHECK(check_proof(without.text()).exit_code == 3);
   }
 }
 

@@ -3,6 +3,7 @@
 // cannot be written. Names of files and objects may consist of any bytes.
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -216,4 +217,23 @@ TEST_CASE("hull: measures that are not asked for are neither computed nor told (
     CHECK(
         includes(ran.err, includes(bad, " ") ? "leaves the volume out" : "expected names out of"));
   }
+}
+
+TEST_CASE("outputs: two spellings of one name, and empty names, are refused") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
+  const auto here = std::filesystem::current_path();
+  std::filesystem::current_path(scratch.file(""));
+  const auto twice = run_program("simplify " + input + " --faces 4 -o t.json --trace ./t.json");
+  std::filesystem::current_path(here);
+  CHECK(twice.exit == 2);
+  CHECK(includes(twice.err, "two outputs go to this file"));
+  for (const std::string option : {"-o", "--trace", "--proof", "--picture"}) {
+    CAPTURE(option);
+    const auto ran = run_program("simplify " + input + " --faces 4 " + option + " ''");
+    CHECK(ran.exit == 2);
+    CHECK(includes(ran.err, "expected the name of a file"));
+  }
+  CHECK(run_program("bvh " + input + " --from ''").exit == 2);
+  CHECK(scratch.count() == 1);
 }

@@ -69,6 +69,19 @@ TEST_CASE("--max-memory: numbers of GMP count, and end the run as cleanly") {
   }
 }
 
+// Of 24 limits that end the run at different places, some do so while a JSON value is made, whose
+// destructor allocates.
+TEST_CASE("--max-memory: JSON values that are half made end cleanly") {
+  for (int k = 0; k < 24; ++k) {
+    const std::string limit = std::to_string(2300 + 25 * k) + "KB";
+    CAPTURE(limit);
+    const auto ran = run_program("hull --json --measures none " + support::data("spot.obj") +
+                                 " --max-memory " + limit);
+    CHECK((ran.exit == 0 || ran.exit == 6));
+    CHECK(nlohmann::json::parse(ran.out).contains("error") == (ran.exit == 6));
+  }
+}
+
 TEST_CASE("--max-memory: temporary files go, too") {
   const ScratchFolder scratch;
   const auto ran = run_shell("TMPDIR=" + scratch.file("") + " " + program() + " shrink " +

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "convexact/error.hpp"
 #include "convexact/hull.hpp"
@@ -155,6 +156,14 @@ TEST_CASE("shrink: rationals, and that a binary set stays binary") {
   const Fails any = [](const PointSet& set) { return set.is_binary() && set.size() > 2; };
   CHECK(shrunk(PointSet(std::vector<Point>{{1e308, 5e-324, 0.1}, {-1e308, 0, 1}, {1, 2, 3}}), any)
             .points.is_binary());
+}
+
+TEST_CASE("shrink: points near the largest double, whose differences are beyond it") {
+  const double most = std::numeric_limits<double>::max();
+  const Fails any = [](const PointSet& set) { return set.size() > 2; };
+  const Shrunk result =
+      shrunk(PointSet(std::vector<Point>{{most, 0, 0}, {-most, 1, 0}, {1.7e308, 0, 1}}), any);
+  CHECK(result.points.size() == 3);
 }
 
 TEST_CASE("shrink: the same again, whenever it is asked") {

@@ -3,4 +3,10 @@
 IMPLIED = {
     ('src/stored/stored_planes.cpp', '!std::visit([&](const auto& proof) { return check(cone, proof); }, outcome)'):
         'find_recession() proves its answers, so no input fails this: it refuses a defect of the solver.',
+    ('src/check/decomposition.hpp', 'words_.take_if("convexact-proof")'):
+        'prove_by_kind() hands over only proofs that begin with this word: it is read again, to get past it.',
+    ('src/check/decomposition.hpp', 'words_.take_if("4")'):
+        'prove_by_kind() hands over only proofs of this version: it is read again, to get past it.',
+    ('src/check/decomposition.hpp', '!file.is_mesh'):
+        'A file without faces has fewer than the proof, which has a triangle: kept for what it says.',
 }

@@ -49,6 +49,10 @@ std::string skipped(const SimplifyResult& result, const std::string& name) {
   return "no such stage";
 }
 
+bool has_run(const SimplifyResult& result, const std::string& name) {
+  return skipped(result, name).empty();
+}
+
 }  // namespace
 
 TEST_CASE("simplify: requests that make no sense are refused") {
@@ -164,8 +168,23 @@ TEST_CASE("simplify: with or without a record, from points or halfspaces: the sa
   }
   filtered.center = RationalPoint(Rational(1, 8), Rational(-1, 5), Rational(1, 9));
   CHECK(run(PointSet(points), filtered).solid.exact.planes == planes);
-  filtered.verify = VerifyLevel::Full;
-  CHECK(run(PointSet(points), filtered).solid.exact.planes == planes);
+}
+
+TEST_CASE("simplify: full verification proves the steps of the filtered engine a second time") {
+  const std::vector<Point> points = shapes::on_sphere(40, 5);
+  for (const CostMeasure measure :
+       {CostMeasure::Volume, CostMeasure::Area, CostMeasure::MeanWidth}) {
+    SimplifyRequest request = request_for(12, Engine::Filtered);
+    request.cost = measure;
+    const SimplifyResult local = run(PointSet(points), request);
+    CHECK_FALSE(has_run(local, "steps again"));
+    request.verify = VerifyLevel::Full;
+    const SimplifyResult full = run(PointSet(points), request);
+    CHECK(has_run(full, "steps again"));
+    CHECK(full.solid.exact.planes == local.solid.exact.planes);
+    request.search = {.kind = SearchKind::Walk};
+    CHECK(has_run(run(PointSet(points), request), "steps again"));
+  }
 }
 
 TEST_CASE("simplify: what a scene does not need is skipped, with a reason") {
