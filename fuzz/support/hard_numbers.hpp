@@ -2,9 +2,7 @@
 // hard_numbers.hpp - coordinates whose products cancel: few bits, few ulps apart, far apart in
 // size.
 #pragma once
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include "convexact/point_set.hpp"

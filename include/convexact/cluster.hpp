@@ -4,7 +4,6 @@
 //
 // docs/design/clustering.md has the method, its source [MamouGhorbel2009], and what is ours.
 #pragma once
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>

@@ -101,4 +101,7 @@ class Cost {
 /// @throws Error InvalidArgument if there are none, or of different measures.
 [[nodiscard]] Cost sum_of(std::span<const Cost> costs);
 
+/// a - b. @throws Error InvalidArgument for costs of different measures.
+[[nodiscard]] Cost difference(const Cost& a, const Cost& b);
+
 }  // namespace convexact

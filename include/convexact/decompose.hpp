@@ -7,7 +7,6 @@
 #pragma once
 #include <optional>
 #include <span>
-#include <string>
 #include <variant>
 #include <vector>
 

@@ -4,7 +4,6 @@
 #include <compare>
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "convexact/number.hpp"

@@ -2,7 +2,6 @@
 // root_sum.hpp - sums of square roots, their exact order, and the answer of a comparison.
 #pragma once
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 

@@ -7,7 +7,6 @@
 #pragma once
 #include <array>
 #include <atomic>
-#include <cstdint>
 #include <span>
 #include <vector>
 

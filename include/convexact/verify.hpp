@@ -3,10 +3,8 @@
 // witnesses.
 #pragma once
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -148,7 +146,8 @@ struct Claim {
   /// pass.
   bool is_by_distance = false;
 
-  bool is_undecided() const { return is_named && status == Status::NotApplicable; }
+  /// Whether the request asked for what does not apply to this candidate.
+  bool is_unanswered() const { return is_named && status == Status::NotApplicable; }
 };
 
 /// A candidate against the hull of the input. Ratios are candidate over hull; at least 1 if it

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "convexact/error.hpp"
@@ -18,14 +17,6 @@ namespace convexact {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string of_number(std::size_t count, const char* one, const char* many) {
-  return with_separators(count) + " " + (count == 1 ? one : many);
-}
-
-std::string labelled(const char* label, const std::string& text) {
-  return fmt::format("  {:<12}{}\n", label, text);
-}
 
 Json level_json(const TreeLevel& level, std::size_t number) {
   return {{"level", number},
@@ -125,10 +116,10 @@ std::string proven_tree_file(const BuiltTree& built, const TreeRequest& request,
 std::string tree_summary(const BuiltTree& built, const TreeOrigin& origin) {
   const std::size_t nodes = built.tree.nodes.size(), parts = built.tree.parts.size();
   std::string text =
-      labelled("tree", fmt::format("{} on {}: {} and {}", of_number(nodes, "node", "nodes"),
-                                   of_number(built.levels.size(), "level", "levels"),
-                                   of_number(parts, "part", "parts"),
-                                   of_number(nodes - parts, "branch", "branches")));
+      summary_line("tree", fmt::format("{} on {}: {} and {}", counted(nodes, "node", "nodes"),
+                                       counted(built.levels.size(), "level", "levels"),
+                                       counted(parts, "part", "parts"),
+                                       counted(nodes - parts, "branch", "branches")));
   if (nodes > parts) {
     const std::size_t by_volume = nodes - parts - built.given_joins;
     std::vector<std::string> how;
@@ -139,20 +130,21 @@ std::string tree_summary(const BuiltTree& built, const TreeOrigin& origin) {
     }
     if (by_volume > 0)
       how.push_back(fmt::format("{} by the least volume of the common hull", by_volume));
-    text += labelled("joined", fmt::format("{}", fmt::join(how, ", ")));
+    text += summary_line("joined", fmt::format("{}", fmt::join(how, ", ")));
   }
-  return text + labelled("nested", "every hull holds its children, tested on the stored numbers");
+  return text +
+         summary_line("nested", "every hull holds its children, tested on the stored numbers");
 }
 
 std::string tree_text(const BuiltTree& built, const TreeOrigin& origin) {
   std::string text = tree_summary(built, origin);
   if (origin.uncovered) {
-    text +=
-        labelled("covers", *origin.uncovered == 0
-                               ? "the surface: every triangle lies in the parts' union"
-                               : fmt::format("not all: {} in no part",
-                                             of_number(*origin.uncovered, "piece of a triangle is",
-                                                       "pieces of triangles are")));
+    text += summary_line("covers",
+                         *origin.uncovered == 0
+                             ? "the surface: every triangle lies in the parts' union"
+                             : fmt::format("not all: {} in no part",
+                                           counted(*origin.uncovered, "piece of a triangle is",
+                                                   "pieces of triangles are")));
   }
   text += fmt::format("  {:<12}{:>6} {:>7} {:>24} {:>24}\n", "level", "nodes", "leaves", "volume",
                       "area");
@@ -188,8 +180,8 @@ std::string parts_list(const NamedTree& named, const std::vector<std::size_t>& p
 
 std::string tree_line(const NamedTree& named) {
   return fmt::format("A  {}: {}, {}\n", named.name,
-                     of_number(named.tree.nodes().size(), "node", "nodes"),
-                     of_number(named.parts.size(), "part", "parts"));
+                     counted(named.tree.nodes().size(), "node", "nodes"),
+                     counted(named.parts.size(), "part", "parts"));
 }
 
 }  // namespace
@@ -216,7 +208,7 @@ std::string rays_text(const NamedTree& named, std::span<const TreeRayAnswer> ans
   std::string text = tree_line(named);
   for (std::size_t k = 0; k < answers.size(); ++k) {
     const TreeRayAnswer& answer = answers[k];
-    const std::string visits = of_number(answer.visited.size(), "node", "nodes") + " visited";
+    const std::string visits = counted(answer.visited.size(), "node", "nodes") + " visited";
     text += answer.first ? fmt::format("{:>5}  hit    t = {}, {}; {}\n", k,
                                        to_decimal(*answer.first, kDigits),
                                        parts_list(named, answer.parts), visits)
@@ -248,14 +240,13 @@ Json overlap_json(const NamedTree& named, const NamedPolytope& b, const TreeOver
 std::string overlap_text(const NamedTree& named, const NamedPolytope& b,
                          const TreeOverlap& answer) {
   std::string text =
-      tree_line(named) + fmt::format("B  {}: {}\n", b.name,
-                                     of_number(b.solid.planes.size(), "halfspace", "halfspaces"));
-  text += answer.parts.empty()
-              ? "apart: no part has a common point with B\n"
-              : fmt::format("overlap: {} with B: {}\n",
-                            of_number(answer.parts.size(), "part has a common point",
-                                      "parts have common points"),
-                            parts_list(named, answer.parts));
+      tree_line(named) +
+      fmt::format("B  {}: {}\n", b.name, counted(b.solid.planes.size(), "halfspace", "halfspaces"));
+  text += answer.parts.empty() ? "apart: no part has a common point with B\n"
+                               : fmt::format("overlap: {} with B: {}\n",
+                                             counted(answer.parts.size(), "part has a common point",
+                                                     "parts have common points"),
+                                             parts_list(named, answer.parts));
   return text + fmt::format(
                     "visited  {} of {} nodes; --json has each with a common point or a "
                     "separating plane\n",

@@ -670,19 +670,29 @@ std::string prove_by_kind(const std::string& bytes, const std::optional<std::str
   return is_decomposition ? prove<DecompositionProof>(bytes, mesh) : prove<Proof>(bytes, mesh);
 }
 
+// Prints it and returns 0. A claim that nobody could read has not been made.
+int say(const std::string& text) {
+  if (std::cout << text << std::flush) return 0;
+  std::cerr << "convexact-check: standard output cannot be written\n";
+  return 5;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  const std::string usage =
+      "usage: convexact-check PROOF [MESH]\n"
+      "exit codes: 0 proven, 1 not proven, 2 wrong usage, 3 malformed, 5 cannot print, 6 memory\n";
+  if (argc == 2 && argv[1] == std::string("--help")) return say(usage);
   if (argc < 2 || argc > 3 || argv[1][0] == '-' || argv[argc - 1][0] == '-') {
-    std::cerr << "usage: convexact-check PROOF [MESH] (exit 0 proven, 1 not proven, 3 malformed)\n";
+    std::cerr << usage;
     return 2;
   }
   check::end_if_memory_is_short();
   try {
     const std::string bytes = bytes_of_file(argv[1]);
-    std::cout << prove_by_kind(bytes,
-                               argc == 3 ? std::optional<std::string>(argv[2]) : std::nullopt);
-    return 0;
+    return say(
+        prove_by_kind(bytes, argc == 3 ? std::optional<std::string>(argv[2]) : std::nullopt));
   } catch (const Failure& failure) {
     std::cerr << "convexact-check: " << failure.where << ": " << failure.what << "\n";
     return failure.exit_code;

@@ -120,9 +120,6 @@ int run_bvh(const BvhArguments& options) {
     throw Error(ErrorCode::InvalidArgument,
                 "-o: expected a name that ends in .json, found " + in_quotes(options.output));
   }
-  if (!options.picture.empty() && !options.picture.ends_with(".html")) {
-    throw Error(ErrorCode::InvalidArgument, "--picture: expected a name that ends in .html");
-  }
   require_other_files({options.output, options.picture}, {options.input, options.from});
   Progress progress;
   StageLog log(progress.watch());

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <iostream>
 #include <new>
+#include <sstream>
 
 #include "cli/reproducer.hpp"
 #include "io/json.hpp"
@@ -105,6 +106,24 @@ std::optional<std::string> unknown_option(const CLI::App& program,
   return std::nullopt;
 }
 
+// The first word, if it stands where a subcommand should, and is none.
+std::optional<std::string> unknown_subcommand(const CLI::App& program,
+                                              const std::vector<std::string>& words) {
+  if (words.empty() || words[0].starts_with('-')) return std::nullopt;
+  if (program.get_subcommand_no_throw(words[0]) != nullptr) return std::nullopt;
+  return words[0];
+}
+
+// What the parser prints instead of doing work: the help, or the version.
+int print_answer(const CLI::App& program, const CLI::ParseError& error) {
+  std::ostringstream text;
+  const int code = program.exit(error, text, text);
+  return run_guarded({}, [&] {
+    print(text.str());
+    return code;
+  });
+}
+
 }  // namespace
 
 void add_global_options(CLI::App& command, GlobalOptions& options) {
@@ -129,15 +148,20 @@ void remember_input(const std::string& name, const std::string& bytes) {
 }
 
 int end_of_parsing(const CLI::App& program, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return program.exit(error);
+  if (error.get_exit_code() == 0) return print_answer(program, error);
   const std::vector<std::string> words = own_words();
   GlobalOptions options;
   options.json = std::find(words.begin(), words.end(), "--json") != words.end();
   std::string what = error.what();
-  const auto unknown = unknown_option(program, words);
-  if (unknown) what = "there is no option " + in_quotes(*unknown);
-  const bool says_all = !unknown && error.get_name() == "ValidationError";
-  if (!says_all) what += "; --help names the options";
+  const auto subcommand = unknown_subcommand(program, words);
+  const auto option = unknown_option(program, words);
+  if (subcommand) {
+    what = "there is no subcommand " + in_quotes(*subcommand) + "; --help names them";
+  } else if (option) {
+    what = "there is no option " + in_quotes(*option) + "; --help names the options";
+  } else if (error.get_name() != "ValidationError") {
+    what += "; --help names the options";
+  }
   return report(options, Error(ErrorCode::InvalidArgument, what));
 }
 

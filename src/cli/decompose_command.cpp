@@ -349,9 +349,6 @@ int run_decompose(const DecomposeArguments& options) {
     throw Error(ErrorCode::InvalidArgument, "--tree-faces is of a tree: name its file by --tree");
   }
   require_model_options(options.files.results, options.precision, options.flat);
-  if (!options.files.picture.empty() && !options.files.picture.ends_with(".html")) {
-    throw Error(ErrorCode::InvalidArgument, "--picture: expected a name that ends in .html");
-  }
   require_other_files(options.files.all_paths(), {options.input});
   require_other_names(options, names);
   Progress progress;

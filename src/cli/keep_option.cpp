@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/keep_option.hpp"
 
-#include <algorithm>
 #include <array>
 #include <optional>
 

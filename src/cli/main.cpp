@@ -22,14 +22,19 @@ constexpr const char* kFooter =
     "  2  wrong usage                        6  stopped: memory, interrupt, closed pipe\n"
     "  3  a file is unreadable or malformed  70 an internal verification failed";
 
-// An empty name is one that a script has lost, not one that was not given.
-void refuse_empty_names(CLI::App& command) {
+// An empty name is one that a script has lost, not one that was not given. Every picture is a page.
+void check_file_names(CLI::App& command) {
   for (const char* const name :
        {"--output", "--picture", "--trace", "--proof", "--tree", "--csv", "--from"}) {
     CLI::Option* const option = command.get_option_no_throw(name);
     if (option == nullptr) continue;
     option->check([](const std::string& text) {
       return std::string(text.empty() ? "expected the name of a file, found ''" : "");
+    });
+  }
+  if (CLI::Option* const picture = command.get_option_no_throw("--picture")) {
+    picture->check([](const std::string& text) {
+      return std::string(text.ends_with(".html") ? "" : "expected a name that ends in .html");
     });
   }
 }
@@ -52,7 +57,7 @@ int main(int argc, char** argv) {
         add_compare_command, add_teach_command}) {
     add_to(program, exit_code);
   }
-  for (CLI::App* const command : program.get_subcommands({})) refuse_empty_names(*command);
+  for (CLI::App* const command : program.get_subcommands({})) check_file_names(*command);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 
-#include "convexact/error.hpp"
 #include "convexact/io.hpp"
 
 namespace convexact::cli {

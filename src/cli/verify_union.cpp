@@ -64,12 +64,7 @@ bool is_decomposition(const std::string& path) {
 int run_verify_union(const GlobalOptions& global, const std::string& input,
                      const std::string& candidate, Decimal decimal, PartsRequest request,
                      const UnionOptions& options) {
-  if (!options.picture.empty()) {
-    if (!options.picture.ends_with(".html")) {
-      throw Error(ErrorCode::InvalidArgument, "--picture: expected a name that ends in .html");
-    }
-    require_other_files({options.picture}, {input, candidate});
-  }
+  if (!options.picture.empty()) require_other_files({options.picture}, {input, candidate});
   request.max_parts = options.max_parts;
   request.orient = options.orient.value_or(Orient::Auto);
   request.exact_volumes = options.exact_volumes;

@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 #include <variant>
-#include <vector>
 
 #include "cli/command.hpp"
 #include "convexact/scene.hpp"

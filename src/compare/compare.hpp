@@ -2,7 +2,6 @@
 // compare.hpp - the methods on one input, each refitted, timed and measured; as tables and as data.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
 #include <variant>
 #include <vector>

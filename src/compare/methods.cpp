@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The table of all methods, and the hull as they see it.
-#include <array>
 
 #include "compare/method.hpp"
 #include "convexact/measure.hpp"

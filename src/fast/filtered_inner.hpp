@@ -2,7 +2,6 @@
 // filtered_inner.hpp - the greedy removal of vertices at float speed, with the exact engine's
 // answer.
 #pragma once
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>

@@ -3,8 +3,6 @@
 #pragma once
 #include <cstdint>
 #include <limits>
-#include <span>
-#include <utility>
 #include <vector>
 
 #include "convexact/point_set.hpp"

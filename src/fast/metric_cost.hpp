@@ -2,7 +2,6 @@
 // metric_cost.hpp - what a removal adds to the area or the mean width, in doubles with proven
 // bounds.
 #pragma once
-#include <algorithm>
 #include <limits>
 #include <span>
 #include <type_traits>

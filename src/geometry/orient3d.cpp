@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Four stages of growing cost, after [Shewchuk1997, sec. 4.3], and rationals outside the range
 // where these are proven.
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>

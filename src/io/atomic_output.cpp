@@ -30,7 +30,12 @@ std::string folder_of(const std::string& target) {
 std::string resolve(const std::string& path) {
   std::error_code failed;
   // Of a file that does not exist, a relative name would stay as it is spelt.
-  const auto absolute = std::filesystem::absolute(path, failed);
+  auto absolute = std::filesystem::absolute(path, failed);
+  // weakly_canonical() would stop at a link to a file that does not exist.
+  constexpr int kLongestChain = 40;  // as Linux allows
+  for (int k = 0; k < kLongestChain && std::filesystem::is_symlink(absolute, failed); ++k) {
+    absolute = absolute.parent_path() / std::filesystem::read_symlink(absolute, failed);
+  }
   const auto resolved = std::filesystem::weakly_canonical(absolute, failed);
   return failed ? path : resolved.string();
 }

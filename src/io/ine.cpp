@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 
 #include "io/halfspace_formats.hpp"
 #include "io/output_buffer.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Meshes in any format: by the path or the content; and point clouds, the shortest of the formats.
-#include <algorithm>
 #include <array>
 
 #include "convexact/error.hpp"

@@ -2,7 +2,6 @@
 // flat.hpp - the intersection of hyperplanes of a linear program, as a map from its free
 // coordinates; and numbers with a symbolic infinity.
 #pragma once
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>

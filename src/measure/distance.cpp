@@ -230,25 +230,18 @@ NearestPoint::~NearestPoint() = default;
 
 RationalPoint NearestPoint::operator()(const RationalPoint& x) const { return (*search_)(x); }
 
-namespace {
-
-bool comes_before(const RationalPoint& a, const RationalPoint& b) {
-  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-}
-
-}  // namespace
-
 HausdorffDistance hausdorff_distance(const Polytope& outer, const Polytope& inner,
                                      const std::atomic<bool>* stop) {
   std::optional<NearestPoint> nearest_point;  // hulls often share all vertices
   std::vector<RationalPoint> shared = inner.vertices;
-  std::sort(shared.begin(), shared.end(), comes_before);
+  std::sort(shared.begin(), shared.end(), precedes<RationalPoint>);
   std::optional<HausdorffDistance> best;
   for (std::uint32_t v = 0; v < outer.vertices.size(); ++v) {
     if (stop != nullptr && *stop) throw Error(ErrorCode::Stopped, "interrupted");
     const RationalPoint& vertex = outer.vertices[v];
     // For a vertex of both, the facets do not matter.
-    const bool is_shared = std::binary_search(shared.begin(), shared.end(), vertex, comes_before);
+    const bool is_shared =
+        std::binary_search(shared.begin(), shared.end(), vertex, precedes<RationalPoint>);
     if (!is_shared && !nearest_point) nearest_point.emplace(inner);
     RationalPoint nearest = is_shared ? vertex : (*nearest_point)(vertex);
     const RationalVector3 gap = outer.vertices[v] - nearest;

@@ -17,8 +17,6 @@
 // factor, primes are not needed: exponents add up to 0 for each prime of a factor or for none.
 #include "number/angle_basis.hpp"
 
-#include <array>
-#include <cstdint>
 #include <utility>
 #include <vector>
 

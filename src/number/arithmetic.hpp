@@ -24,6 +24,12 @@ inline void subtract_product(Integer& sum, const Integer& a, const Integer& b) {
   mpz_submul(raw(sum), raw(a), raw(b));
 }
 
+/// The lexicographic order of points by their coordinates.
+template <class Coordinates>
+[[nodiscard]] bool precedes(const Coordinates& a, const Coordinates& b) {
+  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+}
+
 /// Dot product, without temporaries.
 [[nodiscard]] Integer dot(const IntegerVector3& a, const IntegerVector3& b);
 

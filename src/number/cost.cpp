@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "convexact/cost.hpp"
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -195,6 +196,12 @@ Cost sum_of(std::span<const Cost> costs) {
   std::vector<Rational> volumes;
   for (const Cost& cost : costs) volumes.push_back(cost.rational());
   return balanced_sum(std::move(volumes));
+}
+
+Cost difference(const Cost& a, const Cost& b) {
+  Cost negative = b;
+  negative *= Rational(-1);
+  return sum_of(std::array{a, std::move(negative)});
 }
 
 }  // namespace convexact

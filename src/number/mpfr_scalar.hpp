@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // mpfr_scalar.hpp - MPFR numbers with operators, rounded to nearest: a scalar of any length.
 #pragma once
-#include <algorithm>
 #include <array>
 
 #include "convexact/number.hpp"

@@ -11,6 +11,11 @@ namespace convexact {
 /// Bits of enclosures that are printed or compared: some thirty certain decimal digits.
 inline constexpr long kMeasureBits = 128;
 
+/// About the middle of x.
+[[nodiscard]] inline double middle_double(const Enclosure& x) {
+  return (x.low_double() + x.high_double()) / 2;
+}
+
 /// The precisions that refine() tries, in bits: first, 2 first, 4 first, ... up to last.
 struct PrecisionRange {
   long first = 64;

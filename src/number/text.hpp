@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// text.hpp - numbers and words in texts: hexadecimal numbers, quotes in messages, thousands.
+// text.hpp - numbers and words in texts: hexadecimal numbers, quotes in messages, thousands, a
+// summary's lines.
 #pragma once
 #include <string>
 #include <string_view>
@@ -22,5 +23,11 @@ namespace convexact {
 
 /// 1234567 as "1,234,567".
 [[nodiscard]] std::string with_separators(std::size_t count);
+
+/// "1 point", "1,800 points".
+[[nodiscard]] std::string counted(std::size_t count, const char* one, const char* many);
+
+/// A line of a summary: the text after its label, in a column of its own.
+[[nodiscard]] std::string summary_line(const char* label, const std::string& text);
 
 }  // namespace convexact

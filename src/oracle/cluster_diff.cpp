@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "decompose/merge_cost.hpp"
 #include "decompose/start.hpp"

@@ -2,7 +2,6 @@
 #include "oracle/divergence.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "convexact/error.hpp"
 #include "fast/filtered_loop.hpp"
@@ -85,9 +84,7 @@ Rational number_of(const Cost& cost, const Watch& watch) {
 
 // The same of a difference.
 Rational gap_between(const Cost& lower, const Cost& higher, const Watch& watch) {
-  std::array<Cost, 2> parts{higher, lower};
-  parts[1] *= Rational(-1);
-  return number_of(sum_of(parts), watch);
+  return number_of(difference(higher, lower), watch);
 }
 
 // Two different bounded removals.

@@ -101,7 +101,4 @@ void count_planes_of_the_input(Trial& trial);
 /// Finds the polytope of a list of halfspaces, or returns why there is none.
 std::optional<NotSolid> find_vertices(Trial& trial);
 
-/// "1 point", "18 halfspaces".
-std::string counted(std::size_t count, const char* one, const char* many);
-
 }  // namespace convexact::oracle

@@ -3,8 +3,6 @@
 // numbers beside these claims.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/stored.hpp"

@@ -4,6 +4,7 @@
 
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
+#include "number/text.hpp"
 #include "oracle/judge.hpp"
 #include "scene/objects.hpp"
 #include "scene/solid.hpp"

@@ -107,11 +107,6 @@ std::optional<std::pair<std::size_t, std::size_t>> touching_edges(Outline corner
 
 // ---- The faces of a mesh
 
-template <class Coordinates>
-bool precedes(const Coordinates& a, const Coordinates& b) {
-  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-}
-
 // For each point the lowest id of those at the same place.
 template <class GetPoint>
 std::vector<std::uint32_t> weld(std::size_t count, const GetPoint& point) {

@@ -2,7 +2,6 @@
 // parts_trial.hpp - the parts of verify_parts(): each decides some claims about a decomposition.
 #pragma once
 #include <string>
-#include <vector>
 
 #include "convexact/verify_parts.hpp"
 #include "scene/stage_log.hpp"

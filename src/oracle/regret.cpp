@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Regret: by which share one cost exceeds another.
 #include <algorithm>
-#include <array>
 
 #include "convexact/error.hpp"
 #include "convexact/verify_run.hpp"
@@ -47,9 +46,7 @@ std::optional<Regret> relative_regret(const Cost& cost, const Cost& minimum,
   const Enclosure least = minimum.enclose(bits, watch);
   if (least.sign() != Sign::Positive) return std::nullopt;
   if (is_open) return Regret((cost.enclose(bits, watch) - least) / least);
-  std::array<Cost, 2> parts{cost, minimum};
-  parts[1] *= Rational(-1);
-  return Regret(sum_of(parts).enclose(bits, watch) / least);
+  return Regret(difference(cost, minimum).enclose(bits, watch) / least);
 }
 
 }  // namespace convexact

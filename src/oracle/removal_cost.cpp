@@ -2,7 +2,6 @@
 #include "oracle/removal_cost.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "convexact/dual.hpp"
 #include "convexact/error.hpp"
@@ -153,13 +152,6 @@ Rational support_motion(const CutOff& cap) {
     turn = std::max(turn, least < 0 ? Rational(2) : Rational(1 - least));
   }
   return 2 * root_of(farthest).high() * turn;
-}
-
-Cost difference(const Cost& after, const Cost& before) {
-  if (after.measure() == CostMeasure::Volume) return Rational(after.rational() - before.rational());
-  std::array<Cost, 2> parts{after, before};
-  parts[1] *= Rational(-1);
-  return sum_of(parts);
 }
 
 // Costs that are the same number by proof, or of mean widths to all bits that are looked at.

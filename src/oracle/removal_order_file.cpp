@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "oracle/removal_order_file.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <utility>

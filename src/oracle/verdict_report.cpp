@@ -151,7 +151,7 @@ Json claims_json(std::span<const Claim> claims, const Rational& squared_diameter
     return claim.status == Status::Violated;
   });
   const bool is_undecided = std::any_of(claims.begin(), claims.end(), [](const Claim& claim) {
-    return claim.status == Status::Undecided || claim.is_undecided();
+    return claim.status == Status::Undecided || claim.is_unanswered();
   });
   return {{"verdict", is_violated    ? "violated"
                       : is_undecided ? "undecided"
@@ -173,7 +173,7 @@ std::string verdict_line(std::span<const Claim> claims) {
   };
   const auto violated = count([](const Claim& c) { return c.status == Status::Violated; });
   const auto undecided = count([](const Claim& c) { return c.status == Status::Undecided; });
-  const auto inapplicable = count([](const Claim& c) { return c.is_undecided(); });
+  const auto inapplicable = count([](const Claim& c) { return c.is_unanswered(); });
   const auto counted = [](std::ptrdiff_t number, const char* one, const char* many) {
     return number == 1 ? std::string("1 claim ") + one : fmt::format("{} claims {}", number, many);
   };

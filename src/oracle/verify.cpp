@@ -71,10 +71,6 @@ std::string Trial::distance_text(const Rational& squared) const {
          " of the diameter)";
 }
 
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return with_separators(count) + " " + (count == 1 ? one : many);
-}
-
 }  // namespace oracle
 
 namespace {
@@ -113,7 +109,7 @@ void find_smallest_tolerance(Trial& trial) {
   Verdict& verdict = trial.verdict;
   Rational worst = 0;
   for (const Claim& claim : verdict.claims) {
-    if (claim.is_undecided()) return;
+    if (claim.is_unanswered()) return;
     if (claim.status != Status::Violated) continue;
     if (!claim.is_by_distance) return;
     worst = std::max(worst, *claim.witness.squared_distance);
@@ -220,7 +216,7 @@ const Claim& Verdict::operator[](ClaimCode code) const {
 
 bool Verdict::holds() const {
   return std::none_of(claims.begin(), claims.end(), [](const Claim& claim) {
-    return claim.status == Status::Violated || claim.is_undecided();
+    return claim.status == Status::Violated || claim.is_unanswered();
   });
 }
 

@@ -438,7 +438,7 @@ const Claim& PartsVerdict::operator[](ClaimCode code) const {
 bool PartsVerdict::holds() const {
   return std::none_of(claims.begin(), claims.end(), [](const Claim& claim) {
     return claim.status == Status::Violated || claim.status == Status::Undecided ||
-           claim.is_undecided();
+           claim.is_unanswered();
   });
 }
 

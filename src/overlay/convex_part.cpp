@@ -5,14 +5,11 @@
 
 #include "convexact/error.hpp"
 #include "convexact/overlay.hpp"
+#include "number/arithmetic.hpp"
 #include "overlay/union_boundary.hpp"
 
 namespace convexact {
 namespace {
-
-bool lexicographic_less(const RationalPoint& a, const RationalPoint& b) {
-  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-}
 
 Halfspace halfspace_at(const RationalVector3& normal, const RationalPoint& p) {
   return {normal, Rational(-normal.dot(p))};
@@ -56,7 +53,7 @@ std::vector<RationalPoint> planar_hull(std::vector<RationalPoint> points,
 void make_flat(const FlatInput& flat, const PointSet& points, ConvexPart& part) {
   std::vector<RationalPoint> distinct;
   for (std::size_t i = 0; i < points.size(); ++i) distinct.push_back(points[PointId(i)]);
-  std::sort(distinct.begin(), distinct.end(), lexicographic_less);
+  std::sort(distinct.begin(), distinct.end(), precedes<RationalPoint>);
   distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
   part.dimension = flat.dimension;
   for (const Halfspace& plane : flat.equations) add_both_sides(plane, part.halfspaces);
@@ -101,7 +98,7 @@ ConvexPart convex_part(const PointSet& points, const Watch& watch) {
 }
 
 bool holds(const ConvexPart& part, const RationalPoint& x) {
-  const HomogeneousPoint p = homogeneous(x);
+  const HomogeneousPoint p = to_homogeneous(x);
   return std::all_of(part.halfspaces.begin(), part.halfspaces.end(),
                      [&](const Halfspace& h) { return plane_value(h, p) <= 0; });
 }
@@ -155,7 +152,7 @@ std::optional<RationalPoint> behind_facet_inside(const LaidPart& one, const Laid
       for (int k = 0; k < 3; ++k) {
         y[k] -= scale_by_power_of_two(Rational(normal[k]), length - j);
       }
-      const HomogeneousPoint p = homogeneous(y);
+      const HomogeneousPoint p = to_homogeneous(y);
       if (is_inside(*one.part, p) && is_inside(*other.part, p)) return y;
     }
   }
@@ -190,7 +187,7 @@ std::optional<RationalPoint> common_interior(const ConvexPart& a, const ConvexPa
                       2;
   }
   for (const RationalPoint& middle : middle_of) {
-    const HomogeneousPoint p = homogeneous(middle);
+    const HomogeneousPoint p = to_homogeneous(middle);
     if (is_inside(a, p) && is_inside(b, p)) return middle;
   }
   // (3) A facet of one with an area inside the other: from there it is not far to the interior of
@@ -203,7 +200,7 @@ std::optional<RationalPoint> common_interior(const ConvexPart& a, const ConvexPa
     RationalPoint sum = RationalPoint::Zero();
     for (const RationalPoint& v : part->vertices) sum += v;
     const RationalPoint mean = sum / Rational(part->vertices.size());
-    const HomogeneousPoint p = homogeneous(mean);
+    const HomogeneousPoint p = to_homogeneous(mean);
     if (is_inside(a, p) && is_inside(b, p)) return mean;
   }
   return std::nullopt;

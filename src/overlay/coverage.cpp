@@ -2,6 +2,7 @@
 // What parts leave of triangles: part after part is subtracted from each, in its plane.
 #include <algorithm>
 
+#include "number/arithmetic.hpp"
 #include "overlay/scaled.hpp"
 
 namespace convexact {
@@ -56,8 +57,7 @@ class Coverage {
   // Of corners in a line, the lexicographically first and last.
   Ids<2> far_ends(Ids<3> ids) const {
     const auto less = [&](std::uint32_t a, std::uint32_t b) {
-      const RationalPoint p = points_.rational(a), q = points_.rational(b);
-      return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+      return precedes(points_.rational(a), points_.rational(b));
     };
     const auto [low, high] = std::minmax_element(ids.begin(), ids.end(), less);
     return {*low, *high};

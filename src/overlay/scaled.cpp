@@ -6,11 +6,6 @@
 
 namespace convexact {
 
-HomogeneousPoint homogeneous(const RationalPoint& p) {
-  IntegerFraction cleared = clear_denominators(p);
-  return {std::move(cleared.x), std::move(cleared.d)};
-}
-
 Halfspace wall(const HomogeneousPoint& p, const HomogeneousPoint& q, const IntegerVector3& normal) {
   int axis = 0;
   for (int k = 1; k < 3; ++k) {

@@ -9,12 +9,11 @@
 #include <vector>
 
 #include "convexact/overlay.hpp"
+#include "hull/exact_points.hpp"
 #include "overlay/arrangement.hpp"
 #include "surface/box_tree.hpp"
 
 namespace convexact {
-
-[[nodiscard]] HomogeneousPoint homogeneous(const RationalPoint& p);
 
 /// A halfspace whose plane holds p and q, and is parallel to the axis along which the normal is
 /// longest. Seen from where the normal looks, its inside lies to the left of the way from p to q.
@@ -37,7 +36,7 @@ class ScaledPoints {
   const Point& near(std::size_t i) const { return near_[i]; }
   /// The unscaled point; computed when it is first asked for.
   const HomogeneousPoint& exact(std::size_t i) const {
-    if (!exact_[i]) exact_[i] = homogeneous(rational(i));
+    if (!exact_[i]) exact_[i] = to_homogeneous(rational(i));
     return *exact_[i];
   }
   RationalPoint rational(std::size_t i) const {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "overlay/union_boundary.hpp"
 
-#include <algorithm>
-
 namespace convexact {
 namespace {
 

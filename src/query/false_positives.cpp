@@ -105,8 +105,6 @@ std::optional<ProbeTally> tally(const ProbedPair& pair, std::size_t samples, std
   return tally;
 }
 
-double middle_of(const Enclosure& x) { return (x.low_double() + x.high_double()) / 2; }
-
 }  // namespace
 
 std::optional<double> ProbeTally::rate() const {
@@ -116,7 +114,7 @@ std::optional<double> ProbeTally::rate() const {
 
 std::optional<double> ProbeTally::sigma() const {
   if (hits_b == 0 || !prediction) return {};
-  const double share = std::max(0.0, middle_of(*prediction));
+  const double share = std::max(0.0, middle_double(*prediction));
   return std::sqrt(share * (1 - share) / static_cast<double>(hits_b));
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "io/json.hpp"
+#include "number/precision.hpp"
 
 namespace convexact {
 namespace {
@@ -58,8 +59,6 @@ Json ray_json(const RayAnswer& answer) {
 Json bounds_json(const Enclosure& x) {
   return {{"low", x.low_double()}, {"high", x.high_double()}};
 }
-
-double middle_double(const Enclosure& x) { return (x.low_double() + x.high_double()) / 2; }
 
 Json tally_json(const ProbeTally& tally) {
   return {{"samples", tally.samples},

@@ -34,7 +34,7 @@ class Frame {
     for (const PictureLayer& layer : layers) {
       for (const Point& p : layer.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
     }
-    std::frexp(largest, &exponent_);
+    exponent_ = exponent_of(largest);
     Point low = Point::Constant(1), high = -low;
     for (const PictureLayer& layer : layers) {
       for (const Point& p : layer.points) {

@@ -195,14 +195,6 @@ OrderedJson measured_or_null(const std::optional<Measured>& x) {
 
 // ---- Text
 
-std::string text_line(const char* label, const std::string& text) {
-  return fmt::format("  {:<12}{}\n", label, text);
-}
-
-std::string number_of(std::size_t count, const char* one, const char* many) {
-  return with_separators(count) + " " + (count == 1 ? one : many);
-}
-
 std::string percent_text(const Rational& percent) { return to_decimal(percent, 6) + "%"; }
 
 std::string percent_text(const Enclosure& percent) {
@@ -227,7 +219,7 @@ std::string cause_text(const Decomposition& decomposition, const DecomposeReques
     const std::size_t beyond = merges_beyond(*clustering);
     if (beyond > 0 && request.max_parts) {
       causes.push_back(fmt::format("--max-parts {} asked for {} beyond it", *request.max_parts,
-                                   number_of(beyond, "merge", "merges")));
+                                   counted(beyond, "merge", "merges")));
     }
   } else {
     const auto& tree = std::get<SplitTree>(decomposition.origin);
@@ -235,14 +227,14 @@ std::string cause_text(const Decomposition& decomposition, const DecomposeReques
       causes.push_back(fmt::format("--max-parts {} allows no more splits", *request.max_parts));
     }
     if (const std::size_t stuck = count_leaves(tree, LeafStatus::Unsplittable)) {
-      causes.push_back(number_of(stuck, "part", "parts") +
+      causes.push_back(counted(stuck, "part", "parts") +
                        " cannot be split: each plane at the deepest notch leaves all on one side");
     }
   }
   if (!decomposition.flat_merged.empty()) {
     causes.push_back(
         fmt::format("{} joined a neighbour",
-                    number_of(decomposition.flat_merged.size(), "flat cluster", "flat clusters")));
+                    counted(decomposition.flat_merged.size(), "flat cluster", "flat clusters")));
   }
   return fmt::format("{}", fmt::join(causes, "; "));
 }
@@ -250,15 +242,15 @@ std::string cause_text(const Decomposition& decomposition, const DecomposeReques
 std::string limit_line(const Decomposition& decomposition, const DecomposeRequest& request) {
   const std::string limit = limit_text(request.limit, decomposition);
   if (decomposition.limit_holds) {
-    return text_line("limit", "holds: no cluster is more concave than " + limit);
+    return summary_line("limit", "holds: no cluster is more concave than " + limit);
   }
   const auto beyond = static_cast<std::size_t>(
       std::count_if(decomposition.parts.begin(), decomposition.parts.end(),
                     [](const Part& part) { return !part.is_within_limit; }));
-  return text_line("limit", fmt::format("not held: {} of {} {} more concave than {}", beyond,
-                                        number_of(decomposition.parts.size(), "part", "parts"),
-                                        beyond == 1 ? "is" : "are", limit)) +
-         text_line("", cause_text(decomposition, request));
+  return summary_line("limit", fmt::format("not held: {} of {} {} more concave than {}", beyond,
+                                           counted(decomposition.parts.size(), "part", "parts"),
+                                           beyond == 1 ? "is" : "are", limit)) +
+         summary_line("", cause_text(decomposition, request));
 }
 
 std::string parts_line(const std::vector<Part>& parts) {
@@ -267,9 +259,10 @@ std::string parts_line(const std::vector<Part>& parts) {
     facets = std::max(facets, part.faces);
     corners = std::max(corners, part.mesh.points.size());
   }
-  return text_line("parts", fmt::format("{}, of at most {} and {}", with_separators(parts.size()),
-                                        number_of(facets, "facet", "facets"),
-                                        number_of(corners, "corner", "corners")));
+  return summary_line(
+      "parts",
+      fmt::format("{}, of at most {} and {}", with_separators(parts.size()),
+                  counted(facets, "facet", "facets"), counted(corners, "corner", "corners")));
 }
 
 std::string concavity_line(const Decomposition& decomposition, std::span<const std::string> names) {
@@ -278,9 +271,9 @@ std::string concavity_line(const Decomposition& decomposition, std::span<const s
     return a.concavity.squared < b.concavity.squared;
   });
   if (worst == parts.end()) return "";
-  if (worst->concavity.squared == 0) return text_line("concavity", "0 in every part");
+  if (worst->concavity.squared == 0) return summary_line("concavity", "0 in every part");
   const Enclosure length = enclosed_root_of(worst->concavity.squared);
-  return text_line(
+  return summary_line(
       "concavity",
       fmt::format("at most {} ({} of the diameter), in {} at triangle {}", interval_text(length),
                   percent_text(percent_of(length, decomposition.squared_diameter())),
@@ -303,7 +296,7 @@ std::string merges_line(const Clustering& clustering) {
                         with_separators(tied), fmt::join(proofs, ", "),
                         ties.bits > 0 ? fmt::format("; not told apart by {} bits", ties.bits) : "");
   }
-  return text_line("merges", text);
+  return summary_line("merges", text);
 }
 
 // The volumes are of the stored parts. That the surface is covered says nothing about them.
@@ -311,18 +304,18 @@ std::string measures_lines(const DecompositionMeasures& measures) {
   std::string text;
   if (measures.solid_volume) {
     const Enclosure& solid = measures.solid_volume->bounds;
-    text +=
-        text_line("uncovered", fmt::format("volume {} of {}{} of the solid is in no part",
-                                           interval_text(*measures.uncovered_volume),
-                                           interval_text(*measures.solid_volume),
-                                           share_text(measures.uncovered_volume->bounds, solid)));
-    text += text_line("excess", fmt::format("volume {}{} of the parts is outside of the solid",
-                                            interval_text(*measures.excess_volume),
-                                            share_text(measures.excess_volume->bounds, solid)));
+    text += summary_line("uncovered",
+                         fmt::format("volume {} of {}{} of the solid is in no part",
+                                     interval_text(*measures.uncovered_volume),
+                                     interval_text(*measures.solid_volume),
+                                     share_text(measures.uncovered_volume->bounds, solid)));
+    text += summary_line("excess", fmt::format("volume {}{} of the parts is outside of the solid",
+                                               interval_text(*measures.excess_volume),
+                                               share_text(measures.excess_volume->bounds, solid)));
   }
-  return text + text_line("union", fmt::format("volume {}; the parts overlap by {}",
-                                               interval_text(measures.union_volume),
-                                               interval_text(measures.overlap_volume)));
+  return text + summary_line("union", fmt::format("volume {}; the parts overlap by {}",
+                                                  interval_text(measures.union_volume),
+                                                  interval_text(measures.overlap_volume)));
 }
 
 std::string stored_line(const Decomposition& decomposition, Precision precision) {
@@ -343,8 +336,8 @@ std::string stored_line(const Decomposition& decomposition, Precision precision)
       forms.push_back(fmt::format("{} {}", with_separators(parts), said));
     }
   }
-  return text_line("stored", fmt::format("in {}: {}", name_in(kPrecisionNames, precision),
-                                         fmt::join(forms, ", ")));
+  return summary_line("stored", fmt::format("in {}: {}", name_in(kPrecisionNames, precision),
+                                            fmt::join(forms, ", ")));
 }
 
 // What was done to the surface, and what of it may surprise.
@@ -357,7 +350,7 @@ std::string surface_notes(const Surface& surface) {
   std::string text;
   const auto note = [&](std::size_t count, const char* one, const char* many,
                         const std::string& what) {
-    if (count > 0) text += text_line("note", number_of(count, one, many) + what);
+    if (count > 0) text += summary_line("note", counted(count, one, many) + what);
   };
   note(turned, "triangle was", "triangles were", " turned; --orient keep turns none");
   note(reversed, "component was", "components were", " inside out");
@@ -486,22 +479,22 @@ std::string write_decompose_trace(const Decomposition& decomposition,
 
 std::string summary(const Decomposition& decomposition, const DecomposeRequest& request,
                     std::span<const std::string> names) {
-  std::string text = text_line("input", surface_text(decomposition.surface));
+  std::string text = summary_line("input", surface_text(decomposition.surface));
   text += surface_notes(decomposition.surface);
   text += parts_line(decomposition.parts);
   if (const std::size_t inner = decomposition.inner.size()) {
-    text += text_line("", number_of(inner, "cluster", "clusters") +
-                              " inside of other parts left out; --keep-inner keeps such parts");
+    text += summary_line("", counted(inner, "cluster", "clusters") +
+                                 " inside of other parts left out; --keep-inner keeps such parts");
   }
   text += concavity_line(decomposition, names) + limit_line(decomposition, request);
   if (const auto* clustering = std::get_if<Clustering>(&decomposition.origin)) {
     text += merges_line(*clustering);
   } else {
-    text += text_line("splits", splits_text(std::get<SplitTree>(decomposition.origin)));
+    text += summary_line("splits", splits_text(std::get<SplitTree>(decomposition.origin)));
   }
-  text += text_line(
+  text += summary_line(
       "covers", fmt::format("surface: each of {} lies in the part that owns it, tested exactly",
-                            number_of(decomposition.tested_triangles, "triangle", "triangles")));
+                            counted(decomposition.tested_triangles, "triangle", "triangles")));
   if (decomposition.measures) text += measures_lines(*decomposition.measures);
   return text + stored_line(decomposition, request.precision);
 }

@@ -1,247 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "scene/decomposition_proof.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "convexact/error.hpp"
 #include "convexact/hull.hpp"
+#include "convexact/linear_program.hpp"
 #include "decompose/near_concavity.hpp"
 #include "number/arithmetic.hpp"
+#include "scene/hull_rays.hpp"
+#include "scene/proof_lines.hpp"
 
 namespace convexact {
 namespace {
-
-// ---- In doubles: only to choose what is tried first
-
-struct ClusterPlane {
-  Point normal;
-  double offset;
-};
-
-Point unit_vector(const IntegerVector3& v) {
-  Integer largest = 0;
-  for (const Integer& x : v) largest = std::max<Integer>(largest, abs(x));
-  Point near = Point::Zero();
-  if (largest == 0) return near;
-  for (int k = 0; k < 3; ++k) near[k] = to_double(Rational(v[k], largest), Rounding::Nearest);
-  return near / near.norm();
-}
-
-ClusterPlane cluster_plane(const Halfspace& plane, const Point& on_it) {
-  const Point normal = unit_vector(plane.normal());
-  return {normal, -normal.dot(on_it)};
-}
-
-// ---- Hulls of clusters
-
-// The hull of the points of a cluster, with its planes as the proof numbers them.
-struct ClusterHull {
-  std::vector<PointId> points;
-  std::vector<std::array<PointId, 3>> facets;  // fans of the facets; none if it is flat
-  std::vector<Halfspace> planes;               // each once
-  std::vector<std::size_t> number;             // by plane: in the proof, where each fan has several
-  std::vector<std::vector<PointId>> corners;   // by plane: of the facet; all points if it is flat
-  std::vector<ClusterPlane> near;              // by plane
-};
-
-ClusterHull hull_of(const Surface& surface, std::span<const TriangleId> triangles) {
-  ClusterHull made;
-  made.points = points_of(surface, triangles);
-  const PointSet points = subset(surface.points, made.points);
-  const auto near = surface.points.doubles();
-  const HullOutcome outcome = convex_hull(points);
-  if (const auto* hull = std::get_if<Hull>(&outcome)) {
-    made.planes = facet_halfspaces(*hull, points);
-    for (std::size_t f = 0; f < hull->facets.size(); ++f) {
-      std::vector<PointId> corners;
-      for (const PointId p : hull->facets[f]) corners.push_back(made.points[p.index()]);
-      made.number.push_back(made.facets.size());
-      for (std::size_t k = 2; k < corners.size(); ++k) {
-        made.facets.push_back({corners[0], corners[k - 1], corners[k]});
-      }
-      made.near.push_back(cluster_plane(made.planes[f], near[corners[0].index()]));
-      made.corners.push_back(std::move(corners));
-    }
-    return made;
-  }
-  made.planes = convex_part(points).halfspaces;
-  for (std::size_t f = 0; f < made.planes.size(); ++f) {
-    made.number.push_back(f);
-    made.corners.push_back(made.points);
-    // Of its planes only the value at the points counts, so any point near the plane will do.
-    const auto on_it = std::find_if(made.points.begin(), made.points.end(), [&](PointId p) {
-      return made.planes[f](surface.points[p]) == 0;
-    });
-    made.near.push_back(cluster_plane(made.planes[f], near[on_it->index()]));
-  }
-  return made;
-}
-
-// ---- HullRays
-
-// Where concavity is taken: at all points of a triangle, or at one point.
-struct RaySource {
-  std::uint32_t id;  // of the triangle or the point
-  std::vector<PointId> corners;
-  IntegerVector3 direction;
-  Point near_direction;  // of length 1
-  Rational squared_length;
-};
-
-struct HullRay {
-  Rational u = 0, w = 0;  // from a + u (b - a) + w (c - a)
-  Rational length = 0;    // in multiples of the direction
-  std::size_t plane = 0;  // where it leaves the hull
-};
-
-// A bound of the rays of a source: a combination of planes.
-using PlaneSum = std::vector<std::pair<std::size_t, Rational>>;
-
-class HullRays {
- public:
-  HullRays(const Surface& surface, const ClusterHull& hull) : surface_(surface), hull_(hull) {}
-
-  // The length of a ray as the plane cuts it, in doubles; infinity if it runs away from the plane.
-  double near_length(const RaySource& source, std::size_t plane, const Point& from) const {
-    const ClusterPlane& near = hull_.near[plane];
-    const double speed = near.normal.dot(source.near_direction);
-    if (!(speed > 1e-12)) return std::numeric_limits<double>::infinity();
-    return -(near.normal.dot(from) + near.offset) / speed;
-  }
-  Point near_point(PointId p) const { return surface_.points.doubles()[p.index()]; }
-
-  // The plane that cuts the ray first, likewise, and its length.
-  std::pair<std::size_t, double> near_exit(const RaySource& source, const Point& from) const {
-    std::pair<std::size_t, double> first{0, std::numeric_limits<double>::infinity()};
-    for (std::size_t h = 0; h < hull_.planes.size(); ++h) {
-      const double length = near_length(source, h, from);
-      if (length < first.second) first = {h, length};
-    }
-    return first;
-  }
-  // The plane for which the longest ray from a corner is shortest, and that length.
-  std::pair<std::size_t, double> near_bound(const RaySource& source) const {
-    std::pair<std::size_t, double> best{0, std::numeric_limits<double>::infinity()};
-    for (std::size_t h = 0; h < hull_.planes.size(); ++h) {
-      double longest = 0;
-      for (const PointId p : source.corners) {
-        longest = std::max(longest, near_length(source, h, near_point(p)));
-      }
-      if (longest < best.second) best = {h, longest};
-    }
-    return best;
-  }
-
-  RationalPoint point(const RaySource& source, const HullRay& ray) const {
-    RationalPoint a = surface_.points[source.corners[0]];
-    if (source.corners.size() == 1) return a;
-    return a + ray.u * (surface_.points[source.corners[1]] - a) +
-           ray.w * (surface_.points[source.corners[2]] - a);
-  }
-  RationalPoint end(const RaySource& source, const HullRay& ray) const {
-    return point(source, ray) + ray.length * source.direction.cast<Rational>();
-  }
-
-  // Exactly, with length and plane filled in.
-  HullRay leave(const RaySource& source, HullRay ray) const {
-    const RationalPoint from = point(source, ray);
-    std::optional<Rational> least;
-    for (std::size_t h = 0; h < hull_.planes.size(); ++h) {
-      const Integer speed = dot(hull_.planes[h].normal(), source.direction);
-      if (speed <= 0) continue;
-      Rational length = -hull_.planes[h](from) / Rational(speed);
-      if (least && *least <= length) continue;
-      least = std::move(length);
-      ray.plane = h;
-    }
-    ray.length = least.value_or(Rational(0));
-    return ray;
-  }
-
-  // Whether no ray of the source that stays behind the plane (n, d) is longer than the limit.
-  bool is_bound(const RaySource& source, const RationalVector3& n, const Rational& d,
-                const Rational& squared_limit) const {
-    const Rational speed = n.dot(source.direction.cast<Rational>());
-    if (speed <= 0) return false;
-    return std::all_of(source.corners.begin(), source.corners.end(), [&](PointId p) {
-      const Rational length = (n.dot(surface_.points[p]) + d) / speed;
-      return length * length * source.squared_length <= squared_limit;
-    });
-  }
-  bool is_bound(const RaySource& source, std::size_t plane, const Rational& squared_limit) const {
-    const Halfspace& h = hull_.planes[plane];
-    return is_bound(source, h.normal().cast<Rational>(), Rational(h.offset()), squared_limit);
-  }
-  bool is_bound(const RaySource& source, const PlaneSum& combination,
-                const Rational& squared_limit) const {
-    RationalVector3 n = RationalVector3::Zero();
-    Rational d = 0;
-    for (const auto& [plane, factor] : combination) {
-      n += factor * hull_.planes[plane].normal().cast<Rational>();
-      d += factor * Rational(hull_.planes[plane].offset());
-    }
-    return is_bound(source, n, d, squared_limit);
-  }
-
-  // The longest ray of a triangle, or a bound that is within the limit: as few planes as decide it.
-  struct Longest {
-    HullRay ray;
-    bool is_within;
-    PlaneSum bound;  // no ray is longer than the limit, or than this one
-  };
-  Longest longest(const RaySource& source, const Rational& squared_limit) const;
-
- private:
-  const Surface& surface_;
-  const ClusterHull& hull_;
-};
-
-// A linear program in u, w and the length; of the planes that do not bound it, the one that is
-// passed farthest joins, until there is none.
-HullRays::Longest HullRays::longest(const RaySource& source, const Rational& squared_limit) const {
-  const RationalPoint a = surface_.points[source.corners[0]],
-                      b = surface_.points[source.corners[1]],
-                      c = surface_.points[source.corners[2]];
-  std::vector<std::size_t> planes{leave(source, {Rational(1, 3), Rational(1, 3)}).plane};
-  for (;;) {
-    const auto rows = static_cast<Eigen::Index>(planes.size());
-    LinearProgram lp{RationalMatrix::Zero(rows + 3, 3), RationalVector::Zero(rows + 3),
-                     RationalVector::Zero(3)};
-    for (Eigen::Index k = 0; k < rows; ++k) {
-      const Halfspace& plane = hull_.planes[planes[static_cast<std::size_t>(k)]];
-      const Rational at_a = plane(a);
-      lp.normals(k, 0) = plane(b) - at_a;
-      lp.normals(k, 1) = plane(c) - at_a;
-      lp.normals(k, 2) = Rational(dot(plane.normal(), source.direction));
-      lp.offsets[k] = at_a;
-    }
-    lp.normals(rows, 0) = -1;      // u >= 0
-    lp.normals(rows + 1, 1) = -1;  // w >= 0
-    lp.normals(rows + 2, 0) = lp.normals(rows + 2, 1) = 1;
-    lp.offsets[rows + 2] = -1;  // u + w <= 1
-    lp.objective[2] = 1;
-    const Optimal best = std::get<Optimal>(maximise(lp));
-    Longest found{{best.x[0], best.x[1], best.x[2]}, false, {}};
-    for (const auto& [row, factor] : best.tight) {
-      if (row < planes.size()) found.bound.emplace_back(planes[row], factor);
-    }
-    found.is_within = best.x[2] * best.x[2] * source.squared_length <= squared_limit;
-    if (found.is_within) return found;
-    const HullRay exact = leave(source, found.ray);
-    if (exact.length == found.ray.length) {
-      found.ray.plane = exact.plane;
-      return found;
-    }
-    planes.push_back(exact.plane);
-  }
-}
-
-// ---- The proof
 
 class DecompositionWriter {
  public:
@@ -253,55 +27,6 @@ class DecompositionWriter {
     std::vector<TriangleId> triangles;
     const Part* part;  // none if it lies in another one
   };
-
-  template <class... Fields>
-  void line(const std::string& keyword, const Fields&... fields) {
-    text_ += keyword;
-    (add(fields), ...);
-    text_ += '\n';
-  }
-  void add(const char* word) { text_ += std::string(" ") + word; }
-  void add(std::size_t number) { text_ += fmt::format(" {}", number); }
-  void add(std::uint32_t number) { text_ += fmt::format(" {}", number); }
-  void add(double number) { text_ += fmt::format(" {:a}", number); }
-  void add(const Rational& number) { add_word(to_string(number)); }
-  void add_word(const std::string& word) { text_ += ' ' + word; }
-  template <class Tag>
-  void add(Id<Tag> id) {
-    add(id.value);
-  }
-  template <class Number>
-  void add(const Vector3<Number>& v) {
-    for (int k = 0; k < 3; ++k) add(v[k]);
-  }
-  template <class Item>
-  void add(const std::vector<Item>& items) {
-    for (const Item& item : items) add(item);
-  }
-  template <class Item, std::size_t size>
-  void add(const std::array<Item, size>& items) {
-    for (const Item& item : items) add(item);
-  }
-  void add(const Halfspace& plane) {
-    for (const Integer& n : plane.normal()) add_word(to_string(n));
-    add_word(to_string(plane.offset()));
-  }
-  void add(const std::vector<Multiplier>& weights) {
-    for (const auto& [row, value] : weights) {
-      add(row);
-      add(value);
-    }
-  }
-
-  void write_points(const char* keyword, const PointSet& points) {
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      if (points.is_binary()) {
-        line(keyword, points.doubles()[p]);
-      } else {
-        line(keyword, points[PointId(p)]);
-      }
-    }
-  }
 
   void find_clusters();
   void write_surface();
@@ -332,7 +57,7 @@ class DecompositionWriter {
   const NearConcavity near_;
   std::vector<Cluster> clusters_;
   std::vector<std::size_t> cluster_of_;  // by triangle
-  std::string text_;
+  ProofLines out_;
 };
 
 DecompositionWriter::DecompositionWriter(const Decomposition& made, const DecomposeRequest& request)
@@ -367,28 +92,25 @@ std::string DecompositionWriter::write() {
   if (asks_for_pairs && !shows_pairs && request_.engine != Engine::Float) {
     throw Error(ErrorCode::Internal, "two neighbours are within the limit together");
   }
-  const std::string pairs = shows_pairs ? std::move(text_) : "";
-  text_.clear();
-  line("convexact-proof", "4", "decomposition");
-  line("measure", by_bridges() ? "bridges" : at_corners() ? "vertices" : "surface");
-  line("limit", request_.limit.is_share ? "share" : "length", request_.limit.value);
+  const ProofLines pairs = std::exchange(out_, {});
+  out_.line("convexact-proof", "4", "decomposition");
+  out_.line("measure", by_bridges() ? "bridges" : at_corners() ? "vertices" : "surface");
+  out_.line("limit", request_.limit.is_share ? "share" : "length", request_.limit.value);
   const bool shows_edges = shows_pairs || (by_bridges() && request_.connect == Connect::Edge);
-  line("neighbours", shows_edges ? "edges" : "unclaimed");
+  out_.line("neighbours", shows_edges ? "edges" : "unclaimed");
   write_surface();
   for (const Cluster& cluster : clusters_) write_cluster(cluster);
   for (std::size_t c = 0; c < clusters_.size(); ++c) {
     if (clusters_[c].part != nullptr) write_part(c, clusters_[c]);
   }
-  text_ += pairs;
-  const auto lines = static_cast<std::size_t>(std::count(text_.begin(), text_.end(), '\n'));
-  line("end", lines + 1);
-  return std::move(text_);
+  if (shows_pairs) out_.append(pairs);
+  return out_.finish();
 }
 
 void DecompositionWriter::write_surface() {
-  write_points("point", surface_.points);
+  out_.points("point", surface_.points);
   for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-    line("triangle", surface_.triangles[t], surface_.face[t]);
+    out_.line("triangle", surface_.triangles[t], surface_.face[t]);
   }
 }
 
@@ -465,15 +187,15 @@ Rational DecompositionWriter::least_concavity(const Cluster& cluster) const {
 
 void DecompositionWriter::write_cluster(const Cluster& cluster) {
   Watch(request_.watch.stop).ask();
-  line("cluster", cluster.triangles);
-  const ClusterHull hull = hull_of(surface_, cluster.triangles);
-  for (const auto& facet : hull.facets) line("facet", facet);
+  out_.line("cluster", cluster.triangles);
+  const ClusterHull hull = hull_of_cluster(surface_, cluster.triangles);
+  for (const auto& facet : hull.facets) out_.line("facet", facet);
   for (const Halfspace& plane : hull.planes) {
-    if (hull.facets.empty()) line("side", plane);
+    if (hull.facets.empty()) out_.line("side", plane);
   }
   if (by_bridges()) {
     const Rational depth = least_concavity(cluster);
-    if (depth > 0) line("depth", depth);
+    if (depth > 0) out_.line("depth", depth);
     return;
   }
   const Concavity deepest =
@@ -502,9 +224,9 @@ void DecompositionWriter::write_ray(const char* keyword, const std::vector<std::
   std::vector<Multiplier> weights = convex_combination(points, rays.end(source, ray));
   for (Multiplier& weight : weights) weight.row = corners[weight.row].index();
   if (at_corners()) {
-    line(keyword, clusters, source.id, ray.length, weights);
+    out_.line(keyword, clusters, source.id, ray.length, weights);
   } else {
-    line(keyword, clusters, source.id, ray.u, ray.w, ray.length, weights);
+    out_.line(keyword, clusters, source.id, ray.u, ray.w, ray.length, weights);
   }
 }
 
@@ -528,7 +250,7 @@ void DecompositionWriter::write_bounds(const std::vector<TriangleId>& triangles,
       open.push_back(std::move(source));
     }
   }
-  for (const auto& [plane, ids] : by_plane) line("within", plane, ids);
+  for (const auto& [plane, ids] : by_plane) out_.line("within", plane, ids);
   for (const RaySource& source : open) write_combined(source, rays, hull, squared);
 }
 
@@ -539,26 +261,24 @@ void DecompositionWriter::write_combined(const RaySource& source, const HullRays
   if (!longest.is_within) {
     throw Error(ErrorCode::Internal, "a triangle lies deeper than its cluster");
   }
-  const auto number = [&](std::size_t plane) { return hull.number[plane]; };
   long exponent = exponent_of(longest.bound.front().second);
   for (const auto& [plane, factor] : longest.bound) {
     exponent = std::max(exponent, exponent_of(factor));
   }
   PlaneSum rounded = longest.bound;
+  std::vector<std::pair<std::size_t, double>> short_terms;
   for (auto& [plane, factor] : rounded) {
-    factor = to_rational(to_double(scale_by_power_of_two(factor, -exponent), Rounding::Nearest));
+    const double near = to_double(scale_by_power_of_two(factor, -exponent), Rounding::Nearest);
+    factor = to_rational(near);
+    short_terms.emplace_back(hull.number[plane], near);
   }
-  const bool is_short = rays.is_bound(source, rounded, squared);
-  text_ += fmt::format("combined {}", source.id);
-  for (const auto& [plane, factor] : is_short ? rounded : longest.bound) {
-    add(number(plane));
-    if (is_short) {
-      add(to_double(factor, Rounding::Nearest));
-    } else {
-      add(factor);
-    }
+  if (rays.is_bound(source, rounded, squared)) {
+    out_.line("combined", source.id, short_terms);
+    return;
   }
-  text_ += '\n';
+  PlaneSum terms = longest.bound;
+  for (auto& [plane, factor] : terms) plane = hull.number[plane];
+  out_.line("combined", source.id, terms);
 }
 
 // ---- Parts
@@ -567,7 +287,7 @@ void DecompositionWriter::write_part(std::size_t number, const Cluster& cluster)
   const Part& part = *cluster.part;
   const PointSet& stored = part.mesh.points;
   const auto same_points = [&] {
-    const ClusterHull hull = hull_of(surface_, cluster.triangles);
+    const ClusterHull hull = hull_of_cluster(surface_, cluster.triangles);
     std::set<std::uint32_t> extreme;
     for (const auto& facet : hull.facets) {
       for (const PointId p : facet) extreme.insert(p.value);
@@ -584,30 +304,30 @@ void DecompositionWriter::write_part(std::size_t number, const Cluster& cluster)
     return mine == theirs;
   };
   if (surface_.points.is_binary() && stored.is_binary() && same_points()) {
-    line("part", "hull", number);
-    line("owns", part.owns);
+    out_.line("part", "hull", number);
+    out_.line("owns", part.owns);
     return;
   }
   const HullOutcome outcome = convex_hull(stored);
   const auto* hull = std::get_if<Hull>(&outcome);
-  line("part", hull != nullptr ? "stored" : "flat", number);
-  write_points("corner", stored);
+  out_.line("part", hull != nullptr ? "stored" : "flat", number);
+  out_.points("corner", stored);
   if (hull != nullptr) {
     for (std::size_t f = 0; f < hull->facets.size(); ++f) {
       const std::span<const PointId> facet = hull->facets[f];
       for (std::size_t k = 2; k < facet.size(); ++k)
-        line("facet", facet[0], facet[k - 1], facet[k]);
+        out_.line("facet", facet[0], facet[k - 1], facet[k]);
     }
-    line("owns", part.owns);
+    out_.line("owns", part.owns);
     return;
   }
-  line("owns", part.owns);
+  out_.line("owns", part.owns);
   std::vector<RationalPoint> corners;
   for (std::size_t k = 0; k < stored.size(); ++k) corners.push_back(stored[PointId(k)]);
   for (const PointId p : points_of(surface_, part.owns)) {
     const RationalPoint x = surface_.points[p];
     if (std::find(corners.begin(), corners.end(), x) != corners.end()) continue;
-    line("between", p, convex_combination(corners, x));
+    out_.line("between", p, convex_combination(corners, x));
   }
 }
 
@@ -627,7 +347,7 @@ bool DecompositionWriter::write_pair(std::size_t a, std::size_t b) {
   Watch(request_.watch.stop).ask();
   std::vector<TriangleId> both = clusters_[a].triangles;
   both.insert(both.end(), clusters_[b].triangles.begin(), clusters_[b].triangles.end());
-  const ClusterHull hull = hull_of(surface_, both);
+  const ClusterHull hull = hull_of_cluster(surface_, both);
   const HullRays rays(surface_, hull);
   const auto found = beyond_limit(both, rays);
   if (found) write_ray("apart", {a, b}, found->first, found->second, rays, hull);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "convexact/error.hpp"
@@ -103,16 +102,13 @@ nlohmann::ordered_json inner_json(const InnerResult& result) {
 }
 
 std::string summary(const InnerResult& result) {
-  const auto line = [](const char* label, const std::string& text) {
-    return fmt::format("  {:<12}{}\n", label, text);
-  };
   const auto decimal = [](const Measured& x) { return to_decimal(x.bounds, 6).value_or("?"); };
   const std::size_t steps = result.run.steps.size(), ties = tied_steps(result.run);
   std::string text =
-      line("input", fmt::format("{} points; their hull has {} vertices and {} halfspaces",
-                                with_separators(result.input_points),
-                                with_separators(result.start.ids.size()),
-                                with_separators(result.input_halfspaces)));
+      summary_line("input", fmt::format("{} points; their hull has {} vertices and {} halfspaces",
+                                        with_separators(result.input_points),
+                                        with_separators(result.start.ids.size()),
+                                        with_separators(result.input_halfspaces)));
   std::string output = fmt::format("{} vertices, {} triangles", with_separators(result.kept.size()),
                                    with_separators(result.run.triangles.size()));
   if (result.run.stop == InnerStop::LossLimit) {
@@ -120,7 +116,7 @@ std::string summary(const InnerResult& result) {
   } else if (steps == 0) {
     output += ": as many as the hull has";
   }
-  text += line("output", output);
+  text += summary_line("output", output);
   std::string volume = decimal(result.input_volume) + " -> " + decimal(result.output_volume);
   if (steps == 0) {
     volume += ", unchanged";
@@ -129,18 +125,21 @@ std::string summary(const InnerResult& result) {
     const Enclosure kept = hundred * (result.output_volume.bounds / result.input_volume.bounds);
     volume += ", " + to_decimal(kept, 5).value_or("?") + "% kept";
   }
-  text += line("volume", volume);
+  text += summary_line("volume", volume);
   if (ties > 0) {
-    text += line("ties", fmt::format("in {} of {} steps several vertices cost the same, exactly; "
+    text += summary_line("ties",
+                         fmt::format("in {} of {} steps several vertices cost the same, exactly; "
                                      "the first by x, then y, then z goes",
                                      with_separators(ties), with_separators(steps)));
   }
-  if (result.verified == VerifyLevel::None) return text + line("verified", "nothing, as requested");
+  if (result.verified == VerifyLevel::None)
+    return text + summary_line("verified", "nothing, as requested");
   return text +
-         line("verified",
-              fmt::format("{} steps proven again, exactly ({}); each vertex is an input "
-                          "point inside every halfspace of the hull",
-                          with_separators(steps), name_in(kVerifyLevelNames, result.verified)));
+         summary_line(
+             "verified",
+             fmt::format("{} steps proven again, exactly ({}); each vertex is an input "
+                         "point inside every halfspace of the hull",
+                         with_separators(steps), name_in(kVerifyLevelNames, result.verified)));
 }
 
 std::string proven_inner_bytes(std::span<const NamedInner> results, const std::string& path) {

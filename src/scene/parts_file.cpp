@@ -10,7 +10,6 @@
 #include "convexact/io.hpp"
 #include "convexact/parts.hpp"
 #include "io/json_text.hpp"
-#include "number/text.hpp"
 #include "scene/json_mesh.hpp"
 #include "scene/objects.hpp"
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 
 #include "convexact/error.hpp"
 #include "convexact/linear_program.hpp"
+#include "number/arithmetic.hpp"
 #include "scene/cost_tree.hpp"
+#include "scene/proof_lines.hpp"
 #include "scene/result_json.hpp"
 #include "simplify/cap.hpp"
 
 namespace convexact {
 namespace {
 
-class ProofWriter : private CostTreeObserver {
+class ProofWriter : private CostTreeObserver, private ProofLines {
  public:
   ProofWriter(const RunStart& start, const Run& run, const PointSet& points)
       : start_(start), run_(run), points_(points) {
@@ -31,43 +31,6 @@ class ProofWriter : private CostTreeObserver {
     std::optional<Cost> cost;
     std::optional<IntegerVector3> ray;  // if it is unbounded: meets no other plane
   };
-
-  template <class... Fields>
-  void line(const std::string& keyword, const Fields&... fields) {
-    text_ += keyword;
-    (add(fields), ...);
-    text_ += '\n';
-  }
-  void add(const char* word) { text_ += std::string(" ") + word; }
-  void add(const std::string& word) { text_ += ' ' + word; }
-  void add(std::size_t number) { text_ += fmt::format(" {}", number); }
-  void add(double number) { text_ += fmt::format(" {:a}", number); }
-  void add(const Rational& number) { add(to_string(number)); }
-  void add(const Integer& number) { add(to_string(number)); }
-  void add(HalfspaceId id) { add(id.index()); }
-  void add(PointId id) { add(id.index()); }
-  template <class Number>
-  void add(const Vector3<Number>& v) {
-    for (int k = 0; k < 3; ++k) add(v[k]);
-  }
-  template <class Item>
-  void add(const std::vector<Item>& items) {
-    for (const Item& item : items) add(item);
-  }
-  template <class Item, std::size_t size>
-  void add(const std::array<Item, size>& items) {
-    for (const Item& item : items) add(item);
-  }
-  void add(const Halfspace& halfspace) {
-    add(halfspace.normal());
-    add(halfspace.offset());
-  }
-  void add(const RootSum& sum) {
-    for (const RootTerm& term : sum.terms()) {
-      add(term.factor);
-      add(term.radicand);
-    }
-  }
 
   void write_hull();
   void write_inside();
@@ -90,7 +53,6 @@ class ProofWriter : private CostTreeObserver {
   std::vector<DualPoint> dual_points_;
   std::vector<IntegerVector3> directions_;            // of their normals
   std::vector<std::optional<Appraisal>> appraisals_;  // by halfspace: the last one
-  std::string text_;
 };
 
 std::string ProofWriter::write(const std::optional<StoredPlanes>& stored) {
@@ -105,26 +67,15 @@ std::string ProofWriter::write(const std::optional<StoredPlanes>& stored) {
     write_optimum();
   }
   if (stored) write_stored(*stored);
-  const auto lines = static_cast<std::size_t>(std::count(text_.begin(), text_.end(), '\n'));
-  line("end", lines + 1);
-  return std::move(text_);
+  return finish();
 }
 
 void ProofWriter::write_hull() {
   for (const Halfspace& halfspace : start_.input_halfspaces) line("row", halfspace);
-  for (std::size_t p = 0; p < points_.size(); ++p) {
-    if (points_.is_binary()) {
-      line("point", points_.doubles()[p]);
-    } else {
-      line("point", points_[PointId(p)]);
-    }
-  }
+  points("point", points_);
   line("interior", start_.interior);
   for (const Halfspace& halfspace : run_.halfspaces) line("plane", halfspace);
-  const auto precedes = [](const RationalPoint& a, const RationalPoint& b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-  };
-  std::map<RationalPoint, PointId, decltype(precedes)> vertices(precedes);
+  std::map<RationalPoint, PointId, decltype(&precedes<RationalPoint>)> vertices(precedes);
   for (const PointId p : start_.extreme) vertices.emplace(points_[p], p);
   for (const DualTriangle& t : start_.dual.triangles) {
     const auto& h = run_.halfspaces;

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/result_json.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "io/json.hpp"
 #include "number/precision.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/solid.hpp"
 
-#include <numeric>
-
 #include "convexact/error.hpp"
 #include "convexact/linear_program.hpp"
 #include "convexact/scene.hpp"

@@ -87,13 +87,10 @@ OrderedJson splits_json(const SplitTree& tree) {
 }
 
 std::string splits_text(const SplitTree& tree) {
-  const auto plural = [](std::size_t count, const char* one, const char* many) {
-    return with_separators(count) + " " + (count == 1 ? one : many);
-  };
   std::string text = with_separators(tree.splits.size()) + " by planes through the deepest notch";
   if (tree.roots > 1) text += fmt::format(", from {} components", with_separators(tree.roots));
   if (const std::size_t islands = island_count(tree)) {
-    text += fmt::format("; {} went along as islands", plural(islands, "triangle", "triangles"));
+    text += fmt::format("; {} went along as islands", counted(islands, "triangle", "triangles"));
   }
   return text;
 }

@@ -13,14 +13,6 @@ namespace {
 
 constexpr int kSummaryDigits = 6;
 
-std::string summary_line(const char* label, const std::string& text) {
-  return fmt::format("  {:<12}{}\n", label, text);
-}
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return with_separators(count) + " " + (count == 1 ? one : many);
-}
-
 std::string input_line(std::size_t points, std::size_t vertices, std::size_t halfspaces,
                        std::size_t redundant) {
   std::string hull = counted(vertices, "vertex", "vertices") + " and " +

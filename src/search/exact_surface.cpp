@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <array>
 
 #include "convexact/measure.hpp"
 #include "search/exchange_surface.hpp"
@@ -21,10 +20,8 @@ class ExactSurface : public ExchangeSurface {
     const Removal of_i = surface_.removal_of(i), of_j = surface_.removal_of(j);
     surface_.apply(of_j);
     if (!of_i.cost) return {};
-    Cost lost = of_j.cost.value();
-    lost *= Rational(-1);
     Change result;
-    result.exact = sum_of(std::array{*of_i.cost, lost});
+    result.exact = difference(*of_i.cost, of_j.cost.value());
     return result;
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // exchange_surface.hpp - a solid of few halfspaces, and what exchanging one of them does to it.
 #pragma once
+#include <algorithm>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -14,6 +16,16 @@
 #include "fast/dual.hpp"
 
 namespace convexact {
+
+/// Ascending.
+using HalfspaceIds = std::vector<HalfspaceId>;
+
+/// Those of `a` that are not in `b`.
+[[nodiscard]] inline HalfspaceIds without(const HalfspaceIds& a, const HalfspaceIds& b) {
+  HalfspaceIds only_a;
+  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(only_a));
+  return only_a;
+}
 
 /// The measure after an exchange minus the one before.
 struct Change {

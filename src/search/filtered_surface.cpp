@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <array>
-#include <utility>
 
 #include "fast/cap.hpp"
 #include "fast/mesh.hpp"
@@ -49,10 +47,9 @@ class FilteredSurface : public ExchangeSurface {
     cap_.prepare(i);
     const Cost gained = cap_.exactly();
     cap_.prepare(j);
-    Cost lost = cap_.exactly();
+    const Cost lost = cap_.exactly();
     remove(j);
-    lost *= Rational(-1);
-    return sum_of(std::array{gained, lost});
+    return difference(gained, lost);
   }
 
   void exchange(HalfspaceId i, HalfspaceId j) override {

@@ -21,15 +21,7 @@
 namespace convexact {
 namespace {
 
-using HalfspaceIds = std::vector<HalfspaceId>;
-
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-HalfspaceIds difference_of(const HalfspaceIds& a, const HalfspaceIds& b) {
-  HalfspaceIds only_a;
-  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(only_a));
-  return only_a;
-}
 
 // At most the sum of so many numbers, each 0 or more, that came out as this. Each rounding, of a
 // sum and of the product here, takes at most 2^-53 of it more; halves of subnormal numbers aside,
@@ -130,7 +122,7 @@ BranchAndBound::BranchAndBound(std::unique_ptr<ShrunkSurface> surface, std::size
       planes_(size),
       to_go_(size - incumbent.size()) {
   for (std::size_t i = 0; i < size; ++i) free_.emplace_back(i);
-  const HalfspaceIds removed = difference_of(free_, incumbent);
+  const HalfspaceIds removed = without(free_, incumbent);
   for (const HalfspaceId i : removed) surface_->remove(i);
   set_incumbent(std::move(incumbent), surface_->volume());
   for (const HalfspaceId i : removed) surface_->insert(i);
@@ -372,7 +364,7 @@ Optimality BranchAndBound::optimality() const {
 // What is left after the moves, ascending.
 HalfspaceIds left_by(const std::vector<Move>& moves, HalfspaceIds start) {
   for (const Move& move : moves) {
-    const HalfspaceIds others = difference_of(start, move.removed);
+    const HalfspaceIds others = without(start, move.removed);
     start.clear();
     std::merge(others.begin(), others.end(), move.inserted.begin(), move.inserted.end(),
                std::back_inserter(start));
@@ -388,8 +380,7 @@ SearchRun search_beyond(SearchRun run, std::unique_ptr<ShrunkSurface> surface, s
   search.run();
   run.optimality = search.optimality();
   if (search.incumbent() != found) {
-    run.moves.push_back(
-        {difference_of(found, search.incumbent()), difference_of(search.incumbent(), found)});
+    run.moves.push_back({without(found, search.incumbent()), without(search.incumbent(), found)});
     run.changes.push_back(-search.saved());
   }
   return run;

@@ -17,8 +17,6 @@
 namespace convexact {
 namespace {
 
-using HalfspaceIds = std::vector<HalfspaceId>;
-
 // Of each facet those that it has an edge with, ascending.
 std::vector<HalfspaceIds> neighbours_of(const Polytope& input) {
   std::vector<std::uint32_t> tail, head, facet;  // of each half-edge
@@ -35,12 +33,6 @@ std::vector<HalfspaceIds> neighbours_of(const Polytope& input) {
   for (std::size_t h = 0; h < twins.size(); ++h) lists[facet[h]].emplace_back(facet[twins[h]]);
   for (HalfspaceIds& list : lists) std::sort(list.begin(), list.end());
   return lists;
-}
-
-HalfspaceIds difference(const HalfspaceIds& a, const HalfspaceIds& b) {
-  HalfspaceIds only_a;
-  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(only_a));
-  return only_a;
 }
 
 double middle_of(const Change& change) {
@@ -74,7 +66,7 @@ HalfspaceIds facets_away(const std::vector<HalfspaceIds>& neighbours, HalfspaceI
     std::sort(next.begin(), next.end());
     next.erase(std::unique(next.begin(), next.end()), next.end());
     // A neighbour is a step nearer, as near, or a step farther.
-    next = difference(difference(next, now), before);
+    next = without(without(next, now), before);
     before = std::exchange(now, std::move(next));
   }
   return now;
@@ -93,7 +85,7 @@ class ExchangeSearch {
   };
 
   bool is_kept(HalfspaceId i) const { return std::binary_search(kept_.begin(), kept_.end(), i); }
-  HalfspaceIds exchangeable() const { return difference(kept_, options_.keep); }
+  HalfspaceIds exchangeable() const { return without(kept_, options_.keep); }
   bool is_less(const Cost& a, const Cost& b) const;
   bool is_less(Exchange& a, std::optional<Exchange>& b);
   const Cost& exactly(Exchange& exchange);
@@ -253,7 +245,7 @@ void ExchangeSearch::accept() {
   best_triangles_ = surface_->triangles();
   best_bounds_ = surface_->measure_bounds();
   best_measure_.reset();
-  run_.moves.push_back({difference(best_, kept_), difference(kept_, best_)});
+  run_.moves.push_back({without(best_, kept_), without(kept_, best_)});
   best_ = kept_;
 }
 

@@ -2,7 +2,6 @@
 // exact_engine.hpp - the greedy simplification in exact arithmetic: the reference engine.
 #pragma once
 #include <memory>
-#include <vector>
 
 #include "convexact/dual.hpp"
 #include "convexact/run.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Proves the steps of an inner run again, from plain lists and a table of edges of its own.
-#include <algorithm>
 #include <string>
 
 #include "convexact/error.hpp"

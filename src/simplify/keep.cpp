@@ -67,7 +67,7 @@ class NearPlane {
   // each, n_k times x_k; the bound is larger, as subnormal numbers are slow. Where something
   // overflows the answer is no.
   bool is_surely_off(const Point& p) const {
-    constexpr double kFactor = 8 * 0x1p-53, kUnderflow = 0x1p-1000;
+    constexpr double kFactor = 8 * kUnitRoundoff, kUnderflow = 0x1p-1000;
     const double x = p[0], y = p[1], z = p[2];
     const double a = n_[0] * x, b = n_[1] * y, c = n_[2] * z;
     const double size = std::abs(a) + std::abs(b) + std::abs(c) + std::abs(d_);

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "convexact/dual.hpp"
 #include "convexact/run.hpp"

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <optional>
 
-#include "convexact/error.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/point_set.hpp"
 #include "convexact/stored.hpp"

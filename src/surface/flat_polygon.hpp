@@ -2,7 +2,6 @@
 // flat_polygon.hpp - a polygon of a mesh as triangles.
 #pragma once
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "convexact/error.hpp"
+#include "number/arithmetic.hpp"
 #include "surface/edges.hpp"
 #include "surface/flat_polygon.hpp"
 #include "surface/nesting.hpp"
@@ -12,13 +13,6 @@ namespace convexact {
 namespace {
 
 // ---- Points
-
-bool is_before(const RationalPoint& a, const RationalPoint& b) {
-  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-}
-bool is_before(const Point& a, const Point& b) {
-  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-}
 
 struct Welded {
   PointSet points;
@@ -31,13 +25,13 @@ Welded weld(std::size_t count, const std::vector<bool>& is_used, const At& at) {
   std::vector<std::uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return is_before(at(a), at(b)); });
+            [&](std::uint32_t a, std::uint32_t b) { return precedes(at(a), at(b)); });
   Welded welded;
   welded.id.resize(count);
   std::vector<P> kept;
   for (std::size_t first = 0; first < count;) {
     std::size_t last = first + 1;
-    while (last < count && !is_before(at(order[first]), at(order[last]))) ++last;
+    while (last < count && !precedes(at(order[first]), at(order[last]))) ++last;
     const bool used = std::any_of(order.begin() + long(first), order.begin() + long(last),
                                   [&](std::uint32_t p) { return is_used[p]; });
     for (std::size_t k = first; k < last; ++k) welded.id[order[k]] = PointId(kept.size());

@@ -3,7 +3,6 @@
 // beside a triangle is zero; signed cones over it add up to the volume. Triangles that others cross
 // are cut into pieces beside which the winding numbers do not change.
 #include <algorithm>
-#include <cmath>
 
 #include "convexact/surface.hpp"
 #include "surface/box_tree.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Winding numbers: a ray upwards from a point that is moved aside by less than any number.
-#include <array>
 #include <cmath>
 
 #include "convexact/error.hpp"
@@ -135,7 +134,7 @@ class Winding::Search {
                   &q = surface_.points.doubles()[b.index()], &x = query.near;
       // Differences to x are off by a relative 2^-53 of themselves and by half a unit of x; the
       // other roundings are as in PlaneView::turn(). 2^-50 covers all of them.
-      const double x_error = query.is_binary ? 0 : 0x1p-53;
+      const double x_error = query.is_binary ? 0 : kUnitRoundoff;
       const double left = (p[u] - x[u]) * (q[v] - x[v]), right = (p[v] - x[v]) * (q[u] - x[u]);
       const double value = left - right;
       const double own = std::abs(x[u]) * (std::abs(q[v] - x[v]) + std::abs(p[v] - x[v])) +

@@ -3,7 +3,6 @@
 // changes something is refused.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <random>
 #include <string>

@@ -2,7 +2,6 @@
 // What convexact-check accepts: the proofs of every engine, of solids full of ties, of every kind
 // of input and of every format. The mutations show that an accepted run is right, and so do the
 // other tests, which judge the same engines by the definition.
-#include <algorithm>
 
 #include "checker.hpp"
 #include "convexact/io.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Proofs that no other planes, as many, bound a smaller volume: accepted for what branch and bound
 // finds, refused where the tree leaves something out or the planes are not those of the least.
-#include <algorithm>
 #include <string>
 
 #include "checker.hpp"

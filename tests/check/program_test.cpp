@@ -23,8 +23,8 @@ std::string environment(const char* name) {
 }
 
 int run_checker(const std::string& arguments, const ScratchFolder& scratch) {
-  const std::string command = "'" + environment("CONVEXACT_CHECK") + "' " + arguments + " >" +
-                              scratch.file("out") + " 2>" + scratch.file("err");
+  const std::string command = "'" + environment("CONVEXACT_CHECK") + "' >" + scratch.file("out") +
+                              " 2>" + scratch.file("err") + " " + arguments;
   const int status = std::system(command.c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
@@ -52,6 +52,9 @@ TEST_CASE("convexact-check: exit codes, and where it says what") {
   CHECK(run_checker(scratch.file("absent"), scratch) == 3);
   CHECK(run_checker("", scratch) == 2);
   CHECK(run_checker("one two.obj three", scratch) == 2);
+  CHECK(run_checker("--help", scratch) == 0);
+  CHECK(bytes_of(scratch.file("out")).starts_with("usage: convexact-check PROOF [MESH]\n"));
+  CHECK(run_checker(scratch.file("right") + " >/dev/full", scratch) == 5);
 }
 
 TEST_CASE("convexact-check: proofs that the program wrote") {

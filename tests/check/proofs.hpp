@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "convexact/simplify.hpp"
 #include "scene/result_json.hpp"

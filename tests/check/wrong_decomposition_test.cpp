@@ -2,7 +2,6 @@
 // Proofs of false claims about decompositions: each has a single mistake, which no other line
 // reveals, or the first line that does is the one named.
 #include <algorithm>
-#include <cmath>
 
 #include "checker.hpp"
 #include "convexact/io.hpp"

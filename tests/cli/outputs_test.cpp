@@ -235,5 +235,18 @@ TEST_CASE("outputs: two spellings of one name, and empty names, are refused") {
     CHECK(includes(ran.err, "expected the name of a file"));
   }
   CHECK(run_program("bvh " + input + " --from ''").exit == 2);
+  const auto page = run_program("hull " + input + " --picture " + scratch.file("x.json"));
+  CHECK(page.exit == 2);
+  CHECK(includes(page.err, "expected a name that ends in .html"));
   CHECK(scratch.count() == 1);
+}
+
+TEST_CASE("outputs: a link to a file that does not exist yet stays a link") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
+  const std::string link = scratch.file("link.obj"), target = scratch.file("target.obj");
+  std::filesystem::create_symlink("target.obj", link);
+  CHECK(run_program("hull " + input + " -o " + link).exit == 0);
+  CHECK(std::filesystem::is_symlink(link));
+  CHECK(std::filesystem::is_regular_file(target));
 }

@@ -177,6 +177,23 @@ TEST_CASE("command line: with --json wrong usage is one object, too (#13)") {
   }
 }
 
+TEST_CASE("command line: a word that is no subcommand is named") {
+  for (const char* arguments : {"frobnicate", "frobnicate --json", "frobnicate --faces 4"}) {
+    CAPTURE(arguments);
+    const auto ran = run_program(arguments);
+    CHECK(ran.exit == 2);
+    CHECK((ran.out + ran.err).find("there is no subcommand 'frobnicate'") != std::string::npos);
+  }
+}
+
+TEST_CASE("command line: a help that cannot be printed is not a success") {
+  for (const char* arguments : {"--help", "--version", "simplify --help"}) {
+    CAPTURE(arguments);
+    CHECK(run_program(arguments).exit == 0);
+    CHECK(run_program(std::string(arguments) + " >/dev/full #").exit == 5);
+  }
+}
+
 TEST_CASE("command line: a word out of a list is told with the list (#13)") {
   const ScratchFolder scratch;
   const std::string input = scratch.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");

@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
-#include <tuple>
 
 #include "json_schema.hpp"
 #include "process.hpp"

@@ -2,7 +2,6 @@
 // The filtered engine against the exact one on thousands of small inputs, random and degenerate:
 // the same removals, exact costs, ties and end, from points and from halfspaces, whatever the seed,
 // and wherever the run is told to end.
-#include <algorithm>
 
 #include "growth_limits.hpp"
 #include "hard_inputs.hpp"

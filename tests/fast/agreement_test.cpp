@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The filtered engine removes what the exact engine removes, at the same costs, with the same ties.
-#include <cmath>
 
 #include "perturb.hpp"
 #include "same_run.hpp"

@@ -4,7 +4,6 @@
 // solids.
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <variant>
 
 #include "check_bounded.hpp"

@@ -2,7 +2,6 @@
 // OBJ files as found in the wild and broken ones. Expected values are written out by hand.
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <cstdlib>
 
 #include "convexact/io.hpp"

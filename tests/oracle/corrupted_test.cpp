@@ -5,7 +5,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <cstdlib>
 
 #include "convexact/io.hpp"
 #include "convexact/verify.hpp"

@@ -5,8 +5,6 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-
 #include "cut_box.hpp"
 #include "oracle/diff.hpp"
 #include "shapes/makers.hpp"

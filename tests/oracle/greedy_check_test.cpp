@@ -3,8 +3,6 @@
 // t^3 / 6, independently of the other cuts.
 #include <doctest/doctest.h>
 
-#include <algorithm>
-
 #include "cut_box.hpp"
 #include "oracle/diff.hpp"
 #include "oracle/divergence.hpp"

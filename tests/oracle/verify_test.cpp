@@ -5,8 +5,6 @@
 
 #include <doctest/doctest.h>
 
-#include <cmath>
-
 #include "expect_error.hpp"
 #include "oracle/excess.hpp"
 #include "oracle/second_way.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // query_solids.hpp - boxes anywhere and small random solids, by the definition.
 #pragma once
-#include <optional>
 #include <vector>
 
 #include "affine_dimension.hpp"

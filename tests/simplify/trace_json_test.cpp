@@ -4,7 +4,6 @@
 
 #include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <functional>
 #include <nlohmann/json.hpp>
 

@@ -5,8 +5,6 @@
 #include <doctest/doctest.h>
 
 #include <set>
-#include <string>
-#include <vector>
 
 #include "convexact/hull.hpp"
 

@@ -3,7 +3,6 @@
 // handful of rows, in rationals, with no notion of vertex, basis or duality.
 #pragma once
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <vector>
 

@@ -4,7 +4,6 @@
 #pragma once
 #include <bit>
 #include <optional>
-#include <vector>
 
 #include "convexact/search.hpp"
 #include "definitional_search.hpp"
