@@ -56,17 +56,6 @@ Mesh hull_of(const std::vector<Point>& corners) {
   return {PointSet(solid.vertices), solid.facets, {{"", 0, solid.facets.size()}}};
 }
 
-// A ridge from (-100, 0, 4) to (100, 0, 4) above the triangle (-1, -1, 0), (1, -1, 0), (0, 1, 0):
-// straight up it is 4 - |y| / 2 to the hull, so 4 from its points with y = 0, the farthest of all.
-// Either plane of the roof alone allows 4.5 at a corner; half of each allows 4 everywhere.
-Mesh roof() {
-  return {
-      PointSet(std::vector<Point>{
-          {-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {0, -8, 0}, {100, 0, 4}, {-100, 0, 4}, {0, 8, 0}}),
-      {{0, 1, 2}, {1, 0, 3}, {1, 3, 4}, {3, 0, 5}, {4, 3, 6}},
-      {{"", 0, 5}}};
-}
-
 }  // namespace
 
 TEST_CASE("decomposition proof: closed forms") {
@@ -96,7 +85,7 @@ TEST_CASE("decomposition proof: a concavity that no single plane bounds") {
   DecomposeRequest request;
   request.limit = {Rational(4), false};
   request.orient = Orient::Keep;
-  const std::string proof = proof_of_parts(roof(), request);
+  const std::string proof = proof_of_parts(hip_roof(), request);
   const ProofText text(proof);
   REQUIRE(text.all("deepest").size() == 1);
   // The direction is (0, 0, 1), the length 4.
@@ -107,11 +96,11 @@ TEST_CASE("decomposition proof: a concavity that no single plane bounds") {
   check_says(verdict.said, "1 of them within the limit of 4\n");
   // Below 4, the roof is not one cluster.
   request.limit.value = Rational(399, 100);
-  const std::string less = said_of(roof(), request);
+  const std::string less = said_of(hip_roof(), request);
   CHECK(less.find("in one of 1 clusters") == std::string::npos);
   // As one part all the same: its cluster is beyond the limit, and that is said.
   request.max_parts = 1;
-  check_says(said_of(roof(), request), "0 of them within the limit of 399/100\n");
+  check_says(said_of(hip_roof(), request), "0 of them within the limit of 399/100\n");
 }
 
 TEST_CASE("decomposition proof: parts that are no hulls of their clusters") {

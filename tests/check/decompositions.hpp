@@ -46,3 +46,14 @@ inline convexact::Mesh dented_cube() {
            {7, 4, 8}},
           {{"", 0, 9}}};
 }
+
+// A ridge from (-100, 0, 4) to (100, 0, 4) above the triangle (-1, -1, 0), (1, -1, 0), (0, 1, 0):
+// straight up it is 4 - |y| / 2 to the hull, so 4 from its points with y = 0, the farthest of all.
+// Either plane of the roof alone allows 4.5 at a corner; half of each allows 4 everywhere.
+inline convexact::Mesh hip_roof() {
+  return {
+      convexact::PointSet(std::vector<convexact::Point>{
+          {-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {0, -8, 0}, {100, 0, 4}, {-100, 0, 4}, {0, 8, 0}}),
+      {{0, 1, 2}, {1, 0, 3}, {1, 3, 4}, {3, 0, 5}, {4, 3, 6}},
+      {{"", 0, 5}}};
+}

@@ -32,19 +32,8 @@ SimplifyRequest keeping(Engine engine, std::size_t faces, CostMeasure cost, Keep
   return request;
 }
 
-std::string proof_of(const std::vector<Point>& points, const SimplifyRequest& request) {
-  const auto result = std::get<SimplifyResult>(simplify(PointSet(points), request));
-  return write_proof(*result.start, *result.run, result.solid.points, result.solid.planes);
-}
-
 std::string cut_cube_proof(KeepIds keep = {{HalfspaceId(6)}}) {
   return proof_of(cut_cube(), keeping(Engine::Exact, 6, CostMeasure::Volume, std::move(keep)));
-}
-
-void check_refused(const ProofText& proof, int exit_code, const std::string& why) {
-  const CheckerVerdict verdict = check_proof(proof.text(true));
-  CHECK(verdict.exit_code == exit_code);
-  CHECK_MESSAGE(verdict.said.find(why) != std::string::npos, verdict.said);
 }
 
 }  // namespace

@@ -21,11 +21,6 @@ SimplifyRequest optimal_request(std::size_t faces, Engine engine) {
   return request;
 }
 
-std::string proof_of(const std::vector<Point>& points, const SimplifyRequest& request) {
-  const auto result = std::get<SimplifyResult>(simplify(PointSet(points), request));
-  return write_proof(*result.start, *result.run, result.solid.points, result.solid.planes);
-}
-
 std::string optimal_proof(const std::vector<Point>& points, std::size_t faces,
                           Engine engine = Engine::Filtered) {
   return proof_of(points, optimal_request(faces, engine));
@@ -33,12 +28,6 @@ std::string optimal_proof(const std::vector<Point>& points, std::size_t faces,
 
 // A hull of 12 facets, all different.
 std::vector<Point> small_hull() { return shapes::on_sphere(8, 3); }
-
-void check_refused(const ProofText& proof, int exit_code, const std::string& why) {
-  const CheckerVerdict verdict = check_proof(proof.text(true));
-  CHECK(verdict.exit_code == exit_code);
-  CHECK_MESSAGE(verdict.said.find(why) != std::string::npos, verdict.said);
-}
 
 // Where the block of a branch ends: after the close that belongs to it.
 std::size_t end_of_branch(const ProofText& proof, std::size_t branch) {

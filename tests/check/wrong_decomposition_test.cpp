@@ -76,7 +76,9 @@ std::string proof_at(const Mesh& mesh, const std::string& limit,
 }
 
 // Two clusters that are neighbours, of concavity 0.
-std::string l_proof() { return proof_at(mesh_of_cells({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), "0"); }
+std::string l_proof_proof() {
+  return proof_at(mesh_of_cells({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), "0");
+}
 
 // Two clusters that are none.
 std::string two_boxes() { return proof_at(mesh_of_cells({{0, 0, 0}, {3, 0, 0}}), "0"); }
@@ -89,24 +91,19 @@ std::string square() {
       "0");
 }
 
-// One cluster of concavity 4; see decomposition_proof_test.cpp. In the order of the proof the
+// One cluster of concavity 4; see hip_roof(). In the order of the proof the
 // points are r0 (-100, 0, 4), (-1, -1, 0), (0, -8, 0), (0, 1, 0), (0, 8, 0), (1, -1, 0), r1 (100,
 // 0, 4): numbers 0 to 6.
-std::string roof() {
-  const Mesh mesh = {
-      PointSet(std::vector<Point>{
-          {-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {0, -8, 0}, {100, 0, 4}, {-100, 0, 4}, {0, 8, 0}}),
-      {{0, 1, 2}, {1, 0, 3}, {1, 3, 4}, {3, 0, 5}, {4, 3, 6}},
-      {{"", 0, 5}}};
+std::string roof_proof() {
   DecomposeRequest request;
   request.limit = {Rational(4), false};
   request.orient = Orient::Keep;
-  return proof_of_parts(mesh, request);
+  return proof_of_parts(hip_roof(), request);
 }
 
 // The triangle (1 5 3) of the roof's proof.
 std::string floor_of_roof() {
-  const ProofText text(roof());
+  const ProofText text(roof_proof());
   const auto all = text.all("triangle");
   for (std::size_t t = 0; t < all.size(); ++t) {
     const Line& line = text.lines[all[t]];
@@ -120,7 +117,7 @@ const std::string kTwoPoints[] = {"point 0x0p+0 0x0p+0 0x0p+0", "point 1 2 3"};
 }  // namespace
 
 TEST_CASE("wrong decomposition: the surface") {
-  const Forged l(l_proof());
+  const Forged l(l_proof_proof());
   check_proven(l);
   const std::size_t last = l.count("point") - 1;
   check_not_proven(Forged(l).insert_behind("point", last, kTwoPoints[0]), "a point is repeated");
@@ -131,7 +128,7 @@ TEST_CASE("wrong decomposition: the surface") {
 }
 
 TEST_CASE("wrong decomposition: clusters") {
-  const Forged l(l_proof());
+  const Forged l(l_proof_proof());
   const Line second = Forged(l).line("cluster", 1);
   check_not_proven(Forged(l).append("cluster", 1, Forged(l).line("cluster", 0)[1]),
                    "a triangle is in a cluster already");
@@ -167,7 +164,7 @@ TEST_CASE("wrong decomposition: clusters") {
 }
 
 TEST_CASE("wrong decomposition: facets and sides") {
-  const Forged l(l_proof());
+  const Forged l(l_proof_proof());
   const Line facet = Forged(l).line("facet");
   check_not_proven(Forged(l).set("facet", 0, "facet " + facet[1] + " " + facet[3] + " " + facet[2]),
                    "a point is beyond a facet");
@@ -209,7 +206,7 @@ TEST_CASE("wrong decomposition: facets and sides") {
 }
 
 TEST_CASE("wrong decomposition: the ray that shows a concavity") {
-  const Forged right(roof());
+  const Forged right(roof_proof());
   check_proven(right);
   const std::string t = floor_of_roof();
   const auto with = [&](const std::string& ray) {
@@ -275,7 +272,7 @@ TEST_CASE("wrong decomposition: rays of points and triangles elsewhere") {
 }
 
 TEST_CASE("wrong decomposition: bounds") {
-  const Forged right(roof());
+  const Forged right(roof_proof());
   const Line combined = Forged(right).line("combined");  // i h y h y
   REQUIRE(combined.size() == 6);
   const std::string i = combined[1], g = combined[2], h = combined[4];
@@ -394,7 +391,7 @@ TEST_CASE("wrong decomposition: flat parts") {
 }
 
 TEST_CASE("wrong decomposition: pairs of neighbours") {
-  const Forged right(l_proof());
+  const Forged right(l_proof_proof());
   check_not_proven(Forged(right).erase("apart"), "two neighbours may be within the limit together");
   const Line apart = Forged(right).line("apart");
   std::string again = "apart";
@@ -418,7 +415,7 @@ TEST_CASE("wrong decomposition: pairs of neighbours") {
 }
 
 TEST_CASE("wrong decomposition: every line and every truncation") {
-  for (const std::string& proof : {l_proof(), roof(), square()}) {
+  for (const std::string& proof : {l_proof_proof(), roof_proof(), square()}) {
     const ProofText text(proof);
     for (std::size_t l = 0; l < text.lines.size(); ++l) {
       CAPTURE(l);
@@ -442,7 +439,7 @@ TEST_CASE("wrong decomposition: every line and every truncation") {
 }
 
 TEST_CASE("wrong decomposition: malformed") {
-  const Forged right(l_proof());
+  const Forged right(l_proof_proof());
   const std::pair<const char*, const char*> changes[] = {
       {"convexact-proof", "convexact-proof 4 greedy"},
       {"convexact-proof", "convexact-proof 5 decomposition"},
