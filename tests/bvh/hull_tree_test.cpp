@@ -15,6 +15,7 @@
 #include "convexact/measure.hpp"
 #include "expect_error.hpp"
 #include "supporting_planes.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 using namespace support;
@@ -378,7 +379,7 @@ std::set<Nodes> greedy_by_definition(const std::vector<NamedPart>& parts) {
 
 }  // namespace
 
-TEST_CASE("build_tree: the greedy choice is that of its definition") {
+TEST_CASE("build_tree: the greedy choice is that of its definition" * sweep) {
   std::mt19937_64 random(11);
   for (int run = 0; run < 6; ++run) {
     std::vector<Box> boxes(16);

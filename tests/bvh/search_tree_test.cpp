@@ -11,6 +11,7 @@
 #include "cells.hpp"
 #include "convexact/hull_tree.hpp"
 #include "expect_error.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 using namespace support;
@@ -108,7 +109,7 @@ TEST_CASE("cast_ray: the first hit of a tree is the first of all parts") {
   CHECK(ties > 0);
 }
 
-TEST_CASE("find_overlap: the parts of a tree that overlap are those that do alone") {
+TEST_CASE("find_overlap: the parts of a tree that overlap are those that do alone" * sweep) {
   for (std::uint64_t seed = 1; seed <= scenes(); ++seed) {
     const Scene scene = random_scene(seed, {});
     const SearchTree tree(scene.tree);

@@ -8,6 +8,7 @@
 #include "proofs.hpp"
 #include "shapes/makers.hpp"
 #include "shipped_meshes.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -33,7 +34,7 @@ void check_engines(const Shape& shape, std::size_t faces) {
 
 }  // namespace
 
-TEST_CASE("proof: solids full of ties, by every engine, in every format") {
+TEST_CASE("proof: solids full of ties, by every engine, in every format" * sweep) {
   const std::vector<std::pair<const char*, std::vector<Point>>> solids = {
       {"tetrahedron", shapes::tetrahedron()},
       {"cube", shapes::cube()},
@@ -122,7 +123,7 @@ TEST_CASE("proof: coordinates far from one") {
   }
 }
 
-TEST_CASE("proof: a shipped mesh") {
+TEST_CASE("proof: a shipped mesh" * sweep) {
   for (const std::string& path : shipped_meshes()) {
     if (path.find("spot") == std::string::npos) continue;
     const PointSet points = read_mesh(path).points;

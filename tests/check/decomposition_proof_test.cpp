@@ -13,6 +13,7 @@
 #include "process.hpp"
 #include "proof_text.hpp"
 #include "shapes/makers.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 using support::box_mesh;
@@ -195,7 +196,7 @@ TEST_CASE("decomposition proof: clusters that come from splitting") {
   }
 }
 
-TEST_CASE("decomposition proof: random unions of cells, at every limit") {
+TEST_CASE("decomposition proof: random unions of cells, at every limit" * sweep) {
   Random random(7);
   for (int round = 0; round < 60; ++round) {
     CAPTURE(round);
@@ -330,7 +331,7 @@ TEST_CASE("decomposition proof: triangles of STL, and decimals as spelt") {
   check_says(check_proof(nearest, path).said, "proven: the faces are those of " + path);
 }
 
-TEST_CASE("decomposition proof: spot, by both measures") {
+TEST_CASE("decomposition proof: spot, by both measures" * sweep) {
   const std::string path = support::data("spot.obj");
   for (const ConcavityMeasure measure : kMeasures) {
     const std::string proof =

@@ -9,6 +9,7 @@
 #include "proof_text.hpp"
 #include "proofs.hpp"
 #include "shapes/makers.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -51,7 +52,7 @@ TEST_CASE("proof of a run that keeps a plane: accepted, and it says so") {
                 verdict.said);
 }
 
-TEST_CASE("proofs of runs that keep planes: every engine and measure") {
+TEST_CASE("proofs of runs that keep planes: every engine and measure" * sweep) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     for (const Engine engine : {Engine::Exact, Engine::Filtered, Engine::Float}) {
       for (const CostMeasure cost :

@@ -7,6 +7,7 @@
 #include "proof_text.hpp"
 #include "proofs.hpp"
 #include "shapes/makers.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -81,7 +82,7 @@ TEST_CASE("proof of an optimum: without a proof it claims the volumes of the rem
   CHECK(verdict.said.find("smaller") == std::string::npos);
 }
 
-TEST_CASE("proof of an optimum: branches left out and early ends are refused") {
+TEST_CASE("proof of an optimum: branches left out and early ends are refused" * sweep) {
   const ProofText proof(optimal_proof(small_hull(), 6));
   const std::vector<std::size_t> branches = proof.all("branch");
   REQUIRE(branches.size() > 3);
@@ -149,7 +150,7 @@ TEST_CASE("proof of an optimum: a branch beyond the removals to go is refused") 
 }
 
 // A greedy run that is not optimal, under the tree of the optimum.
-TEST_CASE("proof of an optimum: other planes than the least are refused") {
+TEST_CASE("proof of an optimum: other planes than the least are refused" * sweep) {
   const auto ico = shapes::icosahedron();
   const ProofText proof(optimal_proof(ico, 6));
   ProofText other = proof;

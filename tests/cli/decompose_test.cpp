@@ -15,6 +15,7 @@
 #include "convexact/number.hpp"
 #include "json_schema.hpp"
 #include "process.hpp"
+#include "sweep.hpp"
 
 using convexact::parse_rational;
 using convexact::Rational;
@@ -375,7 +376,7 @@ TEST_CASE("decompose --parts: each object on its own, under its name") {
   CHECK(run_program("decompose --parts " + input + " --trace " + scratch.file("t.json")).exit == 2);
 }
 
-TEST_CASE("decompose: fewer faces, fewer bits: the parts hold what they own") {
+TEST_CASE("decompose: fewer faces, fewer bits: the parts hold what they own" * sweep) {
   const ScratchFolder scratch;
   const std::string input = support::data("spot.obj"), out = scratch.file("out.obj"),
                     list = scratch.file("out.json");

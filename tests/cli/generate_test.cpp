@@ -10,6 +10,7 @@
 #include "convexact/io.hpp"
 #include "convexact/shapes.hpp"
 #include "process.hpp"
+#include "sweep.hpp"
 using namespace convexact;
 using nlohmann::json;
 using support::bytes_of;
@@ -98,7 +99,7 @@ TEST_CASE("generate --facets: the closed hull; refused where there is none") {
   CHECK(run_program("generate coplanar --facets").exit == 4);
 }
 
-TEST_CASE("generate: malformed files come byte by byte and end any run with exit 3") {
+TEST_CASE("generate: malformed files come byte by byte and end any run with exit 3" * sweep) {
   const ScratchFolder scratch;
   for (const shapes::MalformedFile& file : shapes::malformed_files()) {
     CAPTURE(file.name);

@@ -10,6 +10,7 @@
 #include "compared_hulls.hpp"
 #include "convexact/shapes.hpp"
 #include "shapes/makers.hpp"
+#include "sweep.hpp"
 using namespace convexact;
 using support::ComparedHull;
 using support::method;
@@ -66,7 +67,7 @@ std::vector<Point> sphere_with_patch(bool with_patch) {
 
 }  // namespace
 
-TEST_CASE("methods: every solid holds every point, in at most so many planes") {
+TEST_CASE("methods: every solid holds every point, in at most so many planes" * sweep) {
   for (const auto& shape : small_shapes()) {
     const std::vector<Point>& points = shape.second;
     CAPTURE(shape.first);

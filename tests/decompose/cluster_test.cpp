@@ -14,6 +14,7 @@
 #include "convexact/io.hpp"
 #include "expect_error.hpp"
 #include "small_surfaces.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 using namespace support;
@@ -118,7 +119,7 @@ void add_ball(const Point& center, int rings, int sectors, Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("laws of clusterings, on terrains, cells and pieces of meshes") {
+TEST_CASE("laws of clusterings, on terrains, cells and pieces of meshes" * sweep) {
   std::mt19937 random(1);
   ClusterOptions options;
   for (int round = 0; round < 40; ++round) {
@@ -215,7 +216,7 @@ TEST_CASE("convex shapes are one part at every limit, and its hull is theirs") {
   }
 }
 
-TEST_CASE("four balls are four parts, joined at no limit below their distance") {
+TEST_CASE("four balls are four parts, joined at no limit below their distance" * sweep) {
   Mesh mesh;
   for (const Point& center : {Point(0, 0, 0), Point(3, 0, 0), Point(0, 3, 0), Point(3, 3, 0)}) {
     add_ball(center, 8, 12, mesh);

@@ -8,6 +8,7 @@
 #include "convexact/cluster.hpp"
 #include "decompose/near_concavity.hpp"
 #include "small_surfaces.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 using namespace support;
@@ -137,7 +138,7 @@ std::vector<std::vector<TriangleId>> connected_sets(const Surface& surface) {
 
 }  // namespace
 
-TEST_CASE("the concavity of all connected sets of triangles is that of the definition") {
+TEST_CASE("the concavity of all connected sets of triangles is that of the definition" * sweep) {
   std::mt19937 random(7);
   std::size_t solid = 0, flat = 0;
   for (int round = 0; round < 12; ++round) {

@@ -7,6 +7,7 @@
 #include "convexact/cluster.hpp"
 #include "convexact/io.hpp"
 #include "small_surfaces.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 using namespace support;
@@ -48,7 +49,7 @@ ClusterOptions options_of(unsigned round) {
 
 }  // namespace
 
-TEST_CASE("the filtered engine merges as the exact one does, on terrains and cells") {
+TEST_CASE("the filtered engine merges as the exact one does, on terrains and cells" * sweep) {
   // CONVEXACT_ENGINE_RUNS=5000 for a long night.
   const char* wanted = std::getenv("CONVEXACT_ENGINE_RUNS");
   const unsigned runs = wanted != nullptr ? unsigned(std::atoi(wanted)) : 160;
@@ -74,7 +75,8 @@ TEST_CASE("the filtered engine merges as the exact one does, on terrains and cel
   CHECK(all.several > all.runs / 4);
 }
 
-TEST_CASE("the filtered engine merges as the exact one does, on the first triangles of meshes") {
+TEST_CASE("the filtered engine merges as the exact one does, on the first triangles of meshes" *
+          sweep) {
   const char* folder = std::getenv("CONVEXACT_TEST_DATA");
   REQUIRE(folder != nullptr);
   Compared all;

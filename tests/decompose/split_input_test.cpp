@@ -11,6 +11,7 @@
 #include "convexact/split.hpp"
 #include "expect_error.hpp"
 #include "split_laws.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 using namespace support;
@@ -82,7 +83,7 @@ const std::vector<Point> kCube{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
 
 }  // namespace
 
-TEST_CASE("split: surfaces with one side, or with a hole") {
+TEST_CASE("split: surfaces with one side, or with a hole" * sweep) {
   CHECK(split_lawfully(closed_by_gluing(7, 2, true, true)).nodes.size() > 1);
   CHECK(split_lawfully(closed_by_gluing(9, 4, true, true)).nodes.size() > 1);
   CHECK(split_lawfully(closed_by_gluing(8, 5, true, false)).nodes.size() > 1);

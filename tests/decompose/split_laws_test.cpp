@@ -11,6 +11,7 @@
 #include "assembled_meshes.hpp"
 #include "convexact/io.hpp"
 #include "small_surfaces.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 using namespace support;
@@ -39,7 +40,7 @@ Mesh mesh_with(const Mesh& mesh, const std::vector<RationalPoint>& points) {
 
 }  // namespace
 
-TEST_CASE("split: laws, on terrains, soups, cells and pieces of meshes") {
+TEST_CASE("split: laws, on terrains, soups, cells and pieces of meshes" * sweep) {
   std::mt19937 random(1);
   for (unsigned round = 0; round < 60; ++round) {
     CAPTURE(round);
@@ -236,8 +237,8 @@ TEST_CASE("split: no order of the input, no rotation and no repeated point chang
   }
 }
 
-TEST_CASE(
-    "split: scaled by a power of two, and moved exactly, a surface is split in the same way") {
+TEST_CASE("split: scaled by a power of two, and moved exactly, a surface is split in the same way" *
+          sweep) {
   std::mt19937 random(17);
   for (unsigned round = 0; round < 24; ++round) {
     CAPTURE(round);

@@ -11,6 +11,7 @@
 #include "convexact/shapes.hpp"
 #include "fast/float_loop.hpp"
 #include "shipped_meshes.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -98,7 +99,7 @@ TEST_CASE("FloatErrors: of bounds from before a removal only what lasts is left"
   CHECK(errors.bound(true).is_end_proven);
 }
 
-TEST_CASE("FloatBound: holds by area and by mean width on every family of shapes") {
+TEST_CASE("FloatBound: holds by area and by mean width on every family of shapes" * sweep) {
   for (const CostMeasure measure : kAreaAndWidth) {
     std::size_t vouched = 0;
     for (const shapes::Family& family : shapes::families()) {
@@ -125,7 +126,7 @@ TEST_CASE("FloatBound: holds by area and by mean width where costs fall") {
   }
 }
 
-TEST_CASE("FloatBound: by area and by mean width on the shipped meshes") {
+TEST_CASE("FloatBound: by area and by mean width on the shipped meshes" * sweep) {
   for (const std::string& path : shipped_meshes()) {
     for (const CostMeasure measure : kAreaAndWidth) {
       CAPTURE(path);

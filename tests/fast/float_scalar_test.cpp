@@ -17,6 +17,7 @@
 #include "shapes/makers.hpp"
 #include "shipped_meshes.hpp"
 #include "simplify/replay.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -186,7 +187,7 @@ TEST_CASE("float loop: a growth limit holds in any arithmetic") {
   }
 }
 
-TEST_CASE("rounded dual: the formats binary32 and binary64 of MPFR are C's, bit for bit") {
+TEST_CASE("rounded dual: the formats binary32 and binary64 of MPFR are C's, bit for bit" * sweep) {
   std::vector<PointSet> sets;
   for (const shapes::Family& family : shapes::families()) {
     sets.emplace_back(shapes::generate(family, shapes::usual_values(family), 1));

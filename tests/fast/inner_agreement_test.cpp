@@ -13,6 +13,7 @@
 #include "perturb.hpp"
 #include "shapes/makers.hpp"
 #include "shipped_meshes.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -50,7 +51,7 @@ TEST_CASE("simplify_inner_filtered: every family, small") {
   }
 }
 
-TEST_CASE("simplify_inner_filtered: hard doubles") {
+TEST_CASE("simplify_inner_filtered: hard doubles" * sweep) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     CAPTURE(seed);
     const std::vector<Point> lattice =

@@ -15,6 +15,7 @@
 #include "same_run.hpp"
 #include "shapes/makers.hpp"
 #include "simplify_points.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -89,7 +90,7 @@ double most_used(const NearNormals& normals) {
 
 }  // namespace
 
-TEST_CASE("metric costs: the same runs as the exact engine's") {
+TEST_CASE("metric costs: the same runs as the exact engine's" * sweep) {
   check_same(shapes::cube());
   check_same(shapes::dodecahedron());
   check_same(shapes::icosahedron());
@@ -196,7 +197,8 @@ TEST_CASE("metric costs: every enclosure of whole runs holds the value to 200 bi
   }
 }
 
-TEST_CASE("metric costs: the bound of the angles holds for the worst found, and is not vacuous") {
+TEST_CASE("metric costs: the bound of the angles holds for the worst found, and is not vacuous" *
+          sweep) {
   double near = 0, far = 0, wide = 0;
   for (const double flat : {1.0, 0x1p-10}) {
     for (const double size : {0x1p-4, 0x1p-7, 0x1p-12, 0x1p-20}) {

@@ -5,6 +5,7 @@
 
 #include "fast/signs.hpp"
 #include "hill_climb.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -91,7 +92,7 @@ void check_ratio(const char* bound, double ratio) {
 
 }  // namespace
 
-TEST_CASE("PlaneFilter: the bounds hold for the worst doubles found, and are not vacuous") {
+TEST_CASE("PlaneFilter: the bounds hold for the worst doubles found, and are not vacuous" * sweep) {
   check_ratio("H in double", hill_climb::highest(12, 20, 400, 1, height_ratio<double>));
   check_ratio("D in double", hill_climb::highest(9, 20, 400, 2, determinant_ratio<double>));
 }

@@ -8,6 +8,7 @@
 #include "affine_dimension.hpp"
 #include "checked_hull.hpp"
 #include "shapes/makers.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -118,7 +119,7 @@ TEST_CASE("convex_hull: of equal points the lowest id is the vertex") {
   }
 }
 
-TEST_CASE("convex_hull: valences of ten thousand take no quadratic time") {
+TEST_CASE("convex_hull: valences of ten thousand take no quadratic time" * sweep) {
   // Quadratic work would be 10^8 exact signs, minutes; the runner stops it after 30 seconds.
   CHECK(checked_hull(PointSet(shapes::pyramid(10000))).facets.size() == 10001);
   CHECK(checked_hull(PointSet(shapes::bipyramid(10000))).facets.size() == 20000);

@@ -17,6 +17,7 @@
 #include "convexact/measure.hpp"
 #include "expect_error.hpp"
 #include "number/random.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -277,7 +278,7 @@ TEST_CASE("kept_cells: the hull holds surfaces that are moved, joined and grown"
   }));
 }
 
-TEST_CASE("kept_cells: what is refused") {
+TEST_CASE("kept_cells: what is refused" * sweep) {
   const ImplicitShape ball(implicit::Sphere{{0, 0, 0}, 1});
   const auto refusal = [&](const ImplicitShape& shape, const ImplicitBox& box, std::size_t depth) {
     return error_of([&] { return kept_cells(shape, box, depth); });

@@ -9,6 +9,7 @@
 #include "linear_programs.hpp"
 #include "lp_certificates.hpp"
 #include "property.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 using data::linear_program;
@@ -142,7 +143,8 @@ TEST_CASE("maximise: the kind and the value are those of Fourier-Motzkin elimina
   for (const std::size_t count : seen) CHECK(count > 300);
 }
 
-TEST_CASE("maximise: many rows, dimensions 1 to 5, certified; every seed gives the same points") {
+TEST_CASE("maximise: many rows, dimensions 1 to 5, certified; every seed gives the same points" *
+          sweep) {
   Random random(11);
   for (int repeat = 0; repeat < 4000; ++repeat) {
     const auto size = static_cast<Eigen::Index>(1 + uniform_below(random, 5));

@@ -10,6 +10,7 @@
 #include "convexact/io.hpp"
 #include "convexact/verify_parts.hpp"
 #include "shipped_meshes.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 using namespace support;
@@ -45,7 +46,7 @@ void check_accepted(const Mesh& mesh, const Decomposition& d, PartsRequest reque
 
 }  // namespace
 
-TEST_CASE("verify_parts: accepts the parts of a scan, as hulls and with few faces") {
+TEST_CASE("verify_parts: accepts the parts of a scan, as hulls and with few faces" * sweep) {
   const auto paths = shipped_meshes();
   const auto teapot = std::find_if(paths.begin(), paths.end(), [](const std::string& path) {
     return path.find("teapot") != std::string::npos;

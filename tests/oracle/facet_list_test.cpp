@@ -11,6 +11,7 @@
 #include "oracle/trace_verdict.hpp"
 #include "removal_orders.hpp"
 #include "shapes/makers.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -85,7 +86,7 @@ std::vector<HalfspaceId> greedy_order(const DualHull& solid) {
 
 }  // namespace
 
-TEST_CASE("facet list: planes computed in doubles name their facets (#13)") {
+TEST_CASE("facet list: planes computed in doubles name their facets (#13)" * sweep) {
   std::vector<Point> far = shapes::on_sphere(40, 3);
   for (Point& p : far) p += Point(1000, -500, 70);
   std::vector<Point> thin = shapes::on_sphere(40, 5);

@@ -14,6 +14,7 @@
 #include "removal_orders.hpp"
 #include "shapes/makers.hpp"
 #include "simplify_points.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -311,7 +312,7 @@ TEST_CASE("judge trace: wrong claims are found where they stand, and nowhere els
   CHECK(violated(judge(low, order)) == Codes{"trace-bounded", "trace-cost"});
 }
 
-TEST_CASE("judge trace: random orders, every number by the definition") {
+TEST_CASE("judge trace: random orders, every number by the definition" * sweep) {
   for (const std::vector<Point>& points :
        {shapes::cut_cube(4, 0.25), shapes::on_sphere(9, 5), shapes::octahedron()}) {
     const DualHull solid = dual_of_doubles(points);

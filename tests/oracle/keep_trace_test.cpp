@@ -11,6 +11,7 @@
 #include "oracle/divergence.hpp"
 #include "removal_orders.hpp"
 #include "shapes/makers.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -95,7 +96,7 @@ TEST_CASE("kept in a trace: the end") {
   CHECK(violated(judge_kept(solid, order, {kTop, kCut})) == Codes{"trace-kept", "trace-stop"});
 }
 
-TEST_CASE("kept in a trace: runs by all measures hold, and steps that cost more do not") {
+TEST_CASE("kept in a trace: runs by all measures hold, and steps that cost more do not" * sweep) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const DualHull solid = dual_of_doubles(shapes::lattice(14, 3, seed));
     const Ids keep{HalfspaceId(1), HalfspaceId(4)};

@@ -11,6 +11,7 @@
 #include "oracle/trace_verdict.hpp"
 #include "removal_orders.hpp"
 #include "shapes/makers.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -220,7 +221,7 @@ TEST_CASE("left out: what is removed, is no facet or leaves no solid is wrong us
   CHECK(cuts.verdict({cuts.cuts[0], cuts.cuts[0]}).left_out == CutIds{cuts.cuts[0]});
 }
 
-TEST_CASE("left out: facets and rating by the definition, on random orders (#13)") {
+TEST_CASE("left out: facets and rating by the definition, on random orders (#13)" * sweep) {
   std::size_t named = 0;
   for (const std::vector<Point>& points :
        {shapes::cut_cube(4, 0.25), shapes::on_sphere(9, 5), shapes::octahedron()}) {

@@ -14,6 +14,7 @@
 #include "removal_orders.hpp"
 #include "shapes/makers.hpp"
 #include "simplify/trace_json.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -314,7 +315,7 @@ TEST_CASE("judge trace: an undecided comparison neither violates nor holds") {
   }
 }
 
-TEST_CASE("judge trace: traces of both exact engines are accepted by their measure") {
+TEST_CASE("judge trace: traces of both exact engines are accepted by their measure" * sweep) {
   for (const CostMeasure measure :
        {CostMeasure::Volume, CostMeasure::Area, CostMeasure::MeanWidth}) {
     CAPTURE(static_cast<int>(measure));

@@ -11,6 +11,7 @@
 #include "number/random.hpp"
 #include "shapes/makers.hpp"
 #include "simplify_points.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -91,7 +92,8 @@ std::vector<Halfspace> rounded_planes(const DualHull& solid, const RationalPoint
 
 }  // namespace
 
-TEST_CASE("removal cost: planes off by one rounding move a cost by a 64th of what is allowed") {
+TEST_CASE("removal cost: planes off by one rounding move a cost by a 64th of what is allowed" *
+          sweep) {
   for (const CostMeasure measure :
        {CostMeasure::Volume, CostMeasure::Area, CostMeasure::MeanWidth}) {
     CAPTURE(static_cast<int>(measure));

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "overlay_scenes.hpp"
+#include "sweep.hpp"
 using namespace convexact;
 using namespace support;
 
@@ -185,8 +186,8 @@ TEST_CASE("find_uncovered: cells and boxes, mapped and scaled, face by face") {
   }
 }
 
-TEST_CASE(
-    "find_uncovered: a triangle and random solids, by inclusion and exclusion and by points") {
+TEST_CASE("find_uncovered: a triangle and random solids, by inclusion and exclusion and by points" *
+          sweep) {
   Random random(34);
   int partly = 0;
   for (int round = 0; round < 40; ++round) {
@@ -241,7 +242,7 @@ TEST_CASE(
   CHECK(partly > 10);
 }
 
-TEST_CASE("find_uncovered: solids that meet facets of others but for last bits") {
+TEST_CASE("find_uncovered: solids that meet facets of others but for last bits" * sweep) {
   Random random(35);
   for (int round = 0; round < 60; ++round) {
     CAPTURE(round);

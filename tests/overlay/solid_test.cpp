@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "overlay_scenes.hpp"
+#include "sweep.hpp"
 using namespace convexact;
 using namespace support;
 
@@ -212,7 +213,7 @@ TEST_CASE("solid: an ulp that matters") {
                             box_part(0, 0, 0.5 + 0x1p-53, 1, 1, 1)}) == to_rational(0x1p-53));
 }
 
-TEST_CASE("solid: cells and boxes, mapped and scaled, cell by cell") {
+TEST_CASE("solid: cells and boxes, mapped and scaled, cell by cell" * sweep) {
   Random random(77);
   int covered = 0;
   for (int round = 0; round < 30; ++round) {
@@ -286,7 +287,7 @@ TEST_CASE("solid: boxes that cross each other, turned either way, cell by cell")
   }
 }
 
-TEST_CASE("solid: random solids that cross, by inclusion and exclusion") {
+TEST_CASE("solid: random solids that cross, by inclusion and exclusion" * sweep) {
   Random random(79);
   for (int round = 0; round < 25; ++round) {
     CAPTURE(round);

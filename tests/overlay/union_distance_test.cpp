@@ -12,6 +12,7 @@
 #include "expect_error.hpp"
 #include "property.hpp"
 #include "shapes/makers.hpp"
+#include "sweep.hpp"
 using namespace convexact;
 
 namespace {
@@ -38,7 +39,9 @@ ConvexPart part_of_box(const Point& low, const Point& high) {
   return solid_part(corners);
 }
 
-ConvexPart cell(double x, double y, double z) { return part_of_box({x, y, z}, {x + 1, y + 1, z + 1}); }
+ConvexPart cell(double x, double y, double z) {
+  return part_of_box({x, y, z}, {x + 1, y + 1, z + 1});
+}
 
 void add_both(std::vector<Halfspace>& list, const RationalVector3& normal,
               const RationalPoint& at) {
@@ -299,7 +302,7 @@ TEST_CASE("union_distance: polygons, segments and points") {
   CHECK(UnionDistance(segment)({-1, 0, 0}).nearest == RationalPoint(0, 0, 0));
 }
 
-TEST_CASE("union_distance: as the definition says, for random parts of any dimension") {
+TEST_CASE("union_distance: as the definition says, for random parts of any dimension" * sweep) {
   check_property("union_distance: brute force", [] {
     const auto seed = *rc::gen::inRange<std::uint64_t>(1, 1000000);
     std::mt19937_64 random(seed);
@@ -474,7 +477,7 @@ TEST_CASE("is_within: undecided where two parts are at exactly the tolerance, wi
   CHECK(is_within(pieces, distance, Rational(1001, 1000)).reach == Reach::Within);
 }
 
-TEST_CASE("is_within, surface_to_union: agree with dense samples of random triangles") {
+TEST_CASE("is_within, surface_to_union: agree with dense samples of random triangles" * sweep) {
   std::mt19937_64 random(5);
   const auto coordinate = [&] { return Rational(static_cast<long>(random() % 17) - 8) / 2; };
   for (int round = 0; round < 12; ++round) {
@@ -590,10 +593,11 @@ TEST_CASE("union_to_surface: a hull closes the hole of a ring, at any scale") {
     CHECK(is_close(found, diameter));
     REQUIRE(found.at);
     CHECK(winding(*found.at) == 0);
-    const std::vector<ConvexPart> walls{part_of_box({0, 0, 0}, {3 * unit, unit, unit}),
-                                        part_of_box({0, 2 * unit, 0}, {3 * unit, 3 * unit, unit}),
-                                        part_of_box({0, unit, 0}, {unit, 2 * unit, unit}),
-                                        part_of_box({2 * unit, unit, 0}, {3 * unit, 2 * unit, unit})};
+    const std::vector<ConvexPart> walls{
+        part_of_box({0, 0, 0}, {3 * unit, unit, unit}),
+        part_of_box({0, 2 * unit, 0}, {3 * unit, 3 * unit, unit}),
+        part_of_box({0, unit, 0}, {unit, 2 * unit, unit}),
+        part_of_box({2 * unit, unit, 0}, {3 * unit, 2 * unit, unit})};
     const DirectedDistance none = union_to_surface(walls, ring, &winding, diameter);
     CHECK(none.bounds.contains(0));
     CHECK(is_close(none, diameter));
@@ -617,7 +621,7 @@ TEST_CASE("union_to_surface: the farthest point is in the interior of a part tha
   CHECK(squared(off) < Rational(1, 10000));
 }
 
-TEST_CASE("union_to_surface: no sample of random parts is beyond the bounds") {
+TEST_CASE("union_to_surface: no sample of random parts is beyond the bounds" * sweep) {
   std::mt19937_64 random(11);
   const auto coordinate = [&] { return static_cast<double>(random() % 9) * kHalf; };
   const Surface ring = ring_surface(1);

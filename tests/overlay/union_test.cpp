@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "overlay_scenes.hpp"
+#include "sweep.hpp"
 using namespace convexact;
 using namespace support;
 
@@ -86,7 +87,7 @@ TEST_CASE("union_volume: random solids, by inclusion and exclusion") {
   }
 }
 
-TEST_CASE("union_volume: solids off the grid by last bits, by inclusion and exclusion") {
+TEST_CASE("union_volume: solids off the grid by last bits, by inclusion and exclusion" * sweep) {
   Random random(9);
   for (int round = 0; round < 40; ++round) {
     CAPTURE(round);

@@ -9,6 +9,7 @@
 #include "moved_polytope.hpp"
 #include "query_solids.hpp"
 #include "shapes/makers.hpp"
+#include "sweep.hpp"
 using namespace convexact;
 using support::box_between;
 using support::cube_of;
@@ -134,7 +135,7 @@ TEST_CASE("overlap: two edges across each other") {
   }
 }
 
-TEST_CASE("overlap: random pairs against the distance of their Minkowski difference") {
+TEST_CASE("overlap: random pairs against the distance of their Minkowski difference" * sweep) {
   Random random(11);
   int apart = 0, touching = 0, crossing = 0;
   for (int round = 0; round < 60; ++round) {

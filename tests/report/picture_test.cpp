@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "sweep.hpp"
+
 using namespace convexact;
 
 namespace {
@@ -147,7 +149,8 @@ TEST_CASE("picture: a layer that is not shown is in the data, not in the drawing
   CHECK_NOTHROW((void)picture_html({"t", "c", {}}));
 }
 
-TEST_CASE("picture: more than a million points are drawn on a coarser grid of the same size") {
+TEST_CASE("picture: more than a million points are drawn on a coarser grid of the same size" *
+          sweep) {
   PictureLayer cloud{.name = "n", .color = "#000000"};
   for (int x = 0; x < 1010; ++x) {
     for (int y = 0; y < 1000; ++y) cloud.points.emplace_back(x, y, 0);

@@ -15,6 +15,7 @@
 #include "json_schema.hpp"
 #include "scene/solid.hpp"
 #include "shapes/makers.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -208,7 +209,7 @@ TEST_CASE("scaling: nested subsets and spheres grow") {
   CHECK(series[3].points.back().size == 2 * 80 - 4);  // simplicial: 2n - 4 facets
 }
 
-TEST_CASE("report: the files conform, and the page carries the JSON") {
+TEST_CASE("report: the files conform, and the page carries the JSON" * sweep) {
   ReportRequest request;
   request.effort = little();
   request.families = {"needle"};

@@ -14,6 +14,7 @@
 #include "convexact/verify_parts.hpp"
 #include "expect_error.hpp"
 #include "supporting_planes.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 using namespace support;
@@ -193,7 +194,7 @@ TEST_CASE("decompose: unit cells are parted as they are made up") {
   }
 }
 
-TEST_CASE("decompose: four balls are four parts") {
+TEST_CASE("decompose: four balls are four parts" * sweep) {
   std::vector<Mesh> balls;
   Rational volumes = 0;
   for (const Point& center : {Point(0, 0, 0), Point(3, 0, 0), Point(0, 3, 0), Point(0, 0, 3)}) {
@@ -259,7 +260,7 @@ TEST_CASE("decompose: a part may exceed the limit, which is said") {
   check_volumes(d, 3, 0, Rational(1, 2));
 }
 
-TEST_CASE("decompose: engines agree, and concavities are those of the definition") {
+TEST_CASE("decompose: engines agree, and concavities are those of the definition" * sweep) {
   for (const auto& cells : {l_cells(), ring_cells(), cross_cells()}) {
     for (const ConcavityMeasure measure : {ConcavityMeasure::Surface, ConcavityMeasure::Vertices}) {
       DecomposeRequest request = with_fractions();
@@ -432,7 +433,7 @@ TEST_CASE("decompose: thin far away, and thick enough for the format") {
   }
 }
 
-TEST_CASE("decompose: thickened parts hold polygons, segments and points anywhere") {
+TEST_CASE("decompose: thickened parts hold polygons, segments and points anywhere" * sweep) {
   std::mt19937_64 random(5);
   const auto coordinate = [&] { return std::ldexp(double(random() >> 11), -52) - 1; };
   for (int round = 0; round < 120; ++round) {
@@ -730,7 +731,7 @@ Mesh random_soup(std::mt19937_64& random) {
   return mesh_of(points, triangles);
 }
 
-TEST_CASE("decompose: every triangle of a random soup lies in its owner") {
+TEST_CASE("decompose: every triangle of a random soup lies in its owner" * sweep) {
   std::mt19937_64 random(11);
   for (int round = 0; round < 300; ++round) {
     const Mesh mesh = random_soup(random);

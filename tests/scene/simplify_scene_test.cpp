@@ -12,6 +12,7 @@
 #include "convexact/measure.hpp"
 #include "expect_error.hpp"
 #include "shapes/makers.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -231,7 +232,8 @@ TEST_CASE("simplify_scene: every engine and measure takes the cheapest removal o
 
 // Of the bipyramid one removal is dear and the next ones cheap, so that its run does not get as far
 // as the frustum's lets it: what a part could do at most, it need not do.
-TEST_CASE("simplify_scene: costs that fall are spent in order, with a growth limit or without") {
+TEST_CASE("simplify_scene: costs that fall are spent in order, with a growth limit or without" *
+          sweep) {
   std::vector<Point> frustum;
   for (const double size : {9.590644312935588, 19.181288625871176}) {
     for (int axis = 0; axis < 3; ++axis) frustum.push_back(size * Point::Unit(axis));
@@ -252,7 +254,7 @@ TEST_CASE("simplify_scene: costs that fall are spent in order, with a growth lim
   }
 }
 
-TEST_CASE("simplify_scene: one part alone is the plain run, removal by removal") {
+TEST_CASE("simplify_scene: one part alone is the plain run, removal by removal" * sweep) {
   const Shape ball = PointSet(shapes::in_ball(40, 7));
   for (const Engine engine : kEngines) {
     for (const CostMeasure cost : kMeasures) {

@@ -12,6 +12,7 @@
 #include "expect_error.hpp"
 #include "halfspace_arrangement.hpp"
 #include "shapes/makers.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -169,7 +170,8 @@ TEST_CASE("simplify: with or without a record, from points or halfspaces: the sa
   CHECK(run(PointSet(points), filtered).solid.exact.planes == planes);
 }
 
-TEST_CASE("simplify: full verification proves the steps of the filtered engine a second time") {
+TEST_CASE("simplify: full verification proves the steps of the filtered engine a second time" *
+          sweep) {
   const std::vector<Point> points = shapes::on_sphere(40, 5);
   for (const CostMeasure measure :
        {CostMeasure::Volume, CostMeasure::Area, CostMeasure::MeanWidth}) {

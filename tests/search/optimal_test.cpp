@@ -13,6 +13,7 @@
 #include "least_volume.hpp"
 #include "searched.hpp"
 #include "shapes/makers.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -52,7 +53,7 @@ std::vector<std::vector<Point>> symmetric_points() {
 
 }  // namespace
 
-TEST_CASE("optimal: no choice of the definition is smaller, in both engines") {
+TEST_CASE("optimal: no choice of the definition is smaller, in both engines" * sweep) {
   std::size_t choices = 0, improved = 0;
   // In the last two, weights that are twice too high cut the least choice off.
   const std::vector<std::vector<Point>> list = {shapes::octahedron(),   shapes::cut_cube(3, 0.25),
@@ -103,7 +104,8 @@ TEST_CASE("optimal: what is kept on request is kept, and the rest is the least")
   }
 }
 
-TEST_CASE("optimal: with mirrors, turns and a center no choice of the definition is smaller") {
+TEST_CASE("optimal: with mirrors, turns and a center no choice of the definition is smaller" *
+          sweep) {
   std::size_t cases = 0;
   for (const std::vector<Point>& points : symmetric_points()) {
     const std::size_t most = Greedy(points, 4, CostMeasure::Volume).dual.halfspaces.size();

@@ -14,6 +14,7 @@
 #include "motion.hpp"
 #include "searched.hpp"
 #include "shapes/makers.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -109,7 +110,7 @@ TEST_CASE("search: with all facets kept, or none to take their place, nothing is
   CHECK(simplified(shapes::tetrahedron(), request).search->tried == 0);
 }
 
-TEST_CASE("search: the same seed gives the same moves, and no kicks are a walk") {
+TEST_CASE("search: the same seed gives the same moves, and no kicks are a walk" * sweep) {
   const Greedy greedy(shapes::in_ball(80, 2), 7, CostMeasure::Volume);
   const SearchOptions local{.request = {SearchKind::Local, 50}, .seed = 3};
   CHECK(same_moves(greedy.search(local), greedy.search(local)));

@@ -8,6 +8,7 @@
 #include "shapes/makers.hpp"
 #include "simplify/exact_engine.hpp"
 #include "simplify_points.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -61,7 +62,7 @@ TEST_CASE("simplify_exact: random lattice points") {
   }
 }
 
-TEST_CASE("simplify_exact: points in boxes with exact ties") {
+TEST_CASE("simplify_exact: points in boxes with exact ties" * sweep) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     CAPTURE(seed);
     check(shapes::centrally_symmetric(4 + static_cast<std::uint32_t>(seed % 3), seed));

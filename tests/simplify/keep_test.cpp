@@ -18,6 +18,7 @@
 #include "number/random.hpp"
 #include "shapes/makers.hpp"
 #include "simplify_points.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -236,7 +237,7 @@ TEST_CASE("keep: all that may go are kept") {
   CHECK(simplify_filtered(fast, {.keep = all}).steps.empty());
 }
 
-TEST_CASE("keep: every step is the cheapest of those that are not kept") {
+TEST_CASE("keep: every step is the cheapest of those that are not kept" * sweep) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const DualHull solid = dual_of_doubles(
         seed % 3 == 0 ? shapes::cut_cube(8, 0.3)
@@ -261,7 +262,7 @@ TEST_CASE("keep: every step is the cheapest of those that are not kept") {
   }
 }
 
-TEST_CASE("keep: the survivors of a free run, kept, survive the same run again") {
+TEST_CASE("keep: the survivors of a free run, kept, survive the same run again" * sweep) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const DualHull solid = dual_of_doubles(shapes::on_sphere(60, seed));
     const RationalPoint center = center_of(solid);

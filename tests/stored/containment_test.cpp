@@ -13,6 +13,7 @@
 #include "shapes/makers.hpp"
 #include "stored/near_products.hpp"
 #include "stored_cases.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -124,7 +125,7 @@ TEST_CASE("DoubleHalfspace: the bound holds for the worst found, and is not vacu
 // Two coefficients underflow, times coordinates that make more of them than of the third.
 // Many halfspaces: points are put into blocks of neighbours, and boxes of blocks are settled at
 // once.
-TEST_CASE("find_outside: many points and many halfspaces, point by point (#13)") {
+TEST_CASE("find_outside: many points and many halfspaces, point by point (#13)" * sweep) {
   const auto near_sphere = [](double reach, std::uint64_t seed) {
     std::vector<Point> points = shapes::on_sphere(700, seed);
     for (std::size_t i = 0; i < points.size(); i += 5) points[i] *= i % 2 == 0 ? reach : 0.5;

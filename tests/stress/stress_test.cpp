@@ -17,6 +17,7 @@
 #include "json_schema.hpp"
 #include "process.hpp"
 #include "stress/stress_report.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -73,7 +74,7 @@ void check_caught_of_both(const Corruption& corrupt,
 
 }  // namespace
 
-TEST_CASE("stress: honest engines pass on inputs of every kind") {
+TEST_CASE("stress: honest engines pass on inputs of every kind" * sweep) {
   std::vector<StressInput> inputs = one_input();
   for (const auto& more :
        {tied_input(), inputs_at("needle", {1, 1e300}), inputs_at("slab", {1e17}),
@@ -200,7 +201,7 @@ TEST_CASE("stress: a run that stops too early, or removes something twice, is a 
   }
 }
 
-TEST_CASE("stress: what is stored and misses a point, is open or unreadable is a fault") {
+TEST_CASE("stress: what is stored and misses a point, is open or unreadable is a fault" * sweep) {
   for (const Engine engine : {Engine::Exact, Engine::Filtered, Engine::Float}) {
     for (std::size_t form = 0; form < 4; ++form) {
       CAPTURE(form);
@@ -312,7 +313,8 @@ TEST_CASE("stress: an interrupt ends it and its processes") {
 }
 
 TEST_CASE(
-    "stress: the program's exit code is 0 for promises kept, 1 for broken ones, 2 for nonsense") {
+    "stress: the program's exit code is 0 for promises kept, 1 for broken ones, 2 for nonsense" *
+    sweep) {
   CHECK(support::run_program("stress cube --values 3").exit == 2);  // there is only one
   // Without a limit of memory: sanitizers reserve more than any.
   const auto kept = support::run_program(
@@ -333,7 +335,7 @@ TEST_CASE(
   CHECK(schema_complaint("stress", nlohmann::json::parse(list.out)) == "");
 }
 
-TEST_CASE("stress --cost: honest engines pass by area and by mean width") {
+TEST_CASE("stress --cost: honest engines pass by area and by mean width" * sweep) {
   std::vector<StressInput> inputs = one_input();
   for (const auto& more : {tied_input(), inputs_at("needle", {1, 1e9}), inputs_at("prism", {12}),
                            inputs_at("collinear", {5}), inputs_at("mixture", {2}),
@@ -381,7 +383,8 @@ TEST_CASE("stress --cost: what the float engine says is judged by the run that s
   }
 }
 
-TEST_CASE("stress --cost: wrong costs, measures and choices by area and mean width are faults") {
+TEST_CASE("stress --cost: wrong costs, measures and choices by area and mean width are faults" *
+          sweep) {
   for (const CostMeasure cost : {CostMeasure::Area, CostMeasure::MeanWidth}) {
     CAPTURE(static_cast<int>(cost));
     const auto faults_of = [&](const Question& asked, const Corruption& corrupt) {
@@ -442,7 +445,7 @@ void check_search_caught(const Corruption& corrupt) {
 
 }  // namespace
 
-TEST_CASE("stress: searches of both engines pass, by every measure") {
+TEST_CASE("stress: searches of both engines pass, by every measure" * sweep) {
   for (const CostMeasure cost : {CostMeasure::Volume, CostMeasure::Area, CostMeasure::MeanWidth}) {
     std::vector<StressInput> inputs = searched_input();
     for (const auto& more :
@@ -460,7 +463,7 @@ TEST_CASE("stress: searches of both engines pass, by every measure") {
   }
 }
 
-TEST_CASE("stress: a search that is not what it says is a fault") {
+TEST_CASE("stress: a search that is not what it says is a fault" * sweep) {
   check_search_caught(
       [](EngineAnswer& a) { a.search->moves.back().measure = a.run.steps[0].cost; });
   check_search_caught([](EngineAnswer& a) { a.search->moves.pop_back(); });

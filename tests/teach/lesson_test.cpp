@@ -17,6 +17,7 @@
 #include "lessons.hpp"
 #include "shapes/makers.hpp"
 #include "simplify/exact_engine.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 using namespace lessons;
@@ -138,7 +139,7 @@ TEST_CASE("lesson: the icosahedron ties by its symmetries") {
   CHECK(lesson["removals"][0].contains("tie_proof"));
 }
 
-TEST_CASE("lesson: the run is that of the engine without a lesson") {
+TEST_CASE("lesson: the run is that of the engine without a lesson" * sweep) {
   const std::vector<std::vector<Point>> inputs = {shapes::icosahedron(), shapes::in_ball(80, 3),
                                                   shapes::grid(3), shapes::cut_cube(5, 0.25)};
   for (const std::vector<Point>& input : inputs) {
@@ -203,7 +204,7 @@ TEST_CASE("lesson: a center that is not inside is refused") {
   CHECK(error.code() == ErrorCode::InvalidArgument);
 }
 
-TEST_CASE("lesson: of large inputs parts are left out, and why") {
+TEST_CASE("lesson: of large inputs parts are left out, and why" * sweep) {
   const auto missing = [](const json& lesson) {
     std::set<std::string> chapters;
     for (const json& part : lesson["left_out"]) chapters.insert(part["chapter"].get<std::string>());

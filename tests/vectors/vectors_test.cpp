@@ -13,6 +13,7 @@
 #include "convexact/verify.hpp"
 #include "json_schema.hpp"
 #include "process.hpp"
+#include "sweep.hpp"
 using namespace convexact;
 
 namespace {
@@ -100,7 +101,7 @@ TEST_CASE("vectors: hulls have the counts and the volume that are known") {
   });
 }
 
-TEST_CASE("vectors: both exact engines remove at the known costs, with the known ties") {
+TEST_CASE("vectors: both exact engines remove at the known costs, with the known ties" * sweep) {
   for_each<SimplifyQuestion>([](const TestVector& vector, const SimplifyQuestion& question) {
     check_run(vector, question, Engine::Filtered);
     if (question.volume) check_run(vector, question, Engine::Exact);

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+// sweep.hpp - marks test cases that builds with sanitizers leave out.
+#pragma once
+#include <doctest/doctest.h>
+
+/// Thousands of runs against a definition: a second or more here, minutes with sanitizers, through
+/// product code that other cases run there as well. TEST_CASE("name" * sweep)
+inline const doctest::test_suite sweep{"sweep"};
