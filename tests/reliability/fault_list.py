@@ -266,7 +266,7 @@ FAULTS = [
     (SKIP, _SEARCH + 'search.cpp', 'if (upper < 0) return true;', 'if (lower < 0) return true;', 'search'),
     (STALE, _SEARCH + 'search.cpp', 'for (auto exchange = since_.rbegin();', 'for (auto exchange = since_.rbegin() + 1;', 'search'),
     (STALE, _SEARCH + 'search.cpp', 'best_measure_.reset();', '', 'search search_property'),
-    (SKIP, _SEARCH + 'search.cpp', 'return difference(kept_, options_.keep);', 'return kept_;', 'search'),
+    (SKIP, _SEARCH + 'search.cpp', 'return without(kept_, options_.keep);', 'return kept_;', 'search'),
     (SIGN, _SEARCH + 'filtered_surface.cpp', 'next_above(gained.upper - lost.lower)', 'next_above(gained.lower - lost.upper)', 'search search_property'),
     # A bound that is too high: weights that count twice, and one removal too many.
     (SKIP, _SEARCH + 'optimal.cpp', 'plane.cost.lower + sum / 2', 'plane.cost.lower + sum', 'search search_property'),
