@@ -501,6 +501,19 @@ class DecompositionProof {
         ++edge.uses;
         edge.along += (from < to) != is_of_file ? 1 : -1;
       }
+      // With the edges of the file, whose face is this cycle of corners.
+      bool is_face(const Ids& cycle) const {
+        if (corners != IdSet(cycle.begin(), cycle.end())) return false;
+        if (triangles + 2 != std::max<std::size_t>(cycle.size(), 3)) return false;
+        for (const auto& [ends, edge] : edges) {
+          if (edge.uses % 2 != 0) return false;
+        }
+        return true;
+      }
+      bool runs_alike() const {
+        return std::all_of(edges.begin(), edges.end(),
+                           [](const auto& edge) { return edge.second.along == 0; });
+      }
     };
     std::vector<Face> faces(file.faces.size());
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
@@ -525,15 +538,8 @@ class DecompositionProof {
       for (std::size_t k = 0; k < cycle.size(); ++k) {
         face.run_along(cycle[k], cycle[(k + 1) % cycle.size()], true);
       }
-      bool is_same = face.corners == IdSet(cycle.begin(), cycle.end()) &&
-                     face.triangles + 2 == std::max<std::size_t>(cycle.size(), 3);
-      bool is_alike = true;
-      for (const auto& [ends, edge] : face.edges) {
-        is_same = is_same && edge.uses % 2 == 0;
-        is_alike = is_alike && edge.along == 0;
-      }
-      if (!is_same) return which + " is not the one of the proof";
-      turned += is_alike ? 0 : 1;
+      if (!face.is_face(cycle)) return which + " is not the one of the proof";
+      turned += face.runs_alike() ? 0 : 1;
     }
     return "";
   }

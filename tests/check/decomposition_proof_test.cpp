@@ -306,6 +306,15 @@ TEST_CASE("decomposition proof: triangles of a face that are flipped, or that ca
             "owns 0 1 2 3 4 5 6 7 8 9 10 11 12 13\napart 0 1 12 0 0 1 1 1\n");
   CHECK(check_proof(cancelling).exit_code == 0);
   check_says(check_proof(cancelling, cube).said, "its face 1 is not the one of the proof");
+  // The last two as those of a face that goes back and forth, so that its edges cancel, too: only
+  // its corners are not theirs.
+  std::string elsewhere = cancelling;
+  const std::size_t last = elsewhere.find("triangle 0 4 2 0\ntriangle 0 2 4 0\n");
+  elsewhere.replace(last, 34, "triangle 0 4 2 6\ntriangle 0 2 4 6\n");
+  const std::string there_and_back =
+      scratch.write("back.obj", support::bytes_of(cube) + "f 5 7 5 6\n");
+  CHECK(check_proof(elsewhere).exit_code == 0);
+  check_says(check_proof(elsewhere, there_and_back).said, "its face 7 is not the one of the proof");
 }
 
 TEST_CASE("decomposition proof: triangles of STL, and decimals as spelt") {

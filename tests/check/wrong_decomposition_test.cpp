@@ -76,7 +76,7 @@ std::string proof_at(const Mesh& mesh, const std::string& limit,
 }
 
 // Two clusters that are neighbours, of concavity 0.
-std::string l_proof_proof() {
+std::string l_proof() {
   return proof_at(mesh_of_cells({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), "0");
 }
 
@@ -117,7 +117,7 @@ const std::string kTwoPoints[] = {"point 0x0p+0 0x0p+0 0x0p+0", "point 1 2 3"};
 }  // namespace
 
 TEST_CASE("wrong decomposition: the surface") {
-  const Forged l(l_proof_proof());
+  const Forged l(l_proof());
   check_proven(l);
   const std::size_t last = l.count("point") - 1;
   check_not_proven(Forged(l).insert_behind("point", last, kTwoPoints[0]), "a point is repeated");
@@ -128,7 +128,7 @@ TEST_CASE("wrong decomposition: the surface") {
 }
 
 TEST_CASE("wrong decomposition: clusters") {
-  const Forged l(l_proof_proof());
+  const Forged l(l_proof());
   const Line second = Forged(l).line("cluster", 1);
   check_not_proven(Forged(l).append("cluster", 1, Forged(l).line("cluster", 0)[1]),
                    "a triangle is in a cluster already");
@@ -164,7 +164,7 @@ TEST_CASE("wrong decomposition: clusters") {
 }
 
 TEST_CASE("wrong decomposition: facets and sides") {
-  const Forged l(l_proof_proof());
+  const Forged l(l_proof());
   const Line facet = Forged(l).line("facet");
   check_not_proven(Forged(l).set("facet", 0, "facet " + facet[1] + " " + facet[3] + " " + facet[2]),
                    "a point is beyond a facet");
@@ -391,7 +391,7 @@ TEST_CASE("wrong decomposition: flat parts") {
 }
 
 TEST_CASE("wrong decomposition: pairs of neighbours") {
-  const Forged right(l_proof_proof());
+  const Forged right(l_proof());
   check_not_proven(Forged(right).erase("apart"), "two neighbours may be within the limit together");
   const Line apart = Forged(right).line("apart");
   std::string again = "apart";
@@ -415,7 +415,7 @@ TEST_CASE("wrong decomposition: pairs of neighbours") {
 }
 
 TEST_CASE("wrong decomposition: every line and every truncation") {
-  for (const std::string& proof : {l_proof_proof(), roof_proof(), square()}) {
+  for (const std::string& proof : {l_proof(), roof_proof(), square()}) {
     const ProofText text(proof);
     for (std::size_t l = 0; l < text.lines.size(); ++l) {
       CAPTURE(l);
@@ -439,7 +439,7 @@ TEST_CASE("wrong decomposition: every line and every truncation") {
 }
 
 TEST_CASE("wrong decomposition: malformed") {
-  const Forged right(l_proof_proof());
+  const Forged right(l_proof());
   const std::pair<const char*, const char*> changes[] = {
       {"convexact-proof", "convexact-proof 4 greedy"},
       {"convexact-proof", "convexact-proof 5 decomposition"},
