@@ -13,6 +13,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
+#include "number/arithmetic.hpp"
 #include "report/page_parts.hpp"
 
 namespace convexact {

@@ -13,6 +13,7 @@
 #include "convexact/error.hpp"
 #include "convexact/predicates.hpp"
 #include "number/arithmetic.hpp"
+#include "number/roundoff.hpp"
 
 namespace convexact {
 namespace {

@@ -5,6 +5,7 @@
 #include "convexact/error.hpp"
 #include "convexact/surface.hpp"
 #include "number/arithmetic.hpp"
+#include "number/roundoff.hpp"
 #include "surface/box_tree.hpp"
 #include "surface/flat_polygon.hpp"
 

@@ -6,11 +6,14 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "convexact/error.hpp"
 #include "convexact/shapes.hpp"
 #include "expect_error.hpp"
+#include "fast/filtered_engine.hpp"
 #include "halfspace_arrangement.hpp"
+#include "scene/run_stages.hpp"
 #include "shapes/makers.hpp"
 #include "sweep.hpp"
 
@@ -185,6 +188,29 @@ TEST_CASE("simplify: full verification proves the steps of the filtered engine a
     CHECK(full.solid.exact.planes == local.solid.exact.planes);
     request.search = {.kind = SearchKind::Walk};
     CHECK(has_run(run(PointSet(points), request), "steps again"));
+  }
+}
+
+// Between the engine and the proof, the record of one step is changed.
+TEST_CASE("simplify: full verification refuses a wrong step of the filtered engine") {
+  const Shape shape = PointSet(shapes::on_sphere(20, 5));
+  SimplifyRequest request = request_for(12, Engine::Filtered);
+  request.verify = VerifyLevel::Full;
+  const auto finish = [&](const std::function<void(Step&)>& change) {
+    StageLog log;
+    const auto prepared = prepare_run(shape, request, log);
+    RunInput& input = *std::get<std::unique_ptr<RunInput>>(prepared);
+    Run made = simplify_filtered(input.solid->dual, input.center, options_of(request, input));
+    change(made.steps.at(3));
+    InputMeasures before = measure_input(input, request, log);
+    return finish_run(input, std::move(before), end_of(std::move(made), log), request, log);
+  };
+  CHECK(finish([](Step&) {}).steps == 24);
+  for (const auto& change : std::vector<std::function<void(Step&)>>{
+           [](Step& step) { step.cost = Cost(step.cost.value().rational() * 2); },
+           [](Step& step) { step.ring.pop_back(); },
+           [](Step& step) { std::swap(step.triangles[0][0], step.triangles[0][1]); }}) {
+    CHECK(error_of([&] { return finish(change); }).code() == ErrorCode::Internal);
   }
 }
 
