@@ -110,8 +110,9 @@ std::optional<std::string> unknown_option(const CLI::App& program,
 std::optional<std::string> unknown_subcommand(const CLI::App& program,
                                               const std::vector<std::string>& words) {
   if (words.empty() || words[0].starts_with('-')) return std::nullopt;
-  if (program.get_subcommand_no_throw(words[0]) != nullptr) return std::nullopt;
-  return words[0];
+  const auto named = program.get_subcommands(
+      [&](const CLI::App* command) { return command->check_name(words[0]); });
+  return named.empty() ? std::optional(words[0]) : std::nullopt;
 }
 
 // What the parser prints instead of doing work: the help, or the version.

@@ -38,7 +38,7 @@ namespace {
 // 3u times their length, at most 2 sqrt(3); the unit normal by 4u: less than 40u.
 class NearDepth {
  public:
-  static constexpr double kError = kNearError;
+  static constexpr double kError = kDistanceError;
 
   NearDepth(const Halfspace& plane, const Point& corner) : corner_(corner) {
     Integer largest = 0;
@@ -188,7 +188,7 @@ class BridgeDistances {
         squared = std::min(squared, (corner - y).squaredNorm());
       }
     }
-    return std::sqrt(squared) + kNearError;
+    return std::sqrt(squared) + kDistanceError;
   }
 
   NearBounds to_facet(PointId p, std::uint32_t facet) const {
@@ -200,7 +200,7 @@ class BridgeDistances {
     const Point& y = near_.points[p.index()];
     NearBounds found{kFar, kFar};
     for (const std::uint32_t f : facets) {
-      if (boxes_[f].distance(y) > found.high + kNearError) continue;
+      if (boxes_[f].distance(y) > found.high + kDistanceError) continue;
       const NearBounds other = to_facet(p, f);
       found.low = std::min(found.low, other.low);
       found.high = std::min(found.high, other.high);

@@ -17,7 +17,6 @@ namespace convexact {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using oracle::counted;
 
 // ---- JSON
 

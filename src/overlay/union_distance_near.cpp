@@ -177,7 +177,7 @@ NearHull near_triangle(const std::array<Point, 3>& corners, const Point& y) {
 NearBounds widened(const NearBounds& bounds, const Point& y) {
   const double size = y.lpNorm<Eigen::Infinity>();
   if (!(size < 0x1p200)) return {};
-  const double error = kNearError * std::max(1.0, size);
+  const double error = kDistanceError * std::max(1.0, size);
   return {std::max(0.0, bounds.low - error), bounds.high + error};
 }
 

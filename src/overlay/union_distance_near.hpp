@@ -50,9 +50,10 @@ struct NearBounds {
 ///   has an error of 4u |q| W, the quotient one of 4u W.
 /// Together less than 24u W < 84u; 2^-46 is 128u. Where squares might underflow, bounds are not
 /// taken from them.
-inline constexpr double kNearError = 0x1p-46;
+inline constexpr double kDistanceError = 0x1p-46;
 
-/// A distance between a point of a frame and the hull of some of its points, without kNearError.
+/// A distance between a point of a frame and the hull of some of its points, without
+/// kDistanceError.
 struct NearHull {
   NearBounds bounds;
   Point nearest;  ///< Less the point: where it was found.
@@ -77,7 +78,7 @@ struct DistanceBox {
   void add(const Point& y);
   void add(const DistanceBox& box);
   bool meets(const DistanceBox& box) const;
-  /// At most the distance of y to a shape in the box, without kNearError.
+  /// At most the distance of y to a shape in the box, without kDistanceError.
   double distance(const Point& y) const;
 };
 

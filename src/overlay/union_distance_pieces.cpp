@@ -284,7 +284,7 @@ class PieceSearch {
     for (const std::uint32_t c : piece.corners) {
       reach = std::max(reach, (corners_[c].near - corners_[piece.corners.front()].near).norm());
     }
-    return reach + 2 * kNearError;
+    return reach + 2 * kDistanceError;
   }
 
   // Of the parts of the whole piece, those that are not too far from the first corner: with d the
