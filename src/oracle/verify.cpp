@@ -48,6 +48,10 @@ bool Trial::asks(ClaimCode code) const {
   return list.empty() || std::find(list.begin(), list.end(), code) != list.end();
 }
 
+// Claims are found by their place.
+static_assert(kAllClaims.back() == ClaimCode(kAllClaims.size() - 1));
+static_assert(ClaimCode::InsideInput == ClaimCode(kAllClaims.size()));
+
 void Trial::decide(ClaimCode code, Status status, std::string sentence, Witness witness) {
   if (!asks(code)) return;
   Claim& claim = verdict.claims[static_cast<std::size_t>(code)];

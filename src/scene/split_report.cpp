@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/json.hpp"
+#include "io/names.hpp"
 #include "number/text.hpp"
 #include "scene/decompose_report.hpp"
 #include "scene/result_json.hpp"
@@ -58,17 +59,10 @@ OrderedJson parent_json(const SplitNode& node) {
   return node.parent ? OrderedJson(*node.parent) : OrderedJson(nullptr);
 }
 
-constexpr const char* name_of(LeafStatus status) {
-  switch (status) {
-    case LeafStatus::WithinLimit:
-      return "within-eps";
-    case LeafStatus::MaxParts:
-      return "max-parts";
-    case LeafStatus::Unsplittable:
-      return "unsplittable";
-  }
-  return "";
-}
+constexpr auto kLeafStatusNames =
+    name_table<LeafStatus>({{LeafStatus::WithinLimit, "within-eps"},
+                            {LeafStatus::MaxParts, "max-parts"},
+                            {LeafStatus::Unsplittable, "unsplittable"}});
 
 }  // namespace
 
@@ -134,7 +128,8 @@ std::string write_split_trace(const Decomposition& decomposition, const Decompos
     }
     if (node.association) nodes.back().update(association_json(*node.association));
   }
-  for (const SplitLeaf& leaf : tree.leaves) nodes[leaf.node]["status"] = name_of(leaf.status);
+  for (const SplitLeaf& leaf : tree.leaves)
+    nodes[leaf.node]["status"] = name_in(kLeafStatusNames, leaf.status);
   for (const Split& split : tree.splits) {
     splits.push_back({{"node", split.node},
                       {"children", tree.nodes[split.node].children},
