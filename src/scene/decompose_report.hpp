@@ -68,6 +68,14 @@ enum class DecompositionDetail {
 /// What ended the run.
 [[nodiscard]] const char* stop_name(const Decomposition& decomposition);
 
+/// The root of an exact square, and a length as a percentage of the diameter; of a single point 0.
+[[nodiscard]] Enclosure enclosed_root_of(const Rational& square);
+[[nodiscard]] Enclosure percent_of(const Enclosure& length, const Rational& squared_diameter);
+
+/// The ties of the merges, and the merges that led beyond the limit.
+[[nodiscard]] TieTally ties_of(const Clustering& clustering);
+[[nodiscard]] std::size_t merges_beyond(const Clustering& clustering);
+
 /// What every trace begins with: the question, and the surface.
 [[nodiscard]] nlohmann::ordered_json trace_head(const Decomposition& decomposition,
                                                 const DecomposeRequest& request);
