@@ -6,7 +6,6 @@
 
 #include "io/json.hpp"
 #include "number/precision.hpp"
-#include "number/text.hpp"
 #include "scene/result_json.hpp"
 #include "scene/split_report.hpp"
 #include "scene/surface_report.hpp"
