@@ -8,6 +8,7 @@
 
 #include "json_schema.hpp"
 #include "process.hpp"
+#include "sweep.hpp"
 
 using nlohmann::json;
 using support::bytes_of;
@@ -45,7 +46,7 @@ std::string status_of(const json& verdict, const std::string& code) {
 
 }  // namespace
 
-TEST_CASE("--search: the report, by both engines the same") {
+TEST_CASE("--search: the report, by both engines the same" * sweep) {
   const std::string request = data("spot.obj") + " --faces 6 --search local --moves 40";
   const json filtered = searched(request), exact = searched(request + " --engine exact");
   const json& search = filtered["search"];
@@ -65,7 +66,7 @@ TEST_CASE("--search: the report, by both engines the same") {
   CHECK(contains(text.out, "of what the removals added"));
 }
 
-TEST_CASE("--search: its trace is judged move by move") {
+TEST_CASE("--search: its trace is judged move by move" * sweep) {
   const ScratchFolder scratch;
   for (const std::string cost : {"volume", "area", "mean-width"}) {
     CAPTURE(cost);
