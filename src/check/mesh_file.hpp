@@ -204,8 +204,9 @@ class MeshReader {
     expect(!words.empty() && is_count(words[0]), "the number of points");
     for (std::size_t count = std::stoul(words[0]); count > 0; --count) add_point(next(lines), 0);
     if (!with_faces_) return;
-    expect(words.size() > 1 && is_count(words[1]), "the number of faces");
-    for (std::size_t count = std::stoul(words[1]); count > 0; --count) {
+    const std::string faces = words.size() > 1 ? words[1] : "";
+    expect(is_count(faces), "the number of faces");
+    for (std::size_t count = std::stoul(faces); count > 0; --count) {
       words = next(lines);
       expect(!words.empty() && is_count(words[0]) && std::stoul(words[0]) < words.size(),
              "as many corners as announced");

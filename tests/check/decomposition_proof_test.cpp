@@ -246,6 +246,12 @@ TEST_CASE("decomposition proof: the faces of a mesh file") {
   CHECK(verdict_on("a.off", "OFF\n8 6 0\n" + lines).exit_code == 0);
   CHECK(verdict_on("a.off", "OFF 8 5 0\n" + lines).exit_code == 1);
   CHECK(verdict_on("a.off", "OFF 8 7 0\n" + lines).exit_code == 3);
+  for (const std::string counts : {"8", "8 x 0", "8 -6 0"}) {
+    CAPTURE(counts);
+    const CheckerVerdict verdict = verdict_on("a.off", "OFF\n" + counts + "\n" + lines);
+    CHECK(verdict.exit_code == 3);
+    check_says(verdict.said, "the number of faces");
+  }
   const std::string header =
       "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float "
       "z\nelement face 6\nproperty list uchar int vertex_indices\nend_header\n";
