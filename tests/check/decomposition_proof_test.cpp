@@ -252,10 +252,23 @@ TEST_CASE("decomposition proof: the faces of a mesh file") {
     CHECK(verdict.exit_code == 3);
     check_says(verdict.said, "the number of faces");
   }
+  for (const std::string last :
+       {"x 4 5 7 6", "-4 4 5 7 6", "5 4 5 7 6", "4 4 5 x 6", "4 4 5 -7 6"}) {
+    CAPTURE(last);
+    const std::string all = lines.substr(0, lines.size() - 10) + last + "\n";
+    CHECK(verdict_on("a.off", "OFF\n8 6 0\n" + all).exit_code == 3);
+  }
   const std::string header =
       "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float "
       "z\nelement face 6\nproperty list uchar int vertex_indices\nend_header\n";
   CHECK(verdict_on("a.ply", header + lines).exit_code == 0);
+  for (const std::string last :
+       {"-4 4 5 7 6", "4.5 4 5 7 6", "x 4 5 7 6", "4 4 5 -7 6", "4 4 5 7.5 6", "4 4 5 x 6",
+        "4 4 5 4294967303 6", "4 4 5 7 6 1", "4 4 5 7"}) {
+    CAPTURE(last);
+    const std::string all = lines.substr(0, lines.size() - 10) + last + "\n";
+    CHECK(verdict_on("a.ply", header + all).exit_code == 3);
+  }
   CHECK(verdict_on("a.xyz", "0 0 0\n").exit_code == 1);
   CHECK(verdict_on("a.txt", "1 0 0 -1\n").exit_code == 1);
   // A face turned, a face less, more, moved, repeated, or cut.
