@@ -262,9 +262,10 @@ TEST_CASE("decomposition proof: the faces of a mesh file") {
       "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float "
       "z\nelement face 6\nproperty list uchar int vertex_indices\nend_header\n";
   CHECK(verdict_on("a.ply", header + lines).exit_code == 0);
+  // Instead of 7, 7/2 and 2^64 + 7, among others.
   for (const std::string last :
        {"-4 4 5 7 6", "4.5 4 5 7 6", "x 4 5 7 6", "4 4 5 -7 6", "4 4 5 7.5 6", "4 4 5 x 6",
-        "4 4 5 4294967303 6", "4 4 5 7 6 1", "4 4 5 7"}) {
+        "4 4 5 3.5 6", "4 4 5 18446744073709551623 6", "4 4 5 7 6 1", "4 4 5 7"}) {
     CAPTURE(last);
     const std::string all = lines.substr(0, lines.size() - 10) + last + "\n";
     CHECK(verdict_on("a.ply", header + all).exit_code == 3);
