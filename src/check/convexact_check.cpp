@@ -670,7 +670,7 @@ std::string prove_by_kind(const std::string& bytes, const std::optional<std::str
   return is_decomposition ? prove<DecompositionProof>(bytes, mesh) : prove<Proof>(bytes, mesh);
 }
 
-// Prints it and returns 0. A claim that nobody could read has not been made.
+// Prints a text and returns the exit code, which is 0 only if all of the text was written.
 int say(const std::string& text) {
   if (std::cout << text << std::flush) return 0;
   std::cerr << "convexact-check: standard output cannot be written\n";
