@@ -516,12 +516,10 @@ TEST_CASE("decompose -o folder/: what stays in it, and what goes") {
 
 TEST_CASE("decompose: an interrupt leaves nothing behind") {
   const ScratchFolder scratch;
-  const auto ran = std::system(("timeout --foreground --preserve-status -s INT 1 '" +
-                                std::string(std::getenv("CONVEXACT_PROGRAM")) + "' decompose " +
-                                support::data("bunny.obj") + " --engine exact -o " +
-                                scratch.file("parts/") + " 2>/dev/null >/dev/null")
-                                   .c_str());
-  CHECK(WEXITSTATUS(ran) == 6);
+  const auto ran = support::run_interrupted(
+      "decompose " + support::data("bunny.obj") + " --engine exact -o " + scratch.file("parts/"),
+      "INT", "1");
+  CHECK(ran.exit == 6);
   CHECK(scratch.count() == 0);
 }
 

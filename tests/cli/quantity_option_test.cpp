@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "process.hpp"
+#include "sweep.hpp"
 
 using support::run_program;
 using support::ScratchFolder;
@@ -57,7 +58,8 @@ std::string with_input(std::string command, const std::string& input) {
 
 }  // namespace
 
-TEST_CASE("counts: everything but a count in range is wrong usage, told by its option (#13)") {
+TEST_CASE("counts: everything but a count in range is wrong usage, told by its option (#13)" *
+          sweep) {
   const ScratchFolder scratch;
   const std::string input = scratch.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
   for (const CountOption& c : kCounts) {
@@ -101,7 +103,7 @@ TEST_CASE("counts: 010 is ten (#13)") {
             .exit == 0);
 }
 
-TEST_CASE("sizes: fractions are exact, anything else says what is expected (#13)") {
+TEST_CASE("sizes: fractions are exact, anything else says what is expected (#13)" * sweep) {
   const ScratchFolder scratch;
   const std::string hull = "hull " + scratch.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
   for (const std::string size : {"1.5GB", "1.5gb", "1.5GiB", "1610612736", "1610612736B",
@@ -194,7 +196,7 @@ TEST_CASE("command line: a help that cannot be printed is not a success") {
   }
 }
 
-TEST_CASE("command line: a word out of a list is told with the list (#13)") {
+TEST_CASE("command line: a word out of a list is told with the list (#13)" * sweep) {
   const ScratchFolder scratch;
   const std::string input = scratch.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
   const std::vector<std::pair<std::string, std::string>> lists = {

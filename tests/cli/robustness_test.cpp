@@ -10,6 +10,7 @@
 
 #include "process.hpp"
 
+using support::run_interrupted;
 using support::run_program;
 using support::ScratchFolder;
 
@@ -118,9 +119,9 @@ TEST_CASE("an interrupt: exit 6, and nothing written") {
   REQUIRE(run_program("generate fibonacci-sphere --points 5000 -o " + input).exit == 0);
   for (const char* signal : {"INT", "TERM"}) {
     CAPTURE(signal);
-    const auto ran = run_shell("timeout --foreground --preserve-status -s " + std::string(signal) +
-                               " 1 " + program() + " simplify " + input +
-                               " --engine exact --faces 18 -o " + scratch.file("b.obj"));
+    const auto ran = run_interrupted(
+        "simplify " + input + " --engine exact --faces 18 -o " + scratch.file("b.obj"), signal,
+        "1");
     CHECK(ran.exit == 6);
     CHECK(has(ran.err, "interrupted"));
     CHECK(scratch.count() == 1);
@@ -133,9 +134,7 @@ TEST_CASE("an interrupt of verify: exit 6 at once, whatever it is doing (#13)") 
   REQUIRE(run_program("generate random-sphere --points 60000 --facets -o " + input).exit == 0);
   for (const char* after : {"0.5", "1", "1.5"}) {
     CAPTURE(after);
-    const auto ran =
-        run_shell("timeout --foreground --preserve-status -s INT " + std::string(after) + " " +
-                  program() + " verify " + input + " " + input);
+    const auto ran = run_interrupted("verify " + input + " " + input, "INT", after);
     CHECK(ran.exit == 6);
     CHECK(has(ran.err, "interrupted"));
   }

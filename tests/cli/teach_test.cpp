@@ -6,6 +6,7 @@
 
 #include "json_schema.hpp"
 #include "process.hpp"
+#include "sweep.hpp"
 
 using nlohmann::json;
 using support::bytes_of;
@@ -48,7 +49,7 @@ TEST_CASE("teach: a page, its data, and the same on standard output") {
   CHECK(lesson_in(through.out)["removals"] == lesson["removals"]);
 }
 
-TEST_CASE("teach: the removals are those of simplify --engine exact") {
+TEST_CASE("teach: the removals are those of simplify --engine exact" * sweep) {
   const ScratchFolder scratch;
   const std::string spot = data("spot.obj"), trace = scratch.file("trace.json");
   for (const std::string options : {"--seed 1", "--seed 9", "--cost area"}) {

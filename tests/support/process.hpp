@@ -57,16 +57,30 @@ struct Ran {
   std::string out, err;
 };
 
-/// Runs the program under test (CONVEXACT_PROGRAM) with shell-quoted arguments.
-inline Ran run_program(const std::string& arguments) {
+/// Runs the program under test (CONVEXACT_PROGRAM) with shell-quoted arguments; `after` is what the
+/// shell goes on with.
+inline Ran run_program(const std::string& arguments, const std::string& after = "") {
   const char* program = std::getenv("CONVEXACT_PROGRAM");
   if (program == nullptr) throw std::runtime_error("CONVEXACT_PROGRAM is not set");
   const ScratchFolder scratch;
   const std::string command = std::string("'") + program + "' " + arguments + " >" +
-                              scratch.file("out") + " 2>" + scratch.file("err");
+                              scratch.file("out") + " 2>" + scratch.file("err") + after;
   const int status = std::system(command.c_str());
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return {code, bytes_of(scratch.file("out")), bytes_of(scratch.file("err"))};
+}
+
+/// Runs the program and sends it `signal` (INT or TERM) when it has worked for `seconds`: the time
+/// counts from when it handles SIGINT, the second bit of SigCgt, however long a busy machine takes
+/// to start it.
+inline Ran run_interrupted(const std::string& arguments, const std::string& signal,
+                           const std::string& seconds) {
+  return run_program(
+      arguments,
+      " & pid=$!; for i in $(seq 3000); do"
+      " grep -q '^SigCgt:.*[2367abef]$' /proc/$pid/status && break; sleep 0.02; done;"
+      " sleep " +
+          seconds + "; kill -" + signal + " $pid; wait $pid");
 }
 
 }  // namespace support
