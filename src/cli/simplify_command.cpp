@@ -37,20 +37,6 @@ constexpr const char* kSimplifyFooter =
     "Every result that is written was tested, on the stored numbers, to hold every input point;\n"
     "those of --inner, to lie inside the hull of the input.";
 
-struct SimplifyArguments {
-  GlobalOptions global;
-  std::vector<std::string> inputs;
-  SceneOptions scene;
-  OutputOptions output;
-  SimplifyRequest request;
-  std::optional<std::size_t> total_faces;
-  std::vector<std::string> keep;
-  std::string max_growth, center = "chebyshev";  // of the request, as text
-  std::optional<std::size_t> moves, nodes;       // of its search
-  InnerOnly only;
-  ImplicitOptions implicit;
-};
-
 // --total-faces is for several parts. How many there are, the files say.
 void require_scene(const SimplifyArguments& options) {
   const auto reject = [](const std::string& why) {
@@ -135,25 +121,6 @@ std::string answer_of(const FoundSolids& objects, const std::optional<FoundTotal
   return text + stage_text(stages, options.global.stages);
 }
 
-// --inner, without the options that mean something for halfspaces only.
-int run_inward(const SimplifyArguments& options) {
-  std::vector<std::string> foreign;
-  if (options.request.cost != CostMeasure::Volume) foreign.emplace_back("--cost");
-  if (!options.max_growth.empty()) foreign.emplace_back("--max-growth");
-  if (options.request.growth_of) foreign.emplace_back("--growth-of");
-  if (options.request.compare.bits != CompareLimits{}.bits) foreign.emplace_back("--tie-bits");
-  if (!options.keep.empty()) foreign.emplace_back("--keep");
-  if (options.total_faces) foreign.emplace_back("--total-faces");
-  if (options.request.search.kind != SearchKind::None) foreign.emplace_back("--search");
-  if (options.moves) foreign.emplace_back("--moves");
-  if (options.nodes) foreign.emplace_back("--nodes");
-  if (options.center != "chebyshev") foreign.emplace_back("--center");
-  return run_inner({options.global, options.inputs, options.scene, options.output, options.only,
-                    options.request.faces.value_or(0), options.request.engine,
-                    options.request.verify, options.request.exact_volumes},
-                   foreign);
-}
-
 int run_each(const SimplifyArguments& options, const SimplifyRequest& request) {
   const auto requests = [&](const std::vector<SceneObject>& scene) {
     std::vector<SimplifyRequest> each(scene.size(), request);
@@ -230,7 +197,7 @@ void require_plain(const SimplifyArguments& options) {
 int run_simplify(const SimplifyArguments& options) {
   require_plain(options);
   require_inner(options.only);
-  if (options.only.inner) return run_inward(options);
+  if (options.only.inner) return run_inner(options);
   const SimplifyRequest request = request_of(options);
   return options.total_faces ? run_together(options, request) : run_each(options, request);
 }
