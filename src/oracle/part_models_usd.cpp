@@ -14,6 +14,7 @@
 #include "convexact/overlay.hpp"
 #include "io/output_buffer.hpp"
 #include "oracle/part_models.hpp"
+#include "scene/objects.hpp"
 
 namespace convexact {
 namespace {
