@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "bvh/decompose_request.hpp"
 #include "bvh/tree_report.hpp"
 #include "cli/model_files.hpp"
 #include "cli/outputs.hpp"
@@ -15,13 +16,12 @@
 #include "convexact/decompose.hpp"
 #include "convexact/hull_tree.hpp"
 #include "io/json.hpp"
-#include "oracle/decompose_request.hpp"
-#include "oracle/written_parts.hpp"
 #include "report/parts_picture.hpp"
 #include "scene/decompose_options.hpp"
 #include "scene/decompose_report.hpp"
 #include "scene/decomposition_proof.hpp"
 #include "scene/result_json.hpp"
+#include "scene/written_parts.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/written_parts.hpp"
+#include "scene/written_parts.hpp"
 
 #include <fmt/format.h>
 
