@@ -12,7 +12,6 @@
 #include "cli/outputs.hpp"
 #include "cli/part_files.hpp"
 #include "cli/stdio_loop.hpp"
-#include "cli/verify_union.hpp"
 #include "convexact/decompose.hpp"
 #include "convexact/hull_tree.hpp"
 #include "io/json.hpp"
@@ -20,6 +19,7 @@
 #include "scene/decompose_options.hpp"
 #include "scene/decompose_report.hpp"
 #include "scene/decomposition_proof.hpp"
+#include "scene/objects.hpp"
 #include "scene/result_json.hpp"
 #include "scene/written_parts.hpp"
 

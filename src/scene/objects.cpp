@@ -8,6 +8,7 @@
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
 #include "convexact/scene.hpp"
+#include "scene/solid.hpp"
 
 namespace convexact {
 namespace {
@@ -103,6 +104,17 @@ std::vector<SceneObject> parts_of(const Mesh& mesh, const std::string& file) {
     throw Error(ErrorCode::InvalidArgument, "--parts: the file has no faces, so no parts");
   }
   return parts;
+}
+
+std::variant<Mesh, NotSolid> mesh_of(SceneObject object) {
+  if (auto* points = std::get_if<PointSet>(&object.shape)) {
+    return Mesh{std::move(*points), std::move(object.polygons), std::move(object.groups)};
+  }
+  StageLog log;
+  auto made = make_polytope(std::get<std::vector<Halfspace>>(object.shape), 1, log);
+  if (auto* reason = std::get_if<NotSolid>(&made)) return of_typed_rows(*reason, object.rows);
+  auto& solid = std::get<Polytope>(made);
+  return Mesh{PointSet(std::move(solid.vertices)), std::move(solid.facets), {}};
 }
 
 Mesh joined(std::span<const NamedMesh> objects) {

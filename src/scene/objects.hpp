@@ -3,6 +3,7 @@
 #pragma once
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "convexact/scene.hpp"
@@ -15,6 +16,9 @@ namespace convexact {
 /// Each part that has faces, with the points that they use.
 /// @throws Error InvalidArgument if there is none.
 [[nodiscard]] std::vector<SceneObject> parts_of(const Mesh& mesh, const std::string& file);
+
+/// The faces of an object: of halfspaces, the facets of their solid, or why they have none.
+[[nodiscard]] std::variant<Mesh, NotSolid> mesh_of(SceneObject object);
 
 /// An object to be written, under its name in the file.
 struct NamedMesh {
