@@ -142,9 +142,10 @@ void reject_bytes(const std::string& path, const std::string& why) {
   throw Error(ErrorCode::Internal, "read back from its bytes, " + path + " " + why);
 }
 
-void to_typed_rows(std::vector<std::size_t>& redundant, const TypedRows& rows) {
-  if (rows.rows.empty()) return;
+std::vector<std::size_t> to_typed_rows(std::vector<std::size_t> redundant, const TypedRows& rows) {
+  if (rows.rows.empty()) return redundant;
   for (std::size_t& row : redundant) row = rows.rows[row];
+  return redundant;
 }
 
 std::vector<SceneObject> read_scene(const std::vector<std::string>& paths,
