@@ -7,9 +7,9 @@
 // Error of exit code 3.
 #include <nlohmann/json.hpp>
 
+#include "bvh/decompose_request.hpp"
 #include "convexact/conform.hpp"
 #include "fuzz_target.hpp"
-#include "oracle/decompose_request.hpp"
 #include "oracle/stdio_request.hpp"
 #include "unless_refused.hpp"
 

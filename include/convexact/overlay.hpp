@@ -33,6 +33,9 @@ struct ConvexPart {
 /// Whether x lies in the part, its boundary included.
 [[nodiscard]] bool holds(const ConvexPart& part, const RationalPoint& x);
 
+/// Whether all points of a part lie in another one, exactly.
+[[nodiscard]] bool lies_in(const ConvexPart& inner, const ConvexPart& outer);
+
 // ---- The surface
 
 /// A piece of a triangle that no part covers, but for its boundary: a convex polygon with an area.

@@ -84,8 +84,10 @@ struct SceneOptions {
   std::function<void(const std::string& name, const std::string& bytes)> on_read = {};
 };
 
-/// Names redundant halfspaces by their rows in the file, counted from 0.
-void to_typed_rows(std::vector<std::size_t>& redundant, const TypedRows& rows);
+/// Redundant halfspaces of a list by their rows in the file, counted from 0.
+/// @param rows  Of the list; without any, the numbers stay as they are.
+[[nodiscard]] std::vector<std::size_t> to_typed_rows(std::vector<std::size_t> redundant,
+                                                     const TypedRows& rows);
 
 /// Reads files one after another: meshes, or halfspaces (.json, .ine, or by content).
 /// @throws Error as the readers; NoInterior if a halfspace list has a row that no point satisfies;

@@ -10,6 +10,7 @@
 #include "number/precision.hpp"
 #include "number/text.hpp"
 #include "scene/decompose_report.hpp"
+#include "scene/objects.hpp"
 #include "scene/result_json.hpp"
 #include "scene/surface_report.hpp"
 
@@ -46,10 +47,6 @@ Json node_json(const BuiltTree& built, std::size_t number, const TreeOrigin& ori
                {"facets", built.facets[number]}};
   if (!node.part) add_hull(json, node.mesh, origin);
   return json;
-}
-
-[[noreturn]] void reject_bytes(const std::string& path, const std::string& why) {
-  throw Error(ErrorCode::Internal, "read back from its bytes, " + path + " " + why);
 }
 
 bool are_same_points(const PointSet& a, const PointSet& b) {

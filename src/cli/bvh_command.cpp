@@ -8,13 +8,13 @@
 #include "bvh/tree_report.hpp"
 #include "cli/outputs.hpp"
 #include "cli/part_files.hpp"
-#include "cli/verify_union.hpp"
 #include "convexact/hull_tree.hpp"
 #include "convexact/io.hpp"
 #include "io/json.hpp"
 #include "report/parts_picture.hpp"
 #include "scene/decompose_options.hpp"
 #include "scene/decompose_report.hpp"
+#include "scene/objects.hpp"
 
 namespace convexact::cli {
 namespace {

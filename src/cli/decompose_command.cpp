@@ -6,22 +6,22 @@
 #include <filesystem>
 #include <memory>
 
+#include "bvh/decompose_request.hpp"
 #include "bvh/tree_report.hpp"
 #include "cli/model_files.hpp"
 #include "cli/outputs.hpp"
 #include "cli/part_files.hpp"
 #include "cli/stdio_loop.hpp"
-#include "cli/verify_union.hpp"
 #include "convexact/decompose.hpp"
 #include "convexact/hull_tree.hpp"
 #include "io/json.hpp"
-#include "oracle/decompose_request.hpp"
-#include "oracle/written_parts.hpp"
 #include "report/parts_picture.hpp"
 #include "scene/decompose_options.hpp"
 #include "scene/decompose_report.hpp"
 #include "scene/decomposition_proof.hpp"
+#include "scene/objects.hpp"
 #include "scene/result_json.hpp"
+#include "scene/written_parts.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -70,49 +70,27 @@ struct DecomposeArguments {
   std::string input;
   SceneOptions scene;
   DecomposeFiles files;
-  DecomposeMethod method = DecomposeMethod::Hacd;
-  std::string concavity = "3%";
-  std::optional<std::size_t> max_parts, faces, total_faces, tree_faces;
-  ConcavityMeasure measure = ConcavityMeasure::Surface;
-  BridgeChoice bridge = BridgeChoice::Farther;
-  std::string coplanar = "0.99";
-  FlatParts flat = FlatParts::Auto;
-  bool keep_inner = false;
-  Connect connect = Connect::Edge;
-  Orient orient = Orient::Auto;
-  Engine engine = Engine::Filtered;
+  DecomposeRequest request;
+  std::string concavity = "3%", coplanar = "0.99";  // of the request, as text
+  std::optional<std::size_t> tree_faces;
   std::string names = "part_%03d";
-  Precision precision = Precision::Binary64;
-  bool exact_volumes = false, no_measures = false;
+  bool no_measures = false;
   StdioOptions stdio;
 };
 
 DecomposeRequest decompose_request(const DecomposeArguments& options) {
-  if (options.faces && options.total_faces) {
+  DecomposeRequest request = options.request;
+  if (request.faces && request.total_faces) {
     throw Error(ErrorCode::InvalidArgument,
                 "--total-faces is for all parts together and --faces for each: name one");
   }
-  if (options.exact_volumes && options.no_measures) {
+  if (request.exact_volumes && options.no_measures) {
     throw Error(ErrorCode::InvalidArgument,
                 "--exact-volumes asks for volumes and --no-measures for none: name one");
   }
-  DecomposeRequest request;
-  request.method = options.method;
   request.limit = parse_concavity("--concavity", options.concavity);
-  request.max_parts = options.max_parts;
-  request.measure = options.measure;
-  request.bridge = options.bridge;
   request.coplanar = parse_cosine("--coplanar", options.coplanar);
-  request.connect = options.connect;
-  request.orient = options.orient;
-  request.flat = options.flat;
-  request.keep_inner = options.keep_inner;
-  request.engine = options.engine;
-  request.faces = options.faces;
-  request.total_faces = options.total_faces;
-  request.precision = options.precision;
   request.measures = !options.no_measures;
-  request.exact_volumes = options.exact_volumes;
   request.for_trace = !options.files.trace.empty();
   request.for_tree = !options.files.tree.empty();
   request.seed = options.global.seed;
@@ -348,7 +326,7 @@ int run_decompose(const DecomposeArguments& options) {
   if (options.tree_faces && options.files.tree.empty()) {
     throw Error(ErrorCode::InvalidArgument, "--tree-faces is of a tree: name its file by --tree");
   }
-  require_model_options(options.files.results, options.precision, options.flat);
+  require_model_options(options.files.results, request.precision, request.flat);
   require_other_files(options.files.all_paths(), {options.input});
   require_other_names(options, names);
   Progress progress;
@@ -404,7 +382,7 @@ void add_decompose_command(CLI::App& program, int& exit_code) {
                      "a mesh (OBJ, OFF, PLY, STL), or halfspaces (JSON, .ine, rows); - is standard "
                      "input");
   add_choice(
-      command, "--method", options->method, kDecomposeMethodNames,
+      command, "--method", options->request.method, kDecomposeMethodNames,
       "hacd merges neighbouring triangles, then clusters, by concavity and shape; acd splits "
       "the most concave part at its deepest notch, again and again");
   command
@@ -412,13 +390,13 @@ void add_decompose_command(CLI::App& program, int& exit_code) {
                   "how deep a cluster may lie in its hull: a share of the diameter, 3% or 0.03d, "
                   "or a length, 0.05")
       ->capture_default_str();
-  add_count(command, "--max-parts", options->max_parts, {1},
+  add_count(command, "--max-parts", options->request.max_parts, {1},
             "at least 1: hacd merges on beyond the concavity allowed until so many parts are left, "
             "acd splits no more when there are so many");
-  add_choice(command, "--measure", options->measure, kConcavityMeasureNames,
+  add_choice(command, "--measure", options->request.measure, kConcavityMeasureNames,
              "of hacd: concavity at every point of the triangles, or at their corners only, as "
              "published, which sees no notch whose corners all lie on the hull");
-  add_choice(command, "--bridge", options->bridge, kBridgeChoiceNames,
+  add_choice(command, "--bridge", options->request.bridge, kBridgeChoiceNames,
              "of acd: concavity is the distance to a bridge, facets of the hull over the nearest "
              "path; to the farther of its bridges, to that of the whole region, or to the nearer");
   command
@@ -426,19 +404,21 @@ void add_decompose_command(CLI::App& program, int& exit_code) {
                   "of acd: facets are one bridge where the cosine of the angle between their "
                   "normals is larger; above 0, at most 1")
       ->capture_default_str();
-  add_faces(command, options->faces, "how many halfspaces to keep of each part, at least 4");
-  add_count(command, "--total-faces", options->total_faces, {4, std::uint64_t(1) << 32},
+  add_faces(command, options->request.faces,
+            "how many halfspaces to keep of each part, at least 4");
+  add_count(command, "--total-faces", options->request.total_faces, {4, std::uint64_t(1) << 32},
             "how many halfspaces to keep in all parts together, at least 4 for each");
-  add_choice(command, "--flat", options->flat, kFlatPartsNames,
+  add_choice(command, "--flat", options->request.flat, kFlatPartsNames,
              "what becomes of clusters in a plane: thicken them, keep polygons, or merge them with "
              "a neighbour; auto thickens, and refuses an input that is flat as a whole");
-  command.add_flag("--keep-inner", options->keep_inner, "keep parts that lie in another part");
-  add_choice(command, "--connect", options->connect, kConnectNames,
+  command.add_flag("--keep-inner", options->request.keep_inner,
+                   "keep parts that lie in another part");
+  add_choice(command, "--connect", options->request.connect, kConnectNames,
              "neighbours have a common edge; or also edges that overlap; or also a common point of "
              "two components");
-  add_choice(command, "--orient", options->orient, kOrientationNames,
+  add_choice(command, "--orient", options->request.orient, kOrientationNames,
              "turn faces until the solid comes out right, or keep them as they are");
-  add_choice(command, "--engine", options->engine, kEngineNames,
+  add_choice(command, "--engine", options->request.engine, kEngineNames,
              "of hacd: rationals everywhere; the same parts, faster; or doubles that choose, the "
              "parts still proven");
   command
@@ -465,10 +445,10 @@ void add_decompose_command(CLI::App& program, int& exit_code) {
   command.add_option("--picture", options->files.picture,
                      "a page (.html) that shows the parts, which a slider draws apart, and the "
                      "merges or splits step by step");
-  add_choice<Precision>(command, "--precision", options->precision,
+  add_choice<Precision>(command, "--precision", options->request.precision,
                         {{"64", Precision::Binary64}, {"32", Precision::Binary32}},
                         "the numbers of the parts: binary64, or rounded outward to binary32");
-  command.add_flag("--exact-volumes", options->exact_volumes,
+  command.add_flag("--exact-volumes", options->request.exact_volumes,
                    "volumes in JSON as fractions, too, which may be very long");
   command.add_flag("--no-measures", options->no_measures, "do not measure volumes");
   add_scene_options(command, options->scene);

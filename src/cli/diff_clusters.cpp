@@ -3,10 +3,10 @@
 
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
-#include "cli/verify_union.hpp"
 #include "oracle/cluster_diff.hpp"
 #include "scene/decompose_options.hpp"
 #include "scene/decompose_report.hpp"
+#include "scene/objects.hpp"
 #include "scene/result_json.hpp"
 #include "scene/stage_log.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/inner_run.hpp"
 
+#include "convexact/inner.hpp"
 #include "convexact/io.hpp"
 #include "io/json.hpp"
 #include "report/picture.hpp"
@@ -14,9 +15,27 @@ namespace {
   throw Error(ErrorCode::InvalidArgument, message);
 }
 
-void require_sensible(const InnerArguments& options, const std::vector<std::string>& foreign) {
-  if (!foreign.empty()) reject_inner(foreign[0] + ": an inner run (--inner) does not have it");
-  if (options.engine == Engine::Float) {
+// An option that was given and has a meaning for halfspaces only; null if none was.
+const char* foreign_option(const SimplifyArguments& options) {
+  const SimplifyRequest& request = options.request;
+  return request.cost != CostMeasure::Volume            ? "--cost"
+         : !options.max_growth.empty()                  ? "--max-growth"
+         : request.growth_of                            ? "--growth-of"
+         : request.compare.bits != CompareLimits{}.bits ? "--tie-bits"
+         : !options.keep.empty()                        ? "--keep"
+         : options.total_faces                          ? "--total-faces"
+         : request.search.kind != SearchKind::None      ? "--search"
+         : options.moves                                ? "--moves"
+         : options.nodes                                ? "--nodes"
+         : options.center != "chebyshev"                ? "--center"
+                                                        : nullptr;
+}
+
+void require_sensible(const SimplifyArguments& options) {
+  if (const char* option = foreign_option(options)) {
+    reject_inner(std::string(option) + ": an inner run (--inner) does not have it");
+  }
+  if (options.request.engine == Engine::Float) {
     reject_inner("--engine float: an inner run has the engines exact and filtered");
   }
   if (!options.output.proof.empty()) {
@@ -24,7 +43,7 @@ void require_sensible(const InnerArguments& options, const std::vector<std::stri
         "--proof: convexact-check proves outer runs; --trace holds every step of an inner "
         "one");
   }
-  if (options.only.vertices && options.triangles != 0) {
+  if (options.only.vertices && options.request.faces) {
     reject_inner("--vertices and --faces: give one of them; n vertices have 2 n - 4 triangles");
   }
   options.output.require_sensible();
@@ -48,15 +67,17 @@ void require_sensible(const InnerArguments& options, const std::vector<std::stri
   }
 }
 
-InnerRequest request_of(const InnerArguments& options) {
+InnerRequest inner_request(const SimplifyArguments& options) {
   InnerRequest request;
   request.vertices = options.only.vertices;
-  if (options.triangles != 0) request.vertices = options.triangles / 2 + 2;  // 2 v - 4 triangles
+  if (const auto& triangles = options.request.faces) {
+    request.vertices = *triangles / 2 + 2;  // 2 v - 4 triangles
+  }
   if (!options.only.max_loss.empty()) {
     request.max_loss = parse_share("--max-loss", options.only.max_loss);
   }
-  request.engine = options.engine;
-  request.verify = options.verify;
+  request.engine = options.request.engine;
+  request.verify = options.request.verify;
   request.seed = options.global.seed;
   request.costs = !options.output.trace.empty();
   for (const std::string& path : options.output.results) {
@@ -101,7 +122,7 @@ OutputFiles files_of(const std::vector<FoundObject<InnerResult>>& objects,
 }
 
 std::string answer_of(const std::vector<FoundObject<InnerResult>>& objects,
-                      const std::vector<Stage>& stages, const InnerArguments& options) {
+                      const std::vector<Stage>& stages, const SimplifyArguments& options) {
   if (options.global.json) {
     nlohmann::ordered_json document =
         objects.size() == 1
@@ -139,9 +160,9 @@ void require_inner(const InnerOnly& options) {
   reject_inner(std::string(option) + ": only an inner run has it; give --inner as well");
 }
 
-int run_inner(const InnerArguments& options, const std::vector<std::string>& foreign) {
-  require_sensible(options, foreign);
-  const InnerRequest wanted = request_of(options);
+int run_inner(const SimplifyArguments& options) {
+  require_sensible(options);
+  const InnerRequest wanted = inner_request(options);
   require_other_files(options.output.all_paths(), options.inputs);
   Progress progress;
   StageLog log(progress.watch());
@@ -164,7 +185,7 @@ int run_inner(const InnerArguments& options, const std::vector<std::string>& for
     return report_not_solid(options.global, flat->name, flat->reason);
   }
   auto& objects = std::get<std::vector<FoundObject<InnerResult>>>(found);
-  if (!options.exact_values) {
+  if (!options.request.exact_volumes) {
     for (auto& object : objects) {
       object.result.input_volume.exact.reset();
       object.result.output_volume.exact.reset();

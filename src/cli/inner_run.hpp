@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// inner_run.hpp - simplify --inner: the options that it takes, and its run.
+// inner_run.hpp - the options of simplify, and its run with --inner.
 #pragma once
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/outputs.hpp"
-#include "convexact/inner.hpp"
+#include "convexact/simplify.hpp"
 
 namespace convexact::cli {
 
@@ -17,26 +17,27 @@ struct InnerOnly {
   std::string max_loss;
 };
 
+struct SimplifyArguments {
+  GlobalOptions global;
+  std::vector<std::string> inputs;
+  SceneOptions scene;
+  OutputOptions output;
+  SimplifyRequest request;  ///< Without what the fields below say.
+  std::optional<std::size_t> total_faces;
+  std::vector<std::string> keep;
+  std::string max_growth, center = "chebyshev";
+  std::optional<std::size_t> moves, nodes;  ///< Of the search.
+  InnerOnly only;
+  ImplicitOptions implicit;
+};
+
 void add_inner_options(CLI::App& command, InnerOnly& options);
 
 /// @throws Error InvalidArgument for one of these options without --inner.
 void require_inner(const InnerOnly& options);
 
-/// What an inner run takes of the options of simplify.
-struct InnerArguments {
-  const GlobalOptions& global;
-  const std::vector<std::string>& inputs;
-  const SceneOptions& scene;
-  const OutputOptions& output;
-  const InnerOnly& only;
-  std::size_t triangles;  ///< --faces; 0 if not given.
-  Engine engine;
-  VerifyLevel verify;
-  bool exact_values;
-};
-
-/// @param foreign  Names of options that were given and have no meaning here.
-/// @return         The exit code.
-int run_inner(const InnerArguments& options, const std::vector<std::string>& foreign);
+/// simplify --inner. @return The exit code.
+/// @throws Error InvalidArgument for an option that has no meaning here.
+int run_inner(const SimplifyArguments& options);
 
 }  // namespace convexact::cli

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "convexact/error.hpp"
-#include "oracle/part_models.hpp"
+#include "scene/part_models.hpp"
 
 namespace convexact::cli {
 namespace {

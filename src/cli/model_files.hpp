@@ -8,7 +8,7 @@
 
 #include "cli/part_files.hpp"
 #include "convexact/decompose.hpp"
-#include "oracle/written_parts.hpp"
+#include "scene/written_parts.hpp"
 
 namespace convexact::cli {
 

@@ -152,7 +152,7 @@ int run_on_scene(const Arguments& options, Find&& find, Answer&& answer) {
   auto& objects = std::get<std::vector<FoundObject<Result>>>(found);
   for (FoundObject<Result>& object : objects) {
     Result& result = object.result;
-    to_typed_rows(result.redundant, object.source.rows);
+    result.redundant = to_typed_rows(std::move(result.redundant), object.source.rows);
     OutputObject& output = outputs.emplace_back(OutputObject{object.source, result.solid});
     if constexpr (requires { result.run; }) {
       for (const auto& kept : result.kept) output.kept.push_back(kept.plane);

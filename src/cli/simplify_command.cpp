@@ -37,47 +37,25 @@ constexpr const char* kSimplifyFooter =
     "Every result that is written was tested, on the stored numbers, to hold every input point;\n"
     "those of --inner, to lie inside the hull of the input.";
 
-struct SimplifyArguments {
-  GlobalOptions global;
-  std::vector<std::string> inputs;
-  SceneOptions scene;
-  OutputOptions output;
-  std::size_t faces = 0;
-  std::optional<std::size_t> total_faces;
-  std::vector<std::string> keep;
-  std::string max_growth;
-  std::optional<CostMeasure> growth_of;
-  CostMeasure cost = CostMeasure::Volume;
-  long tie_bits = CompareLimits{}.bits;
-  std::string center = "chebyshev";
-  Engine engine = Engine::Filtered;
-  SearchKind search = SearchKind::None;
-  std::optional<std::size_t> moves, nodes;
-  VerifyLevel verify = VerifyLevel::Local;
-  bool exact_values = false;
-  InnerOnly only;
-  ImplicitOptions implicit;
-};
-
 // --total-faces is for several parts. How many there are, the files say.
 void require_scene(const SimplifyArguments& options) {
   const auto reject = [](const std::string& why) {
     throw Error(ErrorCode::InvalidArgument, "--total-faces " + why);
   };
-  if (options.faces != 0) reject("is for all parts together and --faces for each: name one");
+  if (options.request.faces) reject("is for all parts together and --faces for each: name one");
   if (!options.scene.parts && options.inputs.size() < 2) {
     reject("is for several parts: give --parts, or several inputs");
   }
   if (options.center != "chebyshev") reject("has a center for each part: leave --center out");
-  if (options.search != SearchKind::None) {
+  if (options.request.search.kind != SearchKind::None) {
     reject("shares halfspaces out by removals: give --faces for each part to --search");
   }
 }
 
 SearchRequest search_of(const SimplifyArguments& options) {
-  SearchRequest request{options.search};
+  SearchRequest request = options.request.search;
   if (options.moves) {
-    if (options.search != SearchKind::Local && options.search != SearchKind::Optimal) {
+    if (request.kind != SearchKind::Local && request.kind != SearchKind::Optimal) {
       throw Error(ErrorCode::InvalidArgument,
                   "--moves counts the kicks of a local search: give --search local or optimal as "
                   "well");
@@ -85,7 +63,7 @@ SearchRequest search_of(const SimplifyArguments& options) {
     request.kicks = *options.moves;
   }
   if (options.nodes) {
-    if (options.search != SearchKind::Optimal) {
+    if (request.kind != SearchKind::Optimal) {
       throw Error(ErrorCode::InvalidArgument,
                   "--nodes limits the search for the least volume: give --search optimal as well");
     }
@@ -95,29 +73,20 @@ SearchRequest search_of(const SimplifyArguments& options) {
 }
 
 SimplifyRequest request_of(const SimplifyArguments& options) {
-  SimplifyRequest request;
+  SimplifyRequest request = options.request;
   request.search = search_of(options);
-  if (options.faces != 0) request.faces = options.faces;
   if (options.total_faces) require_scene(options);
   if (!options.max_growth.empty())
     request.max_growth = parse_share("--max-growth", options.max_growth);
-  if (options.growth_of) {
-    if (!request.max_growth) {
-      throw Error(ErrorCode::InvalidArgument,
-                  "--growth-of says what --max-growth limits: give --max-growth as well");
-    }
-    request.growth_of = options.growth_of;
+  if (request.growth_of && !request.max_growth) {
+    throw Error(ErrorCode::InvalidArgument,
+                "--growth-of says what --max-growth limits: give --max-growth as well");
   }
-  request.cost = options.cost;
-  request.compare.bits = options.tie_bits;
-  request.engine = options.engine;
   request.trace = !options.output.trace.empty();
   request.record = !options.output.proof.empty();
-  request.verify = options.verify;
   request.center = parse_center(options.center);
   request.seed = options.global.seed;
   request.store = options.output.store_request();
-  request.exact_volumes = options.exact_values;
   return request;
 }
 
@@ -150,24 +119,6 @@ std::string answer_of(const FoundSolids& objects, const std::optional<FoundTotal
     text += "  written     nothing; -o proxy.obj keeps the solid, --picture proxy.html shows it\n";
   }
   return text + stage_text(stages, options.global.stages);
-}
-
-// --inner, without the options that mean something for halfspaces only.
-int run_inward(const SimplifyArguments& options) {
-  std::vector<std::string> foreign;
-  if (options.cost != CostMeasure::Volume) foreign.emplace_back("--cost");
-  if (!options.max_growth.empty()) foreign.emplace_back("--max-growth");
-  if (options.growth_of) foreign.emplace_back("--growth-of");
-  if (options.tie_bits != CompareLimits{}.bits) foreign.emplace_back("--tie-bits");
-  if (!options.keep.empty()) foreign.emplace_back("--keep");
-  if (options.total_faces) foreign.emplace_back("--total-faces");
-  if (options.search != SearchKind::None) foreign.emplace_back("--search");
-  if (options.moves) foreign.emplace_back("--moves");
-  if (options.nodes) foreign.emplace_back("--nodes");
-  if (options.center != "chebyshev") foreign.emplace_back("--center");
-  return run_inner({options.global, options.inputs, options.scene, options.output, options.only,
-                    options.faces, options.engine, options.verify, options.exact_values},
-                   foreign);
 }
 
 int run_each(const SimplifyArguments& options, const SimplifyRequest& request) {
@@ -246,7 +197,7 @@ void require_plain(const SimplifyArguments& options) {
 int run_simplify(const SimplifyArguments& options) {
   require_plain(options);
   require_inner(options.only);
-  if (options.only.inner) return run_inward(options);
+  if (options.only.inner) return run_inner(options);
   const SimplifyRequest request = request_of(options);
   return options.total_faces ? run_together(options, request) : run_each(options, request);
 }
@@ -260,19 +211,19 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
                                               "volume as possible, or area, or mean width");
   command.footer(kSimplifyFooter);
   add_input_argument(command, options->inputs);
-  add_faces(command, options->faces, "how many halfspaces to keep, at least 4");
+  add_faces(command, options->request.faces, "how many halfspaces to keep, at least 4");
   add_count(command, "--total-faces", options->total_faces, {4, std::uint64_t(1) << 32},
             "how many halfspaces to keep in all parts together, at least 4 for each: the cheapest "
             "removal of all parts goes first");
   add_keep_option(command, options->keep);
   command.add_option("--max-growth", options->max_growth,
                      "stop before what --cost names grows by more, e.g. 5% or 0.05");
-  add_choice(command, "--growth-of", options->growth_of, kCostMeasureNames,
+  add_choice(command, "--growth-of", options->request.growth_of, kCostMeasureNames,
              "what --max-growth limits, if not what --cost names");
-  add_choice(command, "--cost", options->cost, kCostMeasureNames,
+  add_choice(command, "--cost", options->request.cost, kCostMeasureNames,
              "what the solid shall gain least of: for fewer false hits of points, of rays, or of "
              "planes");
-  add_tie_bits(command, options->tie_bits,
+  add_tie_bits(command, options->request.compare.bits,
                "mean widths that so many bits do not tell apart, and no proof, count as equal; the "
                "result says so");
   add_output_options(command, options->output);
@@ -282,10 +233,10 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
                      "the run as a text that convexact-check proves again, independently");
   add_scene_options(command, options->scene);
   add_choice(
-      command, "--engine", options->engine, kEngineNames,
+      command, "--engine", options->request.engine, kEngineNames,
       "rationals everywhere; the same answer, faster; or doubles that choose, the result still "
       "proven");
-  add_choice(command, "--search", options->search, kSearchKindNames,
+  add_choice(command, "--search", options->request.search.kind, kSearchKindNames,
              "after the removals, exchange kept halfspaces for facets next to them as long as the "
              "solid shrinks; local tries random exchanges, too; optimal then tries all other "
              "choices, and proves the volume the least (for hulls of up to about 40 facets)");
@@ -294,10 +245,10 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
   add_count(command, "--nodes", options->nodes, {1, std::uint64_t(1) << 48},
             "with --search optimal: how many states are looked at before it ends without a proof, "
             "as an interrupt ends it (default: 10000000)");
-  add_choice(command, "--verify", options->verify, kVerifyLevelNames,
+  add_choice(command, "--verify", options->request.verify, kVerifyLevelNames,
              "what is proven again at each step");
   add_center_option(command, options->center);
-  command.add_flag("--exact-values", options->exact_values,
+  command.add_flag("--exact-values", options->request.exact_volumes,
                    "with --json: volumes as fractions too");
   add_inner_options(command, options->only);
   add_implicit_options(command, options->implicit);

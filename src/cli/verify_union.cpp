@@ -7,26 +7,16 @@
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "convexact/io.hpp"
-#include "convexact/query.hpp"
 #include "convexact/scene.hpp"
 #include "io/json.hpp"
 #include "oracle/parts_verdict.hpp"
 #include "report/parts_picture.hpp"
 #include "scene/decompose_report.hpp"
+#include "scene/objects.hpp"
 #include "scene/result_json.hpp"
 #include "scene/stage_log.hpp"
 
 namespace convexact::cli {
-
-std::variant<Mesh, NotSolid> mesh_of(SceneObject object) {
-  if (auto* points = std::get_if<PointSet>(&object.shape)) {
-    return Mesh{std::move(*points), std::move(object.polygons), std::move(object.groups)};
-  }
-  auto solid = queried_solid(object.shape);
-  if (auto* reason = std::get_if<NotSolid>(&solid)) return of_typed_rows(*reason, object.rows);
-  auto& polytope = std::get<Polytope>(solid);
-  return Mesh{PointSet(std::move(polytope.vertices)), std::move(polytope.facets), {}};
-}
 
 std::string UnionOptions::foreign_to_one_solid() const {
   return max_parts          ? "--max-parts"

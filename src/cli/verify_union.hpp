@@ -3,7 +3,6 @@
 #pragma once
 #include <optional>
 #include <string>
-#include <variant>
 
 #include "cli/command.hpp"
 #include "convexact/scene.hpp"
@@ -21,9 +20,6 @@ struct UnionOptions {
   /// An option that has no meaning for a single solid; empty if none is given.
   std::string foreign_to_one_solid() const;
 };
-
-/// The faces of an input: of halfspaces, the facets of their solid.
-[[nodiscard]] std::variant<Mesh, NotSolid> mesh_of(SceneObject object);
 
 /// Adds --union, --max-parts, --orient, --exact-volumes and --picture.
 void add_union_options(CLI::App& command, UnionOptions& options);

@@ -11,10 +11,10 @@
 #include "io/json_text.hpp"
 #include "number/text.hpp"
 #include "oracle/parts_verdict.hpp"
-#include "oracle/request_line.hpp"
 #include "oracle/verdict_report.hpp"
 #include "scene/decompose_report.hpp"
 #include "scene/json_mesh.hpp"
+#include "scene/request_line.hpp"
 
 namespace convexact {
 namespace {

@@ -244,11 +244,6 @@ void for_pairs(const std::vector<ConvexPart>& parts, const Watch& watch, const L
   }
 }
 
-bool lies_in(const ConvexPart& part, const ConvexPart& other) {
-  return std::all_of(part.vertices.begin(), part.vertices.end(),
-                     [&](const RationalPoint& v) { return holds(other, v); });
-}
-
 using Pair = std::pair<std::size_t, std::size_t>;
 
 void judge_disjoint(PartsTrial& trial) {

@@ -103,6 +103,14 @@ bool holds(const ConvexPart& part, const RationalPoint& x) {
                      [&](const Halfspace& h) { return plane_value(h, p) <= 0; });
 }
 
+bool lies_in(const ConvexPart& inner, const ConvexPart& outer) {
+  for (int k = 0; k < 3; ++k) {
+    if (inner.box.low[k] < outer.box.low[k] || inner.box.high[k] > outer.box.high[k]) return false;
+  }
+  return std::all_of(inner.vertices.begin(), inner.vertices.end(),
+                     [&](const RationalPoint& v) { return holds(outer, v); });
+}
+
 namespace {
 
 bool is_inside(const ConvexPart& part, const HomogeneousPoint& p) {

@@ -9,7 +9,6 @@
 #include "convexact/error.hpp"
 #include "decompose/near_concavity.hpp"
 #include "scene/flat_part.hpp"
-#include "scene/inner_part.hpp"
 #include "scene/part_volumes.hpp"
 #include "scene/stage_log.hpp"
 #include "scene/stored_part.hpp"
@@ -63,6 +62,45 @@ std::optional<FlatInput> find_flat(const Mesh& mesh, const Watch& watch) {
   }
   for (PointId& id : flat->basis) id = used[id.index()];
   return std::move(*flat);
+}
+
+// The box of a part, rounded to nearest: rounding is monotone, so that the rounded boxes of two
+// parts hold each other if the parts do.
+struct RoundedBox {
+  explicit RoundedBox(const BoundingBox& box) {
+    for (int k = 0; k < 3; ++k) {
+      low[k] = to_double(box.low[k], Rounding::Nearest);
+      high[k] = to_double(box.high[k], Rounding::Nearest);
+    }
+  }
+  bool may_hold(const RoundedBox& other) const {
+    return (low.array() <= other.low.array()).all() && (high.array() >= other.high.array()).all();
+  }
+  Point low, high;
+};
+
+// By part: the first of those that it lies in and that lie in no other one themselves. Nothing for
+// those that stay; of equal parts the first one does.
+std::vector<std::optional<std::size_t>> find_holders(std::span<const ConvexPart* const> parts,
+                                                     const Watch& watch) {
+  std::vector<RoundedBox> boxes;
+  for (const ConvexPart* part : parts) boxes.emplace_back(part->box);
+  std::vector<std::vector<std::size_t>> holders(parts.size());  // but for later equal ones
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    watch.at(k, parts.size());
+    for (std::size_t j = 0; j < parts.size(); ++j) {
+      if (j == k || !boxes[j].may_hold(boxes[k]) || !lies_in(*parts[k], *parts[j])) continue;
+      if (j < k || !lies_in(*parts[j], *parts[k])) holders[k].push_back(j);
+    }
+  }
+  // This relation is transitive and has no circle, so that one of the holders has none of its own.
+  std::vector<std::optional<std::size_t>> first(parts.size());
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    for (const std::size_t j : holders[k]) {
+      if (!first[k] && holders[j].empty()) first[k] = j;
+    }
+  }
+  return first;
 }
 
 class Decomposer {

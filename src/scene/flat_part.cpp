@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "number/arithmetic.hpp"
-#include "scene/inner_part.hpp"
 
 namespace convexact {
 namespace {

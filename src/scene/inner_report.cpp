@@ -12,6 +12,7 @@
 #include "io/json.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
+#include "scene/objects.hpp"
 #include "scene/result_json.hpp"
 #include "simplify/inner_trace.hpp"
 
@@ -24,29 +25,11 @@ std::size_t tied_steps(const InnerRun& run) {
                     [](const InnerStep& step) { return step.tie.size() > 1; }));
 }
 
-void require_right(bool holds, const std::string& path, const char* claim) {
-  if (holds) return;
-  throw Error(ErrorCode::Internal, "read back from its bytes, " + path + claim);
-}
-
-// Several results in one mesh: points and polygons one after another, a part for each.
-Mesh joined_inner(std::span<const NamedInner> results) {
-  if (results.size() == 1) return results[0].result->mesh.value();
-  Mesh all;
-  std::vector<Point> points;
-  for (const NamedInner& part : results) {
-    const Mesh& mesh = part.result->mesh.value();
-    const auto first_point = static_cast<std::uint32_t>(points.size());
-    const std::size_t first_polygon = all.polygons.size();
-    points.insert(points.end(), mesh.points.doubles().begin(), mesh.points.doubles().end());
-    for (std::vector<std::uint32_t> polygon : mesh.polygons) {
-      for (std::uint32_t& corner : polygon) corner += first_point;
-      all.polygons.push_back(std::move(polygon));
-    }
-    all.parts.push_back({part.name, first_polygon, all.polygons.size()});
-  }
-  all.points = PointSet(std::move(points));
-  return all;
+std::string mesh_bytes(std::span<const NamedInner> results, MeshFormat format) {
+  if (results.size() == 1) return write_mesh(results[0].result->mesh.value(), format);
+  std::vector<NamedMesh> objects;
+  for (const auto& [name, result] : results) objects.push_back({name, &result->mesh.value()});
+  return write_mesh(joined(objects), format);
 }
 
 // The file's points are the vertices of the results, one result after another, bit for bit but for
@@ -57,17 +40,20 @@ void prove_mesh(const std::string& bytes, const std::string& path, MeshFormat fo
   std::size_t first = 0;
   for (const NamedInner& part : results) {
     const auto expected = part.result->mesh->points.doubles();
-    require_right(mesh.points.is_binary() && first + expected.size() <= mesh.points.size(), path,
-                  " lacks vertices");
+    if (!mesh.points.is_binary() || first + expected.size() > mesh.points.size()) {
+      reject_bytes(path, "lacks vertices");
+    }
     const auto found = mesh.points.doubles().subspan(first, expected.size());
-    require_right(std::equal(expected.begin(), expected.end(), found.begin()), path,
-                  " has a vertex that is no point of the input");
+    if (!std::equal(expected.begin(), expected.end(), found.begin())) {
+      reject_bytes(path, "has a vertex that is no point of the input");
+    }
     const PointSet corners(std::vector<Point>(found.begin(), found.end()));
-    require_right(count_outside(part.result->hull, corners) == 0, path,
-                  " has a vertex outside of the input's hull");
+    if (count_outside(part.result->hull, corners) > 0) {
+      reject_bytes(path, "has a vertex outside of the input's hull");
+    }
     first += expected.size();
   }
-  require_right(first == mesh.points.size(), path, " has points of no result");
+  if (first != mesh.points.size()) reject_bytes(path, "has points of no result");
 }
 
 }  // namespace
@@ -148,15 +134,16 @@ std::string proven_inner_bytes(std::span<const NamedInner> results, const std::s
       throw Error(ErrorCode::Unrepresentable,
                   path + ": STL holds binary32, which would move vertices of the result");
     }
-    std::string bytes = write_mesh(joined_inner(results), *format);
+    std::string bytes = mesh_bytes(results, *format);
     prove_mesh(bytes, path, *format, results);
     return bytes;
   }
   const HalfspaceFormat format = halfspace_format_of_path(path).value();
   const std::vector<Halfspace>& planes = results[0].result->solid.planes;
   std::string bytes = write_halfspaces(planes, format);
-  require_right(read_halfspaces_bytes(bytes, format).halfspaces == planes, path,
-                " has other halfspaces than the result");
+  if (read_halfspaces_bytes(bytes, format).halfspaces != planes) {
+    reject_bytes(path, "has other halfspaces than the result");
+  }
   return bytes;
 }
 

@@ -8,6 +8,7 @@
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
 #include "convexact/scene.hpp"
+#include "scene/solid.hpp"
 
 namespace convexact {
 namespace {
@@ -105,9 +106,46 @@ std::vector<SceneObject> parts_of(const Mesh& mesh, const std::string& file) {
   return parts;
 }
 
-void to_typed_rows(std::vector<std::size_t>& redundant, const TypedRows& rows) {
-  if (rows.rows.empty()) return;
+std::variant<Mesh, NotSolid> mesh_of(SceneObject object) {
+  if (auto* points = std::get_if<PointSet>(&object.shape)) {
+    return Mesh{std::move(*points), std::move(object.polygons), std::move(object.groups)};
+  }
+  StageLog log;
+  auto made = make_polytope(std::get<std::vector<Halfspace>>(object.shape), 1, log);
+  if (auto* reason = std::get_if<NotSolid>(&made)) return of_typed_rows(*reason, object.rows);
+  auto& solid = std::get<Polytope>(made);
+  return Mesh{PointSet(std::move(solid.vertices)), std::move(solid.facets), {}};
+}
+
+Mesh joined(std::span<const NamedMesh> objects) {
+  Mesh all;
+  std::vector<Point> points;
+  for (const auto& [name, mesh] : objects) {
+    const auto first_point = static_cast<std::uint32_t>(points.size());
+    const std::size_t first_polygon = all.polygons.size();
+    points.insert(points.end(), mesh->points.doubles().begin(), mesh->points.doubles().end());
+    for (std::vector<std::uint32_t> polygon : mesh->polygons) {
+      for (std::uint32_t& corner : polygon) corner += first_point;
+      all.polygons.push_back(std::move(polygon));
+    }
+    if (mesh->polygons.empty()) {
+      const auto last = static_cast<std::uint32_t>(points.size() - 1);
+      all.polygons.push_back({first_point, last, last});
+    }
+    all.parts.push_back({name, first_polygon, all.polygons.size()});
+  }
+  all.points = PointSet(std::move(points));
+  return all;
+}
+
+void reject_bytes(const std::string& path, const std::string& why) {
+  throw Error(ErrorCode::Internal, "read back from its bytes, " + path + " " + why);
+}
+
+std::vector<std::size_t> to_typed_rows(std::vector<std::size_t> redundant, const TypedRows& rows) {
+  if (rows.rows.empty()) return redundant;
   for (std::size_t& row : redundant) row = rows.rows[row];
+  return redundant;
 }
 
 std::vector<SceneObject> read_scene(const std::vector<std::string>& paths,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// objects.hpp - the parts of a mesh as objects.
+// objects.hpp - the objects of a file: taken out of a mesh, put into one, and missed in its bytes.
 #pragma once
+#include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "convexact/scene.hpp"
@@ -14,5 +16,22 @@ namespace convexact {
 /// Each part that has faces, with the points that they use.
 /// @throws Error InvalidArgument if there is none.
 [[nodiscard]] std::vector<SceneObject> parts_of(const Mesh& mesh, const std::string& file);
+
+/// The faces of an object: of halfspaces, the facets of their solid, or why they have none.
+[[nodiscard]] std::variant<Mesh, NotSolid> mesh_of(SceneObject object);
+
+/// An object to be written, under its name in the file.
+struct NamedMesh {
+  std::string name;
+  const Mesh* mesh;  ///< With a point, and points in doubles.
+};
+
+/// The inverse of parts_of(): points and polygons one after another, a part for each object. A
+/// segment or a point becomes a triangle with equal corners, since a file would lose an object
+/// without a face.
+[[nodiscard]] Mesh joined(std::span<const NamedMesh> objects);
+
+/// Refuses what was written. @throws Error Internal: "read back from its bytes, PATH WHY".
+[[noreturn]] void reject_bytes(const std::string& path, const std::string& why);
 
 }  // namespace convexact

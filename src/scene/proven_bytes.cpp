@@ -3,14 +3,13 @@
 #include "convexact/io.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/stored.hpp"
+#include "scene/objects.hpp"
 
 namespace convexact {
 namespace {
 
 void require_inside(std::size_t outside, const std::string& path) {
-  if (outside == 0) return;
-  throw Error(ErrorCode::Internal, "read back from its bytes, " + path + " misses " +
-                                       std::to_string(outside) + " input points");
+  if (outside > 0) reject_bytes(path, "misses " + std::to_string(outside) + " input points");
 }
 
 // The points that one part of a mesh uses.
@@ -44,29 +43,13 @@ void prove_bytes(const std::string& bytes, const std::string& path,
   }
 }
 
-// Several solids in one mesh: points and polygons one after another, a part for each.
-Mesh joined(std::span<const NamedSolid> solids) {
-  if (solids.size() == 1) return solids[0].solid->mesh->mesh;
-  Mesh all;
-  std::vector<Point> points;
-  for (const NamedSolid& part : solids) {
-    const Mesh& mesh = part.solid->mesh->mesh;
-    const auto first_point = static_cast<std::uint32_t>(points.size());
-    const std::size_t first_polygon = all.polygons.size();
-    points.insert(points.end(), mesh.points.doubles().begin(), mesh.points.doubles().end());
-    for (std::vector<std::uint32_t> polygon : mesh.polygons) {
-      for (std::uint32_t& corner : polygon) corner += first_point;
-      all.polygons.push_back(std::move(polygon));
-    }
-    all.parts.push_back({part.name, first_polygon, all.polygons.size()});
-  }
-  all.points = PointSet(std::move(points));
-  return all;
-}
-
 std::string mesh_bytes(std::span<const NamedSolid> solids, MeshFormat format, Precision precision) {
   const Encoding encoding = format == MeshFormat::Stl ? Encoding::Binary : Encoding::Text;
-  return write_mesh(joined(solids), format, {.precision = precision, .encoding = encoding});
+  const MeshWriteOptions options{.precision = precision, .encoding = encoding};
+  if (solids.size() == 1) return write_mesh(solids[0].solid->mesh->mesh, format, options);
+  std::vector<NamedMesh> objects;
+  for (const auto& [name, solid] : solids) objects.push_back({name, &solid->mesh->mesh});
+  return write_mesh(joined(objects), format, options);
 }
 
 std::string plane_bytes(const Stored& solid, HalfspaceFormat format) {

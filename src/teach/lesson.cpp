@@ -91,9 +91,7 @@ ordered_json input_json(const Solid& solid, const Subject& subject, const Lesson
     input["points"] = std::move(points);
   }
   if (!subject.points()) {
-    std::vector<std::size_t> redundant = solid.redundant;
-    to_typed_rows(redundant, subject.object.rows);
-    input["redundant"] = redundant;
+    input["redundant"] = to_typed_rows(solid.redundant, subject.object.rows);
   }
   return input;
 }

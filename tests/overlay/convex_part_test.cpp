@@ -34,6 +34,26 @@ TEST_CASE("convex_part: a solid has the vertices and facets of its hull") {
   CHECK_FALSE(holds(part, rational_point(0.5, -0x1p-1074, 1)));
 }
 
+TEST_CASE("lies_in: every corner counts, and so does the boundary") {
+  const auto box = [](const RationalPoint& low, const RationalPoint& high) {
+    return part_of(box_corners(low, high));
+  };
+  const ConvexPart cube = box(rational_point(0, 0, 0), rational_point(1, 1, 1));
+  CHECK(lies_in(cube, cube));
+  CHECK(lies_in(box(rational_point(0.5, 0, 0.5), rational_point(1, 1, 0.75)), cube));
+  CHECK_FALSE(lies_in(box(rational_point(0.5, -0x1p-1074, 0.5), rational_point(1, 1, 0.75)), cube));
+  // In the box of the other part, but for a corner not in the part itself.
+  const ConvexPart corner = part_of({rational_point(0, 0, 0), rational_point(1, 0, 0),
+                                     rational_point(0, 1, 0), rational_point(0, 0, 1)});
+  CHECK(lies_in(corner, cube));
+  CHECK_FALSE(lies_in(box(rational_point(0, 0, 0), rational_point(0.25, 0.25, 0.75)), corner));
+  const ConvexPart lid = part_of({rational_point(0, 0, 1), rational_point(1, 0, 1),
+                                  rational_point(1, 1, 1), rational_point(0, 1, 1)});
+  CHECK(lies_in(lid, cube));
+  CHECK_FALSE(lies_in(cube, lid));
+  CHECK(lies_in(part_of({rational_point(0.5, 0.5, 1)}), lid));
+}
+
 TEST_CASE("convex_part: flat parts are the intersection of their halfspaces") {
   // A tilted square with points inside and on its sides; a segment; a point. Each with repeats.
   const RationalPoint o = rational_point(1, 1, 1), u = rational_point(2, 0, 1),

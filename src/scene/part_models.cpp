@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/part_models.hpp"
+#include "scene/part_models.hpp"
 
 #include <fmt/format.h>
 

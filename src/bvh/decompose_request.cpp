@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/decompose_request.hpp"
+#include "bvh/decompose_request.hpp"
 
 #include <fmt/format.h>
 
@@ -10,11 +10,11 @@
 #include "convexact/hull_tree.hpp"
 #include "io/json.hpp"
 #include "io/json_text.hpp"
-#include "oracle/request_line.hpp"
-#include "oracle/written_parts.hpp"
 #include "scene/decompose_options.hpp"
 #include "scene/decompose_report.hpp"
+#include "scene/request_line.hpp"
 #include "scene/result_json.hpp"
+#include "scene/written_parts.hpp"
 
 namespace convexact {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Requests and answers of decompose --stdio, on shapes of unit cells; both against
 // docs/schema/decompose_request.schema.json, and the answers against decompose.schema.json.
-#include "oracle/decompose_request.hpp"
+#include "bvh/decompose_request.hpp"
 
 #include <doctest/doctest.h>
 

@@ -13,7 +13,8 @@
 
 #include "convexact/overlay.hpp"
 #include "io/output_buffer.hpp"
-#include "oracle/part_models.hpp"
+#include "scene/objects.hpp"
+#include "scene/part_models.hpp"
 
 namespace convexact {
 namespace {

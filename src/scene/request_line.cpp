@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/request_line.hpp"
+#include "scene/request_line.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/written_parts.hpp"
+#include "scene/written_parts.hpp"
 
 #include <fmt/format.h>
 
@@ -7,37 +7,15 @@
 
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
+#include "convexact/parts.hpp"
 #include "convexact/stored.hpp"
-#include "convexact/verify_parts.hpp"
 #include "io/json.hpp"
 #include "number/text.hpp"
 #include "scene/decompose_report.hpp"
+#include "scene/objects.hpp"
 
 namespace convexact {
 namespace {
-
-// Points and polygons one after another, an object for each part.
-Mesh joined_parts(std::span<const WrittenPart> parts) {
-  Mesh all;
-  std::vector<Point> points;
-  for (const WrittenPart& written : parts) {
-    const Mesh& mesh = written.part->mesh;
-    const auto first_point = static_cast<std::uint32_t>(points.size());
-    const std::size_t first_polygon = all.polygons.size();
-    points.insert(points.end(), mesh.points.doubles().begin(), mesh.points.doubles().end());
-    for (std::vector<std::uint32_t> polygon : mesh.polygons) {
-      for (std::uint32_t& corner : polygon) corner += first_point;
-      all.polygons.push_back(std::move(polygon));
-    }
-    if (mesh.polygons.empty()) {  // a segment or a point; an object without a face would be lost
-      const auto last = static_cast<std::uint32_t>(points.size() - 1);
-      all.polygons.push_back({first_point, last, last});
-    }
-    all.parts.push_back({written.name, first_polygon, all.polygons.size()});
-  }
-  all.points = PointSet(std::move(points));
-  return all;
-}
 
 // By the definition of a part, the hull of its points as a reader of the file takes them.
 void require_parts(const std::string& bytes, const std::string& path,
@@ -59,10 +37,6 @@ void require_parts(const std::string& bytes, const std::string& path,
 
 }  // namespace
 
-void reject_bytes(const std::string& path, const std::string& why) {
-  throw Error(ErrorCode::Internal, "read back from its bytes, " + path + " " + why);
-}
-
 void require_held(const std::string& path, const WrittenPart& written,
                   std::span<const Halfspace> halfspaces) {
   const PointSet owned =
@@ -72,7 +46,9 @@ void require_held(const std::string& path, const WrittenPart& written,
 }
 
 std::string proven_parts_obj(std::span<const WrittenPart> parts, const std::string& path) {
-  std::string bytes = write_mesh(joined_parts(parts), MeshFormat::Obj);
+  std::vector<NamedMesh> objects;
+  for (const WrittenPart& part : parts) objects.push_back({part.name, &part.part->mesh});
+  std::string bytes = write_mesh(joined(objects), MeshFormat::Obj);
   require_parts(bytes, path, parts);
   return bytes;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The files of parts, and what the proof of their bytes notices.
-#include "oracle/written_parts.hpp"
+#include "scene/written_parts.hpp"
 
 #include <doctest/doctest.h>
 

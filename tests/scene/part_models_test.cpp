@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Models of parts for simulators: names, numbers, and what the proof of USD notices.
-#include "oracle/part_models.hpp"
+#include "scene/part_models.hpp"
 
 #include <doctest/doctest.h>
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/written_parts.hpp"
+#include "scene/written_parts.hpp"
 
 namespace convexact {
 
