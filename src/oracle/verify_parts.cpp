@@ -13,7 +13,6 @@
 #include "convexact/measure.hpp"
 #include "number/text.hpp"
 #include "oracle/judge.hpp"
-#include "oracle/parts_trial.hpp"
 
 namespace convexact {
 namespace oracle {
@@ -47,52 +46,19 @@ ClaimCode of_one_part(ClaimCode code) {
                                    : MaxFacetVertices;
 }
 
-Claim& claim_of(std::vector<Claim>& claims, ClaimCode code) {
-  return claims.at(static_cast<std::size_t>(code) - static_cast<std::size_t>(PartsReadable));
-}
-
 }  // namespace
 
 PartsTrial::PartsTrial(const Mesh& given, bool has_tree, const PartsRequest& asked,
                        StageLog& stages)
-    : input(given), request(asked), log(stages) {
-  for (const ClaimCode code : kPartsClaims) {
-    const bool is_named = !request.claims.empty() || budget_of(request, code) != nullptr;
-    verdict.claims.push_back({code, Status::NotAsked, "", {}, is_named && asks(code)});
-  }
+    : ClaimSheet(asked.claims, asked.tolerance, 0), input(given), request(asked), log(stages) {
+  for (const ClaimCode code : kPartsClaims) add(code, budget_of(request, code), is_default(code));
   const auto& named = request.claims;
   const bool names_tree = std::find(named.begin(), named.end(), TreeNested) != named.end();
-  if (has_tree || names_tree) {
-    verdict.claims.push_back({TreeNested, Status::NotAsked, "", {}, names_tree});
-  }
-}
-
-bool PartsTrial::asks(ClaimCode code) const {
-  if (const auto* budget = budget_of(request, code)) return budget->has_value();
-  const auto& list = request.claims;
-  if (list.empty()) return is_default(code);
-  return std::find(list.begin(), list.end(), code) != list.end();
-}
-
-void PartsTrial::decide(ClaimCode code, Status status, std::string sentence, Witness witness) {
-  if (!asks(code)) return;
-  Claim& claim = claim_of(verdict.claims, code);
-  claim = {code, status, std::move(sentence), std::move(witness), claim.is_named};
-}
-
-std::string PartsTrial::distance_text(const Rational& squared) const {
-  if (verdict.squared_diameter == 0) return decimal_of_root(squared);
-  return decimal_of_root(squared) + " (" + decimal_of_root(squared / verdict.squared_diameter) +
-         " of the diameter)";
+  if (has_tree || names_tree) add(TreeNested, nullptr, is_default(TreeNested));
 }
 
 std::string PartsTrial::part_text(std::size_t part) const {
   return fmt::format("part {} ({})", part, in_quotes(verdict.parts[part].name));
-}
-
-Rational PartsTrial::squared_tolerance() const {
-  const Rational squared = request.tolerance.value * request.tolerance.value;
-  return request.tolerance.relative ? Rational(squared * verdict.squared_diameter) : squared;
 }
 
 namespace {
@@ -122,7 +88,7 @@ VerifyRequest request_for_a_part(const PartsTrial& trial) {
 // The oracle's own judgement of a solid, but for the input, which it is not asked about.
 JudgedPart judge_part(const NamedPart& part, const VerifyRequest& request,
                       const PartsTrial& trial) {
-  const Input nothing{{}, {}, {}, trial.verdict.squared_diameter};
+  const Input nothing{{}, {}, {}, trial.squared_diameter};
   const Candidate candidate = part.mesh;
   StageLog within(StageWatch{.stop = trial.log.watch().stop});
   Trial own(nothing, candidate, request, within);
@@ -131,9 +97,8 @@ JudgedPart judge_part(const NamedPart& part, const VerifyRequest& request,
   if (own.set.hull) judge_faces(own);
   find_facets_as_meant(own);
   judge_budgets(own);
-  std::erase_if(own.verdict.claims,
-                [](const Claim& claim) { return claim.status == Status::NotAsked; });
-  return {part.name, own.verdict.size, std::move(own.verdict.claims)};
+  std::erase_if(own.claims, [](const Claim& claim) { return claim.status == Status::NotAsked; });
+  return {part.name, own.verdict.size, std::move(own.claims)};
 }
 
 const Claim* find_violated(const JudgedPart& part, std::span<const ClaimCode> codes) {
@@ -317,7 +282,7 @@ void judge_pairs(PartsTrial& trial) {
 
 void judge_tree(const HullTree* tree, PartsTrial& trial) {
   constexpr const char* kStage = "tree";
-  if (trial.verdict.claims.back().code != TreeNested) return;
+  if (trial.claims.back().code != TreeNested) return;
   if (!trial.asks(TreeNested)) return trial.log.skip(kStage, "not requested");
   if (tree == nullptr) return trial.not_applicable(TreeNested, "the parts are under no tree");
   const std::optional<TreeFault> fault =
@@ -371,15 +336,7 @@ const std::vector<NamedPart>* judge_reading(const CandidateParts& candidate, Par
     trial.holds(PartsFinite, "every number is finite");
     return parts;
   }
-  const auto& error = std::get<Error>(candidate);
-  for (const Claim& claim : std::vector(trial.verdict.claims)) {
-    trial.not_applicable(claim.code, "the parts could not be read");
-  }
-  Witness witness;
-  witness.line = error.line();
-  const bool is_number = error.code() == ErrorCode::NotFinite;
-  trial.not_applicable(is_number ? PartsReadable : PartsFinite, "reading ended at that place");
-  trial.violated(is_number ? PartsFinite : PartsReadable, error.what(), std::move(witness));
+  trial.unreadable(std::get<Error>(candidate), PartsReadable, PartsFinite, "the parts");
   return nullptr;
 }
 
@@ -424,7 +381,7 @@ void find_points(PartsTrial& trial) {
     trial.points = trial.verdict.surface.points;
     note_surface(trial.verdict.surface, trial.verdict.notes);
   }
-  trial.verdict.squared_diameter = bounding_box(trial.points).squared_diameter();
+  trial.squared_diameter = bounding_box(trial.points).squared_diameter();
 }
 
 }  // namespace
@@ -457,8 +414,11 @@ PartsVerdict verify_parts(const Mesh& input, const CandidateParts& candidate,
     judge_tree(tree, trial);
     measure_parts(trial);
   }
-  trial.verdict.stages = log.stages();
-  return std::move(trial.verdict);
+  PartsVerdict verdict = std::move(trial.verdict);
+  verdict.claims = std::move(trial.claims);
+  verdict.squared_diameter = trial.squared_diameter;
+  verdict.stages = log.stages();
+  return verdict;
 }
 
 }  // namespace convexact
