@@ -152,10 +152,8 @@ class PartsTrial : public ClaimSheet {
   PartsVerdict verdict;
 };
 
-// The parts, in their order. Each takes what the ones before it found.
+// In their order, after each part on its own. Each takes what the ones before it found.
 
-/// Solid, convex, and the budgets: what each part is on its own.
-void judge_each_part(std::span<const NamedPart> parts, PartsTrial& trial);
 /// Whether the union covers the points, the surface and the solid of the input.
 void judge_coverage(PartsTrial& trial);
 /// Whether parts overlap, and whether one lies in another.
