@@ -205,12 +205,10 @@ void judge_coverage(PartsTrial& trial) {
 
 namespace {
 
-constexpr long kBits = 128;
-
 // The area of all triangles, each times its share.
 template <class Share>
 Enclosure area(const Surface& surface, const Share& share_of) {
-  Enclosure total(kBits);
+  Enclosure total(kMeasureBits);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const Rational share = share_of(t);
     if (share == 0) continue;
@@ -218,8 +216,8 @@ Enclosure area(const Surface& surface, const Share& share_of) {
     const RationalPoint corner = surface.points[a];
     const RationalVector3 cross = RationalVector3(surface.points[b] - corner)
                                       .cross(RationalVector3(surface.points[c] - corner));
-    total += Enclosure(Rational(share / 2), kBits) *
-             sqrt(Enclosure(Rational(cross.squaredNorm()), kBits));
+    total += Enclosure(Rational(share / 2), kMeasureBits) *
+             sqrt(Enclosure(Rational(cross.squaredNorm()), kMeasureBits));
   }
   return total;
 }
@@ -240,16 +238,10 @@ void measure_parts(PartsTrial& trial) {
   for (const UncoveredPiece& piece : verdict.coverage->uncovered) {
     shares[piece.triangle.index()] += piece.share;
   }
-  const DecompositionMeasures volumes = measure_volumes(surface, parts, exact, log);
-  PartsMeasures found{area(surface, [](std::size_t) { return Rational(1); }),
+  PartsMeasures found{measure_volumes(surface, parts, exact, log),
+                      area(surface, [](std::size_t) { return Rational(1); }),
                       area(surface, [&](std::size_t t) { return shares[t]; }),
-                      volumes.solid_volume,
-                      volumes.uncovered_volume,
-                      volumes.excess_volume,
-                      volumes.union_volume,
-                      volumes.overlap_volume,
-                      Enclosure(kBits),
-                      Enclosure(kBits)};
+                      Enclosure(kMeasureBits), Enclosure(kMeasureBits)};
   std::optional<Winding> winding;
   if (surface.is_closed) winding.emplace(surface);
   log.run("distances", [&] {
