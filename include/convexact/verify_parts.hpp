@@ -34,6 +34,10 @@ struct PartsRequest {
   StageWatch watch = {};
 };
 
+/// The same questions about a decomposition: each budget is one of every part, and `tightness` asks
+/// for measures. `inner` and `slack_ulps` have no meaning there.
+[[nodiscard]] PartsRequest parts_request(const VerifyRequest& request);
+
 /// A part on its own.
 struct JudgedPart {
   std::string name;

@@ -269,6 +269,18 @@ bool PartsVerdict::holds() const {
   });
 }
 
+PartsRequest parts_request(const VerifyRequest& request) {
+  return {.claims = request.claims,
+          .tolerance = request.tolerance,
+          .max_facets = request.max_facets,
+          .max_vertices = request.max_vertices,
+          .max_facet_vertices = request.max_facet_vertices,
+          .exact_facets = request.exact_facets,
+          .measures = request.tightness,
+          .seed = request.seed,
+          .watch = request.watch};
+}
+
 PartsVerdict verify_parts(const Mesh& input, const CandidateParts& candidate,
                           const PartsRequest& request) {
   using namespace oracle;
