@@ -207,7 +207,7 @@ void hold_trace(FuzzInput& in) {
   FUZZ_CHECK(verdict.rating == rating && verdict.at == expected.at);
   FUZZ_CHECK(verdict.claims.size() == expected.statuses.size());
   for (const TraceClaim& claim : verdict.claims) {
-    FUZZ_CHECK(expected.statuses.at(claim.code) == claim.status);
+    FUZZ_CHECK(expected.statuses.at(name_of(claim.code)) == claim.status);
     FUZZ_CHECK(claim.witness.has_value() == (claim.status == Status::Violated));
   }
   check_left_out(solid, center, maker.order(), options, verdict);

@@ -101,15 +101,6 @@ struct InnerCluster {
   std::size_t part;   ///< That holds it.
 };
 
-/// Volumes beside the proof, of the parts as stored.
-struct DecompositionMeasures {
-  std::optional<Measured> solid_volume;      ///< Of the shape; none if it encloses none.
-  std::optional<Measured> uncovered_volume;  ///< Of the solid outside of the union.
-  std::optional<Measured> excess_volume;     ///< Of the union outside of the solid.
-  Measured union_volume;
-  Measured overlap_volume;  ///< What the parts' volumes add up to, less the union's.
-};
-
 struct Decomposition {
   Surface surface;
   std::variant<Clustering, SplitTree> origin;  ///< Of the clusters.
@@ -120,7 +111,7 @@ struct Decomposition {
       flat_merged;                   ///< Flat clusters that joined a neighbour (FlatParts::Merge).
   bool limit_holds = true;           ///< Whether every cluster is within the limit.
   std::size_t tested_triangles = 0;  ///< Whose corners were tested against their owner.
-  std::optional<DecompositionMeasures> measures;
+  std::optional<DecompositionMeasures> measures;  ///< Beside the proof, of the parts as stored.
   std::vector<Stage> stages;
 
   const Rational& squared_limit() const {

@@ -103,4 +103,13 @@ struct UncoveredSolid {
 [[nodiscard]] std::optional<RationalPoint> common_interior(const ConvexPart& a,
                                                            const ConvexPart& b);
 
+/// The volumes of parts and of the solid that a surface encloses.
+struct DecompositionMeasures {
+  std::optional<Measured> solid_volume;      ///< Of the surface; none if it encloses none.
+  std::optional<Measured> uncovered_volume;  ///< Of the solid outside of the union.
+  std::optional<Measured> excess_volume;     ///< Of the union outside of the solid.
+  Measured union_volume;
+  Measured overlap_volume;  ///< What the parts' volumes add up to, less the union's.
+};
+
 }  // namespace convexact

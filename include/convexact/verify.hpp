@@ -25,6 +25,8 @@ struct Tolerance {
   Rational value = 0;
   bool relative = false;
 
+  /// Its square in squared length units; exact.
+  Rational squared(const Rational& squared_diameter) const;
   /// Whether a distance with this square is within the tolerance; exact.
   bool allows(const Rational& squared_distance, const Rational& squared_diameter) const;
 };

@@ -34,6 +34,10 @@ struct PartsRequest {
   StageWatch watch = {};
 };
 
+/// The same questions about a decomposition: each budget is one of every part, and `tightness` asks
+/// for measures. `inner` and `slack_ulps` have no meaning there.
+[[nodiscard]] PartsRequest parts_request(const VerifyRequest& request);
+
 /// A part on its own.
 struct JudgedPart {
   std::string name;
@@ -44,13 +48,8 @@ struct JudgedPart {
 };
 
 /// Numbers beside the claims. Volumes and distances of the solid where the input encloses one.
-struct PartsMeasures {
+struct PartsMeasures : DecompositionMeasures {
   Enclosure surface_area, uncovered_area;
-  std::optional<Measured> solid_volume;      ///< Of the input.
-  std::optional<Measured> uncovered_volume;  ///< Of the solid outside of the union.
-  std::optional<Measured> excess_volume;     ///< Of the union outside of the solid.
-  Measured union_volume;
-  Measured overlap_volume;  ///< What the parts' volumes add up to, less the union's.
   /// Largest distance of a point of the input's surface to the union, and of a point of the union
   /// to the input's solid, or to its surface if it encloses none. The larger one is the Hausdorff
   /// distance.

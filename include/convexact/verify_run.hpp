@@ -129,9 +129,29 @@ struct TraceWitness {
   std::string found, expected;      ///< Exact numbers, ids in canonical order.
 };
 
-/// A claim with its code, which is a heading of docs/verdicts.md.
+/// The claims about an order; docs/verdicts.md has a section for each.
+enum class TraceCode {
+  Readable,      ///< The file spells an order.
+  PlaneUnknown,  ///< Each plane removed is a facet plane of the solid.
+  IdOutOfRange,  ///< Each id is a position in the list.
+  RemovedTwice,  ///< No facet is removed that is gone.
+  Bounded,       ///< Each removal leaves a bounded solid.
+  Greedy,        ///< Each removal is one of the cheapest, up to the regret that is allowed.
+  // Of orders that state it; of others it is not asked.
+  Cost,   ///< Each cost is the removal's.
+  Ties,   ///< Each tie is the set of all removals of the least cost.
+  Left,   ///< Each number of facets left is right.
+  Kept,   ///< Those to be kept are kept, and listed as such.
+  Stop,   ///< No other removal is bounded, if that is the reason of the end.
+  Moves,  ///< Each move after the removals is possible and makes the measure smaller.
+};
+[[nodiscard]] constexpr bool is_of_every_order(TraceCode code) { return code < TraceCode::Cost; }
+
+/// "trace-greedy" and the like: stable, in messages, in JSON and as headings of docs/verdicts.md.
+[[nodiscard]] const char* name_of(TraceCode code);
+
 struct TraceClaim {
-  const char* code;
+  TraceCode code;
   Status status = Status::Holds;
   std::optional<TraceWitness> witness = {};  ///< If violated.
 };

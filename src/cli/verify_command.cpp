@@ -105,19 +105,9 @@ int run_union(const VerifyArguments& options) {
   }
   // Parts may hold together what each of them alone does not.
   const Promise promise = options.promise.promise(Asks::Enclosure);
-  const VerifyRequest each = verify_request(options, promise);
-  PartsRequest request;
-  request.claims = each.claims;
-  request.tolerance = each.tolerance;
-  request.max_facets = each.max_facets;
-  request.max_vertices = each.max_vertices;
-  request.max_facet_vertices = each.max_facet_vertices;
-  request.exact_facets = each.exact_facets;
-  request.measures = each.tightness;
-  request.seed = each.seed;
   return run_verify_union(options.global, options.input, options.candidate,
-                          meaning_of_numbers(promise, options.decimal), std::move(request),
-                          options.of_union);
+                          meaning_of_numbers(promise, options.decimal),
+                          parts_request(verify_request(options, promise)), options.of_union);
 }
 
 bool names_a_claim_of_parts(const VerifyArguments& options) {

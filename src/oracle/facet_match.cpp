@@ -7,7 +7,6 @@
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
 #include "convexact/verify.hpp"
-#include "oracle/removal_order_file.hpp"
 
 namespace convexact {
 namespace {
@@ -106,6 +105,20 @@ NearestFacet FacetMatcher::measure(const Halfspace& plane, HalfspaceId facet) co
 }
 
 }  // namespace
+
+std::string plane_in_words(const Halfspace& plane) {
+  std::string text = "the plane";
+  for (const Integer& n : plane.normal()) text += " " + to_string(n);
+  return text + " " + to_string(plane.offset());
+}
+
+std::string ids_text(std::span<const HalfspaceId> ids, const char* separator) {
+  std::string text;
+  for (const HalfspaceId id : ids) {
+    text += (text.empty() ? "" : separator) + std::to_string(id.index());
+  }
+  return text;
+}
 
 NamedFacets::NamedFacets(const DualHull& dual, const RemovalOrder& order, double unit)
     : order_(order) {

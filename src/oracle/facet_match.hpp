@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// facet_match.hpp - which facet of a solid a plane of a list is, and which facets an order names.
+// facet_match.hpp - which facet of a solid a plane of a list is, which facets an order names, and
+// planes and facets in words.
 #pragma once
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,6 +12,12 @@
 #include "convexact/verify_run.hpp"
 
 namespace convexact {
+
+/// "the plane 1 0 0 -2": a row of a list, for messages.
+[[nodiscard]] std::string plane_in_words(const Halfspace& plane);
+
+/// "7, 12, 30", for the separator ", ".
+[[nodiscard]] std::string ids_text(std::span<const HalfspaceId> ids, const char* separator);
 
 /// The facet that a plane comes nearest to, and how near.
 struct NearestFacet {

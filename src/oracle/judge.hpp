@@ -1,14 +1,70 @@
 // SPDX-License-Identifier: MIT
-// judge.hpp - the parts of verify(): each decides some claims about one candidate.
+// judge.hpp - the judges of verify() and of verify_parts(): each decides some claims about one
+// candidate.
 #pragma once
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "convexact/verify.hpp"
+#include "convexact/verify_parts.hpp"
 #include "scene/stage_log.hpp"
 
 namespace convexact::oracle {
+
+/// The claims about one candidate: which are asked, what is found, and how far off may pass.
+class ClaimSheet {
+ public:
+  bool asks(ClaimCode code) const;
+  /// Each of these is ignored if the claim was not asked for.
+  void holds(ClaimCode code, std::string sentence, Witness witness = {}) {
+    decide(code, Status::Holds, std::move(sentence), std::move(witness));
+  }
+  void violated(ClaimCode code, std::string sentence, Witness witness = {}) {
+    decide(code, Status::Violated, std::move(sentence), std::move(witness));
+  }
+  void undecided(ClaimCode code, std::string sentence, Witness witness) {
+    decide(code, Status::Undecided, std::move(sentence), std::move(witness));
+  }
+  void not_applicable(ClaimCode code, std::string sentence) {
+    decide(code, Status::NotApplicable, std::move(sentence), {});
+  }
+  /// Violated by so much, unless the tolerance allows it.
+  void violated_by(const Rational& squared_distance, ClaimCode code, const std::string& sentence,
+                   Witness witness);
+  /// Reading has failed: `finite` is violated by a number that is not, otherwise `readable`, and no
+  /// other claim applies.
+  /// @param what  "the candidate".
+  void unreadable(const Error& error, ClaimCode readable, ClaimCode finite,
+                  const std::string& what);
+
+  /// Whether a distance with this square is within the tolerance.
+  bool allows(const Rational& squared_distance) const {
+    return tolerance.allows(squared_distance, squared_diameter);
+  }
+  /// "1.5e-9 (2e-12 of the diameter)" of the square of a distance.
+  std::string distance_text(const Rational& squared) const;
+
+  std::vector<Claim> claims;  ///< As added, each NotAsked until it is decided.
+  const Tolerance tolerance;
+  Rational squared_diameter;  ///< Of the input; 0 of a point.
+
+ protected:
+  /// @param named  The claims that the request names, which outlive this; none: the usual ones.
+  ClaimSheet(const std::vector<ClaimCode>& named, const Tolerance& allowed, Rational squared)
+      : tolerance(allowed), squared_diameter(std::move(squared)), named_(named) {}
+  /// @param budget  The number that the claim allows, which asks for it; null if it is no budget.
+  void add(ClaimCode code, const std::optional<std::size_t>* budget, bool is_usual);
+
+ private:
+  Claim* find_asked(ClaimCode code);
+  void decide(ClaimCode code, Status status, std::string sentence, Witness witness);
+
+  const std::vector<ClaimCode>& named_;
+  std::vector<ClaimCode> asked_;
+};
+
+// ---- One solid
 
 /// The input, as far as the claims need it.
 struct Input {
@@ -29,9 +85,9 @@ struct CandidateSet {
   bool is_examined = false;                         ///< Whether find_vertices() has run.
 };
 
-/// One candidate on trial: what was asked, what is known, and the verdict so far. The references
-/// outlive it.
-class Trial {
+/// One candidate on trial: what was asked, what is known, and the verdict so far, without its
+/// claims. The references outlive it.
+class Trial : public ClaimSheet {
  public:
   Trial(const Input& input, const Candidate& candidate, const VerifyRequest& request,
         StageLog& log);
@@ -43,36 +99,12 @@ class Trial {
   /// For the stages within a stage, which are not recorded.
   StageLog unrecorded() const { return StageLog(StageWatch{.stop = stop()}); }
 
-  bool asks(ClaimCode code) const;
-  /// Each of these is ignored if the claim was not asked for.
-  void holds(ClaimCode code, std::string sentence, Witness witness = {}) {
-    decide(code, Status::Holds, std::move(sentence), std::move(witness));
-  }
-  void violated(ClaimCode code, std::string sentence, Witness witness) {
-    decide(code, Status::Violated, std::move(sentence), std::move(witness));
-  }
-  void not_applicable(ClaimCode code, std::string sentence) {
-    decide(code, Status::NotApplicable, std::move(sentence), {});
-  }
-  /// Violated by so much, unless the tolerance allows it.
-  void violated_by(const Rational& squared_distance, ClaimCode code, const std::string& sentence,
-                   Witness witness);
-  /// Whether a distance with this square is within the tolerance.
-  bool allows(const Rational& squared_distance) const {
-    return request.tolerance.allows(squared_distance, input.squared_diameter);
-  }
-  /// "1.5e-9 (2e-12 of the diameter)" of the square of a distance.
-  std::string distance_text(const Rational& squared) const;
-
   const Input& input;
   const Candidate& candidate;
   const VerifyRequest& request;
   StageLog& log;
   CandidateSet set;
   Verdict verdict;
-
- private:
-  void decide(ClaimCode code, Status status, std::string sentence, Witness witness);
 };
 
 /// The number that a budget allows, which may not be given; nullptr for other claims.
@@ -100,5 +132,35 @@ void count_planes_of_the_input(Trial& trial);
 
 /// Finds the polytope of a list of halfspaces, or returns why there is none.
 std::optional<NotSolid> find_vertices(Trial& trial);
+
+// ---- A decomposition
+
+/// A decomposition on trial: what was asked, and the verdict so far, without its claims. The
+/// references outlive it.
+class PartsTrial : public ClaimSheet {
+ public:
+  PartsTrial(const Mesh& input, bool has_tree, const PartsRequest& request, StageLog& log);
+
+  /// "part 3 ("arm")".
+  std::string part_text(std::size_t part) const;
+  Watch watch(const std::string& stage) const { return log.watch(stage); }
+
+  const Mesh& input;
+  const PartsRequest& request;
+  StageLog& log;
+  PointSet points;  ///< Of the input, to be covered.
+  PartsVerdict verdict;
+};
+
+// In their order, after each part on its own. Each takes what the ones before it found.
+
+/// Whether the union covers the points, the surface and the solid of the input.
+void judge_coverage(PartsTrial& trial);
+/// Whether parts overlap, and whether one lies in another.
+void judge_pairs(PartsTrial& trial);
+/// Whether the tree is one, and nested. @param tree  Null if there is none.
+void judge_tree(const HullTree* tree, PartsTrial& trial);
+/// The numbers beside the claims.
+void measure_parts(PartsTrial& trial);
 
 }  // namespace convexact::oracle

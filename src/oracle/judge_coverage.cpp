@@ -10,7 +10,6 @@
 #include "number/precision.hpp"
 #include "number/text.hpp"
 #include "oracle/judge.hpp"
-#include "oracle/parts_trial.hpp"
 #include "scene/part_volumes.hpp"
 
 namespace convexact::oracle {
@@ -83,13 +82,7 @@ void judge_points(PartsTrial& trial) {
   const std::string sentence =
       fmt::format("{}; point {} is {} away from {}", count, *witness.input_point,
                   trial.distance_text(worst.squared), trial.part_text(worst.part));
-  if (worst.squared <= trial.squared_tolerance()) {
-    trial.holds(CoversPoints,
-                "within the tolerance of " + describe(trial.request.tolerance) + ": " + sentence,
-                std::move(witness));
-  } else {
-    trial.violated(CoversPoints, sentence, std::move(witness));
-  }
+  trial.violated_by(worst.squared, CoversPoints, sentence, std::move(witness));
 }
 
 // ---- The surface
@@ -110,8 +103,9 @@ void judge_tolerance(const std::string& count, PartsTrial& trial, const UnionDis
   const Watch watch = trial.watch("covered surface");
   const auto& uncovered = trial.verdict.coverage->uncovered;
   const Surface& surface = trial.verdict.surface;
-  const WithinDistance within = is_within(uncovered, distance, trial.squared_tolerance(), watch);
-  const std::string tolerance = describe(trial.request.tolerance);
+  const WithinDistance within =
+      is_within(uncovered, distance, trial.tolerance.squared(trial.squared_diameter), watch);
+  const std::string tolerance = describe(trial.tolerance);
   switch (within.reach) {
     case Reach::Within:
       return trial.holds(CoversSurface, "within the tolerance of " + tolerance + ": " + count);
@@ -150,7 +144,7 @@ void judge_surface(PartsTrial& trial) {
   const UnionDistance distance(verdict.hulls);
   const std::optional<FarPoint> far = farthest_found(uncovered, distance, watch);
   if (far) verdict.worst_part = far->nearest.part;
-  if (trial.request.tolerance.value > 0) return judge_tolerance(count, trial, distance);
+  if (trial.tolerance.value > 0) return judge_tolerance(count, trial, distance);
   trial.violated(CoversSurface, count + "; " + far_text(*far, trial),
                  witness_of(*far, verdict.surface));
 }
@@ -211,12 +205,10 @@ void judge_coverage(PartsTrial& trial) {
 
 namespace {
 
-constexpr long kBits = 128;
-
 // The area of all triangles, each times its share.
 template <class Share>
 Enclosure area(const Surface& surface, const Share& share_of) {
-  Enclosure total(kBits);
+  Enclosure total(kMeasureBits);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const Rational share = share_of(t);
     if (share == 0) continue;
@@ -224,8 +216,8 @@ Enclosure area(const Surface& surface, const Share& share_of) {
     const RationalPoint corner = surface.points[a];
     const RationalVector3 cross = RationalVector3(surface.points[b] - corner)
                                       .cross(RationalVector3(surface.points[c] - corner));
-    total += Enclosure(Rational(share / 2), kBits) *
-             sqrt(Enclosure(Rational(cross.squaredNorm()), kBits));
+    total += Enclosure(Rational(share / 2), kMeasureBits) *
+             sqrt(Enclosure(Rational(cross.squaredNorm()), kMeasureBits));
   }
   return total;
 }
@@ -238,7 +230,7 @@ void measure_parts(PartsTrial& trial) {
   if (!trial.request.measures) return trial.log.skip("measures", "not requested");
   if (verdict.hulls.empty()) return trial.log.skip("measures", "there is no part");
   if (surface.triangles.empty()) return trial.log.skip("measures", "the input has no faces");
-  if (verdict.squared_diameter == 0) return trial.log.skip("measures", "the input is a point");
+  if (trial.squared_diameter == 0) return trial.log.skip("measures", "the input is a point");
   const bool exact = trial.request.exact_volumes;
   const std::vector<ConvexPart>& parts = verdict.hulls;
   StageLog& log = trial.log;
@@ -246,25 +238,19 @@ void measure_parts(PartsTrial& trial) {
   for (const UncoveredPiece& piece : verdict.coverage->uncovered) {
     shares[piece.triangle.index()] += piece.share;
   }
-  const DecompositionMeasures volumes = measure_volumes(surface, parts, exact, log);
-  PartsMeasures found{area(surface, [](std::size_t) { return Rational(1); }),
+  PartsMeasures found{measure_volumes(surface, parts, exact, log),
+                      area(surface, [](std::size_t) { return Rational(1); }),
                       area(surface, [&](std::size_t t) { return shares[t]; }),
-                      volumes.solid_volume,
-                      volumes.uncovered_volume,
-                      volumes.excess_volume,
-                      volumes.union_volume,
-                      volumes.overlap_volume,
-                      Enclosure(kBits),
-                      Enclosure(kBits)};
+                      Enclosure(kMeasureBits), Enclosure(kMeasureBits)};
   std::optional<Winding> winding;
   if (surface.is_closed) winding.emplace(surface);
   log.run("distances", [&] {
     const Watch watch = trial.watch("distances");
     found.surface_to_union = surface_to_union(verdict.coverage->uncovered, UnionDistance(parts),
-                                              verdict.squared_diameter, watch)
+                                              trial.squared_diameter, watch)
                                  .bounds;
     found.union_to_input = union_to_surface(parts, surface, winding ? &*winding : nullptr,
-                                            verdict.squared_diameter, watch)
+                                            trial.squared_diameter, watch)
                                .bounds;
   });
   verdict.measures = std::move(found);

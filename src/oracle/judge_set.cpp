@@ -196,16 +196,7 @@ bool judge_reading(Trial& trial) {
     }
     return true;
   }
-  Witness witness;
-  witness.line = error->line();
-  for (const ClaimCode code : kAllClaims) {
-    trial.not_applicable(code, "the candidate could not be read");
-  }
-  trial.not_applicable(InsideInput, "the candidate could not be read");
-  const bool is_number = error->code() == ErrorCode::NotFinite;
-  trial.not_applicable(is_number ? CandidateReadable : CandidateFinite,
-                       "reading ended at that place");
-  trial.violated(is_number ? CandidateFinite : CandidateReadable, error->what(), witness);
+  trial.unreadable(*error, CandidateReadable, CandidateFinite, "the candidate");
   return false;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // judge_trace(): follows an order of removals and compares every step with the cheapest one.
 #include <algorithm>
-#include <array>
 #include <functional>
 
 #include "convexact/error.hpp"
@@ -10,95 +9,13 @@
 #include "convexact/watch.hpp"
 #include "fast/filtered_loop.hpp"
 #include "oracle/facet_match.hpp"
-#include "oracle/judge_moves.hpp"
 #include "oracle/removal_cost.hpp"
-#include "oracle/trace_verdict.hpp"
+#include "oracle/trace_claims.hpp"
 
 namespace convexact {
 namespace {
 
-constexpr int kCostDigits = 17;  // of costs in words
-
 std::string id_text(HalfspaceId id) { return std::to_string(id.index()); }
-
-std::string removal_text(HalfspaceId id, const std::optional<Cost>& cost) {
-  if (!cost) return "removes " + id_text(id) + ", which leaves the solid unbounded";
-  return "removes " + id_text(id) + " at cost " + cost->decimal(kCostDigits);
-}
-
-// Both to so many digits that they differ, if they do. Volumes are fractions instead.
-std::array<std::string, 2> distinct_texts(const Cost& a, const Cost& b) {
-  if (a.measure() == CostMeasure::Volume) return {to_string(a.rational()), to_string(b.rational())};
-  constexpr int kMostDigits = 1000;
-  for (int digits = kCostDigits;; digits *= 4) {
-    std::array<std::string, 2> texts{a.decimal(digits), b.decimal(digits)};
-    if (texts[0] != texts[1] || digits > kMostDigits) return texts;
-  }
-}
-
-std::string list_text(const std::vector<HalfspaceId>& ids) {
-  return "{" + ids_text(ids, ", ") + "}";
-}
-
-enum class TraceCode : unsigned char {
-  Readable,
-  PlaneUnknown,
-  IdOutOfRange,
-  RemovedTwice,
-  Bounded,
-  Greedy,
-  Cost,
-  Ties,
-  Left,
-  Kept,
-  Stop,
-  Moves,
-};
-
-// One claim per code; of each the first violation is kept.
-class TraceClaims {
- public:
-  void violate(TraceCode code, TraceWitness witness) {
-    TraceClaim& claim = at(code);
-    if (claim.status == Status::Violated) return;
-    claim.status = Status::Violated;
-    claim.witness = std::move(witness);
-  }
-  // Of each claim that is not violated either the first such place is kept.
-  void leave_open(TraceCode code, TraceWitness witness) {
-    TraceClaim& claim = at(code);
-    if (claim.status == Status::Violated || claim.status == Status::Undecided) return;
-    claim.status = Status::Undecided;
-    claim.witness = std::move(witness);
-  }
-  // A claim that only some files make: it holds unless it is violated.
-  void ask(TraceCode code) {
-    if (at(code).status == Status::NotAsked) at(code).status = Status::Holds;
-  }
-  // The steps cannot be judged.
-  void give_up() {
-    for (TraceClaim& claim : claims_) {
-      if (claim.status == Status::Holds) claim.status = Status::NotAsked;
-    }
-  }
-  std::vector<TraceClaim> list() && { return std::move(claims_); }
-
- private:
-  TraceClaim& at(TraceCode code) { return claims_[static_cast<std::size_t>(code)]; }
-
-  std::vector<TraceClaim> claims_ = {{"trace-readable"},
-                                     {"trace-plane-unknown"},
-                                     {"trace-id-out-of-range"},
-                                     {"trace-removed-twice"},
-                                     {"trace-bounded"},
-                                     {"trace-greedy"},
-                                     {"trace-cost", Status::NotAsked},
-                                     {"trace-ties", Status::NotAsked},
-                                     {"trace-left", Status::NotAsked},
-                                     {"trace-kept", Status::NotAsked},
-                                     {"trace-stop", Status::NotAsked},
-                                     {"trace-moves", Status::NotAsked}};
-};
 
 class TraceJudge {
  public:
@@ -121,6 +38,7 @@ class TraceJudge {
                         .stop = options.stop},
         fast_(FastDual::of(dual, center)),
         loop_(fast_, engine_options_),
+        stated_(order, facets_, options, loop_, claims_),
         gone_at_(dual.halfspaces.size()),
         is_removed_(dual.halfspaces.size(), false) {}
 
@@ -128,7 +46,6 @@ class TraceJudge {
 
  private:
   void leave_out();
-  void compare_kept();
   bool is_kept(HalfspaceId i) const {
     return std::find(options_.kept.begin(), options_.kept.end(), i) != options_.kept.end();
   }
@@ -145,25 +62,16 @@ class TraceJudge {
   void rate(const JudgedStep& judged);
   TraceWitness witness_of(const JudgedStep& judged) const;
   void violate_choice(TraceCode code, const JudgedStep& judged);
-  void compare_claims(const OrderedStep& removal, const JudgedStep& judged);
-  void compare_cost(const OrderedStep& removal, const JudgedStep& judged);
-  void compare_ties(const OrderedStep& removal, const JudgedStep& judged);
-  bool may_be_tie(const std::vector<HalfspaceId>& claimed, const std::vector<HalfspaceId>& tie);
-  void check_stop();
-  void judge_moves();
+  std::vector<bool> left_at_the_end() const;
   void confirm() const;
 
   std::size_t step() const { return verdict_.steps.size(); }
-  Ordering order_of(const Cost& a, const Cost& b) const {
-    return compare(a, b, options_.compare, watch_);
+  Order order_of(const Cost& a, const Cost& b) const {
+    return compare(a, b, options_.compare, watch_).order;
   }
   void violate(TraceCode code, const OrderedStep& removal, std::string found,
                std::string expected) {
     claims_.violate(code, {step(), removal.row, std::move(found), std::move(expected)});
-  }
-  void leave_open(TraceCode code, const OrderedStep& removal, std::string found,
-                  std::string expected) {
-    claims_.leave_open(code, {step(), removal.row, std::move(found), std::move(expected)});
   }
   void lower_rating(TraceRating rating) {
     if (verdict_.at) return;
@@ -181,9 +89,10 @@ class TraceJudge {
   const SimplifyOptions engine_options_;
   const FastDual fast_;
   FilteredLoop loop_;
-  std::vector<std::optional<std::size_t>> gone_at_;
-  std::vector<bool> is_removed_;  // anywhere in the order
   TraceClaims claims_;
+  StatedClaims stated_;
+  std::vector<std::optional<std::size_t>> gone_at_;
+  std::vector<bool> is_removed_;                // anywhere in the order
   std::optional<std::size_t> first_undecided_;  // step
   TraceVerdict verdict_;
 };
@@ -196,13 +105,15 @@ TraceVerdict TraceJudge::run() {
   verdict_.tie_bits = options_.compare.bits;
   verdict_.listed = facets_.listed();
   verdict_.kept = options_.kept;
-  compare_kept();
+  stated_.compare_kept();
   loop_.evaluate_all();
   leave_out();
   const bool is_complete = std::all_of(order_.steps.begin(), order_.steps.end(),
                                        [&](const OrderedStep& r) { return follow(r); });
-  if (is_complete) check_stop();
-  if (is_complete && purpose_ == Purpose::Verdict) judge_moves();
+  if (is_complete) stated_.compare_stop();
+  if (is_complete && purpose_ == Purpose::Verdict) {
+    stated_.compare_moves(dual_.halfspaces, left_at_the_end(), center_);
+  }
   if (verdict_.worst && !verdict_.at) verdict_.rating = TraceRating::UpToRegret;
   if (first_undecided_ && !verdict_.at) {
     verdict_.rating = TraceRating::Undecided;
@@ -214,35 +125,6 @@ TraceVerdict TraceJudge::run() {
   }
   verdict_.claims = std::move(claims_).list();
   return std::move(verdict_);
-}
-
-// The list that the order states, if it states one. That none of them is removed is judged step by
-// step.
-void TraceJudge::compare_kept() {
-  const std::vector<HalfspaceId>& kept = options_.kept;
-  if (std::adjacent_find(kept.begin(), kept.end(), std::greater_equal<>()) != kept.end() ||
-      (!kept.empty() && kept.back().index() >= is_removed_.size())) {
-    throw Error(ErrorCode::InvalidArgument, "the facets to be kept: expected different ids below " +
-                                                std::to_string(is_removed_.size()) + ", ascending");
-  }
-  if (order_.kept || !options_.kept.empty()) claims_.ask(TraceCode::Kept);
-  if (!order_.kept) return;
-  std::vector<HalfspaceId> stated;
-  for (const HalfspaceId facet : *order_.kept) {
-    const std::optional<HalfspaceId> id = facets_.find(facet);
-    if (!id) {
-      claims_.violate(
-          TraceCode::Kept,
-          {{}, {}, "keeps a plane that is no facet of the input", list_text(options_.kept)});
-      return;
-    }
-    stated.push_back(*id);
-  }
-  std::sort(stated.begin(), stated.end());
-  if (stated == options_.kept) return;
-  claims_.violate(
-      TraceCode::Kept,
-      {{}, {}, "keeps " + list_text(stated), list_text(options_.kept) + ", as --keep selects"});
 }
 
 void TraceJudge::leave_out() {
@@ -312,7 +194,8 @@ bool TraceJudge::follow(const OrderedStep& removal) {
   }
   const JudgedStep judged = judge(removal, *removed);
   rate(judged);
-  compare_claims(removal, judged);
+  stated_.compare_step(removal, judged,
+                       dual_.halfspaces.size() - verdict_.left_out.size() - step() - 1);
   gone_at_[removed->index()] = step();
   verdict_.steps.push_back(judged);
   if (options_.progress) options_.progress(step());
@@ -380,7 +263,7 @@ void TraceJudge::judge_open_tie(JudgedStep& judged) {
   for (const HalfspaceId i : judged.tie) {
     if (i == judged.removed) continue;
     const Cost minimum = loop_.cost(i);
-    const Order order = order_of(*judged.cost, minimum).order;
+    const Order order = order_of(*judged.cost, minimum);
     if (order == Order::Less || order == Order::Equal) continue;
     const auto regret = relative_regret(*judged.cost, minimum, options_.compare, watch_);
     const std::optional<bool> is_near = is_within(*judged.cost, minimum, regret);
@@ -396,7 +279,7 @@ std::optional<bool> TraceJudge::is_within(const Cost& cost, const Cost& minimum,
   if (const Rational* exact = regret->exact()) return *exact <= options_.max_regret;
   Cost limit = minimum;
   limit *= Rational(1 + options_.max_regret);
-  switch (order_of(cost, limit).order) {
+  switch (order_of(cost, limit)) {
     case Order::Less:
     case Order::Equal:
       return true;
@@ -449,105 +332,12 @@ void TraceJudge::violate_choice(TraceCode code, const JudgedStep& judged) {
   claims_.violate(code, witness_of(judged));
 }
 
-void TraceJudge::compare_cost(const OrderedStep& removal, const JudgedStep& judged) {
-  const Cost& claimed = *removal.step.cost;
-  if (!judged.cost) {
-    const std::string text = claimed.measure() == CostMeasure::Volume
-                                 ? to_string(claimed.rational())
-                                 : claimed.decimal(kCostDigits);
-    return violate(TraceCode::Cost, removal, text, "unbounded");
-  }
-  const Order order = order_of(claimed, *judged.cost).order;
-  if (order == Order::Equal) return;
-  const auto [found, expected] = distinct_texts(claimed, *judged.cost);
-  if (order == Order::Undecided) return leave_open(TraceCode::Cost, removal, found, expected);
-  violate(TraceCode::Cost, removal, found, expected);
-}
-
-void TraceJudge::compare_claims(const OrderedStep& removal, const JudgedStep& judged) {
-  const Step& claim = removal.step;
-  if (claim.cost) {
-    claims_.ask(TraceCode::Cost);
-    compare_cost(removal, judged);
-  }
-  if (removal.claims_tie) {
-    claims_.ask(TraceCode::Ties);
-    compare_ties(removal, judged);
-  }
-  if (removal.claims_left) {
-    claims_.ask(TraceCode::Left);
-    const std::size_t left = dual_.halfspaces.size() - verdict_.left_out.size() - step() - 1;
-    if (claim.left != left) {
-      violate(TraceCode::Left, removal, std::to_string(claim.left), std::to_string(left));
-    }
-  }
-}
-
-void TraceJudge::compare_ties(const OrderedStep& removal, const JudgedStep& judged) {
-  std::vector<HalfspaceId> claimed;
-  for (const HalfspaceId facet : removal.step.tie) {
-    const std::optional<HalfspaceId> id = facets_.find(facet);
-    if (!id) {
-      violate(TraceCode::Ties, removal, "an entry that is no facet of the input",
-              list_text(judged.tie));
-      return;
-    }
-    claimed.push_back(*id);
-  }
-  std::sort(claimed.begin(), claimed.end());
-  const bool is_open = judged.tie_evidence.proof == TieProof::Undecided;
-  if (claimed != judged.tie && !(is_open && may_be_tie(claimed, judged.tie))) {
-    violate(TraceCode::Ties, removal, list_text(claimed), list_text(judged.tie));
-  } else if (is_open) {
-    leave_open(TraceCode::Ties, removal, list_text(claimed),
-               list_text(judged.tie) + ", as far as is known");
-  }
-}
-
-// Whether some of those that may be the cheapest can be all that are: at least one, and with each
-// one all that are proven to cost the same.
-bool TraceJudge::may_be_tie(const std::vector<HalfspaceId>& claimed,
-                            const std::vector<HalfspaceId>& tie) {
-  if (claimed.empty() || !std::includes(tie.begin(), tie.end(), claimed.begin(), claimed.end())) {
-    return false;
-  }
-  return std::all_of(tie.begin(), tie.end(), [&](HalfspaceId i) {
-    if (std::binary_search(claimed.begin(), claimed.end(), i)) return true;
-    const Cost cost = loop_.cost(i);
-    return std::none_of(claimed.begin(), claimed.end(), [&](HalfspaceId j) {
-      return order_of(loop_.cost(j), cost).order == Order::Equal;
-    });
-  });
-}
-
-void TraceJudge::check_stop() {
-  if (order_.stop != StopReason::AllUnbounded && order_.stop != StopReason::AllKeptOrUnbounded) {
-    return;
-  }
-  claims_.ask(TraceCode::Stop);
-  if (const std::optional<HalfspaceId> missed = loop_.choose()) {
-    claims_.violate(TraceCode::Stop, {step(),
-                                      {},
-                                      "ends because no other removal is bounded",
-                                      removal_text(*missed, loop_.cost(*missed))});
-  }
-}
-
-void TraceJudge::judge_moves() {
-  if (order_.moves.empty()) return;
-  claims_.ask(TraceCode::Moves);
+// Of each facet: whether it is left after the last step.
+std::vector<bool> TraceJudge::left_at_the_end() const {
   std::vector<bool> is_there(dual_.halfspaces.size(), true);
   for (const HalfspaceId id : verdict_.left_out) is_there[id.index()] = false;
   for (const JudgedStep& step : verdict_.steps) is_there[step.removed.index()] = false;
-  const auto fault =
-      find_move_fault(order_, facets_, dual_.halfspaces, std::move(is_there), center_, options_);
-  if (!fault) return;
-  TraceWitness witness{{}, fault->row, fault->found, fault->expected};
-  if (fault->is_open) {
-    claims_.leave_open(TraceCode::Moves, std::move(witness));
-  } else {
-    claims_.violate(TraceCode::Moves, std::move(witness));
-  }
+  return is_there;
 }
 
 void TraceJudge::confirm() const {
@@ -569,6 +359,13 @@ TraceVerdict judge_trace(const DualHull& dual, const RationalPoint& center,
                          const RemovalOrder& order, const JudgeOptions& options) {
   if (options.max_regret < 0) {
     throw Error(ErrorCode::InvalidArgument, "the regret that is allowed is negative");
+  }
+  const std::vector<HalfspaceId>& kept = options.kept;
+  const std::size_t facets = dual.halfspaces.size();
+  if (std::adjacent_find(kept.begin(), kept.end(), std::greater_equal<>()) != kept.end() ||
+      (!kept.empty() && kept.back().index() >= facets)) {
+    throw Error(ErrorCode::InvalidArgument, "the facets to be kept: expected different ids below " +
+                                                std::to_string(facets) + ", ascending");
   }
   return TraceJudge(dual, center, order, options).run();
 }

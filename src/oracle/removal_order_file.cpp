@@ -10,6 +10,7 @@
 #include "io/json_text.hpp"
 #include "io/text_cursor.hpp"
 #include "number/text.hpp"
+#include "oracle/facet_match.hpp"
 #include "simplify/trace_json.hpp"
 
 namespace convexact {
@@ -251,12 +252,6 @@ RemovalOrder read_text_order(std::string_view bytes, const std::optional<ListedF
 }
 
 }  // namespace
-
-std::string plane_in_words(const Halfspace& plane) {
-  std::string text = "the plane";
-  for (const Integer& n : plane.normal()) text += " " + to_string(n);
-  return text + " " + to_string(plane.offset());
-}
 
 ListedFacets read_facet_list(std::string_view bytes, const std::string& path, Decimal decimal) {
   std::optional<HalfspaceFormat> format = halfspace_format_of_path(path);

@@ -15,9 +15,6 @@ namespace convexact {
 /// Facets by id: position 0 first. None where the row has normal 0.
 using ListedFacets = std::vector<std::optional<Halfspace>>;
 
-/// "the plane 1 0 0 -2": a row of a list, for messages.
-[[nodiscard]] std::string plane_in_words(const Halfspace& plane);
-
 /// Reads the list that ids refer to: halfspaces in any of their formats, by the extension of
 /// `path`, otherwise by content. Ids count the rows, those with normal 0 too, from 0.
 /// @throws Error As read_halfspaces_bytes(); Malformed if it is none of the formats.

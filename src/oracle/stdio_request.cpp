@@ -102,15 +102,8 @@ VerifyRequest questions(const json& request) {
 PartsRequest questions_to_parts(const json& request) {
   const VerifyRequest each = questions(request);
   if (each.inner) reject_request("inner with a single solid only");
-  PartsRequest asked;
-  asked.claims = each.claims;
-  asked.tolerance = each.tolerance;
+  PartsRequest asked = parts_request(each);
   asked.max_parts = count_in(request, "max_parts");
-  asked.max_facets = each.max_facets;
-  asked.max_vertices = each.max_vertices;
-  asked.max_facet_vertices = each.max_facet_vertices;
-  asked.exact_facets = each.exact_facets;
-  asked.measures = each.tightness;
   asked.orient = choice_in(request, "orient", kOrientationNames).value_or(Orient::Auto);
   asked.exact_volumes = flag_in(request, "exact_volumes").value_or(false);
   if (asked.exact_volumes && !asked.measures) reject_request("exact_volumes with tightness only");

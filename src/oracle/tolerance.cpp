@@ -12,9 +12,13 @@
 
 namespace convexact {
 
+Rational Tolerance::squared(const Rational& squared_diameter) const {
+  const Rational square = value * value;
+  return relative ? Rational(square * squared_diameter) : square;
+}
+
 bool Tolerance::allows(const Rational& squared_distance, const Rational& squared_diameter) const {
-  const Rational squared = value * value;
-  return squared_distance <= (relative ? Rational(squared * squared_diameter) : squared);
+  return squared_distance <= squared(squared_diameter);
 }
 
 std::string describe(const Tolerance& tolerance) {

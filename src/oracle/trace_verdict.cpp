@@ -11,6 +11,7 @@
 #include "io/json.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
+#include "oracle/facet_match.hpp"
 #include "scene/result_json.hpp"
 #include "simplify/trace_json.hpp"
 
@@ -51,7 +52,7 @@ Json step_json(const JudgedStep& step, std::size_t number, CostMeasure measure) 
 }
 
 Json claim_json(const TraceClaim& claim) {
-  Json json = {{"code", claim.code}, {"status", name_of(claim.status)}};
+  Json json = {{"code", name_of(claim.code)}, {"status", name_of(claim.status)}};
   if (!claim.witness) return json;
   const TraceWitness& witness = *claim.witness;
   json["witness"] = {{"step", or_null(witness.step)},
@@ -137,14 +138,14 @@ std::string row(const char* label, const std::string& text) {
 }
 
 std::string claim_text(const TraceClaim& claim) {
-  if (!claim.witness) return row(claim.code, name_of(claim.status));
+  if (!claim.witness) return row(name_of(claim.code), name_of(claim.status));
   const TraceWitness& witness = *claim.witness;
   std::string where;
   if (witness.step) where += fmt::format("step {}", *witness.step);
   if (witness.row) where += fmt::format("{}row {}", where.empty() ? "" : ", ", *witness.row);
   if (!where.empty()) where = " at " + where;
   const char* how = claim.status == Status::Violated ? "VIOLATED" : "UNDECIDED";
-  return row(claim.code, how + where + ": " + shortened(witness.found)) +
+  return row(name_of(claim.code), how + where + ": " + shortened(witness.found)) +
          row("", "expected " + shortened(witness.expected));
 }
 
@@ -189,6 +190,11 @@ std::string totals_text(const TraceVerdict& verdict) {
                                  " ties broken otherwise than in canonical order");
   }
   return text;
+}
+
+// Meaningless from the start.
+bool is_unreadable(const OrderRating& rating) {
+  return rating.rating == TraceRating::Meaningless && !rating.at;
 }
 
 // "facet 7", "facets 7, 12", "17 facets (7, 12, 30, 31, 40 and 12 more)".
@@ -248,14 +254,6 @@ std::string sentence_on_undecided(const TraceVerdict& verdict) {
       with_separators(static_cast<std::uint64_t>(verdict.tie_bits)));
 }
 
-std::string ids_text(std::span<const HalfspaceId> ids, const char* separator) {
-  std::string text;
-  for (const HalfspaceId id : ids) {
-    text += (text.empty() ? "" : separator) + std::to_string(id.index());
-  }
-  return text;
-}
-
 std::string verdict_line(const OrderRating& rating) {
   switch (rating.rating) {
     case TraceRating::Greedy:
@@ -272,12 +270,13 @@ std::string verdict_line(const OrderRating& rating) {
     case TraceRating::Meaningless:
       break;
   }
-  return rating.at ? fmt::format("cannot be followed from step {}", *rating.at) : "unreadable";
+  return is_unreadable(rating) ? "unreadable"
+                               : fmt::format("cannot be followed from step {}", *rating.at);
 }
 
 std::string verdict_line(const TraceVerdict& verdict) {
   std::string line = verdict_line(static_cast<const OrderRating&>(verdict));
-  if (verdict.measure != CostMeasure::Volume && line != "unreadable") {
+  if (verdict.measure != CostMeasure::Volume && !is_unreadable(verdict)) {
     line += fmt::format(" by {}", verdict.measure == CostMeasure::Area ? "area" : "mean width");
   }
   if (!verdict.kept.empty()) line += ", with " + facets_text(verdict.kept) + " kept";

@@ -3,7 +3,6 @@
 // (docs/schema/trace_verdict.schema.json) and for people.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
-#include <span>
 #include <string>
 
 #include "convexact/verify_run.hpp"
@@ -27,9 +26,6 @@ inline const char* name_of(TraceRating rating) { return name_in(kTraceRatingName
 [[nodiscard]] std::string verdict_line(const TraceVerdict& verdict);
 /// The same without the measure and the facets.
 [[nodiscard]] std::string verdict_line(const OrderRating& rating);
-
-/// "7, 12, 30", for the separator ", ".
-[[nodiscard]] std::string ids_text(std::span<const HalfspaceId> ids, const char* separator);
 
 /// "0.0123"; of an interval around 0 its upper end: "at most 1.2e-1233".
 [[nodiscard]] std::string regret_text(const Regret& regret);

@@ -30,49 +30,15 @@ const std::optional<std::size_t>* budget_of(const VerifyRequest& request, ClaimC
 
 Trial::Trial(const Input& given, const Candidate& judged, const VerifyRequest& asked,
              StageLog& stages)
-    : input(given), candidate(judged), request(asked), log(stages) {
-  verdict.squared_diameter = input.squared_diameter;
-  std::vector<ClaimCode> codes(kAllClaims.begin(), kAllClaims.end());
-  if (request.inner) codes.push_back(ClaimCode::InsideInput);
-  for (const ClaimCode code : codes) {
-    const bool is_named = !request.claims.empty() || budget_of(request, code) != nullptr;
-    verdict.claims.push_back({code, Status::NotAsked, "", {}, is_named && asks(code)});
+    : ClaimSheet(asked.claims, asked.tolerance, given.squared_diameter),
+      input(given),
+      candidate(judged),
+      request(asked),
+      log(stages) {
+  for (const ClaimCode code : kAllClaims) {
+    add(code, budget_of(request, code), code != ClaimCode::ContainsInput || !request.inner);
   }
-}
-
-bool Trial::asks(ClaimCode code) const {
-  if (const auto* budget = budget_of(request, code)) return budget->has_value();
-  const auto& list = request.claims;
-  if (code == ClaimCode::InsideInput && !request.inner) return false;
-  if (code == ClaimCode::ContainsInput && request.inner && list.empty()) return false;
-  return list.empty() || std::find(list.begin(), list.end(), code) != list.end();
-}
-
-// Claims are found by their place.
-static_assert(kAllClaims.back() == ClaimCode(kAllClaims.size() - 1));
-static_assert(ClaimCode::InsideInput == ClaimCode(kAllClaims.size()));
-
-void Trial::decide(ClaimCode code, Status status, std::string sentence, Witness witness) {
-  if (!asks(code)) return;
-  Claim& claim = verdict.claims[static_cast<std::size_t>(code)];
-  claim = {code, status, std::move(sentence), std::move(witness), claim.is_named};
-}
-
-void Trial::violated_by(const Rational& squared_distance, ClaimCode code,
-                        const std::string& sentence, Witness witness) {
-  witness.squared_distance = squared_distance;
-  if (allows(squared_distance)) {
-    holds(code, "within the tolerance of " + describe(request.tolerance) + ": " + sentence,
-          std::move(witness));
-  } else {
-    violated(code, sentence, std::move(witness));
-    verdict.claims[static_cast<std::size_t>(code)].is_by_distance = asks(code);
-  }
-}
-
-std::string Trial::distance_text(const Rational& squared) const {
-  return decimal_of_root(squared) + " (" + decimal_of_root(squared / input.squared_diameter) +
-         " of the diameter)";
+  if (request.inner) add(ClaimCode::InsideInput, nullptr, true);
 }
 
 }  // namespace oracle
@@ -112,7 +78,7 @@ Rational rounding_of(const Trial& trial) {
 void find_smallest_tolerance(Trial& trial) {
   Verdict& verdict = trial.verdict;
   Rational worst = 0;
-  for (const Claim& claim : verdict.claims) {
+  for (const Claim& claim : trial.claims) {
     if (claim.is_unanswered()) return;
     if (claim.status != Status::Violated) continue;
     if (!claim.is_by_distance) return;
@@ -214,6 +180,10 @@ std::optional<ClaimCode> claim_of_name(const std::string& name) {
 }
 const char* name_of(Status status) { return name_in(kStatusNames, status); }
 
+// Claims are found by their place.
+static_assert(kAllClaims.back() == ClaimCode(kAllClaims.size() - 1));
+static_assert(ClaimCode::InsideInput == ClaimCode(kAllClaims.size()));
+
 const Claim& Verdict::operator[](ClaimCode code) const {
   return claims.at(static_cast<std::size_t>(code));
 }
@@ -248,8 +218,11 @@ VerifyOutcome verify(const Shape& shape, const Candidate& candidate, const Verif
   if (const auto* reason = std::get_if<NotSolid>(&made)) return *reason;
   Trial trial(std::get<Input>(made), candidate, request, log);
   judge(trial);
-  trial.verdict.stages = log.stages();
-  return std::move(trial.verdict);
+  Verdict verdict = std::move(trial.verdict);
+  verdict.claims = std::move(trial.claims);
+  verdict.squared_diameter = trial.squared_diameter;
+  verdict.stages = log.stages();
+  return verdict;
 }
 
 Candidate read_candidate_bytes(std::string_view bytes, const std::string& path, Decimal decimal) {

@@ -6,14 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "convexact/error.hpp"
-#include "convexact/hull_tree.hpp"
 #include "convexact/measure.hpp"
 #include "number/text.hpp"
 #include "oracle/judge.hpp"
-#include "oracle/parts_trial.hpp"
 
 namespace convexact {
 namespace oracle {
@@ -47,56 +44,6 @@ ClaimCode of_one_part(ClaimCode code) {
                                    : MaxFacetVertices;
 }
 
-Claim& claim_of(std::vector<Claim>& claims, ClaimCode code) {
-  return claims.at(static_cast<std::size_t>(code) - static_cast<std::size_t>(PartsReadable));
-}
-
-}  // namespace
-
-PartsTrial::PartsTrial(const Mesh& given, bool has_tree, const PartsRequest& asked,
-                       StageLog& stages)
-    : input(given), request(asked), log(stages) {
-  for (const ClaimCode code : kPartsClaims) {
-    const bool is_named = !request.claims.empty() || budget_of(request, code) != nullptr;
-    verdict.claims.push_back({code, Status::NotAsked, "", {}, is_named && asks(code)});
-  }
-  const auto& named = request.claims;
-  const bool names_tree = std::find(named.begin(), named.end(), TreeNested) != named.end();
-  if (has_tree || names_tree) {
-    verdict.claims.push_back({TreeNested, Status::NotAsked, "", {}, names_tree});
-  }
-}
-
-bool PartsTrial::asks(ClaimCode code) const {
-  if (const auto* budget = budget_of(request, code)) return budget->has_value();
-  const auto& list = request.claims;
-  if (list.empty()) return is_default(code);
-  return std::find(list.begin(), list.end(), code) != list.end();
-}
-
-void PartsTrial::decide(ClaimCode code, Status status, std::string sentence, Witness witness) {
-  if (!asks(code)) return;
-  Claim& claim = claim_of(verdict.claims, code);
-  claim = {code, status, std::move(sentence), std::move(witness), claim.is_named};
-}
-
-std::string PartsTrial::distance_text(const Rational& squared) const {
-  if (verdict.squared_diameter == 0) return decimal_of_root(squared);
-  return decimal_of_root(squared) + " (" + decimal_of_root(squared / verdict.squared_diameter) +
-         " of the diameter)";
-}
-
-std::string PartsTrial::part_text(std::size_t part) const {
-  return fmt::format("part {} ({})", part, in_quotes(verdict.parts[part].name));
-}
-
-Rational PartsTrial::squared_tolerance() const {
-  const Rational squared = request.tolerance.value * request.tolerance.value;
-  return request.tolerance.relative ? Rational(squared * verdict.squared_diameter) : squared;
-}
-
-namespace {
-
 // The claims of a solid that make up parts-convex, and parts-solid first.
 constexpr ClaimCode kOwnClaims[] = {CandidateSolid, MeshClosed, MeshOriented, MeshPlanar,
                                     MeshConvex};
@@ -122,7 +69,7 @@ VerifyRequest request_for_a_part(const PartsTrial& trial) {
 // The oracle's own judgement of a solid, but for the input, which it is not asked about.
 JudgedPart judge_part(const NamedPart& part, const VerifyRequest& request,
                       const PartsTrial& trial) {
-  const Input nothing{{}, {}, {}, trial.verdict.squared_diameter};
+  const Input nothing{{}, {}, {}, trial.squared_diameter};
   const Candidate candidate = part.mesh;
   StageLog within(StageWatch{.stop = trial.log.watch().stop});
   Trial own(nothing, candidate, request, within);
@@ -131,9 +78,8 @@ JudgedPart judge_part(const NamedPart& part, const VerifyRequest& request,
   if (own.set.hull) judge_faces(own);
   find_facets_as_meant(own);
   judge_budgets(own);
-  std::erase_if(own.verdict.claims,
-                [](const Claim& claim) { return claim.status == Status::NotAsked; });
-  return {part.name, own.verdict.size, std::move(own.verdict.claims)};
+  std::erase_if(own.claims, [](const Claim& claim) { return claim.status == Status::NotAsked; });
+  return {part.name, own.verdict.size, std::move(own.claims)};
 }
 
 const Claim* find_violated(const JudgedPart& part, std::span<const ClaimCode> codes) {
@@ -194,8 +140,7 @@ void judge_each_budget(PartsTrial& trial) {
   }
 }
 
-}  // namespace
-
+// Solid, convex, and the budgets: what each part is on its own.
 void judge_each_part(std::span<const NamedPart> parts, PartsTrial& trial) {
   const VerifyRequest request = request_for_a_part(trial);
   trial.log.run("each part", [&] {
@@ -217,125 +162,6 @@ void judge_each_part(std::span<const NamedPart> parts, PartsTrial& trial) {
   judge_count_of_parts(trial);
   judge_each_budget(trial);
 }
-
-namespace {
-
-// Calls look(i, k) for all pairs i < k of parts whose boxes meet, until it returns false.
-template <class Look>
-void for_pairs(const std::vector<ConvexPart>& parts, const Watch& watch, const Look& look) {
-  std::vector<std::size_t> by_low(parts.size());
-  std::iota(by_low.begin(), by_low.end(), 0);
-  std::sort(by_low.begin(), by_low.end(), [&](std::size_t a, std::size_t b) {
-    return parts[a].box.low[0] < parts[b].box.low[0];
-  });
-  const auto meet = [&](const BoundingBox& a, const BoundingBox& b, int axis) {
-    return a.low[axis] <= b.high[axis] && b.low[axis] <= a.high[axis];
-  };
-  for (std::size_t first = 0; first < by_low.size(); ++first) {
-    watch.at(first, by_low.size());
-    const BoundingBox& box = parts[by_low[first]].box;
-    for (std::size_t next = first + 1; next < by_low.size(); ++next) {
-      const BoundingBox& other = parts[by_low[next]].box;
-      if (!meet(box, other, 0)) break;
-      if (!meet(box, other, 1) || !meet(box, other, 2)) continue;
-      const auto [i, k] = std::minmax(by_low[first], by_low[next]);
-      look(i, k);
-    }
-  }
-}
-
-using Pair = std::pair<std::size_t, std::size_t>;
-
-void judge_disjoint(PartsTrial& trial) {
-  std::vector<Pair> overlapping;
-  std::optional<RationalPoint> point;
-  for_pairs(trial.verdict.hulls, trial.watch("disjoint parts"), [&](std::size_t i, std::size_t k) {
-    auto common = common_interior(trial.verdict.hulls[i], trial.verdict.hulls[k]);
-    if (!common) return;
-    if (overlapping.empty() || Pair(i, k) < overlapping.front()) {
-      point = std::move(common);
-      overlapping.insert(overlapping.begin(), {i, k});
-    } else {
-      overlapping.emplace_back(i, k);
-    }
-  });
-  if (overlapping.empty()) {
-    return trial.holds(PartsDisjoint, "no two parts have a common interior point");
-  }
-  Witness witness;
-  witness.parts = {overlapping.front().first, overlapping.front().second};
-  witness.point = point;
-  std::string sentence =
-      fmt::format("{} of parts overlap; {} and {} do", counted(overlapping.size(), "pair", "pairs"),
-                  trial.part_text(witness.parts[0]), trial.part_text(witness.parts[1]));
-  trial.violated(PartsDisjoint, std::move(sentence), std::move(witness));
-}
-
-void judge_needed(PartsTrial& trial) {
-  std::vector<Pair> inside;  // the part, and the one that it lies in
-  const auto look = [&](std::size_t part, std::size_t other) {
-    if (lies_in(trial.verdict.hulls[part], trial.verdict.hulls[other]))
-      inside.emplace_back(part, other);
-  };
-  for_pairs(trial.verdict.hulls, trial.watch("needed parts"), [&](std::size_t i, std::size_t k) {
-    look(k, i);
-    look(i, k);
-  });
-  std::sort(inside.begin(), inside.end());
-  if (inside.empty()) return trial.holds(PartsNeeded, "no part lies in another one");
-  Witness witness;
-  witness.parts = {inside.front().first, inside.front().second};
-  // Of two equal parts each lies in the other, but only one is superfluous.
-  std::vector<std::size_t> superfluous;
-  for (const auto& [part, other] : inside) {
-    const bool is_equal = std::binary_search(inside.begin(), inside.end(), Pair(other, part));
-    if (!is_equal || part > other) superfluous.push_back(part);
-  }
-  superfluous.erase(std::unique(superfluous.begin(), superfluous.end()), superfluous.end());
-  std::string sentence = fmt::format(
-      "{} in another one; {} lies in {}", counted(superfluous.size(), "part lies", "parts lie"),
-      trial.part_text(witness.parts[0]), trial.part_text(witness.parts[1]));
-  trial.violated(PartsNeeded, std::move(sentence), std::move(witness));
-}
-
-}  // namespace
-
-void judge_pairs(PartsTrial& trial) {
-  const auto judge = [&](ClaimCode code, const char* stage, const auto& decide) {
-    if (!trial.asks(code)) return trial.log.skip(stage, "not requested");
-    if (trial.verdict.hulls.empty()) return trial.not_applicable(code, "there is no part");
-    trial.log.run(stage, [&] { decide(trial); });
-  };
-  judge(PartsDisjoint, "disjoint parts", judge_disjoint);
-  judge(PartsNeeded, "needed parts", judge_needed);
-}
-
-void judge_tree(const HullTree* tree, PartsTrial& trial) {
-  constexpr const char* kStage = "tree";
-  if (trial.verdict.claims.back().code != TreeNested) return;
-  if (!trial.asks(TreeNested)) return trial.log.skip(kStage, "not requested");
-  if (tree == nullptr) return trial.not_applicable(TreeNested, "the parts are under no tree");
-  const std::optional<TreeFault> fault =
-      trial.log.run(kStage, [&] { return find_tree_fault(*tree, trial.watch(kStage)); });
-  if (!fault) {
-    return trial.holds(TreeNested, fmt::format("{}, and each hull holds its children",
-                                               counted(tree->nodes.size(), "node", "nodes")));
-  }
-  Witness witness;
-  witness.nodes = fault->nodes;
-  if (fault->part) witness.parts = {*fault->part};
-  if (fault->point) {
-    const PointSet& points = tree->mesh_of(fault->nodes[1]).points;
-    witness.vertices = {*fault->point};
-    witness.point = points[PointId(*fault->point)];
-    witness.plane = fault->plane;
-    const Rational height = (*fault->plane)(*witness.point);
-    witness.squared_distance = height * height / Rational(fault->plane->normal().squaredNorm());
-  }
-  trial.violated(TreeNested, fault->sentence, std::move(witness));
-}
-
-namespace {
 
 void check_request(const PartsRequest& request) {
   if (request.tolerance.value < 0) {
@@ -366,15 +192,7 @@ const std::vector<NamedPart>* judge_reading(const CandidateParts& candidate, Par
     trial.holds(PartsFinite, "every number is finite");
     return parts;
   }
-  const auto& error = std::get<Error>(candidate);
-  for (const Claim& claim : std::vector(trial.verdict.claims)) {
-    trial.not_applicable(claim.code, "the parts could not be read");
-  }
-  Witness witness;
-  witness.line = error.line();
-  const bool is_number = error.code() == ErrorCode::NotFinite;
-  trial.not_applicable(is_number ? PartsReadable : PartsFinite, "reading ended at that place");
-  trial.violated(is_number ? PartsFinite : PartsReadable, error.what(), std::move(witness));
+  trial.unreadable(std::get<Error>(candidate), PartsReadable, PartsFinite, "the parts");
   return nullptr;
 }
 
@@ -419,10 +237,24 @@ void find_points(PartsTrial& trial) {
     trial.points = trial.verdict.surface.points;
     note_surface(trial.verdict.surface, trial.verdict.notes);
   }
-  trial.verdict.squared_diameter = bounding_box(trial.points).squared_diameter();
+  trial.squared_diameter = bounding_box(trial.points).squared_diameter();
 }
 
 }  // namespace
+
+PartsTrial::PartsTrial(const Mesh& given, bool has_tree, const PartsRequest& asked,
+                       StageLog& stages)
+    : ClaimSheet(asked.claims, asked.tolerance, 0), input(given), request(asked), log(stages) {
+  for (const ClaimCode code : kPartsClaims) add(code, budget_of(request, code), is_default(code));
+  const auto& named = request.claims;
+  const bool names_tree = std::find(named.begin(), named.end(), TreeNested) != named.end();
+  if (has_tree || names_tree) add(TreeNested, nullptr, is_default(TreeNested));
+}
+
+std::string PartsTrial::part_text(std::size_t part) const {
+  return fmt::format("part {} ({})", part, in_quotes(verdict.parts[part].name));
+}
+
 }  // namespace oracle
 
 const Claim& PartsVerdict::operator[](ClaimCode code) const {
@@ -435,6 +267,18 @@ bool PartsVerdict::holds() const {
     return claim.status == Status::Violated || claim.status == Status::Undecided ||
            claim.is_unanswered();
   });
+}
+
+PartsRequest parts_request(const VerifyRequest& request) {
+  return {.claims = request.claims,
+          .tolerance = request.tolerance,
+          .max_facets = request.max_facets,
+          .max_vertices = request.max_vertices,
+          .max_facet_vertices = request.max_facet_vertices,
+          .exact_facets = request.exact_facets,
+          .measures = request.tightness,
+          .seed = request.seed,
+          .watch = request.watch};
 }
 
 PartsVerdict verify_parts(const Mesh& input, const CandidateParts& candidate,
@@ -452,8 +296,11 @@ PartsVerdict verify_parts(const Mesh& input, const CandidateParts& candidate,
     judge_tree(tree, trial);
     measure_parts(trial);
   }
-  trial.verdict.stages = log.stages();
-  return std::move(trial.verdict);
+  PartsVerdict verdict = std::move(trial.verdict);
+  verdict.claims = std::move(trial.claims);
+  verdict.squared_diameter = trial.squared_diameter;
+  verdict.stages = log.stages();
+  return verdict;
 }
 
 }  // namespace convexact

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <limits>
-#include <string_view>
 
 #include "convexact/measure.hpp"
 #include "number/arithmetic.hpp"
-#include "oracle/judge_moves.hpp"
 #include "oracle/removal_cost.hpp"
+#include "oracle/trace_claims.hpp"
 #include "simplify/trace_json.hpp"
 #include "stress/judge.hpp"
 
@@ -88,7 +87,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Whether the run ends for want of bounded removals where there is one.
 bool ends_early(const TraceVerdict& verdict) {
   return std::any_of(verdict.claims.begin(), verdict.claims.end(), [](const TraceClaim& claim) {
-    return std::string_view(claim.code) == "trace-stop" && claim.status == Status::Violated;
+    return claim.code == TraceCode::Stop && claim.status == Status::Violated;
   });
 }
 
@@ -149,7 +148,7 @@ std::vector<std::string> faults_of_order(const EngineAnswer& answer, const Trace
   for (const TraceClaim& claim : verdict.claims) {
     if (claim.status != Status::Violated) continue;
     const TraceWitness& witness = *claim.witness;
-    faults.push_back(fmt::format("{} at step {}: {}, expected {}", claim.code,
+    faults.push_back(fmt::format("{} at step {}: {}, expected {}", name_of(claim.code),
                                  witness.step.value_or(0), witness.found, witness.expected));
   }
   if (verdict.other_ties != 0) {

@@ -52,14 +52,14 @@ inline TraceVerdict judge(const DualHull& solid, const RemovalOrder& order,
 
 inline Status status(const TraceVerdict& verdict, const char* code) {
   for (const TraceClaim& claim : verdict.claims) {
-    if (std::strcmp(claim.code, code) == 0) return claim.status;
+    if (std::strcmp(name_of(claim.code), code) == 0) return claim.status;
   }
   throw std::logic_error("no such code");
 }
 
 inline TraceWitness witness(const TraceVerdict& verdict, const char* code) {
   for (const TraceClaim& claim : verdict.claims) {
-    if (std::strcmp(claim.code, code) == 0) return claim.witness.value();
+    if (std::strcmp(name_of(claim.code), code) == 0) return claim.witness.value();
   }
   throw std::logic_error("no such code");
 }
@@ -67,7 +67,7 @@ inline TraceWitness witness(const TraceVerdict& verdict, const char* code) {
 inline std::vector<std::string> violated(const TraceVerdict& verdict) {
   std::vector<std::string> codes;
   for (const TraceClaim& claim : verdict.claims) {
-    if (claim.status == Status::Violated) codes.emplace_back(claim.code);
+    if (claim.status == Status::Violated) codes.emplace_back(name_of(claim.code));
   }
   return codes;
 }

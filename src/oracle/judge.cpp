@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "oracle/judge.hpp"
+
+#include <algorithm>
+
+namespace convexact::oracle {
+
+void ClaimSheet::add(ClaimCode code, const std::optional<std::size_t>* budget, bool is_usual) {
+  const bool is_in_list = std::find(named_.begin(), named_.end(), code) != named_.end();
+  const bool is_asked = budget != nullptr ? budget->has_value()
+                        : named_.empty()  ? is_usual
+                                          : is_in_list;
+  const bool is_named = is_asked && (budget != nullptr || is_in_list);
+  claims.push_back({code, Status::NotAsked, "", {}, is_named});
+  if (is_asked) asked_.push_back(code);
+}
+
+bool ClaimSheet::asks(ClaimCode code) const {
+  return std::find(asked_.begin(), asked_.end(), code) != asked_.end();
+}
+
+// Null if it was not asked for.
+Claim* ClaimSheet::find_asked(ClaimCode code) {
+  if (!asks(code)) return nullptr;
+  return &*std::find_if(claims.begin(), claims.end(),
+                        [&](const Claim& claim) { return claim.code == code; });
+}
+
+void ClaimSheet::decide(ClaimCode code, Status status, std::string sentence, Witness witness) {
+  Claim* claim = find_asked(code);
+  if (claim == nullptr) return;
+  *claim = {code, status, std::move(sentence), std::move(witness), claim->is_named};
+}
+
+void ClaimSheet::violated_by(const Rational& squared_distance, ClaimCode code,
+                             const std::string& sentence, Witness witness) {
+  witness.squared_distance = squared_distance;
+  if (allows(squared_distance)) {
+    holds(code, "within the tolerance of " + describe(tolerance) + ": " + sentence,
+          std::move(witness));
+  } else {
+    violated(code, sentence, std::move(witness));
+    if (Claim* claim = find_asked(code)) claim->is_by_distance = true;
+  }
+}
+
+void ClaimSheet::unreadable(const Error& error, ClaimCode readable, ClaimCode finite,
+                            const std::string& what) {
+  for (const ClaimCode code : asked_) not_applicable(code, what + " could not be read");
+  const bool is_number = error.code() == ErrorCode::NotFinite;
+  not_applicable(is_number ? readable : finite, "reading ended at that place");
+  Witness witness;
+  witness.line = error.line();
+  violated(is_number ? finite : readable, error.what(), std::move(witness));
+}
+
+std::string ClaimSheet::distance_text(const Rational& squared) const {
+  if (squared_diameter == 0) return decimal_of_root(squared);
+  return decimal_of_root(squared) + " (" + decimal_of_root(squared / squared_diameter) +
+         " of the diameter)";
+}
+
+}  // namespace convexact::oracle
