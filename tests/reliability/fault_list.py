@@ -130,7 +130,7 @@ FAULTS = [
     *[(SKIP, 'src/simplify/step_verification.cpp', f'  state_->check_{what}(step);\n', '', 'simplify')
       for what in ('ring', 'cap')],
     (SKIP, 'src/simplify/step_verification.cpp', '  state_->check_rim(step, disk);\n', '', 'simplify'),
-    (SKIP, 'src/simplify/step_verification.cpp', 'whole.is_certified(state_->surface, state_->present)', 'true', 'simplify'),
+    (SKIP, 'src/simplify/step_verification.cpp', 'state_->whole->is_certified(state_->surface, state_->present)', 'true', 'simplify'),
     (SKIP, 'src/simplify/step_verification.cpp', 'whole->volume_grew_by(step.cost.value().rational(), surface)', 'true', 'simplify'),
     (SKIP, 'src/simplify/step_verification.cpp', 'require(order == Order::Equal || order == Order::Undecided,', 'require(true,', 'simplify metric_runs'),
     (SKIP, 'src/simplify/step_verification.cpp', 'state_->whole->volume_is_sum_of_costs(state_->surface)', 'true', 'simplify'),
