@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "geometry/near_plane.hpp"
 #include "number/arithmetic.hpp"
 
 namespace convexact {
@@ -40,14 +41,8 @@ class NearDepth {
  public:
   static constexpr double kError = kDistanceError;
 
-  NearDepth(const Halfspace& plane, const Point& corner) : corner_(corner) {
-    Integer largest = 0;
-    for (const Integer& x : plane.normal()) largest = std::max<Integer>(largest, abs(x));
-    for (int k = 0; k < 3; ++k) {
-      unit_[k] = to_double(Rational(plane.normal()[k], largest), Rounding::Nearest);
-    }
-    unit_ /= unit_.norm();
-  }
+  NearDepth(const Halfspace& plane, const Point& corner)
+      : unit_(unit_vector(plane.normal())), corner_(corner) {}
 
   double operator()(const Point& y) const { return unit_.dot(corner_ - y); }
 

@@ -6,6 +6,7 @@
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
+#include "geometry/near_plane.hpp"
 #include "number/arithmetic.hpp"
 #include "number/roundoff.hpp"
 
@@ -80,14 +81,10 @@ NearestPoint::Search::Search(const Polytope& polytope)
   }
   edge_planes_.resize(half_edges_.size());
   for (const Halfspace& plane : polytope.planes) {
-    const RationalVector3 normal = plane.normal().cast<Rational>();
-    const Rational at_origin = plane(polytope.vertices.front());
+    const Point n = scaled_direction(plane.normal());
     const auto bits = static_cast<long>(bit_length(plane.normal()));
-    const auto scaled = [&](const Rational& value) {
-      return to_double(scale_by_power_of_two(value, -bits), Rounding::Nearest);
-    };
-    const Vector3<double> n(scaled(normal[0]), scaled(normal[1]), scaled(normal[2]));
-    near_planes_.push_back({n / n.norm(), scaled(at_origin) / n.norm()});
+    const Rational at_origin = scale_by_power_of_two(plane(polytope.vertices.front()), -bits);
+    near_planes_.push_back({n / n.norm(), to_double(at_origin, Rounding::Nearest) / n.norm()});
   }
 }
 
