@@ -57,7 +57,7 @@ Rational signed_squared_cosine(const IntegerVector3& a, const IntegerVector3& b)
 IntegerVector3 normal_of(const Surface& surface, TriangleId t) {
   const RationalVector3 area = area_vector(surface.points, surface.triangles[t.index()]);
   return area.isZero() ? IntegerVector3(IntegerVector3::Zero())
-                       : primitive_direction(clear_denominators(area).x);
+                       : primitive_direction(clear_denominators(area).n);
 }
 
 // Along the plane, besides the edge.

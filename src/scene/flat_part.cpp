@@ -141,7 +141,7 @@ std::vector<IntegerVector3> directions_across(const ConvexPart& flat) {
   const IntegerVector3 normal = flat.halfspaces.front().normal();
   if (flat.dimension == 2) return {normal};
   const RationalVector3 along = flat.vertices[1] - flat.vertices[0];
-  const IntegerVector3 across = clear_denominators(along).x.cross(normal);
+  const IntegerVector3 across = clear_denominators(along).n.cross(normal);
   return {normal, across};
 }
 

@@ -21,7 +21,7 @@ namespace {
 
 IntegerVector3 direction_of(const RationalVector3& v) {
   if (v == RationalVector3::Zero()) refuse("the vector is zero, and has no direction");
-  return clear_denominators(v).x;
+  return clear_denominators(v).n;
 }
 
 // The square of a cosine with its sign: ordered as the cosines are.
