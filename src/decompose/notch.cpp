@@ -120,10 +120,10 @@ class BridgeDistances {
       : surface_(surface), hull_(hull), choice_(choice), near_(near) {
     for (const Association::Facet& facet : hull.facets) {
       std::vector<Point>& corners = corners_.emplace_back();
-      DistanceBox& box = boxes_.emplace_back();
+      NearBox& box = boxes_.emplace_back();
       for (const PointId p : facet) {
         corners.push_back(near.points[p.index()]);
-        box.add(corners.back());
+        box.include(corners.back());
       }
     }
     for (const auto& bridge : association.bridges) {
@@ -222,7 +222,7 @@ class BridgeDistances {
   BridgeChoice choice_;
   const NearSurface& near_;
   std::vector<std::vector<Point>> corners_;            // by facet
-  std::vector<DistanceBox> boxes_;                     // by facet
+  std::vector<NearBox> boxes_;                         // by facet
   std::vector<std::vector<std::uint32_t>> facets_of_;  // by bridge
   std::vector<std::uint32_t> all_facets_;
 };

@@ -68,9 +68,8 @@ Halfspace ProbeFrame::operator()(const Halfspace& h) const {
 ProbeFrame frame_around(const Polytope& a, const Polytope& b) {
   std::vector<RationalPoint> vertices = a.vertices;
   vertices.insert(vertices.end(), b.vertices.begin(), b.vertices.end());
-  const BoundingBox box = bounding_box(vertices);
   ProbeFrame frame;
-  frame.center = (box.low + box.high) / Rational(2);
+  frame.center = bounding_box(vertices).middle();
   Rational squared = 0;
   for (const RationalPoint& v : vertices) {
     const RationalVector3 from_center = v - frame.center;
