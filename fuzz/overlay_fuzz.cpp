@@ -39,11 +39,6 @@ RationalPoint hard_point(FuzzInput& in, int unit) {
   return p;
 }
 
-HomogeneousPoint to_frame(const RationalPoint& p) {
-  const IntegerFraction cleared = clear_denominators(p);
-  return {cleared.x, cleared.d};
-}
-
 template <std::size_t N>
 struct Tracked {
   ConvexPiece<N> piece;
@@ -83,7 +78,7 @@ void clip_frame(FuzzInput& in) {
   for (RationalPoint& p : points) p = hard_point(in, unit);
   if (affine_dimension(points) != static_cast<int>(N) - 1) return;
   std::array<HomogeneousPoint, N> frame;
-  for (std::size_t k = 0; k < N; ++k) frame[k] = to_frame(points[k]);
+  for (std::size_t k = 0; k < N; ++k) frame[k] = clear_denominators(points[k]);
   Arrangement<N> arrangement(frame);
   std::vector<Halfspace> planes;
   std::vector<std::uint32_t> rows;

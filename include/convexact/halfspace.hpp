@@ -44,6 +44,9 @@ class Halfspace {
 /// Whether two halfspaces have the same outward direction (their planes are then parallel).
 [[nodiscard]] bool same_direction(const Halfspace& a, const Halfspace& b);
 
+/// The value of the halfspace at p.n / p.w, times p.w: of the same sign, and an integer.
+[[nodiscard]] Integer plane_value(const Halfspace& h, const HomogeneousPoint& p);
+
 /// The point where three planes meet.
 /// @throws Error InvalidArgument if det(n_a, n_b, n_c) = 0.
 [[nodiscard]] RationalPoint meet(const Halfspace& a, const Halfspace& b, const Halfspace& c);

@@ -18,12 +18,6 @@
 
 namespace convexact {
 
-/// The point n / w, w > 0. The dual point of a halfspace is one of these.
-struct HomogeneousPoint {
-  IntegerVector3 n;
-  Integer w;
-};
-
 /// Facets as cycles of corners in one flat array; facet f is corners [start[f], start[f+1]).
 class FacetList {
  public:

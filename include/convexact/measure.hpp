@@ -25,6 +25,7 @@ struct BoundingBox {
   RationalPoint low, high;
 
   RationalVector3 size() const { return high - low; }
+  RationalPoint middle() const { return (low + high) / Rational(2); }
   /// Square of the diagonal, which the project calls the diameter of an input.
   Rational squared_diameter() const { return size().squaredNorm(); }
   /// Of the absolute values of all coordinates of points in the box.

@@ -46,6 +46,12 @@ using IntegerVector3 = Vector3<Integer>;
 using RationalVector3 = Vector3<Rational>;
 using RationalVector = Eigen::Matrix<Rational, Eigen::Dynamic, 1>;
 
+/// The rational vector n / w in integers, w > 0. The dual point of a halfspace is one of these.
+struct HomogeneousPoint {
+  IntegerVector3 n;
+  Integer w;
+};
+
 [[nodiscard]] inline Sign sign_of(const Integer& x) { return Sign(x.sign()); }
 [[nodiscard]] inline Sign sign_of(const Rational& x) { return Sign(x.sign()); }
 

@@ -123,6 +123,10 @@ struct Run {
 /// The halfspaces that are left after the first `count` steps, in canonical order.
 [[nodiscard]] std::vector<Halfspace> left_after(const Run& run, std::size_t count);
 
+/// Ids that moves make of those that are left, ascending as these.
+[[nodiscard]] std::vector<HalfspaceId> after_moves(std::vector<HalfspaceId> left,
+                                                   std::span<const Move> moves);
+
 /// How much of each step is proven again; see docs/verification.md.
 enum class VerifyLevel {
   None,   ///< Nothing; for experiments only.

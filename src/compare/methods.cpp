@@ -49,7 +49,7 @@ std::span<const Method> inner_methods() {
 HullToFit hull_to_fit(const Solid& solid, const Watch& watch, const std::atomic<bool>* stop) {
   const Polytope& polytope = solid.polytope;
   const BoundingBox box = bounding_box(polytope.vertices);
-  const RationalPoint middle = (box.low + box.high) / Rational(2);
+  const RationalPoint middle = box.middle();
   const long exponent =
       exponent_of(Rational(box.size().maxCoeff())) - 1;  // of half the widest side
   HullToFit hull{solid, {}, {}, watch, stop};

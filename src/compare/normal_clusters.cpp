@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "compare/method.hpp"
-#include "number/arithmetic.hpp"
+#include "geometry/near_plane.hpp"
 #include "number/random.hpp"
 
 namespace convexact {
@@ -19,12 +19,7 @@ double squared_distance(const Point& a, const Point& b) {
 std::vector<Point> unit_normals(const Polytope& hull) {
   std::vector<Point> normals;
   for (const Halfspace& plane : hull.planes) {
-    const IntegerVector3& n = plane.normal();
-    const long shift = -static_cast<long>(bit_length(n));  // within doubles, however long n is
-    Point direction;
-    for (const int k : {0, 1, 2}) {
-      direction[k] = to_double(scale_by_power_of_two(Rational(n[k]), shift), Rounding::Nearest);
-    }
+    const Point direction = scaled_direction(plane.normal());
     normals.push_back(direction / std::sqrt(squared_distance(direction, Point(0, 0, 0))));
   }
   return normals;

@@ -15,7 +15,7 @@ namespace {
 
 // The halfspace of this direction that touches the hull from outside.
 Halfspace touching(const Polytope& hull, const RationalVector3& direction) {
-  const IntegerVector3 n = primitive_direction(clear_denominators(direction).x);
+  const IntegerVector3 n = primitive_direction(clear_denominators(direction).n);
   const RationalVector3 normal = n.cast<Rational>();
   Rational support = normal.dot(hull.vertices.front());
   for (const RationalPoint& vertex : hull.vertices) {

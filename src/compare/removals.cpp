@@ -120,13 +120,7 @@ Normals propose_search(const HullToFit& hull, std::size_t faces, std::uint64_t s
   std::vector<HalfspaceId> kept = greedily_kept(hull, fast, faces, seed, CostMeasure::Volume);
   const SearchOptions options{.request = {SearchKind::Local}, .seed = seed, .stop = hull.stop};
   const SearchRun found = search_exchanges(dual, hull.polytope(), center, kept, options);
-  for (const Move& move : found.moves) {
-    std::erase_if(kept, [&](HalfspaceId i) {
-      return std::binary_search(move.removed.begin(), move.removed.end(), i);
-    });
-    kept.insert(kept.end(), move.inserted.begin(), move.inserted.end());
-  }
-  return normals_of(dual, kept);
+  return normals_of(dual, after_moves(std::move(kept), found.moves));
 }
 
 Normals propose_random(const HullToFit& hull, std::size_t faces, std::uint64_t seed) {

@@ -4,7 +4,6 @@
 
 #include "convexact/cluster.hpp"
 #include "number/arithmetic.hpp"
-#include "overlay/arrangement.hpp"
 #include "surface/flat_polygon.hpp"
 
 namespace convexact {
@@ -13,7 +12,7 @@ namespace {
 // A multiple of v in coprime integers; 0 stays 0.
 IntegerVector3 integer_direction(const RationalVector3& v) {
   return v.isZero() ? IntegerVector3(IntegerVector3::Zero())
-                    : primitive_direction(clear_denominators(v).x);
+                    : primitive_direction(clear_denominators(v).n);
 }
 
 using Ray = std::pair<Rational, IntegerVector3>;  // its length in multiples of its direction
@@ -36,13 +35,9 @@ Corners corners_of(const Surface& surface, TriangleId triangle) {
   return {{{{x[0], x[1], x[2]}, w}, {{x[3], x[4], x[5]}, w}, {{x[6], x[7], x[8]}, w}}};
 }
 
-// -(n.X + d W), at least 0 of a point X / W of the hull.
-Integer depth(const Halfspace& plane, const HomogeneousPoint& point) {
-  return -plane_value(plane, point);
-}
-
 // A plane that a ray runs towards, speed = n.direction > 0. From a point X / W it gets there after
-// depth / (W speed) times its direction.
+// depth / (W speed) times its direction, where depth = -(n.X + d W), at least 0 of a point of the
+// hull.
 struct Wall {
   const Halfspace* plane;
   Integer depth, speed;
@@ -59,7 +54,7 @@ std::optional<Wall> wall_ahead(const ConvexPart& hull, const HomogeneousPoint& f
   for (const Halfspace& plane : hull.halfspaces) {
     Integer speed = dot(plane.normal(), direction);
     if (speed <= 0) continue;
-    Wall wall{&plane, depth(plane, from), std::move(speed)};
+    Wall wall{&plane, -plane_value(plane, from), std::move(speed)};
     if (!first || wall.is_nearer(*first)) first = std::move(wall);
   }
   return first;
@@ -73,7 +68,7 @@ Wall bounding_wall(const ConvexPart& hull, const Corners& corners,
   Wall bound = *wall_ahead(hull, {a.n + b.n + c.n, 3 * a.w}, direction);
   bound.depth = 0;
   for (const HomogeneousPoint& corner : corners) {
-    bound.depth = std::max<Integer>(bound.depth, depth(*bound.plane, corner));
+    bound.depth = std::max<Integer>(bound.depth, -plane_value(*bound.plane, corner));
   }
   return bound;
 }
@@ -139,7 +134,7 @@ TriangleRay longest_ray(const ConvexPart& hull, const Corners& corners,
     const Integer speed = dot(plane.normal(), direction);
     if (speed <= 0) continue;
     WallAtCorners at;
-    for (std::size_t k = 0; k < 3; ++k) at[k] = {&plane, depth(plane, corners[k]), speed};
+    for (std::size_t k = 0; k < 3; ++k) at[k] = {&plane, -plane_value(plane, corners[k]), speed};
     const auto is_beyond = [&](const Wall& wall) { return bound.is_nearer(wall); };
     if (!std::all_of(at.begin(), at.end(), is_beyond)) walls.push_back(std::move(at));
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "geometry/near_plane.hpp"
 #include "number/arithmetic.hpp"
 #include "surface/flat_polygon.hpp"
 
@@ -56,7 +57,7 @@ Rational signed_squared_cosine(const IntegerVector3& a, const IntegerVector3& b)
 IntegerVector3 normal_of(const Surface& surface, TriangleId t) {
   const RationalVector3 area = area_vector(surface.points, surface.triangles[t.index()]);
   return area.isZero() ? IntegerVector3(IntegerVector3::Zero())
-                       : primitive_direction(clear_denominators(area).x);
+                       : primitive_direction(clear_denominators(area).n);
 }
 
 // Along the plane, besides the edge.
@@ -145,13 +146,11 @@ class CentroidSide {
  public:
   CentroidSide(const Surface& surface, const Halfspace& plane, PointId on_plane,
                const NearSurface& near)
-      : surface_(surface), plane_(plane), near_(near), on_plane_(near.points[on_plane.index()]) {
-    Integer largest = 0;
-    for (const Integer& x : plane.normal()) largest = std::max<Integer>(largest, abs(x));
-    for (int k = 0; k < 3; ++k) {
-      normal_[k] = to_double(Rational(plane.normal()[k], largest), Rounding::Nearest);
-    }
-  }
+      : surface_(surface),
+        plane_(plane),
+        near_(near),
+        on_plane_(near.points[on_plane.index()]),
+        normal_(near_direction(plane.normal())) {}
 
   bool is_beyond(TriangleId triangle) const {
     constexpr double kError = 0x1p-46;

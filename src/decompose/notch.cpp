@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "geometry/near_plane.hpp"
 #include "number/arithmetic.hpp"
 
 namespace convexact {
@@ -40,14 +41,8 @@ class NearDepth {
  public:
   static constexpr double kError = kDistanceError;
 
-  NearDepth(const Halfspace& plane, const Point& corner) : corner_(corner) {
-    Integer largest = 0;
-    for (const Integer& x : plane.normal()) largest = std::max<Integer>(largest, abs(x));
-    for (int k = 0; k < 3; ++k) {
-      unit_[k] = to_double(Rational(plane.normal()[k], largest), Rounding::Nearest);
-    }
-    unit_ /= unit_.norm();
-  }
+  NearDepth(const Halfspace& plane, const Point& corner)
+      : unit_(unit_vector(plane.normal())), corner_(corner) {}
 
   double operator()(const Point& y) const { return unit_.dot(corner_ - y); }
 
@@ -125,10 +120,10 @@ class BridgeDistances {
       : surface_(surface), hull_(hull), choice_(choice), near_(near) {
     for (const Association::Facet& facet : hull.facets) {
       std::vector<Point>& corners = corners_.emplace_back();
-      DistanceBox& box = boxes_.emplace_back();
+      NearBox& box = boxes_.emplace_back();
       for (const PointId p : facet) {
         corners.push_back(near.points[p.index()]);
-        box.add(corners.back());
+        box.include(corners.back());
       }
     }
     for (const auto& bridge : association.bridges) {
@@ -227,7 +222,7 @@ class BridgeDistances {
   BridgeChoice choice_;
   const NearSurface& near_;
   std::vector<std::vector<Point>> corners_;            // by facet
-  std::vector<DistanceBox> boxes_;                     // by facet
+  std::vector<NearBox> boxes_;                         // by facet
   std::vector<std::vector<std::uint32_t>> facets_of_;  // by bridge
   std::vector<std::uint32_t> all_facets_;
 };

@@ -73,8 +73,8 @@ IntegerVector3 normal_through(const Point& a, const Point& b, const Point& c, in
 }  // namespace
 
 Halfspace::Halfspace(const RationalVector3& normal, const Rational& offset) {
-  IntegerFraction cleared = clear_denominators(normal, offset);
-  *this = Halfspace(std::move(cleared.x), std::move(cleared.d));
+  HomogeneousPoint cleared = clear_denominators(normal, offset);
+  *this = Halfspace(std::move(cleared.n), std::move(cleared.w));
 }
 
 Halfspace Halfspace::through(const RationalPoint& a, const RationalPoint& b,
@@ -112,6 +112,12 @@ Halfspace Halfspace::through(const Point& a, const Point& b, const Point& c) {
 Rational Halfspace::operator()(const RationalPoint& x) const {
   return Rational(normal_[0]) * x[0] + Rational(normal_[1]) * x[1] + Rational(normal_[2]) * x[2] +
          Rational(offset_);
+}
+
+Integer plane_value(const Halfspace& h, const HomogeneousPoint& p) {
+  Integer value = dot(h.normal(), p.n);
+  add_product(value, h.offset(), p.w);
+  return value;
 }
 
 std::strong_ordering operator<=>(const Halfspace& a, const Halfspace& b) {

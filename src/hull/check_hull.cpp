@@ -186,7 +186,7 @@ bool check_hull(const Hull& hull, const PointSet& points) {
   std::vector<HomogeneousPoint> homogeneous;
   homogeneous.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
-    homogeneous.push_back(to_homogeneous(points[PointId(i)]));
+    homogeneous.push_back(clear_denominators(points[PointId(i)]));
   return check_hull(hull, homogeneous);
 }
 

@@ -86,11 +86,6 @@ Sign determinant_sign(const HomogeneousPoint& a, const HomogeneousPoint& b,
 
 }  // namespace
 
-HomogeneousPoint to_homogeneous(const RationalPoint& p) {
-  IntegerFraction cleared = clear_denominators(p);
-  return {std::move(cleared.x), std::move(cleared.d)};
-}
-
 HomogeneousPoints::HomogeneousPoints(std::span<const HomogeneousPoint> points)
     : points_(points), near_(points.size()) {
   if (points.empty()) return;
@@ -112,7 +107,7 @@ void HomogeneousPoints::center_at(const std::array<PointId, 4>& simplex) {
   RationalPoint sum = rational(simplex[0]);
   for (int k = 1; k < 4; ++k) sum += rational(simplex[k]);
   const RationalPoint center = sum / Rational(4);
-  center_ = to_homogeneous(center);
+  center_ = clear_denominators(center);
   compute_near(center);
 }
 

@@ -128,7 +128,4 @@ class HomogeneousPoints {
 };
 static_assert(ExactPoints<HomogeneousPoints>);
 
-/// Rationals as homogeneous points, w the least common denominator.
-[[nodiscard]] HomogeneousPoint to_homogeneous(const RationalPoint& p);
-
 }  // namespace convexact

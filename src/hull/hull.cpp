@@ -62,7 +62,7 @@ HullOutcome convex_hull(const PointSet& points, const HullOptions& options) {
   std::vector<HomogeneousPoint> homogeneous;
   homogeneous.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
-    homogeneous.push_back(to_homogeneous(points[PointId(i)]));
+    homogeneous.push_back(clear_denominators(points[PointId(i)]));
   return hull_of(HomogeneousPoints(homogeneous), options);
 }
 

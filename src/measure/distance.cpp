@@ -6,6 +6,7 @@
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
+#include "geometry/near_plane.hpp"
 #include "number/arithmetic.hpp"
 #include "number/roundoff.hpp"
 
@@ -17,7 +18,6 @@ class NearestPoint::Search {
   RationalPoint operator()(const RationalPoint& x) const;
 
  private:
-  struct Homogeneous;
   // A facet's side from vertex `tail` to vertex `head`.
   struct HalfEdge {
     std::uint32_t tail, head, twin, facet;
@@ -35,14 +35,14 @@ class NearestPoint::Search {
   };
 
   std::optional<std::uint32_t> visible_facet(const RationalPoint& x,
-                                             const Homogeneous& homogeneous) const;
+                                             const HomogeneousPoint& homogeneous) const;
   RationalPoint nearest_around(std::uint32_t visible, const RationalPoint& x,
-                               const Homogeneous& homogeneous) const;
+                               const HomogeneousPoint& homogeneous) const;
   const Halfspace& side(std::uint32_t half_edge) const;
   const Halfspace& end(std::uint32_t half_edge) const;
-  bool in_facet_region(std::uint32_t facet, const Homogeneous& x) const;
-  bool in_edge_region(std::uint32_t half_edge, const Homogeneous& x) const;
-  bool in_vertex_region(std::uint32_t vertex, const Homogeneous& x) const;
+  bool in_facet_region(std::uint32_t facet, const HomogeneousPoint& x) const;
+  bool in_edge_region(std::uint32_t half_edge, const HomogeneousPoint& x) const;
+  bool in_vertex_region(std::uint32_t vertex, const HomogeneousPoint& x) const;
 
   const Polytope& polytope_;
   std::vector<NearPlane> near_planes_;
@@ -50,20 +50,6 @@ class NearestPoint::Search {
   mutable std::vector<EdgePlanes> edge_planes_;        // as half_edges_; filled by side() and end()
   std::vector<std::vector<std::uint32_t>> of_facet_;   // half-edges around each facet
   std::vector<std::vector<std::uint32_t>> of_vertex_;  // half-edges out of each vertex
-};
-
-// A point with a common denominator, so that the sign of n.x + d takes four products of integers
-// and no greatest common divisor.
-struct NearestPoint::Search::Homogeneous {
-  IntegerFraction point;
-
-  explicit Homogeneous(const RationalPoint& x) : point(clear_denominators(x)) {}
-
-  Sign side_of(const Halfspace& plane) const {
-    Integer sum = dot(plane.normal(), point.x);
-    add_product(sum, plane.offset(), point.d);
-    return sign_of(sum);
-  }
 };
 
 NearestPoint::Search::Search(const Polytope& polytope)
@@ -80,14 +66,10 @@ NearestPoint::Search::Search(const Polytope& polytope)
   }
   edge_planes_.resize(half_edges_.size());
   for (const Halfspace& plane : polytope.planes) {
-    const RationalVector3 normal = plane.normal().cast<Rational>();
-    const Rational at_origin = plane(polytope.vertices.front());
+    const Point n = scaled_direction(plane.normal());
     const auto bits = static_cast<long>(bit_length(plane.normal()));
-    const auto scaled = [&](const Rational& value) {
-      return to_double(scale_by_power_of_two(value, -bits), Rounding::Nearest);
-    };
-    const Vector3<double> n(scaled(normal[0]), scaled(normal[1]), scaled(normal[2]));
-    near_planes_.push_back({n / n.norm(), scaled(at_origin) / n.norm()});
+    const Rational at_origin = scale_by_power_of_two(plane(polytope.vertices.front()), -bits);
+    near_planes_.push_back({n / n.norm(), to_double(at_origin, Rounding::Nearest) / n.norm()});
   }
 }
 
@@ -120,22 +102,23 @@ const Halfspace& NearestPoint::Search::end(std::uint32_t half_edge) const {
 // to the directions from q into the polytope, and these are spanned by those into the facet, the
 // two facets or along the edges at q.
 
-bool NearestPoint::Search::in_facet_region(std::uint32_t facet, const Homogeneous& x) const {
+bool NearestPoint::Search::in_facet_region(std::uint32_t facet, const HomogeneousPoint& x) const {
   for (const std::uint32_t h : of_facet_[facet]) {
-    if (x.side_of(side(h)) == Sign::Positive) return false;
+    if (plane_value(side(h), x) > 0) return false;
   }
   return true;
 }
 
-bool NearestPoint::Search::in_edge_region(std::uint32_t half_edge, const Homogeneous& x) const {
+bool NearestPoint::Search::in_edge_region(std::uint32_t half_edge,
+                                          const HomogeneousPoint& x) const {
   const std::uint32_t twin = half_edges_[half_edge].twin;
-  return x.side_of(side(half_edge)) != Sign::Negative && x.side_of(side(twin)) != Sign::Negative &&
-         x.side_of(end(half_edge)) != Sign::Negative && x.side_of(end(twin)) != Sign::Negative;
+  return plane_value(side(half_edge), x) >= 0 && plane_value(side(twin), x) >= 0 &&
+         plane_value(end(half_edge), x) >= 0 && plane_value(end(twin), x) >= 0;
 }
 
-bool NearestPoint::Search::in_vertex_region(std::uint32_t vertex, const Homogeneous& x) const {
+bool NearestPoint::Search::in_vertex_region(std::uint32_t vertex, const HomogeneousPoint& x) const {
   for (const std::uint32_t h : of_vertex_[vertex]) {
-    if (x.side_of(end(h)) == Sign::Positive) return false;
+    if (plane_value(end(h), x) > 0) return false;
   }
   return true;
 }
@@ -158,7 +141,7 @@ RationalPoint project_to_line(const RationalPoint& a, const RationalPoint& b,
 }  // namespace
 
 RationalPoint NearestPoint::Search::operator()(const RationalPoint& x) const {
-  const Homogeneous homogeneous(x);
+  const HomogeneousPoint homogeneous = clear_denominators(x);
   const std::optional<std::uint32_t> visible = visible_facet(x, homogeneous);
   return visible ? nearest_around(*visible, x, homogeneous) : x;
 }
@@ -169,7 +152,7 @@ RationalPoint NearestPoint::Search::operator()(const RationalPoint& x) const {
 // sums three, so 8u of |n| |x - v| + |d| bounds the error, 16u that of this bound as well; what
 // underflows adds less than the second term. A NaN is discarded by no comparison.
 std::optional<std::uint32_t> NearestPoint::Search::visible_facet(
-    const RationalPoint& x, const Homogeneous& homogeneous) const {
+    const RationalPoint& x, const HomogeneousPoint& homogeneous) const {
   constexpr double kRelative = 16 * kUnitRoundoff, kAbsolute = 0x1p-1060;
   Vector3<double> from;
   for (int k = 0; k < 3; ++k) {
@@ -190,7 +173,7 @@ std::optional<std::uint32_t> NearestPoint::Search::visible_facet(
     }
   }
   for (const std::uint32_t f : open) {
-    if (homogeneous.side_of(polytope_.planes[f]) == Sign::Positive) return f;
+    if (plane_value(polytope_.planes[f], homogeneous) > 0) return f;
   }
   return {};
 }
@@ -200,7 +183,7 @@ std::optional<std::uint32_t> NearestPoint::Search::visible_facet(
 // from x. As seen from x the visible facets tile a convex region, so that edges lead from each to
 // each.
 RationalPoint NearestPoint::Search::nearest_around(std::uint32_t visible, const RationalPoint& x,
-                                                   const Homogeneous& homogeneous) const {
+                                                   const HomogeneousPoint& homogeneous) const {
   std::vector<std::uint32_t> queue{visible};
   std::vector<bool> is_known(polytope_.facets.size(), false);
   is_known[visible] = true;
@@ -216,7 +199,7 @@ RationalPoint NearestPoint::Search::nearest_around(std::uint32_t visible, const 
       const std::uint32_t neighbor = half_edges_[edge.twin].facet;
       if (is_known[neighbor]) continue;
       is_known[neighbor] = true;
-      if (homogeneous.side_of(polytope_.planes[neighbor]) == Sign::Positive) {
+      if (plane_value(polytope_.planes[neighbor], homogeneous) > 0) {
         queue.push_back(neighbor);
       }
     }

@@ -59,12 +59,12 @@ std::size_t bit_length(const IntegerVector3& v) {
   return std::max({bit_length(v[0]), bit_length(v[1]), bit_length(v[2])});
 }
 
-IntegerFraction clear_denominators(const RationalVector3& v) {
+HomogeneousPoint clear_denominators(const RationalVector3& v) {
   const Integer common = common_denominator(v, 1);
   return {times(v, common), common};
 }
 
-IntegerFraction clear_denominators(const RationalVector3& v, const Rational& w) {
+HomogeneousPoint clear_denominators(const RationalVector3& v, const Rational& w) {
   const Integer common = common_denominator(v, denominator(w));
   return {times(v, common), times(w, common)};
 }

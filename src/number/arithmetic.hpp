@@ -50,17 +50,11 @@ template <class Coordinates>
 /// Bits of the longest component; 0 for the zero vector.
 [[nodiscard]] std::size_t bit_length(const IntegerVector3& v);
 
-/// The rational vector x / d in integers, d > 0.
-struct IntegerFraction {
-  IntegerVector3 x;
-  Integer d;
-};
-
 /// v with its least common denominator.
-[[nodiscard]] IntegerFraction clear_denominators(const RationalVector3& v);
+[[nodiscard]] HomogeneousPoint clear_denominators(const RationalVector3& v);
 
 /// (v, w) times the least common denominator of all four, which is positive.
-[[nodiscard]] IntegerFraction clear_denominators(const RationalVector3& v, const Rational& w);
+[[nodiscard]] HomogeneousPoint clear_denominators(const RationalVector3& v, const Rational& w);
 
 /// Greatest common divisor, >= 0; gcd(0, 0) = 0.
 [[nodiscard]] Integer gcd(const Integer& a, const Integer& b);

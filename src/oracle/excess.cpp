@@ -4,21 +4,17 @@
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/watch.hpp"
-#include "stored/near_products.hpp"
+#include "geometry/near_plane.hpp"
 
 namespace convexact {
 namespace {
-
-using stored::Coordinates;
-using stored::DoubleHalfspace;
-using stored::NearValue;
 
 class ExcessSearch {
  public:
   explicit ExcessSearch(const PointSet& points)
       : points_(points),
         doubles_(points.doubles()),
-        absolute_(stored::absolute_error(std::max(1.0, doubles_.largest))) {}
+        absolute_(absolute_plane_error(std::max(1.0, doubles_.largest))) {}
 
   /// Where n.x + d is largest, if it is positive anywhere.
   std::optional<Excess> largest_beyond(const Halfspace& h, std::size_t plane) {
@@ -52,7 +48,7 @@ class ExcessSearch {
   }
 
   const PointSet& points_;
-  Coordinates doubles_;
+  CoordinateArrays doubles_;
   double absolute_;
   std::vector<PointId> contenders_;
 };

@@ -4,11 +4,11 @@
 
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
+#include "geometry/near_plane.hpp"
 #include "number/text.hpp"
 #include "oracle/judge.hpp"
 #include "scene/objects.hpp"
 #include "scene/solid.hpp"
-#include "stored/near_products.hpp"
 
 namespace convexact::oracle {
 namespace {
@@ -141,8 +141,8 @@ class PlanesOfTheInput {
 
  private:
   bool may_be_near(std::size_t plane, std::uint32_t vertex) const {
-    const stored::NearValue near =
-        near_planes_[plane].at(*vertices_, vertex, stored::absolute_error(vertices_->largest));
+    const NearValue near =
+        near_planes_[plane].at(*vertices_, vertex, absolute_plane_error(vertices_->largest));
     const double most = 3 * to_double(slack_, Rounding::Up);  // no component is above 1
     return !(std::abs(near.value) - near.error > most);
   }
@@ -160,8 +160,8 @@ class PlanesOfTheInput {
   const Polytope& polytope_;
   std::vector<Halfspace> planes_;
   Rational slack_;
-  std::optional<stored::Coordinates> vertices_;
-  std::vector<stored::DoubleHalfspace> near_planes_;
+  std::optional<CoordinateArrays> vertices_;
+  std::vector<DoubleHalfspace> near_planes_;
 };
 
 void judge_budget(ClaimCode code, std::optional<std::size_t> found, const std::string& what,

@@ -24,13 +24,6 @@
 
 namespace convexact {
 
-/// n.X + d W: the sign says on which side of its plane the point X / W lies.
-[[nodiscard]] inline Integer plane_value(const Halfspace& h, const HomogeneousPoint& p) {
-  Integer value = dot(h.normal(), p.n);
-  add_product(value, h.offset(), p.w);
-  return value;
-}
-
 template <std::size_t N>
 using IntegerRow = std::array<Integer, N>;
 

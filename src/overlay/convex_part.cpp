@@ -98,7 +98,7 @@ ConvexPart convex_part(const PointSet& points, const Watch& watch) {
 }
 
 bool holds(const ConvexPart& part, const RationalPoint& x) {
-  const HomogeneousPoint p = to_homogeneous(x);
+  const HomogeneousPoint p = clear_denominators(x);
   return std::all_of(part.halfspaces.begin(), part.halfspaces.end(),
                      [&](const Halfspace& h) { return plane_value(h, p) <= 0; });
 }
@@ -160,7 +160,7 @@ std::optional<RationalPoint> behind_facet_inside(const LaidPart& one, const Laid
       for (int k = 0; k < 3; ++k) {
         y[k] -= scale_by_power_of_two(Rational(normal[k]), length - j);
       }
-      const HomogeneousPoint p = to_homogeneous(y);
+      const HomogeneousPoint p = clear_denominators(y);
       if (is_inside(*one.part, p) && is_inside(*other.part, p)) return y;
     }
   }
@@ -195,7 +195,7 @@ std::optional<RationalPoint> common_interior(const ConvexPart& a, const ConvexPa
                       2;
   }
   for (const RationalPoint& middle : middle_of) {
-    const HomogeneousPoint p = to_homogeneous(middle);
+    const HomogeneousPoint p = clear_denominators(middle);
     if (is_inside(a, p) && is_inside(b, p)) return middle;
   }
   // (3) A facet of one with an area inside the other: from there it is not far to the interior of
@@ -208,7 +208,7 @@ std::optional<RationalPoint> common_interior(const ConvexPart& a, const ConvexPa
     RationalPoint sum = RationalPoint::Zero();
     for (const RationalPoint& v : part->vertices) sum += v;
     const RationalPoint mean = sum / Rational(part->vertices.size());
-    const HomogeneousPoint p = to_homogeneous(mean);
+    const HomogeneousPoint p = clear_denominators(mean);
     if (is_inside(a, p) && is_inside(b, p)) return mean;
   }
   return std::nullopt;

@@ -143,7 +143,7 @@ void LaidSurface::cut(Arrangement<3>& arrangement, std::vector<ConvexPiece<3>>& 
 
 bool LaidSurface::is_clear(const RationalPoint& x, const Related& related,
                            std::optional<std::size_t>& inside) const {
-  const HomogeneousPoint p = to_homogeneous(x);
+  const HomogeneousPoint p = clear_denominators(x);
   NearBox near;  // holds the scaled point
   for (int k = 0; k < 3; ++k) {
     const Rational scaled = scale_by_power_of_two(x[k], -exponent_);

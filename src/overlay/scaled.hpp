@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "convexact/overlay.hpp"
-#include "hull/exact_points.hpp"
+#include "number/arithmetic.hpp"
 #include "overlay/arrangement.hpp"
 #include "surface/box_tree.hpp"
 
@@ -36,7 +36,7 @@ class ScaledPoints {
   const Point& near(std::size_t i) const { return near_[i]; }
   /// The unscaled point; computed when it is first asked for.
   const HomogeneousPoint& exact(std::size_t i) const {
-    if (!exact_[i]) exact_[i] = to_homogeneous(rational(i));
+    if (!exact_[i]) exact_[i] = clear_denominators(rational(i));
     return *exact_[i];
   }
   RationalPoint rational(std::size_t i) const {

@@ -38,8 +38,4 @@ class SixVolumes {
 [[nodiscard]] Measured measure_inside(const RationalPoint& origin, long precision, bool exact,
                                       const std::function<void(SixVolumes&)>& add_boundary);
 
-[[nodiscard]] inline RationalPoint middle(const BoundingBox& box) {
-  return (box.low + box.high) / Rational(2);
-}
-
 }  // namespace convexact

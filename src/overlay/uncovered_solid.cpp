@@ -117,7 +117,7 @@ Measured uncovered_volume(const Surface& surface, const Winding& winding,
     };
     visit_uncovered_boundary(surface, winding, parts, exponent, visit, watch);
   };
-  return measure_inside(middle(bounding_box(surface.points)), precision, exact, add_boundary);
+  return measure_inside(bounding_box(surface.points).middle(), precision, exact, add_boundary);
 }
 
 }  // namespace convexact

@@ -181,32 +181,14 @@ NearBounds widened(const NearBounds& bounds, const Point& y) {
   return {std::max(0.0, bounds.low - error), bounds.high + error};
 }
 
-void DistanceBox::add(const Point& y) {
-  low = low.cwiseMin(y);
-  high = high.cwiseMax(y);
-}
-
-void DistanceBox::add(const DistanceBox& box) {
-  low = low.cwiseMin(box.low);
-  high = high.cwiseMax(box.high);
-}
-
-bool DistanceBox::meets(const DistanceBox& box) const {
-  return (low.array() <= box.high.array()).all() && (box.low.array() <= high.array()).all();
-}
-
-double DistanceBox::distance(const Point& y) const {
-  return (low - y).cwiseMax(y - high).cwiseMax(0.0).norm();
-}
-
 // ---- Parts
 
 NearParts::NearParts(std::span<const ConvexPart> parts, const NearFrame& frame) : frame_(frame) {
   for (const ConvexPart& part : parts) {
-    DistanceBox box;
+    NearBox box;
     for (const RationalPoint& v : part.vertices) {
       vertices_.push_back(frame(v));
-      box.add(vertices_.back());
+      box.include(vertices_.back());
     }
     starts_.push_back(vertices_.size());
     boxes_.push_back(box);

@@ -10,6 +10,7 @@
 
 #include "convexact/overlay.hpp"
 #include "convexact/point_set.hpp"
+#include "surface/box_tree.hpp"
 
 namespace convexact {
 
@@ -70,18 +71,6 @@ struct NearHull {
 /// Widens by the error of rounding at y.
 [[nodiscard]] NearBounds widened(const NearBounds& bounds, const Point& y);
 
-/// An axis-parallel box of points of a frame.
-struct DistanceBox {
-  Point low = Point::Constant(std::numeric_limits<double>::infinity());
-  Point high = -low;
-
-  void add(const Point& y);
-  void add(const DistanceBox& box);
-  bool meets(const DistanceBox& box) const;
-  /// At most the distance of y to a shape in the box, without kDistanceError.
-  double distance(const Point& y) const;
-};
-
 /// Bounds of distances to parts.
 class NearParts {
  public:
@@ -106,7 +95,7 @@ class NearParts {
   NearFrame frame_;
   std::vector<Point> vertices_;
   std::vector<std::size_t> starts_{0};  // of each part in vertices_
-  std::vector<DistanceBox> boxes_;
+  std::vector<NearBox> boxes_;
 };
 
 }  // namespace convexact

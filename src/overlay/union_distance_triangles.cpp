@@ -26,10 +26,10 @@ NearTriangles::NearTriangles(const Surface& surface, const NearFrame& frame)
 // Halves of equal size along the longest side of the box of the triangles' middles.
 void NearTriangles::divide(std::uint32_t node, std::vector<Point>& middles) {
   const std::uint32_t first = nodes_[node].first, count = nodes_[node].count;
-  DistanceBox box, of_middles;
+  NearBox box, of_middles;
   for (std::uint32_t k = first; k < first + count; ++k) {
-    for (const Point& y : corners(order_[k])) box.add(y);
-    of_middles.add(middles[order_[k]]);
+    for (const Point& y : corners(order_[k])) box.include(y);
+    of_middles.include(middles[order_[k]]);
   }
   nodes_[node].box = box;
   if (count <= 4) return;
@@ -88,8 +88,8 @@ NearBounds NearTriangles::to_triangle(std::uint32_t triangle, const Point& y) co
 // differences are off by a few roundings, which kDistanceError covers several times.
 bool NearTriangles::misses(std::span<const Point> hull) const {
   constexpr double kMargin = 4 * kDistanceError;
-  DistanceBox box;
-  for (const Point& y : hull) box.add(y);
+  NearBox box;
+  for (const Point& y : hull) box.include(y);
   box.low.array() -= kMargin;
   box.high.array() += kMargin;
   std::vector<std::uint32_t> stack{0};
@@ -105,8 +105,8 @@ bool NearTriangles::misses(std::span<const Point> hull) const {
     }
     for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
       const std::array<Point, 3> triangle = corners(order_[k]);
-      DistanceBox around;
-      for (const Point& y : triangle) around.add(y);
+      NearBox around;
+      for (const Point& y : triangle) around.include(y);
       if (!box.meets(around)) continue;
       std::size_t next = 0;
       for (const Point& y : triangle) {

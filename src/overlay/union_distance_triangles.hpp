@@ -31,7 +31,7 @@ class NearTriangles {
  private:
   // A node of the tree: triangles order_[first, first + count), or two nodes, `left` and the next.
   struct Node {
-    DistanceBox box;
+    NearBox box;
     std::uint32_t first = 0, count = 0, left = 0;
   };
 

@@ -26,7 +26,7 @@ Measured union_volume(std::span<const ConvexPart> parts, long precision, bool ex
       if (auto rest = boundary.rest(f)) sum.add(rest->arrangement, rest->pieces, true);
     }
   };
-  return measure_inside(middle(bounding_box(ends)), precision, exact, add_boundary);
+  return measure_inside(bounding_box(ends).middle(), precision, exact, add_boundary);
 }
 
 }  // namespace convexact

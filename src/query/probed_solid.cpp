@@ -68,9 +68,8 @@ Halfspace ProbeFrame::operator()(const Halfspace& h) const {
 ProbeFrame frame_around(const Polytope& a, const Polytope& b) {
   std::vector<RationalPoint> vertices = a.vertices;
   vertices.insert(vertices.end(), b.vertices.begin(), b.vertices.end());
-  const BoundingBox box = bounding_box(vertices);
   ProbeFrame frame;
-  frame.center = (box.low + box.high) / Rational(2);
+  frame.center = bounding_box(vertices).middle();
   Rational squared = 0;
   for (const RationalPoint& v : vertices) {
     const RationalVector3 from_center = v - frame.center;
@@ -90,13 +89,7 @@ ProbeFrame frame_around(const Polytope& a, const Polytope& b) {
 ProbedSolid::ProbedSolid(const Polytope& solid, const ProbeFrame& frame) {
   exact_.facets = solid.facets;
   for (const Halfspace& plane : solid.planes) {
-    const Halfspace& moved = exact_.planes.emplace_back(frame(plane));
-    const long bits = static_cast<long>(bit_length(moved.normal()));
-    const auto rounded = [bits](const Integer& x) {
-      return to_double(scale_by_power_of_two(Rational(x), -bits), Rounding::Nearest);
-    };
-    const IntegerVector3& n = moved.normal();
-    planes_.push_back({{rounded(n[0]), rounded(n[1]), rounded(n[2])}, rounded(moved.offset())});
+    planes_.emplace_back(exact_.planes.emplace_back(frame(plane)));
   }
   for (const RationalPoint& vertex : solid.vertices) {
     vertices_.push_back(nearest(exact_.vertices.emplace_back(frame(vertex))));
@@ -105,7 +98,7 @@ ProbedSolid::ProbedSolid(const Polytope& solid, const ProbeFrame& frame) {
 
 bool ProbedSolid::is_hit(const Point& point) const {
   bool is_certain = true;
-  for (const NearPlane& plane : planes_) {
+  for (const DoubleHalfspace& plane : planes_) {
     const double value = plane(point);
     if (value > kPlaneError) return false;
     is_certain = is_certain && value < -kPlaneError;
@@ -126,7 +119,7 @@ bool ProbedSolid::is_hit(const ProbeLine& line) const {
   constexpr double kMostT = 4;
   double low = -kInfinity, high = kInfinity;
   TwoTerms entry{}, exit{};  // v and w of the facets that give the ends
-  for (const NearPlane& plane : planes_) {
+  for (const DoubleHalfspace& plane : planes_) {
     const double v = plane(line.first), w = plane(line.second) - v;
     if (w < -kSlopeError && -v / w > low) {
       low = -v / w;
@@ -140,7 +133,7 @@ bool ProbedSolid::is_hit(const ProbeLine& line) const {
     if (entry.high * exit.low - entry.low * exit.high > kLineError) return false;
     const double t = low + (high - low) / 2;
     if (std::abs(t) <= kMostT &&
-        std::all_of(planes_.begin(), planes_.end(), [&](const NearPlane& plane) {
+        std::all_of(planes_.begin(), planes_.end(), [&](const DoubleHalfspace& plane) {
           const double v = plane(line.first), w = plane(line.second) - v;
           return v + t * w < -kLineError;
         })) {

@@ -2,13 +2,13 @@
 // probed_solid.hpp - a solid in the frame of a sphere around it: whether points, lines and planes
 // in doubles hit it, decided in doubles where their error bounds allow, and exactly where not.
 #pragma once
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
 #include "convexact/polytope.hpp"
 #include "convexact/query.hpp"
+#include "geometry/near_plane.hpp"
 
 namespace convexact {
 
@@ -52,17 +52,8 @@ class ProbedSolid {
   [[nodiscard]] std::optional<EscapingVertex> first_outside(const ProbedSolid& inner) const;
 
  private:
-  // A halfspace's normal, with components in [-1, 1], and its offset.
-  struct NearPlane {
-    std::array<double, 3> normal;
-    double offset;
-    double operator()(const Point& y) const {
-      return normal[0] * y[0] + normal[1] * y[1] + normal[2] * y[2] + offset;
-    }
-  };
-
   Polytope exact_;
-  std::vector<NearPlane> planes_;
+  std::vector<DoubleHalfspace> planes_;
   std::vector<Point> vertices_;
   mutable std::size_t exact_decisions_ = 0;
 };

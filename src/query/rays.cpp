@@ -9,18 +9,14 @@
 namespace convexact {
 namespace {
 
-// The ray in integers: origin x / d and direction u / s, d and s > 0. On the ray the value of a
-// facet is (n.x + offset d) / d + t (n.u) / s, so it is 0 at t = (s / d) rise / slope, where
-// rise = -(n.x + offset d) and slope = n.u. The factor s / d > 0 does not change an order of t.
+// The ray in integers: origin x / w and direction u / s, w and s > 0. On the ray the value of a
+// facet is (n.x + d w) / w + t (n.u) / s, so it is 0 at t = (s / w) rise / slope, where
+// rise = -(n.x + d w) and slope = n.u. The factor s / w > 0 does not change an order of t.
 struct IntegerRay {
-  IntegerFraction origin, direction;
+  HomogeneousPoint origin, direction;
 
-  Integer rise(const Halfspace& facet) const {
-    Integer sum = dot(facet.normal(), origin.x);
-    add_product(sum, facet.offset(), origin.d);
-    return -sum;
-  }
-  Integer slope(const Halfspace& facet) const { return dot(facet.normal(), direction.x); }
+  Integer rise(const Halfspace& facet) const { return -plane_value(facet, origin); }
+  Integer slope(const Halfspace& facet) const { return dot(facet.normal(), direction.n); }
 };
 
 // A bound of t, up to the factor: rise / slope as a fraction with a positive denominator, and all
@@ -46,7 +42,7 @@ struct LineBound {
     if (side != -better) facets.push_back(facet);
   }
   Rational at(const IntegerRay& ray) const {
-    return Rational(Integer(rise * ray.direction.d), Integer(slope * ray.origin.d));
+    return Rational(Integer(rise * ray.direction.w), Integer(slope * ray.origin.w));
   }
 };
 
@@ -68,14 +64,13 @@ bool are_facets(const Polytope& solid, const std::vector<HalfspaceId>& ids) {
 bool are_crossed(const Polytope& solid, const Ray& ray, const Rational& t,
                  const std::vector<HalfspaceId>& ids, Sign side) {
   const RationalPoint end = ray.origin + t * ray.direction;
-  const IntegerFraction x = clear_denominators(end), u = clear_denominators(ray.direction);
+  const HomogeneousPoint x = clear_denominators(end), u = clear_denominators(ray.direction);
   std::vector<HalfspaceId> crossed;
   for (std::size_t f = 0; f < solid.planes.size(); ++f) {
     const Halfspace& facet = solid.planes[f];
-    Integer value = dot(facet.normal(), x.x);
-    add_product(value, facet.offset(), x.d);
+    const Integer value = plane_value(facet, x);
     if (value > 0) return false;
-    if (value == 0 && sign_of(dot(facet.normal(), u.x)) == side) crossed.emplace_back(f);
+    if (value == 0 && sign_of(dot(facet.normal(), u.n)) == side) crossed.emplace_back(f);
   }
   return !crossed.empty() && crossed == ids;
 }

@@ -10,6 +10,7 @@
 #include "convexact/hull.hpp"
 #include "convexact/linear_program.hpp"
 #include "decompose/near_concavity.hpp"
+#include "geometry/near_plane.hpp"
 #include "number/arithmetic.hpp"
 #include "scene/hull_rays.hpp"
 #include "scene/proof_lines.hpp"

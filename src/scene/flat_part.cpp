@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "geometry/near_plane.hpp"
 #include "number/arithmetic.hpp"
 
 namespace convexact {
@@ -121,11 +122,7 @@ class FlatMerger {
 
 // 2^exponent times a unit vector rounded to multiples of 2^-bits.
 RationalVector3 dyadic_vector(const IntegerVector3& direction, long exponent, int bits) {
-  const long scale = -static_cast<long>(bit_length(direction));
-  Point near;
-  for (int k = 0; k < 3; ++k) {
-    near[k] = to_double(scale_by_power_of_two(Rational(direction[k]), scale), Rounding::Nearest);
-  }
+  const Point near = scaled_direction(direction);
   const double length = std::sqrt(near.dot(near));
   RationalVector3 vector;
   for (int k = 0; k < 3; ++k) {
@@ -143,7 +140,7 @@ std::vector<IntegerVector3> directions_across(const ConvexPart& flat) {
   const IntegerVector3 normal = flat.halfspaces.front().normal();
   if (flat.dimension == 2) return {normal};
   const RationalVector3 along = flat.vertices[1] - flat.vertices[0];
-  const IntegerVector3 across = clear_denominators(along).x.cross(normal);
+  const IntegerVector3 across = clear_denominators(along).n.cross(normal);
   return {normal, across};
 }
 

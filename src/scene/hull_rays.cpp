@@ -9,18 +9,10 @@
 #include "convexact/hull.hpp"
 #include "convexact/linear_program.hpp"
 #include "convexact/overlay.hpp"
+#include "geometry/near_plane.hpp"
 #include "number/arithmetic.hpp"
 
 namespace convexact {
-Point unit_vector(const IntegerVector3& v) {
-  Integer largest = 0;
-  for (const Integer& x : v) largest = std::max<Integer>(largest, abs(x));
-  Point near = Point::Zero();
-  if (largest == 0) return near;
-  for (int k = 0; k < 3; ++k) near[k] = to_double(Rational(v[k], largest), Rounding::Nearest);
-  return near / near.norm();
-}
-
 namespace {
 
 ClusterPlane cluster_plane(const Halfspace& plane, const Point& on_it) {

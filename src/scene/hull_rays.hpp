@@ -20,9 +20,6 @@ struct ClusterPlane {
   double offset;
 };
 
-/// Of length 1, off by roundings; zero for zero.
-[[nodiscard]] Point unit_vector(const IntegerVector3& v);
-
 /// The hull of the points of a cluster, with its planes as the proof numbers them.
 struct ClusterHull {
   std::vector<PointId> points;
@@ -33,7 +30,8 @@ struct ClusterHull {
   std::vector<ClusterPlane> near;             ///< By plane.
 };
 
-[[nodiscard]] ClusterHull hull_of_cluster(const Surface& surface, std::span<const TriangleId> triangles);
+[[nodiscard]] ClusterHull hull_of_cluster(const Surface& surface,
+                                          std::span<const TriangleId> triangles);
 
 /// Where concavity is taken: at all points of a triangle, or at one point.
 struct RaySource {

@@ -36,7 +36,6 @@ class ProofWriter : private CostTreeObserver, private ProofLines {
   void write_inside();
   void write_run();
   void write_optimum();
-  std::vector<HalfspaceId> optimum() const;
   void evaluated(const Removal& removal) override;
   void branches(const Removal& removal) override;
   void closes() override { line("close"); }
@@ -167,23 +166,10 @@ void ProofWriter::write_run() {
   line("survive", survivors(run_));
 }
 
-// What a search left, ascending.
-std::vector<HalfspaceId> ProofWriter::optimum() const {
-  std::vector<HalfspaceId> kept = survivors(run_);
-  for (const Move& move : run_.moves) {
-    std::erase_if(kept, [&](HalfspaceId i) {
-      return std::binary_search(move.removed.begin(), move.removed.end(), i);
-    });
-    kept.insert(kept.end(), move.inserted.begin(), move.inserted.end());
-  }
-  std::sort(kept.begin(), kept.end());
-  return kept;
-}
-
 // The removals that lead to where a search ended, in the order of their ids, which is as good as
 // any other; before them the tree which shows that this is the least volume, if it does.
 void ProofWriter::write_optimum() {
-  const std::vector<HalfspaceId> left = optimum();
+  const std::vector<HalfspaceId> left = after_moves(survivors(run_), run_.moves);
   DualSurface surface(run_.halfspaces, start_.dual.triangles, start_.interior);
   std::vector<Removal> removals;
   Rational added = 0;

@@ -21,7 +21,7 @@ namespace {
 // The solids that the moves of a search lead to, each from its planes alone.
 class SolidsOfMoves {
  public:
-  SolidsOfMoves(const DualHull& dual, const RationalPoint& center, std::vector<bool> start,
+  SolidsOfMoves(const DualHull& dual, const RationalPoint& center, std::vector<HalfspaceId> start,
                 const std::vector<Move>& moves)
       : dual_(dual), center_(center), start_(std::move(start)), moves_(moves) {}
 
@@ -31,19 +31,14 @@ class SolidsOfMoves {
  private:
   const DualHull& dual_;
   const RationalPoint& center_;
-  const std::vector<bool> start_;  // of each halfspace whether the removals left it
+  const std::vector<HalfspaceId> start_;  // what the removals left
   const std::vector<Move>& moves_;
 };
 
 Polytope SolidsOfMoves::after(std::size_t count) const {
-  std::vector<bool> is_there = start_;
-  for (std::size_t k = 0; k < count; ++k) {
-    for (const HalfspaceId i : moves_[k].removed) is_there[i.index()] = false;
-    for (const HalfspaceId i : moves_[k].inserted) is_there[i.index()] = true;
-  }
   std::vector<Halfspace> planes;
-  for (std::size_t i = 0; i < is_there.size(); ++i) {
-    if (is_there[i]) planes.push_back(dual_.halfspaces[i]);
+  for (const HalfspaceId i : after_moves(start_, std::span(moves_).first(count))) {
+    planes.push_back(dual_.halfspaces[i.index()]);
   }
   try {
     const HalfspaceDual dual = dual_of(planes, center_);
@@ -112,6 +107,10 @@ void search_further(RunEnd& end, const RunInput& input, const SimplifyRequest& r
   for (const HalfspaceId i : end.run ? removed_in(*end.run) : end.removed) {
     is_left[i.index()] = false;
   }
+  std::vector<HalfspaceId> start;
+  for (std::size_t i = 0; i < is_left.size(); ++i) {
+    if (is_left[i]) start.emplace_back(i);
+  }
   SearchOptions options{.request = request.search,
                         .engine = request.engine,
                         .keep = input.keep,
@@ -138,7 +137,7 @@ void search_further(RunEnd& end, const RunInput& input, const SimplifyRequest& r
   });
   end.search = log.run("search result", [&] {
     // (2) Each solid, if that is asked for, and the last one.
-    const SolidsOfMoves solids(dual, input.center, std::move(is_left), found.moves);
+    const SolidsOfMoves solids(dual, input.center, std::move(start), found.moves);
     const std::size_t count = found.moves.size();
     const bool wants_each = request.trace || request.verify == VerifyLevel::Full;
     Polytope before = end.polytope;

@@ -6,7 +6,6 @@
 // c_i of a removal, and the weight w_ij by which removing i makes j dearer, never fall when more is
 // removed: what was proven of them in a state holds in all states below it.
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -361,21 +360,10 @@ Optimality BranchAndBound::optimality() const {
   return {false, std::min(open, incumbent_volume_), nodes_};
 }
 
-// What is left after the moves, ascending.
-HalfspaceIds left_by(const std::vector<Move>& moves, HalfspaceIds start) {
-  for (const Move& move : moves) {
-    const HalfspaceIds others = without(start, move.removed);
-    start.clear();
-    std::merge(others.begin(), others.end(), move.inserted.begin(), move.inserted.end(),
-               std::back_inserter(start));
-  }
-  return start;
-}
-
 SearchRun search_beyond(SearchRun run, std::unique_ptr<ShrunkSurface> surface, std::size_t size,
                         std::vector<Symmetry> symmetries, HalfspaceIds start,
                         const SearchOptions& options) {
-  const HalfspaceIds found = left_by(run.moves, std::move(start));
+  const HalfspaceIds found = after_moves(std::move(start), run.moves);
   BranchAndBound search(std::move(surface), size, std::move(symmetries), found, options);
   search.run();
   run.optimality = search.optimality();

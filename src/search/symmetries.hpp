@@ -24,8 +24,7 @@ using Symmetry = std::vector<HalfspaceId>;
 ///                    any mostly 48 in all.
 [[nodiscard]] inline std::vector<Symmetry> symmetries_of(std::span<const Halfspace> halfspaces,
                                                          const Polytope& solid) {
-  const BoundingBox box = bounding_box(solid.vertices);
-  const RationalPoint middle = (box.low + box.high) / Rational(2);
+  const RationalPoint middle = bounding_box(solid.vertices).middle();
   std::vector<Halfspace> centered;
   std::map<Halfspace, HalfspaceId> ids;
   for (const Halfspace& halfspace : halfspaces) {

@@ -5,15 +5,14 @@
 #include <mpfr.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
 
 #include "convexact/error.hpp"
 #include "convexact/predicates.hpp"
+#include "geometry/near_plane.hpp"
 #include "number/arithmetic.hpp"
-#include "number/roundoff.hpp"
 
 namespace convexact {
 namespace {
@@ -22,7 +21,7 @@ namespace {
 
 IntegerVector3 direction_of(const RationalVector3& v) {
   if (v == RationalVector3::Zero()) refuse("the vector is zero, and has no direction");
-  return clear_denominators(v).x;
+  return clear_denominators(v).n;
 }
 
 // The square of a cosine with its sign: ordered as the cosines are.
@@ -49,37 +48,6 @@ Rational cosine_of(double degrees) {
   mpfr_clear(x);
   return to_rational(std::abs(cosine) < 0x1p-100 ? 0.0 : cosine);
 }
-
-// A plane in doubles: n and d over a power of two that makes all of them less than 1.
-class NearPlane {
- public:
-  explicit NearPlane(const Halfspace& h) {
-    const auto bits = static_cast<long>(
-        std::max(bit_length(h.normal()), bit_length({h.offset(), Integer(0), Integer(0)})));
-    const auto near = [bits](const Integer& x) {
-      return to_double(scale_by_power_of_two(Rational(x), -bits), Rounding::Nearest);
-    };
-    n_ = {near(h.normal()[0]), near(h.normal()[1]), near(h.normal()[2])};
-    d_ = near(h.offset());
-  }
-
-  // With u = 2^-53 and S the sum of the terms' sizes, n and d have the relative error u, products u
-  // more, and three sums 3 u S: less than 8 u S together. Numbers that underflow are off by 2^-1074
-  // each, n_k times x_k; the bound is larger, as subnormal numbers are slow. Where something
-  // overflows the answer is no.
-  bool is_surely_off(const Point& p) const {
-    constexpr double kFactor = 8 * kUnitRoundoff, kUnderflow = 0x1p-1000;
-    const double x = p[0], y = p[1], z = p[2];
-    const double a = n_[0] * x, b = n_[1] * y, c = n_[2] * z;
-    const double size = std::abs(a) + std::abs(b) + std::abs(c) + std::abs(d_);
-    return std::abs(a + b + c + d_) >
-           kFactor * size + kUnderflow * (1 + std::abs(x) + std::abs(y) + std::abs(z));
-  }
-
- private:
-  std::array<double, 3> n_;
-  double d_;
-};
 
 class Selection {
  public:
@@ -138,11 +106,14 @@ class Selection {
   }
 
   void select(const KeepFaces& wanted) {
+    double largest = 1;
     for (const auto& polygon : wanted.polygons) {
       for (const std::uint32_t corner : polygon) {
         if (corner >= points_.size()) refuse(fmt::format("there is no point {}", corner));
+        largest = std::max(largest, points_.doubles()[corner].cwiseAbs().maxCoeff());
       }
     }
+    const double error = absolute_plane_error(largest);
     // By first corner, most of which are off most planes: each is asked once for each plane.
     std::map<PointId, std::vector<const std::vector<std::uint32_t>*>> by_corner;
     for (const auto& polygon : wanted.polygons) {
@@ -151,22 +122,21 @@ class Selection {
     const std::vector<std::pair<PointId, std::vector<const std::vector<std::uint32_t>*>>> corners(
         by_corner.begin(), by_corner.end());
     select_if([&](const Halfspace& h) {
-      const NearPlane near(h);
+      const DoubleHalfspace near(h);
+      const auto is_on = [&](PointId p) {
+        if (!points_.is_binary()) return h(points_[p]) == 0;
+        const Point& x = points_.doubles()[p.index()];
+        return !near.at(x[0], x[1], x[2], error).surely_not_zero() && side_of(h, x) == Sign::Zero;
+      };
       const auto holds = [&](const std::vector<std::uint32_t>* polygon) {
         return std::all_of(polygon->begin(), polygon->end(),
-                           [&](std::uint32_t corner) { return is_on(h, near, PointId(corner)); });
+                           [&](std::uint32_t corner) { return is_on(PointId(corner)); });
       };
       return std::any_of(corners.begin(), corners.end(), [&](const auto& corner) {
-        return is_on(h, near, corner.first) &&
+        return is_on(corner.first) &&
                std::any_of(corner.second.begin(), corner.second.end(), holds);
       });
     });
-  }
-
-  bool is_on(const Halfspace& h, const NearPlane& near, PointId p) const {
-    if (!points_.is_binary()) return h(points_[p]) == 0;
-    const Point& x = points_.doubles()[p.index()];
-    return !near.is_surely_off(x) && side_of(h, x) == Sign::Zero;
   }
 
   std::span<const Halfspace> halfspaces_;

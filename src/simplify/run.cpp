@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "convexact/run.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "convexact/error.hpp"
 
 namespace convexact {
@@ -41,6 +44,17 @@ std::vector<Halfspace> left_after(std::span<const Halfspace> halfspaces,
 
 std::vector<Halfspace> left_after(const Run& run, std::size_t count) {
   return left_after(run.halfspaces, removed_in(run, count));
+}
+
+std::vector<HalfspaceId> after_moves(std::vector<HalfspaceId> left, std::span<const Move> moves) {
+  std::vector<HalfspaceId> others;
+  for (const Move& move : moves) {
+    others.clear();
+    std::ranges::set_difference(left, move.removed, std::back_inserter(others));
+    left.clear();
+    std::ranges::merge(others, move.inserted, std::back_inserter(left));
+  }
+  return left;
 }
 
 }  // namespace convexact

@@ -42,7 +42,7 @@ class StepVerification {
   ~StepVerification();
 
   /// Checks the next step. @throws Error Internal, naming the step (counted from 1) and the check.
-  /// @par Cost  Local: O(k^2) signs for a ring of k. Full: all vertices against all halfspaces.
+  /// @par Cost  Local: O(k^2) signs for a ring of k. Full: linear in what is left, too.
   void check(const Step& step);
   /// The last checks of a run: the witness of every survivor and, at level full, every hull vertex
   /// and the volume as a rational. That the planes that are written hold every input point is for

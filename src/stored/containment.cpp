@@ -4,13 +4,10 @@
 #include "convexact/error.hpp"
 #include "convexact/predicates.hpp"
 #include "convexact/stored.hpp"
-#include "stored/near_products.hpp"
+#include "geometry/near_plane.hpp"
 
 namespace convexact {
 namespace {
-
-using stored::Coordinates;
-using stored::DoubleHalfspace;
 
 // Blocks stay in the first-level cache while all halfspaces pass over them.
 constexpr std::size_t kBlock = 128;
@@ -59,7 +56,7 @@ class OutsideSearch {
         points_(points),
         ids_(BlockOrder(points, halfspaces.size() >= kManyHalfspaces).take()),
         doubles_(points, ids_),
-        absolute_(stored::absolute_error(std::max(1.0, doubles_.largest))) {
+        absolute_(absolute_plane_error(std::max(1.0, doubles_.largest))) {
     filters_.reserve(halfspaces.size());
     for (const Halfspace& h : halfspaces) filters_.emplace_back(h);
   }
@@ -114,7 +111,7 @@ class OutsideSearch {
   bool surely_inside(const DoubleHalfspace& h, std::size_t first, std::size_t last,
                      double largest) const {
     const double size = (std::abs(h.n[0]) + std::abs(h.n[1]) + std::abs(h.n[2])) * largest;
-    const double error = stored::kRelative * (size + std::abs(h.d)) + absolute_;
+    const double error = kRelativePlaneError * (size + std::abs(h.d)) + absolute_;
     const double *x = doubles_.x.data(), *y = doubles_.y.data(), *z = doubles_.z.data();
     double open = 0;
     for (std::size_t j = first; j < last; ++j) {
@@ -149,7 +146,7 @@ class OutsideSearch {
   std::span<const Halfspace> halfspaces_;
   const PointSet& points_;
   std::vector<PointId> ids_;  // in blocks
-  Coordinates doubles_;       // in the order of the ids
+  CoordinateArrays doubles_;  // in the order of the ids
   double absolute_;
   std::vector<DoubleHalfspace> filters_;
   std::vector<PointId> found_;

@@ -8,8 +8,8 @@
 #include "convexact/error.hpp"
 #include "convexact/linear_program.hpp"
 #include "convexact/stored.hpp"
+#include "geometry/near_plane.hpp"
 #include "stored/acceptance.hpp"
-#include "stored/near_products.hpp"
 
 namespace convexact {
 namespace {
@@ -73,7 +73,7 @@ class WitnessSupport {
  private:
   const PointSet& points_;
   std::span<const PointId> witnesses_;
-  stored::Coordinates doubles_;
+  CoordinateArrays doubles_;
   std::vector<double> values_;  // of the last call, kept for its memory
 };
 
@@ -82,7 +82,7 @@ Rational WitnessSupport::operator()(const Point& n) {
   // overflow the bound is infinite, nothing is below the limit and all are compared exactly.
   const double size = n.cwiseAbs().sum() * doubles_.largest;
   const double error = size < 0x1p1022
-                           ? stored::kRelative * size + stored::absolute_error(std::max(1.0, size))
+                           ? kRelativePlaneError * size + absolute_plane_error(std::max(1.0, size))
                            : std::numeric_limits<double>::infinity();
   values_.resize(doubles_.size());
   double top = -std::numeric_limits<double>::infinity();

@@ -28,6 +28,10 @@ struct NearBox {
   bool holds(const Point& p) const {
     return (low.array() <= p.array()).all() && (p.array() <= high.array()).all();
   }
+  /// From p to the box, off by roundings.
+  double distance(const Point& p) const {
+    return (low - p).cwiseMax(p - high).cwiseMax(0.0).norm();
+  }
 };
 
 /// Holds the triangle. Coordinates that are no doubles were rounded to nearest, so they are between

@@ -24,7 +24,7 @@ struct Query {
   }
 
   const RationalPoint& exact;
-  IntegerFraction cleared;
+  HomogeneousPoint cleared;
   Point near, low, high;
   bool is_binary = false;
 };
@@ -155,8 +155,8 @@ class Winding::Search {
   // The vector from the query point to a point of the surface, times a positive number. Integers:
   // fractions of long numbers spend their time on greatest common divisors.
   IntegerVector3 from(const Query& query, PointId point) const {
-    const IntegerFraction p = clear_denominators(surface_.points[point]);
-    return p.x * query.cleared.d - query.cleared.x * p.d;
+    const HomogeneousPoint p = clear_denominators(surface_.points[point]);
+    return p.n * query.cleared.w - query.cleared.n * p.w;
   }
 
   // orient3d of the corners and x.

@@ -54,7 +54,6 @@ FILES = {
     'src/stored/acceptance.cpp': ((REFUSALS,), [('stored_planes', ''), ('stored_mesh', ''), ('growth', '')]),
     'src/stored/stored_planes.cpp': ((REFUSALS,), [('stored_planes', ''), ('growth', '')]),
     'src/stored/stored_mesh.cpp': ((REFUSALS,), [('stored_mesh', ''), ('growth', '')]),
-    'src/stored/growth.cpp': ((REFUSALS,), [('growth', ''), ('stored_planes', ''), ('stored_mesh', '')]),
     'src/stored/containment.cpp': ((SKIPS, ANSWERS), [('containment', '')]),
 }
 # Functions whose answer `true` refuses, and expressions that are no conditions of a check.

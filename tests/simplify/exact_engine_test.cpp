@@ -29,6 +29,18 @@ std::vector<std::vector<Point>> samples() {
           shapes::in_ball(16, 1)};
 }
 
+// Counts what the verification asks after each choice.
+struct CountedChecks : RunObserver {
+  void started(const DualTriangle&) override {}
+  void inserted(HalfspaceId, std::span<const DualTriangle>,
+                std::span<const DualTriangle>) override {}
+  void evaluated(std::size_t, const Removal&) override {}
+  void chosen(const Step&) override { after_choice.push_back(0); }
+  void checked(const TestedCondition&) override { ++after_choice.back(); }
+
+  std::vector<std::size_t> after_choice;
+};
+
 // The same removals with the same ties, at costs scaled by `factor`.
 void check_same(const Run& a, const Run& b, const Rational& factor = 1) {
   REQUIRE(a.steps.size() == b.steps.size());
@@ -221,15 +233,21 @@ TEST_CASE("simplify_exact: of a tie the first in canonical order is removed, and
   }
 }
 
-// A vertex that is none and a witness that does not touch its plane change nothing about the run:
-// only verification asks them, the one after each step at level full, the other at the end.
 TEST_CASE("simplify_exact: each step is verified as it is made, and the survivors at the end") {
   const DualHull solid = dual_of_doubles(shapes::in_ball(16, 1));
   const RationalPoint center = center_of(solid);
+  CountedChecks checks;
+  const Run run = simplify_exact(solid, center, {}, &checks);
+  REQUIRE(run.steps.size() > 1);
+  CHECK(checks.after_choice.size() == run.steps.size());
+  CHECK(std::ranges::count(checks.after_choice, 0) == 0);
+  // A vertex that is none and a witness that does not touch its plane change nothing about the run:
+  // only verification asks them.
   DualHull outside = solid;
   outside.vertices.push_back(RationalPoint(Rational(9), Rational(9), Rational(9)));
   CHECK_THROWS_WITH_AS((void)simplify_exact(outside, center, {.verify = VerifyLevel::Full}),
-                       doctest::Contains("step 1 failed: every survivor holds"), Error);
+                       doctest::Contains("every survivor holds every hull vertex at the end"),
+                       Error);
   CHECK_NOTHROW((void)simplify_exact(outside, center));
   DualHull wrong = solid;
   for (std::uint32_t v = 0; v < solid.vertices.size(); ++v) {

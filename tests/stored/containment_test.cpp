@@ -8,10 +8,10 @@
 
 #include "convexact/error.hpp"
 #include "convexact/stored.hpp"
+#include "geometry/near_plane.hpp"
 #include "hill_climb.hpp"
 #include "property.hpp"
 #include "shapes/makers.hpp"
-#include "stored/near_products.hpp"
 #include "stored_cases.hpp"
 #include "sweep.hpp"
 
@@ -104,10 +104,10 @@ TEST_CASE("DoubleHalfspace: the bound holds for the worst found, and is not vacu
     const IntegerVector3 n(coefficient(y[0]), coefficient(y[1]), coefficient(y[2]));
     if (n.isZero(0)) return 0;
     const Halfspace h(n, coefficient(y[3]));
-    const stored::DoubleHalfspace near(h);
+    const DoubleHalfspace near(h);
     const Point x(y[4], y[5], y[6]);
     const std::vector<Point> points{x};
-    const stored::NearValue value = near.at(stored::Coordinates(points), 0, 0);
+    const NearValue value = near.at(CoordinateArrays(points), 0, 0);
     if (value.error == 0) return 0;
     // The scaling is the power of two that brings the largest coefficient into [1/2, 1].
     std::size_t bits = 0;
