@@ -14,7 +14,7 @@
 #include "io/json.hpp"
 #include "report/parts_picture.hpp"
 #include "scene/decompose_options.hpp"
-#include "scene/decompose_report.hpp"
+#include "scene/stage_report.hpp"
 
 namespace convexact::cli {
 namespace {

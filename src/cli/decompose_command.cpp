@@ -21,7 +21,8 @@
 #include "scene/decompose_options.hpp"
 #include "scene/decompose_report.hpp"
 #include "scene/decomposition_proof.hpp"
-#include "scene/result_json.hpp"
+#include "scene/stage_report.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact::cli {
 namespace {

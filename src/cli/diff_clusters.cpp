@@ -6,9 +6,8 @@
 #include "cli/verify_union.hpp"
 #include "oracle/cluster_diff.hpp"
 #include "scene/decompose_options.hpp"
-#include "scene/decompose_report.hpp"
-#include "scene/result_json.hpp"
 #include "scene/stage_log.hpp"
+#include "scene/stage_report.hpp"
 
 namespace convexact::cli {
 

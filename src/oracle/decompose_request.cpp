@@ -14,7 +14,7 @@
 #include "oracle/written_parts.hpp"
 #include "scene/decompose_options.hpp"
 #include "scene/decompose_report.hpp"
-#include "scene/result_json.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact {
 namespace {

@@ -10,6 +10,7 @@
 #include "io/json_text.hpp"
 #include "io/text_cursor.hpp"
 #include "number/text.hpp"
+#include "simplify/run_names.hpp"
 #include "simplify/trace_json.hpp"
 
 namespace convexact {

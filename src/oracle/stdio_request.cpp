@@ -13,7 +13,7 @@
 #include "oracle/parts_verdict.hpp"
 #include "oracle/request_line.hpp"
 #include "oracle/verdict_report.hpp"
-#include "scene/decompose_report.hpp"
+#include "scene/decompose_options.hpp"
 #include "scene/json_mesh.hpp"
 
 namespace convexact {

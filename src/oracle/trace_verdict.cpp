@@ -11,7 +11,7 @@
 #include "io/json.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
-#include "scene/result_json.hpp"
+#include "simplify/run_names.hpp"
 #include "simplify/trace_json.hpp"
 
 namespace convexact {

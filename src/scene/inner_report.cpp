@@ -12,8 +12,8 @@
 #include "io/json.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
-#include "scene/result_json.hpp"
 #include "simplify/inner_trace.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact {
 namespace {

@@ -10,7 +10,7 @@
 #include "number/arithmetic.hpp"
 #include "oracle/judge_moves.hpp"
 #include "oracle/removal_cost.hpp"
-#include "simplify/trace_json.hpp"
+#include "simplify/run_names.hpp"
 #include "stress/judge.hpp"
 
 namespace convexact {
