@@ -9,7 +9,7 @@
 #include "definitional_proof.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
-#include "scene/result_json.hpp"
+#include "scene/proof.hpp"
 
 using namespace convexact;
 

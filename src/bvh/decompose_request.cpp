@@ -13,8 +13,8 @@
 #include "scene/decompose_options.hpp"
 #include "scene/decompose_report.hpp"
 #include "scene/request_line.hpp"
-#include "scene/result_json.hpp"
 #include "scene/written_parts.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact {
 namespace {

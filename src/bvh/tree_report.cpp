@@ -11,8 +11,8 @@
 #include "number/text.hpp"
 #include "scene/decompose_report.hpp"
 #include "scene/objects.hpp"
-#include "scene/result_json.hpp"
 #include "scene/surface_report.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact {
 namespace {

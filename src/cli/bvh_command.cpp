@@ -15,6 +15,7 @@
 #include "scene/decompose_options.hpp"
 #include "scene/decompose_report.hpp"
 #include "scene/objects.hpp"
+#include "scene/stage_report.hpp"
 
 namespace convexact::cli {
 namespace {

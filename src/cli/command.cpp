@@ -16,7 +16,7 @@
 #include "io/json.hpp"
 #include "number/text.hpp"
 #include "oracle/program.hpp"
-#include "scene/result_json.hpp"
+#include "scene/stage_report.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -20,8 +20,9 @@
 #include "scene/decompose_report.hpp"
 #include "scene/decomposition_proof.hpp"
 #include "scene/objects.hpp"
-#include "scene/result_json.hpp"
+#include "scene/stage_report.hpp"
 #include "scene/written_parts.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact::cli {
 namespace {

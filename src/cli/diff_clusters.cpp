@@ -7,8 +7,8 @@
 #include "scene/decompose_options.hpp"
 #include "scene/decompose_report.hpp"
 #include "scene/objects.hpp"
-#include "scene/result_json.hpp"
 #include "scene/stage_log.hpp"
+#include "scene/stage_report.hpp"
 
 namespace convexact::cli {
 

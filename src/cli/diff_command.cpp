@@ -11,9 +11,9 @@
 #include "cli/progress.hpp"
 #include "convexact/scene.hpp"
 #include "oracle/diff.hpp"
-#include "scene/result_json.hpp"
 #include "scene/stage_log.hpp"
-#include "simplify/trace_json.hpp"
+#include "scene/stage_report.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "convexact/stored.hpp"
 #include "io/json.hpp"
 #include "report/picture.hpp"
-#include "scene/result_json.hpp"
+#include "scene/proof.hpp"
 #include "simplify/trace_json.hpp"
 
 namespace convexact::cli {

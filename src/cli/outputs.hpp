@@ -14,8 +14,8 @@
 #include "convexact/run.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/simplify.hpp"
-#include "scene/result_json.hpp"
 #include "scene/stage_log.hpp"
+#include "scene/stage_report.hpp"
 
 namespace convexact::cli {
 

@@ -4,7 +4,7 @@
 #include "cli/command.hpp"
 #include "convexact/io.hpp"
 #include "oracle/conformance_report.hpp"
-#include "scene/result_json.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact::cli {
 namespace {

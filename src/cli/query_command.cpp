@@ -12,8 +12,8 @@
 #include "convexact/scene.hpp"
 #include "io/json.hpp"
 #include "query/query_report.hpp"
-#include "scene/result_json.hpp"
 #include "scene/solid.hpp"
+#include "scene/stage_report.hpp"
 
 namespace convexact::cli {
 namespace {

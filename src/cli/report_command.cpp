@@ -12,7 +12,7 @@
 #include "convexact/scene.hpp"
 #include "io/json.hpp"
 #include "report/report.hpp"
-#include "simplify/trace_json.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact::cli {
 

@@ -10,8 +10,9 @@
 #include "convexact/scene.hpp"
 #include "convexact/simplify_scene.hpp"
 #include "io/json.hpp"
-#include "scene/result_json.hpp"
-#include "simplify/trace_json.hpp"
+#include "scene/simplify_report.hpp"
+#include "scene/stage_report.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact::cli {
 namespace {

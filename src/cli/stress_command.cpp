@@ -9,8 +9,8 @@
 #include "cli/progress.hpp"
 #include "convexact/io.hpp"
 #include "convexact/mesh.hpp"
-#include "scene/result_json.hpp"
-#include "simplify/trace_json.hpp"
+#include "scene/simplify_report.hpp"
+#include "simplify/run_names.hpp"
 #include "stress/stress.hpp"
 #include "stress/stress_report.hpp"
 

@@ -6,8 +6,8 @@
 
 #include "cli/outputs.hpp"
 #include "io/json.hpp"
-#include "scene/result_json.hpp"
-#include "simplify/trace_json.hpp"
+#include "scene/stage_report.hpp"
+#include "simplify/run_names.hpp"
 #include "teach/lesson.hpp"
 #include "teach/lesson_page.hpp"
 

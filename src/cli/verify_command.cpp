@@ -19,8 +19,8 @@
 #include "oracle/stdio_request.hpp"
 #include "oracle/verdict_report.hpp"
 #include "scene/objects.hpp"
-#include "scene/result_json.hpp"
 #include "scene/stage_log.hpp"
+#include "scene/stage_report.hpp"
 
 namespace convexact::cli {
 namespace {

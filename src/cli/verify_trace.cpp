@@ -8,9 +8,9 @@
 #include "convexact/verify_run.hpp"
 #include "oracle/removal_order_file.hpp"
 #include "oracle/trace_verdict.hpp"
-#include "scene/result_json.hpp"
 #include "scene/solid.hpp"
-#include "simplify/trace_json.hpp"
+#include "scene/stage_report.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -9,8 +9,8 @@
 #include "decompose/merge_cost.hpp"
 #include "decompose/start.hpp"
 #include "io/json.hpp"
-#include "scene/result_json.hpp"
 #include "scene/stage_log.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact {
 namespace {

@@ -16,7 +16,7 @@
 #include "io/json_text.hpp"
 #include "number/text.hpp"
 #include "oracle/conformance_report.hpp"
-#include "scene/result_json.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact {
 namespace {

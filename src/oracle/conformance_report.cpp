@@ -12,7 +12,7 @@
 
 #include "convexact/number.hpp"
 #include "io/json.hpp"
-#include "scene/result_json.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact {
 namespace {

@@ -10,9 +10,9 @@
 #include "fast/float_engine.hpp"
 #include "number/precision.hpp"
 #include "oracle/divergence.hpp"
-#include "scene/result_json.hpp"
 #include "scene/solid.hpp"
 #include "simplify/exact_engine.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact {
 namespace {

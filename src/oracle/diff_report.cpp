@@ -9,7 +9,7 @@
 #include "number/precision.hpp"
 #include "number/text.hpp"
 #include "oracle/diff.hpp"
-#include "scene/result_json.hpp"
+#include "simplify/run_names.hpp"
 #include "simplify/trace_json.hpp"
 
 namespace convexact {

@@ -14,8 +14,9 @@
 #include "number/text.hpp"
 #include "oracle/verdict_report.hpp"
 #include "scene/objects.hpp"
-#include "scene/result_json.hpp"
+#include "scene/simplify_report.hpp"
 #include "scene/solid.hpp"
+#include "scene/stage_report.hpp"
 
 namespace convexact {
 namespace {

@@ -12,7 +12,7 @@
 #include "number/text.hpp"
 #include "oracle/parts_verdict.hpp"
 #include "oracle/verdict_report.hpp"
-#include "scene/decompose_report.hpp"
+#include "scene/decompose_options.hpp"
 #include "scene/json_mesh.hpp"
 #include "scene/request_line.hpp"
 

@@ -12,7 +12,7 @@
 #include "number/precision.hpp"
 #include "number/text.hpp"
 #include "oracle/facet_match.hpp"
-#include "scene/result_json.hpp"
+#include "simplify/run_names.hpp"
 #include "simplify/trace_json.hpp"
 
 namespace convexact {

@@ -10,7 +10,7 @@
 #include "io/json.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
-#include "scene/result_json.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact {
 namespace {

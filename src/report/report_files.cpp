@@ -9,7 +9,7 @@
 #include "io/json.hpp"
 #include "report/page_parts.hpp"
 #include "report/report.hpp"
-#include "simplify/trace_json.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact {
 namespace {

@@ -10,9 +10,9 @@
 #include "convexact/measure.hpp"
 #include "number/precision.hpp"
 #include "number/random.hpp"
-#include "scene/result_json.hpp"
 #include "scene/solid.hpp"
 #include "shapes/makers.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact {
 namespace {

@@ -1,13 +1,36 @@
 // SPDX-License-Identifier: MIT
-// decompose_options.hpp - numbers of a decomposition as users spell them: on the command line, in
-// requests and in the C interface.
+// decompose_options.hpp - the options of a decomposition as users spell them: on the command line,
+// in requests and in the C interface.
 #pragma once
 #include <string>
 
-#include "convexact/cluster.hpp"
+#include "convexact/decompose.hpp"
 #include "convexact/number.hpp"
+#include "io/names.hpp"
 
 namespace convexact {
+
+inline constexpr auto kDecomposeMethodNames =
+    name_table<DecomposeMethod>({{DecomposeMethod::Hacd, "hacd"}, {DecomposeMethod::Acd, "acd"}});
+
+inline constexpr auto kBridgeChoiceNames =
+    name_table<BridgeChoice>({{BridgeChoice::Farther, "farther"},
+                              {BridgeChoice::Region, "region"},
+                              {BridgeChoice::Nearer, "nearer"}});
+
+inline constexpr auto kConcavityMeasureNames = name_table<ConcavityMeasure>(
+    {{ConcavityMeasure::Surface, "surface"}, {ConcavityMeasure::Vertices, "vertices"}});
+
+inline constexpr auto kConnectNames = name_table<Connect>(
+    {{Connect::Edge, "edge"}, {Connect::Overlap, "overlap"}, {Connect::Touching, "touching"}});
+
+inline constexpr auto kOrientationNames =
+    name_table<Orient>({{Orient::Auto, "auto"}, {Orient::Keep, "keep"}});
+
+inline constexpr auto kFlatPartsNames = name_table<FlatParts>({{FlatParts::Auto, "auto"},
+                                                               {FlatParts::Thicken, "thicken"},
+                                                               {FlatParts::Keep, "keep"},
+                                                               {FlatParts::Merge, "merge"}});
 
 /// "3%" and "0.03d" are shares of the diameter, "0.05" is a length; all exact.
 /// @param option  Its name, for the message.

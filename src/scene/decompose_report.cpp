@@ -5,15 +5,24 @@
 #include <nlohmann/json.hpp>
 
 #include "io/json.hpp"
+#include "io/names.hpp"
 #include "number/precision.hpp"
-#include "scene/result_json.hpp"
+#include "scene/decompose_options.hpp"
+#include "scene/simplify_report.hpp"
 #include "scene/split_report.hpp"
 #include "scene/surface_report.hpp"
-#include "simplify/trace_json.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact {
 namespace {
 using OrderedJson = nlohmann::ordered_json;
+
+constexpr auto kPartFormNames = name_table<PartForm>({{PartForm::Hull, "hull"},
+                                                      {PartForm::Rounded, "rounded"},
+                                                      {PartForm::Simplified, "simplified"},
+                                                      {PartForm::Thickened, "thickened"},
+                                                      {PartForm::Flat, "flat"}});
+
 }  // namespace
 
 Enclosure enclosed_root_of(const Rational& square) { return sqrt(Enclosure(square, kMeasureBits)); }

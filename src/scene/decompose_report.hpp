@@ -7,37 +7,8 @@
 #include <string>
 
 #include "convexact/decompose.hpp"
-#include "io/names.hpp"
 
 namespace convexact {
-
-inline constexpr auto kDecomposeMethodNames =
-    name_table<DecomposeMethod>({{DecomposeMethod::Hacd, "hacd"}, {DecomposeMethod::Acd, "acd"}});
-
-inline constexpr auto kBridgeChoiceNames =
-    name_table<BridgeChoice>({{BridgeChoice::Farther, "farther"},
-                              {BridgeChoice::Region, "region"},
-                              {BridgeChoice::Nearer, "nearer"}});
-
-inline constexpr auto kConcavityMeasureNames = name_table<ConcavityMeasure>(
-    {{ConcavityMeasure::Surface, "surface"}, {ConcavityMeasure::Vertices, "vertices"}});
-
-inline constexpr auto kConnectNames = name_table<Connect>(
-    {{Connect::Edge, "edge"}, {Connect::Overlap, "overlap"}, {Connect::Touching, "touching"}});
-
-inline constexpr auto kOrientationNames =
-    name_table<Orient>({{Orient::Auto, "auto"}, {Orient::Keep, "keep"}});
-
-inline constexpr auto kFlatPartsNames = name_table<FlatParts>({{FlatParts::Auto, "auto"},
-                                                               {FlatParts::Thicken, "thicken"},
-                                                               {FlatParts::Keep, "keep"},
-                                                               {FlatParts::Merge, "merge"}});
-
-inline constexpr auto kPartFormNames = name_table<PartForm>({{PartForm::Hull, "hull"},
-                                                             {PartForm::Rounded, "rounded"},
-                                                             {PartForm::Simplified, "simplified"},
-                                                             {PartForm::Thickened, "thickened"},
-                                                             {PartForm::Flat, "flat"}});
 
 /// How much of a decomposition its document holds.
 enum class DecompositionDetail {

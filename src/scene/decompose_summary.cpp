@@ -7,10 +7,9 @@
 #include "number/precision.hpp"
 #include "number/text.hpp"
 #include "scene/decompose_report.hpp"
-#include "scene/result_json.hpp"
 #include "scene/split_report.hpp"
 #include "scene/surface_report.hpp"
-#include "simplify/trace_json.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact {
 namespace {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "scene/proof.hpp"
+
 #include <algorithm>
 #include <map>
 
@@ -7,7 +9,6 @@
 #include "number/arithmetic.hpp"
 #include "scene/cost_tree.hpp"
 #include "scene/proof_lines.hpp"
-#include "scene/result_json.hpp"
 #include "simplify/cap.hpp"
 
 namespace convexact {

@@ -10,7 +10,7 @@
 #include "io/json.hpp"
 #include "io/json_text.hpp"
 #include "scene/json_mesh.hpp"
-#include "scene/result_json.hpp"
+#include "scene/stage_report.hpp"
 
 namespace convexact {
 

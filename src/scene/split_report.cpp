@@ -10,8 +10,6 @@
 #include "io/names.hpp"
 #include "number/text.hpp"
 #include "scene/decompose_report.hpp"
-#include "scene/result_json.hpp"
-#include "simplify/trace_json.hpp"
 
 namespace convexact {
 namespace {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/json.hpp"
+#include "simplify/run_names.hpp"
 #include "simplify/trace_json.hpp"
 
 namespace convexact {

@@ -4,13 +4,8 @@
 #include <string>
 
 #include "convexact/inner_run.hpp"
-#include "io/names.hpp"
 
 namespace convexact {
-
-inline constexpr auto kInnerStopNames =
-    name_table<InnerStop>({{InnerStop::Reached, "reached"}, {InnerStop::LossLimit, "loss-limit"}});
-inline const char* name_of(InnerStop reason) { return name_in(kInnerStopNames, reason); }
 
 /// One object as docs/schema/inner-trace.schema.json describes it. Coordinates are strings, p or
 /// p/q. Precondition: each step has its cost.

@@ -8,6 +8,7 @@
 #include "convexact/number.hpp"
 #include "io/json.hpp"
 #include "number/precision.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact {
 namespace {

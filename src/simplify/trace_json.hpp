@@ -8,31 +8,8 @@
 
 #include "convexact/cost.hpp"
 #include "convexact/run.hpp"
-#include "io/names.hpp"
 
 namespace convexact {
-
-inline constexpr auto kStopReasonNames =
-    name_table<StopReason>({{StopReason::Reached, "reached"},
-                            {StopReason::GrowthLimit, "growth-limit"},
-                            {StopReason::AllUnbounded, "all-unbounded"},
-                            {StopReason::AllKeptOrUnbounded, "all-kept-or-unbounded"}});
-inline const char* name_of(StopReason reason) { return name_in(kStopReasonNames, reason); }
-
-inline constexpr auto kCostMeasureNames =
-    name_table<CostMeasure>({{CostMeasure::Volume, "volume"},
-                             {CostMeasure::Area, "area"},
-                             {CostMeasure::MeanWidth, "mean-width"}});
-inline const char* name_of(CostMeasure measure) { return name_in(kCostMeasureNames, measure); }
-
-inline constexpr auto kTieProofNames =
-    name_table<TieProof>({{TieProof::EqualRationals, "rational"},
-                          {TieProof::Congruent, "congruent"},
-                          {TieProof::SquareClasses, "square-classes"},
-                          {TieProof::NormalForm, "normal-form"},
-                          {TieProof::AngleBasis, "angle-basis"},
-                          {TieProof::Undecided, "undecided"}});
-inline const char* name_of(TieProof proof) { return name_in(kTieProofNames, proof); }
 
 /// Version 1, which has neither version nor measure, knew volumes only; it is still read.
 inline constexpr int kTraceVersion = 2;

@@ -9,6 +9,7 @@
 #include "number/arithmetic.hpp"
 #include "oracle/removal_cost.hpp"
 #include "oracle/trace_claims.hpp"
+#include "simplify/run_names.hpp"
 #include "simplify/trace_json.hpp"
 #include "stress/judge.hpp"
 

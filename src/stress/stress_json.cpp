@@ -4,7 +4,7 @@
 
 #include "convexact/error.hpp"
 #include "io/json.hpp"
-#include "scene/result_json.hpp"
+#include "simplify/run_names.hpp"
 #include "simplify/trace_json.hpp"
 #include "stress/answer.hpp"
 

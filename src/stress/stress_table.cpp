@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/result_json.hpp"
+#include "simplify/run_names.hpp"
 #include "stress/stress_report.hpp"
 
 namespace convexact {

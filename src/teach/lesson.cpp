@@ -10,7 +10,7 @@
 #include "io/json.hpp"
 #include "lp/interior_point.hpp"
 #include "scene/stage_log.hpp"
-#include "simplify/trace_json.hpp"
+#include "simplify/run_names.hpp"
 #include "teach/chapters.hpp"
 
 namespace convexact {

@@ -4,6 +4,7 @@
 #include "convexact/measure.hpp"
 #include "io/json.hpp"
 #include "simplify/cap.hpp"
+#include "simplify/run_names.hpp"
 #include "simplify/trace_json.hpp"
 #include "teach/chapters.hpp"
 

@@ -10,7 +10,7 @@
 #include "fast/float_engine.hpp"
 #include "shapes/makers.hpp"
 #include "simplify/exact_engine.hpp"
-#include "simplify/trace_json.hpp"
+#include "simplify/run_names.hpp"
 
 using namespace convexact;
 

@@ -11,7 +11,7 @@
 #include "checker.hpp"
 #include "convexact/simplify.hpp"
 #include "proof_text.hpp"
-#include "scene/result_json.hpp"
+#include "scene/proof.hpp"
 
 /// A run on a solid shape with what its proof needs. Precondition: the request says to record it.
 inline convexact::SimplifyResult recorded(const convexact::Shape& shape,

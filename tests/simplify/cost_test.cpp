@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "expect_error.hpp"
-#include "simplify/trace_json.hpp"
+#include "simplify/run_names.hpp"
 using namespace convexact;
 
 namespace {

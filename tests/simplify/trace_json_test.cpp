@@ -10,6 +10,7 @@
 #include "convexact/number.hpp"
 #include "json_schema.hpp"
 #include "shapes/makers.hpp"
+#include "simplify/run_names.hpp"
 #include "simplify_points.hpp"
 
 using namespace convexact;

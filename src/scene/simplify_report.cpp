@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "scene/result_json.hpp"
+#include "scene/simplify_report.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include "convexact/number.hpp"
 #include "io/json.hpp"
 #include "number/precision.hpp"
-#include "simplify/trace_json.hpp"
+#include "scene/proof.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json multipliers_json(const std::vector<Multiplier>& multipliers) {
-  Json list = Json::array();
-  for (const Multiplier& m : multipliers) {
-    list.push_back({{"halfspace", m.row}, {"multiplier", to_string(m.value)}});
-  }
-  return list;
-}
 
 Json stored_json(const std::string& format, const Growth& growth, std::size_t violations) {
   return {{"format", format},
@@ -52,42 +45,7 @@ Json input_json(std::size_t points, std::size_t vertices, std::size_t halfspaces
   return input;
 }
 
-struct ProofJson {
-  Json operator()(const FlatInput& flat) const {
-    Json basis = Json::array();
-    for (const PointId id : flat.basis) basis.push_back(id.index());
-    return {{"kind", "flat-points"},
-            {"dimension", flat.dimension},
-            {"basis", basis},
-            {"equations", flat.equations}};
-  }
-  Json operator()(const EmptyProof& proof) const {
-    return {{"kind", "empty"}, {"farkas", multipliers_json(proof.farkas)}};
-  }
-  Json operator()(const FlatProof& proof) const {
-    return {{"kind", "flat-halfspaces"},
-            {"point", vector_json(proof.point)},
-            {"multipliers", multipliers_json(proof.multipliers)}};
-  }
-  Json operator()(const RecessionRay& ray) const {
-    return {{"kind", "unbounded"}, {"ray", vector_json(ray.direction)}};
-  }
-};
-
 }  // namespace
-
-Json stages_json(const std::vector<Stage>& stages) {
-  Json list = Json::array();
-  for (const Stage& stage : stages) {
-    if (!stage.skipped.empty()) {
-      list.push_back({{"name", stage.name}, {"skipped", stage.skipped}});
-    } else {
-      const char* kind = stage.kind == StageKind::Io ? "io" : "compute";
-      list.push_back({{"name", stage.name}, {"kind", kind}, {"seconds", stage.seconds}});
-    }
-  }
-  return list;
-}
 
 Json ties_json(const TieTally& ties) {
   Json json = Json::object();
@@ -244,7 +202,5 @@ Json hull_json(const HullResult& result, int digits) {
   json["stored"] = stored_json(result.solid);
   return json;
 }
-
-Json proof_json(const NotSolid& reason) { return std::visit(ProofJson{}, reason); }
 
 }  // namespace convexact

@@ -5,8 +5,9 @@
 #include "convexact/number.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
-#include "scene/result_json.hpp"
-#include "simplify/trace_json.hpp"
+#include "scene/proof.hpp"
+#include "scene/simplify_report.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact {
 namespace {
@@ -274,39 +275,6 @@ std::string summary(const HullResult& result, int digits) {
   add("area", result.area);
   add("mean width", result.mean_width);
   return text + stored_lines(result.solid);
-}
-
-std::string stage_text(const std::vector<Stage>& stages, bool list_all) {
-  constexpr std::size_t kMostNamed = 3;
-  std::vector<Stage> ran;
-  double seconds = 0;
-  for (const Stage& stage : stages) {
-    if (stage.skipped.empty()) ran.push_back(stage);
-    seconds += stage.seconds;
-  }
-  const std::size_t skipped = stages.size() - ran.size();
-  std::string text;
-  if (list_all) {
-    for (const Stage& stage : ran) {
-      text += fmt::format("  {:<24}{:>9.3f} s\n", stage.name, stage.seconds);
-    }
-    for (const Stage& stage : stages) {
-      if (!stage.skipped.empty()) {
-        text += fmt::format("  {:<24}not needed: {}\n", stage.name, stage.skipped);
-      }
-    }
-    return text;
-  }
-  std::stable_sort(ran.begin(), ran.end(),
-                   [](const Stage& a, const Stage& b) { return a.seconds > b.seconds; });
-  if (ran.size() > kMostNamed) ran.resize(kMostNamed);
-  std::vector<std::string> longest;
-  for (const Stage& stage : ran) {
-    longest.push_back(fmt::format("{} {:.2f}", stage.name, stage.seconds));
-  }
-  text = fmt::format("{:.2f} s ({}); ", seconds, fmt::join(longest, ", "));
-  if (skipped > 0) text += counted(skipped, "stage", "stages") + " not needed; ";
-  return summary_line("time", text + "--stages lists all");
 }
 
 }  // namespace convexact

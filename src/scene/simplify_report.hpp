@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// simplify_report.hpp - what a run or a hull found: for machines (docs/schema/result.schema.json)
+// and for people.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "convexact/simplify.hpp"
+#include "convexact/simplify_scene.hpp"
+#include "io/names.hpp"
+
+namespace convexact {
+
+inline constexpr auto kSearchKindNames = name_table<SearchKind>({{SearchKind::None, "none"},
+                                                                 {SearchKind::Walk, "walk"},
+                                                                 {SearchKind::Local, "local"},
+                                                                 {SearchKind::Optimal, "optimal"}});
+
+/// Steps with a tie, by their proof; with undecided ones, the bits of enclosures that still
+/// overlap.
+[[nodiscard]] nlohmann::ordered_json ties_json(const TieTally& ties);
+
+/// One result without its stages.
+[[nodiscard]] nlohmann::ordered_json result_json(const SimplifyResult& result);
+/// All parts of a scene together, without stages.
+[[nodiscard]] nlohmann::ordered_json totals_json(const SceneTotals& totals, const Gaps& gaps);
+[[nodiscard]] nlohmann::ordered_json gaps_json(const Gaps& gaps);
+[[nodiscard]] nlohmann::ordered_json hull_json(const HullResult& result, int digits);
+
+/// A few lines: what was found, how tight it is, what was verified, how far it was pushed.
+[[nodiscard]] std::string summary(const SimplifyResult& result);
+/// The same of all parts of a scene together.
+[[nodiscard]] std::string summary(const SceneTotals& totals, const Gaps& gaps);
+/// Counts, box, and each measure with `digits` certain digits.
+[[nodiscard]] std::string summary(const HullResult& result, int digits);
+
+}  // namespace convexact
