@@ -156,6 +156,33 @@ int run_decompose(const DecomposeArguments& options) {
   return 0;
 }
 
+// Where the clusters come from, and how many there are.
+void add_cluster_options(CLI::App& command, DecomposeArguments& options) {
+  add_choice(
+      command, "--method", options.request.method, kDecomposeMethodNames,
+      "hacd merges neighbouring triangles, then clusters, by concavity and shape; acd splits "
+      "the most concave part at its deepest notch, again and again");
+  command
+      .add_option("--concavity", options.concavity,
+                  "how deep a cluster may lie in its hull: a share of the diameter, 3% or 0.03d, "
+                  "or a length, 0.05")
+      ->capture_default_str();
+  add_count(command, "--max-parts", options.request.max_parts, {1},
+            "at least 1: hacd merges on beyond the concavity allowed until so many parts are left, "
+            "acd splits no more when there are so many");
+  add_choice(command, "--measure", options.request.measure, kConcavityMeasureNames,
+             "of hacd: concavity at every point of the triangles, or at their corners only, as "
+             "published, which sees no notch whose corners all lie on the hull");
+  add_choice(command, "--bridge", options.request.bridge, kBridgeChoiceNames,
+             "of acd: concavity is the distance to a bridge, facets of the hull over the nearest "
+             "path; to the farther of its bridges, to that of the whole region, or to the nearer");
+  command
+      .add_option("--coplanar", options.coplanar,
+                  "of acd: facets are one bridge where the cosine of the angle between their "
+                  "normals is larger; above 0, at most 1")
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_decompose_command(CLI::App& program, int& exit_code) {
@@ -166,29 +193,7 @@ void add_decompose_command(CLI::App& program, int& exit_code) {
   command.add_option("INPUT", options->input,
                      "a mesh (OBJ, OFF, PLY, STL), or halfspaces (JSON, .ine, rows); - is standard "
                      "input");
-  add_choice(
-      command, "--method", options->request.method, kDecomposeMethodNames,
-      "hacd merges neighbouring triangles, then clusters, by concavity and shape; acd splits "
-      "the most concave part at its deepest notch, again and again");
-  command
-      .add_option("--concavity", options->concavity,
-                  "how deep a cluster may lie in its hull: a share of the diameter, 3% or 0.03d, "
-                  "or a length, 0.05")
-      ->capture_default_str();
-  add_count(command, "--max-parts", options->request.max_parts, {1},
-            "at least 1: hacd merges on beyond the concavity allowed until so many parts are left, "
-            "acd splits no more when there are so many");
-  add_choice(command, "--measure", options->request.measure, kConcavityMeasureNames,
-             "of hacd: concavity at every point of the triangles, or at their corners only, as "
-             "published, which sees no notch whose corners all lie on the hull");
-  add_choice(command, "--bridge", options->request.bridge, kBridgeChoiceNames,
-             "of acd: concavity is the distance to a bridge, facets of the hull over the nearest "
-             "path; to the farther of its bridges, to that of the whole region, or to the nearer");
-  command
-      .add_option("--coplanar", options->coplanar,
-                  "of acd: facets are one bridge where the cosine of the angle between their "
-                  "normals is larger; above 0, at most 1")
-      ->capture_default_str();
+  add_cluster_options(command, *options);
   add_faces(command, options->request.faces,
             "how many halfspaces to keep of each part, at least 4");
   add_count(command, "--total-faces", options->request.total_faces, {4, std::uint64_t(1) << 32},
