@@ -7,7 +7,6 @@
 
 #include "bvh/tree_report.hpp"
 #include "convexact/decompose.hpp"
-#include "convexact/hull_tree.hpp"
 #include "io/json.hpp"
 #include "io/json_text.hpp"
 #include "scene/decompose_options.hpp"
@@ -74,34 +73,20 @@ std::string on_one_line(std::string document) {
   return document;
 }
 
-std::vector<std::string> names_of_parts(const Decomposition& made) {
-  std::vector<std::string> names;
-  for (std::size_t k = 0; k < made.parts.size(); ++k) names.push_back(fmt::format("part_{:03}", k));
-  return names;
-}
-
-std::string document_line(const Decomposition& made, const DecomposeRequest& request) {
-  const std::vector<std::string> names = names_of_parts(made);
-  std::vector<WrittenPart> parts;
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    parts.push_back({names[k], &made.parts[k], &made.surface});
+// With what --tree writes, if the request asks for it.
+std::string answer_of(Decomposition made, const DecomposeRequest& request,
+                      std::optional<std::size_t> tree_faces) {
+  DecomposedObject object{"the request", std::move(made), {}};
+  for (std::size_t k = 0; k < object.result.parts.size(); ++k) {
+    object.part_names.push_back(fmt::format("part_{:03}", k));
   }
-  const auto document = decomposition_json(made, request, names, DecompositionDetail::All);
-  return on_one_line(proven_parts_json(document, parts, "the answer"));
-}
-
-// What --tree writes.
-std::string tree_line(const Decomposition& made, const DecomposeRequest& request,
-                      std::optional<std::size_t> faces) {
-  const TreeRequest tree{.faces = faces,
-                         .leaf_faces = {},
-                         .precision = request.precision,
-                         .seed = request.seed,
-                         .watch = {.stop = request.watch.stop}};
-  const TreeOrigin origin{"the request", name_in(kDecomposeMethodNames, request.method),
-                          made.surface.points.is_binary(), 0};
-  return on_one_line(proven_tree_file(build_tree(made, names_of_parts(made), tree), tree, origin,
-                                      "the tree of the answer"));
+  const std::span objects(&object, 1);
+  const auto document = decomposition_json(objects, request, DecompositionDetail::All);
+  std::string line = on_one_line(proven_parts_json(document, written_parts(objects), "the answer"));
+  if (!request.for_tree) return line;
+  line.back() = ',';
+  const TreeOfParts tree = tree_of_parts(object, request, tree_faces, "the tree of the answer");
+  return line + "\"tree_file\":" + on_one_line(tree.file) + "}";
 }
 
 std::string decompose_answer(const json& request, std::optional<double> time_limit) {
@@ -123,15 +108,12 @@ std::string decompose_answer(const json& request, std::optional<double> time_lim
   return in_time(time_limit_of(request, time_limit), "parts",
                  [&](const std::atomic<bool>* stop) -> std::string {
                    wanted.watch.stop = stop;
-                   const DecomposeOutcome outcome = decompose(mesh, wanted);
+                   DecomposeOutcome outcome = decompose(mesh, wanted);
                    if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
                      return write_json(not_solid_answer(*reason));
                    }
-                   const auto& made = std::get<Decomposition>(outcome);
-                   std::string line = document_line(made, wanted);
-                   if (!wanted.for_tree) return line;
-                   line.back() = ',';
-                   return line + "\"tree_file\":" + tree_line(made, wanted, tree_faces) + "}";
+                   return answer_of(std::get<Decomposition>(std::move(outcome)), wanted,
+                                    tree_faces);
                  });
 }
 

@@ -9,7 +9,6 @@
 #include "io/json.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
-#include "scene/decompose_report.hpp"
 #include "scene/objects.hpp"
 #include "scene/surface_report.hpp"
 #include "simplify/run_names.hpp"
@@ -151,6 +150,21 @@ std::string tree_text(const BuiltTree& built, const TreeOrigin& origin) {
                         interval_text(level.volume), interval_text(level.area));
   }
   return text;
+}
+
+TreeOfParts tree_of_parts(const DecomposedObject& object, const DecomposeRequest& request,
+                          std::optional<std::size_t> faces, const std::string& path) {
+  const TreeRequest tree{.faces = faces,
+                         .leaf_faces = {},
+                         .precision = request.precision,
+                         .seed = request.seed,
+                         .watch = {.stop = request.watch.stop}};
+  const TreeOrigin origin{object.name, name_in(kDecomposeMethodNames, request.method),
+                          object.result.surface.points.is_binary(), 0};
+  BuiltTree built = build_tree(object.result, object.part_names, tree);
+  std::string file = proven_tree_file(built, tree, origin, path);
+  std::string summary = tree_summary(built, origin);
+  return {std::move(built), std::move(file), std::move(summary)};
 }
 
 // ---- Answers

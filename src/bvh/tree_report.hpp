@@ -8,6 +8,7 @@
 
 #include "convexact/hull_tree.hpp"
 #include "query/query_report.hpp"
+#include "scene/decompose_report.hpp"
 
 namespace convexact {
 
@@ -35,6 +36,20 @@ struct TreeOrigin {
 [[nodiscard]] std::string tree_summary(const BuiltTree& built, const TreeOrigin& origin);
 /// These, what is covered, and a table of the levels.
 [[nodiscard]] std::string tree_text(const BuiltTree& built, const TreeOrigin& origin);
+
+/// A tree over the parts of a decomposition, its file and its summary.
+struct TreeOfParts {
+  BuiltTree built;
+  std::string file, summary;
+};
+
+/// @param request  Of the decomposition: its precision, seed and stop are the tree's.
+/// @param faces    Halfspaces to keep of each branch.
+/// @param path     For messages.
+/// @throws Error as build_tree() and proven_tree_file().
+[[nodiscard]] TreeOfParts tree_of_parts(const DecomposedObject& object,
+                                        const DecomposeRequest& request,
+                                        std::optional<std::size_t> faces, const std::string& path);
 
 /// A tree that is asked, under the name of its file, with the names of its parts.
 struct NamedTree {

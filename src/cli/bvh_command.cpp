@@ -116,6 +116,33 @@ std::size_t count_uncovered(const Surface& surface, const HullTree& tree, StageL
   });
 }
 
+OutputFiles files_of(const BuiltTree& built, const TreeRequest& request, const TreeOrigin& origin,
+                     const BvhArguments& options) {
+  OutputFiles files;
+  if (!options.output.empty()) {
+    files.emplace_back(options.output, proven_tree_file(built, request, origin, options.output));
+  }
+  if (!options.picture.empty()) {
+    const std::string title = std::filesystem::path(origin.input).filename().string();
+    files.emplace_back(options.picture, picture_html(tree_picture(built, title)));
+  }
+  return files;
+}
+
+std::string answer_of(const BuiltTree& built, const TreeRequest& request, const TreeOrigin& origin,
+                      const OutputFiles& files, const std::vector<Stage>& stages,
+                      const BvhArguments& options) {
+  if (options.global.json) {
+    nlohmann::ordered_json document = tree_json(built, request, origin);
+    document["stages"] = stages_json(stages);
+    return write_json(document, 2) + "\n";
+  }
+  std::string text = origin.input + "\n" + tree_text(built, origin);
+  for (const auto& [path, bytes] : files) text += "  written     " + path + "\n";
+  if (files.empty()) text += "  written     nothing; -o tree.json keeps the tree\n";
+  return text + stage_text(stages, options.global.stages);
+}
+
 int run_bvh(const BvhArguments& options) {
   if (!options.output.empty() && !options.output.ends_with(".json")) {
     throw Error(ErrorCode::InvalidArgument,
@@ -152,30 +179,10 @@ int run_bvh(const BvhArguments& options) {
   if (!options.from.empty()) {
     parts.origin.uncovered = count_uncovered(parts.surface, built.tree, log);
   }
-  OutputFiles files;
-  log.run("write", StageKind::Io, [&] {
-    if (!options.output.empty()) {
-      files.emplace_back(options.output,
-                         proven_tree_file(built, request, parts.origin, options.output));
-    }
-    if (!options.picture.empty()) {
-      const std::string title = std::filesystem::path(name).filename().string();
-      files.emplace_back(options.picture, picture_html(tree_picture(built, title)));
-    }
-  });
+  const OutputFiles files = log.run(
+      "write", StageKind::Io, [&] { return files_of(built, request, parts.origin, options); });
   progress.clear();
-  std::string answer;
-  if (options.global.json) {
-    nlohmann::ordered_json document = tree_json(built, request, parts.origin);
-    document["stages"] = stages_json(log.stages());
-    answer = write_json(document, 2) + "\n";
-  } else {
-    answer = name + "\n" + tree_text(built, parts.origin);
-    for (const auto& [path, bytes] : files) answer += "  written     " + path + "\n";
-    if (files.empty()) answer += "  written     nothing; -o tree.json keeps the tree\n";
-    answer += stage_text(log.stages(), options.global.stages);
-  }
-  write_together(files, answer);
+  write_together(files, answer_of(built, request, parts.origin, files, log.stages(), options));
   return 0;
 }
 

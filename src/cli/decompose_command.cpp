@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: MIT
 // convexact decompose: a mesh as few convex parts.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include "bvh/decompose_request.hpp"
-#include "bvh/tree_report.hpp"
-#include "cli/model_files.hpp"
+#include "cli/decomposed_files.hpp"
 #include "cli/outputs.hpp"
 #include "cli/part_files.hpp"
 #include "cli/stdio_loop.hpp"
 #include "convexact/decompose.hpp"
-#include "convexact/hull_tree.hpp"
 #include "io/json.hpp"
-#include "report/parts_picture.hpp"
 #include "scene/decompose_options.hpp"
 #include "scene/decompose_report.hpp"
-#include "scene/decomposition_proof.hpp"
 #include "scene/objects.hpp"
 #include "scene/stage_report.hpp"
 #include "scene/written_parts.hpp"
@@ -49,23 +41,6 @@ constexpr const char* kDecomposeFooter =
     "part of acd cannot be split; the summary and \"eps_holds\" say so. 4: INPUT has no face, or "
     "all its faces lie in one plane.";
 
-// The files that a run writes. A new kind joins all_paths(), files_of() and the options.
-struct DecomposeFiles {
-  std::vector<std::string> results;  // -o
-  std::string tree;                  // of hulls over the parts
-  std::string trace;                 // every merge
-  std::string proof;                 // for convexact-check
-  std::string picture;               // a page
-
-  std::vector<std::string> all_paths() const {
-    std::vector<std::string> paths = results;
-    for (const std::string& path : {tree, trace, proof, picture}) {
-      if (!path.empty()) paths.push_back(path);
-    }
-    return paths;
-  }
-};
-
 struct DecomposeArguments {
   GlobalOptions global;
   std::string input;
@@ -73,8 +48,6 @@ struct DecomposeArguments {
   DecomposeFiles files;
   DecomposeRequest request;
   std::string concavity = "3%", coplanar = "0.99";  // of the request, as text
-  std::optional<std::size_t> tree_faces;
-  std::string names = "part_%03d";
   bool no_measures = false;
   StdioOptions stdio;
 };
@@ -98,165 +71,12 @@ DecomposeRequest decompose_request(const DecomposeArguments& options) {
   return request;
 }
 
-// A decomposition of one object of the input, and the names of its parts.
-struct DecomposedObject {
-  std::string name;
-  Decomposition result;
-  std::vector<std::string> part_names;
-};
-
-using DecomposedObjects = std::vector<DecomposedObject>;
-
-// Parts of several objects begin with the name of theirs, or with its number if one of these names
-// cannot be part of the name of a file and of an object.
-void name_parts(DecomposedObjects& objects, const std::vector<std::string>& object_names,
-                const PartNames& names) {
-  const bool is_plain = std::all_of(object_names.begin(), object_names.end(), is_plain_name);
-  for (std::size_t k = 0; k < objects.size(); ++k) {
-    std::string prefix;
-    if (objects.size() > 1) {
-      prefix = (is_plain ? object_names[k] : fmt::format("object_{}", k)) + "_";
-    }
-    for (std::size_t part = 0; part < objects[k].result.parts.size(); ++part) {
-      objects[k].part_names.push_back(prefix + names(part));
-    }
-  }
-}
-
-std::vector<WrittenPart> written_parts(const DecomposedObjects& objects) {
-  std::vector<WrittenPart> parts;
-  for (const DecomposedObject& object : objects) {
-    for (std::size_t k = 0; k < object.result.parts.size(); ++k) {
-      parts.push_back({object.part_names[k], &object.result.parts[k], &object.result.surface});
-    }
-  }
-  return parts;
-}
-
-// Of several objects: their documents under "objects", and all parts together under "parts", each
-// with the number of its object.
-nlohmann::ordered_json document_of(const DecomposedObjects& objects,
-                                   const DecomposeRequest& request, DecompositionDetail detail) {
-  if (objects.size() == 1) {
-    return decomposition_json(objects[0].result, request, objects[0].part_names, detail);
-  }
-  bool holds = true;
-  nlohmann::ordered_json parts = nlohmann::ordered_json::array(), list = parts;
-  for (std::size_t k = 0; k < objects.size(); ++k) {
-    nlohmann::ordered_json entry = {{"name", objects[k].name}};
-    entry.update(decomposition_json(objects[k].result, request, objects[k].part_names, detail));
-    for (const nlohmann::ordered_json& part : entry["parts"]) {
-      parts.push_back({{"name", part["name"]}, {"object", k}});
-      parts.back().update(part);
-    }
-    entry.erase("parts");
-    holds = holds && objects[k].result.limit_holds;
-    list.push_back(std::move(entry));
-  }
-  return {{"decomposition", 1},
-          {"eps_holds", holds},
-          {"covers", "surface"},
-          {"objects", list},
-          {"parts", std::move(parts)}};
-}
-
-struct FilesOfParts {
-  OutputFiles files;
-  std::vector<std::string> folders, removed, notes;
-  std::string tree;  // what the summary says of it
-};
-
-std::string in_folder(const std::string& folder, const std::string& file) {
-  return (std::filesystem::path(folder) / file).string();
-}
-
-void add_folder(FilesOfParts& out, const std::string& folder, nlohmann::ordered_json document,
-                const std::vector<WrittenPart>& parts, const std::string& input) {
-  out.folders.push_back(folder);
-  std::set<std::string> written;
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const std::string file = part_file_name(parts[k].name), path = in_folder(folder, file);
-    document["parts"][k]["file"] = file;
-    written.insert(file);
-    out.files.emplace_back(path, proven_parts_obj(std::span(parts).subspan(k, 1), path));
-    require_other_files({path}, {input});
-  }
-  const std::string path = in_folder(folder, kPartsDocument);
-  require_other_files({path}, {input});
-  out.files.emplace_back(path, proven_parts_json(document, parts, path));
-  const LeftInFolder left = left_in_folder(folder, written, {input});
-  out.removed.insert(out.removed.end(), left.stale.begin(), left.stale.end());
-  for (const std::string& file : left.foreign) {
-    out.notes.push_back(file + " is none of these parts; verify of the folder takes it for one");
-  }
-}
-
-// The tree over the parts as they are stored: its file, and its levels in the picture.
-void add_tree(const DecomposedObject& object, const DecomposeRequest& request,
-              const DecomposeArguments& options, FilesOfParts& out, Picture& picture) {
-  const TreeRequest tree{.faces = options.tree_faces,
-                         .leaf_faces = {},
-                         .precision = request.precision,
-                         .seed = request.seed,
-                         .watch = {.stop = request.watch.stop}};
-  const TreeOrigin origin{object.name, name_in(kDecomposeMethodNames, request.method),
-                          object.result.surface.points.is_binary(), 0};
-  const BuiltTree built = build_tree(object.result, object.part_names, tree);
-  const std::string& path = options.files.tree;
-  out.files.emplace_back(path, proven_tree_file(built, tree, origin, path));
-  out.tree = tree_summary(built, origin);
-  for (PictureLayer& layer : tree_layers(built)) picture.layers.push_back(std::move(layer));
-}
-
-FilesOfParts files_of(const DecomposedObjects& objects, const DecomposeRequest& request,
-                      const DecomposeArguments& options) {
-  FilesOfParts out;
-  const Watch watch(request.watch.stop);
-  const std::vector<WrittenPart> parts = written_parts(objects);
-  for (const std::string& path : options.files.results) {
-    watch.ask();
-    const PartsOutput kind = parts_output_of(path);
-    if (kind == PartsOutput::Obj) {
-      out.files.emplace_back(path, proven_parts_obj(parts, path));
-      continue;
-    }
-    if (kind != PartsOutput::Json && kind != PartsOutput::Folder) {
-      out.files.emplace_back(path, model_bytes(path, options.files.results, parts));
-      continue;
-    }
-    nlohmann::ordered_json document = document_of(objects, request, DecompositionDetail::All);
-    if (kind == PartsOutput::Json) {
-      out.files.emplace_back(path, proven_parts_json(document, parts, path));
-    } else {
-      add_folder(out, path, std::move(document), parts, options.input);
-    }
-  }
-  watch.ask();
-  if (!options.files.trace.empty()) {
-    out.files.emplace_back(options.files.trace, write_decompose_trace(objects[0].result, request));
-  }
-  if (!options.files.proof.empty()) {
-    out.files.emplace_back(options.files.proof,
-                           write_decomposition_proof(objects[0].result, request));
-  }
-  Picture picture;
-  if (!options.files.picture.empty()) {
-    const std::string title = std::filesystem::path(objects[0].name).filename().string();
-    picture = decomposition_picture(objects[0].result, title);
-  }
-  if (!options.files.tree.empty()) add_tree(objects[0], request, options, out, picture);
-  if (!options.files.picture.empty()) {
-    out.files.emplace_back(options.files.picture, picture_html(picture));
-  }
-  watch.ask();
-  return out;
-}
-
-std::string answer_of(const DecomposedObjects& objects, const DecomposeRequest& request,
+std::string answer_of(const std::vector<DecomposedObject>& objects, const DecomposeRequest& request,
                       const FilesOfParts& out, const std::vector<Stage>& stages,
                       const DecomposeArguments& options) {
   if (options.global.json) {
-    nlohmann::ordered_json document = document_of(objects, request, DecompositionDetail::Numbers);
+    nlohmann::ordered_json document =
+        decomposition_json(objects, request, DecompositionDetail::Numbers);
     if (objects.size() == 1) document["input"] = objects[0].name;
     document["files"] = options.files.all_paths();
     document["removed"] = out.removed;
@@ -268,7 +88,7 @@ std::string answer_of(const DecomposedObjects& objects, const DecomposeRequest& 
   for (const DecomposedObject& object : objects) {
     text += object.name + "\n" + summary(object.result, request, object.part_names);
   }
-  text += out.tree;
+  text += out.tree_summary;
   for (const std::string& path : options.files.all_paths()) text += "  written     " + path + "\n";
   for (const std::string& path : out.removed) {
     text += "  removed     " + path + ", of an earlier run\n";
@@ -278,24 +98,6 @@ std::string answer_of(const DecomposedObjects& objects, const DecomposeRequest& 
     text += "  written     nothing; -o parts.obj keeps the parts\n";
   }
   return text + stage_text(stages, options.global.stages);
-}
-
-// Which files a run writes to a folder is known when it ends, and too late for a refusal.
-void require_other_names(const DecomposeArguments& options, const PartNames& names) {
-  const std::filesystem::path input(options.input);
-  if (input.extension() != ".obj" || !names.may_end(input.stem().string())) return;
-  const auto folder = input.has_parent_path() ? input.parent_path() : std::filesystem::path(".");
-  for (const std::string& path : options.files.results) {
-    std::error_code missing;
-    if (parts_output_of(path) != PartsOutput::Folder ||
-        !std::filesystem::equivalent(folder, path, missing)) {
-      continue;
-    }
-    throw Error(ErrorCode::InvalidArgument,
-                "-o " + path +
-                    ": the input lies there and is called as a part may be; name "
-                    "another folder, or other --names");
-  }
 }
 
 // decompose(), with the name of the object in errors about it.
@@ -320,31 +122,14 @@ int run_decompose(const DecomposeArguments& options) {
     throw Error(ErrorCode::InvalidArgument, "name an INPUT, or --stdio");
   }
   DecomposeRequest request = decompose_request(options);
-  const PartNames names(options.names);
-  if (!options.files.tree.empty() && !options.files.tree.ends_with(".json")) {
-    throw Error(ErrorCode::InvalidArgument, "--tree: expected a name that ends in .json");
-  }
-  if (options.tree_faces && options.files.tree.empty()) {
-    throw Error(ErrorCode::InvalidArgument, "--tree-faces is of a tree: name its file by --tree");
-  }
-  require_model_options(options.files.results, request.precision, request.flat);
-  require_other_files(options.files.all_paths(), {options.input});
-  require_other_names(options, names);
+  options.files.require_sensible(options.input, request);
   Progress progress;
   StageLog log(progress.watch());
   std::vector<SceneObject> scene =
       log.run("read", StageKind::Io, [&] { return read_scene({options.input}, options.scene); });
-  for (const auto& [option, path] :
-       {std::pair("--tree", &options.files.tree), std::pair("--trace", &options.files.trace),
-        std::pair("--proof", &options.files.proof),
-        std::pair("--picture", &options.files.picture)}) {
-    if (scene.size() > 1 && !path->empty()) {
-      throw Error(ErrorCode::InvalidArgument,
-                  std::string(option) + ": it shows one object, but there are several");
-    }
-  }
+  options.files.require_room_for(scene.size());
   request.watch = progress.watch();
-  DecomposedObjects objects;
+  std::vector<DecomposedObject> objects;
   std::vector<std::string> object_names;
   for (SceneObject& object : scene) {
     const std::string name = object.name;
@@ -363,13 +148,41 @@ int run_decompose(const DecomposeArguments& options) {
     objects.push_back({name, std::get<Decomposition>(std::move(*outcome)), {}});
     log.add(objects.back().result.stages);
   }
-  name_parts(objects, object_names, names);
-  const FilesOfParts out =
-      log.run("write", StageKind::Io, [&] { return files_of(objects, request, options); });
+  name_parts(objects, object_names, options.files.names);
+  const FilesOfParts out = log.run("write", StageKind::Io, [&] {
+    return decomposed_files(objects, request, options.files, options.input);
+  });
   progress.clear();
   write_parts_together(out.files, out.folders, out.removed,
                        answer_of(objects, request, out, log.stages(), options));
   return 0;
+}
+
+// Where the clusters come from, and how many there are.
+void add_cluster_options(CLI::App& command, DecomposeArguments& options) {
+  add_choice(
+      command, "--method", options.request.method, kDecomposeMethodNames,
+      "hacd merges neighbouring triangles, then clusters, by concavity and shape; acd splits "
+      "the most concave part at its deepest notch, again and again");
+  command
+      .add_option("--concavity", options.concavity,
+                  "how deep a cluster may lie in its hull: a share of the diameter, 3% or 0.03d, "
+                  "or a length, 0.05")
+      ->capture_default_str();
+  add_count(command, "--max-parts", options.request.max_parts, {1},
+            "at least 1: hacd merges on beyond the concavity allowed until so many parts are left, "
+            "acd splits no more when there are so many");
+  add_choice(command, "--measure", options.request.measure, kConcavityMeasureNames,
+             "of hacd: concavity at every point of the triangles, or at their corners only, as "
+             "published, which sees no notch whose corners all lie on the hull");
+  add_choice(command, "--bridge", options.request.bridge, kBridgeChoiceNames,
+             "of acd: concavity is the distance to a bridge, facets of the hull over the nearest "
+             "path; to the farther of its bridges, to that of the whole region, or to the nearer");
+  command
+      .add_option("--coplanar", options.coplanar,
+                  "of acd: facets are one bridge where the cosine of the angle between their "
+                  "normals is larger; above 0, at most 1")
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -382,29 +195,7 @@ void add_decompose_command(CLI::App& program, int& exit_code) {
   command.add_option("INPUT", options->input,
                      "a mesh (OBJ, OFF, PLY, STL), or halfspaces (JSON, .ine, rows); - is standard "
                      "input");
-  add_choice(
-      command, "--method", options->request.method, kDecomposeMethodNames,
-      "hacd merges neighbouring triangles, then clusters, by concavity and shape; acd splits "
-      "the most concave part at its deepest notch, again and again");
-  command
-      .add_option("--concavity", options->concavity,
-                  "how deep a cluster may lie in its hull: a share of the diameter, 3% or 0.03d, "
-                  "or a length, 0.05")
-      ->capture_default_str();
-  add_count(command, "--max-parts", options->request.max_parts, {1},
-            "at least 1: hacd merges on beyond the concavity allowed until so many parts are left, "
-            "acd splits no more when there are so many");
-  add_choice(command, "--measure", options->request.measure, kConcavityMeasureNames,
-             "of hacd: concavity at every point of the triangles, or at their corners only, as "
-             "published, which sees no notch whose corners all lie on the hull");
-  add_choice(command, "--bridge", options->request.bridge, kBridgeChoiceNames,
-             "of acd: concavity is the distance to a bridge, facets of the hull over the nearest "
-             "path; to the farther of its bridges, to that of the whole region, or to the nearer");
-  command
-      .add_option("--coplanar", options->coplanar,
-                  "of acd: facets are one bridge where the cosine of the angle between their "
-                  "normals is larger; above 0, at most 1")
-      ->capture_default_str();
+  add_cluster_options(command, *options);
   add_faces(command, options->request.faces,
             "how many halfspaces to keep of each part, at least 4");
   add_count(command, "--total-faces", options->request.total_faces, {4, std::uint64_t(1) << 32},
@@ -422,30 +213,7 @@ void add_decompose_command(CLI::App& program, int& exit_code) {
   add_choice(command, "--engine", options->request.engine, kEngineNames,
              "of hacd: rationals everywhere; the same parts, faster; or doubles that choose, the "
              "parts still proven");
-  command
-      .add_option("-o,--output", options->files.results,
-                  "file for the parts: .obj with an object for each, .json, or a folder (ends in "
-                  "/) with a file for each; or a model for simulators, with --precision 32: "
-                  ".mjcf.xml or .urdf beside a folder, .usda; may be repeated")
-      ->expected(1)
-      ->allow_extra_args(false)  // an INPUT that need not be there may follow
-      ->take_all();
-  command
-      .add_option("--names", options->names,
-                  "the name of a part: exactly one %d or %0Nd, which becomes its number")
-      ->capture_default_str();
-  command.add_option("--tree", options->files.tree,
-                     "a tree of hulls over the parts (.json), as convexact bvh writes it");
-  add_count(command, "--tree-faces", options->tree_faces, {4, std::uint64_t(1) << 32},
-            "how many halfspaces to keep of each branch of the tree, at least 4");
-  command.add_option("--trace", options->files.trace,
-                     "every merge, or split, as JSON, for a program that replays it");
-  command.add_option("--proof", options->files.proof,
-                     "a text from which convexact-check proves owners, concavities, and that no "
-                     "neighbours can be merged; of acd owners, and how deep corners lie");
-  command.add_option("--picture", options->files.picture,
-                     "a page (.html) that shows the parts, which a slider draws apart, and the "
-                     "merges or splits step by step");
+  add_decompose_files(command, options->files);
   add_choice<Precision>(command, "--precision", options->request.precision,
                         {{"64", Precision::Binary64}, {"32", Precision::Binary32}},
                         "the numbers of the parts: binary64, or rounded outward to binary32");

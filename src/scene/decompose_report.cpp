@@ -243,6 +243,31 @@ OrderedJson decomposition_json(const Decomposition& decomposition, const Decompo
   return json;
 }
 
+OrderedJson decomposition_json(std::span<const DecomposedObject> objects,
+                               const DecomposeRequest& request, DecompositionDetail detail) {
+  if (objects.size() == 1) {
+    return decomposition_json(objects[0].result, request, objects[0].part_names, detail);
+  }
+  bool holds = true;
+  OrderedJson parts = OrderedJson::array(), list = parts;
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    OrderedJson entry = {{"name", objects[k].name}};
+    entry.update(decomposition_json(objects[k].result, request, objects[k].part_names, detail));
+    for (const OrderedJson& part : entry["parts"]) {
+      parts.push_back({{"name", part["name"]}, {"object", k}});
+      parts.back().update(part);
+    }
+    entry.erase("parts");
+    holds = holds && objects[k].result.limit_holds;
+    list.push_back(std::move(entry));
+  }
+  return {{"decomposition", 1},
+          {"eps_holds", holds},
+          {"covers", "surface"},
+          {"objects", list},
+          {"parts", std::move(parts)}};
+}
+
 std::string write_lines(const OrderedJson& document) {
   std::string text = "{";
   const char* comma = "\n";

@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "convexact/decompose.hpp"
 
@@ -21,6 +22,19 @@ enum class DecompositionDetail {
 [[nodiscard]] nlohmann::ordered_json decomposition_json(const Decomposition& decomposition,
                                                         const DecomposeRequest& request,
                                                         std::span<const std::string> names,
+                                                        DecompositionDetail detail);
+
+/// A decomposition of one object of a scene, and the names of its parts.
+struct DecomposedObject {
+  std::string name;
+  Decomposition result;
+  std::vector<std::string> part_names;
+};
+
+/// Of one object the same; of several their documents under "objects", and all parts together under
+/// "parts", each with the number of its object.
+[[nodiscard]] nlohmann::ordered_json decomposition_json(std::span<const DecomposedObject> objects,
+                                                        const DecomposeRequest& request,
                                                         DecompositionDetail detail);
 
 /// A document with an entry of each top-level list, and every other value, on a line of its own.

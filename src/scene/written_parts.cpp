@@ -11,7 +11,6 @@
 #include "convexact/stored.hpp"
 #include "io/json.hpp"
 #include "number/text.hpp"
-#include "scene/decompose_report.hpp"
 #include "scene/objects.hpp"
 
 namespace convexact {
@@ -36,6 +35,16 @@ void require_parts(const std::string& bytes, const std::string& path,
 }
 
 }  // namespace
+
+std::vector<WrittenPart> written_parts(std::span<const DecomposedObject> objects) {
+  std::vector<WrittenPart> parts;
+  for (const DecomposedObject& object : objects) {
+    for (std::size_t k = 0; k < object.result.parts.size(); ++k) {
+      parts.push_back({object.part_names[k], &object.result.parts[k], &object.result.surface});
+    }
+  }
+  return parts;
+}
 
 void require_held(const std::string& path, const WrittenPart& written,
                   std::span<const Halfspace> halfspaces) {

@@ -5,8 +5,10 @@
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "convexact/decompose.hpp"
+#include "scene/decompose_report.hpp"
 
 namespace convexact {
 
@@ -16,6 +18,9 @@ struct WrittenPart {
   const Part* part;
   const Surface* surface;
 };
+
+/// All parts of all objects, which they point into.
+[[nodiscard]] std::vector<WrittenPart> written_parts(std::span<const DecomposedObject> objects);
 
 /// @param halfspaces  Of the part as a reader of the file takes it.
 /// @throws Error Internal if a corner of a triangle that the part owns is outside of one.

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+#include "cli/decomposed_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "bvh/tree_report.hpp"
+#include "cli/part_files.hpp"
+#include "convexact/error.hpp"
+#include "report/parts_picture.hpp"
+#include "scene/decomposition_proof.hpp"
+#include "scene/part_models.hpp"
+#include "scene/written_parts.hpp"
+
+namespace convexact::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// ---- Models for simulators
+
+bool is_model(PartsOutput kind) {
+  return kind == PartsOutput::Mjcf || kind == PartsOutput::Urdf || kind == PartsOutput::Usd;
+}
+
+bool is_folder(const std::string& path) { return parts_output_of(path) == PartsOutput::Folder; }
+
+// The name of the file up to its extension.
+std::string model_name(const std::string& path, PartsOutput kind) {
+  const std::string name = fs::path(path).filename().string();
+  const std::size_t extension = kind == PartsOutput::Mjcf ? kMjcfExtension.size() : 5;
+  return name.substr(0, name.size() - extension);
+}
+
+// From the place of the model, which readers take paths to be relative to. Neither has to exist.
+std::vector<PartFile> files_in(const std::string& folder, const std::string& model,
+                               std::span<const WrittenPart> parts) {
+  const fs::path place = fs::weakly_canonical(fs::absolute(model).parent_path());
+  const fs::path target = fs::weakly_canonical(fs::absolute(folder));
+  std::vector<PartFile> files;
+  for (const WrittenPart& part : parts) {
+    const fs::path file = target / part_file_name(part.name);
+    files.push_back({part.name, file.lexically_relative(place).generic_string()});
+  }
+  return files;
+}
+
+// Models need numbers of binary32 and solids, and name the files of one folder.
+void require_sensible_models(const std::vector<std::string>& outputs,
+                             const DecomposeRequest& request) {
+  const auto folders = std::count_if(outputs.begin(), outputs.end(), is_folder);
+  for (const std::string& path : outputs) {
+    const PartsOutput kind = parts_output_of(path);
+    if (!is_model(kind)) continue;
+    if (request.precision != Precision::Binary32) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "-o " + path +
+                      ": simulators round to the nearest binary32 number, which cuts off points "
+                      "of the input; --precision 32 rounds outward before they do");
+    }
+    if (request.flat == FlatParts::Keep) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "-o " + path +
+                      ": a part that stays flat is no solid to a simulator; --flat thicken, the "
+                      "default, makes it one");
+    }
+    if (kind != PartsOutput::Usd && folders != 1) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "-o " + path +
+                      ": it names the files of the parts, so one folder for them is "
+                      "needed, such as -o parts/, and there are " +
+                      (folders == 0 ? "none" : "several"));
+    }
+  }
+}
+
+// Of one of the outputs, which is a model.
+std::string model_bytes(const std::string& path, const std::vector<std::string>& outputs,
+                        std::span<const WrittenPart> parts) {
+  const PartsOutput kind = parts_output_of(path);
+  const std::string name = model_name(path, kind);
+  if (kind == PartsOutput::Usd) return proven_parts_usd(name, parts, path);
+  const std::string& folder = *std::find_if(outputs.begin(), outputs.end(), is_folder);
+  const std::vector<PartFile> files = files_in(folder, path, parts);
+  return kind == PartsOutput::Mjcf ? write_mjcf(name, files) : write_urdf(name, files);
+}
+
+// ---- Files and folders of parts
+
+// Which files a run writes to a folder is known when it ends, and too late for a refusal.
+void require_other_names(const DecomposeFiles& files, const PartNames& names,
+                         const std::string& input_path) {
+  const fs::path input(input_path);
+  if (input.extension() != ".obj" || !names.may_end(input.stem().string())) return;
+  const auto folder = input.has_parent_path() ? input.parent_path() : fs::path(".");
+  for (const std::string& path : files.results) {
+    std::error_code missing;
+    if (parts_output_of(path) != PartsOutput::Folder || !fs::equivalent(folder, path, missing)) {
+      continue;
+    }
+    throw Error(ErrorCode::InvalidArgument,
+                "-o " + path +
+                    ": the input lies there and is called as a part may be; name "
+                    "another folder, or other --names");
+  }
+}
+
+std::string in_folder(const std::string& folder, const std::string& file) {
+  return (fs::path(folder) / file).string();
+}
+
+void add_folder(FilesOfParts& out, const std::string& folder, nlohmann::ordered_json document,
+                const std::vector<WrittenPart>& parts, const std::string& input) {
+  out.folders.push_back(folder);
+  std::set<std::string> written;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const std::string file = part_file_name(parts[k].name), path = in_folder(folder, file);
+    document["parts"][k]["file"] = file;
+    written.insert(file);
+    out.files.emplace_back(path, proven_parts_obj(std::span(parts).subspan(k, 1), path));
+    require_other_files({path}, {input});
+  }
+  const std::string path = in_folder(folder, kPartsDocument);
+  require_other_files({path}, {input});
+  out.files.emplace_back(path, proven_parts_json(document, parts, path));
+  const LeftInFolder left = left_in_folder(folder, written, {input});
+  out.removed.insert(out.removed.end(), left.stale.begin(), left.stale.end());
+  for (const std::string& file : left.foreign) {
+    out.notes.push_back(file + " is none of these parts; verify of the folder takes it for one");
+  }
+}
+
+// The files that show a single object.
+void add_files_of_one(FilesOfParts& out, const DecomposedObject& object,
+                      const DecomposeRequest& request, const DecomposeFiles& files) {
+  if (!files.trace.empty()) {
+    out.files.emplace_back(files.trace, write_decompose_trace(object.result, request));
+  }
+  if (!files.proof.empty()) {
+    out.files.emplace_back(files.proof, write_decomposition_proof(object.result, request));
+  }
+  Picture picture;
+  if (!files.picture.empty()) {
+    picture = decomposition_picture(object.result, fs::path(object.name).filename().string());
+  }
+  if (!files.tree.empty()) {
+    TreeOfParts tree = tree_of_parts(object, request, files.tree_faces, files.tree);
+    out.files.emplace_back(files.tree, std::move(tree.file));
+    out.tree_summary = std::move(tree.summary);
+    for (PictureLayer& layer : tree_layers(tree.built)) picture.layers.push_back(std::move(layer));
+  }
+  if (!files.picture.empty()) out.files.emplace_back(files.picture, picture_html(picture));
+}
+
+}  // namespace
+
+std::vector<std::string> DecomposeFiles::all_paths() const {
+  std::vector<std::string> paths = results;
+  for (const std::string& path : {tree, trace, proof, picture}) {
+    if (!path.empty()) paths.push_back(path);
+  }
+  return paths;
+}
+
+void DecomposeFiles::require_sensible(const std::string& input,
+                                      const DecomposeRequest& request) const {
+  const PartNames part_names(names);
+  if (!tree.empty() && !tree.ends_with(".json")) {
+    throw Error(ErrorCode::InvalidArgument, "--tree: expected a name that ends in .json");
+  }
+  if (tree_faces && tree.empty()) {
+    throw Error(ErrorCode::InvalidArgument, "--tree-faces is of a tree: name its file by --tree");
+  }
+  require_sensible_models(results, request);
+  require_other_files(all_paths(), {input});
+  require_other_names(*this, part_names, input);
+}
+
+void DecomposeFiles::require_room_for(std::size_t objects) const {
+  for (const auto& [option, path] :
+       {std::pair("--tree", &tree), std::pair("--trace", &trace), std::pair("--proof", &proof),
+        std::pair("--picture", &picture)}) {
+    if (objects > 1 && !path->empty()) {
+      throw Error(ErrorCode::InvalidArgument,
+                  std::string(option) + ": it shows one object, but there are several");
+    }
+  }
+}
+
+void add_decompose_files(CLI::App& command, DecomposeFiles& files) {
+  command
+      .add_option("-o,--output", files.results,
+                  "file for the parts: .obj with an object for each, .json, or a folder (ends in "
+                  "/) with a file for each; or a model for simulators, with --precision 32: "
+                  ".mjcf.xml or .urdf beside a folder, .usda; may be repeated")
+      ->expected(1)
+      ->allow_extra_args(false)  // an INPUT that need not be there may follow
+      ->take_all();
+  command
+      .add_option("--names", files.names,
+                  "the name of a part: exactly one %d or %0Nd, which becomes its number")
+      ->capture_default_str();
+  command.add_option("--tree", files.tree,
+                     "a tree of hulls over the parts (.json), as convexact bvh writes it");
+  add_count(command, "--tree-faces", files.tree_faces, {4, std::uint64_t(1) << 32},
+            "how many halfspaces to keep of each branch of the tree, at least 4");
+  command.add_option("--trace", files.trace,
+                     "every merge, or split, as JSON, for a program that replays it");
+  command.add_option("--proof", files.proof,
+                     "a text from which convexact-check proves owners, concavities, and that no "
+                     "neighbours can be merged; of acd owners, and how deep corners lie");
+  command.add_option("--picture", files.picture,
+                     "a page (.html) that shows the parts, which a slider draws apart, and the "
+                     "merges or splits step by step");
+}
+
+void name_parts(std::vector<DecomposedObject>& objects,
+                const std::vector<std::string>& object_names, const std::string& pattern) {
+  const PartNames names(pattern);
+  const bool is_plain = std::all_of(object_names.begin(), object_names.end(), is_plain_name);
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    std::string prefix;
+    if (objects.size() > 1) {
+      prefix = (is_plain ? object_names[k] : fmt::format("object_{}", k)) + "_";
+    }
+    for (std::size_t part = 0; part < objects[k].result.parts.size(); ++part) {
+      objects[k].part_names.push_back(prefix + names(part));
+    }
+  }
+}
+
+FilesOfParts decomposed_files(std::span<const DecomposedObject> objects,
+                              const DecomposeRequest& request, const DecomposeFiles& files,
+                              const std::string& input) {
+  FilesOfParts out;
+  const Watch watch(request.watch.stop);
+  const std::vector<WrittenPart> parts = written_parts(objects);
+  for (const std::string& path : files.results) {
+    watch.ask();
+    const PartsOutput kind = parts_output_of(path);
+    if (kind == PartsOutput::Obj) {
+      out.files.emplace_back(path, proven_parts_obj(parts, path));
+    } else if (is_model(kind)) {
+      out.files.emplace_back(path, model_bytes(path, files.results, parts));
+    } else {
+      auto document = decomposition_json(objects, request, DecompositionDetail::All);
+      if (kind == PartsOutput::Json) {
+        out.files.emplace_back(path, proven_parts_json(document, parts, path));
+      } else {
+        add_folder(out, path, std::move(document), parts, input);
+      }
+    }
+  }
+  watch.ask();
+  add_files_of_one(out, objects[0], request, files);
+  watch.ask();
+  return out;
+}
+
+}  // namespace convexact::cli

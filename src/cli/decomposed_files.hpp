@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// decomposed_files.hpp - the files that decompose writes: the parts, alone or as models for
+// simulators, and what shows, replays or proves them.
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cli/outputs.hpp"
+#include "convexact/decompose.hpp"
+#include "scene/decompose_report.hpp"
+
+namespace convexact::cli {
+
+/// Paths, each empty for none. A new kind joins all_paths(), decomposed_files() and the options.
+struct DecomposeFiles {
+  std::vector<std::string> results;       ///< -o
+  std::string names = "part_%03d";        ///< Of the parts.
+  std::string tree;                       ///< Of hulls over the parts.
+  std::optional<std::size_t> tree_faces;  ///< Of each branch of the tree.
+  std::string trace;                      ///< Every merge.
+  std::string proof;                      ///< For convexact-check.
+  std::string picture;                    ///< A page.
+
+  std::vector<std::string> all_paths() const;
+  /// @throws Error InvalidArgument for names and extensions that cannot be, for models of parts
+  ///               that simulators would change or do not find, and if the input would be lost.
+  void require_sensible(const std::string& input, const DecomposeRequest& request) const;
+  /// @throws Error InvalidArgument if a file shows one object only, and there are more.
+  void require_room_for(std::size_t objects) const;
+};
+
+/// Adds -o, --names, --tree, --tree-faces, --trace, --proof and --picture.
+void add_decompose_files(CLI::App& command, DecomposeFiles& files);
+
+/// Names the parts after the pattern. Parts of several objects begin with the name of theirs, or
+/// with its number if one of these names cannot be part of the name of a file and of an object.
+void name_parts(std::vector<DecomposedObject>& objects,
+                const std::vector<std::string>& object_names, const std::string& pattern);
+
+/// The files, the folders that some of them lie in, and what to say of both.
+struct FilesOfParts {
+  OutputFiles files;
+  std::vector<std::string> folders;
+  std::vector<std::string> removed;  ///< Files of an earlier run, which must go.
+  std::vector<std::string> notes;
+  std::string tree_summary;
+};
+
+/// Every file, its bytes proven. @param files  As require_sensible() and require_room_for() accept.
+/// @throws Error Unrepresentable if a format cannot hold a name or a part; Stopped; Internal if a
+///               proof fails.
+[[nodiscard]] FilesOfParts decomposed_files(std::span<const DecomposedObject> objects,
+                                            const DecomposeRequest& request,
+                                            const DecomposeFiles& files, const std::string& input);
+
+}  // namespace convexact::cli
