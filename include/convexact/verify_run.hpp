@@ -94,12 +94,12 @@ class Regret {
 struct JudgedStep {
   std::size_t row;  ///< Of the order.
   HalfspaceId removed;
-  std::optional<Cost> cost;     ///< Exact; none if the removal is unbounded.
-  std::optional<Cost> minimum;  ///< Of all removals; none if every one is unbounded.
+  std::optional<Cost> cost = {};     ///< Exact; none if the removal is unbounded.
+  std::optional<Cost> minimum = {};  ///< Of all removals; none if every one is unbounded.
   /// All of that cost, in canonical order. Where the evidence is Undecided, all that are not proven
   /// to cost more.
-  std::vector<HalfspaceId> tie;
-  std::optional<Regret> regret;  ///< relative_regret(); none, infinite, if cost is none.
+  std::vector<HalfspaceId> tie = {};
+  std::optional<Regret> regret = {};  ///< relative_regret(); none, infinite, if cost is none.
   /// Whether the regret is within the limit; none if comparisons of mean widths leave it undecided.
   std::optional<bool> is_within = false;
   TieEvidence tie_evidence = {};  ///< Why the costs of the tie count as equal.

@@ -233,9 +233,13 @@ Conformance judge_output(const TestVector& vector, const Promise& promise, const
   VerifyRequest request = request_of(vector, promise);
   request.watch.stop = stop;
   VerifyOutcome outcome = verify(input, output, request);
-  Case c{
-      vector,           promise, output, std::move(*given), std::get<Verdict>(std::move(outcome)),
-      solid_of(output), {}};
+  Case c{.vector = vector,
+         .promise = promise,
+         .output = output,
+         .given = std::move(*given),
+         .verdict = std::get<Verdict>(std::move(outcome)),
+         .solid = solid_of(output),
+         .result = {}};
   c.result.notes = c.verdict.notes;
   judge_claims(c);
   if (c.solid) {
@@ -305,7 +309,12 @@ Conformance judge_acceptance(const RefuseQuestion& question, const Promise& prom
   }
   TestVector sound;
   sound.input = *question.points;
-  sound.question = SimplifyQuestion{kFacesOfRefusals, kFacesOfRefusals, true, {}, {}, {}};
+  sound.question = SimplifyQuestion{.faces = kFacesOfRefusals,
+                                    .facets = kFacesOfRefusals,
+                                    .reached = true,
+                                    .volume = {},
+                                    .costs = {},
+                                    .ties = {}};
   Conformance result = judge_output(sound, promise, *output, stop);
   if (result.failures.empty()) {
     result.sentence =

@@ -229,7 +229,7 @@ std::optional<HalfspaceId> TraceJudge::resolve(const OrderedStep& removal) {
 }
 
 JudgedStep TraceJudge::judge(const OrderedStep& removal, HalfspaceId removed) {
-  JudgedStep judged{removal.row, removed, {}, {}, {}, {}};
+  JudgedStep judged{.row = removal.row, .removed = removed};
   std::optional<HalfspaceId> cheapest = loop_.choose();
   for (; purpose_ == Purpose::Collect && cheapest && !is_removed_[cheapest->index()] &&
          is_too_dear(removed, *cheapest);

@@ -9,7 +9,6 @@
 #include "io/json.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
-#include "oracle/judge.hpp"
 #include "oracle/verdict_report.hpp"
 #include "scene/surface_report.hpp"
 
@@ -105,7 +104,7 @@ Json parts_verdict_json(const PartsVerdict& verdict) {
   }
   if (verdict.worst_part) json["worst_part"] = *verdict.worst_part;
   if (!verdict.surface.triangles.empty()) json["surface"] = surface_json(verdict.surface);
-  if (verdict[ClaimCode::CoversPoints].status != Status::NotAsked && verdict.points > 0) {
+  if (verdict.points > 0) {
     json["outside"] = {{"points", verdict.points_outside}, {"tested", verdict.points}};
   }
   if (verdict.coverage) {

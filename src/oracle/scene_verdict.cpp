@@ -153,16 +153,16 @@ std::variant<SceneVerdict, NotSolidPart> verify_scene(const std::vector<SceneObj
 
 nlohmann::ordered_json scene_verdict_json(const SceneVerdict& verdict) {
   Json parts = Json::array();
-  bool is_violated = verdict.gaps && verdict.gaps->witness;
+  bool violated = verdict.gaps && verdict.gaps->witness;
   for (const PartVerdict& part : verdict.parts) {
     Json json = {{"part", part.part}, {"candidate_part", part.candidate}};
     json.update(verdict_json(part.verdict));
     json["stages"] = stages_json(part.verdict.stages);
-    is_violated = is_violated || json["verdict"] == "violated";
+    violated = violated || is_violated(part.verdict.claims);
     parts.push_back(std::move(json));
   }
   Json document = {{"verdict", verdict.holds() ? "holds"
-                               : is_violated   ? "violated"
+                               : violated      ? "violated"
                                                : "undecided"},
                    {"parts", std::move(parts)}};
   if (!verdict.gaps) return document;

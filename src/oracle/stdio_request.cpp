@@ -122,10 +122,8 @@ ordered_json answer_about_parts(const json& request, PointSet points, Decimal de
     asked.watch.stop = stop;
     return verify_parts(input, parts, asked);
   });
-  ordered_json json = parts_verdict_json(verdict);
-  std::erase_if(json["claims"].get_ref<ordered_json::array_t&>(),
-                [](const ordered_json& claim) { return claim["status"] == "not-asked"; });
-  return json;
+  std::erase_if(verdict.claims, [](const Claim& c) { return c.status == Status::NotAsked; });
+  return parts_verdict_json(verdict);
 }
 
 ordered_json answer(const json& request, std::optional<double> time_limit) {

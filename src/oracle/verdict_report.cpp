@@ -138,6 +138,11 @@ std::string verdict_line(const char* label, const std::string& text) {
   return fmt::format("  {:<19} {}\n", label, text);
 }
 
+bool is_violated(std::span<const Claim> claims) {
+  return std::any_of(claims.begin(), claims.end(),
+                     [](const Claim& claim) { return claim.status == Status::Violated; });
+}
+
 Json claims_json(std::span<const Claim> claims, const Rational& squared_diameter) {
   Json list = Json::array();
   for (const Claim& claim : claims) {
@@ -147,15 +152,12 @@ Json claims_json(std::span<const Claim> claims, const Rational& squared_diameter
     Json witness = witness_json(claim.witness, squared_diameter);
     if (!witness.empty()) json["witness"] = std::move(witness);
   }
-  const bool is_violated = std::any_of(claims.begin(), claims.end(), [](const Claim& claim) {
-    return claim.status == Status::Violated;
-  });
   const bool is_undecided = std::any_of(claims.begin(), claims.end(), [](const Claim& claim) {
     return claim.status == Status::Undecided || claim.is_unanswered();
   });
-  return {{"verdict", is_violated    ? "violated"
-                      : is_undecided ? "undecided"
-                                     : "holds"},
+  return {{"verdict", is_violated(claims) ? "violated"
+                      : is_undecided      ? "undecided"
+                                          : "holds"},
           {"claims", std::move(list)}};
 }
 

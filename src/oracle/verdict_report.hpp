@@ -14,6 +14,9 @@ namespace convexact {
 /// doubles are strings, exact ones as fractions.
 [[nodiscard]] nlohmann::ordered_json verdict_json(const Verdict& verdict);
 
+/// Whether a claim is violated, not only undecided.
+[[nodiscard]] bool is_violated(std::span<const Claim> claims);
+
 /// The claims with their witnesses, and what they come to: "verdict", "claims".
 [[nodiscard]] nlohmann::ordered_json claims_json(std::span<const Claim> claims,
                                                  const Rational& squared_diameter);
