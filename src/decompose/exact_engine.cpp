@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "decompose/engines.hpp"
+#include "decompose/cluster_engines.hpp"
 #include "decompose/merge_cost.hpp"
 #include "number/ordering.hpp"
 #include "number/precision.hpp"

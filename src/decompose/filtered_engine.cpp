@@ -8,7 +8,7 @@
 #include <set>
 #include <tuple>
 
-#include "decompose/engines.hpp"
+#include "decompose/cluster_engines.hpp"
 #include "decompose/merge_cost.hpp"
 #include "decompose/near_concavity.hpp"
 #include "number/ordering.hpp"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "decompose/cluster_engines.hpp"
 #include "decompose/merge_cost.hpp"
-#include "decompose/start.hpp"
 #include "io/json.hpp"
 #include "number/precision.hpp"
 #include "scene/result_json.hpp"
