@@ -4,8 +4,8 @@
 #pragma once
 #include <optional>
 
+#include "decompose/cluster_engines.hpp"
 #include "decompose/notch.hpp"
-#include "decompose/start.hpp"
 
 namespace convexact {
 

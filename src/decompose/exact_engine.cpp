@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <map>
 
-#include "decompose/engines.hpp"
+#include "decompose/cluster_engines.hpp"
 #include "decompose/merge_cost.hpp"
+#include "number/ordering.hpp"
+#include "number/precision.hpp"
 
 namespace convexact {
 namespace {
@@ -52,7 +54,7 @@ class ExactEngine {
     std::vector<TriangleId> both;
     std::merge(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
     MergeCost cost = merge_cost(surface_, both, concavity_, options_.watch);
-    Enclosure bounds = order_.enclose(cost, 128, options_.watch);
+    Enclosure bounds = order_.enclose(cost, kMeasureBits, options_.watch);
     return {std::move(cost), std::move(bounds)};
   }
 
@@ -64,8 +66,8 @@ class ExactEngine {
       if (x != y) return {x < y ? Order::Less : Order::Greater};
       return {Order::Equal, TieProof::EqualRationals};
     }
-    if (const auto sign = (a.bounds - b.bounds).sign(); sign && *sign != Sign::Zero) {
-      return {*sign == Sign::Negative ? Order::Less : Order::Greater, std::nullopt, 128};
+    if (const auto order = order_to_zero(a.bounds - b.bounds)) {
+      return {*order, std::nullopt, kMeasureBits};
     }
     return order_.compare(a.cost, b.cost, options_.watch);
   }

@@ -8,9 +8,11 @@
 #include <set>
 #include <tuple>
 
-#include "decompose/engines.hpp"
+#include "decompose/cluster_engines.hpp"
 #include "decompose/merge_cost.hpp"
 #include "decompose/near_concavity.hpp"
+#include "number/ordering.hpp"
+#include "number/precision.hpp"
 #include "number/roundoff.hpp"
 #include "surface/edges.hpp"
 #include "surface/flat_polygon.hpp"
@@ -49,7 +51,8 @@ struct Cluster {
   std::vector<std::uint32_t> neighbours;  // in any order
 };
 
-// What a merge costs in exact numbers, and bounds of 128 bits once it was compared with another.
+// What a merge costs in exact numbers, and bounds of kMeasureBits bits once it was compared with
+// another.
 struct ExactCost {
   MergeCost cost;
   std::optional<Enclosure> bounds;
@@ -292,9 +295,9 @@ class FilteredEngine {
     Class own;
     Class& of = equals == kNoClass ? own : classes_[equals];
     if (of.members++ == 0) {
-      of.bounds = by_concavity_ ? sqrt(Enclosure(cost.squared_concavity, 128))
-                                : order_.enclose(cost, 128, options_.watch);
-      const Enclosure unit(scale_by_power_of_two(Rational(1), -near_.exponent()), 128);
+      of.bounds = by_concavity_ ? sqrt(Enclosure(cost.squared_concavity, kMeasureBits))
+                                : order_.enclose(cost, kMeasureBits, options_.watch);
+      const Enclosure unit(scale_by_power_of_two(Rational(1), -near_.exponent()), kMeasureBits);
       const Enclosure scaled = *of.bounds * unit;
       of.key = {scaled.low_double(), scaled.high_double()};
     }
@@ -312,10 +315,7 @@ class FilteredEngine {
   }
 
   Ordering compare(const Candidate& a, const Candidate& b) const {
-    if (const auto sign = (*a.exact->bounds - *b.exact->bounds).sign();
-        sign && *sign != Sign::Zero) {
-      return {*sign == Sign::Negative ? Order::Less : Order::Greater};
-    }
+    if (const auto order = order_to_zero(*a.exact->bounds - *b.exact->bounds)) return {*order};
     if (!by_concavity_) return order_.compare(a.exact->cost, b.exact->cost, options_.watch);
     const Rational &x = a.exact->cost.squared_concavity, &y = b.exact->cost.squared_concavity;
     if (x != y) return {x < y ? Order::Less : Order::Greater};
@@ -401,7 +401,7 @@ class FilteredEngine {
     if (options_.costs) {
       const MergeCost& cost = exact_cost(*pair, winner);
       merge.squared_concavity = cost.squared_concavity;
-      merge.cost = order_.enclose(cost, 128, options_.watch);
+      merge.cost = order_.enclose(cost, kMeasureBits, options_.watch);
     }
     collapse(*pair);
     made_.merges.push_back(std::move(merge));

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "number/ordering.hpp"
+#include "number/precision.hpp"
 #include "surface/edges.hpp"
 #include "surface/flat_polygon.hpp"
 
@@ -89,12 +91,11 @@ bool CostOrder::have_same_terms(const MergeCost& a, const MergeCost& b) {
 
 Ordering CostOrder::compare(const MergeCost& a, const MergeCost& b, const Watch& watch) const {
   if (have_same_terms(a, b)) return {Order::Equal, TieProof::SquareClasses, 0};
-  for (long bits = 128; bits <= kMostBits; bits *= 2) {
-    const Enclosure difference = enclose(a, bits, watch) - enclose(b, bits, watch);
-    if (const auto sign = difference.sign(); sign && *sign != Sign::Zero) {
-      return {*sign == Sign::Negative ? Order::Less : Order::Greater, std::nullopt, bits};
+  for (long bits = kMeasureBits; bits <= kMostBits; bits *= 2) {
+    if (const auto order = order_to_zero(enclose(a, bits, watch) - enclose(b, bits, watch))) {
+      return {*order, std::nullopt, bits};
     }
-    if (bits == 128 && a.squared_concavity == b.squared_concavity &&
+    if (bits == kMeasureBits && a.squared_concavity == b.squared_concavity &&
         ((are_equal(a.perimeter, b.perimeter, watch) &&
           are_equal(a.doubled_area, b.doubled_area, watch)) ||
          have_equal_shapes(a, b, watch))) {

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <tuple>
 
 #include "convexact/predicates.hpp"
-#include "decompose/near_rays.hpp"
 #include "number/arithmetic.hpp"
 #include "number/roundoff.hpp"
 #include "surface/flat_polygon.hpp"
@@ -14,130 +13,8 @@
 namespace convexact {
 namespace {
 
-/// More than all that is lost to numbers that are too small for doubles.
-constexpr double kTiny = 1e-290;
 /// Below this share of the largest coordinate, whether a ray has length 0 is asked exactly.
 constexpr double kMaybeZero = 0x1p-30;
-
-double largest(const Point& v) { return v.cwiseAbs().maxCoeff(); }
-
-struct NearNormal {
-  Point value;
-  double error;  // of each component
-};
-
-// (b - a) x (c - a). An edge's component has a relative error of u, a product of two of them 3u,
-// and the difference of two products is rounded once more: 2 * 3u + 2u times the largest
-// components.
-NearNormal normal_of(const Point& a, const Point& b, const Point& c) {
-  const Point e = b - a, f = c - a;
-  return {e.cross(f), 10 * kUnitRoundoff * largest(e) * largest(f) + kTiny};
-}
-
-// The corners of the hull of points in a plane or on a line.
-std::vector<PointId> flat_extreme(const PointSet& points, const std::vector<PointId>& ids,
-                                  const FlatInput& flat) {
-  if (flat.dimension < 2) {  // ids ascend with the points, which are in lexicographic order
-    return ids.size() == 1 ? ids : std::vector<PointId>{ids.front(), ids.back()};
-  }
-  const IntegerVector3& normal = flat.equations.front().normal();
-  const PlaneView view(points, normal[0] != 0 ? 0 : normal[1] != 0 ? 1 : 2);
-  // Ids are in the order of x + e y + e^2 z, e infinitesimal: linear on the plane as well, so a
-  // sweep may follow it.
-  std::vector<PointId> chain;
-  const auto sweep = [&](auto first, auto last) {
-    const std::size_t start = chain.size();
-    for (; first != last; ++first) {
-      while (chain.size() >= start + 2 &&
-             view.turn(chain[chain.size() - 2], chain.back(), *first) != Sign::Positive) {
-        chain.pop_back();
-      }
-      chain.push_back(*first);
-    }
-    chain.pop_back();
-  };
-  sweep(ids.begin(), ids.end());
-  sweep(ids.rbegin(), ids.rend());
-  std::sort(chain.begin(), chain.end());
-  return chain;
-}
-
-// Three corners of each facet, counter-clockwise from outside, far apart if there are more.
-std::vector<std::array<PointId, 3>> corners_of_facets(const Hull& hull,
-                                                      const std::vector<PointId>& ids) {
-  std::vector<std::array<PointId, 3>> corners;
-  corners.reserve(hull.facets.size());
-  for (std::size_t f = 0; f < hull.facets.size(); ++f) {
-    const auto cycle = hull.facets[f];
-    const std::size_t n = cycle.size();
-    corners.push_back(
-        {ids[cycle[0].index()], ids[cycle[n / 3].index()], ids[cycle[2 * n / 3].index()]});
-  }
-  return corners;
-}
-
-// The same of a tetrahedron with a volume, each beginning at its lowest point.
-std::vector<std::array<PointId, 3>> corners_of_tetrahedron(const std::vector<PointId>& p,
-                                                           bool is_last_beyond_others) {
-  std::vector<std::array<PointId, 3>> corners{
-      {p[0], p[2], p[1]}, {p[0], p[1], p[3]}, {p[1], p[2], p[3]}, {p[0], p[3], p[2]}};
-  if (!is_last_beyond_others) {
-    for (auto& corner : corners) std::swap(corner[1], corner[2]);
-  }
-  return corners;
-}
-
-// The planes of facets, about the lowest point of the cluster.
-NearFacets near_facets(std::vector<std::array<PointId, 3>> corners,
-                       const std::vector<PointId>& extreme, std::span<const Point> points,
-                       bool is_float) {
-  NearFacets near;
-  near.origin = points[extreme.front().index()];
-  double radius = 0;
-  for (const PointId v : extreme) {
-    radius = std::max(radius, largest(points[v.index()] - near.origin));
-  }
-  near.planes.reserve(corners.size());
-  for (const auto& [a, b, c] : corners) {
-    const NearNormal normal = normal_of(points[a.index()], points[b.index()], points[c.index()]);
-    const Point local = points[a.index()] - near.origin;
-    const double size = normal.value.cwiseAbs().sum();
-    // n.(a - x) for coordinates up to `radius`: 2 * 3 * radius * error from the normal; each of
-    // both points is within 10u radius, and the two products and their difference are rounded, 8u
-    // each.
-    const double depth_error =
-        7 * radius * normal.error + 40 * kUnitRoundoff * size * radius + kTiny;
-    near.planes.push_back({normal.value[0], normal.value[1], normal.value[2],
-                           normal.value.dot(local), is_float ? 0 : depth_error,
-                           is_float ? 0 : normal.error, size});
-  }
-  near.corners = std::move(corners);
-  return near;
-}
-
-// Which planes of a hull are planes of another one as well.
-std::vector<std::int32_t> same_planes(const NearFacets& from, const NearFacets& to) {
-  std::map<std::array<PointId, 3>, std::int32_t> found;
-  for (std::size_t h = 0; h < to.corners.size(); ++h) {
-    found.emplace(to.corners[h], static_cast<std::int32_t>(h));
-  }
-  std::vector<std::int32_t> same(from.corners.size(), -1);
-  for (std::size_t h = 0; h < from.corners.size(); ++h) {
-    if (const auto it = found.find(from.corners[h]); it != found.end()) same[h] = it->second;
-  }
-  return same;
-}
-
-// The bound still holds if its planes are planes of the larger hull.
-RayBound moved(RayBound ray, const std::vector<std::int32_t>& same) {
-  bool holds = ray.planes[0] >= 0 || ray.planes[1] >= 0 || ray.planes[2] >= 0;
-  for (std::int32_t& plane : ray.planes) {
-    if (plane < 0) continue;
-    plane = same[static_cast<std::size_t>(plane)];
-    holds = holds && plane >= 0;
-  }
-  return holds ? ray : RayBound{.item = ray.item};
-}
 
 }  // namespace
 
@@ -148,7 +25,7 @@ NearConcavity::NearConcavity(const Surface& surface, ConcavityMeasure measure, b
       is_exact_input_(surface.points.is_binary()),
       exact_(surface, measure) {
   double most = 0;
-  for (const Point& p : surface.points.doubles()) most = std::max(most, largest(p));
+  for (const Point& p : surface.points.doubles()) most = std::max(most, p.cwiseAbs().maxCoeff());
   exponent_ = exponent_of(most);
   for (const Point& p : surface.points.doubles()) {
     points_.push_back(
@@ -183,7 +60,7 @@ void NearConcavity::add_directions(const Surface& surface) {
     for (const PointId p : surface.triangles[t]) {
       NearNormal& sum = sums[p.index()];
       sum.value += normal.value;
-      sum.error += normal.error + kUnitRoundoff * largest(sum.value);
+      sum.error += normal.error + kUnitRoundoff * sum.value.cwiseAbs().maxCoeff();
     }
   }
   if (!at_points) return;
@@ -203,37 +80,6 @@ std::vector<PointId> NearConcavity::corners_of(std::uint32_t item) const {
   return {triangle.begin(), triangle.end()};
 }
 
-void NearConcavity::find_hull(NearCluster& cluster, const std::vector<PointId>& points) const {
-  cluster.extreme = points;
-  if (points.size() <= 2) return;
-  if (points.size() == 3) {
-    // Ids are in lexicographic order: of points on a line the ends come first and last.
-    if (has_no_area(surface_->points, {points[0], points[1], points[2]})) {
-      cluster.extreme = {points[0], points[2]};
-    }
-    return;
-  }
-  if (points.size() == 4 && is_exact_input_) {
-    const auto at = surface_->points.doubles();
-    const Sign side = orient3d(at[points[0].index()], at[points[1].index()], at[points[2].index()],
-                               at[points[3].index()]);
-    if (side != Sign::Zero) {
-      cluster.facets = near_facets(corners_of_tetrahedron(points, side == Sign::Negative), points,
-                                   points_, is_float_);
-      return;
-    }
-  }
-  const HullOutcome hull = convex_hull(subset(surface_->points, points));
-  if (const auto* solid = std::get_if<Hull>(&hull)) {
-    cluster.extreme.clear();
-    for (const PointId v : solid->vertices) cluster.extreme.push_back(points[v.index()]);
-    cluster.facets =
-        near_facets(corners_of_facets(*solid, points), cluster.extreme, points_, is_float_);
-  } else {
-    cluster.extreme = flat_extreme(surface_->points, points, std::get<FlatInput>(hull));
-  }
-}
-
 NearCluster NearConcavity::cluster(std::span<const TriangleId> triangles) const {
   NearCluster cluster;
   const std::vector<PointId> points = convexact::points_of(*surface_, triangles);
@@ -245,7 +91,8 @@ NearCluster NearConcavity::cluster(std::span<const TriangleId> triangles) const 
   } else {
     for (const TriangleId t : triangles) add(t.value);
   }
-  find_hull(cluster, points);
+  std::tie(cluster.extreme, cluster.facets) =
+      near_hull_of(surface_->points, points, points_, is_float_);
   bound_rays(cluster, kNoBound);
   return cluster;
 }
@@ -255,7 +102,7 @@ NearCluster NearConcavity::unite(const NearCluster& a, const NearCluster& b, dou
   std::vector<PointId> points;
   std::set_union(a.extreme.begin(), a.extreme.end(), b.extreme.begin(), b.extreme.end(),
                  std::back_inserter(points));
-  find_hull(both, points);
+  std::tie(both.extreme, both.facets) = near_hull_of(surface_->points, points, points_, is_float_);
   const auto same_a = same_planes(a.facets, both.facets);
   const auto same_b = same_planes(b.facets, both.facets);
   both.rays.reserve(a.rays.size() + b.rays.size());
@@ -284,16 +131,11 @@ void NearConcavity::look_for_plane_of(const NearFacets& facets, RayBound& ray) c
   const Direction& direction = directions_[ray.item];
   const auto holds = [&](std::int32_t h) {
     const NearFacets::Plane& plane = facets.planes[static_cast<std::size_t>(h)];
-    const Point normal(plane.x, plane.y, plane.z);
-    if (normal.dot(direction.unit) <=
-        plane.size * (direction.error + 8 * kUnitRoundoff) + 4 * plane.normal_error) {
-      return false;
-    }
+    if (!plane.along(direction.unit, direction.error).surely_positive()) return false;
     const auto& of = facets.corners[static_cast<std::size_t>(h)];
     return std::all_of(corners.begin(), corners.end(), [&](PointId p) {
       if (p == of[0] || p == of[1] || p == of[2]) return true;
-      const double depth = plane.d - normal.dot(points_[p.index()] - facets.origin);
-      return depth <= plane.depth_error &&
+      return plane.depth(points_[p.index()] - facets.origin) <= plane.depth_error &&
              orient3d(points[of[0].index()], points[of[1].index()], points[of[2].index()],
                       points[p.index()]) == Sign::Zero;
     });
@@ -369,13 +211,12 @@ std::optional<std::int32_t> NearConcavity::plane_behind(const NearFacets& facets
   for (int k = 0; k < 3; ++k) {
     near[k] = std::ldexp(to_double(x[k], Rounding::Nearest), static_cast<int>(-exponent_));
   }
-  const double rounding = 4 * kUnitRoundoff * largest(near) + kTiny;
+  const double rounding = 4 * kUnitRoundoff * near.cwiseAbs().maxCoeff() + kLostToUnderflow;
   near -= facets.origin;
   const auto planes = static_cast<std::int32_t>(facets.planes.size());
   for (std::int32_t h = 0; h < planes; ++h) {
     const NearFacets::Plane& plane = facets.planes[static_cast<std::size_t>(h)];
-    const double depth = plane.d - (plane.x * near[0] + plane.y * near[1] + plane.z * near[2]);
-    if (!is_float_ && depth > 2 * plane.depth_error + plane.size * rounding) continue;
+    if (!is_float_ && plane.depth(near) > 2 * plane.depth_error + plane.size * rounding) continue;
     if (exact_plane(facets, h)(x) > 0) return h;
   }
   return std::nullopt;

@@ -3,46 +3,15 @@
 //
 // docs/design/clustering.md derives the bounds.
 #pragma once
-#include <array>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "convexact/cluster.hpp"
-#include "convexact/hull.hpp"
+#include "decompose/near_rays.hpp"
 
 namespace convexact {
-
-inline constexpr double kNoBound = std::numeric_limits<double>::infinity();
-
-/// A length between two doubles. Lengths of the clustering in doubles are multiples of a power of
-/// two near the largest coordinate.
-struct LengthBounds {
-  double low = 0;
-  double high = kNoBound;
-};
-
-/// The hull of a cluster in doubles: per facet the plane n.x = d about a local origin.
-struct NearFacets {
-  struct Plane {
-    double x, y, z, d;
-    double depth_error;   ///< Of d - n.x for every point of the cluster.
-    double normal_error;  ///< Of each component of n.
-    double size;          ///< |x| + |y| + |z|.
-  };
-  std::vector<Plane> planes;
-  std::vector<std::array<PointId, 3>> corners;  ///< By plane: what it was computed from.
-  Point origin = Point::Zero();
-};
-
-/// What bounds the rays of a triangle, or of a point, from above: up to three planes.
-struct RayBound {
-  std::uint32_t item = 0;                          ///< The triangle, or the point.
-  std::array<std::int32_t, 3> planes{-1, -1, -1};  ///< Into NearFacets::planes.
-  double high = kNoBound;
-};
 
 /// A cluster as far as its concavity is concerned.
 struct NearCluster {
@@ -98,7 +67,6 @@ class NearConcavity {
   void add_directions(const Surface& surface);
   [[nodiscard]] Direction direction_of(const Point& normal, double error, bool exists) const;
   [[nodiscard]] std::vector<PointId> corners_of(std::uint32_t item) const;
-  void find_hull(NearCluster& cluster, const std::vector<PointId>& points) const;
   void bound_rays(NearCluster& cluster, double limit) const;
   void bound_flat_rays(NearCluster& cluster) const;
   [[nodiscard]] std::optional<Concavity> exact(const NearFacets& facets, TriangleId triangle,

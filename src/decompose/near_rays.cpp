@@ -16,19 +16,17 @@ constexpr std::size_t kMostCuts = 8, kMostRounds = 24;
 /// is away from planes beside the triangle that hold the ray.
 constexpr double kInward = 0x1p-26;
 
-// n.m, and how far it may be from the true one: |m| = 1 and m is within `error`.
-struct Speed {
-  double value, error;
-};
-inline Speed speed(const NearFacets::Plane& plane, const Point& unit, double error) {
-  return {plane.x * unit[0] + plane.y * unit[1] + plane.z * unit[2],
-          plane.size * (error + 8 * kUnitRoundoff) + 4 * plane.normal_error};
-}
-inline double depth(const NearFacets::Plane& plane, const Point& x) {
-  return plane.d - (plane.x * x[0] + plane.y * x[1] + plane.z * x[2]);
-}
-
 }  // namespace
+
+RayBound moved(RayBound ray, const std::vector<std::int32_t>& same) {
+  bool holds = ray.planes[0] >= 0 || ray.planes[1] >= 0 || ray.planes[2] >= 0;
+  for (std::int32_t& plane : ray.planes) {
+    if (plane < 0) continue;
+    plane = same[static_cast<std::size_t>(plane)];
+    holds = holds && plane >= 0;
+  }
+  return holds ? ray : RayBound{.item = ray.item};
+}
 
 NearRays::NearRays(const NearFacets& facets, std::span<const Point> corners, const Point& unit,
                    double error)
@@ -49,10 +47,9 @@ std::int32_t NearRays::plane_ahead(const Weights& weights) const {
   double least = kNoBound;
   for (std::size_t h = 0; h < facets_.planes.size(); ++h) {
     const NearFacets::Plane& plane = facets_.planes[h];
-    const double along = plane.x * unit_[0] + plane.y * unit_[1] + plane.z * unit_[2];
-    // The sign is certain where a cut is made; here it only has to be plausible.
-    if (along <= plane.size * (error_ + 8 * kUnitRoundoff) + 4 * plane.normal_error) continue;
-    const double f = std::max(0.0, depth(plane, x)) / along;
+    const NearValue along = plane.along(unit_, error_);
+    if (!along.surely_positive()) continue;
+    const double f = std::max(0.0, plane.depth(x)) / along.value;
     if (f < least) {
       least = f;
       first = static_cast<std::int32_t>(h);
@@ -66,10 +63,10 @@ double NearRays::low_at(const Weights& weights) const {
   const Point x = at(weights);
   double least = kNoBound;
   for (const NearFacets::Plane& plane : facets_.planes) {
-    const Speed along = speed(plane, unit_, error_);
+    const NearValue along = plane.along(unit_, error_);
     const double most = along.value + along.error;
     if (most <= 0) continue;
-    const double room = depth(plane, x) - plane.depth_error;
+    const double room = plane.depth(x) - plane.depth_error;
     least = room <= 0 ? 0 : std::min(least, room / most);
     if (least == 0) return 0;
   }
@@ -82,12 +79,12 @@ bool NearRays::add_cut(std::int32_t plane) {
   }
   if (plane < 0) return false;
   const NearFacets::Plane& h = facets_.planes[static_cast<std::size_t>(plane)];
-  const Speed along = speed(h, unit_, error_);
+  const NearValue along = h.along(unit_, error_);
   const double least = along.value - along.error;
   if (!(least > 0)) return false;
   Cut cut{plane, {}};
   for (std::size_t k = 0; k < 3; ++k) {
-    cut.high[k] = (std::max(0.0, depth(h, corners_[k])) + h.depth_error) / least * kUp;
+    cut.high[k] = (std::max(0.0, h.depth(corners_[k])) + h.depth_error) / least * kUp;
   }
   cuts_.push_back(cut);
   return true;

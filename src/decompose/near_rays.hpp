@@ -8,12 +8,33 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
-#include "decompose/near_concavity.hpp"
+#include "decompose/near_facets.hpp"
 
 namespace convexact {
+
+inline constexpr double kNoBound = std::numeric_limits<double>::infinity();
+
+/// A length between two doubles. Lengths of the clustering in doubles are multiples of a power of
+/// two near the largest coordinate.
+struct LengthBounds {
+  double low = 0;
+  double high = kNoBound;
+};
+
+/// What bounds the rays of a triangle, or of a point, from above: up to three planes.
+struct RayBound {
+  std::uint32_t item = 0;                          ///< The triangle, or the point.
+  std::array<std::int32_t, 3> planes{-1, -1, -1};  ///< Into NearFacets::planes.
+  double high = kNoBound;
+};
+
+/// The bound of the same ray in a larger hull: it still holds if its planes are planes of that one.
+/// @param same  same_planes() of the two hulls.
+[[nodiscard]] RayBound moved(RayBound ray, const std::vector<std::int32_t>& same);
 
 /// The rays of a triangle, or of a point.
 class NearRays {

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "convexact/cluster.hpp"
-#include "number/roundoff.hpp"
+#include "decompose/near_facets.hpp"
 #include "surface/box_tree.hpp"
 #include "surface/common_point.hpp"
 #include "surface/edges.hpp"
@@ -33,15 +33,14 @@ std::vector<SharedEdge> shared_edges(const Surface& surface) {
   return edges;
 }
 
-// By doubles, if these are the points: a component of a cross product is off by at most 10 unit
-// roundoffs times the largest components of both edges, and by what underflows.
+// By doubles, if these are the points.
 bool are_collinear(const PointSet& points, PointId a, PointId b, PointId c) {
   if (points.is_binary()) {
     const auto near = points.doubles();
-    const Point e = near[b.index()] - near[a.index()], f = near[c.index()] - near[a.index()];
-    const double bound =
-        10 * kUnitRoundoff * e.cwiseAbs().maxCoeff() * f.cwiseAbs().maxCoeff() + 0x1p-1000;
-    if (e.cross(f).cwiseAbs().maxCoeff() > bound && std::isfinite(bound)) return false;
+    const NearNormal normal = normal_of(near[a.index()], near[b.index()], near[c.index()]);
+    if (normal.value.cwiseAbs().maxCoeff() > normal.error && std::isfinite(normal.error)) {
+      return false;
+    }
   }
   return has_no_area(points, {a, b, c});
 }

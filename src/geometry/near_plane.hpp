@@ -97,6 +97,7 @@ struct NearValue {
   double value, error;
 
   bool surely_negative() const { return value + error < 0; }
+  bool surely_positive() const { return value > error; }
   bool surely_not_zero() const { return std::abs(value) > error; }
 };
 

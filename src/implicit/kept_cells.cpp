@@ -8,6 +8,7 @@
 #include "convexact/error.hpp"
 #include "convexact/implicit.hpp"
 #include "number/arithmetic.hpp"
+#include "number/precision.hpp"
 #include "number/text.hpp"
 
 namespace convexact {
@@ -195,10 +196,8 @@ std::vector<Point> corners_of(const std::vector<CellIndex>& cells, const Octree&
 
 // A corner x of a kept cell has f(x) <= |f(m)| + L rho <= 2 L rho, and 2 rho = sqrt(3) h.
 double corner_distance(const Rational& lipschitz, const Rational& tightness, double edge) {
-  constexpr long kDistanceBits = 128;
   const Rational h = to_rational(edge);
-  return (Enclosure(lipschitz / tightness, kDistanceBits) *
-          sqrt(Enclosure(3 * h * h, kDistanceBits)))
+  return (Enclosure(lipschitz / tightness, kMeasureBits) * sqrt(Enclosure(3 * h * h, kMeasureBits)))
       .high_double();
 }
 

@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "decompose/cluster_engines.hpp"
 #include "decompose/merge_cost.hpp"
-#include "decompose/start.hpp"
 #include "io/json.hpp"
+#include "number/precision.hpp"
 #include "scene/stage_log.hpp"
 #include "simplify/run_names.hpp"
 
@@ -65,8 +66,8 @@ class ClusterJudge {
       }
     }
     MergeCost cost = merge_cost(surface_, triangles, concavity_);
-    Enclosure bounds = merge->beyond_limit ? sqrt(Enclosure(cost.squared_concavity, 128))
-                                           : order_.enclose(cost, 128);
+    Enclosure bounds = merge->beyond_limit ? sqrt(Enclosure(cost.squared_concavity, kMeasureBits))
+                                           : order_.enclose(cost, kMeasureBits);
     return JudgedMerge{std::move(cost), std::move(bounds)};
   }
 
@@ -76,8 +77,8 @@ class ClusterJudge {
   }
 
   bool is_near_limit(const std::optional<JudgedMerge>& merge) const {
-    return merge && are_close(sqrt(Enclosure(merge->cost.squared_concavity, 128)),
-                              sqrt(Enclosure(start_.squared_limit, 128)));
+    return merge && are_close(sqrt(Enclosure(merge->cost.squared_concavity, kMeasureBits)),
+                              sqrt(Enclosure(start_.squared_limit, kMeasureBits)));
   }
 
   MergeDifference kind_of(const ClusterDivergence& found, const std::optional<JudgedMerge>& a,

@@ -11,6 +11,7 @@
 #include "convexact/number.hpp"
 #include "convexact/verify.hpp"
 #include "number/arithmetic.hpp"
+#include "number/roundoff.hpp"
 
 namespace convexact {
 namespace {
@@ -95,7 +96,7 @@ class HardEdges {
   }
 
  private:
-  static constexpr double kUnit = 0x1p-52, kTiny = 0x1p-1000;
+  static constexpr double kUnit = 2 * kUnitRoundoff, kTiny = 0x1p-1000;
   std::vector<Point> points_, errors_;
 };
 

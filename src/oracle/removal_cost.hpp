@@ -11,6 +11,7 @@
 #include "convexact/polytope.hpp"
 #include "convexact/verify_run.hpp"
 #include "convexact/watch.hpp"
+#include "number/roundoff.hpp"
 
 namespace convexact {
 
@@ -18,7 +19,7 @@ namespace convexact {
 /// coordinate (FastDual::kNearError), that is one; a term of the cap's volume has at most eight
 /// determinants as factors (cap_volume.hpp), each of about a dozen operations that are off by
 /// 2^-53, that is 8 * 12 / 2 = 48 more. 64 leaves room for the sum of the terms.
-inline constexpr double kPlaneRounding = 64 * 0x1p-52;
+inline constexpr double kPlaneRounding = 64 * 2 * kUnitRoundoff;
 
 /// The price of one removal from a bounded solid.
 struct RemovalCost {

@@ -13,15 +13,14 @@
 namespace convexact {
 namespace {
 
-constexpr double kU = kUnitRoundoff;
-
 // Error of the value of a plane at a point, |y_k| <= 1, or at a vertex, whose coordinates are
-// rounded as well. The normal's components are at most 1, each off by at most u/2; the offset is
-// below 2, because the plane meets the frame's ball, so off by at most u: together 5u/2. The
-// vertex's coordinates are off by u/2 each: 3u/2. Three products of at most 1 are off by u/2 each:
-// 3u/2. The sums are at most 2, 3 and 5, so off by at most u, 2u and 4u. All of it is 25u/2.
-// Values themselves are at most 5. For a ProbePlane at a vertex the same terms are smaller.
-constexpr double kPlaneError = 16 * kU;
+// rounded as well, with u = kUnitRoundoff. The normal's components are at most 1, each off by at
+// most u/2; the offset is below 2, because the plane meets the frame's ball, so off by at most u:
+// together 5u/2. The vertex's coordinates are off by u/2 each: 3u/2. Three products of at most 1
+// are off by u/2 each: 3u/2. The sums are at most 2, 3 and 5, so off by at most u, 2u and 4u. All
+// of it is 25u/2. Values themselves are at most 5. For a ProbePlane at a vertex the same terms are
+// smaller.
+constexpr double kPlaneError = 16 * kUnitRoundoff;
 
 // Of the difference w of two such values, at most 10: twice that, and its rounding, 8u.
 constexpr double kSlopeError = 3 * kPlaneError;

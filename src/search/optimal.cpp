@@ -13,6 +13,7 @@
 #include "convexact/error.hpp"
 #include "fast/signs.hpp"
 #include "number/arithmetic.hpp"
+#include "number/roundoff.hpp"
 #include "search/exchange_surface.hpp"
 #include "search/shrunk_surface.hpp"
 #include "search/symmetries.hpp"
@@ -26,7 +27,7 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 // sum and of the product here, takes at most 2^-53 of it more; halves of subnormal numbers aside,
 // which are lost in a share of its own.
 double at_most(double sum, std::size_t count) {
-  return next_below(sum * (1 - static_cast<double>(count + 2) * 0x1p-52));
+  return next_below(sum * (1 - static_cast<double>(count + 2) * 2 * kUnitRoundoff));
 }
 
 class BranchAndBound {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "number/roundoff.hpp"
 #include "surface/box_tree.hpp"
 #include "surface/common_point.hpp"
 
@@ -27,7 +28,8 @@ Sign sign_of_volume(const Surface& surface, std::span<const std::uint32_t> trian
               2 * p.cwiseAbs().maxCoeff() * q.cwiseAbs().maxCoeff() * r.cwiseAbs().maxCoeff();
     }
     // Each term is off by less than 16 u of its size, each addition by u of what it adds to.
-    const double error = (static_cast<double>(triangles.size()) + 32) * 0x1p-52 * size + 0x1p-900;
+    const double error =
+        (static_cast<double>(triangles.size()) + 32) * 2 * kUnitRoundoff * size + 0x1p-900;
     if (std::abs(sum) > error) return sign_of(sum);
   }
   Rational sum = 0;

@@ -140,7 +140,7 @@ class Winding::Search {
       const double value = left - right;
       const double own = std::abs(x[u]) * (std::abs(q[v] - x[v]) + std::abs(p[v] - x[v])) +
                          std::abs(x[v]) * (std::abs(q[u] - x[u]) + std::abs(p[u] - x[u])) +
-                         0x1p-52 * std::abs(x[u]) * std::abs(x[v]);
+                         2 * kUnitRoundoff * std::abs(x[u]) * std::abs(x[v]);
       // The last two are for underflow.
       const double size = std::abs(p[u] - x[u]) + std::abs(p[v] - x[v]) + std::abs(q[u] - x[u]) +
                           std::abs(q[v] - x[v]);
@@ -173,7 +173,7 @@ class Winding::Search {
       const double m =
           std::max({p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff(), r.cwiseAbs().maxCoeff()});
       const double s = query.is_binary ? 0 : query.near.cwiseAbs().maxCoeff();
-      const double e = 0x1p-52 * (s + m) + 0x1p-1000;
+      const double e = 2 * kUnitRoundoff * (s + m) + 0x1p-1000;
       const double value = p.dot(q.cross(r));
       const double error = 0x1p-46 * m * m * m + 32 * e * (m + e) * (m + e) + 0x1p-900;
       if (std::abs(value) > error) return sign_of(value);

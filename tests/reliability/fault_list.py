@@ -45,7 +45,7 @@ FAULTS = [
     (FORGOTTEN, 'src/geometry/near_plane.hpp', 'return 0x1p-1070 + 0x1p-1070 * largest', 'return 0 * largest', _STORED),
     (CONSTANT, 'src/number/double_double.hpp', 'kUnit = 0x1p-102', 'kUnit = 0x1p-106', 'number ' + _AUDIT),
     (CONSTANT, 'src/number/roundoff.hpp', '0x8000001p0 * x', '0x800001p0 * x', 'number geometry ' + _AUDIT),
-    (CONSTANT, 'src/query/probed_solid.cpp', 'kPlaneError = 16 * kU', 'kPlaneError = kU', 'query'),
+    (CONSTANT, 'src/query/probed_solid.cpp', 'kPlaneError = 16 * kUnitRoundoff', 'kPlaneError = kUnitRoundoff', 'query'),
 
     # Tie rules.
     (TIE, 'src/query/overlap.cpp', 'return facet(x) <= 0;', 'return facet(x) < 0;', 'query'),

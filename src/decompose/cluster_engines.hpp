@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// start.hpp - the clusters that a clustering starts with, for every engine.
+// cluster_engines.hpp - the clusters that a clustering starts with, and the merges from there in
+// several ways.
 #pragma once
 #include <cstdint>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -30,5 +32,22 @@ struct ClusterStart {
 /// Each as its triangles, both ascending.
 [[nodiscard]] std::vector<std::vector<TriangleId>> clusters_of(
     const std::vector<std::uint32_t>& lowest);
+
+/// Cuts off and returns the merges from this one on.
+[[nodiscard]] inline std::vector<Merge> tail_after(std::size_t count, std::vector<Merge>& merges) {
+  std::vector<Merge> tail(std::make_move_iterator(merges.begin() + std::ptrdiff_t(count)),
+                          std::make_move_iterator(merges.end()));
+  merges.resize(count);
+  return tail;
+}
+
+/// By the definitions, in exact numbers.
+[[nodiscard]] Clustering cluster_exact(const Surface& surface, const ClusterOptions& options,
+                                       const ClusterStart& start);
+
+/// The same merges; exact numbers only where doubles cannot decide. Or, if the options say
+/// Engine::Float, by doubles alone; then ties are not counted.
+[[nodiscard]] Clustering cluster_filtered(const Surface& surface, const ClusterOptions& options,
+                                          const ClusterStart& start);
 
 }  // namespace convexact

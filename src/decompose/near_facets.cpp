@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "decompose/near_facets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <variant>
+
+#include "convexact/predicates.hpp"
+#include "surface/flat_polygon.hpp"
+
+namespace convexact {
+namespace {
+
+// The corners of the hull of points in a plane or on a line.
+std::vector<PointId> flat_extreme(const PointSet& points, const std::vector<PointId>& ids,
+                                  const FlatInput& flat) {
+  if (flat.dimension < 2) {  // ids ascend with the points, which are in lexicographic order
+    return ids.size() == 1 ? ids : std::vector<PointId>{ids.front(), ids.back()};
+  }
+  const IntegerVector3& normal = flat.equations.front().normal();
+  const PlaneView view(points, normal[0] != 0 ? 0 : normal[1] != 0 ? 1 : 2);
+  // Ids are in the order of x + e y + e^2 z, e infinitesimal: linear on the plane as well, so a
+  // sweep may follow it.
+  std::vector<PointId> chain;
+  const auto sweep = [&](auto first, auto last) {
+    const std::size_t start = chain.size();
+    for (; first != last; ++first) {
+      while (chain.size() >= start + 2 &&
+             view.turn(chain[chain.size() - 2], chain.back(), *first) != Sign::Positive) {
+        chain.pop_back();
+      }
+      chain.push_back(*first);
+    }
+    chain.pop_back();
+  };
+  sweep(ids.begin(), ids.end());
+  sweep(ids.rbegin(), ids.rend());
+  std::sort(chain.begin(), chain.end());
+  return chain;
+}
+
+// Three corners of each facet, counter-clockwise from outside, far apart if there are more.
+std::vector<std::array<PointId, 3>> corners_of_facets(const Hull& hull,
+                                                      const std::vector<PointId>& ids) {
+  std::vector<std::array<PointId, 3>> corners;
+  corners.reserve(hull.facets.size());
+  for (std::size_t f = 0; f < hull.facets.size(); ++f) {
+    const auto cycle = hull.facets[f];
+    const std::size_t n = cycle.size();
+    corners.push_back(
+        {ids[cycle[0].index()], ids[cycle[n / 3].index()], ids[cycle[2 * n / 3].index()]});
+  }
+  return corners;
+}
+
+// The same of a tetrahedron with a volume, each beginning at its lowest point.
+std::vector<std::array<PointId, 3>> corners_of_tetrahedron(const std::vector<PointId>& p,
+                                                           bool is_last_beyond_others) {
+  std::vector<std::array<PointId, 3>> corners{
+      {p[0], p[2], p[1]}, {p[0], p[1], p[3]}, {p[1], p[2], p[3]}, {p[0], p[3], p[2]}};
+  if (!is_last_beyond_others) {
+    for (auto& corner : corners) std::swap(corner[1], corner[2]);
+  }
+  return corners;
+}
+
+// The planes of facets, about the lowest point of the cluster.
+NearFacets near_facets(std::vector<std::array<PointId, 3>> corners,
+                       const std::vector<PointId>& extreme, std::span<const Point> points,
+                       bool is_float) {
+  NearFacets near;
+  near.origin = points[extreme.front().index()];
+  double radius = 0;
+  for (const PointId v : extreme) {
+    radius = std::max(radius, (points[v.index()] - near.origin).cwiseAbs().maxCoeff());
+  }
+  near.planes.reserve(corners.size());
+  for (const auto& [a, b, c] : corners) {
+    const NearNormal normal = normal_of(points[a.index()], points[b.index()], points[c.index()]);
+    const Point local = points[a.index()] - near.origin;
+    const double size = normal.value.cwiseAbs().sum();
+    // n.(a - x) for coordinates up to `radius`: 2 * 3 * radius * error from the normal; each of
+    // both points is within 10u radius, and the two products and their difference are rounded, 8u
+    // each.
+    const double depth_error =
+        7 * radius * normal.error + 40 * kUnitRoundoff * size * radius + kLostToUnderflow;
+    near.planes.push_back({normal.value[0], normal.value[1], normal.value[2],
+                           normal.value.dot(local), is_float ? 0 : depth_error,
+                           is_float ? 0 : normal.error, size});
+  }
+  near.corners = std::move(corners);
+  return near;
+}
+
+}  // namespace
+
+// (b - a) x (c - a). An edge's component has a relative error of u, a product of two of them 3u,
+// and the difference of two products is rounded once more: 2 * 3u + 2u times the largest
+// components.
+NearNormal normal_of(const Point& a, const Point& b, const Point& c) {
+  const Point e = b - a, f = c - a;
+  return {e.cross(f), 10 * kUnitRoundoff * e.cwiseAbs().maxCoeff() * f.cwiseAbs().maxCoeff() +
+                          kLostToUnderflow};
+}
+
+std::pair<std::vector<PointId>, NearFacets> near_hull_of(const PointSet& points,
+                                                         const std::vector<PointId>& ids,
+                                                         std::span<const Point> near,
+                                                         bool is_float) {
+  if (ids.size() <= 2) return {ids, {}};
+  if (ids.size() == 3) {
+    // Ids are in lexicographic order: of points on a line the ends come first and last.
+    if (has_no_area(points, {ids[0], ids[1], ids[2]})) return {{ids[0], ids[2]}, {}};
+    return {ids, {}};
+  }
+  if (ids.size() == 4 && points.is_binary()) {
+    const auto at = points.doubles();
+    const Sign side =
+        orient3d(at[ids[0].index()], at[ids[1].index()], at[ids[2].index()], at[ids[3].index()]);
+    if (side != Sign::Zero) {
+      return {ids, near_facets(corners_of_tetrahedron(ids, side == Sign::Negative), ids, near,
+                               is_float)};
+    }
+  }
+  const HullOutcome hull = convex_hull(subset(points, ids));
+  const auto* solid = std::get_if<Hull>(&hull);
+  if (solid == nullptr) return {flat_extreme(points, ids, std::get<FlatInput>(hull)), {}};
+  std::vector<PointId> extreme;
+  for (const PointId v : solid->vertices) extreme.push_back(ids[v.index()]);
+  NearFacets facets = near_facets(corners_of_facets(*solid, ids), extreme, near, is_float);
+  return {std::move(extreme), std::move(facets)};
+}
+
+std::vector<std::int32_t> same_planes(const NearFacets& from, const NearFacets& to) {
+  std::map<std::array<PointId, 3>, std::int32_t> found;
+  for (std::size_t h = 0; h < to.corners.size(); ++h) {
+    found.emplace(to.corners[h], static_cast<std::int32_t>(h));
+  }
+  std::vector<std::int32_t> same(from.corners.size(), -1);
+  for (std::size_t h = 0; h < from.corners.size(); ++h) {
+    if (const auto it = found.find(from.corners[h]); it != found.end()) same[h] = it->second;
+  }
+  return same;
+}
+
+}  // namespace convexact
