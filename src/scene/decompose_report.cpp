@@ -9,7 +9,6 @@
 #include "number/precision.hpp"
 #include "scene/decompose_options.hpp"
 #include "scene/simplify_report.hpp"
-#include "scene/split_report.hpp"
 #include "scene/surface_report.hpp"
 #include "simplify/run_names.hpp"
 
@@ -40,6 +39,18 @@ TieTally ties_of(const Clustering& clustering) {
   return ties;
 }
 
+std::size_t count_leaves(const SplitTree& tree, LeafStatus status) {
+  return static_cast<std::size_t>(
+      std::count_if(tree.leaves.begin(), tree.leaves.end(),
+                    [&](const SplitLeaf& leaf) { return leaf.status == status; }));
+}
+
+std::size_t island_count(const SplitTree& tree) {
+  std::size_t count = 0;
+  for (const Split& split : tree.splits) count += split.islands.size();
+  return count;
+}
+
 std::size_t merges_beyond(const Clustering& clustering) {
   return static_cast<std::size_t>(
       std::count_if(clustering.merges.begin(), clustering.merges.end(),
@@ -61,21 +72,25 @@ OrderedJson limit_json(const ConcavityLimit& limit, const Decomposition& decompo
   return json;
 }
 
-OrderedJson concavity_json(const Concavity& concavity, const Rational& squared_diameter) {
-  const Enclosure length = enclosed_root_of(concavity.squared);
-  return {{"squared", to_string(concavity.squared)},
-          {"bounds", interval_json(length)},
-          {"percent", percent_of(length, squared_diameter).high_double()},
-          {"triangle", concavity.triangle.value},
-          {"at", vector_json(concavity.at)},
-          {"leaves", vector_json(concavity.leaves)}};
+OrderedJson method_json(const DecomposeRequest& request) {
+  OrderedJson json = {{"method", name_in(kDecomposeMethodNames, request.method)}};
+  if (request.method == DecomposeMethod::Hacd) {
+    json["measure"] = name_in(kConcavityMeasureNames, request.measure);
+    json["engine"] = name_of(request.engine);
+  } else {
+    json["bridge"] = name_in(kBridgeChoiceNames, request.bridge);
+    json["coplanar"] = to_string(request.coplanar);
+  }
+  json["connect"] = name_in(kConnectNames, request.connect);
+  return json;
 }
 
 const char* stop_name(const Decomposition& decomposition) {
-  if (decomposition.stopped_by_count()) return "max-parts";
+  if (decomposition.stopped_by_count()) return name_in(kLeafStatusNames, LeafStatus::MaxParts);
   const auto* tree = std::get_if<SplitTree>(&decomposition.origin);
-  return tree != nullptr && count_leaves(*tree, LeafStatus::Unsplittable) > 0 ? "unsplittable"
-                                                                              : "concavity";
+  return tree != nullptr && count_leaves(*tree, LeafStatus::Unsplittable) > 0
+             ? name_in(kLeafStatusNames, LeafStatus::Unsplittable)
+             : "concavity";
 }
 
 OrderedJson vertices_json(const PointSet& points, bool as_fractions) {
@@ -93,9 +108,20 @@ OrderedJson vertices_json(const PointSet& points, bool as_fractions) {
 namespace {
 
 const char* status_name(const Part& part) {
-  if (part.is_within_limit) return "within-eps";
-  if (!part.least_squared_concavity) return "beyond-eps";
-  return part.is_unsplittable ? "unsplittable" : "max-parts";
+  if (part.is_within_limit) return name_in(kLeafStatusNames, LeafStatus::WithinLimit);
+  if (!part.least_squared_concavity) return "beyond-eps";  // no leaf of splits
+  return name_in(kLeafStatusNames,
+                 part.is_unsplittable ? LeafStatus::Unsplittable : LeafStatus::MaxParts);
+}
+
+OrderedJson concavity_json(const Concavity& concavity, const Rational& squared_diameter) {
+  const Enclosure length = enclosed_root_of(concavity.squared);
+  return {{"squared", to_string(concavity.squared)},
+          {"bounds", interval_json(length)},
+          {"percent", percent_of(length, squared_diameter).high_double()},
+          {"triangle", concavity.triangle.value},
+          {"at", vector_json(concavity.at)},
+          {"leaves", vector_json(concavity.leaves)}};
 }
 
 OrderedJson part_entry(const Decomposition& decomposition, std::size_t number,
@@ -173,16 +199,25 @@ OrderedJson forest_json(const Decomposition& decomposition, const Clustering& cl
   return nodes;
 }
 
-void add_method(OrderedJson& json, const DecomposeRequest& request) {
-  json["method"] = name_in(kDecomposeMethodNames, request.method);
-  if (request.method == DecomposeMethod::Hacd) {
-    json["measure"] = name_in(kConcavityMeasureNames, request.measure);
-    json["engine"] = name_of(request.engine);
-  } else {
-    json["bridge"] = name_in(kBridgeChoiceNames, request.bridge);
-    json["coplanar"] = to_string(request.coplanar);
+// Every node, first the roots, then the children of each split; of a leaf its triangles and its
+// part, of a split its notch and its plane.
+OrderedJson split_tree_json(const Decomposition& decomposition, const SplitTree& tree) {
+  OrderedJson nodes = OrderedJson::array();
+  for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
+    nodes.push_back({{"node", n}, {"parent", or_null(tree.nodes[n].parent)}, {"part", nullptr}});
   }
-  json["connect"] = name_in(kConnectNames, request.connect);
+  for (const SplitLeaf& leaf : tree.leaves) {
+    OrderedJson& node = nodes[leaf.node];
+    node["part"] = decomposition.owner[leaf.triangles.front().index()];
+    node["triangles"] = indices_json(leaf.triangles);
+  }
+  for (const Split& split : tree.splits) {
+    OrderedJson& node = nodes[split.node];
+    node["children"] = tree.nodes[split.node].children;
+    node["notch"] = vector_json(decomposition.surface.points[split.edge[0]]);
+    node["plane"] = plane_json(split.plane);
+  }
+  return nodes;
 }
 
 OrderedJson merges_json(const Clustering& clustering) {
@@ -191,6 +226,16 @@ OrderedJson merges_json(const Clustering& clustering) {
           {"ties", ties_json(ties_of(clustering))},
           {"evaluations", clustering.evaluations},
           {"exact_evaluations", clustering.exact_evaluations}};
+}
+
+OrderedJson splits_json(const SplitTree& tree) {
+  std::size_t refused = 0;
+  for (const Split& split : tree.splits) refused += split.refused;
+  return {{"count", tree.splits.size()},
+          {"roots", tree.roots},
+          {"refused_planes", refused},
+          {"island_triangles", island_count(tree)},
+          {"unsplittable", count_leaves(tree, LeafStatus::Unsplittable)}};
 }
 
 OrderedJson measured_or_null(const std::optional<Measured>& x) {
@@ -203,7 +248,7 @@ OrderedJson decomposition_json(const Decomposition& decomposition, const Decompo
                                std::span<const std::string> names, DecompositionDetail detail) {
   const auto* clustering = std::get_if<Clustering>(&decomposition.origin);
   OrderedJson json = {{"decomposition", 1}};
-  add_method(json, request);
+  json.update(method_json(request));
   json["concavity"] = limit_json(request.limit, decomposition);
   json["max_parts"] = or_null(request.max_parts);
   json["stop"] = stop_name(decomposition);
@@ -238,8 +283,9 @@ OrderedJson decomposition_json(const Decomposition& decomposition, const Decompo
   json["parts"] = std::move(parts);
   if (detail == DecompositionDetail::Numbers) return json;
   json["face_of"] = decomposition.surface.face;
-  json["tree"] = clustering != nullptr ? forest_json(decomposition, *clustering)
-                                       : split_tree_json(decomposition);
+  json["tree"] = clustering != nullptr
+                     ? forest_json(decomposition, *clustering)
+                     : split_tree_json(decomposition, std::get<SplitTree>(decomposition.origin));
   return json;
 }
 
@@ -285,55 +331,6 @@ std::string write_lines(const OrderedJson& document) {
     text += "\n]";
   }
   return text + "\n}\n";
-}
-
-OrderedJson trace_head(const Decomposition& decomposition, const DecomposeRequest& request) {
-  const Surface& surface = decomposition.surface;
-  OrderedJson points = OrderedJson::array(), triangles = points, united = points;
-  for (std::size_t k = 0; k < surface.points.size(); ++k) {
-    points.push_back(vector_json(surface.points[PointId(k)]));
-  }
-  for (const auto& [a, b, c] : surface.triangles) triangles.push_back({a.value, b.value, c.value});
-  const auto& pairs = std::visit(
-      [](const auto& x) -> const auto& { return x.united; }, decomposition.origin);
-  for (const auto& [flat, over] : pairs) united.push_back({flat.value, over.value});
-  OrderedJson json = {{"decompose_trace", 1}};
-  add_method(json, request);
-  json["orient"] = name_in(kOrientationNames, request.orient);
-  json["concavity"] = limit_json(request.limit, decomposition);
-  json["squared_diameter"] = to_string(decomposition.squared_diameter());
-  json["max_parts"] = or_null(request.max_parts);
-  json["stop"] = stop_name(decomposition);
-  json["points"] = std::move(points);
-  json["triangles"] = std::move(triangles);
-  json["united"] = std::move(united);
-  return json;
-}
-
-std::string write_decompose_trace(const Decomposition& decomposition,
-                                  const DecomposeRequest& request) {
-  const auto* clustering = std::get_if<Clustering>(&decomposition.origin);
-  if (clustering == nullptr) return write_split_trace(decomposition, request);
-  OrderedJson merges = OrderedJson::array();
-  for (const Merge& merge : clustering->merges) {
-    OrderedJson entry = {{"kept", merge.kept.value},
-                         {"gone", merge.gone.value},
-                         {"squared_concavity", or_null(merge.squared_concavity)},
-                         {"cost", nullptr},
-                         {"ties", merge.ties},
-                         {"beyond_limit", merge.beyond_limit}};
-    if (merge.cost) {
-      entry["cost"] = {{"low", merge.cost->low_double()}, {"high", merge.cost->high_double()}};
-    }
-    if (merge.tie_evidence.proof) {
-      entry["tie"] = name_of(*merge.tie_evidence.proof);
-      if (merge.tie_evidence.proof == TieProof::Undecided) entry["bits"] = merge.tie_evidence.bits;
-    }
-    merges.push_back(std::move(entry));
-  }
-  OrderedJson json = trace_head(decomposition, request);
-  json["merges"] = std::move(merges);
-  return write_lines(json);
 }
 
 }  // namespace convexact

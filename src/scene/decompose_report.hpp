@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // decompose_report.hpp - a decomposition for machines (docs/schema/decompose.schema.json), as a
-// trace (docs/schema/decompose-trace.schema.json), and for people.
+// trace (docs/schema/decompose-trace.schema.json, decompose-acd-trace.schema.json), and for people.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <span>
@@ -8,8 +8,14 @@
 #include <vector>
 
 #include "convexact/decompose.hpp"
+#include "io/names.hpp"
 
 namespace convexact {
+
+inline constexpr auto kLeafStatusNames =
+    name_table<LeafStatus>({{LeafStatus::WithinLimit, "within-eps"},
+                            {LeafStatus::MaxParts, "max-parts"},
+                            {LeafStatus::Unsplittable, "unsplittable"}});
 
 /// How much of a decomposition its document holds.
 enum class DecompositionDetail {
@@ -40,16 +46,16 @@ struct DecomposedObject {
 /// A document with an entry of each top-level list, and every other value, on a line of its own.
 [[nodiscard]] std::string write_lines(const nlohmann::ordered_json& document);
 
-/// The concavity allowed, and one that was found.
+/// The concavity allowed.
 [[nodiscard]] nlohmann::ordered_json limit_json(const ConcavityLimit& limit,
                                                 const Decomposition& decomposition);
-[[nodiscard]] nlohmann::ordered_json concavity_json(const Concavity& concavity,
-                                                    const Rational& squared_diameter);
 /// Doubles; of an input with fractions the fractions that they are, which mean the same to a reader
 /// that takes decimals as they are spelled.
 [[nodiscard]] nlohmann::ordered_json vertices_json(const PointSet& points, bool as_fractions);
 /// The numbers of triangles, as a list.
 [[nodiscard]] nlohmann::ordered_json indices_json(std::span<const TriangleId> triangles);
+/// The method and its options.
+[[nodiscard]] nlohmann::ordered_json method_json(const DecomposeRequest& request);
 /// What ended the run.
 [[nodiscard]] const char* stop_name(const Decomposition& decomposition);
 
@@ -61,9 +67,9 @@ struct DecomposedObject {
 [[nodiscard]] TieTally ties_of(const Clustering& clustering);
 [[nodiscard]] std::size_t merges_beyond(const Clustering& clustering);
 
-/// What every trace begins with: the question, and the surface.
-[[nodiscard]] nlohmann::ordered_json trace_head(const Decomposition& decomposition,
-                                                const DecomposeRequest& request);
+/// The leaves of that status, and the triangles that went with a split as islands.
+[[nodiscard]] std::size_t count_leaves(const SplitTree& tree, LeafStatus status);
+[[nodiscard]] std::size_t island_count(const SplitTree& tree);
 
 /// Every merge, or split, on the surface that it refers to, so that a program can replay it.
 [[nodiscard]] std::string write_decompose_trace(const Decomposition& decomposition,

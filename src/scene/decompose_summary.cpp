@@ -7,7 +7,6 @@
 #include "number/precision.hpp"
 #include "number/text.hpp"
 #include "scene/decompose_report.hpp"
-#include "scene/split_report.hpp"
 #include "scene/surface_report.hpp"
 #include "simplify/run_names.hpp"
 
@@ -118,6 +117,15 @@ std::string merges_line(const Clustering& clustering) {
   return summary_line("merges", text);
 }
 
+std::string splits_line(const SplitTree& tree) {
+  std::string text = with_separators(tree.splits.size()) + " by planes through the deepest notch";
+  if (tree.roots > 1) text += fmt::format(", from {} components", with_separators(tree.roots));
+  if (const std::size_t islands = island_count(tree)) {
+    text += fmt::format("; {} went along as islands", counted(islands, "triangle", "triangles"));
+  }
+  return summary_line("splits", text);
+}
+
 // The volumes are of the stored parts. That the surface is covered says nothing about them.
 std::string measures_lines(const DecompositionMeasures& measures) {
   std::string text;
@@ -197,7 +205,7 @@ std::string summary(const Decomposition& decomposition, const DecomposeRequest& 
   if (const auto* clustering = std::get_if<Clustering>(&decomposition.origin)) {
     text += merges_line(*clustering);
   } else {
-    text += summary_line("splits", splits_text(std::get<SplitTree>(decomposition.origin)));
+    text += splits_line(std::get<SplitTree>(decomposition.origin));
   }
   text += summary_line(
       "covers", fmt::format("surface: each of {} lies in the part that owns it, tested exactly",
