@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files of parts, and what the proof of their bytes notices.
+// The files of parts, their document, and what the proof of their bytes notices.
 #include "scene/written_parts.hpp"
 
 #include <doctest/doctest.h>
@@ -89,4 +89,22 @@ TEST_CASE("written parts: an owner of too much, and parts that a reader would ta
   std::vector<WrittenPart> parts = same.written();
   parts[1].name = parts[0].name;
   CHECK(is_noticed([&] { return proven_parts_obj(parts, "x.obj"); }));
+}
+
+TEST_CASE("written parts: of several objects, their documents and all parts together") {
+  const TwoParts l;
+  const std::vector<DecomposedObject> objects = {{"left", l.made, {"a", "b"}},
+                                                 {"right", l.made, {"c", "d"}}};
+  const auto document = decomposition_json(objects, l.request, DecompositionDetail::All);
+  REQUIRE(document["objects"].size() == 2);
+  CHECK(document["objects"][1]["name"] == "right");
+  CHECK_FALSE(document["objects"][1].contains("parts"));
+  CHECK(document["eps_holds"] == true);
+  REQUIRE(document["parts"].size() == 4);
+  CHECK(document["parts"][2]["name"] == "c");
+  CHECK(document["parts"][2]["object"] == 1);
+  const auto bytes = proven_parts_json(document, written_parts(objects), "x.json");
+  CHECK(std::get<std::vector<NamedPart>>(read_parts_bytes(bytes, "x.json")).size() == 4);
+  CHECK(decomposition_json(std::span(objects).first(1), l.request, DecompositionDetail::All) ==
+        decomposition_json(l.made, l.request, objects[0].part_names, DecompositionDetail::All));
 }
