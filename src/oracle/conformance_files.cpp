@@ -260,7 +260,7 @@ const Profile& profile_of_name(const std::vector<Profile>& profiles, const std::
     names += (names.empty() ? "" : ", ") + profile.name;
   }
   throw Error(ErrorCode::InvalidArgument,
-              fmt::format("--profile {}: expected one of {}", in_quotes(name), names));
+              fmt::format("profile {}: expected one of {}", in_quotes(name), names));
 }
 
 std::vector<TestVector> read_test_vectors_bytes(std::string_view bytes, const std::string& data) {

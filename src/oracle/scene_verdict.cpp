@@ -86,7 +86,7 @@ std::vector<std::size_t> match_parts(const std::vector<std::string>& input,
                                      const std::vector<std::string>& candidate) {
   if (input.size() != candidate.size()) {
     throw Error(ErrorCode::InvalidArgument,
-                fmt::format("--parts: INPUT has {} parts and CANDIDATE has {}", input.size(),
+                fmt::format("the input has {} parts and the candidate has {}", input.size(),
                             candidate.size()));
   }
   std::vector<std::size_t> in_order;
@@ -101,12 +101,12 @@ std::vector<std::size_t> match_parts(const std::vector<std::string>& input,
   if (none) return in_order;
   if (missing != input.end()) {
     throw Error(ErrorCode::InvalidArgument,
-                "--parts: CANDIDATE has no part " + in_quotes(*missing) + ", but others by name");
+                "the candidate has no part " + in_quotes(*missing) + ", but others by name");
   }
   const std::set<std::string> once(input.begin(), input.end());
   if (once.size() != input.size() || place.size() != candidate.size()) {
     throw Error(ErrorCode::InvalidArgument,
-                "--parts: several parts have one name, and they are in another order in CANDIDATE");
+                "several parts have one name, and they are in another order in the candidate");
   }
   std::vector<std::size_t> by_name;
   for (const std::string& name : input) by_name.push_back(place.at(name));
@@ -118,7 +118,7 @@ std::variant<SceneVerdict, NotSolidPart> verify_scene(const std::vector<SceneObj
                                                       const SceneVerifyRequest& request) {
   if (std::holds_alternative<HalfspaceList>(candidate)) {
     throw Error(ErrorCode::InvalidArgument,
-                "--parts: CANDIDATE is a list of halfspaces, which has no parts");
+                "the candidate is a list of halfspaces, which has no parts");
   }
   const auto* mesh = std::get_if<Mesh>(&candidate);
   std::vector<SceneObject> parts;

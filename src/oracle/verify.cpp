@@ -201,7 +201,7 @@ VerifyOutcome verify(const Shape& shape, const Candidate& candidate, const Verif
   for (const ClaimCode code : request.claims) {
     if (code == ClaimCode::InsideInput && !request.inner) {
       throw Error(ErrorCode::InvalidArgument,
-                  "the claim inside-input is of an inner solid: give --inner as well");
+                  "the claim inside-input is of an inner solid: set inner as well");
     }
     if (is_of_parts(code)) {
       throw Error(ErrorCode::InvalidArgument, "the claim " + std::string(name_of(code)) +
@@ -209,9 +209,8 @@ VerifyOutcome verify(const Shape& shape, const Candidate& candidate, const Verif
     }
     const auto* budget = budget_of(request, code);
     if (budget == nullptr || *budget) continue;
-    const std::string name = name_of(code);
     throw Error(ErrorCode::InvalidArgument,
-                "the claim " + name + " needs the number that it allows: --" + name + " N");
+                "the claim " + std::string(name_of(code)) + " needs the number that it allows");
   }
   StageLog log(request.watch);
   const auto made = input_of(shape, request.seed, log);

@@ -101,7 +101,7 @@ std::vector<SceneObject> parts_of(const Mesh& mesh, const std::string& file) {
     if (part.first_polygon < part.last_polygon) parts.push_back(extract_part(mesh, part, file));
   }
   if (parts.empty()) {
-    throw Error(ErrorCode::InvalidArgument, "--parts: the file has no faces, so no parts");
+    throw Error(ErrorCode::InvalidArgument, "the file has no faces, so no parts");
   }
   return parts;
 }

@@ -347,7 +347,7 @@ TEST_CASE("decompose: components, and what may be joined") {
     const auto ran = run_program("decompose --max-parts 1 " + input + " -o " + out);
     CHECK(ran.exit == 2);
     CHECK(ran.err.find("2") != std::string::npos);
-    CHECK(ran.err.find("--connect touching") != std::string::npos);
+    CHECK(ran.err.find("; connect touching also") != std::string::npos);
     CHECK_FALSE(std::filesystem::exists(out));
   }
   const json joined =

@@ -246,6 +246,20 @@ TEST_CASE("verify_parts: points without faces") {
   CHECK_FALSE(verify_parts(points, parts_of_boxes(boxes_of(l_cells())), request).holds());
 }
 
+TEST_CASE("verify_parts: distances are no share of a diameter where the input is one point") {
+  Mesh point;
+  point.points = PointSet(std::vector<Point>{{0.5, 0.5, 0.5}});
+  std::vector<Point> corners = box_corners(box_of({0, 0, 0}));
+  corners.back() *= 1.25;
+  Mesh bent = box_mesh(box_of({0, 0, 0}));
+  bent.points = PointSet(corners);
+  const PartsVerdict verdict = verify_parts(point, std::vector<NamedPart>{{"bent", bent}});
+  const Claim& claim = verdict[PartsConvex];
+  CHECK(claim.status == Status::Violated);
+  CHECK(claim.sentence.find("diameter") == std::string::npos);
+  CHECK(verdict[CoversPoints].status == Status::Holds);
+}
+
 TEST_CASE("verify_parts: a point that no face uses is not asked about") {
   Mesh mesh = box_mesh(box_of({0, 0, 0}));
   std::vector<Point> points(mesh.points.doubles().begin(), mesh.points.doubles().end());
