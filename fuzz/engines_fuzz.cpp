@@ -4,8 +4,7 @@
 // end, and every step of both passes its verification; the float engine keeps a subset that is
 // bounded.
 #include "convexact/dual.hpp"
-#include "fast/filtered_engine.hpp"
-#include "fast/float_engine.hpp"
+#include "fast/engines.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
 #include "hard_numbers.hpp"

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -76,8 +75,6 @@ class AdjacencyMatrix {
   std::vector<DualTriangle> triangles() const;
   /// (i, j) is set iff (j, i) is; (i, j) = k implies (j, k) = i and (k, i) = j; one ring per row.
   bool is_closed_manifold() const;
-  /// The matrix as a table of text: a row per line, '.' where unset. For teaching.
-  std::string dense() const;
 
  private:
   using Entry = std::pair<HalfspaceId, HalfspaceId>;  // column j, value k

@@ -9,7 +9,7 @@
 #include "convexact/hull.hpp"
 #include "convexact/linear_program.hpp"
 #include "convexact/search.hpp"
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 #include "fast/filtered_inner.hpp"
 #include "number/random.hpp"
 #include "search/exchange_surface.hpp"

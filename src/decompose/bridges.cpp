@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <queue>
 
 #include "number/arithmetic.hpp"
+#include "number/groups.hpp"
 
 namespace convexact {
 
@@ -67,22 +67,17 @@ std::vector<HullEdge> edges_of(const PatchHull& hull) {
 // By facet: its bridge. Numbers ascend with the first facets of bridges.
 std::vector<std::uint32_t> join_facets(const PatchHull& hull, const std::vector<HullEdge>& edges,
                                        const Rational& coplanar) {
-  std::vector<std::uint32_t> first(hull.facets.size());
-  std::iota(first.begin(), first.end(), 0u);
-  const auto find = [&](std::uint32_t f) {
-    while (first[f] != f) f = first[f] = first[first[f]];
-    return f;
-  };
+  Groups joined(hull.facets.size());
   for (const HullEdge& edge : edges) {
     const auto& [f, g] = edge.facets;
-    if (!is_cosine_above(hull.planes[f].normal(), hull.planes[g].normal(), coplanar)) continue;
-    const auto [low, high] = std::minmax({find(f), find(g)});
-    first[high] = low;
+    if (is_cosine_above(hull.planes[f].normal(), hull.planes[g].normal(), coplanar)) {
+      joined.join(f, g);
+    }
   }
-  std::vector<std::uint32_t> bridge(first.size());
+  std::vector<std::uint32_t> bridge = joined.roots();
   std::uint32_t count = 0;
-  for (std::uint32_t f = 0; f < first.size(); ++f) {
-    bridge[f] = find(f) == f ? count++ : bridge[find(f)];
+  for (std::uint32_t f = 0; f < bridge.size(); ++f) {
+    bridge[f] = bridge[f] == f ? count++ : bridge[bridge[f]];
   }
   return bridge;
 }

@@ -26,10 +26,9 @@ void require_sensible(const ClusterOptions& options) {
 
 void require_possible(const ClusterOptions& options, std::size_t groups) {
   if (!options.max_parts || groups <= *options.max_parts) return;
-  const std::string hint =
-      options.connect == Connect::Touching
-          ? "not even a point connects them"
-          : "connect touching also joins components that have a common point";
+  const std::string hint = options.connect == Connect::Touching
+                               ? "not even a point connects them"
+                               : "connect touching also joins components that have a common point";
   throw Error(ErrorCode::InvalidArgument,
               "at most " + std::to_string(*options.max_parts) + " parts: the surface has " +
                   std::to_string(groups) +

@@ -51,7 +51,8 @@ void NearConcavity::add_directions(const Surface& surface) {
   std::vector<NearNormal> sums(at_points ? points_.size() : 0, {Point::Zero(), 0});
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& [a, b, c] = surface.triangles[t];
-    const NearNormal normal = normal_of(points_[a.index()], points_[b.index()], points_[c.index()]);
+    const NearNormal normal =
+        near_normal(points_[a.index()], points_[b.index()], points_[c.index()]);
     if (!at_points) {
       directions_.push_back(
           direction_of(normal.value, normal.error, !exact_.direction(TriangleId(t), 0).isZero()));
@@ -154,7 +155,7 @@ void NearConcavity::bound_flat_rays(NearCluster& cluster) const {
   const std::size_t n = cluster.extreme.size();
   const auto corner = [&](std::size_t k) { return points_[cluster.extreme[k * n / 3].index()]; };
   const NearNormal normal =
-      n < 3 ? NearNormal{Point::Zero(), 1} : normal_of(corner(0), corner(1), corner(2));
+      n < 3 ? NearNormal{Point::Zero(), 1} : near_normal(corner(0), corner(1), corner(2));
   double high = 0;
   for (RayBound& ray : cluster.rays) {
     const Direction& direction = directions_[ray.item];

@@ -77,7 +77,7 @@ NearFacets near_facets(std::vector<std::array<PointId, 3>> corners,
   }
   near.planes.reserve(corners.size());
   for (const auto& [a, b, c] : corners) {
-    const NearNormal normal = normal_of(points[a.index()], points[b.index()], points[c.index()]);
+    const NearNormal normal = near_normal(points[a.index()], points[b.index()], points[c.index()]);
     const Point local = points[a.index()] - near.origin;
     const double size = normal.value.cwiseAbs().sum();
     // n.(a - x) for coordinates up to `radius`: 2 * 3 * radius * error from the normal; each of
@@ -98,7 +98,7 @@ NearFacets near_facets(std::vector<std::array<PointId, 3>> corners,
 // (b - a) x (c - a). An edge's component has a relative error of u, a product of two of them 3u,
 // and the difference of two products is rounded once more: 2 * 3u + 2u times the largest
 // components.
-NearNormal normal_of(const Point& a, const Point& b, const Point& c) {
+NearNormal near_normal(const Point& a, const Point& b, const Point& c) {
   const Point e = b - a, f = c - a;
   return {e.cross(f), 10 * kUnitRoundoff * e.cwiseAbs().maxCoeff() * f.cwiseAbs().maxCoeff() +
                           kLostToUnderflow};

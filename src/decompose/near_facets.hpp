@@ -23,7 +23,7 @@ struct NearNormal {
 };
 
 /// (b - a) x (c - a).
-[[nodiscard]] NearNormal normal_of(const Point& a, const Point& b, const Point& c);
+[[nodiscard]] NearNormal near_normal(const Point& a, const Point& b, const Point& c);
 
 /// The hull of a cluster in doubles: per facet the plane n.x = d about a local origin.
 struct NearFacets {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "convexact/cluster.hpp"
 #include "decompose/near_facets.hpp"
+#include "number/groups.hpp"
 #include "surface/box_tree.hpp"
 #include "surface/common_point.hpp"
 #include "surface/edges.hpp"
@@ -37,7 +37,7 @@ std::vector<SharedEdge> shared_edges(const Surface& surface) {
 bool are_collinear(const PointSet& points, PointId a, PointId b, PointId c) {
   if (points.is_binary()) {
     const auto near = points.doubles();
-    const NearNormal normal = normal_of(near[a.index()], near[b.index()], near[c.index()]);
+    const NearNormal normal = near_normal(near[a.index()], near[b.index()], near[c.index()]);
     if (normal.value.cwiseAbs().maxCoeff() > normal.error && std::isfinite(normal.error)) {
       return false;
     }
@@ -116,20 +116,12 @@ Pairs neighbours(const Surface& surface, Connect connect, const Watch& watch) {
 
 std::size_t count_groups(const Surface& surface,
                          std::span<const std::pair<TriangleId, TriangleId>> pairs) {
-  std::vector<std::uint32_t> parent(surface.triangles.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto root = [&](std::uint32_t t) {
-    while (parent[t] != t) t = parent[t] = parent[parent[t]];
-    return t;
-  };
-  std::size_t groups = parent.size();
+  Groups groups(surface.triangles.size());
+  std::size_t count = surface.triangles.size();
   for (const auto& [a, b] : pairs) {
-    const std::uint32_t x = root(a.value), y = root(b.value);
-    if (x == y) continue;
-    parent[std::max(x, y)] = std::min(x, y);
-    --groups;
+    if (groups.join(a.value, b.value)) --count;
   }
-  return groups;
+  return count;
 }
 
 }  // namespace convexact

@@ -9,6 +9,7 @@
 #include "convexact/cluster.hpp"
 #include "convexact/measure.hpp"
 #include "number/arithmetic.hpp"
+#include "number/groups.hpp"
 #include "surface/edges.hpp"
 
 namespace convexact {
@@ -126,21 +127,17 @@ std::vector<std::uint32_t> Patch::fans_at(std::uint32_t point) const {
   const auto triangles = triangles_at(point);
   const std::vector<Spoke> edges = spokes(point);
   const auto place = [&](std::uint32_t triangle) {
-    return static_cast<std::size_t>(std::lower_bound(triangles.begin(), triangles.end(), triangle) -
-                                    triangles.begin());
+    return static_cast<std::uint32_t>(
+        std::lower_bound(triangles.begin(), triangles.end(), triangle) - triangles.begin());
   };
-  std::vector<std::uint32_t> lowest(triangles.begin(), triangles.end());
-  const auto find = [&](std::size_t k) {
-    while (lowest[k] != triangles[k]) k = place(lowest[k] = lowest[place(lowest[k])]);
-    return k;
-  };
+  Groups fans(triangles.size());
   for (const Spoke& edge : edges) {
     for (const std::uint32_t triangle : edge.triangles) {
-      const auto [low, high] = std::minmax({find(place(edge.triangles[0])), find(place(triangle))});
-      lowest[high] = triangles[low];
+      fans.join(place(edge.triangles[0]), place(triangle));
     }
   }
-  for (std::size_t k = 0; k < lowest.size(); ++k) lowest[k] = triangles[find(k)];
+  std::vector<std::uint32_t> lowest = fans.roots();
+  for (std::uint32_t& fan : lowest) fan = triangles[fan];
   return lowest;
 }
 

@@ -83,19 +83,4 @@ bool AdjacencyMatrix::is_closed_manifold() const {
   return true;
 }
 
-std::string AdjacencyMatrix::dense() const {
-  const std::size_t width = std::to_string(rows_.empty() ? 0 : rows_.size() - 1).size();
-  std::string table;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    for (std::size_t j = 0; j < rows_.size(); ++j) {
-      const std::optional<HalfspaceId> k = at(HalfspaceId(i), HalfspaceId(j));
-      const std::string cell = k ? std::to_string(k->value) : ".";
-      if (j > 0) table += ' ';
-      table.append(width - cell.size(), ' ').append(cell);
-    }
-    table += '\n';
-  }
-  return table;
-}
-
 }  // namespace convexact

@@ -167,20 +167,6 @@ class RoundedDeterminants {
   std::uint32_t low_ = 0;
 };
 
-/// lower <= x <= upper for some x >= 0. The ends of a product or quotient are rounded to nearest:
-/// after n operations in a row they have to be moved apart by n roundings.
-template <class Scalar>
-struct Interval {
-  Scalar lower, upper;
-
-  friend Interval operator*(const Interval& a, const Interval& b) {
-    return {a.lower * b.lower, a.upper * b.upper};
-  }
-  friend Interval operator/(const Interval& a, const Interval& b) {
-    return {a.lower / b.upper, a.upper / b.lower};
-  }
-};
-
 /// Determinants of a ring as intervals that hold the true ones, for CapVolume.
 ///
 /// Rounding: below any term of the sum lie 5 factors, each of whose ends is rounded once, 3

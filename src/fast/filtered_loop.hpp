@@ -8,7 +8,7 @@
 #include "convexact/run.hpp"
 #include "fast/cap.hpp"
 #include "fast/checks.hpp"
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 #include "fast/keyed_queue.hpp"
 #include "fast/mesh.hpp"
 #include "fast/ties.hpp"
@@ -90,8 +90,6 @@ class FilteredLoop {
   bool is_bounded(HalfspaceId i);
   /// Precondition: is_bounded(i).
   const Cost& cost(HalfspaceId i) { return ties_.exact_cost(i); }
-  /// The same of a volume. @throws Error InvalidArgument if the measure is another one.
-  const Rational& exact_cost(HalfspaceId i) { return cost(i).rational(); }
   /// Precondition: is_bounded(i).
   void remove(HalfspaceId i);
 

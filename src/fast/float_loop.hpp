@@ -15,50 +15,15 @@
 #include "convexact/run.hpp"
 #include "fast/cap.hpp"
 #include "fast/cap_volume.hpp"
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 #include "fast/float_cap.hpp"
+#include "fast/float_errors.hpp"
 #include "fast/keyed_queue.hpp"
 #include "fast/mesh.hpp"
 #include "fast/metric_cost.hpp"
 #include "fast/signs.hpp"
 
 namespace convexact {
-
-/// Keeps the FloatBound of a run. All costs are cost_multiple() times as large, in units of the
-/// dual.
-///
-/// A removal is judged by the upper bound of its cost and by the least of all others' lower bounds.
-/// Each halfspace keeps the best lower bound that is proven for it, 0 at first. Those of volumes
-/// stay true when rings change, since costs never decrease; others are lowered to what lasts.
-class FloatErrors {
- public:
-  explicit FloatErrors(std::size_t halfspaces, CostMeasure measure = CostMeasure::Volume);
-
-  /// The cap of i has been evaluated: its cost is enclosed. Unbounded caps are (inf, inf), caps
-  /// without a proven bound (0, inf).
-  void enclose(HalfspaceId i, double lower, double upper) {
-    upper_[i.index()] = upper;
-    if (lower > lower_.key(i)) lower_.update(i, lower);
-  }
-  /// A halfspace of the ring of i was removed: of the bounds proven before, `lasting` is left. Caps
-  /// that are unbounded stay so.
-  void lower(HalfspaceId i, double lasting) {
-    const double key = lower_.key(i);
-    if (lasting < key && !std::isinf(key)) lower_.update(i, lasting);
-  }
-  /// The canonical order decides a step.
-  void count_tie() { ++bound_.ties; }
-  /// i is removed, at what is reported as its cost.
-  void remove(HalfspaceId i, double cost);
-  /// After the last step. @param is_stuck  Whether it was the last for want of bounded removals.
-  FloatBound bound(bool is_stuck) const;
-
- private:
-  KeyedQueue<double> lower_;
-  std::vector<double> upper_;
-  Interval<double> multiple_;
-  FloatBound bound_;
-};
 
 // FloatCap<Arithmetic::Longer>, or nothing.
 template <class Arithmetic>
@@ -461,6 +426,6 @@ void FloatLoop<Arithmetic>::remove(HalfspaceId i) {
   prepared_.reset();
 }
 
-extern template class FloatLoop<Doubles>;  // in float_engine.cpp
+extern template class FloatLoop<Doubles>;  // in engines.cpp
 
 }  // namespace convexact

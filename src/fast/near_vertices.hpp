@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "convexact/inner_run.hpp"
-#include "fast/cap_volume.hpp"
 #include "fast/dual.hpp"
 #include "fast/signs.hpp"
 #include "measure/vertex_determinants.hpp"
+#include "number/roundoff.hpp"
 
 namespace convexact {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 
 namespace convexact {
 

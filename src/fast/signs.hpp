@@ -13,14 +13,6 @@
 
 namespace convexact {
 
-/// One double further down or up: the most that a single rounding may have changed.
-[[nodiscard]] inline double next_below(double x) {
-  return std::nextafter(x, -std::numeric_limits<double>::infinity());
-}
-[[nodiscard]] inline double next_above(double x) {
-  return std::nextafter(x, std::numeric_limits<double>::infinity());
-}
-
 /// How the fast engines bound underflow, and how they avoid overflow, in a Scalar with the
 /// exponents of double, or more.
 template <class Scalar>

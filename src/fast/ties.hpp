@@ -9,7 +9,7 @@
 #include "convexact/number.hpp"
 #include "fast/cap.hpp"
 #include "fast/dual.hpp"
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 
 namespace convexact {
 

@@ -2,7 +2,6 @@
 // Questions about halfspaces by linear programs: whether they are empty, flat or have an interior,
 // whether they are bounded, and where an almost largest ball is (docs/design/lp.md).
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include "convexact/error.hpp"
@@ -16,10 +15,7 @@ RationalPoint round_to_grid(const RationalPoint& x, long exponent) {
   RationalPoint rounded;
   for (int k = 0; k < 3; ++k) {
     const Rational steps = scale_by_power_of_two(x[k], -exponent) + Rational(1, 2);
-    Integer whole;
-    mpz_fdiv_q(whole.backend().data(), mpq_numref(steps.backend().data()),
-               mpq_denref(steps.backend().data()));
-    rounded[k] = scale_by_power_of_two(Rational(whole), exponent);
+    rounded[k] = scale_by_power_of_two(Rational(floor_of(steps)), exponent);
   }
   return rounded;
 }
@@ -34,10 +30,7 @@ std::optional<RationalPoint> short_dyadic_interior_point(std::span<const Halfspa
   if (!is_strictly_inside(halfspaces, inside)) return std::nullopt;
   if (inside.isZero(0)) return inside;
   // |x| < 2^e rounds to 0 in steps of twice that.
-  long exponent = std::numeric_limits<long>::min();
-  for (const Rational& x : inside) {
-    if (x != 0) exponent = std::max(exponent, exponent_of(x) + 1);
-  }
+  long exponent = largest_exponent({&inside, 1}).value() + 1;
   // Ends: the interior is open, and the roundings converge to a point of it.
   RationalPoint rounded = round_to_grid(inside, exponent);
   while (!is_strictly_inside(halfspaces, rounded)) rounded = round_to_grid(inside, --exponent);

@@ -2,7 +2,6 @@
 // Areas of facets and the volume of a polytope: the volume of a cone over a facet is its area times
 // its height over 3, where the roots in both cancel.
 #include <algorithm>
-#include <optional>
 #include <vector>
 
 #include "convexact/measure.hpp"
@@ -77,17 +76,6 @@ Rational volume(const Polytope& polytope) {
 
 namespace {
 
-// An e with |x| < 2^e for every coordinate x.
-long largest_exponent(const Polytope& polytope) {
-  std::optional<long> largest;
-  for (const RationalPoint& p : polytope.vertices) {
-    for (const Rational& x : p) {
-      if (x != 0) largest = std::max(largest.value_or(exponent_of(x)), exponent_of(x));
-    }
-  }
-  return largest.value_or(0);
-}
-
 // The vertices less vertex 0 as multiples of 2^-shift, both rounded down: each off by less than 1,
 // and exact where all vertices are such multiples.
 struct RoundedArms {
@@ -121,7 +109,7 @@ RoundedArms rounded_arms(const Polytope& polytope, long shift) {
 // Where no entry of a 3 x 3 determinant is larger than L, and each is off by less than 1, each of
 // its six products is off by less than (L + 1)^3 - L^3 <= 3 (L + 1)^2.
 Enclosure enclose_by_rounding(const Polytope& polytope, long bits) {
-  const long shift = bits - largest_exponent(polytope);
+  const long shift = bits - largest_exponent(polytope.vertices).value_or(0);
   const auto [arms, are_exact] = rounded_arms(polytope, shift);
   Integer sum = 0, largest = 0, tetrahedra = 0;
   for (const IntegerVector3& arm : arms) {

@@ -55,6 +55,23 @@ long exponent_of(const Rational& x) {
          static_cast<long>(mpz_sizeinbase(mpq_denref(q), 2)) + 1;
 }
 
+std::optional<long> largest_exponent(std::span<const RationalVector3> points) {
+  std::optional<long> largest;
+  for (const RationalVector3& p : points) {
+    for (const Rational& x : p) {
+      if (x != 0) largest = std::max(largest.value_or(exponent_of(x)), exponent_of(x));
+    }
+  }
+  return largest;
+}
+
+Integer floor_of(const Rational& x) {
+  const mpq_srcptr q = x.backend().data();
+  Integer floor;
+  mpz_fdiv_q(raw(floor), mpq_numref(q), mpq_denref(q));
+  return floor;
+}
+
 std::size_t bit_length(const IntegerVector3& v) {
   return std::max({bit_length(v[0]), bit_length(v[1]), bit_length(v[2])});
 }

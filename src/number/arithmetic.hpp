@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -46,6 +47,12 @@ template <class Coordinates>
 
 /// An e with 2^(e-2) < |x| < 2^e, from the lengths of x alone. Precondition: x != 0.
 [[nodiscard]] long exponent_of(const Rational& x);
+
+/// The largest exponent_of() of the coordinates that are not 0; none if all of them are 0.
+[[nodiscard]] std::optional<long> largest_exponent(std::span<const RationalVector3> points);
+
+/// The largest integer that is at most x.
+[[nodiscard]] Integer floor_of(const Rational& x);
 
 /// Bits of the longest component; 0 for the zero vector.
 [[nodiscard]] std::size_t bit_length(const IntegerVector3& v);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-// roundoff.hpp - the error of one operation on doubles: its bound, and sums and products with it.
+// roundoff.hpp - the error of one operation on doubles: its bound, sums and products with it, and
+// intervals that hold it.
 #pragma once
+#include <cmath>
+#include <limits>
 
 namespace convexact {
 
@@ -42,5 +45,27 @@ inline TwoTerms two_product(double x, double y) {
   const double rest = ((high - s.high * t.high) - s.low * t.high) - s.high * t.low;
   return {high, s.low * t.low - rest};
 }
+
+/// One double further down or up: the most that a single rounding may have changed.
+[[nodiscard]] inline double next_below(double x) {
+  return std::nextafter(x, -std::numeric_limits<double>::infinity());
+}
+[[nodiscard]] inline double next_above(double x) {
+  return std::nextafter(x, std::numeric_limits<double>::infinity());
+}
+
+/// lower <= x <= upper for some x >= 0. The ends of a product or quotient are rounded to nearest:
+/// after n operations in a row they have to be moved apart by n roundings.
+template <class Scalar>
+struct Interval {
+  Scalar lower, upper;
+
+  friend Interval operator*(const Interval& a, const Interval& b) {
+    return {a.lower * b.lower, a.upper * b.upper};
+  }
+  friend Interval operator/(const Interval& a, const Interval& b) {
+    return {a.lower / b.upper, a.upper / b.lower};
+  }
+};
 
 }  // namespace convexact

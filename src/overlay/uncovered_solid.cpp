@@ -12,11 +12,8 @@ namespace {
 RationalPoint on_grid(const RationalPoint& x, long power) {
   RationalPoint rounded;
   for (int k = 0; k < 3; ++k) {
-    const Rational scaled = scale_by_power_of_two(x[k], -power);
-    Integer floor;
-    const Integer top = numerator(scaled), bottom = denominator(scaled);
-    mpz_fdiv_q(raw(floor), raw(top), raw(bottom));
-    rounded[k] = scale_by_power_of_two(Rational(floor), power);
+    const Integer steps = floor_of(scale_by_power_of_two(x[k], -power));
+    rounded[k] = scale_by_power_of_two(Rational(steps), power);
   }
   return rounded;
 }

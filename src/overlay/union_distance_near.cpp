@@ -50,10 +50,8 @@ NearFrame frame_around(std::span<const BoundingBox> boxes) {
   if (longest == 0) return {low, 0};
   NearFrame frame{low, exponent_of(longest)};
   for (int k = 0; k < 3; ++k) {
-    const Rational units = scale_by_power_of_two(low[k] + high[k], 9 - frame.exponent);
-    Integer whole;
-    mpz_fdiv_q(raw(whole), mpq_numref(units.backend().data()), mpq_denref(units.backend().data()));
-    frame.center[k] = scale_by_power_of_two(Rational(whole), frame.exponent - 10);
+    const Integer units = floor_of(scale_by_power_of_two(low[k] + high[k], 9 - frame.exponent));
+    frame.center[k] = scale_by_power_of_two(Rational(units), frame.exponent - 10);
   }
   return frame;
 }

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "io/json.hpp"
+#include "number/groups.hpp"
 #include "number/text.hpp"
 
 namespace convexact {
@@ -47,26 +48,16 @@ PictureLayer input_layer(const Surface& surface, std::string name) {
 // Pairs of groups that join, one after another. Names are the lowest triangles.
 class Joins {
  public:
-  explicit Joins(std::size_t triangles) : name_(triangles) {
-    std::iota(name_.begin(), name_.end(), 0u);
-  }
+  explicit Joins(std::size_t triangles) : groups_(triangles) {}
 
   void join(TriangleId a, TriangleId b) {
-    const auto [low, high] = std::minmax({name_of(a), name_of(b)});
-    if (low == high) return;
-    joins_.push_back({low, high});
-    name_[high] = low;
+    const auto [low, high] = std::minmax({groups_.root(a.value), groups_.root(b.value)});
+    if (groups_.join(low, high)) joins_.push_back({low, high});
   }
   std::vector<std::array<std::uint32_t, 2>> take() { return std::move(joins_); }
 
  private:
-  std::uint32_t name_of(TriangleId t) {
-    std::uint32_t found = t.value;
-    while (name_[found] != found) found = name_[found] = name_[name_[found]];
-    return found;
-  }
-
-  std::vector<std::uint32_t> name_;
+  Groups groups_;
   std::vector<std::array<std::uint32_t, 2>> joins_;
 };
 

@@ -7,7 +7,7 @@
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
 #include "convexact/scene.hpp"
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 #include "number/precision.hpp"
 #include "report/errors.hpp"
 #include "scene/solid.hpp"

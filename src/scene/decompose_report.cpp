@@ -6,6 +6,7 @@
 
 #include "io/json.hpp"
 #include "io/names.hpp"
+#include "number/groups.hpp"
 #include "number/precision.hpp"
 #include "scene/decompose_options.hpp"
 #include "scene/simplify_report.hpp"
@@ -151,18 +152,9 @@ OrderedJson part_entry(const Decomposition& decomposition, std::size_t number,
 // The clusters that a run starts with: triangles, those without area together with the one over
 // their longest edge. By triangle: the lowest one of its cluster.
 std::vector<std::uint32_t> first_clusters(const Clustering& clustering, std::size_t triangles) {
-  std::vector<std::uint32_t> lowest(triangles);
-  for (std::size_t t = 0; t < lowest.size(); ++t) lowest[t] = static_cast<std::uint32_t>(t);
-  const auto find = [&](std::uint32_t t) {
-    while (lowest[t] != t) t = lowest[t] = lowest[lowest[t]];
-    return t;
-  };
-  for (const auto& [flat, over] : clustering.united) {
-    const std::uint32_t a = find(flat.value), b = find(over.value);
-    lowest[std::max(a, b)] = std::min(a, b);
-  }
-  for (std::size_t t = 0; t < lowest.size(); ++t) lowest[t] = find(static_cast<std::uint32_t>(t));
-  return lowest;
+  Groups clusters(triangles);
+  for (const auto& [flat, over] : clustering.united) clusters.join(flat.value, over.value);
+  return clusters.roots();
 }
 
 // First the clusters of the start, by their lowest triangles, then one for each merge.

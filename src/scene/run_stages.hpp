@@ -9,7 +9,7 @@
 
 #include "convexact/hull.hpp"
 #include "convexact/simplify.hpp"
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 #include "scene/solid.hpp"
 #include "scene/stage_log.hpp"
 

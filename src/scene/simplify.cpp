@@ -3,8 +3,7 @@
 
 #include <array>
 
-#include "fast/filtered_engine.hpp"
-#include "fast/float_engine.hpp"
+#include "fast/engines.hpp"
 #include "scene/run_stages.hpp"
 #include "scene/search_stage.hpp"
 #include "simplify/exact_engine.hpp"

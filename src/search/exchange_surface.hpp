@@ -12,8 +12,8 @@
 #include "convexact/cost.hpp"
 #include "convexact/dual.hpp"
 #include "convexact/search.hpp"
-#include "fast/cap_volume.hpp"
 #include "fast/dual.hpp"
+#include "number/roundoff.hpp"
 
 namespace convexact {
 

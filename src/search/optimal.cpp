@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "convexact/error.hpp"
-#include "fast/signs.hpp"
 #include "number/arithmetic.hpp"
 #include "number/roundoff.hpp"
 #include "search/exchange_surface.hpp"

@@ -10,7 +10,6 @@
 
 #include "convexact/error.hpp"
 #include "fast/mesh.hpp"
-#include "fast/signs.hpp"
 #include "number/random.hpp"
 #include "search/exchange_surface.hpp"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "convexact/dual.hpp"
-#include "fast/cap_volume.hpp"
 #include "fast/dual.hpp"
+#include "number/roundoff.hpp"
 
 namespace convexact {
 

@@ -31,17 +31,6 @@ Point to_local(const RationalVector3& v, long exponent) {
   return p;
 }
 
-// An exponent e with |v_k| <= 2^e for all of the coordinates.
-long common_exponent(std::span<const RationalVector3> vectors) {
-  long exponent = std::numeric_limits<long>::min();
-  for (const RationalVector3& v : vectors) {
-    for (int k = 0; k < 3; ++k) {
-      if (v[k] != 0) exponent = std::max(exponent, exponent_of(v[k]));
-    }
-  }
-  return exponent;
-}
-
 // A solid seen from a point strictly inside it.
 struct CenteredSolid {
   std::vector<RationalVector3> vertices;  // minus the center
@@ -183,7 +172,8 @@ std::size_t final_pass(std::span<const Halfspace> halfspaces, const PointSet& in
 Growth growth(const Polytope& exact, const Polytope& stored, const RationalPoint& center,
               const Rational& squared_diameter) {
   const CenteredSolid a(exact, center), b(stored, center);
-  const long exponent = std::max(common_exponent(a.vertices), common_exponent(b.vertices));
+  const long exponent =
+      std::max(largest_exponent(a.vertices), largest_exponent(b.vertices)).value();
   const Rational squared =
       std::max(OneSidedBound(a, b, exponent).squared(), OneSidedBound(b, a, exponent).squared());
   Growth growth;

@@ -8,8 +8,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
-#include "fast/filtered_engine.hpp"
-#include "fast/float_engine.hpp"
+#include "fast/engines.hpp"
 #include "scene/solid.hpp"
 
 namespace convexact {

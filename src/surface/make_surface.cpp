@@ -5,6 +5,7 @@
 
 #include "convexact/error.hpp"
 #include "number/arithmetic.hpp"
+#include "number/groups.hpp"
 #include "surface/edges.hpp"
 #include "surface/flat_polygon.hpp"
 #include "surface/nesting.hpp"
@@ -142,23 +143,16 @@ void to_canonical_order(Surface& surface) {
 // ---- Components
 
 void find_components(const EdgeTable& edges, Surface& surface) {
-  std::vector<std::uint32_t> root(surface.triangles.size());
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](std::uint32_t t) {
-    while (root[t] != t) t = root[t] = root[root[t]];
-    return t;
-  };
+  Groups groups(surface.triangles.size());
   edges.for_each([&](std::span<const EdgeUse> uses) {
-    for (const EdgeUse& use : uses) {
-      const std::uint32_t a = find(uses[0].triangle), b = find(use.triangle);
-      root[std::max(a, b)] = std::min(a, b);
-    }
+    for (const EdgeUse& use : uses) groups.join(uses[0].triangle, use.triangle);
   });
+  const std::vector<std::uint32_t> root = groups.roots();
   constexpr std::uint32_t kNone = ~std::uint32_t{0};
   std::vector<std::uint32_t> number(root.size(), kNone);
   surface.component.resize(root.size());
   for (std::uint32_t t = 0; t < root.size(); ++t) {
-    std::uint32_t& component = number[find(t)];
+    std::uint32_t& component = number[root[t]];
     if (component == kNone) {
       component = static_cast<std::uint32_t>(surface.components.size());
       surface.components.push_back({.is_flat = true});

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "convexact/surface.hpp"
+#include "number/groups.hpp"
 #include "surface/box_tree.hpp"
 #include "surface/common_point.hpp"
 #include "surface/edges.hpp"
@@ -157,21 +158,15 @@ class SolidBoundary {
   // Triangles without crossings that are neighbours along edges of two: the winding numbers beside
   // them are the same.
   std::vector<std::uint32_t> find_patches() const {
-    std::vector<std::uint32_t> root(surface_.triangles.size());
-    for (std::uint32_t t = 0; t < root.size(); ++t) root[t] = t;
-    const auto find = [&](std::uint32_t t) {
-      while (root[t] != t) t = root[t] = root[root[t]];
-      return t;
-    };
+    Groups patches(surface_.triangles.size());
     EdgeTable(surface_.triangles).for_each([&](std::span<const EdgeUse> uses) {
       if (uses.size() != 2) return;
       const std::uint32_t s = uses[0].triangle, t = uses[1].triangle;
       const bool joins = has_area_[s] && has_area_[t] && crossings_[s].empty() &&
                          crossings_[t].empty() && uses[0].is_forward != uses[1].is_forward;
-      if (joins) root[std::max(find(s), find(t))] = std::min(find(s), find(t));
+      if (joins) patches.join(s, t);
     });
-    for (std::uint32_t t = 0; t < root.size(); ++t) root[t] = find(t);
-    return root;
+    return patches.roots();
   }
 
   RationalPoint point_at(std::uint32_t t, const At& at) const {

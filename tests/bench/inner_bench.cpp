@@ -6,7 +6,7 @@
 #include "benches.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/inner_run.hpp"
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 #include "fast/filtered_inner.hpp"
 
 using namespace convexact;

@@ -6,8 +6,7 @@
 #include <sys/resource.h>
 
 #include "benches.hpp"
-#include "fast/filtered_engine.hpp"
-#include "fast/float_engine.hpp"
+#include "fast/engines.hpp"
 #include "shapes/makers.hpp"
 #include "simplify/exact_engine.hpp"
 #include "simplify/run_names.hpp"

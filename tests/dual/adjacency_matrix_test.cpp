@@ -4,6 +4,7 @@
 
 #include "convexact/dual.hpp"
 #include "convexact/error.hpp"
+#include "matrix_table.hpp"
 
 using namespace convexact;
 
@@ -37,7 +38,7 @@ TEST_CASE("AdjacencyMatrix: an empty matrix") {
   CHECK(matrix.one_ring(HalfspaceId(0)).empty());
   CHECK(matrix.triangles().empty());
   CHECK(matrix.is_closed_manifold());
-  CHECK(matrix.dense() == ". .\n. .\n");
+  CHECK(table_of(matrix) == ". .\n. .\n");
 }
 
 TEST_CASE("AdjacencyMatrix: the tetrahedron is the smallest closed surface") {
@@ -48,7 +49,7 @@ TEST_CASE("AdjacencyMatrix: the tetrahedron is the smallest closed surface") {
   matrix.add(triangle(0, 3, 1));
   matrix.add(triangle(1, 3, 2));
   CHECK(matrix.is_closed_manifold());
-  CHECK(matrix.dense() ==
+  CHECK(table_of(matrix) ==
         ". 2 3 1\n"
         "3 . 0 2\n"
         "1 3 . 0\n"

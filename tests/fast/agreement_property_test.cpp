@@ -5,7 +5,7 @@
 #include <string>
 
 #include "convexact/linear_program.hpp"
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 #include "hard_halfspaces.hpp"
 #include "perturb.hpp"
 #include "property.hpp"

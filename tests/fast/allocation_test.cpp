@@ -3,8 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "allocation_watch.hpp"
-#include "fast/filtered_engine.hpp"
-#include "fast/float_engine.hpp"
+#include "fast/engines.hpp"
 #include "shapes/makers.hpp"
 
 using namespace convexact;

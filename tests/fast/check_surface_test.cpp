@@ -5,7 +5,7 @@
 #include "convexact/error.hpp"
 #include "convexact/hull.hpp"
 #include "fast/checks.hpp"
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 #include "shapes/makers.hpp"
 
 using namespace convexact;

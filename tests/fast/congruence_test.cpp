@@ -7,7 +7,7 @@
 
 #include "convexact/hull.hpp"
 #include "fast/cap.hpp"
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 #include "fast/ties.hpp"
 #include "oracle/removal_cost.hpp"
 #include "same_run.hpp"

@@ -10,7 +10,7 @@
 #include "convexact/io.hpp"
 #include "convexact/simplify.hpp"
 #include "fast/cap.hpp"
-#include "fast/float_engine.hpp"
+#include "fast/engines.hpp"
 #include "hard_inputs.hpp"
 #include "oracle/removal_cost.hpp"
 #include "stored_cases.hpp"

@@ -10,7 +10,7 @@
 #include "convexact/io.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/shapes.hpp"
-#include "fast/float_engine.hpp"
+#include "fast/engines.hpp"
 #include "fast/float_loop.hpp"
 #include "fast/rounded_dual.hpp"
 #include "number/mpfr_scalar.hpp"

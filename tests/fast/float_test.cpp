@@ -9,7 +9,7 @@
 #include "check_bounded.hpp"
 #include "convexact/shapes.hpp"
 #include "expect_error.hpp"
-#include "fast/float_engine.hpp"
+#include "fast/engines.hpp"
 #include "shapes/makers.hpp"
 #include "simplify_points.hpp"
 

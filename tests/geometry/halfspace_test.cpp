@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "convexact/error.hpp"
+#include "geometry/near_plane.hpp"
 #include "integer_halfspace.hpp"
+#include "number/arithmetic.hpp"
 #include "number/random.hpp"
 #include "property.hpp"
 
@@ -76,6 +78,26 @@ TEST_CASE("Halfspace: extreme doubles") {
   const Halfspace h = Halfspace::through(a, b, c);
   for (const Point& p : {a, b, c}) CHECK(h(to_rational(p)) == 0);
   CHECK_THROWS_AS(Halfspace::through(a, a, b), Error);
+}
+
+TEST_CASE("plane_value: n.x + d times the denominator") {
+  const Halfspace h(IntegerVector3(1, -2, 3), Integer(-4));
+  const RationalPoint x(Rational(1, 2), Rational(1, 3), Rational(5));
+  const HomogeneousPoint p = clear_denominators(x);
+  CHECK(p.w == 6);
+  CHECK(plane_value(h, p) == 6 * h(x));
+}
+
+TEST_CASE("near_direction, scaled_direction and unit_vector: long normals, and none") {
+  const Integer unit = Integer(1) << 3000u;
+  const IntegerVector3 v(3 * unit, -6 * unit, Integer(0));
+  CHECK(near_direction(v) == Point(0.5, -1, 0));
+  CHECK(scaled_direction(v) == Point(0.375, -0.75, 0));
+  CHECK(unit_vector(v).isApprox(Point(0.5, -1, 0) / std::sqrt(1.25), 0x1p-50));
+  const IntegerVector3 none = IntegerVector3::Zero();
+  CHECK(near_direction(none) == Point::Zero());
+  CHECK(scaled_direction(none) == Point::Zero());
+  CHECK(unit_vector(none) == Point::Zero());
 }
 
 TEST_CASE("meet: three planes, or none") {

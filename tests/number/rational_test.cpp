@@ -80,3 +80,19 @@ TEST_CASE("make_primitive: divides by what all four share, and by nothing else")
   CHECK(x == IntegerVector3(0, 0, -1));
   CHECK(d == 0);
 }
+
+TEST_CASE("floor_of: towards minus infinity") {
+  CHECK(floor_of(Rational(0)) == 0);
+  CHECK(floor_of(Rational(7, 2)) == 3);
+  CHECK(floor_of(Rational(-7, 2)) == -4);
+  CHECK(floor_of(Rational(-4)) == -4);
+}
+
+TEST_CASE("largest_exponent: of the coordinates that are not 0") {
+  const std::vector<RationalVector3> none, zeros(2, RationalVector3::Zero());
+  CHECK_FALSE(largest_exponent(none));
+  CHECK_FALSE(largest_exponent(zeros));
+  const std::vector<RationalVector3> points{{Rational(0), Rational(1, 1024), Rational(0)},
+                                            {Rational(1, 8), Rational(-5), Rational(0)}};
+  CHECK(largest_exponent(points) == exponent_of(Rational(-5)));
+}

@@ -7,7 +7,7 @@
 #include <array>
 
 #include "convexact/number.hpp"
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 #include "oracle/trace_verdict.hpp"
 #include "removal_orders.hpp"
 #include "shapes/makers.hpp"

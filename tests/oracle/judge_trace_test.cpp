@@ -8,7 +8,7 @@
 #include "convexact/error.hpp"
 #include "convexact/verify_run.hpp"
 #include "definitional_greedy.hpp"
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 #include "number/random.hpp"
 #include "oracle/diff.hpp"
 #include "removal_orders.hpp"

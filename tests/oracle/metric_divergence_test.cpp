@@ -6,7 +6,7 @@
 #include "convexact/error.hpp"
 #include "cut_box.hpp"
 #include "expect_error.hpp"
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 #include "oracle/diff.hpp"
 #include "oracle/divergence.hpp"
 #include "shapes/makers.hpp"

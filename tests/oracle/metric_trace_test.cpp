@@ -7,7 +7,7 @@
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
 #include "expect_error.hpp"
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 #include "oracle/removal_cost.hpp"
 #include "oracle/removal_order_file.hpp"
 #include "oracle/trace_verdict.hpp"

@@ -8,7 +8,7 @@
 #include "convexact/hull.hpp"
 #include "convexact/number.hpp"
 #include "convexact/predicates.hpp"
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 #include "fast/signs.hpp"
 #include "geometry/orient3d_stages.hpp"
 #include "geometry/plane_determinants.hpp"

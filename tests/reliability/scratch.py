@@ -20,7 +20,7 @@ OPTIONS = ['-Dassertions=true', '-Dbuildtype=plain', '-Db_ndebug=false', '-Dopti
            '-Dcpp_args=-g1 -fpch-preprocess']
 _AUDIT = ['tests/fast/audit_test.cpp', 'tests/fast/audit_on_thousands_test.cpp']
 _CAPS = 'tests/fast/cap_bounds_test.cpp'
-_ROUNDED = ['src/fast/' + name for name in ('dual.cpp', 'signs.cpp', 'cap.cpp', 'checks.cpp', 'float_engine.cpp')]
+_ROUNDED = ['src/fast/' + name for name in ('dual.cpp', 'signs.cpp', 'cap.cpp', 'checks.cpp', 'engines.cpp')]
 _HULL = ['tests/hull/near_geometry_test.cpp', 'src/hull/initial_simplex.cpp', 'src/hull/incremental_hull.cpp',
          'src/hull/merge_facets.cpp', 'src/hull/check_hull.cpp']
 _ORIENT = ['src/geometry/orient3d.cpp', 'tests/geometry/orient3d_bounds_test.cpp']
@@ -41,8 +41,8 @@ UNITS = {
     'src/fast/signs.hpp': ['tests/fast/plane_filter_test.cpp', *_ROUNDED, *_AUDIT],
     'src/fast/cap_volume.hpp': [_CAPS, 'src/fast/cap.cpp'],
     'src/fast/keyed_queue.hpp': ['src/fast/filtered_loop.cpp'],
-    'src/fast/filtered_loop.hpp': ['src/fast/filtered_loop.cpp', 'src/fast/filtered_engine.cpp', 'src/scene/part_runs.cpp'],
-    'src/fast/float_loop.hpp': ['src/fast/float_engine.cpp', 'src/scene/part_runs.cpp'],
+    'src/fast/filtered_loop.hpp': ['src/fast/filtered_loop.cpp', 'src/fast/engines.cpp', 'src/scene/part_runs.cpp'],
+    'src/fast/float_loop.hpp': ['src/fast/engines.cpp', 'src/scene/part_runs.cpp'],
     'src/fast/near_vertices.hpp': ['src/fast/near_vertices.cpp', 'src/fast/filtered_inner.cpp'],
     'src/hull/near_geometry.hpp': _HULL,
     'src/hull/exact_points.hpp': _HULL,

@@ -4,7 +4,7 @@
 // is canonical) reflections and exchanges of axes. For the hull, both exact ways to simplify, and
 // the oracle.
 #include "convexact/dual.hpp"
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 #include "motion.hpp"
 #include "property.hpp"
 #include "simplify/exact_engine.hpp"

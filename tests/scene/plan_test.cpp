@@ -11,8 +11,7 @@
 #include "convexact/measure.hpp"
 #include "convexact/simplify.hpp"
 #include "convexact/verify.hpp"
-#include "fast/filtered_engine.hpp"
-#include "fast/float_engine.hpp"
+#include "fast/engines.hpp"
 #include "scene/solid.hpp"
 #include "shapes/makers.hpp"
 

@@ -11,7 +11,7 @@
 #include "convexact/error.hpp"
 #include "convexact/shapes.hpp"
 #include "expect_error.hpp"
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 #include "halfspace_arrangement.hpp"
 #include "scene/run_stages.hpp"
 #include "shapes/makers.hpp"

@@ -4,7 +4,7 @@
 // the verification alone (tests/reliability/fault_list.py).
 #include <doctest/doctest.h>
 
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 #include "shapes/makers.hpp"
 #include "simplify/step_verification.hpp"
 #include "simplify_points.hpp"

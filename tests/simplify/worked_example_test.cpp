@@ -7,6 +7,7 @@
 #include "definitional_greedy.hpp"
 #include "expect_error.hpp"
 #include "integer_halfspace.hpp"
+#include "matrix_table.hpp"
 #include "simplify/cap.hpp"
 #include "simplify/exact_engine.hpp"
 #include "simplify/replay.hpp"
@@ -64,7 +65,7 @@ TEST_CASE("worked example: the adjacency matrix") {
   AdjacencyMatrix matrix(7);
   for (const DualTriangle& t : cube.triangles) matrix.add(t);
   CHECK(matrix.is_closed_manifold());
-  CHECK(matrix.dense() ==
+  CHECK(table_of(matrix) ==
         ". 3 1 4 2 . .\n"
         "2 . 5 0 . 3 .\n"
         "4 0 . . 5 1 .\n"

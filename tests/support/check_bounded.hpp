@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "exact_determinant.hpp"
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 
 /// By the definition: closed and every triangle of the dual seen from the center in the right
 /// orientation, so the center is inside the dual hull. D is independent of the center.

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "fast/engines.hpp"
 #include "fast/filtered_loop.hpp"
-#include "fast/float_engine.hpp"
 
 namespace convexact {
 

@@ -8,7 +8,7 @@
 
 #include "convexact/dual.hpp"
 #include "convexact/hull.hpp"
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 #include "simplify/exact_engine.hpp"
 
 /// Strictly inside.

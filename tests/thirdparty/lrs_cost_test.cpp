@@ -24,7 +24,7 @@ int main() {
 #include "convexact/io.hpp"
 #include "convexact/linear_program.hpp"
 #include "convexact/shapes.hpp"
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 #include "lrs.hpp"
 #include "shapes/makers.hpp"
 #include "shipped_meshes.hpp"

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "fast/filtered_engine.hpp"
+#include "fast/engines.hpp"
 
 #include "fast/filtered_loop.hpp"
+#include "fast/float_loop.hpp"
 
 namespace convexact {
+
 FastResult simplify_filtered(const FastDual& dual, const SimplifyOptions& options) {
   return FilteredLoop(dual, options).run();
 }
@@ -27,6 +29,13 @@ Run simplify_filtered(const DualHull& dual_hull, const RationalPoint& center,
                       const SimplifyOptions& options) {
   RecordedLoop recorded(dual_hull, center, options);
   return recorded.finish(recorded.loop().run(recorded.steps()));
+}
+
+template class FloatLoop<Doubles>;
+
+FastResult simplify_float(const FastDual& dual, const SimplifyOptions& options) {
+  const Doubles arithmetic{dual, {dual}};
+  return FloatLoop<Doubles>(dual, arithmetic, options).run();
 }
 
 }  // namespace convexact

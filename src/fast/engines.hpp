@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// filtered_engine.hpp - the greedy simplification at float speed, with the exact engine's answer.
+// engines.hpp - the greedy simplification at float speed: with the exact engine's answer, or in
+// plain floating point, never wrong by much.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -63,6 +64,24 @@ struct FastResult {
 /// @param center  Strictly inside the solid.
 [[nodiscard]] Run simplify_filtered(const DualHull& dual, const RationalPoint& center,
                                     const SimplifyOptions& options = {});
+
+/// The removals that doubles find cheapest. Exact numbers decide none of them.
+///
+/// These facts hold without any check of the result: the survivors are a subset of the input's
+/// halfspaces, so they contain the solid; and they are bounded, because a removal is made only if
+/// every new vertex is proven to exist (docs/design/filtered.md). What may differ from
+/// simplify_filtered(): the choice between costs that are equal up to rounding; and where not even
+/// DoubleDouble, which is asked where doubles are in doubt, can tell whether a vertex exists, the
+/// run may end early with AllUnbounded.
+///
+/// A bound on its errors is proven during the run and stands in FastResult::bound: costs
+/// are enclosed, T is right if every sign that doubles leave uncertain agrees with the exact one,
+/// and a cap that was never enclosed counts as free of cost.
+/// @param options  `verify` is ignored: there is no claim to verify but the two above.
+///                 `max_growth` is compared in doubles.
+/// @throws Error   As simplify_filtered(), but never Internal.
+/// @par Source     [Jacobson2026]
+[[nodiscard]] FastResult simplify_float(const FastDual& dual, const SimplifyOptions& options = {});
 
 /// The removals of a run as a record of the kind that all engines share: without costs, ties, rings
 /// and triangles. @param halfspaces  What the ids of the run are positions in.
