@@ -13,6 +13,25 @@ std::string write_json(const ordered_json& document, int indent) {
   return document.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
 }
 
+std::string write_lines(const ordered_json& document) {
+  std::string text = "{";
+  const char* comma = "\n";
+  for (const auto& [key, value] : document.items()) {
+    text += comma + write_json(key) + ": ";
+    comma = ",\n";
+    const bool is_list = value.is_array() && !value.empty() && value[0].is_structured();
+    if (!is_list) {
+      text += write_json(value);
+      continue;
+    }
+    for (std::size_t k = 0; k < value.size(); ++k) {
+      text += (k == 0 ? "[\n  " : ",\n  ") + write_json(value[k]);
+    }
+    text += "\n]";
+  }
+  return text + "\n}\n";
+}
+
 std::string as_utf8(const std::string& text) {
   return ordered_json::parse(write_json(text)).get<std::string>();
 }

@@ -23,15 +23,15 @@ struct nlohmann::adl_serializer<convexact::Rational> {
   }
 };
 
-template <>
-struct nlohmann::adl_serializer<convexact::HalfspaceId> {
+template <class Tag>
+struct nlohmann::adl_serializer<convexact::Id<Tag>> {
   template <class Json>
-  static void to_json(Json& json, convexact::HalfspaceId id) {
+  static void to_json(Json& json, convexact::Id<Tag> id) {
     json = id.index();
   }
   template <class Json>
-  static convexact::HalfspaceId from_json(const Json& json) {
-    return convexact::HalfspaceId(json.template get<std::size_t>());
+  static convexact::Id<Tag> from_json(const Json& json) {
+    return convexact::Id<Tag>(json.template get<std::size_t>());
   }
 };
 
@@ -59,6 +59,10 @@ namespace convexact {
 /// @param indent  Spaces for each level; -1 for all on one line.
 [[nodiscard]] std::string write_json(const nlohmann::ordered_json& document, int indent = -1);
 
+/// The same with an entry of each top-level list, and every other value, on a line of its own, and
+/// a newline at the end.
+[[nodiscard]] std::string write_lines(const nlohmann::ordered_json& document);
+
 /// `text` as write_json() would spell it, for pages and tables.
 [[nodiscard]] std::string as_utf8(const std::string& text);
 
@@ -79,6 +83,11 @@ inline nlohmann::ordered_json vector_json(const RationalVector3& v) {
 template <class T>
 nlohmann::ordered_json or_null(const std::optional<T>& x) {
   return x ? nlohmann::ordered_json(*x) : nlohmann::ordered_json(nullptr);
+}
+
+/// The ends as the doubles around them.
+inline nlohmann::ordered_json bounds_json(const Enclosure& x) {
+  return {{"low", x.low_double()}, {"high", x.high_double()}};
 }
 
 /// As many certain digits as a double needs.

@@ -12,6 +12,7 @@
 #include "number/precision.hpp"
 #include "number/text.hpp"
 #include "simplify/run_names.hpp"
+#include "simplify/tie_report.hpp"
 #include "simplify/trace_json.hpp"
 
 namespace convexact {
@@ -44,8 +45,7 @@ Json step_json(const JudgedStep& step, std::size_t number, CostMeasure measure) 
                {"tie", step.tie},
                {"regret", regret_json(step.regret)}};
   if (measure == CostMeasure::Volume) return json;
-  if (const auto& proof = step.tie_evidence.proof) json["tie_proof"] = name_of(*proof);
-  if (step.tie_evidence.proof == TieProof::Undecided) json["bits"] = step.tie_evidence.bits;
+  json.update(tie_json(step.tie_evidence));
   if (!step.is_within) json["undecided"] = true;
   return json;
 }

@@ -11,7 +11,6 @@
 #include "convexact/verify_parts.hpp"
 #include "io/json.hpp"
 #include "number/text.hpp"
-#include "scene/decompose_report.hpp"
 
 namespace convexact {
 namespace {

@@ -11,7 +11,7 @@
 namespace convexact {
 
 nlohmann::ordered_json interval_json(const Measured& x) {
-  nlohmann::ordered_json json = {{"low", x.bounds.low_double()}, {"high", x.bounds.high_double()}};
+  nlohmann::ordered_json json = bounds_json(x.bounds);
   if (x.exact) {
     json["decimal"] = to_decimal(*x.exact, kDigits);
     json["exact"] = to_string(*x.exact);

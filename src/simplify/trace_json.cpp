@@ -9,17 +9,12 @@
 #include "io/json.hpp"
 #include "number/precision.hpp"
 #include "simplify/run_names.hpp"
+#include "simplify/tie_report.hpp"
 
 namespace convexact {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json to_json(const std::vector<HalfspaceId>& ids) {
-  ordered_json list = ordered_json::array();
-  for (const HalfspaceId id : ids) list.push_back(id.value);
-  return list;
-}
 
 // The number without loss: a fraction, or the terms of a sum.
 void add_exactly(ordered_json& object, const Cost& cost) {
@@ -130,16 +125,11 @@ std::optional<Cost> cost_in_json(const nlohmann::json& object, CostMeasure measu
 
 namespace {
 
-ordered_json to_json(const Step& step) {
-  ordered_json triangles = ordered_json::array();
-  for (const auto& [a, b, c] : step.triangles) triangles.push_back({a.value, b.value, c.value});
+ordered_json step_json(const Step& step) {
   ordered_json object = {
-      {"removed", step.removed.value},     {"cost", cost_json(step.cost.value())},
-      {"tie", to_json(step.tie)},          {"ring", to_json(step.ring)},
-      {"triangles", std::move(triangles)}, {"left", step.left}};
-  const TieEvidence& evidence = step.tie_evidence;
-  if (evidence.proof) object["tie_proof"] = name_of(*evidence.proof);
-  if (evidence.proof == TieProof::Undecided) object["bits"] = evidence.bits;
+      {"removed", step.removed}, {"cost", cost_json(step.cost.value())}, {"tie", step.tie},
+      {"ring", step.ring},       {"triangles", step.triangles},          {"left", step.left}};
+  object.update(tie_json(step.tie_evidence));
   return object;
 }
 
@@ -148,8 +138,8 @@ ordered_json to_json(const Step& step) {
 ordered_json moves_json(const std::vector<Move>& moves) {
   ordered_json list = ordered_json::array();
   for (const Move& move : moves) {
-    list.push_back({{"removed", to_json(move.removed)},
-                    {"inserted", to_json(move.inserted)},
+    list.push_back({{"removed", move.removed},
+                    {"inserted", move.inserted},
                     {"measure", cost_json(move.measure.value())}});
   }
   return list;
@@ -158,13 +148,13 @@ ordered_json moves_json(const std::vector<Move>& moves) {
 std::string write_trace_json(const Run& run) {
   ordered_json halfspaces = ordered_json::array(), steps = ordered_json::array();
   for (const Halfspace& halfspace : run.halfspaces) halfspaces.push_back(plane_json(halfspace));
-  for (const Step& step : run.steps) steps.push_back(to_json(step));
+  for (const Step& step : run.steps) steps.push_back(step_json(step));
   ordered_json document = {{"version", kTraceVersion},
                            {"measure", name_of(run.measure)},
                            {"halfspaces", std::move(halfspaces)},
                            {"steps", std::move(steps)},
                            {"stop", name_of(run.stop)}};
-  if (!run.kept.empty()) document["kept"] = to_json(run.kept);
+  if (!run.kept.empty()) document["kept"] = run.kept;
   if (!run.moves.empty()) document["moves"] = moves_json(run.moves);
   return write_json(document) + "\n";
 }
