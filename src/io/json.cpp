@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/json.hpp"
 
-#include <cmath>
-
 #include "io/names.hpp"
 
 namespace convexact {
@@ -63,9 +61,7 @@ nlohmann::ordered_json measured_json(const Measured& x, int digits) {
   const std::optional<std::string> decimal = to_decimal(x.bounds, digits);
   if (!decimal) throw Error(ErrorCode::Internal, "the bounds of a measure are too wide to print");
   const double value = to_double(parse_rational(*decimal), Rounding::Nearest);
-  nlohmann::ordered_json json = {
-      {"value", std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr},
-      {"decimal", *decimal}};
+  nlohmann::ordered_json json = {{"value", value_or_null(value)}, {"decimal", *decimal}};
   if (x.exact) json["exact"] = to_string(*x.exact);
   return json;
 }

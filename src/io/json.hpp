@@ -2,6 +2,7 @@
 // json.hpp - JSON as the program writes it: its text, and what numbers, planes, points and errors
 // look like.
 #pragma once
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -85,13 +86,15 @@ nlohmann::ordered_json or_null(const std::optional<T>& x) {
   return x ? nlohmann::ordered_json(*x) : nlohmann::ordered_json(nullptr);
 }
 
+/// JSON has no infinity.
+inline nlohmann::ordered_json value_or_null(double x) {
+  return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
+}
+
 /// The ends as the doubles around them.
 inline nlohmann::ordered_json bounds_json(const Enclosure& x) {
   return {{"low", x.low_double()}, {"high", x.high_double()}};
 }
-
-/// As many certain digits as a double needs.
-inline constexpr int kDigits = 17;
 
 /// An exact number with its decimal, or null.
 inline nlohmann::ordered_json quantity_json(const std::optional<Rational>& x) {

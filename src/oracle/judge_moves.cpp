@@ -6,12 +6,11 @@
 
 #include "convexact/measure.hpp"
 #include "convexact/watch.hpp"
+#include "number/precision.hpp"
 #include "oracle/removal_cost.hpp"
 
 namespace convexact {
 namespace {
-
-constexpr int kMeasureDigits = 17;
 
 // Of the facets that are there; none if their solid is unbounded.
 std::optional<Cost> measure_of(std::span<const Halfspace> halfspaces,
@@ -96,7 +95,7 @@ std::optional<MoveFault> find_move_fault(const RemovalOrder& order, const NamedF
     if (const auto fault = judge.exchange(move)) return MoveFault{row, fault->first, fault->second};
     const std::optional<Cost> after = measure_now(judge.is_there());
     if (!after) return MoveFault{row, "leaves the solid unbounded", "a bounded solid"};
-    const std::string now = after->decimal(kMeasureDigits);
+    const std::string now = after->decimal(kDigits);
     const auto order_of = [&](const Cost& other) {
       return compare(*after, other, options.compare, watch).order;
     };
@@ -104,7 +103,7 @@ std::optional<MoveFault> find_move_fault(const RemovalOrder& order, const NamedF
       if (!open) open = MoveFault{row, found, expected, true};
     };
     const Order change = order_of(before);
-    const std::string less = "less than " + before.decimal(kMeasureDigits);
+    const std::string less = "less than " + before.decimal(kDigits);
     if (change == Order::Undecided) {
       leave_open("leaves the measure " + now, less);
     } else if (change != Order::Less) {
@@ -112,7 +111,7 @@ std::optional<MoveFault> find_move_fault(const RemovalOrder& order, const NamedF
     }
     if (move.measure) {
       const Order stated = order_of(*move.measure);
-      const std::string found = "states the measure " + move.measure->decimal(kMeasureDigits);
+      const std::string found = "states the measure " + move.measure->decimal(kDigits);
       if (stated == Order::Undecided) {
         leave_open(found, now);
       } else if (stated != Order::Equal) {

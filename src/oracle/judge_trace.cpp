@@ -9,6 +9,7 @@
 #include "convexact/verify_run.hpp"
 #include "convexact/watch.hpp"
 #include "fast/filtered_loop.hpp"
+#include "number/precision.hpp"
 #include "oracle/facet_match.hpp"
 #include "oracle/judge_moves.hpp"
 #include "oracle/removal_cost.hpp"
@@ -17,20 +18,18 @@
 namespace convexact {
 namespace {
 
-constexpr int kCostDigits = 17;  // of costs in words
-
 std::string id_text(HalfspaceId id) { return std::to_string(id.index()); }
 
 std::string removal_text(HalfspaceId id, const std::optional<Cost>& cost) {
   if (!cost) return "removes " + id_text(id) + ", which leaves the solid unbounded";
-  return "removes " + id_text(id) + " at cost " + cost->decimal(kCostDigits);
+  return "removes " + id_text(id) + " at cost " + cost->decimal(kDigits);
 }
 
 // Both to so many digits that they differ, if they do. Volumes are fractions instead.
 std::array<std::string, 2> distinct_texts(const Cost& a, const Cost& b) {
   if (a.measure() == CostMeasure::Volume) return {to_string(a.rational()), to_string(b.rational())};
   constexpr int kMostDigits = 1000;
-  for (int digits = kCostDigits;; digits *= 4) {
+  for (int digits = kDigits;; digits *= 4) {
     std::array<std::string, 2> texts{a.decimal(digits), b.decimal(digits)};
     if (texts[0] != texts[1] || digits > kMostDigits) return texts;
   }
@@ -454,7 +453,7 @@ void TraceJudge::compare_cost(const OrderedStep& removal, const JudgedStep& judg
   if (!judged.cost) {
     const std::string text = claimed.measure() == CostMeasure::Volume
                                  ? to_string(claimed.rational())
-                                 : claimed.decimal(kCostDigits);
+                                 : claimed.decimal(kDigits);
     return violate(TraceCode::Cost, removal, text, "unbounded");
   }
   const Order order = order_of(claimed, *judged.cost).order;

@@ -106,13 +106,12 @@ Json notes_json(const TraceVerdict& verdict) {
 
 // ---- Text
 
-constexpr int kTraceDigits = 17;        // of costs
 constexpr int kRegretDigits = 3;        // of regrets
 constexpr std::size_t kWorstSteps = 5;  // as many as are shown
 constexpr std::size_t kLongest = 100;   // of what a witness may take of a line
 
 std::string cost_text(const std::optional<Cost>& cost, const char* none) {
-  return cost ? cost->decimal(kTraceDigits) : none;
+  return cost ? cost->decimal(kDigits) : none;
 }
 
 // Dearer than another, the worst first; an unbounded one is worse than any.
@@ -183,7 +182,7 @@ std::string totals_text(const TraceVerdict& verdict) {
   const char* what = verdict.measure == CostMeasure::Volume ? "volume added"
                      : verdict.measure == CostMeasure::Area ? "area added"
                                                             : "mean width added";
-  text += row(what, to_decimal(added, kTraceDigits).value_or("?"));
+  text += row(what, to_decimal(added, kDigits).value_or("?"));
   if (verdict.other_ties > 0) {
     text += row("tie-order", with_separators(verdict.other_ties) +
                                  " ties broken otherwise than in canonical order");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "simplify/trace_json.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "convexact/error.hpp"
@@ -43,12 +42,10 @@ void add_exactly(ordered_json& object, const Cost& cost) {
 }  // namespace
 
 ordered_json cost_json(const Cost& cost) {
-  constexpr int kCertainDigits = 17;
   const Rational near =
       cost.measure() == CostMeasure::Volume ? cost.rational() : cost.enclose(kMeasureBits).low();
   const double value = to_double(near, Rounding::Nearest);
-  ordered_json object = {{"value", std::isfinite(value) ? ordered_json(value) : ordered_json()},
-                         {"decimal", cost.decimal(kCertainDigits)}};
+  ordered_json object = {{"value", value_or_null(value)}, {"decimal", cost.decimal(kDigits)}};
   add_exactly(object, cost);
   return object;
 }
