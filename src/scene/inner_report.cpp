@@ -12,16 +12,14 @@
 #include "io/json.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
-#include "simplify/inner_trace.hpp"
 #include "simplify/run_names.hpp"
 
 namespace convexact {
 namespace {
 
 std::size_t tied_steps(const InnerRun& run) {
-  return static_cast<std::size_t>(
-      std::count_if(run.steps.begin(), run.steps.end(),
-                    [](const InnerStep& step) { return step.tie.size() > 1; }));
+  return static_cast<std::size_t>(std::count_if(
+      run.steps.begin(), run.steps.end(), [](const Step& step) { return step.tie.size() > 1; }));
 }
 
 void require_right(bool holds, const std::string& path, const char* claim) {

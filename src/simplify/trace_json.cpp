@@ -156,4 +156,18 @@ std::string write_trace_json(const Run& run) {
   return write_json(document) + "\n";
 }
 
+std::string write_inner_trace_json(const VertexHull& start, const InnerRun& run) {
+  ordered_json vertices = ordered_json::array(), steps = vertices;
+  for (std::size_t v = 0; v < start.ids.size(); ++v) {
+    vertices.push_back({{"point", start.ids[v]}, {"at", vector_json(start.points[PointId(v)])}});
+  }
+  for (const Step& step : run.steps) steps.push_back(step_json(step));
+  const ordered_json document = {{"inner_trace", 1},
+                                 {"vertices", std::move(vertices)},
+                                 {"triangles", start.triangles},
+                                 {"steps", std::move(steps)},
+                                 {"stop", name_of(run.stop)}};
+  return write_json(document) + "\n";
+}
+
 }  // namespace convexact
