@@ -8,6 +8,7 @@
 #include "scene/proof.hpp"
 #include "scene/simplify_report.hpp"
 #include "simplify/run_names.hpp"
+#include "simplify/tie_report.hpp"
 
 namespace convexact {
 namespace {
@@ -94,20 +95,11 @@ std::string push_text(const Growth& growth) {
 // In how many steps there was a choice, and why the costs are equal.
 std::string ties_text(const TieTally& tally, std::size_t steps, const char* what_ties,
                       const char* what_goes) {
-  std::vector<std::string> proofs;
-  std::size_t ties = 0;
-  for (const auto& [proof, name] : kTieProofNames) {
-    const std::size_t count = tally.steps[static_cast<std::size_t>(proof)];
-    ties += count;
-    if (count > 0) proofs.push_back(fmt::format("{} {}", with_separators(count), name));
-  }
+  const std::size_t ties = tie_count(tally);
   if (ties == 0) return "";
-  const std::string undecided =
-      tally.bits > 0 ? fmt::format("; not told apart by {} bits", tally.bits) : "";
-  return summary_line(
-      "ties", fmt::format("in {} of {} {} cost the same ({}{}); {} goes", with_separators(ties),
-                          counted(steps, "step", "steps"), what_ties, fmt::join(proofs, ", "),
-                          undecided, what_goes));
+  return summary_line("ties", fmt::format("in {} of {} {} cost the same ({}); {} goes",
+                                          with_separators(ties), counted(steps, "step", "steps"),
+                                          what_ties, tie_proofs_text(tally), what_goes));
 }
 
 std::string tie_line(const SimplifyResult& result) {
