@@ -221,8 +221,7 @@ void add_tree(const DecomposedObject& object, const DecomposeRequest& request,
                          .precision = request.precision,
                          .seed = request.seed,
                          .watch = {.stop = request.watch.stop}};
-  const TreeOrigin origin{object.name, name_in(kDecomposeMethodNames, request.method),
-                          object.result.surface.points.is_binary(), 0};
+  const TreeOrigin origin{object.name, request.method, object.result.surface.points.is_binary(), 0};
   const BuiltTree built = build_tree(object.result, object.part_names, tree);
   const std::string& path = options.files.tree;
   out.files.emplace_back(path, proven_tree_file(built, tree, origin, path));

@@ -45,9 +45,8 @@ const MethodResult* MethodComparison::tightest() const {
 }
 
 bool MethodComparison::beats_own(const MethodResult& result) const {
-  const auto own = std::find_if(results.begin(), results.end(), [&](const MethodResult& other) {
-    return other.method->name == (inner ? "drop" : "greedy");
-  });
+  const auto own = std::find_if(results.begin(), results.end(),
+                                [](const MethodResult& other) { return other.method->is_own; });
   return own != results.end() && own->solid() != nullptr && result.fits(size) &&
          result.is_tighter(*own);
 }

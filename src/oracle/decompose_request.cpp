@@ -98,8 +98,7 @@ std::string tree_line(const Decomposition& made, const DecomposeRequest& request
                          .precision = request.precision,
                          .seed = request.seed,
                          .watch = {.stop = request.watch.stop}};
-  const TreeOrigin origin{"the request", name_in(kDecomposeMethodNames, request.method),
-                          made.surface.points.is_binary(), 0};
+  const TreeOrigin origin{"the request", request.method, made.surface.points.is_binary(), 0};
   return on_one_line(proven_tree_file(build_tree(made, names_of_parts(made), tree), tree, origin,
                                       "the tree of the answer"));
 }

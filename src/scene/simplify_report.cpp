@@ -140,7 +140,8 @@ Json result_json(const SimplifyResult& result) {
     json["search"] = search_json(*result.search, result.output_volume.exact.has_value());
   json["engine"] = name_of(result.engine);
   if (result.float_bound) json["float_bound"] = float_bound_json(*result.float_bound);
-  if (result.start && result.run) json["proof"] = proof_claim(*result.run);
+  if (result.start && result.run)
+    json["proof"] = name_in(kProofClaimNames, proof_claim(*result.run));
   json["verified"] = {{"level", name_in(kVerifyLevelNames, result.verified)},
                       {"steps", result.engine == Engine::Float ? 0 : result.steps},
                       {"violations", 0}};

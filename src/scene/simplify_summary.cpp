@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
@@ -76,14 +77,26 @@ std::string verified_line(const SimplifyResult& result) {
                      result.verified == VerifyLevel::Local ? "local" : "full", points);
 }
 
-// What the proof of the run claims, and what it leaves out.
+// What a proof claims, and what it leaves out.
+const char* meaning_of(ProofClaim claim) {
+  switch (claim) {
+    case ProofClaim::Greedy:
+      return "each removal adds the least volume";
+    case ProofClaim::GreedyArea:
+      return "each removal adds the least area";
+    case ProofClaim::Costs:
+      return "the volume that each removal adds, not that it is least";
+    case ProofClaim::CostsNotShown:
+      return "the removals; neither what they add nor that it is least";
+    case ProofClaim::Optimal:
+      return "no other planes, as many, bound a smaller volume";
+  }
+  throw Error(ErrorCode::Internal, "a claim without a meaning");
+}
+
 std::string proof_text(const Run& run) {
-  const std::string claim = proof_claim(run);
-  if (claim == "greedy") return claim + ": each removal adds the least volume";
-  if (claim == "greedy-area") return claim + ": each removal adds the least area";
-  if (claim == "optimal") return claim + ": no other planes, as many, bound a smaller volume";
-  if (claim == "costs") return claim + ": the volume that each removal adds, not that it is least";
-  return claim + ": the removals; neither what they add nor that it is least";
+  const ProofClaim claim = proof_claim(run);
+  return fmt::format("{}: {}", name_in(kProofClaimNames, claim), meaning_of(claim));
 }
 
 std::string push_text(const Growth& growth) {
