@@ -74,10 +74,7 @@ Mesh mesh_of(const PointSet& vertices, const Hull& hull) {
   }
   Mesh mesh;
   mesh.points = vertices;
-  for (std::size_t f = 0; f < hull.facets.size(); ++f) {
-    std::vector<std::uint32_t>& polygon = mesh.polygons.emplace_back();
-    for (const PointId corner : hull.facets[f]) polygon.push_back(corner.value);
-  }
+  mesh.polygons = polygons_of(hull.facets);
   return mesh;
 }
 
