@@ -71,7 +71,6 @@ void prove_mesh(const std::string& bytes, const std::string& path, MeshFormat fo
 }  // namespace
 
 nlohmann::ordered_json inner_json(const InnerResult& result) {
-  using Json = nlohmann::ordered_json;
   // A lower bound, so that it never reads as more than was kept.
   const Enclosure ratio = result.output_volume.bounds / result.input_volume.bounds;
   return {{"inner", true},
