@@ -28,7 +28,7 @@ Rational volume_without(const VertexHull& start, const std::vector<VertexId>& le
 
 void check_least(const VertexHull& start, const InnerRun& run) {
   std::vector<VertexId> left = vertices_left({}, start.points.size());
-  for (const InnerStep& step : run.steps) {
+  for (const Step& step : run.steps) {
     const Rational most = volume_without(start, left, step.removed);
     for (const VertexId v : left) {
       const bool is_tied = std::binary_search(step.tie.begin(), step.tie.end(), v);
@@ -61,8 +61,7 @@ void hold_inner(FuzzInput& in) {
 
   const VertexHull start = vertex_hull(*hull, points);
   const InnerRun exact = simplify_inner_exact(start, options);
-  InnerRun filtered = simplify_inner_filtered(start, options);
-  add_costs(start, filtered);
+  const InnerRun filtered = with_costs(start, simplify_inner_filtered(start, options));
   verify_inner_run(start, exact, VerifyLevel::Full);
   verify_inner_run(start, filtered, VerifyLevel::Full);
   FUZZ_CHECK(exact.stop == filtered.stop);

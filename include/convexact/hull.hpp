@@ -96,6 +96,9 @@ struct HullOptions {
 /// The halfspaces of a hull, one per facet, in the order of the facets (not canonical).
 [[nodiscard]] std::vector<Halfspace> facet_halfspaces(const Hull& hull, const PointSet& points);
 
+/// The corners of each facet, as the polygons of a Mesh of the same points.
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> polygons_of(const FacetList& facets);
+
 /// The hull as a polytope: vertices in the order of hull.vertices, facets in canonical order.
 [[nodiscard]] Polytope to_polytope(const Hull& hull, const PointSet& points);
 

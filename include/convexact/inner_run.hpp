@@ -38,25 +38,17 @@ struct VertexHull {
 /// @param hull  Of `points`. @par Cost  O(n log n) comparisons.
 [[nodiscard]] VertexHull vertex_hull(const Hull& hull, const PointSet& points);
 
-/// One removal.
-struct InnerStep {
-  VertexId removed;
-  /// The volume that the solid loses, exactly, in cubed length units; none until add_costs().
-  std::optional<Rational> cost = {};
-  std::vector<VertexId> tie = {};   ///< All that cost as little, ascending: `removed` is the first.
-  std::vector<VertexId> ring = {};  ///< Neighbours of `removed` before the step, counter-clockwise.
-  std::vector<VertexTriangle> triangles = {};  ///< They close the ring; `removed` is beyond them.
-  std::size_t left = 0;                        ///< Vertices after the step.
-};
-
 enum class InnerStop {
   Reached,    ///< The wanted number of vertices, or it was already met.
   LossLimit,  ///< The next step would exceed the loss allowed.
 };
 
-/// Any prefix of `steps` is a valid result.
+/// Any prefix of `steps` is a valid result. Their ids are of vertices. The cost of a step is the
+/// volume that the solid loses, none until with_costs(); the removed vertex lies on or beyond the
+/// triangles that close its ring; `left` counts vertices, and ties have no evidence, because all
+/// volumes are compared exactly.
 struct InnerRun {
-  std::vector<InnerStep> steps;
+  std::vector<Step> steps;
   InnerStop stop = InnerStop::Reached;
   std::vector<VertexTriangle> triangles;  ///< The hull of what is left.
 };
@@ -75,8 +67,8 @@ struct InnerOptions {
 /// Vertices that are left after all steps, ascending. @param count  Vertices at the start.
 [[nodiscard]] std::vector<VertexId> vertices_left(const InnerRun& run, std::size_t count);
 
-/// Fills in the cost of each step that has none, from its triangles, in integers.
-void add_costs(const VertexHull& hull, InnerRun& run);
+/// The run with the cost of each step that has none, from its triangles, in integers.
+[[nodiscard]] InnerRun with_costs(const VertexHull& hull, InnerRun run);
 
 /// Proves each step again, from the lists in the run alone; docs/design/inner.md has the claims.
 /// @param level  Full: in addition the whole surface after each step, and the volume before, less

@@ -111,6 +111,10 @@ struct Run {
   return removed_in(run, run.steps.size());
 }
 
+/// Ids below `size` that are not removed, ascending.
+[[nodiscard]] std::vector<HalfspaceId> all_but(std::span<const HalfspaceId> removed,
+                                               std::size_t size);
+
 /// Ids that are left after the first `count` steps, ascending.
 [[nodiscard]] std::vector<HalfspaceId> survivors(const Run& run, std::size_t count);
 [[nodiscard]] inline std::vector<HalfspaceId> survivors(const Run& run) {

@@ -9,6 +9,8 @@
 #include "io/json.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
+#include "scene/decompose_options.hpp"
+#include "scene/decompose_report.hpp"
 #include "scene/objects.hpp"
 #include "scene/surface_report.hpp"
 #include "simplify/run_names.hpp"
@@ -17,6 +19,12 @@ namespace convexact {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+std::string parts_name(const TreeOrigin& origin) {
+  const auto* method = std::get_if<DecomposeMethod>(&origin.parts);
+  return method != nullptr ? name_in(kDecomposeMethodNames, *method)
+                           : std::get<std::string>(origin.parts);
+}
 
 Json level_json(const TreeLevel& level, std::size_t number) {
   return {{"level", number},
@@ -78,7 +86,7 @@ Json tree_json(const BuiltTree& built, const TreeRequest& request, const TreeOri
   return {
       {"bvh", 1},
       {"input", origin.input},
-      {"parts_from", origin.parts},
+      {"parts_from", parts_name(origin)},
       {"faces", or_null(request.faces)},
       {"leaf_faces", or_null(request.leaf_faces)},
       {"precision", name_in(kPrecisionNames, request.precision)},
@@ -120,9 +128,10 @@ std::string tree_summary(const BuiltTree& built, const TreeOrigin& origin) {
     const std::size_t by_volume = nodes - parts - built.given_joins;
     std::vector<std::string> how;
     if (built.given_joins > 0) {
-      how.push_back(
-          fmt::format("{} as {}", built.given_joins,
-                      origin.parts == "acd" ? "acd split them" : "hacd would merge them next"));
+      how.push_back(fmt::format("{} as {}", built.given_joins,
+                                origin.parts == TreeOrigin::Parts(DecomposeMethod::Acd)
+                                    ? "acd split them"
+                                    : "hacd would merge them next"));
     }
     if (by_volume > 0)
       how.push_back(fmt::format("{} by the least volume of the common hull", by_volume));
@@ -159,8 +168,7 @@ TreeOfParts tree_of_parts(const DecomposedObject& object, const DecomposeRequest
                          .precision = request.precision,
                          .seed = request.seed,
                          .watch = {.stop = request.watch.stop}};
-  const TreeOrigin origin{object.name, name_in(kDecomposeMethodNames, request.method),
-                          object.result.surface.points.is_binary(), 0};
+  const TreeOrigin origin{object.name, request.method, object.result.surface.points.is_binary(), 0};
   BuiltTree built = build_tree(object.result, object.part_names, tree);
   std::string file = proven_tree_file(built, tree, origin, path);
   std::string summary = tree_summary(built, origin);

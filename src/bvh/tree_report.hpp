@@ -5,7 +5,9 @@
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
+#include <variant>
 
+#include "convexact/decompose.hpp"
 #include "convexact/hull_tree.hpp"
 #include "query/query_report.hpp"
 #include "scene/decompose_report.hpp"
@@ -14,8 +16,9 @@ namespace convexact {
 
 /// Where the parts of a tree come from, and what of the input they leave uncovered.
 struct TreeOrigin {
+  using Parts = std::variant<DecomposeMethod, std::string>;  ///< A method, or the name of a file.
   std::string input;
-  std::string parts;  ///< "hacd", "acd", or the name of a file.
+  Parts parts;
   bool is_binary = true;
   /// Pieces of triangles that no part holds, as stored; 0 is proven. Nothing if not asked.
   std::optional<std::size_t> uncovered;

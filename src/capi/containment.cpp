@@ -37,8 +37,11 @@ convexact_containment containment_in(std::span<const Halfspace> planes, const Po
 
 convexact_containment verify_planes(const PointSet& points, const HalfspaceList& list) {
   if (list.impossible_row) {
-    return {points.size(), 0,     *list.impossible_row,
-            "0 0 0 1",     "inf", std::numeric_limits<double>::infinity()};
+    return {.outside = points.size(),
+            .plane = *list.impossible_row,
+            .plane_text = "0 0 0 1",
+            .squared_distance = "inf",
+            .distance = std::numeric_limits<double>::infinity()};
   }
   convexact_containment result = containment_in(list.halfspaces, points);
   if (result.outside > 0) result.plane = list.rows[result.plane];

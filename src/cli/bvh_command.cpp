@@ -78,8 +78,7 @@ std::variant<TreeParts, NotSolid> decomposed_parts(const Mesh& mesh, const std::
   TreeParts made{.parts = {},
                  .joins = {},
                  .surface = {},
-                 .origin = {name, name_in(kDecomposeMethodNames, options.method),
-                            decomposition.surface.points.is_binary(), 0}};
+                 .origin = {name, options.method, decomposition.surface.points.is_binary(), 0}};
   if (options.join == JoinBy::Method) made.joins = joins_of(decomposition);
   const PartNames names("part_%03d");
   for (Part& part : decomposition.parts) {

@@ -94,10 +94,7 @@ void add_hull_facets(Mesh& mesh, const std::string& family) {
   if (hull == nullptr) {
     throw Error(ErrorCode::NoInterior, family + " with these values spans no volume: no facets");
   }
-  for (std::size_t f = 0; f < hull->facets.size(); ++f) {
-    auto& polygon = mesh.polygons.emplace_back();
-    for (const PointId corner : hull->facets[f]) polygon.push_back(corner.value);
-  }
+  mesh.polygons = polygons_of(hull->facets);
 }
 
 // The bytes go to the file, and messages to standard output; without a file and messages, the bytes

@@ -6,7 +6,7 @@
 #include "io/json.hpp"
 #include "report/picture.hpp"
 #include "scene/inner_report.hpp"
-#include "simplify/inner_trace.hpp"
+#include "simplify/trace_json.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -55,7 +55,11 @@ void Progress::operator()(const std::string& what, std::size_t done, std::size_t
 }
 
 StageWatch Progress::watch() {
-  return {.begins = [this](const std::string& stage) { begin(stage); },
+  return {.begins =
+              [this](const std::string& name) {
+                let_interrupt_settle(name == stage::kOptimum);
+                begin(name);
+              },
           .progress = [this](const std::string& stage, std::size_t done,
                              std::size_t total) { (*this)(stage, done, total); },
           .stop = &interrupted(),
@@ -63,7 +67,6 @@ StageWatch Progress::watch() {
 }
 
 void Progress::begin(const std::string& what) {
-  let_interrupt_settle(what.starts_with(stage::kOptimum));
   const std::lock_guard lock(mutex_);
   what_ = what;
   began_ = Clock::now();

@@ -45,9 +45,8 @@ const MethodResult* MethodComparison::tightest() const {
 }
 
 bool MethodComparison::beats_own(const MethodResult& result) const {
-  const auto own = std::find_if(results.begin(), results.end(), [&](const MethodResult& other) {
-    return other.method->name == (inner ? "drop" : "greedy");
-  });
+  const auto own = std::find_if(results.begin(), results.end(),
+                                [](const MethodResult& other) { return other.method->is_own; });
   return own != results.end() && own->solid() != nullptr && result.fits(size) &&
          result.is_tighter(*own);
 }
@@ -61,13 +60,13 @@ std::variant<MethodComparison, NotSolid> compare_methods(const std::string& name
   const auto& solid = std::get<Solid>(outcome);
   const HullMeasures measures = log.run(
       "measures of the hull", [&] { return measures_of(solid.polytope, log.watch("hull")); });
-  MethodComparison comparison{name,
-                              solid.input_points,
-                              solid.polytope.vertices.size(),
-                              solid.polytope.facets.size(),
-                              request.size,
-                              request.inner,
-                              {}};
+  MethodComparison comparison{.name = name,
+                              .points = solid.input_points,
+                              .vertices = solid.polytope.vertices.size(),
+                              .facets = solid.polytope.facets.size(),
+                              .size = request.size,
+                              .inner = request.inner,
+                              .results = {}};
   for (const Method* method : request.methods) {
     const std::string stage(method->name);
     comparison.results.push_back(log.run(stage, [&] {
@@ -95,8 +94,13 @@ std::vector<MethodMedian> medians(const std::vector<MethodComparison>& compariso
       }
     }
     if (volume.empty()) continue;
-    list.push_back({first.method, volume.size(), median(volume), median(area), median(mean_width),
-                    median(distance), median(seconds)});
+    list.push_back({.method = first.method,
+                    .inputs = volume.size(),
+                    .volume = median(volume),
+                    .area = median(area),
+                    .mean_width = median(mean_width),
+                    .distance = median(distance),
+                    .seconds = median(seconds)});
   }
   std::stable_sort(list.begin(), list.end(), [](const MethodMedian& a, const MethodMedian& b) {
     return a.method->is_inner() ? a.volume > b.volume : a.volume < b.volume;

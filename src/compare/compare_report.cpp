@@ -12,7 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kRatioDigits = 17;  // in JSON, all of them certain
 constexpr const char* kMeasures = "{:>10.5f} {:>10.5f} {:>11.5f} {:>9.5f} {:>9.3g}";
 
 std::string heading(const char* first) {
@@ -114,7 +113,7 @@ Json result_json(const MethodComparison& comparison, const MethodResult& result)
     return json;
   }
   const Refit& refit = *result.solid();
-  const auto ratio = [](const Enclosure& x) { return measured_json({x, {}}, kRatioDigits); };
+  const auto ratio = [](const Enclosure& x) { return measured_json({x, {}}, kDigits); };
   json["planes"] = refit.solid.planes.size();
   if (comparison.inner) json["vertices"] = refit.solid.vertices.size();
   json["fits"] = result.fits(comparison.size);

@@ -55,6 +55,7 @@ struct Method {
   std::string_view source;   ///< A key of docs/references.md.
   /// Of a method for solids inside, which has no `propose`; null of the others.
   HullCorners (*select)(const HullToFit& hull, std::size_t vertices, std::uint64_t seed) = nullptr;
+  bool is_own = false;  ///< The removals of convexact simplify, which others are compared with.
 
   bool is_inner() const { return select != nullptr; }
 };

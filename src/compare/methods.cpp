@@ -9,8 +9,12 @@ namespace convexact {
 
 std::span<const Method> methods() {
   static constexpr Method kMethods[] = {
-      {"greedy", propose_greedy, true, "the removals of convexact simplify, by volume",
-       "Jacobson2026"},
+      {.name = "greedy",
+       .propose = propose_greedy,
+       .takes_faces = true,
+       .summary = "the removals of convexact simplify, by volume",
+       .source = "Jacobson2026",
+       .is_own = true},
       {"greedy-area", propose_greedy_area, true, "the same by area", "Jacobson2026"},
       {"greedy-mean-width", propose_greedy_mean_width, true, "the same by mean width",
        "Jacobson2026"},
@@ -38,10 +42,19 @@ std::span<const Method> methods() {
 
 std::span<const Method> inner_methods() {
   static constexpr Method kMethods[] = {
-      {"drop", nullptr, false, "the removals of convexact simplify --inner", "Jacobson2026",
-       select_drop},
-      {"qem-ends", nullptr, false, "edges of the hull collapsed onto an end by quadrics",
-       "GarlandHeckbert1997", select_qem_ends},
+      {.name = "drop",
+       .propose = nullptr,
+       .takes_faces = false,
+       .summary = "the removals of convexact simplify --inner",
+       .source = "Jacobson2026",
+       .select = select_drop,
+       .is_own = true},
+      {.name = "qem-ends",
+       .propose = nullptr,
+       .takes_faces = false,
+       .summary = "edges of the hull collapsed onto an end by quadrics",
+       .source = "GarlandHeckbert1997",
+       .select = select_qem_ends},
   };
   return kMethods;
 }

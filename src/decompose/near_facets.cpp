@@ -85,9 +85,13 @@ NearFacets near_facets(std::vector<std::array<PointId, 3>> corners,
     // each.
     const double depth_error =
         7 * radius * normal.error + 40 * kUnitRoundoff * size * radius + kLostToUnderflow;
-    near.planes.push_back({normal.value[0], normal.value[1], normal.value[2],
-                           normal.value.dot(local), is_float ? 0 : depth_error,
-                           is_float ? 0 : normal.error, size});
+    near.planes.push_back({.x = normal.value[0],
+                           .y = normal.value[1],
+                           .z = normal.value[2],
+                           .d = normal.value.dot(local),
+                           .depth_error = is_float ? 0 : depth_error,
+                           .normal_error = is_float ? 0 : normal.error,
+                           .size = size});
   }
   near.corners = std::move(corners);
   return near;

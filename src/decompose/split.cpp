@@ -174,12 +174,12 @@ class Splitter {
       std::vector<TriangleId> gone;
       std::merge(division->moved.begin(), division->moved.end(), division->islands.begin(),
                  division->islands.end(), std::back_inserter(gone));
-      made_.splits.push_back({n,
-                              {notch, plane.to},
-                              std::move(plane.plane),
-                              refused,
-                              std::move(division->moved),
-                              std::move(division->islands)});
+      made_.splits.push_back({.node = n,
+                              .edge = {notch, plane.to},
+                              .plane = std::move(plane.plane),
+                              .refused = refused,
+                              .moved = std::move(division->moved),
+                              .islands = std::move(division->islands)});
       SplitNode& node = made_.nodes[n];
       node.is_split = true;
       const auto first = static_cast<std::uint32_t>(made_.nodes.size());

@@ -175,9 +175,9 @@ const std::vector<VertexId>& InnerLoop::choose() {
   }
 }
 
-InnerStep InnerLoop::record(const std::vector<VertexId>& tie) {
-  InnerStep step{tie.front(), {}, tie, loss_.ring().vertices, {}, left_ - 1};
+Step InnerLoop::record(const std::vector<VertexId>& tie) {
   const auto& v = loss_.ring().vertices;
+  Step step{.removed = tie.front(), .tie = tie, .ring = v, .left = left_ - 1};
   step.triangles.reserve(loss_.triangles().size());
   for (const RingTriangle& t : loss_.triangles()) {
     step.triangles.push_back({v[t.low], v[t.middle], v[t.high]});

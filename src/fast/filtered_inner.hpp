@@ -23,7 +23,7 @@ struct InnerCounts {
 };
 
 /// The same removals, costs and ties as simplify_inner_exact(), by other means:
-/// docs/design/inner.md. Costs are left to add_costs().
+/// docs/design/inner.md. Costs are left to with_costs().
 /// @throws Error  As simplify_inner_exact().
 /// @par Cost      About k^2 flops per evaluated ring of k <= 16, O(k) above.
 /// @par Source    [Jacobson2026], [Minoux1978]
@@ -90,7 +90,7 @@ class InnerLoop {
   bool is_top_tight();
   bool are_candidates_fresh();
   void keep_cheapest();
-  InnerStep record(const std::vector<VertexId>& tie);
+  Step record(const std::vector<VertexId>& tie);
   void remove(VertexId v);
 
   const VertexHull& hull_;

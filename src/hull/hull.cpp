@@ -86,6 +86,14 @@ std::vector<Halfspace> facet_halfspaces(const Hull& hull, const PointSet& points
   return halfspaces;
 }
 
+std::vector<std::vector<std::uint32_t>> polygons_of(const FacetList& facets) {
+  std::vector<std::vector<std::uint32_t>> polygons(facets.size());
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    for (const PointId corner : facets[f]) polygons[f].push_back(corner.value);
+  }
+  return polygons;
+}
+
 Polytope to_polytope(const Hull& hull, const PointSet& points) {
   Polytope polytope;
   std::vector<std::uint32_t> vertex_of(points.size());

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/json.hpp"
 
-#include <cmath>
-
 #include "io/names.hpp"
 
 namespace convexact {
@@ -11,6 +9,25 @@ using nlohmann::ordered_json;
 
 std::string write_json(const ordered_json& document, int indent) {
   return document.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+std::string write_lines(const ordered_json& document) {
+  std::string text = "{";
+  const char* comma = "\n";
+  for (const auto& [key, value] : document.items()) {
+    text += comma + write_json(key) + ": ";
+    comma = ",\n";
+    const bool is_list = value.is_array() && !value.empty() && value[0].is_structured();
+    if (!is_list) {
+      text += write_json(value);
+      continue;
+    }
+    for (std::size_t k = 0; k < value.size(); ++k) {
+      text += (k == 0 ? "[\n  " : ",\n  ") + write_json(value[k]);
+    }
+    text += "\n]";
+  }
+  return text + "\n}\n";
 }
 
 std::string as_utf8(const std::string& text) {
@@ -44,9 +61,7 @@ nlohmann::ordered_json measured_json(const Measured& x, int digits) {
   const std::optional<std::string> decimal = to_decimal(x.bounds, digits);
   if (!decimal) throw Error(ErrorCode::Internal, "the bounds of a measure are too wide to print");
   const double value = to_double(parse_rational(*decimal), Rounding::Nearest);
-  nlohmann::ordered_json json = {
-      {"value", std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr},
-      {"decimal", *decimal}};
+  nlohmann::ordered_json json = {{"value", value_or_null(value)}, {"decimal", *decimal}};
   if (x.exact) json["exact"] = to_string(*x.exact);
   return json;
 }

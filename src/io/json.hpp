@@ -2,6 +2,7 @@
 // json.hpp - JSON as the program writes it: its text, and what numbers, planes, points and errors
 // look like.
 #pragma once
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -23,15 +24,15 @@ struct nlohmann::adl_serializer<convexact::Rational> {
   }
 };
 
-template <>
-struct nlohmann::adl_serializer<convexact::HalfspaceId> {
+template <class Tag>
+struct nlohmann::adl_serializer<convexact::Id<Tag>> {
   template <class Json>
-  static void to_json(Json& json, convexact::HalfspaceId id) {
+  static void to_json(Json& json, convexact::Id<Tag> id) {
     json = id.index();
   }
   template <class Json>
-  static convexact::HalfspaceId from_json(const Json& json) {
-    return convexact::HalfspaceId(json.template get<std::size_t>());
+  static convexact::Id<Tag> from_json(const Json& json) {
+    return convexact::Id<Tag>(json.template get<std::size_t>());
   }
 };
 
@@ -59,6 +60,10 @@ namespace convexact {
 /// @param indent  Spaces for each level; -1 for all on one line.
 [[nodiscard]] std::string write_json(const nlohmann::ordered_json& document, int indent = -1);
 
+/// The same with an entry of each top-level list, and every other value, on a line of its own, and
+/// a newline at the end.
+[[nodiscard]] std::string write_lines(const nlohmann::ordered_json& document);
+
 /// `text` as write_json() would spell it, for pages and tables.
 [[nodiscard]] std::string as_utf8(const std::string& text);
 
@@ -81,8 +86,15 @@ nlohmann::ordered_json or_null(const std::optional<T>& x) {
   return x ? nlohmann::ordered_json(*x) : nlohmann::ordered_json(nullptr);
 }
 
-/// As many certain digits as a double needs.
-inline constexpr int kDigits = 17;
+/// JSON has no infinity.
+inline nlohmann::ordered_json value_or_null(double x) {
+  return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
+}
+
+/// The ends as the doubles around them.
+inline nlohmann::ordered_json bounds_json(const Enclosure& x) {
+  return {{"low", x.low_double()}, {"high", x.high_double()}};
+}
 
 /// An exact number with its decimal, or null.
 inline nlohmann::ordered_json quantity_json(const std::optional<Rational>& x) {

@@ -223,12 +223,12 @@ ChebyshevOutcome chebyshev_center(std::span<const Halfspace> halfspaces, const L
   // (3) Rounding to a grid of spacing g <= size / 16 moves the center by at most sqrt(3)/2 g, so it
   //     keeps 1 - sqrt(3)/32 > 0.9 of its depth.
   const RationalPoint center = round_to_grid(ball.point, exponent_of(ball.size) - 6);
-  return ChebyshevCenter{center,
-                         guaranteed_radius(halfspaces, upper_norms, center),
-                         radius_high,
-                         std::move(ball.point),
-                         std::move(ball.size),
-                         std::move(ball.touching)};
+  return ChebyshevCenter{.center = center,
+                         .radius_low = guaranteed_radius(halfspaces, upper_norms, center),
+                         .radius_high = radius_high,
+                         .optimum = std::move(ball.point),
+                         .optimum_radius = std::move(ball.size),
+                         .touching = std::move(ball.touching)};
 }
 
 }  // namespace convexact

@@ -94,6 +94,29 @@ std::optional<std::string> to_decimal(const Enclosure& x, int digits) {
   return (negative ? "-" : "") + format(rounded);
 }
 
+std::string escaped_markup(std::string_view text) {
+  std::string markup;
+  for (const char c : text) {
+    switch (c) {
+      case '<':
+        markup += "&lt;";
+        break;
+      case '>':
+        markup += "&gt;";
+        break;
+      case '&':
+        markup += "&amp;";
+        break;
+      case '"':
+        markup += "&quot;";
+        break;
+      default:
+        markup += c;
+    }
+  }
+  return markup;
+}
+
 std::string with_separators(std::size_t count) {
   std::string digits = std::to_string(count);
   for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // precision.hpp - how many bits an enclosure takes: as many as serve every ordinary question, or as
-// many as one question needs.
+// many as one question needs; and how many digits are written.
 #pragma once
 #include <type_traits>
 
@@ -10,6 +10,9 @@ namespace convexact {
 
 /// Bits of enclosures that are printed or compared: some thirty certain decimal digits.
 inline constexpr long kMeasureBits = 128;
+
+/// As many certain digits as a double needs.
+inline constexpr int kDigits = 17;
 
 /// About the middle of x.
 [[nodiscard]] inline double middle_double(const Enclosure& x) {

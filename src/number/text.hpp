@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// text.hpp - numbers and words in texts: hexadecimal numbers, quotes in messages, thousands, a
-// summary's lines.
+// text.hpp - numbers and words in texts: hexadecimal numbers, quotes in messages, markup,
+// thousands, a summary's lines.
 #pragma once
 #include <string>
 #include <string_view>
@@ -20,6 +20,9 @@ namespace convexact {
 
 /// `text` between quotes for an error message: shortened, and with printable characters only.
 [[nodiscard]] std::string in_quotes(std::string_view text);
+
+/// Plain text as HTML or XML, inside of elements and quoted attributes.
+[[nodiscard]] std::string escaped_markup(std::string_view text);
 
 /// 1234567 as "1,234,567".
 [[nodiscard]] std::string with_separators(std::size_t count);

@@ -143,10 +143,7 @@ std::optional<std::string> mesh_bytes(const PointSet& points, MeshFormat format,
   mesh.points = points;
   const HullOutcome outcome = convex_hull(points);
   if (const auto* hull = std::get_if<Hull>(&outcome)) {
-    for (std::size_t f = 0; f < hull->facets.size(); ++f) {
-      auto& polygon = mesh.polygons.emplace_back();
-      for (const PointId corner : hull->facets[f]) polygon.push_back(corner.value);
-    }
+    mesh.polygons = polygons_of(hull->facets);
   } else if (format == MeshFormat::Stl) {
     return std::nullopt;  // no triangles to write
   }

@@ -9,6 +9,7 @@
 #include "convexact/watch.hpp"
 #include "fast/filtered_loop.hpp"
 #include "io/names.hpp"
+#include "number/precision.hpp"
 #include "oracle/removal_cost.hpp"
 
 namespace convexact {
@@ -30,13 +31,11 @@ constexpr auto kTraceCodeNames =
 // Claims are found by their place.
 static_assert(kTraceCodeNames.back().first == TraceCode(kTraceCodeNames.size() - 1));
 
-constexpr int kCostDigits = 17;  // of costs and measures in words
-
 // Both to so many digits that they differ, if they do. Volumes are fractions instead.
 std::array<std::string, 2> distinct_texts(const Cost& a, const Cost& b) {
   if (a.measure() == CostMeasure::Volume) return {to_string(a.rational()), to_string(b.rational())};
   constexpr int kMostDigits = 1000;
-  for (int digits = kCostDigits;; digits *= 4) {
+  for (int digits = kDigits;; digits *= 4) {
     std::array<std::string, 2> texts{a.decimal(digits), b.decimal(digits)};
     if (texts[0] != texts[1] || digits > kMostDigits) return texts;
   }
@@ -53,7 +52,7 @@ const char* name_of(TraceCode code) { return name_in(kTraceCodeNames, code); }
 std::string removal_text(HalfspaceId id, const std::optional<Cost>& cost) {
   const std::string removes = "removes " + std::to_string(id.index());
   if (!cost) return removes + ", which leaves the solid unbounded";
-  return removes + " at cost " + cost->decimal(kCostDigits);
+  return removes + " at cost " + cost->decimal(kDigits);
 }
 
 // ---- The claims
@@ -136,7 +135,7 @@ void StatedClaims::compare_cost(const OrderedStep& stated, const JudgedStep& jud
   if (!judged.cost) {
     const std::string text = claimed.measure() == CostMeasure::Volume
                                  ? to_string(claimed.rational())
-                                 : claimed.decimal(kCostDigits);
+                                 : claimed.decimal(kDigits);
     return violate(TraceCode::Cost, stated, text, "unbounded");
   }
   const Order order = order_of(claimed, *judged.cost);
@@ -298,7 +297,7 @@ std::optional<MoveFault> find_move_fault(const RemovalOrder& order, const NamedF
     if (const auto fault = judge.exchange(move)) return MoveFault{row, fault->first, fault->second};
     const std::optional<Cost> after = measure_now(judge.is_there());
     if (!after) return MoveFault{row, "leaves the solid unbounded", "a bounded solid"};
-    const std::string now = after->decimal(kCostDigits);
+    const std::string now = after->decimal(kDigits);
     const auto order_of = [&](const Cost& other) {
       return compare(*after, other, options.compare, watch).order;
     };
@@ -306,7 +305,7 @@ std::optional<MoveFault> find_move_fault(const RemovalOrder& order, const NamedF
       if (!open) open = MoveFault{row, found, expected, true};
     };
     const Order change = order_of(before);
-    const std::string less = "less than " + before.decimal(kCostDigits);
+    const std::string less = "less than " + before.decimal(kDigits);
     if (change == Order::Undecided) {
       leave_open("leaves the measure " + now, less);
     } else if (change != Order::Less) {
@@ -314,7 +313,7 @@ std::optional<MoveFault> find_move_fault(const RemovalOrder& order, const NamedF
     }
     if (move.measure) {
       const Order stated = order_of(*move.measure);
-      const std::string found = "states the measure " + move.measure->decimal(kCostDigits);
+      const std::string found = "states the measure " + move.measure->decimal(kDigits);
       if (stated == Order::Undecided) {
         leave_open(found, now);
       } else if (stated != Order::Equal) {

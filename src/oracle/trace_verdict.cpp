@@ -13,6 +13,7 @@
 #include "number/text.hpp"
 #include "oracle/facet_match.hpp"
 #include "simplify/run_names.hpp"
+#include "simplify/tie_report.hpp"
 #include "simplify/trace_json.hpp"
 
 namespace convexact {
@@ -45,8 +46,7 @@ Json step_json(const JudgedStep& step, std::size_t number, CostMeasure measure) 
                {"tie", step.tie},
                {"regret", regret_json(step.regret)}};
   if (measure == CostMeasure::Volume) return json;
-  if (const auto& proof = step.tie_evidence.proof) json["tie_proof"] = name_of(*proof);
-  if (step.tie_evidence.proof == TieProof::Undecided) json["bits"] = step.tie_evidence.bits;
+  json.update(tie_json(step.tie_evidence));
   if (!step.is_within) json["undecided"] = true;
   return json;
 }
@@ -107,13 +107,12 @@ Json notes_json(const TraceVerdict& verdict) {
 
 // ---- Text
 
-constexpr int kTraceDigits = 17;        // of costs
 constexpr int kRegretDigits = 3;        // of regrets
 constexpr std::size_t kWorstSteps = 5;  // as many as are shown
 constexpr std::size_t kLongest = 100;   // of what a witness may take of a line
 
 std::string cost_text(const std::optional<Cost>& cost, const char* none) {
-  return cost ? cost->decimal(kTraceDigits) : none;
+  return cost ? cost->decimal(kDigits) : none;
 }
 
 // Dearer than another, the worst first; an unbounded one is worse than any.
@@ -184,7 +183,7 @@ std::string totals_text(const TraceVerdict& verdict) {
   const char* what = verdict.measure == CostMeasure::Volume ? "volume added"
                      : verdict.measure == CostMeasure::Area ? "area added"
                                                             : "mean width added";
-  text += row(what, to_decimal(added, kTraceDigits).value_or("?"));
+  text += row(what, to_decimal(added, kDigits).value_or("?"));
   if (verdict.other_ties > 0) {
     text += row("tie-order", with_separators(verdict.other_ties) +
                                  " ties broken otherwise than in canonical order");

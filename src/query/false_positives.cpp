@@ -121,14 +121,14 @@ std::optional<double> ProbeTally::sigma() const {
 FalsePositives count_false_positives(const Polytope& a, const Polytope& b,
                                      const FalsePositiveRequest& request) {
   const ProbeFrame frame = frame_around(a, b);
-  ProbedPair pair{a,
-                  b,
-                  ProbedSolid(a, frame),
-                  ProbedSolid(b, frame),
-                  frame,
-                  scale_by_power_of_two(to_rational(frame.radius), frame.exponent),
-                  false,
-                  request.watch};
+  ProbedPair pair{.a = a,
+                  .b = b,
+                  .near_a = ProbedSolid(a, frame),
+                  .near_b = ProbedSolid(b, frame),
+                  .frame = frame,
+                  .radius = scale_by_power_of_two(to_rational(frame.radius), frame.exponent),
+                  .is_inside = false,
+                  .watch = request.watch};
   FalsePositives result;
   result.outside = pair.near_b.first_outside(pair.near_a);
   result.center = frame.center;

@@ -55,11 +55,6 @@ Json ray_json(const RayAnswer& answer) {
   return json;
 }
 
-// The ends as the doubles around them.
-Json bounds_json(const Enclosure& x) {
-  return {{"low", x.low_double()}, {"high", x.high_double()}};
-}
-
 Json tally_json(const ProbeTally& tally) {
   return {{"samples", tally.samples},
           {"hits_a", tally.hits_a},

@@ -20,7 +20,4 @@ extern const std::string_view kViewerPage, kViewerStyle, kFacetsScript, kShapesS
 /// JSON that does not end the script element it stands in: '<' is spelled \u003c.
 [[nodiscard]] std::string for_script_element(std::string_view json);
 
-/// Plain text as HTML, inside of elements and quoted attributes.
-[[nodiscard]] std::string escaped_html(std::string_view text);
-
 }  // namespace convexact

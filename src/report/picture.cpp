@@ -14,6 +14,7 @@
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "number/arithmetic.hpp"
+#include "number/text.hpp"
 #include "report/page_parts.hpp"
 
 namespace convexact {
@@ -335,7 +336,7 @@ std::string static_drawing(const Picture& picture, const Frame& frame) {
         high[k] = std::max(high[k], place[k]);
       }
     }
-    const std::string color = escaped_html(layer.color);
+    const std::string color = escaped_markup(layer.color);
     if (layer.edges && !layer.polygons.empty()) {
       const auto [hidden, front] = edge_paths(layer, places);
       below += fmt::format(R"(<path fill="none" stroke="{}" stroke-width="4" )"
@@ -364,8 +365,8 @@ std::string list_entry(const PictureLayer& layer) {
   return fmt::format(R"(<li><label><input type="checkbox"{} hidden> )"
                      R"(<i style="background: {}"></i> {} <small>{}</small></label></li>)"
                      "\n",
-                     layer.shown ? " checked" : "", escaped_html(layer.color),
-                     escaped_html(layer.name), counts);
+                     layer.shown ? " checked" : "", escaped_markup(layer.color),
+                     escaped_markup(layer.name), counts);
 }
 
 // What a reader can change besides the view; viewer.js shows it.
@@ -468,8 +469,8 @@ std::string picture_html(const Picture& picture) {
     layers.push_back(layer_json(layer, frame));
     list += list_entry(layer);
   }
-  return fill_page(kViewerPage, {{"TITLE", escaped_html(picture.title)},
-                                 {"CAPTION", escaped_html(picture.caption)},
+  return fill_page(kViewerPage, {{"TITLE", escaped_markup(picture.title)},
+                                 {"CAPTION", escaped_markup(picture.caption)},
                                  {"LAYERS", list},
                                  {"CONTROLS", control_list(picture.layers)},
                                  {"DRAWING", static_drawing(picture, frame)},

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 
 #include "io/json.hpp"
@@ -17,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json number_or_null(const std::optional<double>& x) {
-  return x && std::isfinite(*x) ? Json(*x) : Json(nullptr);
+  return x ? value_or_null(*x) : Json(nullptr);
 }
 
 Json spread_json(const std::optional<Spread>& spread) {

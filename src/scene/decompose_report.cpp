@@ -9,9 +9,9 @@
 #include "number/groups.hpp"
 #include "number/precision.hpp"
 #include "scene/decompose_options.hpp"
-#include "scene/simplify_report.hpp"
 #include "scene/surface_report.hpp"
 #include "simplify/run_names.hpp"
+#include "simplify/tie_report.hpp"
 
 namespace convexact {
 namespace {
@@ -59,12 +59,6 @@ std::size_t merges_beyond(const Clustering& clustering) {
 }
 
 // ---- JSON
-
-OrderedJson indices_json(std::span<const TriangleId> triangles) {
-  OrderedJson list = OrderedJson::array();
-  for (const TriangleId t : triangles) list.push_back(t.value);
-  return list;
-}
 
 OrderedJson limit_json(const ConcavityLimit& limit, const Decomposition& decomposition) {
   OrderedJson json = {{limit.is_share ? "share" : "length", to_string(limit.value)}};
@@ -120,7 +114,7 @@ OrderedJson concavity_json(const Concavity& concavity, const Rational& squared_d
   return {{"squared", to_string(concavity.squared)},
           {"bounds", interval_json(length)},
           {"percent", percent_of(length, squared_diameter).high_double()},
-          {"triangle", concavity.triangle.value},
+          {"triangle", concavity.triangle},
           {"at", vector_json(concavity.at)},
           {"leaves", vector_json(concavity.leaves)}};
 }
@@ -142,7 +136,7 @@ OrderedJson part_entry(const Decomposition& decomposition, std::size_t number,
                                {"bounds", interval_json(enclosed_root_of(*least))}};
   }
   if (detail == DecompositionDetail::Numbers) return json;
-  json["owns"] = indices_json(part.owns);
+  json["owns"] = part.owns;
   json["vertices"] = vertices_json(part.mesh.points, !decomposition.surface.points.is_binary());
   json["faces"] = part.mesh.polygons;
   json["halfspaces"] = part.halfspaces;
@@ -201,7 +195,7 @@ OrderedJson split_tree_json(const Decomposition& decomposition, const SplitTree&
   for (const SplitLeaf& leaf : tree.leaves) {
     OrderedJson& node = nodes[leaf.node];
     node["part"] = decomposition.owner[leaf.triangles.front().index()];
-    node["triangles"] = indices_json(leaf.triangles);
+    node["triangles"] = leaf.triangles;
   }
   for (const Split& split : tree.splits) {
     OrderedJson& node = nodes[split.node];
@@ -264,10 +258,10 @@ OrderedJson decomposition_json(const Decomposition& decomposition, const Decompo
   }
   OrderedJson inner = OrderedJson::array();
   for (const InnerCluster& cluster : decomposition.inner) {
-    inner.push_back({{"triangle", cluster.lowest.value}, {"part", cluster.part}});
+    inner.push_back({{"triangle", cluster.lowest}, {"part", cluster.part}});
   }
   json["inner"] = std::move(inner);
-  json["flat_merged"] = indices_json(decomposition.flat_merged);
+  json["flat_merged"] = decomposition.flat_merged;
   OrderedJson parts = OrderedJson::array();
   for (std::size_t k = 0; k < decomposition.parts.size(); ++k) {
     parts.push_back(part_entry(decomposition, k, names[k], detail));
@@ -304,25 +298,6 @@ OrderedJson decomposition_json(std::span<const DecomposedObject> objects,
           {"covers", "surface"},
           {"objects", list},
           {"parts", std::move(parts)}};
-}
-
-std::string write_lines(const OrderedJson& document) {
-  std::string text = "{";
-  const char* comma = "\n";
-  for (const auto& [key, value] : document.items()) {
-    text += comma + write_json(key) + ": ";
-    comma = ",\n";
-    const bool is_list = value.is_array() && !value.empty() && value[0].is_structured();
-    if (!is_list) {
-      text += write_json(value);
-      continue;
-    }
-    for (std::size_t k = 0; k < value.size(); ++k) {
-      text += (k == 0 ? "[\n  " : ",\n  ") + write_json(value[k]);
-    }
-    text += "\n]";
-  }
-  return text + "\n}\n";
 }
 
 }  // namespace convexact

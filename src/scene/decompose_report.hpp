@@ -43,17 +43,12 @@ struct DecomposedObject {
                                                         const DecomposeRequest& request,
                                                         DecompositionDetail detail);
 
-/// A document with an entry of each top-level list, and every other value, on a line of its own.
-[[nodiscard]] std::string write_lines(const nlohmann::ordered_json& document);
-
 /// The concavity allowed.
 [[nodiscard]] nlohmann::ordered_json limit_json(const ConcavityLimit& limit,
                                                 const Decomposition& decomposition);
 /// Doubles; of an input with fractions the fractions that they are, which mean the same to a reader
 /// that takes decimals as they are spelled.
 [[nodiscard]] nlohmann::ordered_json vertices_json(const PointSet& points, bool as_fractions);
-/// The numbers of triangles, as a list.
-[[nodiscard]] nlohmann::ordered_json indices_json(std::span<const TriangleId> triangles);
 /// The method and its options.
 [[nodiscard]] nlohmann::ordered_json method_json(const DecomposeRequest& request);
 /// What ended the run.

@@ -9,15 +9,12 @@
 #include "scene/decompose_report.hpp"
 #include "scene/surface_report.hpp"
 #include "simplify/run_names.hpp"
+#include "simplify/tie_report.hpp"
 
 namespace convexact {
 namespace {
 
 std::string percent_text(const Rational& percent) { return to_decimal(percent, 6) + "%"; }
-
-std::string percent_text(const Enclosure& percent) {
-  return percent.high() <= 0 ? "0%" : fmt::format("{:.3g}%", percent.high_double());
-}
 
 // A share with its length, or the other way round.
 std::string limit_text(const ConcavityLimit& limit, const Decomposition& decomposition) {
@@ -102,17 +99,9 @@ std::string concavity_line(const Decomposition& decomposition, std::span<const s
 std::string merges_line(const Clustering& clustering) {
   std::string text = with_separators(clustering.merges.size()) + " of two neighbours";
   const TieTally ties = ties_of(clustering);
-  std::vector<std::string> proofs;
-  std::size_t tied = 0;
-  for (const auto& [proof, name] : kTieProofNames) {
-    const std::size_t merges = ties.steps[static_cast<std::size_t>(proof)];
-    tied += merges;
-    if (merges > 0) proofs.push_back(fmt::format("{} {}", with_separators(merges), name));
-  }
-  if (tied > 0) {
-    text += fmt::format("; in {} several pairs cost the same ({}{}), and the first goes",
-                        with_separators(tied), fmt::join(proofs, ", "),
-                        ties.bits > 0 ? fmt::format("; not told apart by {} bits", ties.bits) : "");
+  if (const std::size_t tied = tie_count(ties)) {
+    text += fmt::format("; in {} several pairs cost the same ({}), and the first goes",
+                        with_separators(tied), tie_proofs_text(ties));
   }
   return summary_line("merges", text);
 }

@@ -20,9 +20,8 @@ namespace convexact {
 namespace {
 
 std::size_t tied_steps(const InnerRun& run) {
-  return static_cast<std::size_t>(
-      std::count_if(run.steps.begin(), run.steps.end(),
-                    [](const InnerStep& step) { return step.tie.size() > 1; }));
+  return static_cast<std::size_t>(std::count_if(
+      run.steps.begin(), run.steps.end(), [](const Step& step) { return step.tie.size() > 1; }));
 }
 
 std::string mesh_bytes(std::span<const NamedInner> results, MeshFormat format) {
@@ -59,9 +58,6 @@ void prove_mesh(const std::string& bytes, const std::string& path, MeshFormat fo
 }  // namespace
 
 nlohmann::ordered_json inner_json(const InnerResult& result) {
-  using Json = nlohmann::ordered_json;
-  Json kept = Json::array();
-  for (const PointId id : result.kept) kept.push_back(id.value);
   // A lower bound, so that it never reads as more than was kept.
   const Enclosure ratio = result.output_volume.bounds / result.input_volume.bounds;
   return {{"inner", true},
@@ -73,7 +69,7 @@ nlohmann::ordered_json inner_json(const InnerResult& result) {
            {{"vertices", result.kept.size()},
             {"triangles", result.run.triangles.size()},
             {"stop", name_of(result.run.stop)},
-            {"points", std::move(kept)},
+            {"points", result.kept},
             {"planes", result.solid.planes}}},
           {"volume",
            {{"input", measured_json(result.input_volume, kDigits)},

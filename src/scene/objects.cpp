@@ -66,12 +66,11 @@ void read_mesh_objects(const std::string& path, const std::string& bytes,
   Mesh mesh =
       read_mesh_bytes(bytes, {.decimal = options.decimal, .format = mesh_format_of_path(path)});
   if (!options.parts) {
-    objects.push_back({file,
-                       stem_of(path),
-                       std::move(mesh.points),
-                       std::move(mesh.polygons),
-                       {},
-                       std::move(mesh.parts)});
+    objects.push_back({.name = file,
+                       .part = stem_of(path),
+                       .shape = std::move(mesh.points),
+                       .polygons = std::move(mesh.polygons),
+                       .groups = std::move(mesh.parts)});
     return;
   }
   for (SceneObject& part : parts_of(mesh, file)) objects.push_back(std::move(part));
@@ -84,7 +83,11 @@ SceneObject halfspace_object(const std::string& path, HalfspaceList list) {
                                            " (counted from 0) has a zero normal and holds nowhere");
   }
   TypedRows rows = std::move(static_cast<TypedRows&>(list));
-  return {display_name(path), stem_of(path), std::move(list.halfspaces), {}, std::move(rows)};
+  return {.name = display_name(path),
+          .part = stem_of(path),
+          .shape = std::move(list.halfspaces),
+          .polygons = {},
+          .rows = std::move(rows)};
 }
 
 }  // namespace

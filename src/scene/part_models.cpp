@@ -32,26 +32,7 @@ constexpr const char* kXmlHead = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
 // The value of an attribute, with its quotes.
 std::string xml_value(const std::string& text) {
   require_model_text(text);
-  std::string value = "\"";
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        value += "&amp;";
-        break;
-      case '<':
-        value += "&lt;";
-        break;
-      case '>':
-        value += "&gt;";
-        break;
-      case '"':
-        value += "&quot;";
-        break;
-      default:
-        value += c;
-    }
-  }
-  return value + "\"";
+  return "\"" + escaped_markup(text) + "\"";
 }
 
 }  // namespace

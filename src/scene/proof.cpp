@@ -57,7 +57,7 @@ class ProofWriter : private CostTreeObserver, private ProofLines {
 
 std::string ProofWriter::write(const std::optional<StoredPlanes>& stored) {
   const char* version = run_.is_least ? "5" : run_.kept.empty() ? "2" : "3";
-  line("convexact-proof", version, proof_claim(run_));
+  line("convexact-proof", version, name_in(kProofClaimNames, proof_claim(run_)));
   write_hull();
   write_inside();
   for (const HalfspaceId i : run_.kept) line("keep", i);
@@ -233,17 +233,17 @@ void ProofWriter::write_stored(const StoredPlanes& stored) {
 
 }  // namespace
 
-const char* proof_claim(const Run& run) {
-  if (run.is_least) return "optimal";
-  if (!run.moves.empty()) return "costs";
+ProofClaim proof_claim(const Run& run) {
+  if (run.is_least) return ProofClaim::Optimal;
+  if (!run.moves.empty()) return ProofClaim::Costs;
   switch (run.measure) {
     case CostMeasure::Volume:
-      return run.is_greedy ? "greedy" : "costs";
+      return run.is_greedy ? ProofClaim::Greedy : ProofClaim::Costs;
     case CostMeasure::Area:
-      if (run.is_greedy) return "greedy-area";
+      if (run.is_greedy) return ProofClaim::GreedyArea;
       break;
     case CostMeasure::MeanWidth:
-      return "costs-not-shown";
+      return ProofClaim::CostsNotShown;
   }
   throw Error(ErrorCode::Internal, "no claim is about areas of removals that are not greedy");
 }

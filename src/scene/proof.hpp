@@ -6,14 +6,30 @@
 
 #include "convexact/simplify.hpp"
 #include "convexact/stored.hpp"
+#include "io/names.hpp"
 
 namespace convexact {
 
-/// The claim of the proof of a run, as docs/proof-format.md names it: "greedy", "costs",
-/// "greedy-area", "costs-not-shown" or "optimal"; where a search led elsewhere without a proof,
-/// "costs", of the removals that lead there.
+/// What a proof claims of a run, under the names of docs/proof-format.md.
+enum class ProofClaim {
+  Greedy,         ///< Each removal adds the least volume.
+  GreedyArea,     ///< Each removal adds the least area.
+  Costs,          ///< The volumes that the removals add.
+  CostsNotShown,  ///< The removals alone.
+  Optimal,        ///< No other planes, as many, bound a smaller volume.
+};
+
+inline constexpr auto kProofClaimNames =
+    name_table<ProofClaim>({{ProofClaim::Greedy, "greedy"},
+                            {ProofClaim::GreedyArea, "greedy-area"},
+                            {ProofClaim::Costs, "costs"},
+                            {ProofClaim::CostsNotShown, "costs-not-shown"},
+                            {ProofClaim::Optimal, "optimal"}});
+
+/// The claim of the proof of a run. Where a search led elsewhere without a proof it is Costs, of
+/// the removals that lead there.
 /// @throws Error  Internal for a run by area that is not greedy.
-[[nodiscard]] const char* proof_claim(const Run& run);
+[[nodiscard]] ProofClaim proof_claim(const Run& run);
 
 /// Writes the proof of a run; docs/proof-format.md has the format and why it proves what it does.
 /// The exact cost of every evaluation is computed here, by the exact engine's caps. By mean width

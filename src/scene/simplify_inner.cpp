@@ -61,7 +61,7 @@ bool keeps_costs(const InnerRequest& request) {
 
 Rational lost_in(const InnerRun& run) {
   std::vector<Rational> costs;
-  for (const InnerStep& step : run.steps) costs.push_back(step.cost.value());
+  for (const Step& step : run.steps) costs.push_back(step.cost.value().rational());
   return balanced_sum(std::move(costs));
 }
 
@@ -74,10 +74,7 @@ Mesh mesh_of(const PointSet& vertices, const Hull& hull) {
   }
   Mesh mesh;
   mesh.points = vertices;
-  for (std::size_t f = 0; f < hull.facets.size(); ++f) {
-    std::vector<std::uint32_t>& polygon = mesh.polygons.emplace_back();
-    for (const PointId corner : hull.facets[f]) polygon.push_back(corner.value);
-  }
+  mesh.polygons = polygons_of(hull.facets);
   return mesh;
 }
 
@@ -135,7 +132,7 @@ InnerOutcome simplify_inner(const PointSet& points, const InnerRequest& request)
                                            : simplify_inner_filtered(result.start, options);
   });
   if (keeps_costs(request)) {
-    log.run("costs", [&] { add_costs(result.start, result.run); });
+    log.run("costs", [&] { result.run = with_costs(result.start, std::move(result.run)); });
   } else {
     log.skip("costs", "neither a trace nor full verification was requested");
   }

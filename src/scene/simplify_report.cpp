@@ -8,6 +8,7 @@
 #include "number/precision.hpp"
 #include "scene/proof.hpp"
 #include "simplify/run_names.hpp"
+#include "simplify/tie_report.hpp"
 
 namespace convexact {
 namespace {
@@ -45,20 +46,6 @@ Json input_json(std::size_t points, std::size_t vertices, std::size_t halfspaces
   return input;
 }
 
-}  // namespace
-
-Json ties_json(const TieTally& ties) {
-  Json json = Json::object();
-  for (const auto& [proof, name] : kTieProofNames) {
-    const std::size_t steps = ties.steps[static_cast<std::size_t>(proof)];
-    if (steps > 0) json[name] = steps;
-  }
-  if (ties.bits > 0) json["bits"] = ties.bits;
-  return json;
-}
-
-namespace {
-
 bool is_reached(StopReason stop) {
   return stop == StopReason::Reached || stop == StopReason::GrowthLimit;
 }
@@ -67,7 +54,7 @@ bool is_reached(StopReason stop) {
 Json kept_json(const std::vector<KeptFacet>& kept) {
   Json ids = Json::array(), planes = Json::array();
   for (const auto& [id, plane] : kept) {
-    ids.push_back(id.value);
+    ids.push_back(id);
     planes.push_back(plane);
   }
   return {{"ids", ids}, {"planes", planes}};
@@ -153,7 +140,8 @@ Json result_json(const SimplifyResult& result) {
     json["search"] = search_json(*result.search, result.output_volume.exact.has_value());
   json["engine"] = name_of(result.engine);
   if (result.float_bound) json["float_bound"] = float_bound_json(*result.float_bound);
-  if (result.start && result.run) json["proof"] = proof_claim(*result.run);
+  if (result.start && result.run)
+    json["proof"] = name_in(kProofClaimNames, proof_claim(*result.run));
   json["verified"] = {{"level", name_in(kVerifyLevelNames, result.verified)},
                       {"steps", result.engine == Engine::Float ? 0 : result.steps},
                       {"violations", 0}};

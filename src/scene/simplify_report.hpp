@@ -16,10 +16,6 @@ inline constexpr auto kSearchKindNames = name_table<SearchKind>({{SearchKind::No
                                                                  {SearchKind::Local, "local"},
                                                                  {SearchKind::Optimal, "optimal"}});
 
-/// Steps with a tie, by their proof; with undecided ones, the bits of enclosures that still
-/// overlap.
-[[nodiscard]] nlohmann::ordered_json ties_json(const TieTally& ties);
-
 /// One result without its stages.
 [[nodiscard]] nlohmann::ordered_json result_json(const SimplifyResult& result);
 /// All parts of a scene together, without stages.

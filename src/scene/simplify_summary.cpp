@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
 #include "scene/proof.hpp"
 #include "scene/simplify_report.hpp"
 #include "simplify/run_names.hpp"
+#include "simplify/tie_report.hpp"
 
 namespace convexact {
 namespace {
@@ -75,14 +77,26 @@ std::string verified_line(const SimplifyResult& result) {
                      result.verified == VerifyLevel::Local ? "local" : "full", points);
 }
 
-// What the proof of the run claims, and what it leaves out.
+// What a proof claims, and what it leaves out.
+const char* meaning_of(ProofClaim claim) {
+  switch (claim) {
+    case ProofClaim::Greedy:
+      return "each removal adds the least volume";
+    case ProofClaim::GreedyArea:
+      return "each removal adds the least area";
+    case ProofClaim::Costs:
+      return "the volume that each removal adds, not that it is least";
+    case ProofClaim::CostsNotShown:
+      return "the removals; neither what they add nor that it is least";
+    case ProofClaim::Optimal:
+      return "no other planes, as many, bound a smaller volume";
+  }
+  throw Error(ErrorCode::Internal, "a claim without a meaning");
+}
+
 std::string proof_text(const Run& run) {
-  const std::string claim = proof_claim(run);
-  if (claim == "greedy") return claim + ": each removal adds the least volume";
-  if (claim == "greedy-area") return claim + ": each removal adds the least area";
-  if (claim == "optimal") return claim + ": no other planes, as many, bound a smaller volume";
-  if (claim == "costs") return claim + ": the volume that each removal adds, not that it is least";
-  return claim + ": the removals; neither what they add nor that it is least";
+  const ProofClaim claim = proof_claim(run);
+  return fmt::format("{}: {}", name_in(kProofClaimNames, claim), meaning_of(claim));
 }
 
 std::string push_text(const Growth& growth) {
@@ -94,20 +108,11 @@ std::string push_text(const Growth& growth) {
 // In how many steps there was a choice, and why the costs are equal.
 std::string ties_text(const TieTally& tally, std::size_t steps, const char* what_ties,
                       const char* what_goes) {
-  std::vector<std::string> proofs;
-  std::size_t ties = 0;
-  for (const auto& [proof, name] : kTieProofNames) {
-    const std::size_t count = tally.steps[static_cast<std::size_t>(proof)];
-    ties += count;
-    if (count > 0) proofs.push_back(fmt::format("{} {}", with_separators(count), name));
-  }
+  const std::size_t ties = tie_count(tally);
   if (ties == 0) return "";
-  const std::string undecided =
-      tally.bits > 0 ? fmt::format("; not told apart by {} bits", tally.bits) : "";
-  return summary_line(
-      "ties", fmt::format("in {} of {} {} cost the same ({}{}); {} goes", with_separators(ties),
-                          counted(steps, "step", "steps"), what_ties, fmt::join(proofs, ", "),
-                          undecided, what_goes));
+  return summary_line("ties", fmt::format("in {} of {} {} cost the same ({}); {} goes",
+                                          with_separators(ties), counted(steps, "step", "steps"),
+                                          what_ties, tie_proofs_text(tally), what_goes));
 }
 
 std::string tie_line(const SimplifyResult& result) {

@@ -73,11 +73,9 @@ Json multipliers_json(const std::vector<Multiplier>& multipliers) {
 
 struct ProofJson {
   Json operator()(const FlatInput& flat) const {
-    Json basis = Json::array();
-    for (const PointId id : flat.basis) basis.push_back(id.index());
     return {{"kind", "flat-points"},
             {"dimension", flat.dimension},
-            {"basis", basis},
+            {"basis", flat.basis},
             {"equations", flat.equations}};
   }
   Json operator()(const EmptyProof& proof) const {

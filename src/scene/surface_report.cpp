@@ -11,7 +11,7 @@
 namespace convexact {
 
 nlohmann::ordered_json interval_json(const Measured& x) {
-  nlohmann::ordered_json json = {{"low", x.bounds.low_double()}, {"high", x.bounds.high_double()}};
+  nlohmann::ordered_json json = bounds_json(x.bounds);
   if (x.exact) {
     json["decimal"] = to_decimal(*x.exact, kDigits);
     json["exact"] = to_string(*x.exact);
@@ -36,10 +36,14 @@ std::string interval_text(const Measured& x) {
   return x.exact ? to_decimal(*x.exact, 4) : interval_text(x.bounds);
 }
 
+std::string percent_text(const Enclosure& percent) {
+  return percent.high() <= 0 ? "0%" : fmt::format("{:.3g}%", percent.high_double());
+}
+
 std::string share_text(const Enclosure& part, const Enclosure& whole) {
   if (whole.low() <= 0) return "";
   const Enclosure percent = part / whole * Enclosure(Rational(100), whole.precision());
-  return percent.high() <= 0 ? " (0%)" : fmt::format(" ({:.3g}%)", percent.high_double());
+  return " (" + percent_text(percent) + ")";
 }
 
 nlohmann::ordered_json surface_json(const Surface& surface) {
@@ -68,12 +72,10 @@ nlohmann::ordered_json surface_json(const Surface& surface) {
 }
 
 std::string surface_text(const Surface& surface) {
-  const auto count = [](std::size_t number, const char* what) {
-    return with_separators(number) + " " + what + (number == 1 ? "" : "s");
-  };
   return fmt::format(
-      "{} on {}, {}, {}", count(surface.triangles.size(), "triangle"),
-      count(surface.points.size(), "point"), count(surface.components.size(), "component"),
+      "{} on {}, {}, {}", counted(surface.triangles.size(), "triangle", "triangles"),
+      counted(surface.points.size(), "point", "points"),
+      counted(surface.components.size(), "component", "components"),
       surface.is_closed ? "closed: it bounds a solid" : "not closed: it bounds no solid");
 }
 

@@ -19,6 +19,9 @@ namespace convexact {
 [[nodiscard]] std::string interval_text(const Enclosure& x);
 [[nodiscard]] std::string interval_text(const Measured& x);
 
+/// "12.5%", an upper bound.
+[[nodiscard]] std::string percent_text(const Enclosure& percent);
+
 /// " (12.5%)", an upper bound; empty unless `whole` is certainly more than 0.
 [[nodiscard]] std::string share_text(const Enclosure& part, const Enclosure& whole);
 

@@ -124,8 +124,12 @@ InnerRun simplify_inner_exact(const VertexHull& hull, const InnerOptions& option
       run.stop = InnerStop::LossLimit;
       break;
     }
-    run.steps.push_back(
-        {v, determinants.volume(loss.cost), std::move(tie), loss.ring, loss.triangles, --left});
+    run.steps.push_back({.removed = v,
+                         .cost = determinants.volume(loss.cost),
+                         .tie = std::move(tie),
+                         .ring = loss.ring,
+                         .triangles = loss.triangles,
+                         .left = --left});
     engine.remove(v);
     if (options.progress) options.progress(left);
   }

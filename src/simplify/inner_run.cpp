@@ -59,18 +59,14 @@ VertexHull vertex_hull(const Hull& hull, const PointSet& points) {
 }
 
 std::vector<VertexId> vertices_left(const InnerRun& run, std::size_t count) {
-  std::vector<bool> is_removed(count, false);
-  for (const InnerStep& step : run.steps) is_removed[step.removed.index()] = true;
-  std::vector<VertexId> left;
-  for (std::size_t v = 0; v < count; ++v) {
-    if (!is_removed[v]) left.emplace_back(v);
-  }
-  return left;
+  std::vector<VertexId> removed;
+  for (const Step& step : run.steps) removed.push_back(step.removed);
+  return all_but(removed, count);
 }
 
-void add_costs(const VertexHull& hull, InnerRun& run) {
+InnerRun with_costs(const VertexHull& hull, InnerRun run) {
   const VertexDeterminants determinants(hull.points);
-  for (InnerStep& step : run.steps) {
+  for (Step& step : run.steps) {
     if (step.cost) continue;
     Integer six_volumes = 0;
     for (const VertexTriangle& t : step.triangles) {
@@ -79,6 +75,7 @@ void add_costs(const VertexHull& hull, InnerRun& run) {
     }
     step.cost = determinants.volume(six_volumes);
   }
+  return run;
 }
 
 }  // namespace convexact

@@ -20,7 +20,7 @@ class InnerVerification {
     if (level == VerifyLevel::Full) six_volumes_ = determinants_.six_volumes(hull.triangles);
   }
 
-  void check(const InnerStep& step);
+  void check(const Step& step);
   void check_end(const InnerRun& run) const;
 
  private:
@@ -33,10 +33,10 @@ class InnerVerification {
     return determinants_.side(t[0].index(), t[1].index(), t[2].index(), p.index()) ==
            Sign::Positive;
   }
-  void check_disk(const InnerStep& step);
-  void check_signs(const InnerStep& step) const;
-  void replace(const InnerStep& step);
-  void check_whole(const InnerStep& step);
+  void check_disk(const Step& step);
+  void check_signs(const Step& step) const;
+  void replace(const Step& step);
+  void check_whole(const Step& step);
 
   VerifyLevel level_;
   VertexDeterminants determinants_;
@@ -50,7 +50,7 @@ class InnerVerification {
 // sense of the ring. That they fit together shows when they take the place of the old ones: each
 // directed edge is free then, and in the end no edge lacks its opposite. A disk with holes or
 // handles would need another number of triangles.
-void InnerVerification::check_disk(const InnerStep& step) {
+void InnerVerification::check_disk(const Step& step) {
   const std::size_t k = step.ring.size();
   require(k >= 3, "a ring has three vertices or more");
   for (std::size_t m = 0; m < k; ++m) {
@@ -71,7 +71,7 @@ void InnerVerification::check_disk(const InnerStep& step) {
 
 // The new triangles are the part of the hull of the rest that v was beyond: v lies on or beyond
 // each of them, the ring on or inside of each, and so does what lies across the rim.
-void InnerVerification::check_signs(const InnerStep& step) const {
+void InnerVerification::check_signs(const Step& step) const {
   const std::size_t k = step.ring.size();
   for (const VertexTriangle& t : step.triangles) {
     require(determinants_.side(t[0].index(), t[1].index(), t[2].index(), step.removed.index()) !=
@@ -91,7 +91,7 @@ void InnerVerification::check_signs(const InnerStep& step) const {
   }
 }
 
-void InnerVerification::replace(const InnerStep& step) {
+void InnerVerification::replace(const Step& step) {
   const std::size_t k = step.ring.size();
   for (std::size_t m = 0; m < k; ++m) {
     surface_.remove({step.removed, step.ring[m], step.ring[(m + 1) % k]});
@@ -113,7 +113,7 @@ void InnerVerification::replace(const InnerStep& step) {
 
 // Every edge of the whole surface is convex or flat, and the cost is the volume before less that
 // after, both from scratch.
-void InnerVerification::check_whole(const InnerStep& step) {
+void InnerVerification::check_whole(const Step& step) {
   const std::vector<VertexTriangle> triangles = surface_.triangles();
   require(triangles.size() == 2 * step.left - 4, "the surface is a sphere");
   for (const VertexTriangle& t : triangles) {
@@ -123,13 +123,14 @@ void InnerVerification::check_whole(const InnerStep& step) {
     }
   }
   const Integer after = determinants_.six_volumes(triangles);
-  require(after > 0 && step.cost &&
-              determinants_.volume(six_volumes_) - *step.cost == determinants_.volume(after),
-          "the volume after is the volume before less the cost");
+  require(
+      after > 0 && step.cost &&
+          determinants_.volume(six_volumes_) - step.cost->rational() == determinants_.volume(after),
+      "the volume after is the volume before less the cost");
   six_volumes_ = after;
 }
 
-void InnerVerification::check(const InnerStep& step) {
+void InnerVerification::check(const Step& step) {
   ++number_;
   check_disk(step);
   check_signs(step);
@@ -151,7 +152,7 @@ void verify_inner_run(const VertexHull& hull, const InnerRun& run, VerifyLevel l
   if (level == VerifyLevel::None) return;
   const Watch watch(stop);
   InnerVerification verification(hull, level);
-  for (const InnerStep& step : run.steps) {
+  for (const Step& step : run.steps) {
     watch.ask();
     verification.check(step);
   }

@@ -7,9 +7,14 @@
 #include "convexact/error.hpp"
 
 namespace convexact {
-namespace {
 
-// Positions below `size` that are not removed, ascending.
+std::vector<HalfspaceId> removed_in(const Run& run, std::size_t count) {
+  CONVEXACT_ASSERT(count <= run.steps.size());
+  std::vector<HalfspaceId> removed;
+  for (std::size_t s = 0; s < count; ++s) removed.push_back(run.steps[s].removed);
+  return removed;
+}
+
 std::vector<HalfspaceId> all_but(std::span<const HalfspaceId> removed, std::size_t size) {
   std::vector<bool> is_gone(size, false);
   for (const HalfspaceId id : removed) is_gone[id.index()] = true;
@@ -18,15 +23,6 @@ std::vector<HalfspaceId> all_but(std::span<const HalfspaceId> removed, std::size
     if (!is_gone[i]) left.emplace_back(i);
   }
   return left;
-}
-
-}  // namespace
-
-std::vector<HalfspaceId> removed_in(const Run& run, std::size_t count) {
-  CONVEXACT_ASSERT(count <= run.steps.size());
-  std::vector<HalfspaceId> removed;
-  for (std::size_t s = 0; s < count; ++s) removed.push_back(run.steps[s].removed);
-  return removed;
 }
 
 std::vector<HalfspaceId> survivors(const Run& run, std::size_t count) {

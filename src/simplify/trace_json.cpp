@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "simplify/trace_json.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "convexact/error.hpp"
@@ -9,17 +8,12 @@
 #include "io/json.hpp"
 #include "number/precision.hpp"
 #include "simplify/run_names.hpp"
+#include "simplify/tie_report.hpp"
 
 namespace convexact {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json to_json(const std::vector<HalfspaceId>& ids) {
-  ordered_json list = ordered_json::array();
-  for (const HalfspaceId id : ids) list.push_back(id.value);
-  return list;
-}
 
 // The number without loss: a fraction, or the terms of a sum.
 void add_exactly(ordered_json& object, const Cost& cost) {
@@ -48,12 +42,10 @@ void add_exactly(ordered_json& object, const Cost& cost) {
 }  // namespace
 
 ordered_json cost_json(const Cost& cost) {
-  constexpr int kCertainDigits = 17;
   const Rational near =
       cost.measure() == CostMeasure::Volume ? cost.rational() : cost.enclose(kMeasureBits).low();
   const double value = to_double(near, Rounding::Nearest);
-  ordered_json object = {{"value", std::isfinite(value) ? ordered_json(value) : ordered_json()},
-                         {"decimal", cost.decimal(kCertainDigits)}};
+  ordered_json object = {{"value", value_or_null(value)}, {"decimal", cost.decimal(kDigits)}};
   add_exactly(object, cost);
   return object;
 }
@@ -130,16 +122,11 @@ std::optional<Cost> cost_in_json(const nlohmann::json& object, CostMeasure measu
 
 namespace {
 
-ordered_json to_json(const Step& step) {
-  ordered_json triangles = ordered_json::array();
-  for (const auto& [a, b, c] : step.triangles) triangles.push_back({a.value, b.value, c.value});
+ordered_json step_json(const Step& step) {
   ordered_json object = {
-      {"removed", step.removed.value},     {"cost", cost_json(step.cost.value())},
-      {"tie", to_json(step.tie)},          {"ring", to_json(step.ring)},
-      {"triangles", std::move(triangles)}, {"left", step.left}};
-  const TieEvidence& evidence = step.tie_evidence;
-  if (evidence.proof) object["tie_proof"] = name_of(*evidence.proof);
-  if (evidence.proof == TieProof::Undecided) object["bits"] = evidence.bits;
+      {"removed", step.removed}, {"cost", cost_json(step.cost.value())}, {"tie", step.tie},
+      {"ring", step.ring},       {"triangles", step.triangles},          {"left", step.left}};
+  object.update(tie_json(step.tie_evidence));
   return object;
 }
 
@@ -148,8 +135,8 @@ ordered_json to_json(const Step& step) {
 ordered_json moves_json(const std::vector<Move>& moves) {
   ordered_json list = ordered_json::array();
   for (const Move& move : moves) {
-    list.push_back({{"removed", to_json(move.removed)},
-                    {"inserted", to_json(move.inserted)},
+    list.push_back({{"removed", move.removed},
+                    {"inserted", move.inserted},
                     {"measure", cost_json(move.measure.value())}});
   }
   return list;
@@ -158,14 +145,28 @@ ordered_json moves_json(const std::vector<Move>& moves) {
 std::string write_trace_json(const Run& run) {
   ordered_json halfspaces = ordered_json::array(), steps = ordered_json::array();
   for (const Halfspace& halfspace : run.halfspaces) halfspaces.push_back(plane_json(halfspace));
-  for (const Step& step : run.steps) steps.push_back(to_json(step));
+  for (const Step& step : run.steps) steps.push_back(step_json(step));
   ordered_json document = {{"version", kTraceVersion},
                            {"measure", name_of(run.measure)},
                            {"halfspaces", std::move(halfspaces)},
                            {"steps", std::move(steps)},
                            {"stop", name_of(run.stop)}};
-  if (!run.kept.empty()) document["kept"] = to_json(run.kept);
+  if (!run.kept.empty()) document["kept"] = run.kept;
   if (!run.moves.empty()) document["moves"] = moves_json(run.moves);
+  return write_json(document) + "\n";
+}
+
+std::string write_inner_trace_json(const VertexHull& start, const InnerRun& run) {
+  ordered_json vertices = ordered_json::array(), steps = vertices;
+  for (std::size_t v = 0; v < start.ids.size(); ++v) {
+    vertices.push_back({{"point", start.ids[v]}, {"at", vector_json(start.points[PointId(v)])}});
+  }
+  for (const Step& step : run.steps) steps.push_back(step_json(step));
+  const ordered_json document = {{"inner_trace", 1},
+                                 {"vertices", std::move(vertices)},
+                                 {"triangles", start.triangles},
+                                 {"steps", std::move(steps)},
+                                 {"stop", name_of(run.stop)}};
   return write_json(document) + "\n";
 }
 

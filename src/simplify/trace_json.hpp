@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "convexact/cost.hpp"
+#include "convexact/inner_run.hpp"
 #include "convexact/run.hpp"
 
 namespace convexact {
@@ -31,5 +32,9 @@ inline constexpr int kTraceVersion = 2;
 /// "edges": [["factor", "squared length", "squared cross product", "dot product"], ...].
 /// Precondition: each step has its cost, and each move its measure.
 [[nodiscard]] std::string write_trace_json(const Run& run);
+
+/// The same of an inner run, as docs/schema/inner-trace.schema.json describes it. Coordinates are
+/// strings, p or p/q. Precondition: each step has its cost.
+[[nodiscard]] std::string write_inner_trace_json(const VertexHull& start, const InnerRun& run);
 
 }  // namespace convexact

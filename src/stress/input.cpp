@@ -120,17 +120,19 @@ StressFamily sweep(const std::string& name, const std::string& parameter, Values
   const std::ptrdiff_t swept = index_of(family, parameter);
   const std::ptrdiff_t points = name == "cube-symmetric" ? -1 : index_of(family, "points");
   if (values.empty()) values = {0};
-  return {name,
-          std::string(family.description),
-          parameter,
-          std::move(values),
-          std::move(large),
-          [&family, swept, points](double value, std::uint32_t count, std::uint64_t seed) -> Shape {
-            std::vector<double> v = shapes::usual_values(family);
-            if (points >= 0) v[static_cast<std::size_t>(points)] = count;
-            if (swept >= 0) v[static_cast<std::size_t>(swept)] = value;
-            return PointSet(shapes::generate(family, v, seed));
-          }};
+  const auto make = [&family, swept, points](double value, std::uint32_t count,
+                                             std::uint64_t seed) -> Shape {
+    std::vector<double> v = shapes::usual_values(family);
+    if (points >= 0) v[static_cast<std::size_t>(points)] = count;
+    if (swept >= 0) v[static_cast<std::size_t>(swept)] = value;
+    return PointSet(shapes::generate(family, v, seed));
+  };
+  return {.name = name,
+          .description = std::string(family.description),
+          .parameter = parameter,
+          .values = std::move(values),
+          .large_values = std::move(large),
+          .make = make};
 }
 
 Values powers_of_two(std::initializer_list<int> exponents) {
@@ -289,7 +291,12 @@ std::vector<StressInput> inputs_of(const StressFamily& family, const SweepOption
       const auto make = [make = family.make, value, points = options.points, seed] {
         return make(value, points, seed);
       };
-      inputs.push_back({family.name, family.parameter, value, seed, options.faces, make});
+      inputs.push_back({.family = family.name,
+                        .parameter = family.parameter,
+                        .value = value,
+                        .seed = seed,
+                        .faces = options.faces,
+                        .make = make});
       if (!options.values.empty() && k == 0) (void)make();  // whether the family takes the value
     }
   }

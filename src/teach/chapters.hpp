@@ -31,12 +31,6 @@ class LeftOutParts {
   nlohmann::ordered_json list_ = nlohmann::ordered_json::array();
 };
 
-/// Corners of a triangle of either kind.
-template <class Id>
-nlohmann::ordered_json triangle_json(const std::array<Id, 3>& t) {
-  return {t[0].index(), t[1].index(), t[2].index()};
-}
-
 /// Integers of a dual point: n1, n2, n3, w.
 [[nodiscard]] nlohmann::ordered_json dual_point_json(const DualPoint& point);
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/json.hpp"
+#include "number/text.hpp"
 #include "report/page_parts.hpp"
 #include "teach/lesson_parts.hpp"
 
@@ -11,12 +12,11 @@ namespace convexact {
 
 std::string lesson_page(std::string_view name, const nlohmann::ordered_json& lesson) {
   std::string script;
-  for (const std::string_view part :
-       {kRationalScript, kPaneScript, kRecordScript, kChaptersScript, kRemovalsScript,
-        kStoringScript, kLessonScript}) {
+  for (const std::string_view part : {kRationalScript, kPaneScript, kRecordScript, kChaptersScript,
+                                      kRemovalsScript, kStoringScript, kLessonScript}) {
     script += part;
   }
-  return fill_page(kLessonPage, {{"TITLE", escaped_html(as_utf8(std::string(name)))},
+  return fill_page(kLessonPage, {{"TITLE", escaped_markup(as_utf8(std::string(name)))},
                                  {"STYLE", kLessonStyle},
                                  {"DATA", for_script_element(write_json(lesson))},
                                  {"SCRIPT", script}});

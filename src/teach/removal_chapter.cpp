@@ -10,16 +10,7 @@
 
 namespace convexact {
 namespace {
-
 using nlohmann::ordered_json;
-
-template <class Triangles>
-ordered_json triangles_json(const Triangles& triangles) {
-  ordered_json list = ordered_json::array();
-  for (const DualTriangle& t : triangles) list.push_back(triangle_json(t));
-  return list;
-}
-
 }  // namespace
 
 ordered_json dual_point_json(const DualPoint& point) {
@@ -56,9 +47,7 @@ void RemovalRecorder::started(const DualTriangle& first) {
 
 void RemovalRecorder::inserted(HalfspaceId corner, std::span<const DualTriangle> lost,
                                std::span<const DualTriangle> gained) {
-  current_.insertions.push_back({{"corner", corner.index()},
-                                 {"lost", triangles_json(lost)},
-                                 {"gained", triangles_json(gained)}});
+  current_.insertions.push_back({{"corner", corner}, {"lost", lost}, {"gained", gained}});
 }
 
 void RemovalRecorder::evaluated(std::size_t step, const Removal& removal) {
@@ -91,7 +80,7 @@ void RemovalRecorder::checked(const TestedCondition& check) {
   checks.push_back(
       {{"check", check.name},
        {"holds", check.holds},
-       {"triangle", check.triangle ? triangle_json(*check.triangle) : ordered_json(nullptr)},
+       {"triangle", or_null(check.triangle)},
        {"plane", or_null(check.plane)},
        {"value", check.value ? ordered_json(to_string(*check.value)) : ordered_json(nullptr)},
        {"wants", check.wants ? ordered_json(check.wants) : ordered_json(nullptr)}});
@@ -139,7 +128,7 @@ void RemovalRecorder::begin() {
   }
   topology = {{"step", steps_},
               {"present", present()},
-              {"triangles", triangles_json(triangles)},
+              {"triangles", triangles},
               {"vertices", std::move(vertices)},
               {"vertex_of", std::move(vertex_of)},
               {"volume", volume_}};
@@ -153,9 +142,9 @@ void RemovalRecorder::begin() {
 
 ordered_json RemovalRecorder::evaluation_json(const Seen& seen) const {
   return {{"step", seen.step},
-          {"halfspace", seen.removal.removed.index()},
+          {"halfspace", seen.removal.removed},
           {"ring", seen.removal.ring},
-          {"triangles", triangles_json(seen.removal.roof.triangles)},
+          {"triangles", seen.removal.roof.triangles},
           {"cost", cost_or_null(seen.removal.cost)},
           {"others", others_of(seen.removal)}};
 }
@@ -180,21 +169,21 @@ ordered_json RemovalRecorder::removal_json(const Step& step) {
   const std::size_t k = step.ring.size();
   const Cap cap = make_cap(points_, step.removed, step.ring, roof);
   ordered_json entry = {{"step", steps_ + 1},
-                        {"removed", step.removed.index()},
+                        {"removed", step.removed},
                         {"cost", cost_or_null(step.cost)},
                         {"others", others_of(seen.removal)},
                         {"tie", step.tie}};
   if (step.tie_evidence.proof) entry["tie_proof"] = name_of(*step.tie_evidence.proof);
   entry["left"] = step.left;
   entry["ring"] = step.ring;
-  entry["first"] = triangle_json(seen.first);
+  entry["first"] = seen.first;
   entry["insertions"] = seen.insertions;
 
   ordered_json triangles = ordered_json::array(), base = ordered_json::array();
   for (std::size_t t = 0; t < roof.triangles.size(); ++t) {
     const DualPlane& plane = roof.planes[t];
     triangles.push_back(
-        {{"corners", triangle_json(roof.triangles[t])},
+        {{"corners", roof.triangles[t]},
          {"x", {to_string(plane.x[0]), to_string(plane.x[1]), to_string(plane.x[2])}},
          {"d", to_string(plane.d)},
          {"height", to_string(height(plane, points_[step.removed.index()]))},

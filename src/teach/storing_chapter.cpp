@@ -36,9 +36,6 @@ Support support_of(const RationalVector3& direction, const Solid& solid) {
   return support;
 }
 
-// Growths are upper bounds and may be infinite, which JSON does not know.
-ordered_json bound_json(double x) { return std::isfinite(x) ? ordered_json(x) : nullptr; }
-
 ordered_json planes_chapter(const Polytope& exact, std::span<const HalfspaceId> ids,
                             const Solid& solid, Precision precision) {
   const StoredPlanes stored = store_planes(exact, solid.points, solid.extreme, precision);
@@ -76,8 +73,8 @@ ordered_json planes_chapter(const Polytope& exact, std::span<const HalfspaceId> 
   return {{"precision", precision == Precision::Binary64 ? "binary64" : "binary32"},
           {"planes", std::move(planes)},
           {"naive_outside", count_outside(naive_planes, solid.points)},
-          {"push", bound_json(stored.growth.push)},
-          {"volume_ratio", bound_json(stored.growth.volume_ratio)}};
+          {"push", value_or_null(stored.growth.push)},
+          {"volume_ratio", value_or_null(stored.growth.volume_ratio)}};
 }
 
 ordered_json mesh_part(const Polytope& exact, const Solid& solid, Precision precision) {
@@ -88,8 +85,8 @@ ordered_json mesh_part(const Polytope& exact, const Solid& solid, Precision prec
     for (int k = 0; k < 3; ++k) p[k] = round_to(precision, v[k], Rounding::Nearest);
   }
   return {{"naive_outside", count_outside_hull(PointSet(std::move(rounded)), solid.points)},
-          {"push", bound_json(stored.growth.push)},
-          {"volume_ratio", bound_json(stored.growth.volume_ratio)}};
+          {"push", value_or_null(stored.growth.push)},
+          {"volume_ratio", value_or_null(stored.growth.volume_ratio)}};
 }
 
 }  // namespace

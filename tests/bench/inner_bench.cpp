@@ -13,14 +13,14 @@ using namespace convexact;
 
 namespace {
 
-void inner(benchmark::State& state, const std::vector<Point>& points, bool with_costs) {
+void inner(benchmark::State& state, const std::vector<Point>& points, bool costs) {
   const PointSet set(points);
   const VertexHull start = vertex_hull(std::get<Hull>(convex_hull(set)), set);
   InnerRun run;
   for (auto _ : state) {
     run = simplify_inner_filtered(start);
     verify_inner_run(start, run, VerifyLevel::Local);
-    if (with_costs) add_costs(start, run);
+    if (costs) run = with_costs(start, std::move(run));
   }
   state.counters["removals"] = static_cast<double>(run.steps.size());
 }

@@ -25,8 +25,8 @@ using Removed = std::vector<std::pair<RationalPoint, Rational>>;
 Removed removed_by(const std::vector<Point>& points, std::uint64_t seed = 1) {
   const VertexHull start = inner_runs::start_of(PointSet(points), seed).value();
   Removed removed;
-  for (const InnerStep& step : inner_runs::filtered_run(start, {.seed = seed}).steps) {
-    removed.emplace_back(start.points[PointId(step.removed.index())], step.cost.value());
+  for (const Step& step : inner_runs::filtered_run(start, {.seed = seed}).steps) {
+    removed.emplace_back(start.points[PointId(step.removed.index())], step.cost.value().rational());
   }
   return removed;
 }

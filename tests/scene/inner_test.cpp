@@ -42,12 +42,11 @@ constexpr std::array<std::size_t, 7> kCounts{100, 50, 32, 18, 12, 8, 4};
 // The shares of the volume that are left with so many vertices; 0 where the hull has fewer.
 std::array<double, 7> shares(const VertexHull& start) {
   const Rational whole = inner_runs::volume_of(start.points);
-  InnerRun run = simplify_inner_filtered(start);
-  add_costs(start, run);
+  const InnerRun run = with_costs(start, simplify_inner_filtered(start));
   std::array<double, 7> found{};
   Rational left = whole;
-  for (const InnerStep& step : run.steps) {
-    left -= *step.cost;
+  for (const Step& step : run.steps) {
+    left -= step.cost->rational();
     const auto place = std::find(kCounts.begin(), kCounts.end(), step.left);
     if (place == kCounts.end()) continue;
     found[static_cast<std::size_t>(place - kCounts.begin())] =
@@ -173,7 +172,7 @@ TEST_CASE("simplify_inner: exact costs only where they are asked for, and then o
   const PointSet points(shapes::in_ball(100, 5));
   const auto lost = [](const InnerResult& result) {
     Rational sum = 0;
-    for (const InnerStep& step : result.run.steps) sum += step.cost.value();
+    for (const Step& step : result.run.steps) sum += step.cost.value().rational();
     return sum;
   };
   for (const InnerRequest& request : {InnerRequest{.vertices = 8, .costs = true},
@@ -183,7 +182,7 @@ TEST_CASE("simplify_inner: exact costs only where they are asked for, and then o
     CHECK(lost(result) == *result.input_volume.exact - *result.output_volume.exact);
   }
   const InnerResult lean = inner(points, {.vertices = 8});
-  for (const InnerStep& step : lean.run.steps) CHECK_FALSE(step.cost.has_value());
+  for (const Step& step : lean.run.steps) CHECK_FALSE(step.cost.has_value());
   CHECK(std::any_of(lean.stages.begin(), lean.stages.end(), [](const Stage& stage) {
     return stage.name == "costs" && !stage.skipped.empty();
   }));

@@ -44,7 +44,7 @@ inline Rational volume_without(const VertexHull& start, const std::vector<Vertex
 inline void check_against_definition(const VertexHull& start, const InnerRun& run) {
   std::vector<VertexId> left = vertices_left({}, start.points.size());
   Rational before = volume_without(start, left, {});
-  for (const InnerStep& step : run.steps) {
+  for (const Step& step : run.steps) {
     CAPTURE(step.left);
     std::vector<VertexId> tie;
     Rational least = before;
@@ -54,7 +54,7 @@ inline void check_against_definition(const VertexHull& start, const InnerRun& ru
       if (cost <= least) tie.push_back(v);
       if (cost < least) least = cost;
     }
-    REQUIRE(step.cost.value() == least);
+    REQUIRE(step.cost.value().rational() == least);
     REQUIRE(step.tie == tie);
     REQUIRE(step.removed == tie.front());
     std::erase(left, step.removed);
@@ -71,8 +71,7 @@ inline InnerRun exact_run(const VertexHull& start, const InnerOptions& options =
 }
 
 inline InnerRun filtered_run(const VertexHull& start, const InnerOptions& options = {}) {
-  InnerRun run = simplify_inner_filtered(start, options);
-  add_costs(start, run);
+  InnerRun run = with_costs(start, simplify_inner_filtered(start, options));
   verify_inner_run(start, run, VerifyLevel::Local);
   return run;
 }
