@@ -168,13 +168,13 @@ using ChebyshevOutcome = std::variant<ChebyshevCenter, UnboundedRadius, FlatProo
 
 // ---- Watching rows being inserted
 
-/// A point at infinity or not: x + M direction for every M that is large enough.
+/// A point, possibly at infinity: x + M direction for every M that is large enough.
 struct LpPoint {
   RationalVector x;
   RationalVector direction;  ///< Zero: the point is x.
 };
 
-/// What one constraint does to the optimum of those before it.
+/// The effect of one constraint on the optimum of those before it.
 struct LpInsertion {
   std::size_t row;
   bool moved;  ///< Whether the constraint cut the old optimum off.

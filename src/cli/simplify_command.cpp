@@ -93,7 +93,7 @@ SimplifyRequest request_of(const SimplifyArguments& options) {
 
 using FoundSolids = std::vector<FoundObject<SimplifyResult>>;
 
-/// Of all objects of a scene together.
+/// The results for all objects of a scene together.
 struct FoundTotals {
   SceneTotals totals;
   Gaps gaps;

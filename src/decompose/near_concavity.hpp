@@ -30,8 +30,8 @@ class NearConcavity {
 
   /// 2^exponent() times a length here is that length in units of the surface.
   [[nodiscard]] long exponent() const { return exponent_; }
-  /// The points, in these units: exact, but for what is below 2^-1074 here, and unless the
-  /// surface's are fractions.
+  /// The points, in these units: exact, except for parts below 2^-1074 in these units, and unless
+  /// the surface's points are fractions.
   [[nodiscard]] std::span<const Point> points() const { return points_; }
 
   /// A cluster of some triangles.
@@ -43,8 +43,8 @@ class NearConcavity {
 
   /// The exact concavity: the same as ExactConcavity, but without triangles that are certain to
   /// have shorter rays.
-  /// @param cluster  Of these triangles, which ascend, as made here. Its bounds become as narrow as
-  ///                 doubles allow.
+  /// @param cluster  The cluster of these triangles, which ascend, as made here. Its bounds become
+  ///                 as narrow as doubles allow.
   [[nodiscard]] Concavity exact(NearCluster& cluster, std::span<const TriangleId> triangles,
                                 const Watch& watch = {}) const;
   /// Its square alone.

@@ -14,10 +14,10 @@
 
 namespace convexact {
 
-/// How often which arithmetic was needed.
+/// How often each arithmetic was needed.
 struct InnerCounts {
   std::uint64_t signs = 0;        ///< Decided by doubles.
-  std::uint64_t exact_signs = 0;  ///< Not so.
+  std::uint64_t exact_signs = 0;  ///< Decided by exact numbers.
   std::uint64_t evaluations = 0;  ///< Costs enclosed by doubles.
   std::uint64_t exact_costs = 0;  ///< Costs computed in integers.
 };
@@ -31,7 +31,7 @@ struct InnerCounts {
                                                const InnerOptions& options = {},
                                                InnerCounts* counts = nullptr);
 
-/// What the hull loses with a vertex: the ring, the triangles that close it, and bounds of the sum
+/// The loss of the hull with a vertex: the ring, the triangles that close it, and bounds of the sum
 /// of the tetrahedra between these and the vertex.
 class FilteredLoss {
  public:
@@ -40,7 +40,8 @@ class FilteredLoss {
                InnerCounts& counts)
       : near_(near), mesh_(mesh), seed_(seed), counts_(counts) {}
 
-  /// One tetrahedron: it is lost, too, if another vertex went before, unless that is named here.
+  /// One tetrahedron. It is also lost if another vertex was removed before, unless that vertex is
+  /// named here.
   struct Term {
     VertexId a, b, c;
     double lower;  ///< Of six times its volume.
@@ -50,7 +51,7 @@ class FilteredLoss {
   void prepare(VertexId v);
   const OneRing& ring() const { return ring_; }
   const std::vector<RingTriangle>& triangles() const { return triangles_; }
-  /// Of the prepared vertex, from doubles: six times the volume, in units of NearVertices.
+  /// Bounds for the prepared vertex, from doubles: six times the volume, in units of NearVertices.
   /// @param terms  Receives the lower ends of the terms.
   Interval<double> bounds(std::vector<Term>& terms);
   /// The same, exactly, in units of NearVertices::exact().
@@ -76,7 +77,7 @@ class FilteredLoss {
 
 /// The queue holds for each vertex a lower bound of its cost. When its ring changes, the entry is
 /// *stale*, and evaluated again only when it comes near the top. Costs may fall, so the old bound
-/// is of no use; but the terms that do not name the removed vertex are lost all the same, and their
+/// is of no use; but the terms that do not name the removed vertex are lost in any case, and their
 /// sum is the key of a stale entry.
 class InnerLoop {
  public:

@@ -21,7 +21,7 @@ namespace convexact {
 /// and, if there is a longer arithmetic for the caps that this one does not find bounded,
 ///   Longer                              such a type, without a Longer of its own
 ///   const Longer& longer()
-/// and, if the run is to know its own error (FastResult::bound),
+/// and, if the run is to bound its error (FastResult::bound),
 ///   const DualSigns& signs()            decides where a sign of T is uncertain in this arithmetic
 /// These two are the engine's own.
 struct DoubleDoubles {
@@ -55,8 +55,7 @@ concept HasSigns = requires(const Arithmetic& arithmetic) {
   { arithmetic.signs() } -> std::convertible_to<const DualSigns&>;
 };
 
-/// The cap of one dual point: ring, triangulation T and volume. Signs of H are taken as they come
-/// out.
+/// The cap of one dual point: ring, triangulation T and volume. Signs of H are taken as computed.
 template <class Arithmetic>
 class FloatCap {
  public:
@@ -75,7 +74,7 @@ class FloatCap {
   }
   /// Whether T, as it was made last, has only right signs; true if the arithmetic has no signs().
   bool is_right() const { return is_right_; }
-  /// Of the cap read last, with T as it was made.
+  /// The estimate for the cap read last, with T as it was made.
   CostEstimate<Scalar> estimate(const std::vector<RingTriangle>& triangles) {
     return cost_.estimate(geometry_, triangles, arithmetic_.unit());
   }

@@ -16,7 +16,7 @@ namespace {
 
 using CellIndex = std::array<std::uint32_t, 3>;
 
-// What is proven about a cell: f > L rho or f < -L rho at its center, or neither.
+// The proven facts about a cell: f > L rho or f < -L rho at its center, or neither.
 enum class CellPlace { Outside, Inside, Kept, Undecided };
 
 [[noreturn]] void refuse_box(const std::string& message) {
@@ -76,7 +76,7 @@ class Octree {
   Octree(const ImplicitShape& shape, const ImplicitBox& box, const Watch& watch)
       : shape_(shape), box_(box), watch_(watch) {}
 
-  // One level: of the children of the cells that the last one kept.
+  // One level: those kept of the children of the cells that the last level kept.
   std::vector<CellIndex> next_level(const std::vector<CellIndex>& parents, std::size_t level,
                                     bool is_last, ImplicitCells::Level& counts) {
     set_level(level);

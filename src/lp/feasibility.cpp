@@ -201,7 +201,7 @@ NormEnclosure enclose_norm(const IntegerVector3& n) {
 
 ChebyshevOutcome chebyshev_center(std::span<const Halfspace> halfspaces, const LpOptions& options) {
   // (1) The ball about x lies in a halfspace iff n.x + d + |n| r <= 0. With U >= |n| in its place
-  //     the constraint is stricter, so every solution stands.
+  //     the constraint is stricter, so every solution stays valid.
   std::vector<Rational> upper_norms, lower_norms;
   for (const Halfspace& halfspace : halfspaces) {
     NormEnclosure norm = enclose_norm(halfspace.normal());

@@ -28,8 +28,9 @@ struct DiffRequest {
   std::vector<Engine> engines = {Engine::Exact, Engine::Filtered, Engine::Float};
   CostMeasure cost = CostMeasure::Volume;  ///< The measure that the runs keep small.
   CompareLimits compare = {};              ///< Of mean widths, by the engines and the judge.
-  std::uint64_t seed = 1;                  ///< Of every random order. The answer is the same.
-  StageWatch watch = {};  ///< Removals are told as the progress of each engine's stage.
+  std::uint64_t seed = 1;                  ///< Of every random order. The answer does not depend on
+                                           ///< it.
+  StageWatch watch = {};  ///< Reports removals as the progress of each engine's stage.
 };
 
 /// One engine against the reference.
@@ -41,7 +42,7 @@ struct Comparison {
   Engine reference, other;
   /// Ascending by step; empty if the runs are the same, step by step. The first is where the runs
   /// differ. In the later ones, the choice of the engine that is not `float` is the removal of the
-  /// filtered engine in that state, since its own run has reached another one.
+  /// filtered engine in that state, since the separate run of that engine has reached another one.
   std::vector<Divergence> divergences = {};
   bool explained = true;      ///< Whether each of them is (is_explained()).
   std::size_t judged = 0;     ///< Steps that were compared or judged, from the first one on.
@@ -55,7 +56,7 @@ struct Comparison {
 struct DiffReport {
   CostMeasure cost = CostMeasure::Volume;  ///< Of all runs.
   std::vector<Halfspace> halfspaces;       ///< Of the input, in canonical order; ids are positions.
-  std::vector<HalfspaceId> kept;           ///< What no run removes.
+  std::vector<HalfspaceId> kept;           ///< The facets that no run removes.
   std::vector<Engine> engines;             ///< In the order asked for.
   std::vector<Run> runs;                   ///< Of each of these engines.
   std::vector<Comparison> comparisons;

@@ -23,7 +23,7 @@ namespace convexact {
 struct NearestFacet {
   HalfspaceId facet;
   Rational squared_distance;  ///< From the plane to the farthest corner of the facet, squared.
-  Rational squared_limit;     ///< What rounding explains of it, squared.
+  Rational squared_limit;     ///< The distance that rounding explains, squared.
 
   bool is_explained() const { return squared_distance <= squared_limit; }
 };
@@ -40,9 +40,9 @@ class NamedFacets {
     return listed.index() < ids_.size() ? ids_[listed.index()] : std::nullopt;
   }
   const ListedPlanes& listed() const { return listed_; }
-  /// How many of these facets no plane of the list is; 0 if the order has no list of its own.
+  /// How many of these facets are not in the list; 0 if the order has no separate list.
   std::size_t count_unlisted(const std::vector<HalfspaceId>& facets) const;
-  /// What a removal names that is no facet, and what was expected, in words.
+  /// The name in a removal that is no facet, and what was expected, in words.
   std::string found(const OrderedStep& removal) const;
   std::string expected(const OrderedStep& removal) const;
 

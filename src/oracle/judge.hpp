@@ -74,9 +74,10 @@ struct Input {
   Rational squared_diameter;
 };
 
-/// What a readable candidate stands for.
+/// The set that a readable candidate stands for.
 struct CandidateSet {
-  /// The set is where all of these hold. Of a flat mesh: the planes that hold it, both sides.
+  /// The set is where all of these hold. For a flat mesh: the planes that hold it, both sides of
+  /// each.
   std::vector<Halfspace> planes;
   bool is_empty = false;             ///< No point at all: a mesh without points, or 0 <= -1.
   std::optional<Hull> hull;          ///< Of a mesh that spans a volume.
@@ -92,7 +93,7 @@ class Trial : public ClaimSheet {
   Trial(const Input& input, const Candidate& candidate, const VerifyRequest& request,
         StageLog& log);
 
-  /// The candidate, if it is that.
+  /// The candidate, if it is a mesh.
   const Mesh* mesh() const { return std::get_if<Mesh>(&candidate); }
   const HalfspaceList* list() const { return std::get_if<HalfspaceList>(&candidate); }
   const std::atomic<bool>* stop() const { return log.watch().stop; }
@@ -107,15 +108,15 @@ class Trial : public ClaimSheet {
   Verdict verdict;
 };
 
-/// The number that a budget allows, which may not be given; nullptr for other claims.
+/// The number that a budget allows, which may be unset; nullptr for other claims.
 [[nodiscard]] const std::optional<std::size_t>* budget_of(const VerifyRequest& request,
                                                           ClaimCode code);
 
-// The parts, in their order. Each takes what the ones before it found.
+// The parts, in their order. Each uses the results of those before it.
 
 /// Readable, finite: from the error of the reader. Returns whether there is anything to judge.
 bool judge_reading(Trial& trial);
-/// Solid, bounded: what set the candidate is.
+/// Solid, bounded: the kind of set that the candidate is.
 void judge_set(Trial& trial);
 /// Closed, oriented, planar, convex.
 void judge_faces(Trial& trial);
@@ -123,7 +124,7 @@ void judge_faces(Trial& trial);
 void find_facets_as_meant(Trial& trial);
 /// Contains the input. Where it does not, the candidate's polytope is found, to measure how far.
 void judge_containment(Trial& trial);
-/// Of an inner solid: no vertex lies outside of the input's hull.
+/// For an inner solid: no vertex lies outside of the input's hull.
 void judge_inside_input(Trial& trial);
 /// The three budgets.
 void judge_budgets(Trial& trial);

@@ -20,7 +20,7 @@ std::string id_text(HalfspaceId id) { return std::to_string(id.index()); }
 class TraceJudge {
  public:
   /// Why an order is followed: for the verdict; to collect the facets that it never removes and
-  /// that make it too dear, each of which goes as soon as it is found; or for a rating only.
+  /// that make it too dear, each of which is removed as soon as it is found; or for a rating only.
   enum class Purpose { Verdict, Collect, Rate };
 
   TraceJudge(const DualHull& dual, const RationalPoint& center, const RemovalOrder& order,
@@ -152,14 +152,14 @@ void TraceJudge::remove_unlisted(HalfspaceId id) {
   verdict_.left_out.push_back(id);
 }
 
-// Whether a step is too dear, and a facet that the order never removes is as cheap as can be.
+// Whether a step is too dear, and a facet that the order never removes is one of the cheapest.
 bool TraceJudge::is_blamed(const JudgedStep& judged) const {
   if (judged.is_within.value_or(true)) return false;
   return std::any_of(judged.tie.begin(), judged.tie.end(),
                      [&](HalfspaceId i) { return !is_removed_[i.index()]; });
 }
 
-// The order twice more: to collect the facets, and on the solid without them.
+// Follows the order twice more: to collect the facets, and on the solid without them.
 std::optional<LeftOut> TraceJudge::find_never_removed() const {
   const auto& steps = verdict_.steps;
   if (std::none_of(steps.begin(), steps.end(), [&](auto& step) { return is_blamed(step); })) {
@@ -170,7 +170,7 @@ std::optional<LeftOut> TraceJudge::find_never_removed() const {
   LeftOut found;
   const auto first = without.left_out.begin() + std::ptrdiff_t(verdict_.left_out.size());
   found.facets.assign(first, without.left_out.end());
-  if (found.facets.empty()) return std::nullopt;  // only level with one that is removed later
+  if (found.facets.empty()) return std::nullopt;  // only tied with one that is removed later
   std::sort(found.facets.begin(), found.facets.end());
   const TraceVerdict others = TraceJudge(dual_, center_, order_, without, Purpose::Rate).run();
   const auto is_found = [&](HalfspaceId i) {
@@ -256,7 +256,7 @@ JudgedStep TraceJudge::judge(const OrderedStep& removal, HalfspaceId removed) {
   return judged;
 }
 
-// The removal against each one that may be the cheapest: what is proven against any of them counts.
+// Compares the removal with each one that may be the cheapest: a proof against any of them counts.
 void TraceJudge::judge_open_tie(JudgedStep& judged) {
   judged.regret = Rational(0);
   judged.is_within = true;

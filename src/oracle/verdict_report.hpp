@@ -23,7 +23,7 @@ namespace convexact {
 
 /// A line for each claim that was asked, and one with those that were not.
 [[nodiscard]] std::string claims_text(std::span<const Claim> claims);
-/// What the claims come to, as the last line of a table.
+/// The verdict that follows from the claims, as the last line of a table.
 [[nodiscard]] std::string verdict_line(std::span<const Claim> claims);
 /// A line of such a table.
 [[nodiscard]] std::string verdict_line(const char* label, const std::string& text);

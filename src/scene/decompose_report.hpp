@@ -54,7 +54,7 @@ struct DecomposedObject {
 /// What ended the run.
 [[nodiscard]] const char* stop_name(const Decomposition& decomposition);
 
-/// The root of an exact square, and a length as a percentage of the diameter; of a single point 0.
+/// The root of an exact square, and a length as a percentage of the diameter; 0 for a single point.
 [[nodiscard]] Enclosure enclosed_root_of(const Rational& square);
 [[nodiscard]] Enclosure percent_of(const Enclosure& length, const Rational& squared_diameter);
 
@@ -70,7 +70,8 @@ struct DecomposedObject {
 [[nodiscard]] std::string write_decompose_trace(const Decomposition& decomposition,
                                                 const DecomposeRequest& request);
 
-/// A few lines: the parts, whether the limit holds, what is covered, and what of the solid is not.
+/// A few lines: the parts, whether the limit holds, what is covered, and which volume of the solid
+/// is not.
 [[nodiscard]] std::string summary(const Decomposition& decomposition,
                                   const DecomposeRequest& request,
                                   std::span<const std::string> names);

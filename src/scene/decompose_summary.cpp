@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What people read of a decomposition.
+// The summary of a decomposition for people.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -156,7 +156,7 @@ std::string stored_line(const Decomposition& decomposition, Precision precision)
                                             fmt::join(forms, ", ")));
 }
 
-// What was done to the surface, and what of it may surprise.
+// The changes to the surface, and its properties that may be unexpected.
 std::string surface_notes(const Surface& surface) {
   std::size_t turned = 0, reversed = 0;
   for (const SurfaceComponent& component : surface.components) {

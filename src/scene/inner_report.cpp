@@ -31,8 +31,8 @@ std::string mesh_bytes(std::span<const NamedInner> results, MeshFormat format) {
   return write_mesh(joined(objects), format);
 }
 
-// The file's points are the vertices of the results, one result after another, bit for bit but for
-// the sign of zeros; and they lie in the exact hulls of the inputs.
+// The file's points are the vertices of the results, one result after another, bit for bit except
+// for the sign of zeros; and they lie in the exact hulls of the inputs.
 void prove_mesh(const std::string& bytes, const std::string& path, MeshFormat format,
                 std::span<const NamedInner> results) {
   const Mesh mesh = read_mesh_bytes(bytes, {.format = format});

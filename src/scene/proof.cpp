@@ -26,7 +26,7 @@ class ProofWriter : private CostTreeObserver, private ProofLines {
   std::string write(const std::optional<StoredPlanes>& stored);
 
  private:
-  // What is known of the removal of a halfspace.
+  // The data on the removal of a halfspace.
   struct Appraisal {
     RingTriangulation roof;
     std::optional<Cost> cost;
@@ -98,7 +98,7 @@ void ProofWriter::write_inside() {
   }
 }
 
-// What removing a halfspace does, from its ring and triangulation at that time.
+// The effect of removing a halfspace, from its ring and triangulation at that time.
 ProofWriter::Appraisal ProofWriter::appraise(const Evaluation& evaluation) const {
   Appraisal appraisal;
   RingTriangulation& roof = appraisal.roof;
@@ -106,7 +106,7 @@ ProofWriter::Appraisal ProofWriter::appraise(const Evaluation& evaluation) const
   const auto point = [this](HalfspaceId i) { return dual_points_[i.index()]; };
   for (const auto& [a, b, c] : roof.triangles) {
     roof.planes.push_back(plane_through(point(a), point(b), point(c)));
-    // All dual points but the removed one have x.n <= d w, so x.n <= 0.
+    // All dual points except the removed one have x.n <= d w, so x.n <= 0.
     if (roof.planes.back().d <= 0) appraisal.ray = roof.planes.back().x;
   }
   if (!appraisal.ray && shows_costs()) {

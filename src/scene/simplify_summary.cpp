@@ -160,7 +160,7 @@ std::string optimum_line(const SearchResult& search) {
                   certain(hundred * (search.now - bound) / search.now, 2)));
 }
 
-// How much of what the removals added is left, and by how many moves.
+// How much of the amount that the removals added is left, and after how many moves.
 std::string search_lines(const SearchResult& search, const Enclosure& input) {
   const bool has_kicks = search.request.kind != SearchKind::Walk;
   const std::string kind =

@@ -22,7 +22,7 @@ struct WrittenPart {
 /// All parts of all objects, which they point into.
 [[nodiscard]] std::vector<WrittenPart> written_parts(std::span<const DecomposedObject> objects);
 
-/// @param halfspaces  Of the part as a reader of the file takes it.
+/// @param halfspaces  The halfspaces of the part as a reader of the file takes it.
 /// @throws Error Internal if a corner of a triangle that the part owns is outside of one.
 void require_held(const std::string& path, const WrittenPart& written,
                   std::span<const Halfspace> halfspaces);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Proves the steps of an inner run again, from plain lists and a table of edges of its own.
+// Proves the steps of an inner run again, from plain lists and a separate table of edges.
 #include <string>
 
 #include "convexact/error.hpp"

@@ -34,9 +34,9 @@ Rational signed_square_of_cosine(const IntegerVector3& a, const IntegerVector3& 
   return signed_square(Rational(dot(a, b)), Rational(dot(a, a) * dot(b, b)));
 }
 
-// The largest double that is not above the cosine, so that facets at just this angle are selected.
-// Only 90 degrees has the cosine 0; of any other double the cosine is more than 2^-60, so that 256
-// bits of pi tell.
+// The largest double that is not above the cosine, so that facets at exactly this angle are
+// selected. Only 90 degrees has the cosine 0; for any other double the cosine is more than 2^-60 in
+// size, so that 256 bits of pi suffice.
 Rational cosine_of(double degrees) {
   mpfr_t x;
   mpfr_init2(x, 256);

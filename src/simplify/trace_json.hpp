@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// trace_json.hpp - a run as JSON text, a trace: enough for another program to replay every step.
+// trace_json.hpp - a run as JSON text (a trace), with enough data for another program to replay
+// every step.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <optional>

@@ -43,7 +43,7 @@ Sign sign_of_volume(const Surface& surface, std::span<const std::uint32_t> trian
   return sign_of(sum);
 }
 
-// A closed component on its own.
+// A single closed component.
 class Shell {
  public:
   Shell(const Surface& surface, std::vector<std::uint32_t> triangles)
@@ -53,7 +53,7 @@ class Shell {
 
   std::span<const std::uint32_t> triangles() const { return triangles_; }
 
-  // Whether it lies in another: no common point, and the other winds about a vertex.
+  // Whether it lies in another: they have no common point, and the other winds about a vertex.
   bool lies_in(const Shell& other, const Watch& watch) const {
     for (int k = 0; k < 3; ++k) {
       if (box_.low[k] < other.box_.low[k] || other.box_.high[k] < box_.high[k]) return false;

@@ -21,7 +21,7 @@ Rational spacing_above(Precision precision, double x) {
   return to_rational(next) - to_rational(x);
 }
 
-// Where a direction is largest on the input.
+// The point of the input that is farthest in a direction.
 struct Support {
   PointId point;
   Rational value;
