@@ -45,7 +45,7 @@ class AngleSum {
   /// An interval around the sum from operations of `precision` bits. For n terms its width is about
   /// (n + 7) 2^(2 - precision) times the sum of their sizes: where terms of both signs cancel, it
   /// has fewer certain digits than bits.
-  /// @throws Error Stopped, as the watch says.
+  /// @throws Error Stopped when the watch ends the call.
   [[nodiscard]] Enclosure enclose(long precision, const Watch& watch = {}) const;
 
  private:
@@ -57,7 +57,7 @@ struct CompareLimits {
   /// Bits of the finest enclosures of two sums that may be equal; >= 1. Sums that are proven to be
   /// different are enclosed as finely as their order needs.
   long bits = 4096;
-  /// Whether the basis of all angles is used, which leaves next to nothing undecided.
+  /// Whether the basis of all angles is used, which leaves almost nothing undecided.
   bool angle_basis = true;
 };
 
@@ -69,16 +69,17 @@ struct CompareLimits {
 /// once (4) has shown that the sums differ. Otherwise the order is Undecided.
 ///
 /// (4) proves equality as well as its contrary. Logarithms of algebraic numbers that are linearly
-/// independent over the rationals are so over the algebraic numbers [Baker1966], so a sum is zero
-/// only if the rational relation between its angles holds in each square class of lengths. Angles
-/// with rational tan^2 have a known basis over the rationals [ConwayRadinSadun1999]: for each
-/// imaginary quadratic field, one angle for each prime that splits there. Instead of primes,
-/// coprime factors of the norms serve [BachDriscollShallit1993], which need no factoring. It gives
-/// up only if a common divisor of a radicand and an angle's real part has no known square.
+/// independent over the rationals are also linearly independent over the algebraic numbers
+/// [Baker1966], so a sum is zero only if the rational relation between its angles holds in each
+/// square class of lengths. Angles with rational tan^2 have a known basis over the rationals
+/// [ConwayRadinSadun1999]: for each imaginary quadratic field, one angle for each prime that splits
+/// there. Instead of primes, coprime factors of the norms serve [BachDriscollShallit1993], which
+/// need no factoring. (4) gives up only if a common divisor of a radicand and an angle's real part
+/// has no known square.
 ///
 /// @return  A tie has the proof NormalForm or AngleBasis. "Not separated" is not transitive, so an
 ///          ordered container must not be sorted by this function.
-/// @throws Error InvalidArgument if limits.bits < 1; Stopped, as the watch says.
+/// @throws Error InvalidArgument if limits.bits < 1; Stopped when the watch ends the call.
 [[nodiscard]] Ordering compare(const AngleSum& a, const AngleSum& b,
                                const CompareLimits& limits = {}, const Watch& watch = {});
 

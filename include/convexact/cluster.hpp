@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // cluster.hpp - the triangles of a surface as few connected clusters of small concavity, by merging
-// pairs of neighbours; every decision is exact, or says that it is not.
+// pairs of neighbours; every decision is exact, or is reported as not exact.
 //
 // docs/design/clustering.md has the method, its source [MamouGhorbel2009], and what is ours.
 #pragma once
@@ -20,7 +20,7 @@ namespace convexact {
 
 // ---- Concavity
 
-/// At which points of a cluster its concavity is taken.
+/// The points of a cluster at which its concavity is taken.
 enum class ConcavityMeasure {
   Surface,   ///< At all points of its triangles, along their normals.
   Vertices,  ///< At the corners of its triangles, along the normals of these: the sum of the area
@@ -31,7 +31,7 @@ enum class ConcavityMeasure {
 /// points along the outward normal there runs inside the hull.
 struct Concavity {
   Rational squared = 0;   ///< In squared length units; 0 where the ray leaves at once.
-  TriangleId triangle;    ///< Of the point: of equal distances the lowest triangle.
+  TriangleId triangle;    ///< The triangle of the point; among equal distances the lowest one.
   RationalPoint at;       ///< The point M, on that triangle.
   RationalPoint leaves;   ///< Where the ray from M leaves the hull: |leaves - at|^2 = squared.
   IntegerVector3 normal;  ///< The direction of the ray; 0 if the point has none.
@@ -44,14 +44,14 @@ class ExactConcavity {
   /// Keeps a reference.
   ExactConcavity(const Surface& surface, ConcavityMeasure measure);
 
-  /// Of a cluster, triangles >= 1. It never falls when a cluster grows.
+  /// The concavity of a cluster of at least one triangle. It never falls when a cluster grows.
   /// @param hull  convex_part() of the cluster's points.
   /// @par Cost    For each triangle a ray, and a linear program of three variables unless one plane
   ///              shows that another triangle's rays are longer; by Vertices a ray for each corner.
   [[nodiscard]] Concavity operator()(std::span<const TriangleId> cluster, const ConvexPart& hull,
                                      const Watch& watch = {}) const;
 
-  /// Of one triangle, at all of its points; by Vertices, at its corners.
+  /// The concavity of one triangle, at all of its points; by Vertices, at its corners.
   [[nodiscard]] Concavity operator()(TriangleId triangle, const ConvexPart& hull) const;
 
   /// The direction in which concavity is taken at corner k of a triangle: an integer multiple of
@@ -79,11 +79,11 @@ class ExactConcavity {
 enum class Connect {
   Edge,      ///< None.
   Overlap,   ///< Those that have edges with a common segment of positive length.
-  Touching,  ///< These, and those of different components that have a common point.
+  Touching,  ///< Those of Overlap, and those of different components that have a common point.
 };
 
 /// All pairs of neighbours, the lower triangle first, ascending, each once.
-/// @throws Error Stopped, as the watch says.
+/// @throws Error Stopped when the watch ends the call.
 [[nodiscard]] std::vector<std::pair<TriangleId, TriangleId>> neighbours(const Surface& surface,
                                                                         Connect connect,
                                                                         const Watch& watch = {});
@@ -94,7 +94,7 @@ enum class Connect {
 struct ConcavityLimit {
   Rational value{3, 100};  ///< At least 0; a share is at most 1.
   bool is_share =
-      true;  ///< Of the diameter, the diagonal of the box of the surface; else a length.
+      true;  ///< A share of the diameter, the diagonal of the surface's box; else a length.
 
   /// The square of the limit as a length. @param squared_diameter  Of the surface's points.
   [[nodiscard]] Rational squared(const Rational& squared_diameter) const;
@@ -102,8 +102,8 @@ struct ConcavityLimit {
 
 struct ClusterOptions {
   ConcavityLimit limit = {};
-  /// When no merge is within the limit any more, go on by least concavity until so many clusters
-  /// are left; >= 1. Clusters of different groups of neighbours are never merged.
+  /// When no merge is within the limit any more, go on merging by least concavity until only this
+  /// many clusters are left; >= 1. Clusters of different groups of neighbours are never merged.
   std::optional<std::size_t> max_parts = {};
   ConcavityMeasure measure = ConcavityMeasure::Surface;
   Connect connect = Connect::Edge;
@@ -112,7 +112,7 @@ struct ClusterOptions {
   bool costs = false;
   /// Fill in Clustering::further_merges, for a tree.
   bool further = false;
-  /// Reports merges as progress. A long run ends with Error Stopped, as it says.
+  /// Reports merges as progress. It can end a long run with Error Stopped.
   Watch watch = {};
 };
 
@@ -126,7 +126,8 @@ struct Merge {
   /// two costs, or Undecided.
   TieEvidence tie_evidence = {};
   bool beyond_limit = false;  ///< Made for `max_parts`, by least concavity.
-  /// If asked for: of the union, and E D, which the method keeps small (docs/design/clustering.md).
+  /// If asked for: the squared concavity of the union, and E D, which the method keeps small
+  /// (docs/design/clustering.md).
   std::optional<Rational> squared_concavity = {};
   std::optional<Enclosure> cost = {};
 
@@ -139,13 +140,13 @@ struct Merge {
 
 /// A partition of the triangles of a surface, and how it came about.
 struct Clustering {
-  /// Each ascending; by their lowest triangles.
+  /// Each list is ascending; the clusters are in the order of their lowest triangles.
   std::vector<std::vector<TriangleId>> clusters;
   /// Triangles without area, each with the triangle over its longest edge to whose cluster it was
   /// added before the first merge.
   std::vector<std::pair<TriangleId, TriangleId>> united;
   std::vector<Merge> merges;
-  /// If asked for: how the clusters would be merged on by least concavity, until each group of
+  /// If asked for: the further merges by least concavity that would follow, until each group of
   /// neighbours is one cluster.
   std::vector<Merge> further_merges;
   bool stopped_by_count = false;  ///< Whether `max_parts` ended the run, not the limit.
@@ -154,7 +155,7 @@ struct Clustering {
   std::size_t evaluations = 0, exact_evaluations = 0;
 };
 
-/// The number of groups of triangles that are joined over neighbours: no clustering has fewer
+/// The number of groups of triangles that chains of neighbours connect: no clustering has fewer
 /// clusters.
 [[nodiscard]] std::size_t count_groups(const Surface& surface,
                                        std::span<const std::pair<TriangleId, TriangleId>> pairs);
@@ -163,7 +164,7 @@ struct Clustering {
 /// least cost whose union is not more concave than the limit, until there are none; then, for
 /// `max_parts`, those whose union is least concave.
 /// @throws Error InvalidArgument for a limit out of its range, and if there are more groups than
-///               `max_parts`, naming their number; Stopped, as the watch says.
+///               `max_parts`, naming their number; Stopped when the watch ends the call.
 /// @par Cost     A hull and a bound for each triangle of two clusters, once or twice per triangle
 ///               of the surface; the exact engine: at each merge, for each pair at the merged
 ///               cluster.

@@ -23,7 +23,7 @@
 namespace convexact {
 
 struct ProgramLimits {
-  double seconds = 10;       ///< Wall time, more than 0; then it is killed.
+  double seconds = 10;       ///< Wall time, more than 0; a program that takes longer is killed.
   std::uint64_t memory = 0;  ///< Bytes of address space of each of its processes; 0 for no limit.
 };
 
@@ -68,15 +68,15 @@ enum class Asks {
   Enclosure,  ///< A convex solid that contains the input.
   Hull,       ///< The same, and each of its corners is a point of the input.
   Inner,      ///< A convex solid inside the hull of the input.
-  Simplify,   ///< An enclosure of at most so many facets.
+  Simplify,   ///< An enclosure with at most a given number of facets.
 };
 /// "enclosure" and the like.
 [[nodiscard]] const char* name_of(Asks asks);
 
 struct Promise {
   Asks asks = Asks::Simplify;
-  /// The numbers of inputs and outputs. Inputs are rounded to them before they are
-  /// written; a decimal in an output means the nearest one.
+  /// The number format of inputs and outputs. Inputs are rounded to it before they are written; a
+  /// decimal in an output means the nearest number of the format.
   Precision numbers = Precision::Binary64;
   Tolerance tolerance = {};  ///< Violations up to this distance pass.
   bool allow_flat = false;   ///< Inputs without volume may be accepted.
@@ -108,7 +108,8 @@ struct SimplifyQuestion {
   bool reached;                    ///< False if every further removal would be unbounded.
   std::optional<Rational> volume;  ///< The rest is known only together with the volume.
   std::vector<Rational> costs;     ///< Of each step.
-  std::vector<std::vector<Halfspace>> ties;  ///< For each step the tied halfspaces; none if one.
+  std::vector<std::vector<Halfspace>> ties;  ///< For each step the tied halfspaces; empty if only
+                                             ///< one.
 };
 
 /// The question: which claims hold of a candidate?
@@ -145,8 +146,8 @@ struct TestVector {
   std::variant<HullQuestion, SimplifyQuestion, VerifyQuestion, RefuseQuestion> question;
 };
 
-/// How a program did on a vector, from the gravest on. A run that ends well can fail in several of
-/// the ways from UnreadableOutput on.
+/// How a program did on a vector, the gravest outcome first. A run that ends well can fail in
+/// several of the ways from UnreadableOutput on.
 enum class Outcome {
   NotStarted,            ///< There is no such program.
   TimedOut,              ///< It did not end in time.
@@ -159,7 +160,7 @@ enum class Outcome {
   NoSolid,               ///< The output is empty, flat or unbounded.
   NotEnclosing,          ///< The output misses a point of the input.
   NotInside,             ///< The output, an inner solid by promise, sticks out of the input's hull.
-  TooLoose,              ///< The output is larger than any enclosure of so many facets need be.
+  TooLoose,              ///< The output is larger than an enclosure of so many facets has to be.
   BrokenMesh,            ///< The output's surface has holes, or looks inward.
   NotConvex,             ///< The output's faces are not the surface of the hull of its points.
   NotTheHull,            ///< The output, a hull by promise, has a corner that is no input point.
@@ -183,7 +184,7 @@ inline constexpr std::array kAllOutcomes = {
 /// One way in which a run failed.
 struct Failure {
   Outcome outcome;
-  std::string sentence;      ///< What was found, for people.
+  std::string sentence;      ///< The finding, for people.
   bool is_rounding = false;  ///< Explained by the rounding of the output's numbers.
   /// Its rank among failures of its kind: a squared distance over the squared diameter, or the
   /// ratio to the allowed volume or number.
@@ -300,7 +301,7 @@ struct ConformRun {
   std::string input_format = "obj", output_format = "obj";  ///< Extensions.
   std::size_t jobs = 1;                                     ///< Vectors at the same time.
   Promise promise;
-  StageWatch watch = {};  ///< Vectors are told as the progress of "running vectors".
+  StageWatch watch = {};  ///< Reports vectors as the progress of "running vectors".
 };
 
 /// Runs the program over the chosen vectors, and judges its outputs. Only the seconds of the result

@@ -22,8 +22,8 @@ enum class CostMeasure {
   MeanWidth,  ///< In length units; 4 pi times a cost is a sum of roots times angles.
 };
 
-/// The exact cost of one removal: of a measure, after minus before. Copies of areas and mean widths
-/// share their terms.
+/// The exact cost of one removal: the measure after it minus the measure before it. Copies of areas
+/// and mean widths share their terms.
 class Cost {
  public:
   Cost(Rational volume) : value_(std::move(volume)) {}  // NOLINT: a rational is a cost
@@ -40,21 +40,22 @@ class Cost {
 
   Cost& operator*=(const Rational& factor);
 
-  /// An interval around the cost itself (without the factor 4 pi). Of a volume: the narrowest one
-  /// of `precision` bits. Of other measures: one of at least that many bits, whose width is at most
-  /// 2^-precision times the number, as far as computing with 2^16 bits gives that.
-  /// @throws Error Stopped, as the watch says.
+  /// An interval around the cost itself (without the factor 4 pi). For a volume: the narrowest one
+  /// of `precision` bits. For other measures: one of at least that many bits, whose width is at
+  /// most 2^-precision times the number, as far as computing with 2^16 bits achieves that.
+  /// @throws Error Stopped when the watch ends the call.
   Enclosure enclose(long precision, const Watch& watch = {}) const;
 
   /// An interval around the number that is compared, rational(), area() or angles(), from
-  /// operations of 128 bits. Known before, unless it is a volume.
+  /// operations of 128 bits. It is computed in advance, unless the measure is the volume.
   Enclosure bounds() const;
-  /// Doubles that are surely not above, and not below, that number. Likewise.
+  /// Doubles that are certainly not above, and not below, that number; likewise in advance.
   double low_double() const;
   double high_double() const;
 
   /// The cost itself with `digits` >= 1 significant digits, all certain; "0" for zero.
-  /// @throws Error Unrepresentable if a sum of angles is neither proven to be 0 nor apart from it.
+  /// @throws Error Unrepresentable if a sum of angles is proven neither to be 0 nor to differ from
+  ///         0.
   std::string decimal(int digits) const;
 
   /// The total order of volumes and that of areas, exact for all sizes.
@@ -70,9 +71,9 @@ class Cost {
   }
 
   /// The order of two costs of one measure, and what it rests on.
-  /// @param limits  Of the comparison of two mean widths.
+  /// @param limits  For the comparison of two mean widths.
   /// @throws Error  InvalidArgument for costs of different measures, or if limits.bits < 1;
-  ///                Stopped, as the watch says.
+  ///                Stopped when the watch ends the call.
   friend Ordering compare(const Cost& a, const Cost& b, const CompareLimits& limits,
                           const Watch& watch);
 

@@ -38,7 +38,7 @@ enum class FlatParts {
 struct DecomposeRequest {
   DecomposeMethod method = DecomposeMethod::Hacd;
   ConcavityLimit limit = {};
-  /// >= 1. May lead beyond the limit; then that is said.
+  /// >= 1. May lead beyond the limit; the result then says so.
   std::optional<std::size_t> max_parts = {};
   ConcavityMeasure measure = ConcavityMeasure::Surface;  ///< Of Hacd.
   BridgeChoice bridge = BridgeChoice::Farther;           ///< Of Acd.
@@ -46,20 +46,20 @@ struct DecomposeRequest {
   Connect connect = Connect::Edge;
   Orient orient = Orient::Auto;
   FlatParts flat = FlatParts::Auto;
-  bool keep_inner = false;           ///< Parts that lie in another one stay.
+  bool keep_inner = false;           ///< Whether parts that lie in another part stay.
   Engine engine = Engine::Filtered;  ///< Of Hacd.
-  /// Halfspaces to keep of each part, >= 4, or of all together, >= 4 for each part with a volume:
-  /// the parts are simplified and still hold what they own. Thickened parts have a volume. A part
-  /// keeps more if every removal is unbounded, as from a box.
+  /// Halfspaces to keep in each part, >= 4, or in all parts together, >= 4 for each part with a
+  /// volume: the parts are simplified and still hold what they own. Thickened parts have a volume.
+  /// A part keeps more if every removal is unbounded, as from a box.
   std::optional<std::size_t> faces = {}, total_faces = {};
   Precision precision = Precision::Binary64;
   bool measures = true;        ///< Volumes of solid, union, excess, uncovered and overlap.
   bool exact_volumes = false;  ///< Also as fractions.
-  /// Fill in what a trace shows: concavity and cost of each merge, associations of each node.
+  /// Fill in the data of a trace: concavity and cost of each merge, associations of each node.
   bool for_trace = false;
-  /// Of Hacd: find out how the clusters would be merged on, for joins_of().
+  /// For Hacd: find the further merges of the clusters, for joins_of().
   bool for_tree = false;
-  std::uint64_t seed = 1;  ///< Of every random order. The answer is the same.
+  std::uint64_t seed = 1;  ///< Of every random order. The answer does not depend on it.
   StageWatch watch = {};
 };
 
@@ -80,14 +80,14 @@ struct Part {
   ConvexPart hull;
   Concavity concavity;  ///< Of the cluster.
   bool is_within_limit = true;
-  /// Of Acd: no association of points to facets gives a smaller concavity, squared. None for a
+  /// Of Acd: no association of points to facets gives a smaller squared concavity. None for a
   /// cluster that a flat one joined.
   std::optional<Rational> least_squared_concavity = {};
-  /// Of Acd, no plane through its deepest notch leaves something on both sides.
+  /// Of Acd: no plane through its deepest notch leaves something on both sides.
   bool is_unsplittable = false;
   PartForm form = PartForm::Hull;
-  /// Of the part before its corners were rounded, which may bend faces: what a budget counts. 0 of
-  /// a flat one.
+  /// The faces of the part before its corners were rounded, since rounding may bend faces: the
+  /// number that a budget counts. 0 for a flat part.
   std::size_t faces = 0;
   /// Corners and faces as stored. A flat one has one polygon (its points are counter-clockwise seen
   /// from one side), or a segment or point and no polygon.
@@ -98,28 +98,29 @@ struct Part {
 /// A cluster that lies in the hull of another one, or in its part as stored: no part of its own.
 struct InnerCluster {
   TriangleId lowest;  ///< Of its triangles.
-  std::size_t part;   ///< That holds it.
+  std::size_t part;   ///< The part that holds it.
 };
 
-/// Volumes beside the proof, of the parts as stored.
+/// Volumes of the parts as stored, in addition to the proof.
 struct DecompositionMeasures {
   std::optional<Measured> solid_volume;      ///< Of the shape; none if it encloses none.
   std::optional<Measured> uncovered_volume;  ///< Of the solid outside of the union.
   std::optional<Measured> excess_volume;     ///< Of the union outside of the solid.
   Measured union_volume;
-  Measured overlap_volume;  ///< What the parts' volumes add up to, less the union's.
+  Measured overlap_volume;  ///< The sum of the parts' volumes, less the union's.
 };
 
 struct Decomposition {
   Surface surface;
-  std::variant<Clustering, SplitTree> origin;  ///< Of the clusters.
-  std::vector<Part> parts;                     ///< By the lowest triangles of their clusters.
+  std::variant<Clustering, SplitTree> origin;  ///< Where the clusters come from.
+  std::vector<Part> parts;                     ///< In the order of the lowest triangles of their
+                                               ///< clusters.
   std::vector<std::uint32_t> owner;            ///< By triangle: into `parts`.
   std::vector<InnerCluster> inner;             ///< Clusters that were dropped.
   std::vector<TriangleId>
       flat_merged;                   ///< Flat clusters that joined a neighbour (FlatParts::Merge).
   bool limit_holds = true;           ///< Whether every cluster is within the limit.
-  std::size_t tested_triangles = 0;  ///< Whose corners were tested against their owner.
+  std::size_t tested_triangles = 0;  ///< Triangles whose corners were tested against their owner.
   std::optional<DecompositionMeasures> measures;
   std::vector<Stage> stages;
 
@@ -129,8 +130,8 @@ struct Decomposition {
   const Rational& squared_diameter() const {
     return std::visit([](const auto& x) -> const Rational& { return x.squared_diameter; }, origin);
   }
-  /// Of the origin, by their lowest triangles: before flat ones joined others, or inner ones
-  /// others' parts.
+  /// The clusters of the origin, in the order of their lowest triangles, before flat ones joined
+  /// others and inner ones joined the parts of others.
   std::vector<std::span<const TriangleId>> clusters() const;
   /// Whether the number of parts ended the run, not the limit.
   bool stopped_by_count() const {

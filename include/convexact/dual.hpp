@@ -33,12 +33,12 @@ struct DualPlane {
 /// Halfspace {x : n.x + d <= 0} to its dual point (n : w), w = -(n.center + d).
 /// @throws Error InvalidArgument unless the center is strictly inside.
 [[nodiscard]] DualPoint polar(const Halfspace& halfspace, const RationalPoint& center);
-/// The way back: the polar of the polar is the halfspace itself.
+/// The inverse: the polar of the polar is the halfspace itself.
 [[nodiscard]] Halfspace polar(const DualPoint& point, const RationalPoint& center);
 
 /// Dual plane to the vertex center + x / d. Precondition: d > 0.
 [[nodiscard]] RationalPoint polar(const DualPlane& plane, const RationalPoint& center);
-/// The way back. @throws Error InvalidArgument if the vertex is the center.
+/// The inverse. @throws Error InvalidArgument if the vertex is the center.
 [[nodiscard]] DualPlane polar(const RationalPoint& vertex, const RationalPoint& center);
 
 /// The plane through three dual points, counter-clockwise from outside: d has the sign of
@@ -47,9 +47,9 @@ struct DualPlane {
 [[nodiscard]] DualPlane plane_through(const DualPoint& a, const DualPoint& b, const DualPoint& c);
 
 /// dot(x, n) - d w: positive iff the dual point lies strictly beyond the plane, that is, iff the
-/// halfspace cuts the vertex off. Up to a positive factor the determinant H of the four rows (n, d)
-/// of the planes concerned, hence independent of the center.
-/// For the plane above, (1,1,1 : 2) gives 3 - 2 = 1: x + y + z <= 2 cuts (1,1,1) off.
+/// halfspace cuts the vertex off. Up to a positive factor it is the determinant H of the four rows
+/// (n, d) of the planes concerned, and hence independent of the center. For the plane above,
+/// (1,1,1 : 2) gives 3 - 2 = 1: x + y + z <= 2 cuts (1,1,1) off.
 [[nodiscard]] Integer height(const DualPlane& plane, const DualPoint& point);
 [[nodiscard]] inline bool is_beyond(const DualPoint& point, const DualPlane& plane) {
   return height(plane, point) > 0;

@@ -63,7 +63,7 @@ struct HalfspaceList : TypedRows {
   /// The first row with n = 0, d > 0: 0 <= -d is false.
   std::optional<std::size_t> impossible_row;
 
-  /// Appends the next row, whichever of the three it is.
+  /// Appends the next row, which may be of any of these three kinds.
   void add(const RationalVector3& normal, const Rational& offset);
   std::size_t row_count() const { return row_count_; }
 

@@ -37,7 +37,7 @@ struct TreeRequest {
   /// what is below them. A hull keeps more if every removal is unbounded, as from a box.
   std::optional<std::size_t> faces = {}, leaf_faces = {};
   Precision precision = Precision::Binary64;
-  std::uint64_t seed = 1;  ///< Of every random order. The answer is the same.
+  std::uint64_t seed = 1;  ///< Of every random order. The answer does not depend on it.
   StageWatch watch = {};
 };
 
@@ -50,19 +50,19 @@ struct TreeLevel {
 struct BuiltTree {
   HullTree tree;                    ///< The root first, then level by level.
   std::vector<std::size_t> facets;  ///< By node, before corners were rounded, as Part::faces.
-  std::size_t given_joins = 0;      ///< Of the branches, those that the caller chose.
+  std::size_t given_joins = 0;      ///< The number of branches that the caller chose.
   std::vector<TreeLevel> levels;    ///< From the root down.
   std::vector<Stage> stages;
 };
 
-/// Bottom-up, on stored numbers: a branch is the hull of its two children's stored points,
+/// Builds bottom-up, on stored numbers: a branch is the hull of its two children's stored points,
 /// simplified and rounded outward like a part. So numbers do not grow from level to level, and
 /// every hull holds those below it as they are written, which is proven. Flat parts are thickened.
-/// What `joins` leaves apart is joined where the common hull has the least volume, among the eight
-/// neighbours of each whose common boxes are smallest.
+/// Groups that `joins` leaves apart are joined where the common hull has the least volume, among
+/// the eight neighbours of each whose common boxes are smallest.
 /// @param parts  At least one, each with a point.
 /// @param joins  Each of two groups that exist, and that no other join has.
-/// @throws Error InvalidArgument for joins and numbers that cannot be; Unrepresentable if the
+/// @throws Error InvalidArgument for impossible joins and numbers; Unrepresentable if the
 ///               format cannot hold a hull; Stopped; Internal if a proof fails.
 /// @par Cost     For each branch a hull of its children's corners, simplify() of them, and the test
 ///               of each corner against its parent.
@@ -70,7 +70,7 @@ struct BuiltTree {
 [[nodiscard]] BuiltTree build_tree(std::span<const NamedPart> parts, std::span<const Join> joins,
                                    const TreeRequest& request = {});
 
-/// Over the parts of a decomposition as they are stored, joined as joins_of() says.
+/// The tree over the parts of a decomposition as they are stored, joined by joins_of().
 /// @param names  One for each part.
 [[nodiscard]] BuiltTree build_tree(const Decomposition& decomposition,
                                    std::span<const std::string> names,
@@ -78,20 +78,21 @@ struct BuiltTree {
 
 // ---- What can be wrong
 
-/// Why something is no tree of hulls that hold their children.
+/// Why a tree is not one of hulls that hold their children.
 struct TreeFault {
   std::string sentence;
-  std::vector<std::size_t> nodes;    ///< The nodes in question; of a corner outside parent, child.
+  std::vector<std::size_t> nodes;    ///< The nodes in question; for a corner outside: parent,
+                                     ///< child.
   std::optional<std::size_t> part;   ///< The part in question.
-  std::optional<std::size_t> point;  ///< Of the child's points, that lies outside of the parent.
-  std::optional<Halfspace> plane;    ///< Of the parent, that the point is beyond.
+  std::optional<std::size_t> point;  ///< The point of the child that lies outside of the parent.
+  std::optional<Halfspace> plane;    ///< The plane of the parent that the point is beyond.
 };
 
 /// Nothing if there is one root; children and parents name each other; every node is reached from
-/// the root; the leaves are those that name a part, and each part is of one leaf; and the hull of
-/// each branch holds every point of its children, all numbers taken exactly. The first fault in
+/// the root; the leaves are those that name a part, and each part belongs to one leaf; and the hull
+/// of each branch holds every point of its children, all numbers taken exactly. The first fault in
 /// that order.
-/// @throws Error Stopped, as the watch says.
+/// @throws Error Stopped when the watch ends the call.
 [[nodiscard]] std::optional<TreeFault> find_tree_fault(const HullTree& tree,
                                                        const Watch& watch = {});
 
@@ -107,7 +108,7 @@ class SearchTree {
   };
 
   /// @throws Error Malformed with the fault, if the tree has one or is empty; NoInterior if a part
-  ///               or branch is flat; Stopped, as the watch says.
+  ///               or branch is flat; Stopped when the watch ends the call.
   explicit SearchTree(const HullTree& tree, const Watch& watch = {});
 
   std::size_t root() const { return root_; }
@@ -121,9 +122,9 @@ class SearchTree {
 /// Where a ray first meets the union of the parts, and the proof.
 struct TreeRayAnswer {
   std::optional<Rational> first;   ///< The least t >= 0; nothing if the ray misses every part.
-  std::vector<std::size_t> parts;  ///< All that the ray meets at that t first, ascending.
-  /// The nodes whose hulls were met with the ray, in that order. What is below a node that the ray
-  /// misses, or meets only after `first`, was not looked at.
+  std::vector<std::size_t> parts;  ///< All parts that the ray first meets at that t, ascending.
+  /// The nodes whose hulls were met with the ray, in that order. Nodes below one that the ray
+  /// misses, or meets only after `first`, were not looked at.
   std::vector<std::pair<std::size_t, RayAnswer>> visited;
 };
 
@@ -131,7 +132,8 @@ struct TreeRayAnswer {
 [[nodiscard]] TreeRayAnswer cast_ray(const SearchTree& tree, const Ray& ray);
 
 /// Whether an answer is true, by the definition, given that hulls hold their children: all visits
-/// are true, they reach every part that they do not exclude, and the parts are those that they say.
+/// are true, they reach every part that they do not exclude, and the parts are those that they
+/// give.
 [[nodiscard]] bool check(const SearchTree& tree, const Ray& ray, const TreeRayAnswer& claim);
 
 /// Which parts have a common point with a solid, and the proof.

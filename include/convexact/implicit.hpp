@@ -125,9 +125,9 @@ class ImplicitShape {
 
   const implicit::Node& node() const;
   const ImplicitBounds& bounds() const;
-  /// Of a tree: 1 for a primitive.
+  /// The levels of the tree: 1 for a primitive.
   std::size_t levels() const;
-  /// Of a Rotate node: the matrix that rotates a point back. Null of others.
+  /// Of a Rotate node: the matrix that rotates a point back. Null for other nodes.
   const ImplicitRotation* rotation_back() const;
 
  private:
@@ -148,8 +148,8 @@ struct ImplicitMeasures {
   Enclosure volume, area, mean_width;
 };
 
-/// In closed form: of a sphere, capsule, box, rounded box and cylinder, moved, scaled by one factor
-/// or offset outward. Nothing for any other shape.
+/// These measures in closed form, for a sphere, capsule, box, rounded box and cylinder, moved,
+/// scaled by one factor or offset outward. Nothing for any other shape.
 [[nodiscard]] std::optional<ImplicitMeasures> closed_measures(const ImplicitShape& shape,
                                                               long precision);
 
@@ -162,7 +162,7 @@ struct ImplicitBox {
 /// Cells of an octree. A cell of center m and edge h is dropped if it is proven that
 /// |f(m)| > L sqrt(3) h / 2: then it holds no point of the surface.
 struct ImplicitCells {
-  /// Of one level: as many cells were tested, and kept, of edge `edge` / 2^level.
+  /// One level: how many cells of edge `edge` / 2^level were tested, and how many kept.
   struct Level {
     std::size_t tested = 0;
     std::size_t kept = 0;
@@ -184,12 +184,12 @@ inline constexpr std::size_t kMostImplicitDepth = 20;
 
 /// Splits the cells that are kept, level by level. The hull of the corners holds the solid.
 /// @param depth  Of the leaves; 0 is the box itself. At most kMostImplicitDepth.
-/// @param watch  Told the cells tested and those to be tested of each level.
+/// @param watch  Receives the numbers of cells tested and to be tested on each level.
 /// @throws Error NoInterior if no leaf is kept, and if a cell at the surface of the box is not
 ///               proven to lie outside of the shape: then the shape may leave the box.
 ///               InvalidArgument for a box without an edge, or whose corners or centers of cells
 ///               are no doubles at this depth; for a depth beyond the limit; and if more than
-///               kMostImplicitCells are kept. NotFinite. Stopped, as the watch says.
+///               kMostImplicitCells are kept. NotFinite. Stopped when the watch ends the call.
 /// @par Cost     One value of f in doubles for each cell tested; where these leave it open, in 128
 ///               and 512 bits. About 4^depth times the area of the surface over that of a face.
 /// @par Source   [Jacobson2026, fig. 8]; docs/implicit.md

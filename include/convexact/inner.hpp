@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// inner.hpp - the other job: few vertices of a shape's hull whose own hull, inside of it, keeps as
-// much of the volume as removing one after another can.
+// inner.hpp - simplification from inside: removes vertices of a shape's hull one after another, so
+// that the hull of those left keeps as much of the volume as such removals can.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -20,9 +20,9 @@ struct InnerRequest {
   std::optional<Rational> max_loss;
   Engine engine = Engine::Filtered;  ///< Not Float.
   VerifyLevel verify = VerifyLevel::Local;
-  std::uint64_t seed = 1;  ///< Of every random order. The answer is the same.
-  /// Keep the exact cost of every step, for a trace. The exact engine and VerifyLevel::Full do in
-  /// any case.
+  std::uint64_t seed = 1;  ///< Of every random order. The answer does not depend on it.
+  /// Keep the exact cost of every step, for a trace. The exact engine and VerifyLevel::Full keep it
+  /// in any case.
   bool costs = false;
   bool mesh = false;      ///< Keep the result as a mesh in binary64.
   StageWatch watch = {};  ///< Reports removals as the progress of stage::kSimplify.
@@ -46,10 +46,10 @@ struct InnerResult {
 
 using InnerOutcome = std::variant<InnerResult, NotSolid>;
 
-/// Removes vertices of the hull, each time the one that loses the least volume, and proves the
-/// result: its vertices are input points and lie in every halfspace of the exact hull of the input;
-/// each step is proven again as `verify` says; and where costs are kept, its volume, from a hull of
-/// its own, is that of the input less the sum of all costs.
+/// Removes vertices of the hull, each time the one whose removal loses the least volume, and proves
+/// the result: its vertices are input points and lie in every halfspace of the exact hull of the
+/// input; each step is proven again as `verify` says; and where costs are kept, its volume,
+/// computed from a separate hull, is that of the input less the sum of all costs.
 /// @throws Error InvalidArgument for an invalid request; Unrepresentable if a mesh is wanted and a
 ///         vertex is no double; Stopped; Internal if a proof fails.
 /// @par Source  [Jacobson2026]

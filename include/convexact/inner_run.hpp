@@ -2,8 +2,8 @@
 // inner_run.hpp - the record of an inner run: which vertices of a hull were removed, in which order
 // and at what loss of volume.
 //
-// An inner run goes the other way than simplify(): it removes vertices, so the solid shrinks and
-// lies inside the hull of the input. docs/design/inner.md has the reasons.
+// An inner run works in the opposite direction to simplify(): it removes vertices, so the solid
+// shrinks and lies inside the hull of the input. docs/design/inner.md has the reasons.
 #pragma once
 #include <atomic>
 #include <cstdint>

@@ -2,8 +2,9 @@
 // io.hpp - meshes and halfspaces from files and to files.
 //
 // Readers name the line (in binary files the byte) that they cannot read, round numbers only as
-// asked, and allocate no more than the size of the input allows. Writers spell numbers so that they
-// are read as they were. AtomicOutput puts several files into place together, or none.
+// asked, and allocate no more than the size of the input allows. Writers spell numbers so that
+// reading them gives the same numbers again. AtomicOutput puts several files into place together,
+// or none.
 #pragma once
 #include <array>
 #include <functional>
@@ -23,7 +24,7 @@ namespace convexact {
 /// @throws Error Unreadable if it does not exist, is a directory or cannot be read.
 [[nodiscard]] std::string read_bytes(const std::string& path);
 
-/// How errors call the file: the path, or "standard input" for "-".
+/// The name of the file in errors: the path, or "standard input" for "-".
 [[nodiscard]] std::string display_name(const std::string& path);
 
 struct ReadOptions {

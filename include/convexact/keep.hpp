@@ -27,8 +27,9 @@ struct KeepPlane {
 /// The facets whose outward normal is at most so many degrees away from a direction; without an
 /// angle those nearest to it, all of them if several are equally near.
 ///
-/// 0 degrees is the direction itself, exactly. Of any other angle the cosine is rounded down to a
-/// double, and with that number every facet is decided exactly: one at just this angle is selected.
+/// 0 degrees is the direction itself, exactly. The cosine of any other angle is rounded down to a
+/// double, and every facet is decided exactly with that number: a facet at exactly this angle is
+/// selected.
 struct KeepNormal {
   RationalVector3 direction;      ///< Not zero, of any length.
   std::optional<double> degrees;  ///< 0 to 180.
@@ -41,19 +42,19 @@ struct KeepFaces {
 
 struct KeepSelector {
   std::variant<KeepIds, KeepPlane, KeepNormal, KeepFaces> facets;
-  std::string text;  ///< How messages call it.
+  std::string text;  ///< Its name in messages.
 };
 
-/// What selectors select together.
+/// The facets that the selectors select together.
 /// @param halfspaces  Of the facets, in canonical order.
-/// @param points      That the faces refer to; empty if the input is halfspaces.
+/// @param points      The points that the faces refer to; empty if the input is halfspaces.
 /// @param most        How many may be selected; unset: any number.
 /// @return            Ascending, each once.
 /// @throws Error      InvalidArgument, with its text, for a selector that selects nothing or refers
 ///                    to a facet or point that does not exist, for a direction or normal of length
 ///                    0 and for an angle outside of 0 to 180 degrees; if more are selected than
 ///                    may be.
-/// @par Cost          A sign per facet and direction; of faces one per facet and corner.
+/// @par Cost          A sign per facet and direction; for faces one per facet and corner.
 [[nodiscard]] std::vector<HalfspaceId> select_facets(std::span<const Halfspace> halfspaces,
                                                      const PointSet& points,
                                                      std::span<const KeepSelector> selectors,

@@ -168,7 +168,7 @@ using ChebyshevOutcome = std::variant<ChebyshevCenter, UnboundedRadius, FlatProo
 
 // ---- Watching rows being inserted
 
-/// A point at infinity or not: x + M direction for every M that is large enough.
+/// A point, possibly at infinity: x + M direction for every M that is large enough.
 struct LpPoint {
   RationalVector x;
   RationalVector direction;  ///< Zero: the point is x.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // measure.hpp - volume, surface area, mean width, distance and box of solids.
 //
-// What is rational is exact: boxes, volumes, squared distances. Areas and mean widths are sums of
+// Rational measures are exact: boxes, volumes, squared distances. Areas and mean widths are sums of
 // roots and angles and come as enclosures of any precision. docs/measures.md derives the formulas.
 #pragma once
 #include <algorithm>
@@ -27,7 +27,7 @@ struct BoundingBox {
   RationalVector3 size() const { return high - low; }
   /// Square of the diagonal, which the project calls the diameter of an input.
   Rational squared_diameter() const { return size().squaredNorm(); }
-  /// Of the absolute values of all coordinates of points in the box.
+  /// The largest absolute value of any coordinate of a point in the box.
   Rational largest_coordinate() const {
     return std::max<Rational>(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
   }
@@ -38,8 +38,8 @@ struct BoundingBox {
 [[nodiscard]] BoundingBox bounding_box(const PointSet& points);
 
 /// Exact volume, in cubed length units: the sum over the facets of height times area over 3, where
-/// the roots in both cancel. Balanced, because the vertices of a simplified polytope hardly share
-/// denominators.
+/// the roots in both cancel. The summation is balanced, because the vertices of a simplified
+/// polytope hardly share denominators.
 /// @par Cost    O(corners) short products; the last additions are as long as the result.
 /// @par Source  docs/measures.md
 [[nodiscard]] Rational volume(const Polytope& polytope);
@@ -68,26 +68,26 @@ struct BoundingBox {
 /// The width of the polytope between two parallel planes, averaged over all directions, in length
 /// units: the sum over the edges of length times exterior dihedral angle, over 4 pi. A ball
 /// of diameter D has D, a cube of side a has 3a/2. Relative width about 2^-precision.
-/// @throws Error Stopped, as the watch says.
+/// @throws Error Stopped when the watch ends the call.
 /// @par Cost    Two roots and one arctangent per edge.
 /// @par Source  [Schneider2014, sec. 4.2]; docs/measures.md derives it.
 [[nodiscard]] Enclosure mean_width(const Polytope& polytope, long precision,
                                    const Watch& watch = {});
 
 /// Volume, area or mean width, relative width about 2^-precision.
-/// @throws Error Stopped, as the watch says.
+/// @throws Error Stopped when the watch ends the call.
 [[nodiscard]] Enclosure enclose_measure(const Polytope& polytope, CostMeasure measure,
                                         long precision, const Watch& watch = {});
 
-/// The same as the exact number that costs are.
-/// @throws Error Stopped, as the watch says.
+/// The same measure as an exact number, of the kind that costs are.
+/// @throws Error Stopped when the watch ends the call.
 [[nodiscard]] Cost exact_measure(const Polytope& polytope, CostMeasure measure,
                                  const Watch& watch = {});
 
 /// Finds the nearest point of one polytope. Space outside is divided into the regions of points
 /// that are nearest to one facet, edge or vertex; each is bounded by planes, so that only signs of
-/// integers are needed to find the right one, and it proves itself. Not for several threads at
-/// once.
+/// integers are needed to find the right one, and the result proves itself. Not for several threads
+/// at once.
 /// @par Source  [LinCanny1991]; [Rockafellar1970, thm. 27.4] for the proof.
 class NearestPoint {
  public:
@@ -97,9 +97,9 @@ class NearestPoint {
   ~NearestPoint();
 
   /// The unique point of the polytope nearest to x; x itself if inside or on the boundary.
-  /// @par Cost  Of x outside: a product in doubles per facet, then a few signs for each feature of
-  ///            the visible facets, those first that are next to the facet x is farthest beyond.
-  ///            Of x inside: the products, and a sign where these leave it open.
+  /// @par Cost  For x outside: a product in doubles per facet, then a few signs for each feature of
+  ///            the visible facets, starting next to the facet that x is farthest beyond. For x
+  ///            inside: the products, and a sign where these leave it open.
   RationalPoint operator()(const RationalPoint& x) const;
 
  private:
@@ -115,7 +115,7 @@ struct HausdorffDistance {
 };
 
 /// The distance to a convex set is a convex function, so on the outer polytope it is largest at one
-/// of its vertices; and no point of the inner one is away from the outer one. Precondition: `outer`
+/// of its vertices; and every point of the inner one lies in the outer one. Precondition: `outer`
 /// contains `inner`.
 /// @throws Error Stopped when `stop` becomes true.
 /// @par Cost  NearestPoint for each outer vertex that is no inner one.

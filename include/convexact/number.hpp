@@ -3,7 +3,7 @@
 //
 // Everything that the library proves is a statement about integers and rationals of any length.
 // Doubles come in by to_rational(), exactly, and go out by to_double() in a named direction. Roots
-// and angles are no rationals: an Enclosure holds them between two of MPFR's numbers.
+// and angles are not rational: an Enclosure holds them between two of MPFR's numbers.
 #pragma once
 #include <mpfr.h>
 
@@ -22,7 +22,7 @@ namespace convexact {
 
 enum class Sign : signed char { Negative = -1, Zero = 0, Positive = 1 };
 
-/// Sign of any number that compares with 0 (NaN has none and must not come here).
+/// Sign of any number that compares with 0 (NaN has none and must not be passed).
 template <class Number>
 [[nodiscard]] constexpr Sign sign_of(const Number& x) {
   return x < 0 ? Sign::Negative : x > 0 ? Sign::Positive : Sign::Zero;
@@ -186,7 +186,7 @@ struct Measured {
 
 /// The rational that a decimal spells: "-12", "+1.5", "5.", ".5e-3", or a fraction "p/q".
 /// @throws Error Malformed if `text` is anything else (q = 0, blanks, nan), or if the exponent is
-///         beyond +-100000 (its digits would not fit a sensible memory).
+///         beyond +-100000 (its digits would need too much memory).
 [[nodiscard]] Rational parse_rational(std::string_view text);
 
 /// The meaning of a decimal in a file.
@@ -201,8 +201,8 @@ enum class Decimal {
 ///         rounds beyond the largest double.
 [[nodiscard]] double nearest_double(std::string_view text);
 
-/// The binary32 number nearest to a decimal, rounded from its digits at once: by way of the double,
-/// 1.00000017881393432617187499 would come out one unit too high.
+/// The binary32 number nearest to a decimal, rounded from its digits at once: rounded through the
+/// double, 1.00000017881393432617187499 would come out one unit too high.
 /// @throws Error as nearest_double, for the largest binary32 number.
 [[nodiscard]] float nearest_float(std::string_view text);
 

@@ -19,7 +19,7 @@ namespace convexact {
 struct ConvexPart {
   int dimension = -1;                   ///< 3; or 2, 1, 0 of a flat part.
   std::vector<RationalPoint> vertices;  ///< Its extreme points.
-  /// The part is their intersection. Of a flat part, both sides of each plane that holds it are
+  /// The part is their intersection. For a flat part, both sides of each plane that holds it are
   /// among them.
   std::vector<Halfspace> halfspaces;
   /// The solid of a part of dimension 3; `vertices` and `halfspaces` are its own.
@@ -27,7 +27,7 @@ struct ConvexPart {
   BoundingBox box;
 };
 
-/// @throws Error InvalidArgument if there is no point; Stopped, as the watch says.
+/// @throws Error InvalidArgument if there is no point; Stopped when the watch ends the call.
 [[nodiscard]] ConvexPart convex_part(const PointSet& points, const Watch& watch = {});
 
 /// Whether x lies in the part, its boundary included.
@@ -35,12 +35,12 @@ struct ConvexPart {
 
 // ---- The surface
 
-/// A piece of a triangle that no part covers, but for its boundary: a convex polygon with an area.
-/// Of a triangle without area: the two ends of a segment, or one point.
+/// A piece of a triangle that no part covers, except for its boundary: a convex polygon with an
+/// area. For a triangle without area: the two ends of a segment, or one point.
 struct UncoveredPiece {
   TriangleId triangle;
-  std::vector<RationalPoint> corners;  ///< Counter-clockwise as the triangle.
-  /// Its share of the triangle's area, or of its length; 1 of a point.
+  std::vector<RationalPoint> corners;  ///< Counter-clockwise like the triangle.
+  /// The piece's share of the triangle's area, or of its length; 1 for a point.
   Rational share;
 };
 
@@ -49,9 +49,9 @@ struct SurfaceCoverage {
   std::size_t in_one_part = 0;            ///< Triangles whose corners lie in one and the same part.
 };
 
-/// Which pieces of the triangles lie in no part. Triangle and union are closed, so what is left is
-/// relatively open: it is empty iff it has no area.
-/// @throws Error Stopped, as the watch says.
+/// The pieces of the triangles that lie in no part. Triangle and union are closed, so the rest of
+/// the triangle is relatively open: it is empty iff it has no area.
+/// @throws Error Stopped when the watch ends the call.
 /// @par Cost  Each triangle is cut only by facets of parts that it crosses; corners are pairs of
 ///            lines, so numbers do not grow with the cuts.
 [[nodiscard]] SurfaceCoverage find_uncovered(const Surface& surface,
@@ -66,11 +66,12 @@ struct UncoveredSolid {
   long winding;  ///< Of the surface about it: not 0.
 };
 
-/// Whether the union holds the solid of a closed surface: nothing if so. First by the pieces of the
-/// surface that are uncovered, from find_uncovered(); then by the boundary of what the parts leave
-/// of the solid, which is empty iff that has no volume. Flat parts hold no volume.
-/// @param coverage  Only shortens the way: `{}` gives the same verdict.
-/// @throws Error Stopped, as the watch says.
+/// A point of the solid of a closed surface that the union does not hold; nothing if it holds the
+/// solid. Looks first at the uncovered pieces of the surface, from find_uncovered(), then at the
+/// boundary of the rest of the solid outside the parts, which is empty iff that rest has no volume.
+/// Flat parts hold no volume.
+/// @param coverage  Only shortens the search: `{}` gives the same verdict.
+/// @throws Error Stopped when the watch ends the call.
 [[nodiscard]] std::optional<UncoveredSolid> find_uncovered_solid(const Surface& surface,
                                                                  const Winding& winding,
                                                                  std::span<const ConvexPart> parts,
@@ -79,7 +80,7 @@ struct UncoveredSolid {
 
 /// The volume of the solid outside of the union, as union_volume() gives it. 0 iff
 /// find_uncovered_solid() finds nothing.
-/// @throws Error Stopped, as the watch says.
+/// @throws Error Stopped when the watch ends the call.
 /// @par Cost  A sum over the boundary: pieces of triangles outside of the union, and of facets
 ///            inside the solid; each is cut where triangles cross it.
 [[nodiscard]] Measured uncovered_volume(const Surface& surface, const Winding& winding,
@@ -90,13 +91,14 @@ struct UncoveredSolid {
 
 /// The volume of the union, as an enclosure of relative width about 2^-precision, and as a fraction
 /// on request (which may have tens of thousands of digits).
-/// @throws Error Stopped, as the watch says.
+/// @throws Error Stopped when the watch ends the call.
 /// @par Cost  Each facet is cut, in its plane, by the parts that meet it; nothing is cut in space.
 [[nodiscard]] Measured union_volume(std::span<const ConvexPart> parts, long precision, bool exact,
                                     const Watch& watch = {});
 
-/// A point in the interior of both parts, if there is one: none of touching or flat parts.
-/// @par Cost  Signs of vertices from facets, mostly by doubles, then clipping of a few facets.
+/// A point in the interior of both parts, if there is one; touching or flat parts have none.
+/// @par Cost  Signs of vertices with respect to facets, mostly in doubles, then clipping of a few
+///            facets.
 [[nodiscard]] std::optional<RationalPoint> common_interior(const ConvexPart& a,
                                                            const ConvexPart& b);
 

@@ -20,13 +20,13 @@ struct NamedPart {
   Mesh mesh;
 };
 
-/// A node of a tree as its file gives it, whether or not it makes sense. Nodes are named by their
+/// A node of a tree as its file gives it, whether or not it is valid. Nodes are named by their
 /// positions in HullTree::nodes.
 struct HullTreeNode {
   std::optional<std::size_t> parent;  ///< None of the root.
   std::vector<std::size_t> children;  ///< None of a leaf.
-  std::optional<std::size_t> part;    ///< Of a leaf: its part, whose hull is the node's.
-  Mesh mesh;                          ///< Of a branch: its hull is that of these points.
+  std::optional<std::size_t> part;    ///< For a leaf: its part, whose hull is the node's.
+  Mesh mesh;                          ///< For a branch: its hull is that of these points.
 };
 
 /// Parts, and a tree whose leaves they are. Each hull is meant to hold the hulls of the children.
@@ -44,10 +44,10 @@ struct HullTree {
 /// Parts, with or without a tree; or the error (Malformed or NotFinite) that reading them met.
 using CandidateParts = std::variant<std::vector<NamedPart>, HullTree, Error>;
 
-/// The parts in a file: the objects or groups of an OBJ that have faces, the solids of an STL; of
+/// The parts in a file: in an OBJ the objects or groups that have faces, in an STL the solids; in
 /// JSON the entries of "parts", each with "vertices" and possibly "name" and "faces", and the tree
-/// under "hull_tree", if there is one; of any other mesh a single part. Points that no face uses
-/// belong to the part of a mesh with a single part, and to none of several.
+/// under "hull_tree", if there is one; any other mesh is a single part. Points that no face uses
+/// belong to the part if there is only one, and to no part if there are several.
 [[nodiscard]] CandidateParts read_parts_bytes(std::string_view bytes, const std::string& path,
                                               Decimal decimal = Decimal::Nearest);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// predicates.hpp - exact signs: on which side of a plane a point lies. For points in doubles; of
-// rationals the sign is that of halfspace(point).
+// predicates.hpp - exact signs for points in doubles: on which side of a plane a point lies. For
+// rational points the sign is that of halfspace(point).
 #pragma once
 
 #include "convexact/halfspace.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// query.hpp - questions to solids, answered exactly: whether two overlap, where a ray meets one,
+// query.hpp - questions about solids, answered exactly: whether two overlap, where a ray meets one,
 // and how many random probes hit one that encloses another without hitting that one.
 //
 // Solids are closed sets: touching counts. Facets are named by their positions in
@@ -22,7 +22,7 @@
 namespace convexact {
 
 /// The solid of a shape: the hull of points or the intersection of halfspaces, its certificates
-/// checked; or why there is none. The seed is of random orders, the answer does not depend on it.
+/// checked; or why there is none. The seed is for random orders; the answer does not depend on it.
 /// @throws Error Stopped; Internal if a certificate fails.
 [[nodiscard]] std::variant<Polytope, NotSolid> queried_solid(const Shape& shape,
                                                              std::uint64_t seed = 1);
@@ -46,8 +46,7 @@ struct Separation {
 
 using Overlap = std::variant<CommonPoint, Separation>;
 
-/// Whether two solids have a common point: of these the lexicographically largest, or the proof
-/// that there is none.
+/// The lexicographically largest common point of two solids, or the proof that there is none.
 /// @param seed  Of the order of insertion. Where several sets of facets prove the same, the
 ///              multipliers may depend on it.
 /// @par Cost    One LP in 3 variables, so expected time linear in the facets; and a product for
@@ -80,8 +79,8 @@ struct LineInterval {
 
 /// Where a ray meets a solid.
 struct RayAnswer {
-  /// Of the ray's whole line, so that entry < 0 <= exit tells a ray that begins inside; nothing
-  /// if the line misses the solid.
+  /// The interval of the ray's whole line, so that entry < 0 <= exit identifies a ray that begins
+  /// inside; nothing if the line misses the solid.
   std::optional<LineInterval> line;
   /// Without a hit: one or two facets that no point of the ray satisfies together.
   std::vector<HalfspaceId> missed;
@@ -91,7 +90,7 @@ struct RayAnswer {
   Rational first() const { return line->entry > 0 ? line->entry : Rational(0); }
 };
 
-/// Meets a ray with a solid, exactly. A ray that touches a vertex, an edge or a facet hits.
+/// Intersects a ray with a solid, exactly. A ray that touches a vertex, an edge or a facet hits.
 /// @throws Error InvalidArgument if the direction is zero.
 /// @par Cost    Two dot products of integers per facet, and the fractions of entry and exit.
 /// @par Source  [Jacobson2026, eqs. 6 to 9]
@@ -155,13 +154,14 @@ struct FalsePositives {
 
 /// Casts random probes at both solids: lines through two independent uniform points of a sphere
 /// around both, planes of uniform direction and uniform offset within it, and uniform points of
-/// its ball. The center is that of the box around both, so that nothing but the solids, the seed
-/// and the numbers of samples decides on the probes. These are the same on every machine: doubles
+/// its ball. The center is that of the box around both, so that the probes depend on nothing but
+/// the solids, the seed and the numbers of samples. They are the same on every machine: doubles
 /// in the frame of the sphere, drawn by rejection, so that a scaling of both by a power of two, or
 /// a translation, changes no count.
 /// @throws Error Stopped; Unrepresentable if a measure is beyond an Enclosure's range.
 /// @par Cost    A product in doubles per facet (lines, points) or vertex (planes) and probe; exact
-///              numbers only where these leave a sign open. Besides, the measures of both.
+///              numbers only where these leave a sign open. In addition, the measures of both
+///              solids.
 /// @par Source  [Jacobson2026, fig. 12], [Marsaglia1972] for points of a sphere
 [[nodiscard]] FalsePositives count_false_positives(const Polytope& a, const Polytope& b,
                                                    const FalsePositiveRequest& request = {});

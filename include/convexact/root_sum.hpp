@@ -18,7 +18,7 @@ enum class Order { Less, Equal, Greater, Undecided };
 /// Why two numbers count as equal.
 enum class TieProof {
   EqualRationals,  ///< Both are rational, and the same.
-  Congruent,       ///< They measure congruent solids. Only a caller that has the solids knows.
+  Congruent,       ///< They measure congruent solids. Known only to a caller that has the solids.
   SquareClasses,   ///< Their roots are the same multiples of one root in each square class.
   NormalForm,      ///< Their angles are the same after reduction to [0, pi/4].
   AngleBasis,      ///< Their angles are the same in a basis of all angles.
@@ -52,7 +52,7 @@ class RootSum {
 
   /// Adds factor * sqrt(radicand); sqrt(a/b) is sqrt(ab)/b.
   /// @throws Error InvalidArgument if the radicand is negative.
-  /// @par Cost  Linear in the number of terms; many terms at once are for the constructor.
+  /// @par Cost  Linear in the number of terms; use the constructor for many terms at once.
   void add(const Rational& factor, const Rational& radicand);
   RootSum& operator+=(const RootSum& other);
   RootSum& operator-=(const RootSum& other) { return *this += -other; }
@@ -62,7 +62,8 @@ class RootSum {
   friend RootSum operator-(RootSum a, const RootSum& b) { return a -= b; }
 
   /// Ascending radicands, each once, and no factor 0. Radicands need not be squarefree, so equal
-  /// sums may have different terms; those of normalized() sums with the same radicands do not.
+  /// sums may have different terms; equal normalized() sums with the same radicands have the same
+  /// terms.
   const std::vector<RootTerm>& terms() const { return terms_; }
 
   /// The same number with one term for each square class, that is, no product of two radicands is a
@@ -74,24 +75,24 @@ class RootSum {
   /// An interval around the sum from operations of `precision` bits. For n terms its width is about
   /// (n + 3) 2^(2 - precision) times the sum of their sizes: where terms of both signs cancel, it
   /// has fewer certain digits than bits.
-  /// @throws Error Stopped, as the watch says.
+  /// @throws Error Stopped when the watch ends the call.
   [[nodiscard]] Enclosure enclose(long precision, const Watch& watch = {}) const;
 
  private:
   std::vector<RootTerm> terms_;
 };
 
-/// The exact order of two sums: always decided, by the first of these that does it.
+/// The exact order of two sums: always decided, by the first of these steps that can decide it.
 /// (1) Doubles with a proven bound of their error. (2) Enclosures of 128 bits. (3) The proof that
 /// the difference is zero: its normalized() sum has no terms. (4) Enclosures of 256, 512, ... bits.
 /// These end, because the difference is not zero.
 /// @return  A tie has the proof EqualRationals or SquareClasses.
-/// @throws Error Stopped, as the watch says.
+/// @throws Error Stopped when the watch ends the call.
 /// @par Source  [Besicovitch1940]
 [[nodiscard]] Ordering compare(const RootSum& a, const RootSum& b, const Watch& watch = {});
 
 /// The sum rounded to `digits` >= 1 significant digits, all of them certain; "0" for zero.
-/// @throws Error Stopped, as the watch says.
+/// @throws Error Stopped when the watch ends the call.
 [[nodiscard]] std::string to_decimal(const RootSum& x, int digits, const Watch& watch = {});
 
 }  // namespace convexact

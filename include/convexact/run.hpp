@@ -21,10 +21,11 @@ namespace convexact {
 enum class Engine {
   Exact,     ///< Rationals and integers everywhere: the reference.
   Filtered,  ///< The same answer; exact numbers only where doubles cannot decide.
-  Float,     ///< Doubles decide what is done. What is said of the result is proven all the same.
+  Float,     ///< Doubles decide which removals are made. All statements about the result are still
+             ///< proven.
 };
 
-/// What shows that several removals cost the same: of several proofs the least certain one, in the
+/// The evidence that several removals cost the same: the least certain one of their proofs, in the
 /// order of TieProof, with the most bits that any comparison of them took.
 struct TieEvidence {
   std::optional<TieProof> proof = {};  ///< None if there is no tie.
@@ -38,7 +39,7 @@ struct TieEvidence {
 
 /// How the ties of a run were proven.
 struct TieTally {
-  std::array<std::size_t, 6> steps{};  ///< With a tie, by their TieProof.
+  std::array<std::size_t, 6> steps{};  ///< Steps with a tie, by their TieProof.
   long bits = 0;                       ///< Of the finest enclosures that still overlapped.
 
   void add(const TieEvidence& evidence) {
@@ -83,14 +84,14 @@ struct Evaluation {
 };
 
 /// The record of a progressive simplification: any prefix of `steps` is a valid result. Engines
-/// make it, a trace and a proof are it in writing, replay() and the judges read it.
+/// make it, a trace or a proof is its written form, and replay() and the judges read it.
 struct Run {
   std::vector<Halfspace> halfspaces;  ///< In canonical order, no redundant ones; ids are positions.
   std::vector<HalfspaceId> kept = {};  ///< Never removed, and no removal is compared with theirs.
   std::vector<Step> steps;
   StopReason stop = StopReason::Reached;
-  /// Where neither a proof nor enclosures of so many bits told whether the next step stays within
-  /// the growth limit, so that it was not made. 0 if that was decided.
+  /// The bits of the enclosures if neither they nor a proof could tell whether the next step stays
+  /// within the growth limit, so that it was not made. 0 if that was decided.
   long growth_bits = 0;
   CostMeasure measure = CostMeasure::Volume;  ///< Of the costs.
   /// Whether each removal is claimed to be the cheapest of its time; then each has its tie list.
@@ -99,7 +100,7 @@ struct Run {
   std::vector<DualTriangle> triangles = {};
   /// Every evaluation in the order in which it was made; empty unless it was asked for.
   std::vector<Evaluation> evaluations = {};
-  /// Made after the steps, which `triangles` and the functions below are about.
+  /// Made after the steps; `triangles` and the functions below are about the steps.
   std::vector<Move> moves = {};
   /// Whether the volume after the moves is proven to be the least of as many halfspaces.
   bool is_least = false;
@@ -133,18 +134,19 @@ enum class VerifyLevel {
 struct SimplifyOptions {
   /// Stop at this many halfspaces; at least 4. At or above the input's number the run has no steps.
   std::size_t faces = 4;
-  /// Halfspaces that are not removed, whatever they cost; no entry of the queue and of no tie.
+  /// Halfspaces that are not removed, whatever they cost; they are in no queue and in no tie.
   std::vector<HalfspaceId> keep = {};
-  /// The measure that each removal shall add the least to.
+  /// The measure to which each removal is to add the least.
   CostMeasure cost = CostMeasure::Volume;
-  /// Of comparisons of mean widths.
+  /// For comparisons of mean widths.
   CompareLimits compare = {};
   /// Stop before the measure growth_measure() exceeds (1 + max_growth) times the input's; >= 0.
   /// Where a comparison of mean widths is undecided, it counts as exceeding.
   std::optional<Rational> max_growth = {};
-  /// The measure that max_growth limits; unset: `cost`. The float engine takes no other one.
+  /// The measure that max_growth limits; unset: `cost`. The float engine accepts no other measure
+  /// than `cost`.
   std::optional<CostMeasure> growth_of = {};
-  /// Of the random choices; the removals and their costs do not depend on it.
+  /// For the random choices; the removals and their costs do not depend on it.
   std::uint64_t seed = 1;
   VerifyLevel verify = VerifyLevel::Local;
   /// Keep the evaluations of every removal; docs/proof-format.md has their use.
@@ -161,10 +163,10 @@ struct SimplifyOptions {
   }
 };
 
-/// How far a run of the float engine can be from one in exact numbers. Proven, but for `doubtful`
-/// steps, of which nothing is known but that they lead to a bounded solid around the input.
+/// How far a run of the float engine can be from one in exact numbers. Proven, except for
+/// `doubtful` steps, of which it is only known that they lead to a bounded solid around the input.
 struct FloatBound {
-  /// A step of which no more than this can be proven counts as doubtful: a thousandth.
+  /// A step counts as doubtful if one of its bounds is not proven to be at most this: a thousandth.
   static constexpr double kMost = 0x1p-10;
 
   double cost = 0;            ///< Each reported cost is within this share of the true one.
@@ -173,11 +175,11 @@ struct FloatBound {
   std::size_t doubtful = 0;   ///< Steps of which these two are not proven.
   double least_next = 0;      ///< A lower bound of the cost of any further removal, as the steps'
                               ///< costs; infinite if all are proven to be unbounded.
-  std::size_t ties = 0;       ///< Steps in which doubles could not tell the cheapest, so that the
-                              ///< canonical order decided.
+  std::size_t ties = 0;       ///< Steps in which doubles could not tell which removal is the
+                              ///< cheapest, so that the canonical order decided.
   bool is_end_proven = true;  ///< Whether exact numbers, too, would have ended the run there.
 
-  /// Whether everything is proven. If not, the filtered engine knows.
+  /// Whether everything is proven. If not, the filtered engine gives a proven answer.
   [[nodiscard]] bool is_vouched() const { return doubtful == 0 && is_end_proven; }
 };
 

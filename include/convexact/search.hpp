@@ -12,13 +12,13 @@
 
 namespace convexact {
 
-/// What is tried to make the solid that a run leaves smaller, with as many halfspaces.
+/// The search for a solid smaller than the one that a run leaves, with as many halfspaces.
 enum class SearchKind {
   None,
   Walk,     ///< Exchanges of one halfspace for a facet next to it, until none helps.
   Local,    ///< The same, then kicks: random exchanges with a walk after them, kept if that helped.
-  Optimal,  ///< The same, then all other choices, until no halfspaces of the input, as many, bound
-            ///< less: proven. By volume only.
+  Optimal,  ///< The same, then all other choices, until it is proven that no equal number of
+            ///< halfspaces of the input bounds less. By volume only.
 };
 
 struct SearchRequest {
@@ -30,9 +30,9 @@ struct SearchRequest {
 struct SearchOptions {
   SearchRequest request = {SearchKind::Walk};
   Engine engine = Engine::Filtered;    ///< Not Float.
-  std::vector<HalfspaceId> keep = {};  ///< Of those at the start, ascending: never exchanged.
+  std::vector<HalfspaceId> keep = {};  ///< Among those at the start, ascending: never exchanged.
   CostMeasure cost = CostMeasure::Volume;
-  CompareLimits compare = {};  ///< Of mean widths. What is undecided is not smaller.
+  CompareLimits compare = {};  ///< For mean widths. If undecided, a measure counts as not smaller.
   std::uint64_t seed = 1;      ///< Of the kicks: another one may lead elsewhere.
   /// Called after every kick with the number of kicks made.
   std::function<void(std::size_t kicks)> progress = {};
@@ -41,14 +41,15 @@ struct SearchOptions {
   std::function<void(std::size_t nodes, double gap)> bounded = {};
   /// When it becomes true, the search ends with Error(Stopped).
   const std::atomic<bool>* stop = nullptr;
-  /// When it becomes true, search_optimal() looks no further, and returns what it has.
+  /// When it becomes true, search_optimal() stops searching and returns the best result so far.
   const std::atomic<bool>* settle = nullptr;
 };
 
 /// What search_optimal() has proven.
 struct Optimality {
-  bool is_proven = false;  ///< No other halfspaces of the input, as many, bound a smaller volume.
-  /// They bound no smaller volume than this, which is that of the result if it is proven the least.
+  bool is_proven = false;  ///< No equal number of halfspaces of the input bounds a smaller volume.
+  /// They bound no smaller volume than this, which is the volume of the result if that is proven
+  /// the least.
   Rational lower_bound;
   std::size_t nodes = 0;  ///< States looked at. The engines may differ where volumes are equal.
 };
@@ -56,20 +57,21 @@ struct Optimality {
 /// How a search went.
 struct SearchRun {
   std::vector<Move> moves;  ///< Each proven to make the measure smaller; without measures.
-  /// About how much each of them changed the measure, below 0, in a unit of the run.
+  /// The approximate change of the measure by each of them, below 0, in a unit of the run.
   std::vector<double> changes;
   std::size_t tried = 0;                      ///< Exchanges whose measures were compared.
   std::optional<Optimality> optimality = {};  ///< Of search_optimal().
 };
 
-/// Exchanges kept halfspaces for facets of the input, so that the measure falls. The rule, which
-/// both engines follow to the same moves: for each kept halfspace in canonical order, of all facets
-/// that have an edge with it on the input and are not kept, the one that leaves the least measure
-/// takes its place, the first in canonical order on a tie, if that is proven to be less than
-/// before; again and again, until a pass over all of them changes nothing. A kick draws one to
-/// three kept halfspaces, and for each a facet two to eleven edges away; what is kept already, and
-/// what leaves the solid unbounded, is passed over. The walk follows. If the measure is not proven
-/// to be less than before the kick, all of that is undone; otherwise it is one move.
+/// Exchanges kept halfspaces for facets of the input, so that the measure falls. Both engines
+/// follow the same rule, and so make the same moves. The walk visits the kept halfspaces in
+/// canonical order. Of all facets that share an edge with a visited halfspace on the input and are
+/// not kept, the one that leaves the least measure takes its place, the first in canonical order on
+/// a tie, if that measure is proven to be less than before. The walk repeats this until a pass over
+/// all kept halfspaces changes nothing. A kick draws one to three kept halfspaces, and for each a
+/// facet two to eleven edges away; facets that are kept already, or that leave the solid unbounded,
+/// are passed over. The walk follows. If the measure is not proven to be less than before the kick,
+/// all of that is undone; otherwise it is one move.
 /// @param dual   The dual hull of the input.
 /// @param input  The same as a polytope.
 /// @param start  The halfspaces kept at the start, at least 4, ascending; they bound a solid.
@@ -83,15 +85,15 @@ struct SearchRun {
                                          std::vector<HalfspaceId> start,
                                          const SearchOptions& options = {});
 
-/// The least volume that as many halfspaces of the input as there are at the start bound, those to
-/// be kept among them. A local search leads to the incumbent. Branch and bound then looks at all
-/// sets of removals, but for those that are proven to end at no smaller volume, and takes what is
-/// proven to be smaller as the incumbent; if that helped, it is one more move. Of several sets of
-/// the least volume the result is the one that the local search found, or else the first in the
-/// order of the branches; it is the same for both engines unless the limit of nodes ends the
-/// search.
+/// Finds the least volume that is bounded by as many halfspaces of the input as there are at the
+/// start, those to be kept among them. A local search leads to the incumbent. Branch and bound then
+/// looks at all sets of removals, except those that are proven to end at no smaller volume; a
+/// result that is proven to be smaller becomes the incumbent. If that helped, it is one more move.
+/// Of several sets of the least volume the result is the one that the local search found, or else
+/// the first in the order of the branches; it is the same for both engines unless the limit of
+/// nodes ends the search.
 /// @throws Error As search_exchanges(); InvalidArgument unless the measure is the volume: by area
-///               and mean width a removal may come to cost less, so that nothing bounds it.
+///               and mean width the cost of a removal may fall later, so that nothing bounds it.
 /// @par Cost     Exponential in the worst case. Each state costs some thirty caps.
 /// @par Source   docs/design/search.md
 [[nodiscard]] SearchRun search_optimal(const DualHull& dual, const Polytope& input,

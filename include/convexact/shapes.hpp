@@ -49,7 +49,7 @@ struct MalformedFile {
   std::string name;         ///< "malformed-", the format, "-", the mistake.
   std::string description;  ///< One line.
   std::string bytes;        ///< The whole file.
-  bool not_finite = false;  ///< Spelled right, but NaN, infinite or beyond the largest double.
+  bool not_finite = false;  ///< Spelled correctly, but NaN, infinite or beyond the largest double.
 
   /// The file's extension: obj, off, ply, stl, xyz, json, ine or txt. The last three list
   /// halfspaces.

@@ -21,7 +21,7 @@ using HalfspacesStillFail = std::function<bool(std::span<const Halfspace> halfsp
 /// How complicated a coordinate is: the bits of its numerator and of its denominator, so 0 for 0, 1
 /// for +-1, 3 for 5 and for 1/4, and 1000 for 2^-999 and for 2^999.
 [[nodiscard]] std::size_t coordinate_bits(const Rational& x);
-/// Of all coordinates, or numbers, together.
+/// The bits of all coordinates, or numbers, together.
 [[nodiscard]] std::size_t coordinate_bits(const PointSet& points);
 [[nodiscard]] std::size_t coordinate_bits(std::span<const Halfspace> halfspaces);
 

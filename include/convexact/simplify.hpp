@@ -19,7 +19,7 @@ namespace convexact {
 
 /// The start of a run with its proofs, which a proof of the run needs beside the run.
 struct RunStart {
-  std::vector<Halfspace> input_halfspaces;  ///< Where the input is halfspaces: all of them.
+  std::vector<Halfspace> input_halfspaces;  ///< If the input is halfspaces: all of them.
   DualHull dual;                            ///< Of the solid.
   RationalPoint interior;                   ///< Strictly inside the solid.
   std::vector<InsideProof> inside;          ///< As in HullCertificate.
@@ -29,11 +29,12 @@ struct RunStart {
 /// A request. At least one of `faces` and `max_growth` must be given.
 struct SimplifyRequest {
   std::optional<std::size_t> faces;  ///< Halfspaces to keep, >= 4.
-  /// Facets of the input that stay. With all of them the result has at least as many halfspaces.
+  /// Facets of the input that stay. The result has at least as many halfspaces as there are of
+  /// these.
   std::vector<KeepSelector> keep = {};
   /// The measure `growth_of` may grow to (1 + max_growth) times; >= 0.
   std::optional<Rational> max_growth;
-  /// Unset: `cost`. Only with max_growth, and not another one than `cost` for the float engine.
+  /// Unset: `cost`. Only with max_growth; for the float engine, only `cost`.
   std::optional<CostMeasure> growth_of;
   /// The measure that is kept small.
   CostMeasure cost = CostMeasure::Volume;
@@ -44,14 +45,15 @@ struct SimplifyRequest {
   SearchRequest search = {};
   bool trace = false;  ///< Keep the full record of every step. Not for the float engine.
   /// Keep the data for a proof of the run. For every engine and measure. By volume and by area the
-  /// proof shows that each removal was the cheapest; of mean widths, and of the float engine's
+  /// proof shows that each removal was the cheapest; for mean widths, and for the float engine's
   /// choices, it claims less (docs/proof-format.md).
   bool record = false;
   /// How much of each step is proven again. The float engine proves no steps, only the result; Full
   /// makes the filtered engine keep the record that it needs.
   VerifyLevel verify = VerifyLevel::Local;
   std::optional<RationalPoint> center;  ///< Unset: the Chebyshev center. The answer is the same.
-  std::uint64_t seed = 1;               ///< Of every random order. The answer is the same.
+  std::uint64_t seed = 1;               ///< Of every random order. The answer does not depend on
+                                        ///< it.
   StoreRequest store;
   bool exact_volumes = false;  ///< As rationals too, not only their certain digits.
   StageWatch watch = {};       ///< Reports removals as the progress of stage::kSimplify.
@@ -65,7 +67,7 @@ struct KeptFacet {
 
 /// What a search achieved. Measures are those that the run keeps small.
 struct SearchResult {
-  /// The move that the measure fell most by; of those that seem to be equal the first.
+  /// The move by which the measure fell most; of those that seem to be equal, the first.
   struct Best {
     std::size_t move;  ///< Its place in `moves`.
     Enclosure before, after;
@@ -86,9 +88,9 @@ struct SimplifyResult {
   std::size_t input_halfspaces = 0;    ///< Of the hull, redundant ones not counted.
   std::size_t steps = 0;               ///< Halfspaces removed.
   StopReason stop = StopReason::Reached;
-  std::vector<KeptFacet> kept;  ///< What the selectors of the request selected, ascending.
-  /// If its trace or record was asked for, and by the exact engine. The float engine's run is made
-  /// again in exact numbers.
+  std::vector<KeptFacet> kept;  ///< The facets that the request's selectors selected, ascending.
+  /// Set if its trace or record was asked for, and by the exact engine. The float engine's run is
+  /// made again in exact numbers.
   std::optional<Run> run;
   std::optional<RunStart> start;  ///< If the record was requested.
   Stored solid;                   ///< The solid that encloses the input.
@@ -123,7 +125,7 @@ struct HullRequest {
   bool volume = true, area = true, mean_width = true;  ///< The measures to compute.
   int digits = 10;            ///< Certain decimal digits of each measure, 1 to 10000.
   bool exact_volume = false;  ///< The volume as a rational too.
-  std::uint64_t seed = 1;     ///< Of every random order. The answer is the same.
+  std::uint64_t seed = 1;     ///< Of every random order. The answer does not depend on it.
   StoreRequest store;
   StageWatch watch = {};  ///< Reports facets or edges as the progress of each measure.
 };

@@ -16,8 +16,8 @@ namespace convexact {
 
 /// A request for all parts together.
 struct SceneRequest {
-  /// As for one part. `faces` and `center` stay unset, since no one number or point is meant for
-  /// every part, and so does `keep`. `max_growth` limits the sum over all parts.
+  /// As for one part. `faces` and `center` stay unset, since no single number or point suits every
+  /// part; `keep` stays unset, too. `max_growth` limits the sum over all parts.
   SimplifyRequest each;
   /// Halfspaces to keep in all parts together: at least 4 for each part.
   std::size_t total_faces = 0;
@@ -25,13 +25,13 @@ struct SceneRequest {
   std::vector<std::vector<KeepSelector>> keep = {};
 };
 
-/// What was found about all parts together. Measures are sums over the parts.
+/// The results for all parts together. Measures are sums over the parts.
 struct SceneTotals {
   std::size_t steps = 0;  ///< Halfspaces removed.
   /// The last removals, in their order, each by its part, counted from 0. The other parts keep at
   /// least 4 halfspaces each, so that a part cannot end with more than `total_faces` less these;
-  /// by volume and unless growth is limited, each part is simplified down to that number before,
-  /// on its own. Otherwise these are all removals.
+  /// by volume and unless growth is limited, each part is first simplified down to that number by
+  /// itself. Otherwise these are all removals.
   std::vector<std::uint32_t> order;
   StopReason stop = StopReason::Reached;
   std::size_t input_halfspaces = 0, output_halfspaces = 0;
@@ -64,20 +64,22 @@ struct NotSolidPart {
 using SceneOutcome = std::variant<SceneResult, NotSolidPart>;
 
 /// Removes one halfspace after another, each time the one of all parts whose removal adds the least
-/// to the measure of the request, until `total_faces` are left. Of equal ones the first part goes
-/// on, and within a part the first in canonical order. A part whose removals are all unbounded, as
-/// with 4 halfspaces, drops out; if all have, the run ends above `total_faces`.
+/// to the measure of the request, until `total_faces` are left. On a tie the first part is chosen,
+/// and within a part the first halfspace in canonical order. A part whose removals are all
+/// unbounded, as with 4 halfspaces, drops out; if all parts have dropped out, the run ends above
+/// `total_faces`.
 ///
-/// Parts do not interact, so the removals in each part are the first ones of its own run. Costs by
-/// volume never fall during a run: no other choice of beginnings of these runs keeps as few
-/// halfspaces and has a smaller sum of volumes. Costs by area and mean width may fall, so there
-/// this is a greedy choice without that property.
+/// Parts do not interact, so the removals in each part are the first ones of the part's separate
+/// run. Costs by volume never fall during a run, so no other choice of prefixes of these runs keeps
+/// as few halfspaces and has a smaller sum of volumes. Costs by area and mean width may fall, so
+/// there this is a greedy choice without that property.
 ///
 /// The exact and the filtered engine compare the parts' costs exactly where their bounds overlap;
-/// mean widths that are not told apart count as equal. The float engine compares its estimates.
+/// mean widths that cannot be told apart count as equal. The float engine compares its estimates.
 /// @throws Error InvalidArgument for no part, a budget below 4 halfspaces for each part, or what
 ///               simplify() refuses; otherwise as simplify().
-/// @par Cost     As the parts' own runs, and for each removal the logarithm of their number.
+/// @par Cost     As the parts' separate runs, and for each removal the logarithm of the number of
+///               parts.
 [[nodiscard]] SceneOutcome simplify_scene(std::span<const Shape> parts,
                                           const SceneRequest& request);
 
@@ -101,7 +103,8 @@ struct Gaps {
 /// @param parts   Of halfspaces, or of points without faces: nothing to test.
 /// @param solids  For each part the halfspaces whose intersection it is; without any, the empty
 ///                set.
-/// @throws Error  InvalidArgument unless there is a solid for each part; Stopped, as `stop` says.
+/// @throws Error  InvalidArgument unless there is a solid for each part; Stopped when `stop`
+///                becomes true.
 /// @par Cost      A sign for each point and halfspace of its part; for each face that is not inside
 ///                its own part one for each corner and halfspace of the scene.
 [[nodiscard]] Gaps find_gaps(std::span<const SceneObject> parts,

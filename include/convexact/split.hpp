@@ -16,24 +16,24 @@
 
 namespace convexact {
 
-/// To which of its bridges a point of a part is measured.
+/// The bridge to which the distance of a point of a part is measured.
 enum class BridgeChoice {
-  Farther,  ///< The farthest of those of the nearest point on a path.
-  Region,   ///< The one that most points around its region have; on a path, the nearest.
-  Nearer,   ///< The nearest of those of the nearest point on a path.
+  Farther,  ///< The farthest of the bridges of the nearest point on a path.
+  Region,   ///< The bridge that most points around its region have; on a path, the nearest.
+  Nearer,   ///< The nearest of the bridges of the nearest point on a path.
 };
 
 struct SplitOptions {
   ConcavityLimit limit = {};
-  std::optional<std::size_t> max_parts = {};  ///< Split no more at so many leaves; >= 1.
+  std::optional<std::size_t> max_parts = {};  ///< Stop splitting at this many leaves; >= 1.
   BridgeChoice bridge = BridgeChoice::Farther;
   /// Facets are joined to one bridge over an edge if the cosine of the angle between their normals
   /// is larger; above 0, at most 1.
   Rational coplanar{99, 100};
   Connect connect = Connect::Edge;
   bool associations = false;  ///< Fill in SplitNode::association, for a trace.
-  /// Reports the triangles of finished leaves as progress. A long run ends with Error Stopped, as
-  /// it says.
+  /// Reports the triangles of finished leaves as progress. It can end a long run with Error
+  /// Stopped.
   Watch watch = {};
 };
 
@@ -41,10 +41,10 @@ struct SplitOptions {
 struct BridgePath {
   std::array<std::uint32_t, 2> bridges;  ///< Ascending.
   /// Along edges of the mesh, from the lower end of the hull's edge to the other one. Only these
-  /// two if the edge spans a hole of the mesh, or if no way leads from one to the other.
+  /// two ends if the edge spans a hole of the mesh, or if no path leads from one to the other.
   std::vector<PointId> points;
   bool spans_hole = false;
-  bool is_joined = true;  ///< Whether there is a way, and it was looked for.
+  bool is_joined = true;  ///< Whether there is a path, and it was looked for.
 };
 
 /// How the points of a part belong to the bridges over it.
@@ -54,7 +54,7 @@ struct Association {
   std::vector<std::vector<Facet>> bridges;
   std::vector<BridgePath> paths;  ///< By the ends of the hull's edges.
   std::vector<PointId> points;    ///< Of the part, ascending.
-  /// By point: its bridges, ascending. Without any it is measured to the nearest facet.
+  /// By point: its bridges, ascending. A point without any is measured to the nearest facet.
   std::vector<std::vector<std::uint32_t>> bridges_of;
 };
 
@@ -95,7 +95,7 @@ struct Split {
   Halfspace plane;                ///< The moved triangles are beyond it.
   std::size_t refused = 0;        ///< Planes that were tried before, and left nothing on a side.
   std::vector<TriangleId> moved;  ///< Ascending. They and the islands are the second child.
-  /// What was cut off from the triangles that stay at the notch, ascending.
+  /// The triangles that were cut off from those that stay at the notch, ascending.
   std::vector<TriangleId> islands;
 };
 
@@ -113,10 +113,11 @@ struct SplitTree {
 };
 
 /// Starts with a leaf for each group of neighbours and splits, one after another, the most concave
-/// one that is beyond the limit and can be split; until there is none, or for `max_parts`.
+/// one that is beyond the limit and can be split. Ends when there is none, or at `max_parts`
+/// leaves.
 /// @throws Error InvalidArgument for options out of their range, if there are more groups than
-///               `max_parts`, naming their number, and for more than 2^22 points; Stopped, as the
-///               watch says.
+///               `max_parts`, naming their number, and for more than 2^22 points; Stopped when the
+///               watch ends the call.
 /// @par Cost     For each node a hull, and a path to find for each edge between bridges.
 /// @par Source   [Backenhof2011], [LienAmato2007]
 [[nodiscard]] SplitTree split(const Surface& surface, const SplitOptions& options = {});
@@ -130,7 +131,7 @@ struct BridgeMeasure {
 
 /// How concave one part is by the bridges over it.
 /// @param triangles  At least one, ascending.
-/// @param options    `bridge`, `coplanar` and `watch` count.
+/// @param options    Only `bridge`, `coplanar` and `watch` count.
 /// @throws Error     as split().
 [[nodiscard]] BridgeMeasure measure_by_bridges(const Surface& surface,
                                                std::span<const TriangleId> triangles,

@@ -23,7 +23,8 @@ using TriangleId = Id<struct TriangleTag>;  ///< Into the triangles of a surface
 
 /// Which triangles may be turned.
 enum class Orient {
-  Auto,  ///< Along edges with two triangles; closed components so that the solid comes out right.
+  Auto,  ///< Along edges with two triangles; closed components so that they bound the solid
+         ///< correctly.
   Keep,  ///< None.
 };
 
@@ -79,7 +80,7 @@ struct Surface {
 /// component in no other is turned so that its signed volume is positive; one in another is turned
 /// if its outermost ancestor was, so that voids stay voids. Open components are made consistent
 /// and keep the direction of their lowest triangle.
-/// @throws Error InvalidArgument if the mesh has no face; Stopped, as the watch says.
+/// @throws Error InvalidArgument if the mesh has no face; Stopped when the watch ends the call.
 /// @par Cost  O(n log n), and for several closed components the tests of one in another.
 [[nodiscard]] Surface make_surface(const Mesh& mesh, const SurfaceOptions& options = {},
                                    const Watch& watch = {});

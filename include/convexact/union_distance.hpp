@@ -17,7 +17,7 @@ namespace convexact {
 
 // ---- Points
 
-/// The part that is nearest to a point, and its point that is.
+/// The part that is nearest to a point, and the nearest point of that part.
 struct NearestPart {
   std::size_t part;       ///< The lowest one on a tie.
   RationalPoint nearest;  ///< The unique point of that part nearest to x; x itself if in the part.
@@ -34,8 +34,8 @@ class UnionDistance {
 
   std::span<const ConvexPart> parts() const;
 
-  /// @par Cost  Bounds in doubles for each part whose box may be the nearest; exact numbers for the
-  ///            parts only whose bounds do not exclude them.
+  /// @par Cost  Bounds in doubles for each part whose box may be the nearest; exact numbers only
+  ///            for the parts that their bounds do not exclude.
   NearestPart operator()(const RationalPoint& x) const;
 
   /// The point of one part nearest to x, exactly; x itself if in the part.
@@ -48,26 +48,26 @@ class UnionDistance {
 
 // ---- The surface, seen from the union
 
-/// A point of the surface that is away from the union.
+/// A point of the surface that is not in the union.
 struct FarPoint {
-  TriangleId triangle;  ///< That it lies on.
+  TriangleId triangle;  ///< The triangle that it lies on.
   RationalPoint point;
   NearestPart nearest;
 };
 
-/// Of the corners and centroids of the pieces one that is farthest from the union, as far as bounds
-/// in doubles tell (they differ by about 2^-46 of the diameter); its own distance is exact and not
-/// zero. The first one on a tie. Nothing if there is no piece.
+/// The one of the corners and centroids of the pieces that is farthest from the union, as far as
+/// bounds in doubles tell (they differ by about 2^-46 of the diameter); its own distance is exact
+/// and not zero. The first one on a tie. Nothing if there is no piece.
 /// @param uncovered  From find_uncovered().
-/// @throws Error Stopped, as the watch says.
+/// @throws Error Stopped when the watch ends the call.
 [[nodiscard]] std::optional<FarPoint> farthest_found(std::span<const UncoveredPiece> uncovered,
                                                      const UnionDistance& distance,
                                                      const Watch& watch = {});
 
 enum class Reach {
   Within,     ///< No point of the surface is farther from the union than the tolerance.
-  Beyond,     ///< The witness is.
-  Undecided,  ///< The largest distance is so near the tolerance that subdivision did not tell.
+  Beyond,     ///< The witness is farther.
+  Undecided,  ///< The largest distance is so near the tolerance that subdivision did not decide.
 };
 
 /// low <= x <= high, of the square of a distance.
@@ -88,10 +88,10 @@ struct WithinDistance {
 /// corners are within T of one and the same part, because a dilated convex set is convex; a corner
 /// farther than T from all parts is a witness; other pieces are bisected. Every comparison is
 /// exact, and at a distance of exactly T a point is within. Undecided if a piece with sides shorter
-/// than T 2^-20 is neither, or if kReachPieces pieces did not do.
+/// than T 2^-20 is neither, or if kReachPieces pieces did not suffice.
 /// @param uncovered          From find_uncovered(); what it leaves out has distance 0.
 /// @param squared_tolerance  T^2 >= 0, in squared length units.
-/// @throws Error InvalidArgument if squared_tolerance < 0; Stopped, as the watch says.
+/// @throws Error InvalidArgument if squared_tolerance < 0; Stopped when the watch ends the call.
 [[nodiscard]] WithinDistance is_within(std::span<const UncoveredPiece> uncovered,
                                        const UnionDistance& distance,
                                        const Rational& squared_tolerance, const Watch& watch = {});
@@ -114,8 +114,8 @@ struct DirectedDistance {
 
 /// Largest distance of a point of the surface to the union; 0 if nothing is uncovered.
 /// @param uncovered         From find_uncovered().
-/// @param squared_diameter  > 0, of what the caller compares distances with.
-/// @throws Error InvalidArgument if squared_diameter <= 0; Stopped, as the watch says.
+/// @param squared_diameter  > 0, of the set that the caller compares distances with.
+/// @throws Error InvalidArgument if squared_diameter <= 0; Stopped when the watch ends the call.
 [[nodiscard]] DirectedDistance surface_to_union(std::span<const UncoveredPiece> uncovered,
                                                 const UnionDistance& distance,
                                                 const Rational& squared_diameter,
@@ -126,9 +126,9 @@ struct DirectedDistance {
 /// @param parts             At least one.
 /// @param surface           With a triangle.
 /// @param winding           Of the surface; null if it is open, and distances inside count as well.
-/// @param squared_diameter  > 0, of what the caller compares distances with.
+/// @param squared_diameter  > 0, of the set that the caller compares distances with.
 /// @throws Error InvalidArgument if there is no part, no triangle, or squared_diameter <= 0;
-///               Stopped, as the watch says.
+///               Stopped when the watch ends the call.
 /// @par Cost  Bounds in doubles of the distances of points to triangles, found by a tree of boxes;
 ///            winding numbers of those points that are farther from the surface than any before.
 [[nodiscard]] DirectedDistance union_to_surface(std::span<const ConvexPart> parts,

@@ -59,7 +59,7 @@ enum class ClaimCode {
   MeshPlanar,         ///< Each face is a simple polygon in one plane.
   MeshConvex,         ///< The faces are the surface of the hull of the vertices.
   ContainsInput,      ///< No input point lies outside.
-  MaxFacets,          ///< At most so many facets; of a mesh, as meant.
+  MaxFacets,          ///< At most so many facets; for a mesh, facets as meant.
   MaxVertices,        ///< At most so many vertices, those inside a facet or an edge not counted.
   MaxFacetVertices,   ///< No facet has more corners.
   InsideInput,        ///< Of an inner solid: no vertex lies outside of the input's hull.
@@ -109,8 +109,8 @@ enum class Status {
   Violated,
   NotAsked,       ///< Not among the claims to decide.
   NotApplicable,  ///< It has no meaning for this candidate; the sentence says why.
-  Undecided,      ///< Neither proven nor refuted: of removal orders by mean width, and of surfaces
-                  ///< at a tolerance.
+  Undecided,      ///< Neither proven nor refuted: for removal orders by mean width, and for
+                  ///< surfaces at a tolerance.
 };
 [[nodiscard]] const char* name_of(Status status);
 
@@ -140,7 +140,7 @@ struct Claim {
   Status status;
   std::string sentence;  ///< The finding, for people.
   Witness witness;       ///< Empty unless violated, or let pass by a tolerance.
-  /// Whether the request named it, so that it is no success if it is not applicable.
+  /// Whether the request named it; it is then no success if it is not applicable.
   bool is_named = false;
   /// Whether it is violated by `witness.squared_distance` alone, so that such a tolerance lets it
   /// pass.
@@ -189,15 +189,16 @@ inline constexpr unsigned kRoundingUlps = 16;
 /// pass that test; points of a thin cloud, whose facets happen to be nearly coplanar, do not.
 ///
 /// Patches grow greedily from the largest facet down (where the solid is thin, once more from the
-/// smallest up), so that there may be fewer. There are at most as many as facets.
+/// smallest up), so a smaller number of patches may exist. There are at most as many patches as
+/// facets.
 /// @par Cost  Doubles for each edge; for each that may lie inside a patch linear programs with the
 ///            patch's corners as rows.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> planar_patches(const Polytope& polytope,
                                                                      const Slack& slack);
 
 struct VerifyRequest {
-  /// The claims to decide; the budgets are asked by their numbers. Empty: all. Claims that stand
-  /// here and budgets must apply to the candidate for the verdict to hold.
+  /// The claims to decide; a budget is asked for by its number. Empty: all. Claims listed here and
+  /// budgets must apply to the candidate for the verdict to hold.
   std::vector<ClaimCode> claims = {};
   /// Violations of planarity and convexity up to this distance from a plane, and of containment up
   /// to this distance from the candidate, pass; they are reported all the same.
@@ -208,7 +209,7 @@ struct VerifyRequest {
   /// Whether the candidate is meant to lie in the hull of the input, not around it.
   bool inner = false;
   /// The facets as meant are also looked for with this Slack::ulps_of_largest, if it is not 0; the
-  /// fewer count.
+  /// smaller number counts.
   unsigned slack_ulps = 0;
   bool tightness = true;   ///< Whether to measure volume, area, mean width and distance.
   std::uint64_t seed = 1;  ///< Of every random order. The verdict does not depend on it.

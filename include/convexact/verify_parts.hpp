@@ -16,9 +16,9 @@
 namespace convexact {
 
 struct PartsRequest {
-  /// The claims to decide; the budgets are asked by their numbers. Empty: all but covers-solid,
-  /// parts-disjoint and parts-needed; tree-nested if there is a tree. Claims that stand here must
-  /// apply for the verdict to hold.
+  /// The claims to decide; a budget is asked for by its number. Empty: all but covers-solid,
+  /// parts-disjoint and parts-needed; tree-nested if there is a tree. Claims listed here must apply
+  /// for the verdict to hold.
   std::vector<ClaimCode> claims = {};
   /// Distances of faces to their planes (parts-convex), and of points of the input to the union
   /// (covers-points, covers-surface), that pass. Relative ones refer to the input's diameter.
@@ -38,8 +38,8 @@ struct PartsRequest {
 struct JudgedPart {
   std::string name;
   CandidateSize size;
-  /// What its own claims say: solid, closed, oriented, planar, convex, and the budgets; of those
-  /// that were asked.
+  /// Its claims, as far as they were asked: solid, closed, oriented, planar, convex, and the
+  /// budgets.
   std::vector<Claim> claims;
 };
 
@@ -50,7 +50,7 @@ struct PartsMeasures {
   std::optional<Measured> uncovered_volume;  ///< Of the solid outside of the union.
   std::optional<Measured> excess_volume;     ///< Of the union outside of the solid.
   Measured union_volume;
-  Measured overlap_volume;  ///< What the parts' volumes add up to, less the union's.
+  Measured overlap_volume;  ///< The sum of the parts' volumes, less the union's.
   /// Largest distance of a point of the input's surface to the union, and of a point of the union
   /// to the input's solid, or to its surface if it encloses none. The larger one is the Hausdorff
   /// distance.
@@ -79,12 +79,12 @@ struct PartsVerdict {
 };
 
 /// Decides the claims about a decomposition exactly. Parts are closed sets: touching counts as
-/// inside. Of parts that are flat the other claims are decided all the same.
+/// inside. For flat parts the other claims are still decided.
 /// @param input  With faces, the points that they use are to be covered; without, all points, and
 ///               there is no surface.
 /// @throws Error NoInterior if the input has no point; InvalidArgument for a negative tolerance, a
 ///               tolerance together with covers-solid, a budget that `claims` names without a
-///               number, and a claim of another kind; Stopped, as the watch says.
+///               number, and a claim of another kind; Stopped when the watch ends the call.
 [[nodiscard]] PartsVerdict verify_parts(const Mesh& input, const CandidateParts& candidate,
                                         const PartsRequest& request = {});
 

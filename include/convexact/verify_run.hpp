@@ -85,7 +85,8 @@ class Regret {
 /// Of costs that are proven to be equal it is exactly 0, and of areas and mean widths that are
 /// proven to differ an interval of at least 128 bits. Of mean widths that `limits` leave undecided
 /// it is an interval of limits.bits around 0.
-/// @throws Error InvalidArgument for costs of different measures; Stopped, as the watch says.
+/// @throws Error InvalidArgument for costs of different measures; Stopped when the watch ends the
+///         call.
 [[nodiscard]] std::optional<Regret> relative_regret(const Cost& cost, const Cost& minimum,
                                                     const CompareLimits& limits = {},
                                                     const Watch& watch = {});
@@ -112,11 +113,11 @@ struct JudgedStep {
   bool is_other_tie() const { return is_greedy() && removed != tie.front(); }
 };
 
-/// In a word. Steps are counted from 0.
+/// The rating of an order in one word. Steps are counted from 0.
 enum class TraceRating {
   Greedy,       ///< Every removal is one of the cheapest.
   UpToRegret,   ///< No regret is above the limit, but some are, or may be, above 0.
-  Undecided,    ///< No regret is shown to be above the limit, but of step `at` it is not decided.
+  Undecided,    ///< No regret is shown to be above the limit, but for step `at` it is not decided.
   NotGreedy,    ///< From step `at` on: the first regret above the limit.
   Unbounded,    ///< At step `at`: the remaining solid is unbounded.
   Meaningless,  ///< At step `at`, or from the start: the order cannot be followed.
@@ -136,7 +137,7 @@ struct TraceClaim {
   std::optional<TraceWitness> witness = {};  ///< If violated.
 };
 
-/// How an order does, in a word and two steps. Steps are counted from 0.
+/// The rating of an order, and two steps of it. Steps are counted from 0.
 struct OrderRating {
   TraceRating rating = TraceRating::Greedy;
   std::optional<std::size_t> at;       ///< The step that decides a rating below UpToRegret.
@@ -146,24 +147,25 @@ struct OrderRating {
 };
 
 /// Facets that an order never removes, each at some step cheaper than what it removes there by more
-/// than the limit: left out on purpose, or never listed. And how the order does on the solid
+/// than the limit: left out on purpose, or never listed. Also the rating of the order on the solid
 /// without them, as if they had been removed first.
 struct LeftOut : OrderRating {
   std::vector<HalfspaceId> facets;  ///< In canonical order; at least one.
   std::size_t unlisted = 0;         ///< How many of them the order's own list does not have.
-  std::size_t steps = 0;            ///< Steps that are too dear, and one of them is the cheapest.
+  std::size_t steps = 0;            ///< Steps that are too dear while one of these facets is the
+                                    ///< cheapest.
 };
 
 /// Planes of an order's list that are facet planes only up to rounding, or not at all.
 struct ListedPlanes {
-  std::size_t rounded = 0;        ///< Taken for the nearest facet: rounding explains how far it is.
+  std::size_t rounded = 0;        ///< Taken for the nearest facet: rounding explains the distance.
   Rational squared_distance = 0;  ///< The largest of these, from the plane to the facet's corners.
   std::size_t unknown = 0;        ///< No facet, and none that rounding explains.
 };
 
 struct TraceVerdict : OrderRating {
   std::vector<Halfspace> halfspaces;  ///< Of the input, in canonical order; ids are positions.
-  std::size_t removals = 0;           ///< In the order; those behind an end are not judged.
+  std::size_t removals = 0;           ///< In the order; those after an end are not judged.
   std::vector<JudgedStep> steps;      ///< Up to the end, or to the first that is unbounded.
   std::size_t other_ties = 0;         ///< Steps that are is_other_tie().
   CostMeasure measure = CostMeasure::Volume;  ///< Of all costs.
@@ -201,17 +203,16 @@ struct JudgeOptions {
 /// facet of the solid or one that is gone.
 ///
 /// Costs, minima and ties are the filtered engine's, certified by enclosures and exact where it
-/// matters, in the state that *the order* has reached. They are not simply believed: what all
-/// removals cost together is computed again from the measures of the solid before and after,
-/// intersected from scratch, and compared: volumes modulo two random primes, areas and mean widths
-/// by enclosures of 256 bits; and at the step that decides (the worst, the
-/// unbounded one, else the last) both costs are computed from their definition.
-/// A regret against the limit is decided by the order of two costs, exact for volumes and areas.
-/// For mean widths it is as options.compare says; what that leaves undecided violates no claim, and
-/// the claim that it is about does not hold but is Status::Undecided. A plane that is no facet
-/// plane is the nearest facet's if rounding explains the difference; the verdict counts these.
-/// Moves after the last step are judged, if that is reached, by the measures of their solids, each
-/// intersected from scratch.
+/// matters, in the state that *the order* has reached. They are checked: the total cost of all
+/// removals is computed again from the measures of the solid before and after, intersected from
+/// scratch, and compared, volumes modulo two random primes, areas and mean widths by enclosures of
+/// 256 bits. At the step that decides (the worst, the unbounded one, else the last) both costs are
+/// also computed from their definition. A regret against the limit is decided by the order of two
+/// costs, exact for volumes and areas. For mean widths options.compare limits the comparison; a
+/// regret that stays undecided violates no claim, and the claim that it is about does not hold but
+/// is Status::Undecided. A plane that is no facet plane is the nearest facet's if rounding explains
+/// the difference; the verdict counts these. Moves after the last step are judged, if that is
+/// reached, by the measures of their solids, each intersected from scratch.
 /// @param center  Strictly inside the solid.
 /// @throws Error  InvalidArgument for a negative limit, for a facet that is to be left out and does
 ///                not exist, is removed, or bounds the rest, or for one to be kept that does not
@@ -223,8 +224,8 @@ struct JudgeOptions {
 [[nodiscard]] TraceVerdict judge_trace(const DualHull& dual, const RationalPoint& center,
                                        const RemovalOrder& order, const JudgeOptions& options = {});
 
-/// The verdict on a file from which no order could be read: everything else is not asked.
-/// @param line  Where it stops making sense, if known.
+/// The verdict on a file from which no order could be read: all other claims are not asked.
+/// @param line  The line that cannot be understood, if known.
 [[nodiscard]] TraceVerdict unreadable_trace(const DualHull& dual, const std::string& what,
                                             std::optional<std::size_t> line);
 

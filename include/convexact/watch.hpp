@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// watch.hpp - how a long loop is looked at, and ended, from outside.
+// watch.hpp - how a caller watches a long loop, and ends it.
 #pragma once
 #include <atomic>
 #include <cstddef>
@@ -24,8 +24,7 @@ struct StageWatch {
   const std::atomic<bool>* settle = nullptr;
 };
 
-/// The check that a loop that may take seconds makes at each of its steps; without arguments it
-/// does nothing.
+/// A check at each step of a loop that may take seconds; without arguments it does nothing.
 class Watch {
  public:
   using Progress = std::function<void(std::size_t done, std::size_t total)>;

@@ -44,7 +44,7 @@ class CostOrder {
   /// Equal if all terms are the same; else by enclosures of 128 bits; if these overlap, by the
   /// proof that concavities are equal, and so are perimeters and areas or, of small clusters, the
   /// quotients; and else by finer enclosures, which may leave it Undecided.
-  /// @throws Error Stopped, as the watch says.
+  /// @throws Error Stopped when the watch ends the call.
   [[nodiscard]] Ordering compare(const MergeCost& a, const MergeCost& b,
                                  const Watch& watch = {}) const;
 

@@ -11,7 +11,7 @@ namespace convexact {
 
 /// Whether a sum in normal form is zero: proven either way, or nothing. compare() in angle_sum.hpp
 /// says why this decides, and when it does not.
-/// @throws Error Stopped, as the watch says.
+/// @throws Error Stopped when the watch ends the call.
 /// @par Source  [Baker1966], [ConwayRadinSadun1999], [BachDriscollShallit1993]
 [[nodiscard]] std::optional<bool> vanishes_in_angle_basis(std::span<const ReducedAngles> form,
                                                           const Watch& watch = {});

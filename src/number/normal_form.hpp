@@ -26,7 +26,7 @@ struct ReducedAngles {
 
 /// The normal form of a sum: one entry for each square class of lengths, without those that are
 /// zero. If it is empty, the sum is zero; the contrary is for the angle basis.
-/// @throws Error Stopped, as the watch says.
+/// @throws Error Stopped when the watch ends the call.
 [[nodiscard]] std::vector<ReducedAngles> normal_form(const AngleSum& sum, const Watch& watch = {});
 
 /// The sum of which these are the normal form.

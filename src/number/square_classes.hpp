@@ -25,7 +25,7 @@ struct SquareClasses {
 };
 
 /// Sorts n >= 0 integers > 0 into square classes, without factoring them.
-/// @throws Error Stopped, as the watch says.
+/// @throws Error Stopped when the watch ends the call.
 /// @par Cost  Residues of each number modulo 32 primes, which tell most classes apart; then a gcd
 ///            and two integer roots for each pair that they leave.
 [[nodiscard]] SquareClasses square_classes(std::span<const Integer> numbers,

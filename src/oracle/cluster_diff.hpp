@@ -61,7 +61,7 @@ struct ClusterDiff {
 /// Runs the engines, at least two and all different, and compares them with the first.
 /// @param options  Of every run; its engine and watch are not used.
 /// @throws Error InvalidArgument for what cluster() refuses, and for a list of engines that is no
-///               such list; Stopped, as the watch says.
+///               such list; Stopped when the watch ends the call.
 [[nodiscard]] ClusterDiff diff_clusters(const Surface& surface, const ClusterOptions& options,
                                         const std::vector<Engine>& engines,
                                         const StageWatch& watch = {});

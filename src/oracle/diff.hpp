@@ -28,7 +28,8 @@ struct DiffRequest {
   std::vector<Engine> engines = {Engine::Exact, Engine::Filtered, Engine::Float};
   CostMeasure cost = CostMeasure::Volume;  ///< The measure that the runs keep small.
   CompareLimits compare = {};              ///< Of mean widths, by the engines and the judge.
-  std::uint64_t seed = 1;                  ///< Of every random order. The answer is the same.
+  std::uint64_t seed = 1;                  ///< Of every random order. The answer does not depend on
+                                           ///< it.
   StageWatch watch = {};  ///< Removals are told as the progress of each engine's stage.
 };
 

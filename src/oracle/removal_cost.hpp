@@ -59,7 +59,7 @@ class RemovalOracle {
  public:
   /// @param halfspaces  None redundant. @param center  Strictly inside.
   /// @throws Error  InvalidArgument if the center is not inside or the intersection is unbounded;
-  ///                Stopped, as the watch says.
+  ///                Stopped when the watch ends the call.
   /// @par Cost      Expected O(n log n).
   RemovalOracle(std::vector<Halfspace> halfspaces, const RationalPoint& center,
                 CostMeasure measure = CostMeasure::Volume, const Watch& watch = {});
@@ -87,13 +87,13 @@ class RemovalOracle {
 
 /// Checks cost and boundedness of the removal that a step made and of the one that it should have
 /// made.
-/// @throws Error Internal if they are not what the step says; Stopped, as the watch says.
+/// @throws Error Internal if they are not what the step says; Stopped when the watch ends the call.
 void confirm_step(const TraceVerdict& verdict, const RationalPoint& center, std::size_t step,
                   const Watch& watch = {});
 
 /// The measure before the first step, and all costs, are together the measure after the last
 /// bounded one: volumes modulo two random primes, areas and mean widths by enclosures of 256 bits.
-/// @throws Error Internal if not; Stopped, as the watch says.
+/// @throws Error Internal if not; Stopped when the watch ends the call.
 void confirm_sum(const TraceVerdict& verdict, const RationalPoint& center, const Watch& watch = {});
 
 }  // namespace convexact

@@ -82,7 +82,7 @@ struct LaidPart {
 class Holders {
  public:
   /// @param tree  Over the boxes of the parts.
-  /// @throws Error Stopped, as the watch says.
+  /// @throws Error Stopped when the watch ends the call.
   Holders(const ScaledPoints& points, std::span<const LaidPart> parts, const BoxTree& tree,
           const Watch& watch);
 

@@ -25,7 +25,7 @@ struct SolidPiece {
 };
 
 /// Calls `visit` with each piece, until it returns false.
-/// @throws Error Stopped, as the watch says.
+/// @throws Error Stopped when the watch ends the call.
 void visit_uncovered_boundary(const Surface& surface, const Winding& winding,
                               std::span<const ConvexPart> parts, long exponent,
                               const std::function<bool(const SolidPiece&)>& visit,

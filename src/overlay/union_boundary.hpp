@@ -43,7 +43,7 @@ class UnionBoundary {
   std::span<const std::uint32_t> corners(FacetId f) const { return polytope(f).facets[f.facet]; }
   const ScaledPoints& points(FacetId f) const { return solids_[f.part].vertices; }
   NearBox box(FacetId f) const;
-  /// The solids that hold each of the points. @throws Error Stopped, as the watch says.
+  /// The solids that hold each of the points. @throws Error Stopped when the watch ends the call.
   Holders holders(const ScaledPoints& points, const Watch& watch) const {
     return Holders(points, solids_, tree_, watch);
   }

@@ -19,7 +19,7 @@ struct HulledCluster {
 /// @param skips_inner   Those that lie in the hull of another cluster stay, too; of equal ones the
 ///                      first joins a neighbour.
 /// @return The lowest triangles of the clusters that joined another one, in that order.
-/// @throws Error Stopped, as the watch says.
+/// @throws Error Stopped when the watch ends the call.
 [[nodiscard]] std::vector<TriangleId> merge_flat(const Surface& surface, Connect connect,
                                                  const ExactConcavity& concavity, bool skips_inner,
                                                  std::vector<HulledCluster>& clusters,

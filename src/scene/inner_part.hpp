@@ -14,7 +14,7 @@ namespace convexact {
 
 /// By part: the first of those that it lies in and that lie in no other one themselves. Nothing for
 /// those that stay; of equal parts the first one does.
-/// @throws Error Stopped, as the watch says.
+/// @throws Error Stopped when the watch ends the call.
 /// @par Cost  Two boxes of doubles for each pair, and corners where one box holds the other.
 [[nodiscard]] std::vector<std::optional<std::size_t>> find_holders(
     std::span<const ConvexPart* const> parts, const Watch& watch);
