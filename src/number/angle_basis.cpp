@@ -4,8 +4,9 @@
 // rational multiple of pi if and only if the product of the powers of these quotients is a root of
 // unity (for a common denominator of the factors). Two facts make this decidable:
 //
-// - Quotients of different fields Q(sqrt(-d)) do not help each other: the norm of one in the other
-//   field is 1, as half of its conjugates are its inverse. So each field is looked at alone.
+// - Quotients of different fields Q(sqrt(-d)) are independent of each other: the norm of one in the
+//   other field is 1, as half of its conjugates are its inverse. So each field is considered
+//   separately.
 // - In one field, an algebraic number of absolute value 1 is a root of unity if and only if it
 //   generates the unit ideal. A prime p that does not divide y splits into the prime ideals that
 //   hold sqrt(-d) - s and sqrt(-d) + s, where s^2 = -d modulo p. If alpha has no rational divisor,
@@ -117,7 +118,7 @@ std::vector<Integer> coprime_factors(const std::vector<Argument>& arguments, con
       base.push_back(m);
       continue;
     }
-    const Integer b = base[k], common = gcd(b, m);  // with each round the product of all falls
+    const Integer b = base[k], common = gcd(b, m);  // the product of all falls in each round
     base.erase(base.begin() + static_cast<std::ptrdiff_t>(k));
     for (const Integer& part : {common, Integer(b / common), Integer(m / common)}) {
       pending.push_back(part);
@@ -136,7 +137,8 @@ Integer root_modulo(const Integer& m, const Argument& alpha) {
 }
 
 // The exponents of the ideals of m in all quotients are 0. Where roots agree up to sign modulo a
-// part of m only, the parts are looked at in turn; they are coprime, as m is odd and coprime to s.
+// part of m only, the parts are considered one after another; they are coprime, as m is odd and
+// coprime to s.
 bool balances_at(const Integer& factor, const std::vector<Argument>& arguments) {
   std::vector<Integer> pending{factor};
   while (!pending.empty()) {

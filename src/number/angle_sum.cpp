@@ -115,7 +115,7 @@ Ordering compare(const AngleSum& a, const AngleSum& b, const CompareLimits& limi
   if (limits.bits < 1) throw Error(ErrorCode::InvalidArgument, "a limit is at least one bit");
   const AngleSum difference = a - b;
   if (difference.terms().empty()) return {Order::Equal, TieProof::NormalForm, 0};
-  // (1) As many bits as serve every ordinary question.
+  // (1) As many bits as every ordinary comparison needs.
   const long first = std::min(kMeasureBits, limits.bits);
   if (const std::optional<Order> order = order_to_zero(difference.enclose(first, watch))) {
     return {*order, {}, first};

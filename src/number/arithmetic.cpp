@@ -34,7 +34,7 @@ IntegerVector3 primitive_direction(const IntegerVector3& v) {
 }
 
 void make_primitive(IntegerVector3& x, Integer& d) {
-  // One after another, not in pairs: the first divisor is mostly short, and the rest cheap then.
+  // One after another, not in pairs: the first divisor is mostly short, so the others are cheap.
   Integer divisor = gcd(d, x[0]);
   for (int k = 1; k < 3 && divisor != 1; ++k) divisor = gcd(divisor, x[k]);
   if (divisor == 1) return;

@@ -80,7 +80,7 @@ Integer clear_denominators(std::span<const Rational> values, std::span<Integer> 
 void make_primitive(std::span<const Rational> values, std::span<Integer> integers);
 
 /// The exact sum of n terms; 0 for none. Terms are added in pairs, the sums in pairs again, and so
-/// on: the bits of the denominators pile up only towards the end. From left to right they would
+/// on: the bits of the denominators pile up only towards the end. Adding from left to right would
 /// make every addition as long as the last one.
 /// @par Cost  O(log n) times that of the last addition when denominators have little in common.
 [[nodiscard]] Rational balanced_sum(std::vector<Rational> terms);

@@ -22,7 +22,7 @@ Enclosure per_four_pi(const Enclosure& angles) {
   return angles / (Enclosure(Integer(4), angles.precision()) * Enclosure::pi(angles.precision()));
 }
 
-// compute(bits) for so many bits that the width is below a part of 2^precision of the number.
+// compute(bits) with enough bits that the width is below 2^-precision times the number.
 template <class Compute>
 Enclosure enclose_narrowly(const Compute& compute, long precision) {
   constexpr long kSpareBits = 32, kMostBits = 1L << 16;

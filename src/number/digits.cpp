@@ -90,7 +90,7 @@ std::optional<std::string> to_decimal(const Enclosure& x, int digits) {
   const Rational unit = power_of_ten(rounded.exponent - digits + 1);
   const Rational printed = Rational(rounded.mantissa) * unit * (negative ? -1 : 1);
   if (low <= printed - unit || high >= printed + unit) return std::nullopt;
-  rounded.exact = false;  // the middle may be short, the number need not be
+  rounded.exact = false;  // the middle may have few digits, but the number need not
   return (negative ? "-" : "") + format(rounded);
 }
 

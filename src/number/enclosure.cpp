@@ -89,7 +89,7 @@ Enclosure::Enclosure(const Integer& x, long precision) : Enclosure(precision) {
 
 namespace {
 
-// MPFR remembers pi in each thread that needs it, and frees it in none.
+// MPFR caches pi in each thread that needs it, and does not free it when the thread ends.
 struct PiOfThread {
   ~PiOfThread() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
 };
@@ -205,8 +205,8 @@ Enclosure atan2(const Enclosure& y, const Enclosure& x) {
   const BigFloat& highest_at = mpfr_sgn(x.low_.data()) > 0 ? high : low;
   Enclosure result(std::max(y.precision(), x.precision()));
   mpfr_atan2(result.low_.data(), lowest_at.data(), x.high_.data(), MPFR_RNDD);
-  // Most of the time is for arctangents. |d angle / d log y| = |d angle / d log x| = |sin cos| is
-  // at most the angle, so the other end is less than a factor of exp(w) away, w being the sum of
+  // Most of the time is spent on arctangents. |d angle / d log y| = |d angle / d log x| = |sin cos|
+  // is at most the angle, so the other end is less than a factor of exp(w) away, w being the sum of
   // the relative widths, and exp(w) <= 1 + 2 w.
   if (mpfr_sgn(low.data()) > 0 && mpfr_sgn(x.low_.data()) * mpfr_sgn(x.high_.data()) > 0) {
     BigFloat width = relative_width(low, high);

@@ -87,8 +87,9 @@ class MpfrScalar {
       const long exponent = mpfr_get_exp(&number_);  // |x| is in [1/2, 1) times 2^this
       if (exponent > kTop) mpfr_set_inf(&number_, mpfr_sgn(&number_));
       if (exponent - kBottom >= kBits) return;
-      // Of fewer bits: rounded once more from the exact result, so that no two roundings add up.
-      // (A result that the first rounding took up to a power of two goes there by this one, too.)
+      // Such a number has fewer bits: it is rounded again from the exact result, so that no two
+      // roundings add up. (A result that the first rounding raised to a power of two is raised to
+      // it by this one, too.)
       if (exponent > kBottom) {
         BigFloat shorter(exponent - kBottom);
         operation(shorter.data(), operands..., MPFR_RNDN);
@@ -99,8 +100,8 @@ class MpfrScalar {
     }
   }
 
-  // |x| < 2^kBottom becomes that or zero, and zero half way. `above`: MPFR's report on how x was
-  // rounded.
+  // |x| < 2^kBottom becomes 2^kBottom or zero; exactly half way it becomes zero. `above`: MPFR's
+  // report on how x was rounded.
   void round_to_last_bit(long exponent, int above) {
     const int sign = mpfr_sgn(&number_);
     const bool is_half = mpfr_cmp_si_2exp(&number_, sign, kBottom - 1) == 0;

@@ -25,7 +25,7 @@ struct ReducedAngles {
 };
 
 /// The normal form of a sum: one entry for each square class of lengths, without those that are
-/// zero. If it is empty, the sum is zero; the contrary is for the angle basis.
+/// zero. If it is empty, the sum is zero; that a sum is not zero is for the angle basis to prove.
 /// @throws Error Stopped when the watch ends the call.
 [[nodiscard]] std::vector<ReducedAngles> normal_form(const AngleSum& sum, const Watch& watch = {});
 

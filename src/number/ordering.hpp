@@ -19,7 +19,7 @@ inline constexpr long kDoubleBits = 53;
 }
 
 /// The order of two numbers by an enclosure of their difference; nothing if that may be zero. That
-/// it is zero is left to a proof with a name.
+/// it is zero is left to one of the proofs of TieProof.
 [[nodiscard]] inline std::optional<Order> order_to_zero(const Enclosure& difference) {
   const std::optional<Sign> sign = difference.sign();
   if (!sign || *sign == Sign::Zero) return std::nullopt;

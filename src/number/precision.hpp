@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// precision.hpp - how many bits an enclosure takes: as many as serve every ordinary question, or as
-// many as one question needs.
+// precision.hpp - how many bits an enclosure takes: as many as every ordinary comparison needs, or
+// as many as a particular one needs.
 #pragma once
 #include <type_traits>
 

@@ -7,7 +7,7 @@
 namespace convexact {
 
 Rational to_rational(double x) {
-  // GMP would end the process by a signal, so the door is here.
+  // GMP would end the process by a signal, so the check is here.
   if (!std::isfinite(x)) throw Error(ErrorCode::NotFinite, "a number is NaN or infinite");
   Rational q;
   mpq_set_d(q.backend().data(), x);

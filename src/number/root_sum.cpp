@@ -104,8 +104,8 @@ namespace {
 // Let u be kUnitRoundoff. A factor and a radicand are off by 2u, relatively, as GMP cuts them off.
 // So a root is off by u + u, and a product, with its own rounding, by 5u. The sum of n terms adds
 // at most (n - 1) u times the sum of their sizes, and that sum itself, in doubles, is too small by
-// no more than that share. Of higher orders remains less than the other half of (2n + 10) u, n <
-// 2^20.
+// no more than that share. The terms of higher order are less than the other half of (2n + 10) u,
+// as n < 2^20.
 std::optional<Sign> sign_in_doubles(const std::vector<RootTerm>& terms) {
   constexpr std::size_t kMostTerms = 1 << 20;
   constexpr long kMostBits = 500;  // so that no number here is subnormal or overflows
@@ -142,11 +142,11 @@ Ordering compare(const RootSum& a, const RootSum& b, const Watch& watch) {
   if (const std::optional<Sign> sign = sign_in_doubles(difference.terms())) {
     return {order_of(*sign), {}, kDoubleBits};
   }
-  // (2) As many bits as serve every ordinary question.
+  // (2) As many bits as every ordinary comparison needs.
   if (const std::optional<Order> order = order_to_zero(difference.enclose(kMeasureBits, watch))) {
     return {*order, {}, kMeasureBits};
   }
-  // (3) Roots of different square classes are independent, so no terms are left of zero only.
+  // (3) Roots of different square classes are independent, so only zero has no terms left.
   const RootSum normalized = difference.normalized(watch);
   if (normalized.terms().empty()) return {Order::Equal, proof, kMeasureBits};
   // (4) Not zero, so some precision shows the sign.
@@ -162,7 +162,7 @@ std::string to_decimal(const RootSum& x, int digits, const Watch& watch) {
   const std::vector<RootTerm>& terms = normalized.terms();
   if (terms.empty()) return "0";
   if (terms.size() == 1 && terms[0].radicand == 1) return to_decimal(terms[0].factor, digits);
-  // Irrational, so it is between two decimals and some precision shows between which.
+  // The sum is irrational, so it lies between two decimals, and some precision shows which ones.
   for (long bits = kMeasureBits;; bits *= 2) {
     if (const auto text = to_decimal(normalized.enclose(bits, watch), digits)) return *text;
   }

@@ -29,7 +29,7 @@ long floor_log2(const Rational& q) {
 }
 
 // Rounds |x| to a multiple of the unit in the last place of Float; `away` means towards infinity.
-// Integers only: a Rational would be reduced after every operation, which takes longest.
+// Integers only: a Rational would be reduced after every operation, which takes most of the time.
 template <class Float>
 Float round_magnitude(const Rational& magnitude, Rounding rounding, bool away) {
   using Limits = std::numeric_limits<Float>;

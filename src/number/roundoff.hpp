@@ -14,7 +14,7 @@ struct TwoTerms {
 };
 
 // All of these need rounding to nearest and no contraction. A sum is exact if it does not overflow;
-// a product if, besides, its error is a multiple of 2^-1074.
+// a product if, in addition, its error is a multiple of 2^-1074.
 
 /// x + y = high + low exactly. [Knuth1997, sec. 4.2.2]
 inline TwoTerms two_sum(double x, double y) {

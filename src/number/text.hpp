@@ -27,7 +27,7 @@ namespace convexact {
 /// "1 point", "1,800 points".
 [[nodiscard]] std::string counted(std::size_t count, const char* one, const char* many);
 
-/// A line of a summary: the text after its label, in a column of its own.
+/// A line of a summary: the text after its label, in a separate column.
 [[nodiscard]] std::string summary_line(const char* label, const std::string& text);
 
 }  // namespace convexact
