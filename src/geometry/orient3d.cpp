@@ -53,7 +53,7 @@ StagedSign by_rationals(const Point& a, const Point& b, const Point& c, const Po
   return {sign_of(Rational(x.dot(cross))), Orient3dStage::Rationals};
 }
 
-// Stages B to D, when a double does not decide.
+// Stages B to D, for signs that a double does not decide.
 StagedSign adapt(const Point& a, const Point& b, const Point& c, const Point& d, double magnitude) {
   const Difference x = subtract(a, d), y = subtract(b, d), z = subtract(c, d);
   const Expansion<24> rounded = exact_determinant(x.rounded, y.rounded, z.rounded);

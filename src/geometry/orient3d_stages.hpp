@@ -45,7 +45,7 @@ inline double permanent(const Point& x, const Point& y, const Point& z) {
 // of the three differences each monomial has 8 factors (1 + e), |e| <= u, so Q >= (1-u)^8 P.
 //
 // Stage A: |det - T| <= ((1+u)^8 - 1) P <= (8u + 28u^2 + ...) / (1-u)^8 Q < (8 + 100u) u Q; the
-// rest up to 128u pays for the rounding of the bound itself.
+// rest up to 128u covers the rounding of the bound itself.
 inline constexpr double kBoundA = (8 + 128 * u) * u;
 static_assert(kBoundA / u - 8 == 128 * u);
 
@@ -61,7 +61,7 @@ static_assert(kBoundB / u - 3 == 128 * u);
 // one column of roundoffs: 5 factors, and 2 for their sum; that costs 3u * 7u P (1 + small). The
 // sum e + L rounds once. So |det - T| < (3 + 21) u^2 P (1 + 20u) + 16u|B| + u|det|, where
 // |B| <= |e|(1 + 17u) and |e| <= |det|(1 + 2u) + |L|, |L| < 4u P: 16u|B| < 17u|det| + 65u^2 P.
-// Together less than 90u^2 P + 18u|det|; the rest up to 96 and 20 pays for P against Q and for the
+// Together less than 90u^2 P + 18u|det|; the rest up to 96 and 20 covers Q in place of P and the
 // rounding of the bound.
 inline constexpr double kBoundC = 96 * u * u;
 inline constexpr double kRelativeC = 20 * u;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// plane_determinants.hpp - the determinants of plane coefficients that decide about dual hulls.
+// plane_determinants.hpp - the determinants of plane coefficients that decide the shape of dual
+// hulls.
 #pragma once
 #include "convexact/halfspace.hpp"
 #include "convexact/number.hpp"
