@@ -38,7 +38,7 @@ std::optional<RationalPoint> short_dyadic_interior_point(std::span<const Halfspa
   for (const Rational& x : inside) {
     if (x != 0) exponent = std::max(exponent, exponent_of(x) + 1);
   }
-  // Ends: the interior is open, and the roundings converge to a point of it.
+  // The loop ends: the interior is open, and the roundings converge to a point of it.
   RationalPoint rounded = round_to_grid(inside, exponent);
   while (!is_strictly_inside(halfspaces, rounded)) rounded = round_to_grid(inside, --exponent);
   return rounded;
@@ -208,7 +208,7 @@ NormEnclosure enclose_norm(const IntegerVector3& n) {
 
 ChebyshevOutcome chebyshev_center(std::span<const Halfspace> halfspaces, const LpOptions& options) {
   // (1) The ball about x lies in a halfspace iff n.x + d + |n| r <= 0. With U >= |n| in its place
-  //     the constraint is stricter, so every solution stands.
+  //     the constraint is stricter, so every solution stays valid.
   std::vector<Rational> upper_norms, lower_norms;
   for (const Halfspace& halfspace : halfspaces) {
     NormEnclosure norm = enclose_norm(halfspace.normal());

@@ -53,7 +53,7 @@ class Flat {
   const Integer& form(std::size_t i, std::size_t column) const {
     return forms_[i * width() + column];
   }
-  // The function of the free coordinates that a row is on the flat, times W.
+  // A row restricted to the flat, as a function of the free coordinates, times W.
   std::vector<Integer> restrict(RowView row) const;
 
   std::vector<Integer> forms_;  // F, row by row

@@ -18,7 +18,7 @@ namespace convexact {
 /// The first strictly interior point among `inside` rounded to ever finer grids 2^k: the coarsest
 /// power of two that serves, starting with the one on which `inside` becomes the origin. Its depth
 /// in P is not bounded from below.
-/// @param inside  A strictly interior point: any rational, also a guess such as a centroid of
+/// @param inside  A strictly interior point: any rational, or a guess such as a centroid of
 ///                doubles. The function tests it.
 /// @return Nothing if `inside` is not strictly interior.
 /// @par Cost  Few exact evaluations per grid that fails, m for the one that serves.

@@ -144,12 +144,12 @@ Solution Solver::corner(const Flat& flat) const {
 }
 
 // The lexicographic maximum of (objective, x_1, x_2, ...) on `flat`, under the rows `order` and the
-// box rows of the free coordinates. The maximum is one point, a function of the set of rows, also
+// box rows of the free coordinates. The maximum is one point, a function of the set of rows, even
 // where rows or optima are tied. The expected time depends on this.
 std::variant<Solution, Conflict> Solver::maximise_on(const Flat& flat, const RowIds& order) {
   // (1) Without rows, the maximum is a corner of the box.
   Solution best = corner(flat);
-  // An observer sees the program itself, not those on the walls.
+  // An observer sees the program itself, not the subprograms on the walls.
   LpObserver* const observer = tight_.empty() ? observer_ : nullptr;
   if (observer != nullptr) observer->start(to_point(best.vertex));
   for (std::size_t i = 0; i < order.size(); ++i) {
