@@ -104,8 +104,8 @@ class HullCheck {
     return true;
   }
 
-  // What is listed is a corner. A corner that is not listed is extreme, so no proof from listed
-  // ones says that it is inside.
+  // Every listed vertex is a corner. A corner that is not listed is extreme, so no proof from
+  // listed ones can say that it is inside.
   bool listed_ones_are_corners() const {
     std::vector<bool> used(points_.size(), false);
     for (std::size_t f = 0; f < hull_.facets.size(); ++f) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// exact_points.hpp - what the hull needs of its points: doubles near them, and exact signs; for
+// exact_points.hpp - the points as the hull needs them: doubles near them, and exact signs; for
 // points whose coordinates are doubles, and for rational points given by integers.
 #pragma once
 #include <array>
@@ -28,7 +28,7 @@ concept ExactPoints = requires(const Points& points, PointId p) {
   { points.equal(p, p) } -> std::same_as<bool>;
 };
 
-/// The side of p from the plane of a triangle: by its near plane if that is certain, otherwise
+/// The side of a triangle's plane on which p lies: by its near plane if that is certain, otherwise
 /// exactly.
 template <ExactPoints Points>
 Sign side_of(const Points& points, const NearPlane& plane, const std::array<PointId, 3>& triangle,
@@ -47,7 +47,7 @@ Sign side_of(const Points& points, const std::array<PointId, 3>& triangle, Point
   return side_of(points, plane, triangle, p);
 }
 
-/// center_side(a, b, p), by doubles if these are certain. `normal` is cross(near a, near b).
+/// center_side(a, b, p), in doubles if these are certain. `normal` is cross(near a, near b).
 template <ExactPoints Points>
 Sign center_side_of(const Points& points, const NearPoint& normal, PointId a, PointId b,
                     PointId p) {
@@ -62,7 +62,7 @@ Sign center_side_of(const Points& points, PointId a, PointId b, PointId p) {
   return center_side_of(points, cross(near[a.index()], near[b.index()]), a, b, p);
 }
 
-/// Whether three points lie on a line, by doubles if these are certain that they do not: the bound
+/// Whether three points lie on a line, in doubles if these are certain that they do not: the bound
 /// of a plane's heights includes six times the error of a component of its normal.
 template <ExactPoints Points>
 bool are_collinear(const Points& points, PointId a, PointId b, PointId c) {

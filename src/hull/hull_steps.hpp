@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // hull_steps.hpp - the three steps of convex_hull(): a simplex, a triangulated surface, its facets.
-// Each is a function over any exact points, and is compiled for the two kinds that there are.
+// Each is a function over any exact points, and is compiled for both kinds.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -13,8 +13,8 @@
 namespace convexact {
 
 /// Affinely independent points, far apart where possible, as many as there are (at most 4). If
-/// four, then the side of the last from the first three is Negative. Linear time; the exact tests
-/// run over all points only if the input is flat or nearly so.
+/// there are four, the side of the last from the first three is Negative. Linear time; the exact
+/// tests run over all points only if the input is flat or nearly so.
 /// @tparam Points  ExactPoints that also offer size() and collinear(a, b, c).
 template <ExactPoints Points>
 std::vector<PointId> find_simplex(const Points& points);

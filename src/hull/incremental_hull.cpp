@@ -38,8 +38,8 @@ class TriangleFan {
   // A triangle whose cone from the center holds p, if any does. At most 2 + log2(rim) signs.
   std::size_t locate(PointId p) const {
     // Let f be the angle of p about the axis and t[i] that of rim[i], both in [0, 2 pi) from
-    // t[0] = 0. Wanted is the last i with t[i] <= f. side(i, p) tells the sign of sin(f - t[i]),
-    // which is that of f - t[i] while both lie in the same half [0, pi] or [pi, 2 pi).
+    // t[0] = 0. The search is for the last i with t[i] <= f. side(i, p) tells the sign of sin(f -
+    // t[i]), which is that of f - t[i] while both lie in the same half [0, pi] or [pi, 2 pi).
     const Sign first = side(0, p);
     if (first == Sign::Zero && side(1, p) != Sign::Positive) return 0;  // f = 0, or on the axis
     // f in (0, pi]: i <= split, the last with t[i] <= pi. f in (pi, 2 pi): i >= split.
@@ -53,7 +53,7 @@ class TriangleFan {
   }
 
  private:
-  // The side of the half plane from the axis through rim[i] on which p lies; Positive is ahead.
+  // The side of the half plane from the axis through rim[i] on which p lies; Positive means ahead.
   Sign side(std::size_t i, PointId p) const {
     return center_side_of(points_, normals_[i], apex_, rim_[i], p);
   }
@@ -266,7 +266,7 @@ class IncrementalHull {
     }
   }
 
-  // Before the slots of the visible triangles are used again.
+  // To be called before the slots of the visible triangles are used again.
   void note_visible() {
     inside_before_ = result_.inside.size();
     shown_visible_.clear();

@@ -38,7 +38,7 @@ std::vector<PointId> find_simplex(const Points& points) {
     return NearPoint{a.x - b.x, a.y - b.y, a.z - b.z};
   };
   std::vector<PointId> s;
-  // A corner far out: the largest coordinate sum finds one of the box in all but odd cases.
+  // A corner far out: except in odd cases, the largest coordinate sum finds a corner of the box.
   const auto first = best_point(
       size, [&](std::size_t i) { return near[i].x + near[i].y + near[i].z; },
       [](PointId) { return true; });
