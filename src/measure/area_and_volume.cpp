@@ -66,7 +66,7 @@ Enclosure surface_area(const Polytope& polytope, long precision, const Watch& wa
 // -(n.x + d) / |n|, so (area / |n|) * -(n.x + d) / 3.
 
 Rational volume(const Polytope& polytope) {
-  // From the origin, wherever it lies: heights are the plain offsets, and have a sign.
+  // Cones from the origin, wherever it lies: heights are the plain offsets, and have a sign.
   std::vector<Rational> cones;
   for (std::size_t f = 0; f < polytope.facets.size(); ++f) {
     const Integer& offset = polytope.planes[f].offset();
@@ -142,7 +142,7 @@ Enclosure enclose_by_rounding(const Polytope& polytope, long bits) {
   return {end(sum - error), end(sum + error), bits};
 }
 
-// From exact heights and areas: no term is negative, so the digits are there at once.
+// From exact heights and areas: no term is negative, so no digits cancel.
 Enclosure enclose_by_heights(const Polytope& polytope, long precision) {
   Enclosure sum(precision);
   for (std::size_t f = 0; f < polytope.facets.size(); ++f) {

@@ -198,7 +198,7 @@ std::optional<std::uint32_t> NearestPoint::Search::visible_facet(
 // Only features of visible facets are tested. With q nearest to x, x - q = sum of y_f n_f over the
 // facets at q, y_f >= 0, so 0 < |x - q|^2 = sum of y_f n_f.(x - q): one of these facets is visible
 // from x. As seen from x the visible facets tile a convex region, so that edges lead from each to
-// each.
+// every other.
 RationalPoint NearestPoint::Search::nearest_around(std::uint32_t visible, const RationalPoint& x,
                                                    const Homogeneous& homogeneous) const {
   std::vector<std::uint32_t> queue{visible};

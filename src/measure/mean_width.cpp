@@ -7,7 +7,7 @@ namespace convexact {
 namespace {
 
 // 4 pi times the mean width: each edge with the angle between the outward normals of its facets;
-// 0 would be coplanar, pi a knife.
+// 0 would mean coplanar facets, pi a knife edge.
 AngleSum edges_times_angles(const Polytope& polytope, const Watch& watch) {
   std::vector<AngleTerm> terms;
   const std::vector<Edge> all = edges(polytope);

@@ -22,7 +22,7 @@ Rational scale_axis(const PointSet& points, int axis, std::vector<IntegerVector3
   return Rational(1) / Rational(denominator);
 }
 
-// The same of doubles: one power of two, found without fractions.
+// The same for doubles: one power of two, found without fractions.
 Rational scale_doubles(std::span<const Point> points, int axis,
                        std::vector<IntegerVector3>& integers) {
   constexpr int kAllZero = 5000;
@@ -78,7 +78,7 @@ Sign VertexDeterminants::side(std::size_t a, std::size_t b, std::size_t c, std::
 Integer VertexDeterminants::six_volumes(std::span<const DualTriangle> triangles) const {
   Integer sum = 0;
   for (const DualTriangle& t : triangles) {
-    // As seen from vertex 0, which may be any point.
+    // Tetrahedra from vertex 0, which may be any point.
     sum -= height(t[0].index(), t[1].index(), t[2].index(), 0);
   }
   return sum;

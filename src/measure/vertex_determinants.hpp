@@ -26,9 +26,9 @@ class VertexDeterminants {
   [[nodiscard]] Sign side(std::size_t a, std::size_t b, std::size_t c, std::size_t p) const;
   /// Six times the volume inside a closed surface of triangles, counter-clockwise from outside.
   [[nodiscard]] Integer six_volumes(std::span<const DualTriangle> triangles) const;
-  /// Of these determinants, in the caller's cubed length units.
+  /// The unit of these determinants, in the caller's cubed length units.
   const Rational& unit() const { return unit_; }
-  /// The volume of a sixfold one.
+  /// The volume of which this is six times, in the caller's cubed length units.
   [[nodiscard]] Rational volume(const Integer& six_volumes) const {
     return Rational(six_volumes) * unit_ / 6;
   }
