@@ -34,7 +34,8 @@ std::vector<RoofEdge> sorted_edges(std::span<const DualTriangle> triangles) {
   return edges;
 }
 
-// A vertex relative to the apex: x / (d_apex d). The common d_apex is divided by in the end.
+// A vertex relative to the apex: x / (d_apex d). The result is divided by the common d_apex in the
+// end.
 struct Arm {
   IntegerVector3 x;
   Integer d;
@@ -138,11 +139,11 @@ Rational volume(const Cap& cap) {
 
 namespace {
 
-// An axis along which a vector that is not 0 extends. Of parallel vectors one coordinate says all.
+// An axis along which a vector that is not 0 extends. For parallel vectors one coordinate suffices.
 int axis_of(const IntegerVector3& v) { return v[0] != 0 ? 0 : v[1] != 0 ? 1 : 2; }
 
-// The area of a polygon in a plane of that normal, as a multiple of the root of n.n: by triangles
-// from its first corner, all of one orientation.
+// The area of a polygon in a plane with that normal, as a multiple of the root of n.n: by triangles
+// from its first corner, all with the same orientation.
 RootTerm area_of(std::span<const DualPlane> vertices, std::span<const std::uint32_t> corners,
                  const IntegerVector3& normal) {
   const DualPlane& apex = vertices[corners[0]];
@@ -157,8 +158,8 @@ RootTerm area_of(std::span<const DualPlane> vertices, std::span<const std::uint3
   return {sum_of(along, Integer(2 * apex.d * apex.d * abs(normal[k]))), dot(normal, normal)};
 }
 
-// The edge is parallel to m x n, so its length is a multiple of that vector's. A fraction that is
-// in lowest terms before it is squared takes a fourth of the time.
+// The edge is parallel to m x n, so its length is a multiple of that vector's. Reducing a fraction
+// to lowest terms before squaring it takes a fourth of the time.
 AngleTerm edge_of(const DualPlane& from, const DualPlane& to, const IntegerVector3& m,
                   const IntegerVector3& n, int factor) {
   const IntegerVector3 cross = m.cross(n);

@@ -41,7 +41,7 @@ struct CapTetrahedron {
   Integer n, d;
 };
 
-/// Those that are not flat. The others have no volume, and none counts negative.
+/// Those that are not flat; the others have no volume. No tetrahedron counts negative.
 /// @par Cost  O(k) determinants.
 [[nodiscard]] std::vector<CapTetrahedron> tetrahedra(const Cap& cap);
 
@@ -49,10 +49,10 @@ struct CapTetrahedron {
 /// @par Cost  O(k) determinants, and a balanced sum of that many rationals.
 [[nodiscard]] Rational volume(const Cap& cap);
 
-/// What the solid gains in a measure if the cap is added: its volume; the areas of its sides less
-/// that of its base; the lengths times exterior angles of its edges that are not on the base, less
-/// those of the base.
-/// @param directions  primitive_directions() of all halfspaces; of volumes none are needed.
+/// How much a measure of the solid grows if the cap is added: by its volume; by the areas of its
+/// sides less that of its base; by the lengths times exterior angles of its edges that are not on
+/// the base, less those of the base.
+/// @param directions  primitive_directions() of all halfspaces; not needed for volumes.
 /// @param ring        Of i, from which the cap was made.
 /// @par Source        [Jacobson2026]; docs/design/costs.md
 [[nodiscard]] Cost cost_of(const Cap& cap, std::span<const IntegerVector3> directions,

@@ -41,7 +41,7 @@ Removal DualSurface::removal_of(HalfspaceId i, RingObserver* observer) {
   if (!removal.roof.is_bounded()) return removal;
   // (4) The cap lies between the old vertices on plane i and the new ones.
   const Cap cap = make_cap(points_, i, removal.ring, removal.roof);
-  // (5) What it adds to the measure is the cost.
+  // (5) The cost is the amount that it adds to the measure.
   removal.cost = cost_of(cap, directions_, i, removal.ring, measure_);
   return removal;
 }
@@ -101,7 +101,7 @@ bool DualSurface::insert(HalfspaceId i) {
     }
   }
   // (3) Join the point to the rim. Degenerate: were it collinear with an edge of the rim, it would
-  //     be level with the triangle on the other side, which then were visible.
+  //     be level with the triangle on the other side, which would then be visible.
   for (const auto& [from, to] : rim) adjacency_.add({i, from, to});
   is_present_[i.index()] = true;
   ++left_;

@@ -26,10 +26,10 @@ struct Removal {
 /// them is redundant.
 class DualSurface {
  public:
-  /// @param halfspaces  All that may ever be on the surface; ids are positions.
+  /// @param halfspaces  All halfspaces that may ever be on the surface; ids are positions.
   /// @param triangles   The dual hull of some of them, none redundant. The others can be inserted.
   /// @param center      Strictly inside all halfspaces.
-  /// @param seed        Of the choice among triangulations of level dual points.
+  /// @param seed        For the choice among triangulations of level dual points.
   /// @param measure     Of the costs of removals.
   /// @throws Error      InvalidArgument if the center is not strictly inside.
   DualSurface(std::span<const Halfspace> halfspaces, std::span<const DualTriangle> triangles,
@@ -61,8 +61,8 @@ class DualSurface {
   void undo(const Removal& removal);
 
   /// Puts a halfspace onto the surface, one that was removed or a new one. The solid becomes the
-  /// old one cut by it. Halfspaces that become redundant, be it that they still touch the solid in
-  /// a vertex or an edge, leave the surface: there are none if all were facets of one solid.
+  /// old one cut by it. Halfspaces that become redundant leave the surface, even if they still
+  /// touch the solid in a vertex or an edge: there are none if all were facets of one solid.
   /// Unlike undo(), it may choose another triangulation of level dual points.
   /// Precondition: !has(i). @return False, and nothing changes, if the halfspace is redundant.
   /// @par Cost  One exact sign for each triangle of the surface.

@@ -102,7 +102,7 @@ void ExactEngine::forget(HalfspaceId i) {
   removal = {};
 }
 
-// All that bounds do not tell from the cheapest, ascending.
+// All that bounds cannot distinguish from the cheapest, ascending.
 std::vector<HalfspaceId> ExactEngine::candidates() const {
   const Rational* least = &queue_.begin()->high;
   std::vector<HalfspaceId> ids;
@@ -117,7 +117,7 @@ std::vector<HalfspaceId> ExactEngine::candidates() const {
   return ids;
 }
 
-// What is not proven to be apart from the least counts as a tie.
+// A cost that is not proven to differ from the least one counts as a tie.
 Step ExactEngine::cheapest() const {
   const std::vector<HalfspaceId> ids = candidates();
   const auto compared = [&](HalfspaceId i, HalfspaceId j) {

@@ -10,8 +10,8 @@
 
 namespace convexact {
 
-/// Sees the greedy loop, for lessons. What it is told of a ring being triangulated belongs to the
-/// evaluation that it is told of next; what is checked, to the step chosen last.
+/// Sees the greedy loop, for lessons. Calls about the triangulation of a ring belong to the
+/// evaluation reported next; calls about checks belong to the step chosen last.
 class RunObserver : public RingObserver, public CheckObserver {
  public:
   /// @param step  Removals made before.
@@ -54,7 +54,7 @@ class ExactRun {
   std::size_t left() const;
   /// The next removal, found at the first call after each make(); null if there is no bounded one.
   const Step* next();
-  /// What it adds to any measure. Precondition: next() is not null; so for make().
+  /// What it adds to any measure. Precondition, as for make(): next() is not null.
   Cost added(CostMeasure measure);
   void make();
   /// A measure of the solid that is left.

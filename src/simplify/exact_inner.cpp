@@ -53,8 +53,8 @@ class ExactInner {
   std::set<std::pair<Integer, VertexId>> queue_;
 };
 
-// The region that the hull loses is seen whole from v: it is the union of the tetrahedra between v
-// and the triangles that close its ring, so no term is negative.
+// The whole region that the hull loses is visible from v: it is the union of the tetrahedra between
+// v and the triangles that close its ring, so no term is negative.
 void ExactInner::evaluate(VertexId v) {
   Loss& loss = losses_[v.index()];
   loss.ring = adjacency_.one_ring(v);
@@ -76,8 +76,9 @@ std::vector<VertexId> ExactInner::cheapest() const {
   return tie;
 }
 
-// Never a vertex whose removal leaves a flat rest: that loses all of the volume, and of five or
-// more vertices of a solid there is one that loses less, as four that span a volume can stay.
+// Never removes a vertex whose removal leaves a flat rest: that would lose all of the volume, and
+// among five or more vertices of a solid there is one that loses less, as four that span a volume
+// can stay.
 void ExactInner::remove(VertexId v) {
   const Loss loss = losses_[v.index()];
   for (std::size_t m = 0; m < loss.ring.size(); ++m) {

@@ -7,7 +7,7 @@
 
 namespace convexact {
 
-// kMeasureBits decide all but equality up to 30 digits; the exact numbers are there for the rest.
+// kMeasureBits decide all but equality up to 30 digits; exact numbers decide the rest.
 
 GrowthLimit::GrowthLimit(Polytope polytope, const SimplifyOptions& options)
     : polytope_(std::move(polytope)),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// inner_trace.hpp - an inner run as JSON text: enough for another program to replay every step.
+// inner_trace.hpp - an inner run as JSON text, with enough data for another program to replay every
+// step.
 #pragma once
 #include <string>
 

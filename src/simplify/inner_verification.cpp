@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Proves the steps of an inner run again, from plain lists and a table of edges of its own.
+// Proves the steps of an inner run again, from plain lists and a separate table of edges.
 #include <string>
 
 #include "convexact/error.hpp"
@@ -47,9 +47,9 @@ class InnerVerification {
 };
 
 // The ring is that of the removed vertex; k - 2 triangles with their corners on it, in the turning
-// sense of the ring. That they fit together shows when they take the place of the old ones: each
-// directed edge is free then, and in the end no edge lacks its opposite. A disk with holes or
-// handles would need another number of triangles.
+// sense of the ring. Whether they fit together is tested when they replace the old ones: each
+// directed edge must be free then, and in the end no edge may lack its opposite. A disk with holes
+// or handles would need another number of triangles.
 void InnerVerification::check_disk(const InnerStep& step) {
   const std::size_t k = step.ring.size();
   require(k >= 3, "a ring has three vertices or more");

@@ -35,9 +35,9 @@ Rational signed_square_of_cosine(const IntegerVector3& a, const IntegerVector3& 
   return signed_square(Rational(dot(a, b)), Rational(dot(a, a) * dot(b, b)));
 }
 
-// The largest double that is not above the cosine, so that facets at just this angle are selected.
-// Only 90 degrees has the cosine 0; of any other double the cosine is more than 2^-60, so that 256
-// bits of pi tell.
+// The largest double that is not above the cosine, so that facets at exactly this angle are
+// selected. Only 90 degrees has the cosine 0; for any other double the cosine is more than 2^-60 in
+// size, so that 256 bits of pi suffice.
 Rational cosine_of(double degrees) {
   mpfr_t x;
   mpfr_init2(x, 256);
@@ -65,8 +65,8 @@ class NearPlane {
 
   // With u = 2^-53 and S the sum of the terms' sizes, n and d have the relative error u, products u
   // more, and three sums 3 u S: less than 8 u S together. Numbers that underflow are off by 2^-1074
-  // each, n_k times x_k; the bound is larger, as subnormal numbers are slow. Where something
-  // overflows the answer is no.
+  // each, n_k times x_k; the bound is larger, as subnormal numbers are slow. If something
+  // overflows, the answer is no.
   bool is_surely_off(const Point& p) const {
     constexpr double kFactor = 8 * kUnitRoundoff, kUnderflow = 0x1p-1000;
     const double x = p[0], y = p[1], z = p[2];
@@ -143,7 +143,8 @@ class Selection {
         if (corner >= points_.size()) refuse(fmt::format("there is no point {}", corner));
       }
     }
-    // By first corner, most of which are off most planes: each is asked once for each plane.
+    // By first corner, since most first corners are off most planes: each is tested once for each
+    // plane.
     std::map<PointId, std::vector<const std::vector<std::uint32_t>*>> by_corner;
     for (const auto& polygon : wanted.polygons) {
       if (!polygon.empty()) by_corner[PointId(polygon[0])].push_back(&polygon);

@@ -11,7 +11,8 @@ __extension__ typedef unsigned __int128 Wide;
 // A random prime in [2^60, 2^61).
 std::uint64_t random_prime(Random& random) {
   constexpr std::uint64_t kLow = std::uint64_t{1} << 60;
-  constexpr int kRounds = 40;  // of Miller and Rabin; GMP's first test is already sure below 2^64
+  constexpr int kRounds = 40;  // of Miller and Rabin; GMP's first test is already certain below
+                               // 2^64
   for (;;) {
     const std::uint64_t candidate = (kLow + uniform_below(random, kLow)) | 1;
     if (mpz_probab_prime_p(Integer(candidate).backend().data(), kRounds) != 0) return candidate;

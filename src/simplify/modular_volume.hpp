@@ -15,8 +15,8 @@ namespace convexact {
 /// Everything is reduced first: Cramer's rule, the inverse and the sum take 64-bit numbers only.
 /// Two unequal rationals of b bits differ by a fraction whose numerator has at most 2 b + 1 bits,
 /// hence at most b / 30 prime divisors above 2^60; there are more than 2^54 primes between 2^60 and
-/// 2^61. So they agree modulo a random one with a chance below b / 2^58, modulo two with its
-/// square.
+/// 2^61. So they agree modulo a random prime with probability below b / 2^58, and modulo two with
+/// at most the square of that.
 class ModularVolume {
  public:
   ModularVolume(std::span<const Halfspace> halfspaces, Random& random);

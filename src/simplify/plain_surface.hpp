@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// plain_surface.hpp - the verifier's own dual surface: a table of directed edges.
+// plain_surface.hpp - the dual surface that only the verifier uses: a table of directed edges.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace convexact {
 
-/// third(a, b) = c for each triangle (a, b, c) and its rotations. Nothing is assumed of the
+/// third(a, b) = c for each triangle (a, b, c) and its rotations. Nothing is assumed about the
 /// triangles; a directed edge that occurs twice is reported by add().
 class PlainSurface {
  public:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// plain_vertex.hpp - the verifier's own arithmetic: determinants of the planes as they are given.
+// plain_vertex.hpp - the arithmetic that only the verifier uses: determinants of the planes as
+// given.
 #pragma once
 #include "convexact/halfspace.hpp"
 

@@ -30,8 +30,8 @@ class RingObserver {
                         std::span<const DualTriangle> gained) = 0;
 };
 
-/// Triangulates the hole that dual point i leaves. Any valence, any degeneracy: four dual points
-/// in a plane only mean that the choice among equal triangulations is the generator's.
+/// Triangulates the hole that dual point i leaves. Any valence and any degeneracy are allowed: if
+/// four dual points lie in a plane, the generator chooses among equal triangulations.
 /// @param points  The dual points of all halfspaces, by id.
 /// @param ring    The one-ring of i in a convex dual hull, counter-clockwise, at least three.
 /// @param random  Draws the insertion order.

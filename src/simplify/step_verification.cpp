@@ -66,8 +66,8 @@ StepVerification::State::State(const DualHull& input, VerifyLevel wanted, std::u
 }
 
 // The cost is the measure of the solid after the step less that before, both from scratch. Areas
-// are compared exactly. Mean widths need to agree in 256 bits only, as far as no proof of equality
-// is found.
+// are compared exactly. Mean widths only need to agree in 256 bits if no proof of equality is
+// found.
 void StepVerification::State::check_growth(const Step& step) {
   if (measure == CostMeasure::Volume) {
     require(whole->volume_grew_by(step.cost.value().rational(), surface),
@@ -96,8 +96,8 @@ void StepVerification::State::check_ring(const Step& step) const {
 
 // T_i is a disk: around each ring vertex its triangles form one fan, from the ring edge that leaves
 // to the one that enters, and no new edge exists elsewhere. The fans are a surface of k corners
-// with the ring as its only rim, so they have k - 2 triangles or more (Euler): all that there are.
-// (A fan that closes instead comes back to the edge that leaves, which exists already.)
+// with the ring as its only rim, so they have k - 2 triangles or more (Euler), and there are no
+// others. (A fan that closes instead comes back to the edge that leaves, which exists already.)
 PlainSurface StepVerification::State::checked_disk(const Step& step) const {
   const char* const name = "the new triangles form a disk with the ring as its rim";
   const std::size_t k = step.ring.size();

@@ -10,18 +10,19 @@
 
 namespace convexact {
 
-/// One condition that a step is tested for. Those about a vertex where three planes meet have the
-/// integer whose sign decides.
+/// One condition that a step is tested for. A condition about a vertex where three planes meet has
+/// the integer whose sign decides it.
 struct TestedCondition {
   const char* name;
   bool holds;
-  std::optional<DualTriangle> triangle = {};  ///< Whose vertex is tested ...
-  std::optional<HalfspaceId> plane = {};      ///< ... against which plane; none: its own D.
+  std::optional<DualTriangle> triangle = {};  ///< The triangle whose vertex is tested ...
+  std::optional<HalfspaceId> plane = {};      ///< ... and the plane that it is tested against;
+                                              ///< none: its D.
   const Integer* value = nullptr;             ///< Valid during the call only.
-  const char* wants = nullptr;                ///< ">0", ">=0" or "<=0", where there is a value.
+  const char* wants = nullptr;                ///< ">0", ">=0" or "<=0" if there is a value.
 };
 
-/// Sees what is tested, for lessons. A check that does not hold is the last one.
+/// Sees each tested condition, for lessons. One that does not hold is the last one.
 class CheckObserver {
  public:
   virtual ~CheckObserver() = default;
@@ -34,7 +35,7 @@ class CheckObserver {
 class StepVerification {
  public:
   /// @param dual   The dual hull from which the run starts; must outlive this object.
-  /// @param seed   Draws the two primes of the volume check.
+  /// @param seed   For the two primes of the volume check.
   /// @param measure  Of the costs of steps.
   /// @param observer  Receives each condition tested; null for none.
   StepVerification(const DualHull& dual, VerifyLevel level, std::uint64_t seed = 1,
@@ -45,8 +46,8 @@ class StepVerification {
   /// @par Cost  Local: O(k^2) signs for a ring of k. Full: all vertices against all halfspaces.
   void check(const Step& step);
   /// The last checks of a run: the witness of every survivor and, at level full, every hull vertex
-  /// and the volume as a rational. That the planes that are written hold every input point is for
-  /// the writer to prove, from what it writes.
+  /// and the volume as a rational. The writer must prove, from what it writes, that the written
+  /// planes hold every input point.
   void finish();
 
  private:

@@ -63,7 +63,7 @@ namespace {
   throw Error(ErrorCode::Malformed, std::string("expected ") + expected);
 }
 
-// An entry of a term; `expected` says what the whole is.
+// An entry of a term; `expected` describes the whole term.
 Rational number_in(const nlohmann::json& entry, const char* expected) {
   if (!entry.is_string()) reject(expected);
   try {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// trace_json.hpp - a run as JSON text, a trace: enough for another program to replay every step.
+// trace_json.hpp - a run as JSON text (a trace), with enough data for another program to replay
+// every step.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -34,7 +35,7 @@ inline constexpr auto kTieProofNames =
                           {TieProof::Undecided, "undecided"}});
 inline const char* name_of(TieProof proof) { return name_in(kTieProofNames, proof); }
 
-/// Version 1, which has neither version nor measure, knew volumes only; it is still read.
+/// Version 1, which has no keys for version and measure, was for volumes only; it is still read.
 inline constexpr int kTraceVersion = 2;
 
 /// A cost as a trace has it, see write_trace_json().

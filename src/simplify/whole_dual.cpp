@@ -58,10 +58,10 @@ bool WholeDual::is_locally_convex(const PlainSurface& surface) const {
   return true;
 }
 
-// Local convexity alone is fooled by a surface that winds around twice. The ray through the inside
-// of one triangle must miss (the closed cones of) all others. The surface is closed and turns one
-// way everywhere, so every direction is then covered once: it is a sphere, with one fan around each
-// vertex.
+// Local convexity alone also holds for a surface that winds around twice. The ray through the
+// inside of one triangle must miss (the closed cones of) all others. The surface is closed and
+// turns one way everywhere, so every direction is then covered once: it is a sphere, with one fan
+// around each vertex.
 bool WholeDual::is_met_once_by_a_ray(const PlainSurface& surface) const {
   const std::vector<DualTriangle> triangles = surface.triangles();
   const auto normal = [&](HalfspaceId i) -> const IntegerVector3& {
