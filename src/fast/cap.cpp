@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// T by signs that doubles decide or DualSigns; then the cost: CapVolume or MetricCost for bounds,
-// rationals, roots and angles for the number.
+// T is found by signs from doubles or DualSigns. The bounds of the cost then come from CapVolume or
+// MetricCost, and the exact cost from rationals, roots and angles.
 #include "fast/cap.hpp"
 
 #include <algorithm>
@@ -308,7 +308,7 @@ Rational volume_of(const FastDual& dual, const HalfEdgeMesh& mesh) {
     ExactDeterminants determinants(dual, i, ring.vertices);
     ExactDeterminants::Sum cone;
     add_cone(length(ring), determinants, cone);
-    // The row of i is once more below than above, and the apex lies at slack w_i instead of 1.
+    // The row of i appears once more below than above, and the apex lies at slack w_i instead of 1.
     cones.push_back(cone.total() * -dual.exact(i)(dual.center()));
   }
   return Rational(balanced_sum(std::move(cones)) / 6);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // cap.hpp - what one removal costs in the filtered engine: the cap of a dual point, its
-// triangulation, and its volume, area or mean width in the arithmetics that there are for it.
+// triangulation, and its volume, area or mean width in several arithmetics.
 #pragma once
 #include <optional>
 #include <span>
@@ -26,7 +26,7 @@ struct FacetOutline {
   std::vector<HalfspaceId> neighbours;
 };
 
-/// Receives every decision without exact numbers: a test decides it again, a proof records it.
+/// Receives every decision made without exact numbers: tests decide it again, proofs record it.
 class CostObserver {
  public:
   virtual ~CostObserver() = default;
@@ -61,10 +61,10 @@ class FilteredCap {
   // 2^dual.cost_exponent().
 
   /// Quick: bounds from doubles. Never Doubtful if the cap is unbounded, though the upper bound of
-  /// a doubtful one is infinite. This and the next two are of the prepared cap.
+  /// a doubtful one is infinite. This function and the next two are about the prepared cap.
   CostBounds<double> in_doubles();
   /// Sure: bounds of volumes with 85 bits; those of other measures are no better than in_doubles().
-  /// Precondition: the cap is bounded; so for exactly().
+  /// Precondition, as for exactly(): the cap is bounded.
   CostBounds<DoubleDouble> in_double_doubles();
   /// The cost itself, in the caller's units.
   Cost exactly() const;
@@ -102,7 +102,7 @@ class FilteredCap {
   std::optional<MetricCost> metric_;  // unless the measure is the volume
 };
 
-/// What the bounds of FilteredCap are multiples of: 6, 2, 4 pi costs.
+/// The factor between the bounds of FilteredCap and costs: 6, 2 or 4 pi.
 [[nodiscard]] Interval<double> cost_multiple(CostMeasure measure);
 /// A cost in units of 2^exponent, as two doubles around it.
 [[nodiscard]] Interval<double> scaled_enclosure(const Cost& cost, long exponent);

@@ -125,8 +125,8 @@ struct CostBounds {
 /// The same with the volume as it is computed.
 template <class Scalar>
 struct CostEstimate : CostBounds<Scalar> {
-  /// Six times. *Not* the middle of the bounds: where H is near zero, its bound is often 10^6 times
-  /// its error, and the upper bound of a cap may be of any size.
+  /// Six times the volume. *Not* the middle of the bounds: where H is near zero, its bound is often
+  /// 10^6 times its error, and the upper bound of a cap may be of any size.
   Scalar value;
 };
 
@@ -159,7 +159,7 @@ class RoundedDeterminants {
   }
 
  private:
-  // A negative height is one only by rounding.
+  // A height is negative only by rounding.
   static Number lift(const Scalar& value) { return is_positive(value) ? value : Scalar(0.0); }
 
   const RingGeometry<Scalar>& ring_;
@@ -167,8 +167,8 @@ class RoundedDeterminants {
   std::uint32_t low_ = 0;
 };
 
-/// lower <= x <= upper for some x >= 0. The ends of a product or quotient are rounded to nearest:
-/// after n operations in a row they have to be moved apart by n roundings.
+/// lower <= x <= upper for some x >= 0. The ends of a product or quotient are rounded to nearest,
+/// so after n operations in a row they have to be moved apart by n roundings.
 template <class Scalar>
 struct Interval {
   Scalar lower, upper;
@@ -206,8 +206,8 @@ class IntervalDeterminants {
         arm_error_(ring.arm_filter(unit).height),
         error_(ring.filter(unit).height) {}
 
-  // D by the bounds of their triangles alone: in a long ring a small one would drown in that of
-  // all.
+  // D by the bounds of their triangles alone: in a long ring, the bound for all of it would exceed
+  // a small D.
   Number base(std::uint32_t m) {
     const std::size_t next = m + 1 == ring_.arm.size() ? 0 : m + 1;
     return positive(dot(ring_.side[m], ring_.center), ring_.arm[m], ring_.arm[next]);
@@ -230,7 +230,7 @@ class IntervalDeterminants {
     return lift(-dot(normal_, ring_.point[q] - ring_.point[low_]), error_);
   }
 
-  /// What CapVolume computed from these determinants, with everything that was rounded away.
+  /// The result of CapVolume from these determinants, widened by all rounding errors.
   CostBounds<Scalar> widened(const Number& six_times) const {
     if (negative_) return {Boundedness::Unbounded, Scalar(0.0), Scalar(0.0)};
     const double n = 16 + 2 * static_cast<double>(ring_.arm.size());
@@ -301,16 +301,16 @@ class LawrenceSum {
   static_assert(3 + 2 + 1 <= kVertexError);  // D of a triangle: three D, an H <= 2 d, rounding
   static_assert(kRelativeErrors / kMargin < 0.05);
   static_assert(3 * 4 * 4 < PlaneFilter::kDeterminantFactor);
-  /// A sum whose relative error is more than this many units, or than this share, is worth the
-  /// slower way.
+  /// If the relative error of a sum is more than this many units, or than this share, the slower
+  /// way is worth its time.
   static constexpr double kAcceptable = 0x1p37, kAcceptableShare = 0x1p-8;
 
-  /// Doubtful where another way must decide.
+  /// Doubtful if another way must decide.
   CostBounds<Scalar> run(const RingGeometry<Scalar>& ring, std::span<const RingTriangle> triangles,
                          double unit);
 
   /// The sum as run() computed it, without a bound. *Stable*: the rounding of D changes it by at
-  /// most kAcceptableShare, so no two terms cancel; how far H is off does not count here.
+  /// most kAcceptableShare, so no two terms cancel; the error of H does not count here.
   const Scalar& value() const { return value_; }
   bool is_stable() const { return stable_; }
 

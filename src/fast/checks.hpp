@@ -19,8 +19,8 @@ struct ClaimedStep {
   std::span<const DualTriangle> triangles;
 };
 
-/// The local checks of docs/verification.md, with filtered signs in place of integers. It uses no
-/// mesh, no queue and no volume, and shares only the predicates with the step.
+/// The local checks of docs/verification.md, with filtered signs in place of integers. They use no
+/// mesh, no queue and no volume, and share only the predicates with the step.
 class StepCheck {
  public:
   explicit StepCheck(const FastDual& dual)

@@ -128,10 +128,10 @@ class FastDualBuilder {
  public:
   explicit FastDualBuilder(FastDual& dual) : dual_(dual) {}
 
-  // (1) A frame in which the solid has about unit size on each axis. If some coordinate does not
-  //     survive the scaling by a power of two, only exact numbers will do.
+  // (1) A frame in which the solid has about unit size on each axis. If the scaling by a power of
+  //     two changes some coordinate, only exact numbers can be used.
   void scale(const Hull& hull, const PointSet& points);
-  // (2) The mean of the extreme points, as it comes out: any interior point will do.
+  // (2) The mean of the extreme points, as rounded: any interior point serves.
   void choose_center(const Hull& hull);
   // (3) Dual points; false if the center is not strictly inside.
   bool add_all_from_corners();
@@ -147,7 +147,7 @@ class FastDualBuilder {
   bool is_finite() const;
 
   std::array<int, 3> exponent_{0, 0, 0};  // caller's length = scaled length * 2^exponent
-  std::vector<Point> scaled_;             // by PointId; empty if only exact numbers will do
+  std::vector<Point> scaled_;             // by PointId; empty if only exact numbers can be used
   Long center_;                           // in scaled lengths, exactly dual_.center_
   FastDual& dual_;
 };
@@ -166,7 +166,7 @@ void FastDualBuilder::scale(const Hull& hull, const PointSet& points) {
   for (const PointId v : hull.vertices) {
     for (int k = 0; k < 3; ++k) {
       const double x = points.doubles()[v.index()][k], y = factor[k].times(x);
-      // Refused: so far from the origin, or so close, that products would leave the range.
+      // A coordinate so far from zero, or so close, that products would leave the range is refused.
       const bool fits = x == 0 || (std::abs(y) < 0x1p200 && std::abs(y) > 0x1p-200);
       if (!fits) {
         scaled_.clear();

@@ -46,8 +46,8 @@ struct DualFaces {
 };
 
 /// A dual face, the convex polygon of the facets around a vertex, is cut in a zigzag: no dual point
-/// gets more than two diagonals of it, so rings stay short where hundreds of facets meet, as a fan
-/// would not keep them.
+/// gets more than two diagonals of it. So rings stay short where hundreds of facets meet; with a
+/// fan they would not.
 /// @param facets  Closed and manifold; corners below point_count.
 /// @par Cost      Linear.
 [[nodiscard]] DualFaces triangulate_dual_faces(const FacetList& facets, std::size_t point_count);
@@ -68,7 +68,7 @@ class FastDual {
   /// Reads the dual off a hull without forming its exact planes: ids are positions
   /// in hull.facets, *not* canonical. Both arguments must outlive the object.
   /// @par Cost  Linear; about 0.3 microseconds per facet. Where cancellation would break the bound
-  ///            (a facet normal close to, but not in, a coordinate plane), exact numbers step in.
+  ///            (a facet normal close to, but not in, a coordinate plane), exact numbers are used.
   static FastDual of(const Hull& hull, const PointSet& points);
   static FastDual of(Hull&&, const PointSet&) = delete;
   /// From exact planes; ids are theirs. `dual` must outlive the object.

@@ -25,7 +25,7 @@ struct FastStep {
   double cost_lower, cost_upper;
 };
 
-/// How often which arithmetic was needed.
+/// How often each arithmetic was needed.
 struct FastCounts {
   SignCounts signs;               ///< Of the loop, not of the verification.
   std::uint64_t evaluations = 0;  ///< Caps enclosed by doubles.
@@ -47,8 +47,8 @@ struct FastResult {
 };
 
 /// Removes one halfspace after another, each time the one whose removal adds the least volume; of
-/// equal ones the first in canonical order. The same removals as simplify_exact(), by other means:
-/// see docs/design/filtered.md.
+/// equal ones the first in canonical order. The removals are those of simplify_exact(), found by
+/// other means: see docs/design/filtered.md.
 /// @param options  As for simplify_exact(). VerifyLevel::Full counts as Local here.
 /// @throws Error   As simplify_exact().
 /// @par Cost       About k^2 flops per evaluated cap of a ring of k <= 16, O(k) above; per removal
@@ -58,14 +58,14 @@ struct FastResult {
                                            const SimplifyOptions& options = {});
 
 /// The same with the full record of every step: exact costs, ties, rings and triangles. Equals
-/// simplify_exact() but for the choice among triangulations, and so among rings, where planes share
-/// a point.
+/// simplify_exact() except for the choice among triangulations, and so among rings, where planes
+/// share a point.
 /// @param center  Strictly inside the solid.
 [[nodiscard]] Run simplify_filtered(const DualHull& dual, const RationalPoint& center,
                                     const SimplifyOptions& options = {});
 
 /// The removals of a run as a record of the kind that all engines share: without costs, ties, rings
-/// and triangles. @param halfspaces  What the ids of the run are positions in.
+/// and triangles. @param halfspaces  The list in which the run's ids are positions.
 [[nodiscard]] Run run_of(const FastResult& result, std::vector<Halfspace> halfspaces);
 
 }  // namespace convexact

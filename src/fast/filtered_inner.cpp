@@ -44,7 +44,7 @@ void FilteredLoss::prepare(VertexId v) {
     arm_[m] = point_[m] - near_[v];
     extent_.include(arm_[m]);
   }
-  // Differences between ring points are at most twice the arms, give or take a rounding.
+  // Differences between ring points are at most twice the arms, up to a rounding.
   Beyond beyond{*this, near_.bound(extent_.doubled())};
   triangulator_.run(k, beyond, seed_, triangles_);
 }
@@ -112,7 +112,7 @@ void InnerLoop::evaluate(VertexId v) {
   queue_.update(v, bounds.lower);
 }
 
-// Of a fresh entry, whose bounds become as narrow as doubles can be.
+// The exact cost of a fresh entry, whose bounds become as narrow as doubles can be.
 const Integer& InnerLoop::exact_cost(VertexId v) {
   std::optional<Integer>& exact = exact_[v.index()];
   if (exact) return *exact;
@@ -126,7 +126,7 @@ const Integer& InnerLoop::exact_cost(VertexId v) {
 }
 
 // Whether the top is fresh and its bounds are close; otherwise one step is made towards that. An
-// upper bound far away would make candidates of too many.
+// upper bound far away would make too many entries candidates.
 bool InnerLoop::is_top_tight() {
   constexpr double kClose = 1 + 0x1p-10;
   const VertexId top = queue_.top();

@@ -14,10 +14,10 @@
 
 namespace convexact {
 
-/// How often which arithmetic was needed.
+/// How often each arithmetic was needed.
 struct InnerCounts {
   std::uint64_t signs = 0;        ///< Decided by doubles.
-  std::uint64_t exact_signs = 0;  ///< Not so.
+  std::uint64_t exact_signs = 0;  ///< Decided by exact numbers.
   std::uint64_t evaluations = 0;  ///< Costs enclosed by doubles.
   std::uint64_t exact_costs = 0;  ///< Costs computed in integers.
 };
@@ -40,7 +40,8 @@ class FilteredLoss {
                InnerCounts& counts)
       : near_(near), mesh_(mesh), seed_(seed), counts_(counts) {}
 
-  /// One tetrahedron: it is lost, too, if another vertex went before, unless that is named here.
+  /// One tetrahedron. It is also lost if another vertex was removed before, unless that vertex is
+  /// named here.
   struct Term {
     VertexId a, b, c;
     double lower;  ///< Of six times its volume.
@@ -50,7 +51,7 @@ class FilteredLoss {
   void prepare(VertexId v);
   const OneRing& ring() const { return ring_; }
   const std::vector<RingTriangle>& triangles() const { return triangles_; }
-  /// Of the prepared vertex, from doubles: six times the volume, in units of NearVertices.
+  /// Bounds for the prepared vertex, from doubles: six times the volume, in units of NearVertices.
   /// @param terms  Receives the lower ends of the terms.
   Interval<double> bounds(std::vector<Term>& terms);
   /// The same, exactly, in units of NearVertices::exact().

@@ -130,7 +130,8 @@ bool FilteredLoop::is_bounded(HalfspaceId i) {
   return queue_.contains(i);
 }
 
-// Of a fresh entry. The lower bound in the queue is one still, and the higher of the two is better.
+// For a fresh entry. The lower bound in the queue is still valid, and the higher of the two is
+// better.
 void FilteredLoop::set_bounds(HalfspaceId i, double lower, double upper) {
   upper_[i.index()] = upper;
   if (lower > queue_.key(i)) queue_.update(i, lower);
@@ -148,7 +149,7 @@ void FilteredLoop::evaluate(HalfspaceId i) {
   counts_.doubtful += bounds.kind == Boundedness::Doubtful;
   stale_[i.index()] = false;
   if (bounds.kind == Boundedness::Unbounded) {
-    drop(i);  // for ever: a larger cap is not bounded either
+    drop(i);  // for good: a larger cap is not bounded either
     return;
   }
   set_bounds(i, bounds.lower, bounds.upper);
@@ -180,7 +181,7 @@ std::optional<HalfspaceId> FilteredLoop::choose() {
   }
 }
 
-// The exact cost is close enough, even if its bounds are wide.
+// An exact cost is close enough, even if its bounds are wide.
 bool FilteredLoop::are_bounds_close(HalfspaceId i) const {
   constexpr double kClose = 1 + 0x1p-10;
   return upper_[i.index()] <= kClose * queue_.key(i);
@@ -193,7 +194,7 @@ bool FilteredLoop::tighten_top() {
     evaluate(top);
     return false;
   }
-  // An upper bound far away would make candidates of too many.
+  // An upper bound far away would make too many entries candidates.
   if (are_bounds_close(top)) return true;
   const bool is_exact = ties_.is_exact(top);
   refine(top);
@@ -243,7 +244,7 @@ FastStep FilteredLoop::describe(HalfspaceId i) const {
           next_above(upper_[i.index()] / multiple.lower)};
 }
 
-// What the step adds to the measure whose growth is limited.
+// The amount that the step adds to the measure whose growth is limited.
 Interval<double> FilteredLoop::added_by(const FastStep& step) {
   if (!limited_cap_) return {step.cost_lower, step.cost_upper};
   limited_cap_->invalidate();  // the mesh has changed

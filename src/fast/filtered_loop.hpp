@@ -16,7 +16,8 @@
 namespace convexact {
 
 /// The growth that max_growth still allows: what the steps add to growth_measure() stays within
-/// that share of its initial value. Enclosures decide, and where they overlap the exact measures.
+/// that share of its initial value. Enclosures decide it; where they overlap, the exact measures
+/// do.
 class GrowthBudget {
  public:
   /// @param options  Without max_growth everything is allowed, and no measure is computed.
@@ -49,9 +50,9 @@ class GrowthBudget {
 /// The queue holds, for every halfspace that is not to be kept and whose removal may be bounded, a
 /// lower bound of its cost, in units of FilteredCap's bounds. When its ring changes, the entry is
 /// *stale*, and evaluated again only when it comes near the top [Minoux1978]. That needs bounds
-/// that stay true. A volume never decreases, so its bound does. Areas and mean widths may fall; but
-/// those of their terms that do not name a removed plane do not, so the bound of a stale entry is
-/// the sum of these.
+/// that stay true. A cost by volume never decreases, so its bound stays true. Costs by area and
+/// mean width may fall; but those of their terms that do not name a removed plane do not fall, so
+/// the bound of a stale entry is the sum of these terms.
 class FilteredLoop {
  public:
   /// @param observer  Receives every sign and bound; null costs nothing.
@@ -63,13 +64,13 @@ class FilteredLoop {
 
   /// Halfspaces that are left.
   std::size_t left() const { return left_; }
-  /// The loop step by step, for loops that advance several, or decide otherwise what is removed and
-  /// when it ends. First:
+  /// The loop step by step, for callers that advance several loops, or choose the removals and the
+  /// end in another way. First:
   void evaluate_all();
-  /// The next removal with its bounds; none if no removal is bounded. Until it is made, calls of
-  /// cost() may refer to it alone.
+  /// The next removal with its bounds; none if no removal is bounded. Until it is made, cost() may
+  /// be called for this removal only.
   std::optional<FastStep> next();
-  /// Of next(): what it adds to the measure whose growth is limited, in units of
+  /// The amount that next() adds to the measure whose growth is limited, in units of
   /// 2^dual.cost_exponent() of that measure; and exactly, in the caller's units.
   Interval<double> added_by(const FastStep& step);
   Cost exactly_added_by(const FastStep& step);
@@ -84,7 +85,7 @@ class FilteredLoop {
   std::optional<HalfspaceId> choose();
   /// After choose(): all that cost as little, in canonical order.
   const std::vector<HalfspaceId>& tie() const { return candidates_; }
-  /// After choose(): why these count as equal; of a single one empty.
+  /// After choose(): why these count as equal; empty for a single one.
   const TieEvidence& tie_evidence() const { return evidence_; }
   /// Whether the removal of i, which is still there and not to be kept, is bounded.
   bool is_bounded(HalfspaceId i);
@@ -134,7 +135,7 @@ class FilteredLoop {
   FastResult result_;
 };
 
-/// The loop with the full record of every step, from a dual of its own.
+/// The loop with the full record of every step, from a separate dual.
 class RecordedLoop {
  public:
   /// @param dual_hull, options  Must outlive the object.
@@ -149,7 +150,7 @@ class RecordedLoop {
   Run finish(FastResult result);
 
  private:
-  // Keeps which caps the loop evaluates. Their bounds in DoubleDouble are of the same caps again.
+  // Records the caps that the loop evaluates. Bounds in DoubleDouble are for the same caps again.
   class Recorder : public CostObserver {
    public:
     /// @param run  Its steps are as many as were made so far.

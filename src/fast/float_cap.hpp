@@ -55,8 +55,7 @@ concept HasSigns = requires(const Arithmetic& arithmetic) {
   { arithmetic.signs() } -> std::convertible_to<const DualSigns&>;
 };
 
-/// The cap of one dual point: ring, triangulation T and volume. Signs of H are taken as they come
-/// out.
+/// The cap of one dual point: ring, triangulation T and volume. Signs of H are taken as computed.
 template <class Arithmetic>
 class FloatCap {
  public:
@@ -75,7 +74,7 @@ class FloatCap {
   }
   /// Whether T, as it was made last, has only right signs; true if the arithmetic has no signs().
   bool is_right() const { return is_right_; }
-  /// Of the cap read last, with T as it was made.
+  /// The estimate for the cap read last, with T as it was made.
   CostEstimate<Scalar> estimate(const std::vector<RingTriangle>& triangles) {
     return cost_.estimate(geometry_, triangles, arithmetic_.unit());
   }

@@ -15,7 +15,8 @@ FloatErrors::FloatErrors(std::size_t halfspaces, CostMeasure measure)
 void FloatErrors::remove(HalfspaceId i, double cost) {
   const double upper = upper_[i.index()], lower = lower_.key(i);
   lower_.erase(i);
-  // Off by the bounds of the enclosure, and by the division by the multiple, which may be rounded.
+  // The error is that of the enclosure's bounds, and of the division by the multiple, which may be
+  // rounded.
   const double of_quotient = 0x1p-52 + (multiple_.upper - multiple_.lower) / multiple_.lower;
   const double error =
       next_above(next_above(std::max(upper - cost, cost - lower)) / lower) + of_quotient;

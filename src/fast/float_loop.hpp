@@ -28,8 +28,9 @@ namespace convexact {
 /// dual.
 ///
 /// A removal is judged by the upper bound of its cost and by the least of all others' lower bounds.
-/// Each halfspace keeps the best lower bound that is proven for it, 0 at first. Those of volumes
-/// stay true when rings change, since costs never decrease; others are lowered to what lasts.
+/// Each halfspace keeps the best lower bound that is proven for it, 0 at first. For volumes they
+/// stay true when rings change, since costs never decrease; for other measures they are lowered to
+/// the terms that last.
 class FloatErrors {
  public:
   explicit FloatErrors(std::size_t halfspaces, CostMeasure measure = CostMeasure::Volume);
@@ -40,7 +41,7 @@ class FloatErrors {
     upper_[i.index()] = upper;
     if (lower > lower_.key(i)) lower_.update(i, lower);
   }
-  /// A halfspace of the ring of i was removed: of the bounds proven before, `lasting` is left. Caps
+  /// A halfspace of the ring of i was removed: of the bound proven before, `lasting` is left. Caps
   /// that are unbounded stay so.
   void lower(HalfspaceId i, double lasting) {
     const double key = lower_.key(i);
@@ -48,9 +49,9 @@ class FloatErrors {
   }
   /// The canonical order decides a step.
   void count_tie() { ++bound_.ties; }
-  /// i is removed, at what is reported as its cost.
+  /// i is removed, with the cost that is reported.
   void remove(HalfspaceId i, double cost);
-  /// After the last step. @param is_stuck  Whether it was the last for want of bounded removals.
+  /// After the last step. @param is_stuck  Whether the run ended because no removal was bounded.
   FloatBound bound(bool is_stuck) const;
 
  private:
@@ -70,31 +71,32 @@ struct LongerCapOf<Arithmetic> {
   using Type = FloatCap<typename Arithmetic::Longer>;
 };
 
-/// Whether the bounds of a cap are too far apart to be worth much as a bound.
+/// Whether the bounds of a cap are too far apart to be useful.
 template <class Scalar>
 bool is_loose(const CostEstimate<Scalar>& cap) {
   constexpr double kLoose = 1 + FloatBound::kMost / 4;
   return !(cap.upper <= Scalar(kLoose) * cap.lower);
 }
 
-/// Signs of H are taken as they come out, and costs as CapCost estimates them. Three guards,
-/// all relative to the size of what is computed (PlaneFilter), keep the result sound:
+/// Signs of H are taken as computed, and costs as CapCost estimates them. Three guards, all
+/// relative to the size of the computed numbers (PlaneFilter), keep the result sound:
 /// - Existence: a halfspace is removed only if every D of its cap is beyond its error bound.
 /// - Laziness: a changed cap is evaluated again when its *lower bound* comes to the top, not
 ///   its estimate, unless both are nearly the same; an ill-conditioned cap has a low one. (Without
-///   this guard a cap with too high an estimate would never be evaluated again.) Areas and mean
-///   widths may fall, so theirs is the sum of the terms that last.
-/// - Doubt: a cap that is not found bounded, be it that some D is too close to zero or that T is
-///   wrong, or its bounds far apart, is evaluated in the longer arithmetic. If that does not find
-///   it bounded either, it is put off until its ring changes. (Facets that would be one, had their
-///   vertices not been rounded, have dual points a few roundings apart.)
+///   this guard a cap with too high an estimate would never be evaluated again.) Costs by area and
+///   mean width may fall, so their lower bound is the sum of the terms that last.
+/// - Doubt: a cap is evaluated in the longer arithmetic if it is not found bounded, because some D
+///   is too close to zero or T is wrong, or if its bounds are far apart. If that does not find
+///   it bounded either, it is postponed until its ring changes. (Facets that would be one, had
+///   their vertices not been rounded, have dual points a few roundings apart.)
 ///
-/// It ends: each pass removes a halfspace, evaluates a stale cap or stops, and RingTriangulator
-/// ends whatever the signs. The surface stays a sphere around the center: the new triangles of a
-/// removal cover, seen from the center, what the old ones covered, because all are proven to be
-/// positively oriented and have the same rim. So the center stays strictly inside the hull of the
-/// dual points that are left, and the solid stays bounded. Nor does a ring get shorter than three:
-/// two triangles on the same three dual points would have opposite orientations.
+/// The loop ends: each pass removes a halfspace, evaluates a stale cap or stops, and
+/// RingTriangulator ends whatever the signs. The surface stays a sphere around the center: the new
+/// triangles of a removal cover, seen from the center, what the old ones covered, because all are
+/// proven to be positively oriented and both have the same rim. So the center stays strictly inside
+/// the hull of the dual points that are left, and the solid stays bounded. Nor does a ring get
+/// shorter than three: two triangles on the same three dual points would have opposite
+/// orientations.
 template <class Arithmetic>
 class FloatLoop {
  public:
@@ -103,7 +105,7 @@ class FloatLoop {
   FloatLoop(const FastDual& dual, const Arithmetic& arithmetic, const SimplifyOptions& options);
   FastResult run();
 
-  /// The loop step by step, as that of the filtered engine. First:
+  /// The loop step by step, like that of the filtered engine. First:
   /// @param removes_any  Whether there will be a step.
   void evaluate_all(bool removes_any = true);
   std::size_t left() const { return left_; }
@@ -139,8 +141,8 @@ class FloatLoop {
   const SimplifyOptions& options_;
   HalfEdgeMesh mesh_;
   // Keys are estimates where fresh and lower bounds where stale. Where these hardly differ, which
-  // is the usual case, the key stays as it is. State tells, and whether the longer arithmetic was
-  // used.
+  // is the usual case, the key stays as it is. State says which of the two it is, and whether the
+  // longer arithmetic was used.
   enum State : unsigned char { kFresh = 0, kStale = 1, kWide = 2, kLonger = 4 };
   const Scalar infinity_ = Scalar(std::numeric_limits<double>::infinity());
   const Scalar narrow_;  // estimate over lower bound, at most
@@ -150,7 +152,7 @@ class FloatLoop {
   std::vector<Scalar> upper_;     // likewise
   std::vector<Scalar> estimate_;  // likewise; infinite if there is no such cap, or may be none
   // Changes of its ring to wait for before another look at a cap that was not found bounded: with a
-  // quarter of the ring's length, all looks together cost no more than linear in it.
+  // quarter of the ring's length, the total cost of all looks is linear in it.
   std::vector<std::uint32_t> patience_;
   std::optional<HalfspaceId> prepared_;
   OneRing ring_;
@@ -227,7 +229,7 @@ FastResult FloatLoop<Arithmetic>::run() {
   return finish(stop);
 }
 
-// What is kept has no entry.
+// Kept halfspaces have no entry.
 template <class Arithmetic>
 void FloatLoop<Arithmetic>::evaluate_all(bool removes_any) {
   std::vector<bool> is_kept(dual_.size(), false);
@@ -304,8 +306,8 @@ const typename FloatLoop<Arithmetic>::Scalar& FloatLoop<Arithmetic>::evaluate(Ha
   return estimate_[i.index()];
 }
 
-// By bounds and estimates of a cap in this arithmetic or in the longer one. Returns whether its T
-// is right, so that the bounds are.
+// Sets the key by bounds and estimates of a cap in this arithmetic or in the longer one. Returns
+// whether its T is right, and therefore the bounds.
 template <class Arithmetic>
 template <class Estimate>
 bool FloatLoop<Arithmetic>::evaluate_by(HalfspaceId i, const Estimate& estimate) {
@@ -325,7 +327,7 @@ bool FloatLoop<Arithmetic>::evaluate_by(HalfspaceId i, const Estimate& estimate)
   return cap_.is_right();
 }
 
-// Records the bounds proven of i, whose ring and triangles are known.
+// Records the bounds proven for i, whose ring and triangles are known.
 template <class Arithmetic>
 template <class Number>
 void FloatLoop<Arithmetic>::enclose(HalfspaceId i, const CostEstimate<Number>& cap, bool is_right) {
@@ -342,7 +344,7 @@ void FloatLoop<Arithmetic>::enclose(HalfspaceId i, const CostEstimate<Number>& c
   }
 }
 
-// Whether some vertex of the cap is none: D <= 0 in exact numbers.
+// Whether some vertex of the cap does not exist: D <= 0 in exact numbers.
 template <class Arithmetic>
 bool FloatLoop<Arithmetic>::is_unbounded_by_signs() const {
   const auto& v = ring_.vertices;
@@ -372,12 +374,12 @@ void FloatLoop<Arithmetic>::keep(HalfspaceId i, const CostEstimate<Number>& cap)
   patience_[i.index()] = is_bounded || k <= RingTriangulator::kShortRing ? 0 : k / 4;
 }
 
-// The cheapest estimate, once no stale lower bound is below it; where others are as near as
-// rounding, the first of them in canonical order.
+// The cheapest estimate, once no stale lower bound is below it; among estimates that are equal up
+// to rounding, the first in canonical order.
 template <class Arithmetic>
 std::optional<HalfspaceId> FloatLoop<Arithmetic>::choose() {
   for (;;) {
-    if (queue_.empty()) return {};  // all that are left are kept
+    if (queue_.empty()) return {};  // all that are left are to be kept
     const HalfspaceId top = queue_.top();
     if (state_[top.index()] & kStale) {
       queue_.update(top, evaluate(top));
@@ -389,12 +391,13 @@ std::optional<HalfspaceId> FloatLoop<Arithmetic>::choose() {
   }
 }
 
-// Of a fresh top: those whose estimates are next to its own and whose bounds overlap, the first in
-// canonical order in front. False if some of them were stale, which they are no longer.
+// For a fresh top: collects those whose estimates are next to its estimate and whose bounds
+// overlap, the first in canonical order in front. False if some of them were stale; they are then
+// refreshed.
 template <class Arithmetic>
 bool FloatLoop<Arithmetic>::collect_tie(HalfspaceId top) {
-  // Modelled symmetries tie in pairs, and the symmetries of the cube 48 at most. Long prisms tie
-  // all over, by the thousand; there the order among them is arbitrary.
+  // Symmetries of modelled shapes make ties of pairs, and the symmetries of the cube ties of at
+  // most 48. Long prisms have ties of thousands; the order among these is arbitrary.
   constexpr std::size_t kMost = 48;
   queue_.collect(narrow_ * queue_.key(top), tied_, kMost);
   if (tied_.size() > kMost) tied_.assign(1, top);

@@ -37,7 +37,8 @@ class KeyedQueue {
     heap_.pop_back();
     if (hole < heap_.size()) settle(hole, last);
   }
-  /// All ids with a key of at most `limit`, in no order; of more than `most` some most + 1 of them.
+  /// All ids with a key of at most `limit`, in no order; if there are more than `most`, any most +
+  /// 1 of them.
   /// @par Cost  Their number.
   void collect(const Key& limit, std::vector<HalfspaceId>& ids,
                std::size_t most = std::numeric_limits<std::size_t>::max() - 1) {

@@ -13,7 +13,7 @@ inline constexpr std::uint32_t kNone = 0xffffffff;
 
 /// A triangle of the polygon 0, 1, ..., k - 1 (positions in a one-ring): low < middle < high,
 /// counter-clockwise. It hangs below its edge (low, high) on the triangle `parent`, an earlier
-/// position in the list, whose (low, middle) or (middle, high) that edge is; for the first
+/// position in the list, of which that edge is (low, middle) or (middle, high); for the first
 /// triangle that edge is (0, k - 1) and `parent` is kNone.
 struct RingTriangle {
   std::uint32_t low, middle, high;
@@ -54,7 +54,7 @@ class HalfEdgeMesh {
   }
   /// Removes v and closes the hole. `ring` is v's, `triangles` a triangulation of it.
   void remove(HalfspaceId v, const OneRing& ring, std::span<const RingTriangle> triangles);
-  /// Puts v where it is not, and joins it to the rim of the triangles that it sees.
+  /// Adds v, which is not on the mesh, and joins it to the rim of the triangles that it sees.
   /// @param sees  Asked of each triangle, in the order of triangles(). Those seen form a disk, and
   ///              each of its vertices is on the rim.
   /// @par Cost    One question for each triangle.

@@ -39,7 +39,7 @@ constexpr std::array<double, kTerms + 1> psi_coefficients() {
 }
 constexpr std::array<double, kTerms + 1> kPsi = psi_coefficients();
 
-// How many terms do for versines of at most `a`, with the same remainder.
+// How many terms suffice for versines of at most `a`, with the same remainder.
 int terms_for(double a) { return a <= 0x1p-13 ? 4 : a <= 0x1p-6 ? 8 : kTerms; }
 
 // g(a) = 1 - alpha cot alpha = a - psi(a) (1 - a): coefficient c_(n-1) - c_n, all positive.
@@ -153,7 +153,7 @@ Excess excess_of(const Triple<double>& to_x, const Triple<double>& to_y,
     if (!(squared_half >= kLeastSquaredHalf)) return {excess, kNoUpperEnd};
     return {excess, kWideExcessError * kUnitRoundoff / (squared_half * std::sqrt(squared_half))};
   }
-  // The chords themselves are off, too, which widens the bound by next to nothing.
+  // The chords themselves have errors, too, which hardly widen the bound.
   const double chord = std::sqrt(squared) + kChordError * kUnitRoundoff;
   return {near_excess(a, b, c, to_x, to_y, across),
           kNearExcessError * kUnitRoundoff * chord * (2 * largest + kChordError * kUnitRoundoff)};

@@ -16,13 +16,13 @@
 
 namespace convexact {
 
-/// A part of a cost that stays, and does not shrink, for as long as both planes are there.
+/// A part of a cost that remains, and does not shrink, as long as neither plane is removed.
 struct LastingTerm {
   HalfspaceId x, y;  ///< Equal for a term of one plane.
   double lower;      ///< At most that part; >= 0.
 };
 
-/// Leaves out what names a plane that has gone. @return  MetricCost::lower_bound() of the rest.
+/// Leaves out the terms that name the removed plane. @return MetricCost::lower_bound() of the rest.
 double forget_terms_of(HalfspaceId removed, std::vector<LastingTerm>& terms);
 
 /// Lengths and directions of dual points in the caller's frame, up to one common power of two.

@@ -50,7 +50,7 @@ struct RingGeometry {
 ///   bool is_beyond(m)                     whether ring point m is strictly beyond that triangle
 /// The result is a triangulation of the polygon 0 .. k - 1 for *any* answers of is_beyond; with
 /// true answers it is the hull of the ring as the removed point saw it. So it ends in any
-/// arithmetic, which flipping does not.
+/// arithmetic; flipping would not.
 class RingTriangulator {
  public:
   /// @par Cost  Up to kShortRing points: at most (k - 2)(k - 3) / 2 questions, fewer than by
@@ -141,8 +141,8 @@ void RingTriangulator::wrap(std::uint32_t k, Beyond& beyond, std::vector<RingTri
 
 template <class Beyond>
 void RingTriangulator::insert_all(std::uint32_t k, Beyond& beyond, Random& random) {
-  // (1) Take points out in random order until three are left; each remembers the neighbours that
-  //     it had when it went.
+  // (1) Take points out in random order until three are left; each remembers the neighbours that it
+  //     had when it was taken out.
   take_out(k, random);
   // (2) The last three are a triangle.
   start_with_triangle(k);

@@ -25,7 +25,7 @@ enum class Numbers {
 /// The bits of one of these numbers; of the float engine 53.
 [[nodiscard]] long bits_of(Numbers numbers);
 
-/// A dual hull whose dual points are rounded to some numbers, and the float loop on it.
+/// A dual hull whose dual points are rounded to numbers of one kind, and the float loop on it.
 ///
 /// Each coordinate is the exact one, n_k / -(n.c + d), scaled by a power of two per axis and
 /// rounded to nearest: the best that such numbers can hold. (The float engine's own doubles may be
@@ -36,12 +36,11 @@ class RoundedDual {
   static std::unique_ptr<RoundedDual> of(const FastDual& dual, Numbers numbers);
   virtual ~RoundedDual() = default;
 
-  /// The removals that these numbers find cheapest; see simplify_float(), which this is for
-  /// Numbers::Engine.
+  /// The removals that these numbers find cheapest; for Numbers::Engine this is simplify_float().
   virtual FastResult run(const SimplifyOptions& options) = 0;
 
   /// Of the latest run: the cost of each removal as it was computed, in cubed length units, not
-  /// rounded any further. Infinity never is among them.
+  /// rounded any further. Infinity is never among them.
   virtual std::vector<Rational> costs() const = 0;
   /// The volume of the result of the latest run, as these numbers compute it: cones over its
   /// facets, from the center. None where they divide by zero.

@@ -36,8 +36,8 @@ struct ExponentRange {
 };
 
 /// The same for binary32. A product loses 2^-150, and at most a factor of 48 follows it in a
-/// determinant. Three sizes over four D are below 48^3 2^72 < 2^89. Of a product that underflowed,
-/// at most 2^89 times as much enters a sum, less than 2^-57 per operation; 16 operations make a
+/// determinant. Three sizes over four D are below 48^3 2^72 < 2^89. At most 2^89 times the loss of
+/// an underflowing product enters a sum, so less than 2^-57 per operation; 16 operations make a
 /// term, and memory does not hold a ring of 2^32.
 template <>
 struct ExponentRange<float> {
@@ -129,7 +129,7 @@ inline PlaneFilter filter_for(const Triple<double>& extent, double unit) {
   return PlaneFilter::within(extent, unit, ExponentRange<Scalar>::kUnderflow);
 }
 
-/// How far signs had to go.
+/// How many signs each stage decided.
 struct SignCounts {
   std::uint64_t filtered = 0;  ///< Decided by doubles.
   std::uint64_t incident = 0;  ///< Zero: the planes share a vertex of the input, or a direction.
@@ -162,7 +162,7 @@ class DualSigns {
                                            HalfspaceId p) const;
   [[nodiscard]] Sign determinant_beyond_doubles(HalfspaceId a, HalfspaceId b, HalfspaceId c) const;
 
-  /// Notes a sign that the caller has decided by doubles itself.
+  /// Counts a sign that the caller has decided in doubles.
   void count_filtered() const { ++counts_.filtered; }
   const SignCounts& counts() const { return counts_; }
 

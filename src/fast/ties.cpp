@@ -46,9 +46,9 @@ std::array<SignedPermutation, 48> all_signed_permutations() {
 // Pairs of planes, one of each cap, whose normals correspond.
 using Pairs = std::vector<std::pair<const Halfspace*, const Halfspace*>>;
 
-// x -> S x + t carries {n.x + d = 0} to {Sn.x + d - Sn.t = 0}. So there is a t that serves all
-// pairs if and only if some (t, 1) is orthogonal to all rows (Sn, d' - d). The first three planes
-// meet in a vertex, so they decide t.
+// x -> S x + t carries {n.x + d = 0} to {Sn.x + d - Sn.t = 0}. So there is a t for all pairs if and
+// only if some (t, 1) is orthogonal to all rows (Sn, d' - d). The first three planes meet in a
+// vertex, so they determine t.
 bool differ_by_one_translation(const Pairs& pairs) {
   if (std::all_of(pairs.begin(), pairs.end(),
                   [](const auto& p) { return p.first->offset() == p.second->offset(); })) {
@@ -110,7 +110,7 @@ bool TieBreaker::is_exact(HalfspaceId i) const {
 
 namespace {
 
-// Of the multiple of the cost that the bounds of FilteredCap are about.
+// Bounds of the multiple of the cost that FilteredCap bounds.
 Interval<double> bounds_of(const Cost& cost, long exponent) {
   if (cost.measure() == CostMeasure::Volume) {
     const Rational scaled = scale_by_power_of_two(cost.rational() * 6, -exponent);
@@ -158,8 +158,8 @@ TieEvidence TieBreaker::keep_cheapest(std::vector<HalfspaceId>& candidates,
   return keep_cheapest_class(candidates, limits, watch);
 }
 
-// What is not proven to be apart from the least counts as a tie. (That is no equivalence: mean
-// widths may be too close to tell, see CompareLimits.)
+// A cost that is not proven to differ from the least one counts as a tie. (That is no equivalence:
+// mean widths may be too close to distinguish, see CompareLimits.)
 TieEvidence TieBreaker::keep_cheapest_class(std::vector<HalfspaceId>& candidates,
                                             const CompareLimits& limits, const Watch& watch) {
   const auto are_congruent_now = [&](HalfspaceId i, HalfspaceId j) {

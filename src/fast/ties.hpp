@@ -14,14 +14,14 @@
 namespace convexact {
 
 /// Whether some isometry x -> S x + t, S one of the 48 signed permutations of the axes, carries the
-/// planes of `a` to those of `b`. True proves that both caps have the same volume, as it is with
-/// mirror images in modelled shapes; false proves nothing.
+/// planes of `a` to those of `b`. True proves that both caps have the same volume, as mirror images
+/// in modelled shapes have; false proves nothing.
 /// @par Cost  Comparisons of integers, mostly of the first few; k - 2 determinants if t != 0.
 [[nodiscard]] bool are_congruent(const FastDual& dual, const FacetOutline& a,
                                  const FacetOutline& b);
 
-/// More about a few caps than their bounds in doubles: bounds in DoubleDouble, which of them are
-/// congruent, and the exact costs of those that are still undecided.
+/// Computes more about a few caps than their bounds in doubles: bounds in DoubleDouble, which of
+/// them are congruent, and the exact costs of those that are still undecided.
 class TieBreaker {
  public:
   TieBreaker(const FastDual& dual, FilteredCap& cap, FastCounts& counts)
