@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // acceptance.hpp - the tests that a stored solid must pass before it is written, planes and meshes
-// alike; and a point inside it to measure from.
+// alike; and a point inside it from which to measure.
 #pragma once
 #include <span>
 #include <string>
@@ -27,12 +27,13 @@ namespace convexact::stored {
 [[nodiscard]] std::size_t final_pass(std::span<const Halfspace> halfspaces, const PointSet& input);
 
 /// Compares two solids that share an interior point.
-/// The distance of a vertex of the one to the other solid is at most that to the nearest vertex,
-/// and at most that to where the segment to `center` enters; the lesser counts. So the bound is
-/// sharp when vertices move a little, and also when they slide along an edge that is almost flat.
+/// The distance of a vertex of one solid to the other solid is at most that to the nearest vertex,
+/// and at most that to the point where the segment to `center` enters; the smaller one counts. So
+/// the bound is sharp when vertices move a little, and also when they slide along an edge that is
+/// almost flat.
 /// @param center   Strictly inside both.
 /// @param squared_diameter  Of the input; positive.
-/// @par Cost  A double distance for each pair of vertices; exact arithmetic for a few of each
+/// @par Cost  A double distance for each pair of vertices; exact arithmetic for a few pairs of each
 /// vertex.
 [[nodiscard]] Growth growth(const Polytope& exact, const Polytope& stored,
                             const RationalPoint& center, const Rational& squared_diameter);

@@ -14,11 +14,11 @@ using stored::DoubleHalfspace;
 
 // Blocks stay in the first-level cache while all halfspaces pass over them.
 constexpr std::size_t kBlock = 128;
-// From so many halfspaces on, blocks of neighbouring points are faster.
+// With at least this many halfspaces, blocks of neighbouring points are faster.
 constexpr std::size_t kManyHalfspaces = 256;
 
-// All points, those of a block close together if that is worth it: halved along the longest side of
-// their box until a part is no larger than a block.
+// All points, with those of a block close together if that is worth it: they are halved along the
+// longest side of their box until a part is no larger than a block.
 class BlockOrder {
  public:
   BlockOrder(const PointSet& points, bool is_worth_it) : points_(points.doubles()) {
@@ -93,10 +93,10 @@ class OutsideSearch {
     return box;
   }
 
-  // The corner of the box where n.x is largest, so the whole block if that one. Rounding is
-  // monotone, so the bound holds for coordinates that are no doubles, too; and where a component of
-  // n is rounded to 0, the other corner exceeds this one by less than 2^-1074 times a coordinate,
-  // which the absolute error covers.
+  // Tests the corner of the box where n.x is largest: if it is inside, the whole block is. Rounding
+  // is monotone, so the bound holds for coordinates that are no doubles, too; and where a component
+  // of n is rounded to 0, the other corner exceeds this one by less than 2^-1074 times a
+  // coordinate, which the absolute error covers.
   bool surely_inside(const DoubleHalfspace& h, const Box& box) const {
     double corner[3];
     for (int k = 0; k < 3; ++k) corner[k] = h.n[k] > 0 ? box.high[k] : box.low[k];

@@ -64,8 +64,8 @@ class OneSidedBound {
   }
 
   Rational squared() {
-    // From the vertex that seems farthest on; no later one can raise the bound once the distance to
-    // its nearest vertex is below it.
+    // Starts with the vertex that seems farthest; no later one can raise the bound once the
+    // distance to its nearest vertex is below it.
     std::vector<std::size_t> nearest(locals_.size());
     std::vector<Rational> reach(locals_.size());
     std::vector<std::size_t> order(locals_.size());
@@ -151,8 +151,8 @@ Growth growth(const Polytope& exact, const Polytope& stored, const RationalPoint
       std::max(OneSidedBound(a, b, exponent).squared(), OneSidedBound(b, a, exponent).squared());
   Growth growth;
   growth.push = root_up(squared / squared_diameter);
-  // The exact quotient would be as long as all denominators together: over a second for 3,000
-  // halfspaces.
+  // The exact quotient would be as long as all denominators together, and take over a second for
+  // 3,000 halfspaces.
   growth.volume_ratio =
       (enclose_volume(stored, kMeasureBits) / enclose_volume(exact, kMeasureBits)).high_double();
   return growth;

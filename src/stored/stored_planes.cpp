@@ -30,7 +30,8 @@ Point round_normal(const IntegerVector3& normal, Precision precision,
   return rounded;
 }
 
-// A ray u != 0 with n.u <= 0 for all the normals, or nothing if they bound. Proven either way.
+// A ray u != 0 with n.u <= 0 for all the normals, or nothing if the halfspaces are bounded; proven
+// in both cases.
 std::optional<RationalVector3> escape_ray(const std::vector<Point>& normals) {
   std::vector<Halfspace> cone;
   for (const Point& n : normals) cone.emplace_back(to_rational(n), Rational(0));
@@ -42,7 +43,7 @@ std::optional<RationalVector3> escape_ray(const std::vector<Point>& normals) {
   return ray == nullptr ? std::nullopt : std::optional(ray->direction);
 }
 
-// Steps (1) and (2): normals that bound.
+// Steps (1) and (2): normals whose halfspaces are bounded.
 std::vector<Point> round_normals(std::span<const Halfspace> halfspaces, Precision precision) {
   std::vector<Point> normals;
   for (const Halfspace& h : halfspaces) normals.push_back(round_normal(h.normal(), precision));
@@ -79,7 +80,7 @@ class WitnessSupport {
 
 Rational WitnessSupport::operator()(const Point& n) {
   // One bound for all witnesses: no product is larger than |n_k| * largest. Where a sum might
-  // overflow the bound is infinite, nothing is below the limit and all are compared exactly.
+  // overflow, the bound is infinite, no value is below the limit, and all are compared exactly.
   const double size = n.cwiseAbs().sum() * doubles_.largest;
   const double error = size < 0x1p1022
                            ? stored::kRelative * size + stored::absolute_error(std::max(1.0, size))
