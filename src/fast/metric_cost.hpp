@@ -22,7 +22,8 @@ struct LastingTerm {
   double lower;      ///< At most that part; >= 0.
 };
 
-/// Leaves out the terms that name the removed plane. @return MetricCost::lower_bound() of the rest.
+/// Leaves out the terms that name the removed plane. @return  MetricCost::lower_bound() of the
+/// rest.
 double forget_terms_of(HalfspaceId removed, std::vector<LastingTerm>& terms);
 
 /// Lengths and directions of dual points in the caller's frame, up to one common power of two.

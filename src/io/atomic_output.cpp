@@ -29,7 +29,7 @@ std::string folder_of(const std::string& target) {
 // Follows symbolic links to the file itself, which need not exist yet.
 std::string resolve(const std::string& path) {
   std::error_code failed;
-  // Of a file that does not exist, a relative name would stay as it is spelt.
+  // The relative name of a file that does not exist would stay as it is spelt.
   auto absolute = std::filesystem::absolute(path, failed);
   // weakly_canonical() would stop at a link to a file that does not exist.
   constexpr int kLongestChain = 40;  // as Linux allows
@@ -48,7 +48,7 @@ std::string name_beside(const std::string& target, const char* suffix, int attem
   return (path.parent_path() / name).string();
 }
 
-constexpr int kAttempts = 1000;  // leftovers of runs that were killed may have taken some names
+constexpr int kAttempts = 1000;  // files left by killed runs may have taken some names
 
 int create_beside(const std::string& target, std::string& name) {
   int file = -1;
@@ -61,7 +61,7 @@ int create_beside(const std::string& target, std::string& name) {
   return file;
 }
 
-// 0, or the errno of what went wrong.
+// 0, or the errno of the failure.
 int write_all(int file, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::write(file, bytes.data(), bytes.size());
@@ -71,8 +71,8 @@ int write_all(int file, std::string_view bytes) {
   return ::fsync(file) == 0 ? 0 : errno;
 }
 
-// Flushes the renames in a folder to the disk. Some file systems cannot; only durability is lost
-// then.
+// Flushes the renames in a folder to the disk. Some file systems cannot; then only durability is
+// lost.
 void sync_folder(const std::string& target) {
   const int folder = ::open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder < 0) return;

@@ -17,8 +17,8 @@ namespace convexact {
 /// or a string that holds one or a fraction "p/q"; a number spelled with a point or an exponent is
 /// read by `decimal`, any other is exact. Other keys of the object are ignored, so a trace can be
 /// read, too.
-/// @throws Error Malformed with the line, for a number that of the row's opening bracket; NotFinite
-///               for decimals beyond the largest double.
+/// @throws Error Malformed with the line (for a number, the line of its row's opening bracket);
+///               NotFinite for decimals beyond the largest double.
 [[nodiscard]] HalfspaceList read_halfspaces_json(std::string_view bytes, Decimal decimal);
 
 /// Integers as strings, since JSON readers round large numbers; one halfspace per line.
@@ -30,7 +30,7 @@ namespace convexact {
 
 /// Reads a file of dimension three. A row (b, a1, a2, a3) means b + a.x >= 0, so n = -a and d = -b.
 /// Integers and fractions are exact; decimals (type real only) are read by `decimal`. Options
-/// before `begin` and behind `end` are ignored, except for those that turn rows into equations or
+/// before `begin` and after `end` are ignored, except for those that turn rows into equations or
 /// strict inequalities.
 /// @throws Error Malformed with the line, also for a V-representation, another dimension or
 ///               linearity; NotFinite for decimals beyond the largest double.
@@ -42,7 +42,7 @@ namespace convexact {
 /// Rows of type real.
 [[nodiscard]] std::string write_ine(std::span<const BinaryHalfspace> halfspaces);
 
-// Plain text, the form for writing by hand.
+// Plain text, the format for writing by hand.
 
 /// Reads one halfspace n1 x + n2 y + n3 z + d <= 0 from each line "n1 n2 n3 d". Integers and
 /// fractions are exact; a number spelled with a point or an exponent is read by `decimal`. A token

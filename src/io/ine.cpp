@@ -28,8 +28,8 @@ class IneReader {
   }
 
  private:
-  // Lines outside of begin ... end: names and requests. Only those that change the meaning of rows
-  // matter.
+  // Lines outside of begin ... end hold names and requests. Only those that change the meaning of
+  // rows matter.
   void check_option(std::string_view option) {
     if (option == "V-representation") {
       cursor_.fail_expected("H-representation", option);

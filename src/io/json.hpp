@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// json.hpp - JSON as the program writes it: its text, and what numbers, planes, points and errors
-// look like.
+// json.hpp - JSON as the program writes it: its text, and the forms of numbers, planes, points and
+// errors.
 #pragma once
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -55,7 +55,8 @@ struct nlohmann::adl_serializer<convexact::Halfspace> {
 namespace convexact {
 
 /// The text of a document, without a newline at its end. File names, option values and names of
-/// objects are bytes: what is no UTF-8 in them becomes U+FFFD, since JSON knows nothing else.
+/// objects are bytes: any part of them that is not UTF-8 becomes U+FFFD, since JSON allows nothing
+/// else.
 /// @param indent  Spaces for each level; -1 for all on one line.
 [[nodiscard]] std::string write_json(const nlohmann::ordered_json& document, int indent = -1);
 

@@ -39,7 +39,7 @@ bool JsonDocument::take_spelled(std::string_view text) {
   return take(json::binary({text.begin(), text.end()}));
 }
 
-// A minus zero is the only zero that the parser calls signed.
+// Minus zero is the only zero that the parser reports as signed.
 bool JsonDocument::number_integer(std::int64_t value) {
   if (spelled_depth_ == 0) return take(value);
   return take_spelled(value == 0 ? "-0" : std::to_string(value));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// json_text.hpp - the one place that parses JSON text, with a limit to its depth; points, planes
+// json_text.hpp - the only parser of JSON text, with a limit to its depth; points, planes
 // and polygons in its rows.
 #pragma once
 #include <functional>
@@ -15,7 +15,7 @@
 namespace convexact {
 
 /// How deep lists and objects of a JSON text may lie within each other. Our formats need 6; the
-/// JSON library copies, compares and prints documents with stack for each level.
+/// JSON library needs stack for each level to copy, compare and print documents.
 inline constexpr std::size_t kMaxJsonDepth = 64;
 
 /// Walks over bytes and counts the lines begun.
@@ -68,7 +68,7 @@ void parse_json_events(std::string_view bytes, Events& events) {
 }
 
 /// Builds the document of a JSON text. If the parser throws, `document` holds the part before the
-/// error. A key that one object has twice is malformed: its meaning would depend on the reader.
+/// error. An object with the same key twice is malformed: its meaning would depend on the reader.
 class JsonDocument : public JsonEvents {
  public:
   /// @param spelled  Keys below which a number is kept as its text, see spelling_of().
@@ -97,7 +97,7 @@ class JsonDocument : public JsonEvents {
   bool close_last();
 
   std::vector<std::string_view> spelled_;
-  std::size_t spelled_depth_ = 0;  // of the object with the spelled key we are below; 0: of none
+  std::size_t spelled_depth_ = 0;  // of the enclosing object with a spelled key; 0: none
   std::vector<nlohmann::json*> open_;
   std::string key_;  // of the next value, if the last container is an object
 };
@@ -109,10 +109,10 @@ class JsonDocument : public JsonEvents {
 /// value (and for the empty string).
 [[nodiscard]] std::string_view spelling_of(const nlohmann::json& value);
 
-/// What a number in a row means: each format has its own rules.
+/// The meaning of a number in a row: each format has different rules.
 using JsonNumber = std::function<Rational(const nlohmann::json&)>;
 
-/// Points from rows of three numbers. @param what  What errors call a row: "point".
+/// Points from rows of three numbers. @param what  The name of a row in errors: "point".
 /// @throws Error Malformed for other rows; as `number`.
 [[nodiscard]] PointSet points_of_json(const nlohmann::json& rows, const char* what,
                                       const JsonNumber& number);

@@ -14,7 +14,7 @@ Mesh read_ply(std::string_view bytes, Decimal decimal);
 Mesh read_stl(std::string_view bytes, Decimal decimal);
 Mesh read_xyz(std::string_view bytes, Decimal decimal);
 
-/// Whether the size of a file is the one that a binary STL of its triangle count has.
+/// Whether the size of a file is that of a binary STL with its triangle count.
 bool is_binary_stl(std::string_view bytes);
 
 }  // namespace convexact

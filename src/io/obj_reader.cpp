@@ -104,7 +104,7 @@ class ObjReader {
     return static_cast<std::uint32_t>(index - 1);
   }
 
-  // A nonzero integer at `next`, which moves behind it.
+  // A nonzero integer at `next`, which is moved past it.
   std::int64_t read_index(const char*& next, const char* end, std::string_view token) const {
     std::int32_t value = 0;
     const auto result = std::from_chars(next, end, value);
@@ -117,7 +117,8 @@ class ObjReader {
     cursor_.fail_expected("a corner such as 3, -1, 3/2, 3//4 or 3/2/4 with indices from 1", token);
   }
 
-  // Closes the polygons since the last o or g; none: no part. One name twice in a row is one part.
+  // Makes a part of the polygons since the last o or g, if there are any. The same name twice in a
+  // row is one part.
   void end_part() {
     const std::size_t last = mesh_.polygons.size();
     const std::size_t first = mesh_.parts.empty() ? 0 : mesh_.parts.back().last_polygon;

@@ -52,7 +52,7 @@ class OffReader {
   }
 
   void check_counts(std::size_t points, std::size_t polygons) const {
-    // A line of a single digit is wrong, but a message about that line is more helpful than one
+    // A line with a single digit is wrong, but a message about that line is more helpful than one
     // about the size of the file.
     constexpr std::size_t kShortestLine = 2;
     if ((points + polygons) * kShortestLine > cursor_.remaining() + 1) {

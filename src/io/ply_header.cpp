@@ -68,8 +68,8 @@ PlyProperty read_property(TextCursor& cursor, const PlyElement& element) {
   return property;
 }
 
-// The body starts behind a line end of the kind that the first line has: in a file whose lines end
-// with "\r", the bytes "\r\n" are a line end and a byte of data.
+// The body starts after a line end of the same kind as that of the first line: in a file whose
+// lines end with "\r", the bytes "\r\n" are a line end and a byte of data.
 std::size_t body_offset(std::string_view bytes, std::size_t header_end) {
   const std::size_t first = bytes.find_first_of("\r\n");
   const bool two = bytes.substr(first, 2) == "\r\n" && bytes.substr(header_end, 2) == "\r\n";

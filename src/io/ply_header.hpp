@@ -35,7 +35,7 @@ struct PlyElement {
 struct PlyHeader {
   std::optional<ByteOrder> binary;  ///< Unset: the body is text.
   std::vector<PlyElement> elements;
-  std::size_t body;  ///< Offset of the first byte behind the header.
+  std::size_t body;  ///< Offset of the first byte after the header.
 
   const PlyElement* find(std::string_view element) const;
 };

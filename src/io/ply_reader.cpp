@@ -11,8 +11,8 @@
 namespace convexact {
 namespace {
 
-// Both bodies offer the same operations on one row of an element after another. A value of a text
-// takes two bytes at least, with its blank; the last one may lack it.
+// Both kinds of bodies offer the same operations on one row of an element after another. In a text
+// a value takes at least two bytes, with its blank; the last one may lack the blank.
 
 class TextBody {
  public:
@@ -136,7 +136,7 @@ class PlyReader {
 
   Mesh read() {
     for (const PlyElement& element : header_.elements) {
-      if (element.properties.empty()) continue;  // rows of nothing, however many
+      if (element.properties.empty()) continue;  // any number of empty rows
       check_count(element);
       for (std::uint32_t row = 0; row < element.count; ++row) read_row(element, row);
     }

@@ -42,8 +42,8 @@ class PointCollector {
   }
 
  private:
-  // Called after all three proved to be decimals of finite value. An exponent so low that its
-  // digits would fill the memory may still be refused.
+  // Called after all three were found to be decimals with finite values. A very low exponent, whose
+  // digits would fill the memory, may still be refused.
   static RationalPoint spelled(const std::array<std::string_view, 3>& coordinates,
                                const TextCursor& cursor) {
     try {

@@ -56,7 +56,7 @@ MeshFormat mesh_format_of_content(std::string_view bytes) {
   return is_off ? MeshFormat::Off : MeshFormat::Obj;
 }
 
-// x y z in each line, and further numbers that are not used.
+// x y z in each line, followed by any further numbers, which are not used.
 Mesh read_xyz(std::string_view bytes, Decimal decimal) {
   TextCursor cursor(bytes, {.comment = '#'});
   PointCollector points(decimal);

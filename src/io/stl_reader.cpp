@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// STL, as text and binary. The format repeats a point in every triangle that has it; here points
-// that are exactly equal become one. Normals and attribute bytes are ignored.
+// STL, as text and binary. The format repeats a point in every triangle that has it; the reader
+// merges points that are exactly equal. Normals and attribute bytes are ignored.
 #include <algorithm>
 #include <unordered_set>
 
@@ -103,7 +103,7 @@ class TextStlReader {
     if (!is_word(token, word)) cursor_.fail_expected(word, token);
   }
 
-  // From behind "solid" to the end of the line of "endsolid".
+  // From after "solid" to the end of the line of "endsolid".
   void read_solid() {
     const std::string name(cursor_.rest());
     const std::size_t first = mesh_.polygons.size();
@@ -137,8 +137,8 @@ class TextStlReader {
   Mesh mesh_;
 };
 
-// Reports what is wrong with a file that is not text, as a binary STL: it is cut off, or longer
-// than it announces. Its first word does not matter. Text has no byte 0.
+// Reports what is wrong with a file that is not text, taken as a binary STL: it is cut off, or
+// longer than announced. Its first word does not matter. Text has no byte 0.
 void reject_wrong_size(std::string_view bytes) {
   if (bytes.size() < kHeaderSize || bytes.find('\0') == bytes.npos) return;
   const std::size_t count = BinaryCursor(bytes, 80, ByteOrder::Little).take<std::uint32_t>();

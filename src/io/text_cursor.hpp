@@ -27,7 +27,7 @@ class TextCursor {
   bool next_line();
   /// The next token of this line; empty if there is none.
   std::string_view token();
-  /// The rest of this line without blanks around it, to the letter: no comment, no continuation.
+  /// The rest of this line without blanks around it, taken literally: no comment, no continuation.
   std::string_view rest();
 
   std::size_t line() const { return line_; }

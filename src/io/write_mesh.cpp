@@ -84,7 +84,7 @@ std::string write_xyz(const Mesh& mesh) {
   return out.finish();
 }
 
-// Lengths of lists take one byte, as every reader expects, unless some polygon is too long for it.
+// Lengths of lists take one byte, as every reader expects, unless some polygon is too long for one.
 bool has_long_polygon(const Mesh& mesh) {
   return std::any_of(mesh.polygons.begin(), mesh.polygons.end(),
                      [](const auto& polygon) { return polygon.size() > 255; });
