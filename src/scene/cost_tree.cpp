@@ -10,7 +10,7 @@
 namespace convexact {
 namespace {
 
-// What is known of the removal of a halfspace that is free.
+// The data on the removal of a free halfspace.
 struct FreeRemoval {
   HalfspaceId id;
   Rational cost = 0;                    // a lower bound
@@ -72,9 +72,9 @@ bool CostTree::is_reached(const std::vector<FreeRemoval>& free, std::size_t to_g
   return bound >= least_;
 }
 
-// The dearest of those with which the bound is not reached. Others need no branch: where one of
-// them is among the cheapest that are left, the bound is. Precondition: it is not reached now, so
-// the cheapest are such; all costs are exact.
+// The dearest of the removals with which the bound is not reached. The others need no branch: where
+// one of them is among the cheapest that are left, the bound is reached. Precondition: the bound is
+// not reached now, so the cheapest removals are of the first kind; all costs are exact.
 std::vector<FreeRemoval>::iterator CostTree::dearest_below(std::vector<FreeRemoval>& free,
                                                            std::size_t to_go,
                                                            const Rational& added) const {
@@ -88,7 +88,7 @@ std::vector<FreeRemoval>::iterator CostTree::dearest_below(std::vector<FreeRemov
   return last;
 }
 
-// What is unbounded is so in all states below, and not free any more.
+// An unbounded removal stays unbounded in all states below, and its halfspace is no longer free.
 void CostTree::evaluate(std::vector<FreeRemoval>& free) {
   for (FreeRemoval& each : free) {
     if (each.removal) continue;

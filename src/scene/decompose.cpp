@@ -45,7 +45,7 @@ void require_sensible(const DecomposeRequest& request) {
   }
 }
 
-// The proof that all points of faces lie in one plane, if they do; of points of the mesh.
+// The proof that all points of faces lie in one plane, if they do, in terms of the mesh's points.
 std::optional<FlatInput> find_flat(const Mesh& mesh, const Watch& watch) {
   std::vector<PointId> used;
   for (const auto& polygon : mesh.polygons) {
@@ -141,7 +141,7 @@ class Decomposer {
     });
   }
 
-  // By the definition, whatever the engine: the others only leave out triangles with shorter rays.
+  // By the definition, for every engine: the other ways only leave out triangles with shorter rays.
   std::vector<Concavity> measure_concavities() {
     return log_.run("concavities", [&] {
       const Watch watch = log_.watch("concavities");
@@ -181,7 +181,7 @@ class Decomposer {
     return measure_by_bridges(made_.surface, triangles, split_options(watch)).concavity;
   }
 
-  // Every cluster becomes a part, but those that lie in the hull of another one.
+  // Every cluster becomes a part, except those that lie in the hull of another one.
   void choose_parts(const std::vector<Concavity>& concavities) {
     for (std::size_t k = 0; k < clusters_.size(); ++k) {
       Part& part = made_.parts.emplace_back();
@@ -199,7 +199,7 @@ class Decomposer {
     drop_inner(hulls);
   }
 
-  // What is stored may be larger than the hulls, and then hold other parts.
+  // The stored parts may be larger than the hulls, and may then hold other parts.
   void drop_inner_as_stored(std::vector<ConvexPart>& stored) {
     const bool is_larger = std::any_of(made_.parts.begin(), made_.parts.end(), [](const Part& p) {
       return p.form != PartForm::Hull && p.form != PartForm::Flat;

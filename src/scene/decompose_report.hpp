@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// decompose_report.hpp - a decomposition for machines (docs/schema/decompose.schema.json), as a
-// trace (docs/schema/decompose-trace.schema.json), and for people.
+// decompose_report.hpp - a decomposition as JSON (docs/schema/decompose.schema.json), as a trace
+// (docs/schema/decompose-trace.schema.json), and as text for people.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <span>
@@ -60,15 +60,15 @@ enum class DecompositionDetail {
                                                 const Decomposition& decomposition);
 [[nodiscard]] nlohmann::ordered_json concavity_json(const Concavity& concavity,
                                                     const Rational& squared_diameter);
-/// Doubles; of an input with fractions the fractions that they are, which mean the same to a reader
-/// that takes decimals as they are spelled.
+/// Doubles; for an input with fractions, the fractions that they equal, which mean the same to a
+/// reader that takes decimals as spelled.
 [[nodiscard]] nlohmann::ordered_json vertices_json(const PointSet& points, bool as_fractions);
 /// The numbers of triangles, as a list.
 [[nodiscard]] nlohmann::ordered_json indices_json(std::span<const TriangleId> triangles);
 /// What ended the run.
 [[nodiscard]] const char* stop_name(const Decomposition& decomposition);
 
-/// The root of an exact square, and a length as a percentage of the diameter; of a single point 0.
+/// The root of an exact square, and a length as a percentage of the diameter; 0 for a single point.
 [[nodiscard]] Enclosure enclosed_root_of(const Rational& square);
 [[nodiscard]] Enclosure percent_of(const Enclosure& length, const Rational& squared_diameter);
 
@@ -76,7 +76,7 @@ enum class DecompositionDetail {
 [[nodiscard]] TieTally ties_of(const Clustering& clustering);
 [[nodiscard]] std::size_t merges_beyond(const Clustering& clustering);
 
-/// What every trace begins with: the question, and the surface.
+/// The start of every trace: the question, and the surface.
 [[nodiscard]] nlohmann::ordered_json trace_head(const Decomposition& decomposition,
                                                 const DecomposeRequest& request);
 
@@ -84,7 +84,8 @@ enum class DecompositionDetail {
 [[nodiscard]] std::string write_decompose_trace(const Decomposition& decomposition,
                                                 const DecomposeRequest& request);
 
-/// A few lines: the parts, whether the limit holds, what is covered, and what of the solid is not.
+/// A few lines: the parts, whether the limit holds, what is covered, and which volume of the solid
+/// is not.
 [[nodiscard]] std::string summary(const Decomposition& decomposition,
                                   const DecomposeRequest& request,
                                   std::span<const std::string> names);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What people read of a decomposition.
+// The summary of a decomposition for people.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -119,7 +119,7 @@ std::string merges_line(const Clustering& clustering) {
   return summary_line("merges", text);
 }
 
-// The volumes are of the stored parts. That the surface is covered says nothing about them.
+// The volumes are those of the stored parts. A covered surface says nothing about them.
 std::string measures_lines(const DecompositionMeasures& measures) {
   std::string text;
   if (measures.solid_volume) {
@@ -160,7 +160,7 @@ std::string stored_line(const Decomposition& decomposition, Precision precision)
                                             fmt::join(forms, ", ")));
 }
 
-// What was done to the surface, and what of it may surprise.
+// What was done to the surface, and which of its properties may be unexpected.
 std::string surface_notes(const Surface& surface) {
   std::size_t turned = 0, reversed = 0;
   for (const SurfaceComponent& component : surface.components) {

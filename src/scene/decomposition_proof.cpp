@@ -86,7 +86,7 @@ void DecompositionWriter::find_clusters() {
 }
 
 std::string DecompositionWriter::write() {
-  // Whether all pairs are beyond the limit decides on the claim, which stands before.
+  // The claim, which comes first, depends on whether all pairs are beyond the limit.
   const bool asks_for_pairs = request_.connect == Connect::Edge && !by_bridges();
   const bool shows_pairs = asks_for_pairs && write_pairs();
   if (asks_for_pairs && !shows_pairs && request_.engine != Engine::Float) {
@@ -148,8 +148,9 @@ RaySource DecompositionWriter::source_of(const Concavity& concavity) const {
   throw Error(ErrorCode::Internal, "the concavity is taken nowhere");
 }
 
-// A point of a hull as a convex combination of at most four of its extreme points, by the dual of:
-// which plane has all of them on one side, and this point farthest on the other one?
+// A point of a hull as a convex combination of at most four of its extreme points. It comes from
+// the dual of this program: which plane has all of them on one side, and this point farthest on the
+// other?
 std::vector<Multiplier> convex_combination(const std::vector<RationalPoint>& points,
                                            const RationalPoint& x) {
   const auto rows = static_cast<Eigen::Index>(points.size());
@@ -230,7 +231,7 @@ void DecompositionWriter::write_ray(const char* keyword, const std::vector<std::
   }
 }
 
-// Most triangles are bounded by a single plane: a line for all that have the same one.
+// Most triangles are bounded by a single plane: one line serves all triangles with the same plane.
 void DecompositionWriter::write_bounds(const std::vector<TriangleId>& triangles,
                                        const ClusterHull& hull, const Rational& squared) {
   const HullRays rays(surface_, hull);
@@ -254,7 +255,7 @@ void DecompositionWriter::write_bounds(const std::vector<TriangleId>& triangles,
   for (const RaySource& source : open) write_combined(source, rays, hull, squared);
 }
 
-// Factors of 53 bits, if they will do.
+// Factors of 53 bits, if they suffice.
 void DecompositionWriter::write_combined(const RaySource& source, const HullRays& rays,
                                          const ClusterHull& hull, const Rational& squared) {
   const HullRays::Longest longest = rays.longest(source, squared);
@@ -354,8 +355,8 @@ bool DecompositionWriter::write_pair(std::size_t a, std::size_t b) {
   return found.has_value();
 }
 
-// Centroids are tried first, since they are fewest, and corners next; of each the longest rays, as
-// doubles tell; then all points.
+// Centroids are tried first, since they are fewest, and corners next; of each the longest rays
+// according to doubles; then all points.
 std::optional<std::pair<RaySource, HullRay>> DecompositionWriter::beyond_limit(
     const std::vector<TriangleId>& triangles, const HullRays& rays) const {
   const Rational& limit = made_.squared_limit();

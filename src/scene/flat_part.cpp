@@ -55,7 +55,7 @@ class FlatMerger {
     }
   }
 
-  // The lowest one that shall join another.
+  // The lowest one that is to join another.
   std::optional<TriangleId> find_flat() const {
     for (const auto& [name, cluster] : clusters_) {
       watch_.ask();

@@ -20,7 +20,7 @@ bool is_inside(const Polygon& face, const PointSet& points, std::span<const Half
   });
 }
 
-// Of each point whether it is outside of the part's own solid.
+// For each point, whether it is outside the solid of its part.
 std::vector<bool> points_outside(const PointSet& points, const std::vector<Halfspace>& solid,
                                  const std::atomic<bool>* stop) {
   std::vector<bool> is_outside(points.size(), solid.empty());

@@ -23,7 +23,7 @@ Measured measure(const Compute& compute, int digits) {
   return {*bounds, std::nullopt};
 }
 
-// Each measure that is asked for, as a stage of its own.
+// Each measure that is asked for, as a separate stage.
 void add_measures(HullResult& result, const HullRequest& request, StageLog& log) {
   const Polytope& hull = result.solid.exact;
   const auto run = [&](const char* name, bool is_asked, const auto& compute) {

@@ -54,7 +54,7 @@ ClusterHull hull_of_cluster(const Surface& surface, std::span<const TriangleId> 
   for (std::size_t f = 0; f < made.planes.size(); ++f) {
     made.number.push_back(f);
     made.corners.push_back(made.points);
-    // Of its planes only the value at the points counts, so any point near the plane will do.
+    // Only the values of its planes at the points count, so any point near the plane can be used.
     const auto on_it = std::find_if(made.points.begin(), made.points.end(), [&](PointId p) {
       return made.planes[f](surface.points[p]) == 0;
     });
@@ -67,7 +67,7 @@ ClusterHull hull_of_cluster(const Surface& surface, std::span<const TriangleId> 
 double HullRays::near_length(const RaySource& source, std::size_t plane, const Point& from) const {
   const ClusterPlane& near = hull_.near[plane];
   const double speed = near.normal.dot(source.near_direction);
-  constexpr double kLeastSpeed = 1e-12;  // of unit vectors; slower is roundings
+  constexpr double kLeastSpeed = 1e-12;  // of unit vectors; below it are roundings
   if (!(speed > kLeastSpeed)) return std::numeric_limits<double>::infinity();
   return -(near.normal.dot(from) + near.offset) / speed;
 }
@@ -147,8 +147,8 @@ bool HullRays::is_bound(const RaySource& source, const PlaneSum& combination,
   return is_bound(source, n, d, squared_limit);
 }
 
-// A linear program in u, w and the length; of the planes that do not bound it, the one that is
-// passed farthest joins, until there is none.
+// A linear program in u, w and the length. Among the planes that it does not have yet, the one that
+// the ray passes farthest is added, until the ray passes none.
 HullRays::Longest HullRays::longest(const RaySource& source, const Rational& squared_limit) const {
   const RationalPoint a = surface_.points[source.corners[0]],
                       b = surface_.points[source.corners[1]],

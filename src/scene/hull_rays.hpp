@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// hull_rays.hpp - the hull of a cluster, and where rays from its triangles leave it: what a proof
-// of a decomposition says of concavities.
+// hull_rays.hpp - the hull of a cluster, and where rays from its triangles leave it: the part of a
+// decomposition's proof about concavities.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace convexact {
 
-/// A plane in doubles: only to choose what is tried first.
+/// A plane in doubles, used only to choose what is tried first.
 struct ClusterPlane {
   Point normal;
   double offset;
@@ -28,7 +28,8 @@ struct ClusterHull {
   std::vector<PointId> points;
   std::vector<std::array<PointId, 3>> facets;  ///< Fans of the facets; none if it is flat.
   std::vector<Halfspace> planes;               ///< Each once.
-  std::vector<std::size_t> number;  ///< By plane: in the proof, where each fan has several.
+  std::vector<std::size_t> number;  ///< By plane: its number in the proof, where each fan has
+                                    ///< several.
   std::vector<std::vector<PointId>> corners;  ///< By plane: of the facet; all points if it is flat.
   std::vector<ClusterPlane> near;             ///< By plane.
 };
@@ -75,8 +76,8 @@ class HullRays {
   bool is_bound(const RaySource& source, const PlaneSum& combination,
                 const Rational& squared_limit) const;
 
-  /// The longest ray of a triangle, or a bound that is within the limit: as few planes as decide
-  /// it.
+  /// The longest ray of a triangle, or a bound that is within the limit, from as few planes as
+  /// decide it.
   struct Longest {
     HullRay ray;
     bool is_within;

@@ -35,7 +35,7 @@ std::vector<std::optional<std::size_t>> find_holders(std::span<const ConvexPart*
                                                      const Watch& watch) {
   std::vector<RoundedBox> boxes;
   for (const ConvexPart* part : parts) boxes.emplace_back(part->box);
-  std::vector<std::vector<std::size_t>> holders(parts.size());  // but for later equal ones
+  std::vector<std::vector<std::size_t>> holders(parts.size());  // except later equal ones
   for (std::size_t k = 0; k < parts.size(); ++k) {
     watch.at(k, parts.size());
     for (std::size_t j = 0; j < parts.size(); ++j) {
@@ -43,7 +43,8 @@ std::vector<std::optional<std::size_t>> find_holders(std::span<const ConvexPart*
       if (j < k || !lies_in(*parts[j], *parts[k])) holders[k].push_back(j);
     }
   }
-  // This relation is transitive and has no circle, so that one of the holders has none of its own.
+  // This relation is transitive and has no cycle, so that one of the holders is not held by
+  // another.
   std::vector<std::optional<std::size_t>> first(parts.size());
   for (std::size_t k = 0; k < parts.size(); ++k) {
     for (const std::size_t j : holders[k]) {

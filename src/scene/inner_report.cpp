@@ -49,8 +49,8 @@ Mesh joined_inner(std::span<const NamedInner> results) {
   return all;
 }
 
-// The file's points are the vertices of the results, one result after another, bit for bit but for
-// the sign of zeros; and they lie in the exact hulls of the inputs.
+// The file's points are the vertices of the results, one result after another, bit for bit except
+// for the sign of zeros; and they lie in the exact hulls of the inputs.
 void prove_mesh(const std::string& bytes, const std::string& path, MeshFormat format,
                 std::span<const NamedInner> results) {
   const Mesh mesh = read_mesh_bytes(bytes, {.format = format});
@@ -76,7 +76,7 @@ nlohmann::ordered_json inner_json(const InnerResult& result) {
   using Json = nlohmann::ordered_json;
   Json kept = Json::array();
   for (const PointId id : result.kept) kept.push_back(id.value);
-  // A lower bound, so that it never reads as more than was kept.
+  // A lower bound, so that it never shows more than was kept.
   const Enclosure ratio = result.output_volume.bounds / result.input_volume.bounds;
   return {{"inner", true},
           {"input",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// inner_report.hpp - what an inner run found: for machines (docs/schema/inner.schema.json), for
-// people, and as files that are proven from their bytes.
+// inner_report.hpp - the result of an inner run as JSON (docs/schema/inner.schema.json), as text
+// for people, and as files that are proven from their bytes.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <span>

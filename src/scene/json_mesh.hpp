@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// json_mesh.hpp - meshes and parts that stand in requests and in files as JSON.
+// json_mesh.hpp - meshes and parts in requests and files as JSON.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 
@@ -10,8 +10,9 @@
 namespace convexact {
 
 /// A coordinate of a point, as in a mesh file: every decimal is the nearest double or binary32
-/// number, also one without a point or an exponent. Fractions and hexadecimal floats are what they
-/// spell; where the numbers are binary32, they are rounded too. Strings mean what they spell.
+/// number, even one without a point or an exponent. Fractions and hexadecimal floats are taken
+/// exactly as spelled; where the numbers are binary32, they are rounded too. Strings mean what they
+/// spell.
 /// @throws Error Malformed; NotFinite for a number beyond the largest of the format.
 [[nodiscard]] Rational coordinate_of_json(const nlohmann::json& value, Decimal decimal);
 
@@ -26,8 +27,8 @@ namespace convexact {
 [[nodiscard]] NamedPart part_of_json(const nlohmann::json& part, std::size_t number,
                                      Decimal decimal);
 
-/// The nodes under "hull_tree": each with "parent" (null of the root), and "part", or "children"
-/// and "vertices". Whether they make a tree is not asked.
+/// The nodes under "hull_tree": each with "parent" (null for the root), and "part", or "children"
+/// and "vertices". Whether they make a tree is not checked.
 /// @throws Error as mesh_of_json(), with the number of the node.
 [[nodiscard]] std::vector<HullTreeNode> nodes_of_json(const nlohmann::json& nodes, Decimal decimal);
 

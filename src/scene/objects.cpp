@@ -12,7 +12,7 @@
 namespace convexact {
 namespace {
 
-// A file with blanks around its name reads as without them.
+// A file with blanks around its name is named without them.
 std::string stem_of(const std::string& path) {
   if (path == "-") return "input";
   const std::string stem = std::filesystem::path(path).stem().string();
@@ -20,8 +20,8 @@ std::string stem_of(const std::string& path) {
   return first == stem.npos ? "" : stem.substr(first, last - first + 1);
 }
 
-// Two objects in a row with one name would be one object in a file, and the name of two files would
-// not say which is meant. The later one gets a number.
+// Two objects in a row with the same name would be one object in a file, and a name shared by two
+// files would not say which is meant. The later one gets a number.
 void make_names_distinct(std::vector<SceneObject>& objects, std::size_t first_of_file) {
   const auto is_taken = [&](const std::string& name, std::size_t k) {
     const bool is_repeated = k > first_of_file && objects[k - 1].part == name;

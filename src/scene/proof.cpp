@@ -25,7 +25,7 @@ class ProofWriter : private CostTreeObserver, private ProofLines {
   std::string write(const std::optional<StoredPlanes>& stored);
 
  private:
-  // What is known of the removal of a halfspace.
+  // The data on the removal of a halfspace.
   struct Appraisal {
     RingTriangulation roof;
     std::optional<Cost> cost;
@@ -98,7 +98,7 @@ void ProofWriter::write_inside() {
   }
 }
 
-// What removing a halfspace does, from its ring and triangulation at that time.
+// The effect of removing a halfspace, from its ring and triangulation at that time.
 ProofWriter::Appraisal ProofWriter::appraise(const Evaluation& evaluation) const {
   Appraisal appraisal;
   RingTriangulation& roof = appraisal.roof;
@@ -106,7 +106,7 @@ ProofWriter::Appraisal ProofWriter::appraise(const Evaluation& evaluation) const
   const auto point = [this](HalfspaceId i) { return dual_points_[i.index()]; };
   for (const auto& [a, b, c] : roof.triangles) {
     roof.planes.push_back(plane_through(point(a), point(b), point(c)));
-    // All dual points but the removed one have x.n <= d w, so x.n <= 0.
+    // All dual points except the removed one have x.n <= d w, so x.n <= 0.
     if (roof.planes.back().d <= 0) appraisal.ray = roof.planes.back().x;
   }
   if (!appraisal.ray && shows_costs()) {
@@ -167,7 +167,7 @@ void ProofWriter::write_run() {
   line("survive", survivors(run_));
 }
 
-// What a search left, ascending.
+// The halfspaces that a search left, ascending.
 std::vector<HalfspaceId> ProofWriter::optimum() const {
   std::vector<HalfspaceId> kept = survivors(run_);
   for (const Move& move : run_.moves) {
@@ -180,8 +180,8 @@ std::vector<HalfspaceId> ProofWriter::optimum() const {
   return kept;
 }
 
-// The removals that lead to where a search ended, in the order of their ids, which is as good as
-// any other; before them the tree which shows that this is the least volume, if it does.
+// The removals that lead to the end of a search, in the order of their ids, which is as good as any
+// other. Before them comes the tree which shows that this is the least volume, if it is.
 void ProofWriter::write_optimum() {
   const std::vector<HalfspaceId> left = optimum();
   DualSurface surface(run_.halfspaces, start_.dual.triangles, start_.interior);

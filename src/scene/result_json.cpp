@@ -115,7 +115,7 @@ Json kept_json(const std::vector<KeptFacet>& kept) {
   return {{"ids", ids}, {"planes", planes}};
 }
 
-// What doubles cannot prove to be bounded need not be unbounded.
+// A removal that doubles cannot prove to be bounded need not be unbounded.
 Json stop_json(StopReason stop, bool is_end_proven) {
   return !is_reached(stop) && !is_end_proven ? "none-certain" : name_of(stop);
 }
@@ -124,7 +124,7 @@ const char* measure_key(CostMeasure measure) {
   return measure == CostMeasure::Area ? "area" : "mean_width";
 }
 
-// The ratio is an upper bound, so that it never reads as less than 1.
+// The ratio is an upper bound, so that it never shows less than 1.
 Json growth_json(const Measured& before, const Measured& after) {
   return {{"input", measured_json(before, kDigits)},
           {"output", measured_json(after, kDigits)},

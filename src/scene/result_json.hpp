@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// result_json.hpp - what a run found: for machines (docs/schema/result.schema.json), for people,
-// and for convexact-check.
+// result_json.hpp - the result of a run as JSON (docs/schema/result.schema.json), as text for
+// people, and as a proof for convexact-check.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -45,27 +45,27 @@ inline constexpr auto kPrecisionNames =
 /// The proof that an input is no solid: its kind, and the numbers that a reader needs to check it.
 [[nodiscard]] nlohmann::ordered_json proof_json(const NotSolid& reason);
 
-/// A few lines: what was found, how tight it is, what was verified, how far it was pushed.
+/// A few lines: the result, how tight it is, what was verified, and how far rounding pushed it.
 [[nodiscard]] std::string summary(const SimplifyResult& result);
-/// The same of all parts of a scene together.
+/// The same for all parts of a scene together.
 [[nodiscard]] std::string summary(const SceneTotals& totals, const Gaps& gaps);
 /// Counts, box, and each measure with `digits` certain digits.
 [[nodiscard]] std::string summary(const HullResult& result, int digits);
 
-/// One line: the time of all stages, the longest of them, and how many were not needed. Or a table
+/// One line: the time of all stages, the longest of them, and how many were not needed; or a table
 /// of all stages, those that were not needed with their reasons.
 [[nodiscard]] std::string stage_text(const std::vector<Stage>& stages, bool list_all);
 
 /// The claim of the proof of a run, as docs/proof-format.md names it: "greedy", "costs",
 /// "greedy-area", "costs-not-shown" or "optimal"; where a search led elsewhere without a proof,
-/// "costs", of the removals that lead there.
+/// "costs", for the removals that lead there.
 /// @throws Error  Internal for a run by area that is not greedy.
 [[nodiscard]] const char* proof_claim(const Run& run);
 
 /// Writes the proof of a run; docs/proof-format.md has the format and why it proves what it does.
-/// The exact cost of every evaluation is computed here, by the exact engine's caps. By mean width
-/// it shows the removals, and no costs.
-/// @param points  That the run had to hold, in the order of the ids in `start`.
+/// The exact cost of every evaluation is computed here, by the exact engine's caps. For a run by
+/// mean width it shows the removals, and no costs.
+/// @param points  The points that the run had to hold, in the order of the ids in `start`.
 /// @param stored  The result as it is stored; none where it is stored as exact integers.
 /// @throws Error  Internal if the run has no proof: then the run was wrong.
 /// @par Cost      An exact cap for each evaluation.

@@ -21,7 +21,8 @@
 namespace convexact {
 namespace {
 
-// Of CompareLimits. Fewer bits than the first enclosures have would be none; more take minutes.
+// Of CompareLimits. Fewer bits than the first enclosures have would have no effect; more take
+// minutes.
 constexpr long kLeastTieBits = 128, kMostTieBits = 1L << 20;
 
 RationalPoint chebyshev_stage(const std::vector<Halfspace>& halfspaces, std::uint64_t seed,
@@ -75,7 +76,7 @@ Polytope polytope_of(const FastResult& result, const FastDual& dual, Engine engi
   return to_polytope(halfspaces, triangles);
 }
 
-// What the proof of a run needs beside the run.
+// The data that the proof of a run needs besides the run.
 RunStart start_of(const Shape& shape, const Solid& solid) {
   RunStart start;
   if (const auto* halfspaces = std::get_if<std::vector<Halfspace>>(&shape)) {
@@ -98,7 +99,8 @@ const char* measure_stage(CostMeasure measure) {
   return measure == CostMeasure::Area ? "area" : "mean width";
 }
 
-// If it is neither the measure of the costs nor the volume: a further one to be reported.
+// The measure whose growth is limited, if it is neither the measure of the costs nor the volume: a
+// further one to be reported.
 std::optional<CostMeasure> limited_measure(const SimplifyRequest& request) {
   if (!request.growth_of || request.growth_of == request.cost ||
       request.growth_of == CostMeasure::Volume) {
@@ -129,14 +131,14 @@ std::size_t verify_containment(const PointSet& points, const Polytope& result, V
   return points.size();
 }
 
-// What the exact engine does while it runs: the filtered one makes the local checks only.
+// The exact engine does this while it runs; the filtered one makes the local checks only.
 void verify_steps(const Run& run, const DualHull& dual, const SimplifyRequest& request) {
   StepVerification verification(dual, request.verify, request.seed, request.cost);
   for (const Step& step : run.steps) verification.check(step);
   verification.finish();
 }
 
-// Where the result has them. @throws Error Internal if it has lost one.
+// The places of the kept facets in the result. @throws Error Internal if it has lost one.
 std::vector<KeptFacet> find_kept(const std::vector<Halfspace>& halfspaces,
                                  const std::vector<HalfspaceId>& keep,
                                  const std::vector<Halfspace>& planes) {

@@ -15,10 +15,11 @@
 
 namespace convexact {
 
-/// @throws Error InvalidArgument for what no shape makes sensible.
+/// @throws Error InvalidArgument for a request that is invalid for every shape.
 void require_sensible(const SimplifyRequest& request);
 
-/// A shape as removals begin with it. Its members refer to each other, so it stays where it is.
+/// A shape in the form in which removals begin. Its members refer to each other, so it is not
+/// moved.
 struct RunInput {
   explicit RunInput(const Shape& given) : shape(given) {}
   RunInput(const RunInput&) = delete;
@@ -32,22 +33,23 @@ struct RunInput {
   std::optional<Solid> solid;  ///< Otherwise; then also the next two.
   RationalPoint center;
   std::vector<HalfspaceId> keep;
-  std::optional<FastDual> dual;  ///< For engines that keep no record; the others have their own.
+  std::optional<FastDual> dual;  ///< For engines that keep no record; the others make one
+                                 ///< themselves.
 };
 
 /// Runs the stages before the removals.
 [[nodiscard]] std::variant<std::unique_ptr<RunInput>, NotSolid> prepare_run(
     const Shape& shape, const SimplifyRequest& request, StageLog& log);
 
-/// What the engines are asked for, without progress.
+/// The options of the engines, without progress.
 [[nodiscard]] SimplifyOptions options_of(const SimplifyRequest& request, const RunInput& input);
 
-/// Where a run led, whichever engine made it.
+/// The end of a run, for every engine.
 struct RunEnd {
   std::size_t steps = 0;
   StopReason stop = StopReason::Reached;
   Polytope polytope;
-  std::vector<DualTriangle> triangles = {};  ///< The dual hull of what is left.
+  std::vector<DualTriangle> triangles = {};  ///< The dual hull of the halfspaces that are left.
   std::vector<HalfspaceId> removed = {};     ///< By an engine that keeps no record.
   std::optional<Run> run = {};
   std::optional<FloatBound> bound = {};
@@ -61,11 +63,13 @@ struct RunEnd {
                             StageLog& log);
 [[nodiscard]] RunEnd end_of(Run run, StageLog& log);
 
-/// What a result is measured against.
+/// The measures that a result is compared with.
 struct InputMeasures {
   Measured volume;
-  std::optional<Enclosure> measure = {};  ///< That the run keeps small, unless it is the volume.
-  std::optional<Enclosure> limited = {};  ///< Whose growth is limited, unless it is one of those.
+  std::optional<Enclosure> measure = {};  ///< The one that the run keeps small, unless it is the
+                                          ///< volume.
+  std::optional<Enclosure> limited = {};  ///< The one whose growth is limited, unless it is one of
+                                          ///< those.
 
   /// The measure of this kind, which is one of them.
   const Enclosure& of(CostMeasure kind, CostMeasure cost) const;
@@ -74,20 +78,21 @@ struct InputMeasures {
 [[nodiscard]] InputMeasures measure_input(const RunInput& input, const SimplifyRequest& request,
                                           StageLog& log);
 
-/// Runs the stages after the removals, and proves containment. It takes points out of the input.
+/// Runs the stages after the removals, and proves containment. It moves points out of the input.
 [[nodiscard]] SimplifyResult finish_run(RunInput& input, InputMeasures before, RunEnd end,
                                         const SimplifyRequest& request, StageLog& log);
 
-/// Of a float engine's run with a growth limit, which it compared in doubles: whether enclosures
+/// For a float engine's run with a growth limit, which it compared in doubles: whether enclosures
 /// prove that the limit is kept, and that the next removal would have exceeded it.
-/// @param least_next  A lower bound of what that adds; none if there is no further one.
+/// @param least_next  A lower bound of the amount that the next removal adds; none if there is no
+///                   next one.
 [[nodiscard]] bool is_growth_proven(std::size_t steps, StopReason stop,
                                     const std::optional<Rational>& least_next,
                                     const std::array<Enclosure, 2>& measure,
                                     const Rational& max_growth);
 
-/// The lower bound of a result's float engine for any further removal, in the caller's units; none
-/// if there is no further one.
+/// The float engine's lower bound for the cost of any further removal, in the caller's units; none
+/// if there is no further removal.
 [[nodiscard]] std::optional<Rational> least_next(const FloatBound& bound, const RunInput& input,
                                                  CostMeasure cost);
 

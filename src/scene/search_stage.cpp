@@ -54,8 +54,8 @@ Polytope SolidsOfMoves::after(std::size_t count) const {
   throw Error(ErrorCode::Internal, "a search left a solid that its planes do not bound");
 }
 
-// The first of the least changes, up to rounding: congruent caps hardly ever round alike. A change
-// that exact numbers prove to be below 0 may come out above it in doubles.
+// The first of the least changes, up to rounding: congruent caps are hardly ever rounded to the
+// same number. A change that exact numbers prove to be below 0 may come out above it in doubles.
 std::optional<std::size_t> best_of(const std::vector<double>& changes) {
   if (changes.empty()) return {};
   constexpr double kNearly = 0x1p-20;
@@ -107,7 +107,7 @@ void require_sensible_search(const SimplifyRequest& request) {
 void search_further(RunEnd& end, const RunInput& input, const SimplifyRequest& request,
                     StageLog& log) {
   const DualHull& dual = input.solid->dual;
-  // (1) Exchanges, from what the removals left.
+  // (1) Exchanges, from the halfspaces that the removals left.
   std::vector<bool> is_left(dual.halfspaces.size(), true);
   for (const HalfspaceId i : end.run ? removed_in(*end.run) : end.removed) {
     is_left[i.index()] = false;

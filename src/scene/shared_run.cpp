@@ -23,7 +23,7 @@ WideDouble WideDouble::of(double x, long exponent) {
 namespace {
 
 // Decides whether the sum of the parts' measures stays within (1 + max_growth) times what it was.
-// Enclosures decide, and where they overlap the exact measures; estimates have none.
+// Enclosures decide it, and exact measures where these overlap; there are none for estimates.
 class SharedGrowth {
  public:
   SharedGrowth(std::span<const std::unique_ptr<PartRun>> parts, const SharedOptions& options)
@@ -76,7 +76,7 @@ class SharedQueue {
   std::size_t cheapest();
   // After cheapest(): why the next removals of several parts count as equally cheap.
   const TieEvidence& evidence() const { return evidence_; }
-  // The next removal of a part is made, so that it has none until find_next().
+  // The next removal of a part has been made: the part has none until find_next().
   void forget(std::size_t part) { queue_.erase(place_[part]); }
 
  private:
@@ -116,7 +116,7 @@ void SharedQueue::find_next(std::size_t part) {
   class_[part] = {++classes_};
 }
 
-// All parts whose next removal bounds do not tell from the cheapest, ascending.
+// All parts whose next removal cannot be distinguished from the cheapest by bounds, ascending.
 std::vector<std::size_t> SharedQueue::candidates() const {
   WideDouble least = queue_.begin()->high;
   std::vector<std::size_t> found;
@@ -146,7 +146,7 @@ Ordering SharedQueue::compared(std::size_t part, std::size_t least) {
   return ordering;
 }
 
-// As in one run, what is not proven to be apart from the least counts as a tie.
+// As in one run, a cost that is not proven to differ from the least one counts as a tie.
 std::size_t SharedQueue::cheapest() {
   evidence_ = {};
   const std::vector<std::size_t> found = candidates();
@@ -183,10 +183,11 @@ SharedEnd run_shared(std::span<const std::unique_ptr<PartRun>> parts,
     --left;
     if (options.progress) options.progress(left);
   };
-  // (1) The others keep 4 each, so no part ends with more than the rest. Each goes down to that at
-  // once: what it has to do anyway is done while its data are in the cache. (A growth limit may end
-  // the run before; and where costs may fall, the queue may spend the budget on another part before
-  // it gets that far.) The total stays at or above the budget.
+  // (1) The others keep 4 each, so no part ends with more than the rest. Each part is reduced to
+  // that number first, since it must make these removals in any case and its data are in the cache.
+  // (Not so with a growth limit, which may end the run before; nor where costs may fall, since the
+  // queue may spend the budget on another part before this part gets that far.) The total stays at
+  // or above the budget.
   const bool can_run_ahead = options.costs_never_fall && !options.max_growth;
   const std::size_t most = options.total_faces - kLeastFaces * (parts.size() - 1);
   for (const auto& part : parts) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shared_run.hpp - one queue over the runs of several parts: the cheapest next removal of all goes
-// first.
+// shared_run.hpp - one queue over the runs of several parts: the cheapest next removal among all
+// parts is made first.
 #pragma once
 #include <compare>
 #include <cstdint>
@@ -15,13 +15,13 @@
 
 namespace convexact {
 
-/// No solid has fewer, so the removal of any of them is unbounded.
+/// No solid has fewer faces, so with four every removal is unbounded.
 inline constexpr std::size_t kLeastFaces = 4;
 
 /// mantissa * 2^exponent >= 0, with the mantissa in [1/2, 1) where it is finite and not 0: numbers
 /// of parts whose duals are scaled differently have an order, however large they are.
 struct WideDouble {
-  /// Of x * 2^exponent; what is below 0 counts as 0.
+  /// For x * 2^exponent; numbers below 0 count as 0.
   static WideDouble of(double x, long exponent);
 
   long exponent;
@@ -31,7 +31,7 @@ struct WideDouble {
 
 class ExactPartRun;
 
-/// The run of one part, step by step, whichever engine makes it. Costs are in the caller's units.
+/// The run of one part, step by step, for every engine. Costs are in the caller's units.
 class PartRun {
  public:
   virtual ~PartRun() = default;
@@ -44,15 +44,16 @@ class PartRun {
     WideDouble low, high;
   };
   virtual Bounds cost_bounds() = 0;
-  /// What it adds to the measure whose growth is limited.
+  /// The amount that it adds to the measure whose growth is limited.
   virtual Enclosure added() = 0;
   virtual void make() = 0;
 
-  /// The same in exact numbers; null if none choose, so that the bounds are the estimate that does.
+  /// The same in exact numbers; null if the engine chooses by estimates, which are then both
+  /// bounds.
   virtual ExactPartRun* exact() = 0;
 };
 
-/// What the run of an engine with exact numbers knows besides.
+/// The additional data of an engine with exact numbers.
 class ExactPartRun {
  public:
   virtual ~ExactPartRun() = default;
@@ -84,9 +85,9 @@ struct SharedEnd {
   long growth_bits = 0;              ///< As in Run.
 };
 
-/// Advances the runs, each time the one whose next removal costs least, of several the first. What
-/// a part removes whatever the others do is removed before: it ends with no more than
-/// `total_faces` less 4 for each other part.
+/// Advances the runs, each time the one whose next removal costs least, the first on a tie. The
+/// removals that a part makes in any case are made first: it ends with no more than `total_faces`
+/// less 4 for each other part.
 /// @param parts  At least one; none of them has found its next removal. A budget of 4 for each.
 [[nodiscard]] SharedEnd run_shared(std::span<const std::unique_ptr<PartRun>> parts,
                                    const SharedOptions& options);

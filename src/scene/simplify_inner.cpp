@@ -45,7 +45,7 @@ void require_inner(bool holds, const char* claim) {
   if (!holds) throw Error(ErrorCode::Internal, std::string("the inner hull fails: ") + claim);
 }
 
-// What is known of the result without the run: a hull of its own, from the points that are left.
+// A separate hull of the points that are left, which describes the result independently of the run.
 Hull hull_of_result(const PointSet& vertices, const InnerRequest& request) {
   HullOutcome outcome =
       convex_hull(vertices, HullOptions{.seed = request.seed, .stop = request.watch.stop});

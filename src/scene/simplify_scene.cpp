@@ -128,7 +128,7 @@ void add_up(SceneResult& scene) {
   scene.growth_of = scene.parts[0].growth_of;
 }
 
-// The float engine compared the growth in doubles: every part knows whether that is proven.
+// The float engine compared the growth in doubles: every part records whether that is proven.
 void vouch_for_growth(SceneResult& scene, const std::vector<PreparedPart>& parts,
                       const SimplifyRequest& request) {
   std::optional<Rational> least;

@@ -33,7 +33,8 @@ SolidOutcome solid_of_points(const PointSet& points, std::uint64_t seed, bool ch
   return solid;
 }
 
-// Empty or flat first, then unbounded: an empty set would pass for bounded or not by its normals.
+// Tests for empty or flat sets first, then for unbounded ones: the second test looks at normals
+// only, and says nothing about an empty set.
 std::variant<RationalPoint, NotSolid> interior_of(std::span<const Halfspace> halfspaces,
                                                   const LpOptions& options) {
   const InteriorOutcome interior = find_interior(halfspaces, options);
@@ -126,8 +127,8 @@ SolidOutcome make_solid(const Shape& shape, std::uint64_t seed, bool check, Stag
   return solid_of_halfspaces(std::get<std::vector<Halfspace>>(shape), seed, log, observer);
 }
 
-// The mean of the solid's vertices on a short grid: as deep inside as the fast engines go when
-// they are on their own.
+// The mean of the solid's vertices on a short grid: as deep inside as the centers that the fast
+// engines choose themselves.
 RationalPoint interior_point_of(const Solid& solid) {
   if (solid.interior) return *solid.interior;
   RationalPoint mean;

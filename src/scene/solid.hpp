@@ -24,7 +24,7 @@ struct Solid {
   std::vector<std::size_t> redundant;  ///< Of halfspace input.
   std::vector<std::size_t> hull_rows;  ///< Of halfspace input, as HalfspaceDual has them.
   HullCertificate certificate;         ///< Of point input.
-  /// Strictly inside; known beforehand only where the way to the dual needed it.
+  /// Strictly inside; set only if the construction of the dual needed it.
   std::optional<RationalPoint> interior;
 };
 
@@ -42,8 +42,8 @@ using SolidOutcome = std::variant<Solid, NotSolid>;
                                                              std::uint64_t seed, StageLog& log);
 
 /// Runs the stages that the shape needs and notes in `log` those that it does not.
-/// @param check       Whether the certificates of the stages are checked, each a stage of its own.
-/// @param wants_dual  Without it, the solid of points has no dual: only removals need it.
+/// @param check       Whether the certificates of the stages are checked, each as a separate stage.
+/// @param wants_dual  If false, the solid of points gets no dual, which only removals need.
 /// @param observer    Sees the hull grow, of the points or of the halfspaces' dual points; null for
 ///                    none.
 /// @throws Error Internal if a certificate fails.
@@ -51,7 +51,7 @@ using SolidOutcome = std::variant<Solid, NotSolid>;
                                       StageLog& log, bool wants_dual = true,
                                       HullObserver* observer = nullptr);
 
-/// A point strictly inside for programs that need no deeper one: the one that is known, or the mean
+/// A point strictly inside, for callers that need no deeper one: the one that is set, or the mean
 /// of the solid's vertices on a short grid.
 [[nodiscard]] RationalPoint interior_point_of(const Solid& solid);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// split_report.hpp - what a decomposition by splits says of its tree, beside what every one says.
+// split_report.hpp - the report on the tree of a decomposition by splits, in addition to that of
+// every decomposition.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -14,8 +15,8 @@ namespace convexact {
 [[nodiscard]] nlohmann::ordered_json splits_json(const SplitTree& tree);
 [[nodiscard]] std::string splits_text(const SplitTree& tree);
 
-/// Every node, first the roots, then the children of each split; of a leaf its triangles and its
-/// part, of a split its notch and its plane.
+/// Every node, first the roots, then the children of each split; for a leaf its triangles and its
+/// part, for a split its notch and its plane.
 [[nodiscard]] nlohmann::ordered_json split_tree_json(const Decomposition& decomposition);
 
 /// Every node with the bridges over it, and every split with the triangles that go

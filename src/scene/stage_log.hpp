@@ -19,7 +19,7 @@ class StageLog {
   explicit StageLog(StageWatch watch) : watch_(std::move(watch)) {}
 
   /// Runs `work` and returns what it returns. Work under a name that ran before is added to it.
-  /// @throws Error Stopped if the watch says so.
+  /// @throws Error Stopped when the watch ends the run.
   template <class Work>
   decltype(auto) run(const std::string& name, StageKind kind, Work&& work) {
     Watch(watch_.stop).ask();
@@ -34,7 +34,7 @@ class StageLog {
   void skip(const std::string& name, const std::string& reason) {
     stages_.push_back({name, StageKind::Compute, 0, reason});
   }
-  /// Adds another object's stages: times add up, and what was not needed for any is said once.
+  /// Adds another object's stages: times add up, and a stage that no object needed is listed once.
   void add(const std::vector<Stage>& stages) {
     for (const Stage& stage : stages) {
       if (stage.skipped.empty()) {

@@ -143,7 +143,7 @@ std::optional<PointSet> box_around(const PointSet& points, Precision precision) 
 }
 
 // Points of the format whose hull holds the corners. Where the part is so small that the format's
-// numbers are too far apart for its shape, these of a box.
+// numbers are too far apart for its shape, the points are those of a box.
 PointSet stored_points(Making& making, Precision precision) {
   if (!making.is_simplified && is_representable(making.corners, precision)) return making.corners;
   try {
@@ -152,7 +152,7 @@ PointSet stored_points(Making& making, Precision precision) {
     if (error.code() != ErrorCode::Unrepresentable) throw;
     auto box = box_around(making.corners, precision);
     if (!box) {
-      // The stored formats name exact integers as a way out, which parts do not have.
+      // The message of the stored formats suggests exact integers, which parts do not have.
       const std::string what = error.what();
       throw Error(error.code(), what.substr(0, what.find("; exact integers")));
     }
@@ -161,7 +161,7 @@ PointSet stored_points(Making& making, Precision precision) {
   }
 }
 
-// Whatever is stored counts as the hull of its points.
+// Every stored part counts as the hull of its points.
 ConvexPart finish(Making& making, Precision precision, const Watch& watch) {
   Part& part = *making.part;
   part.mesh.points = stored_points(making, precision);

@@ -74,7 +74,7 @@ std::string verified_line(const SimplifyResult& result) {
                      result.verified == VerifyLevel::Local ? "local" : "full", points);
 }
 
-// What the proof of the run claims, and what it leaves out.
+// The claim of the run's proof, and its limits.
 std::string proof_text(const Run& run) {
   const std::string claim = proof_claim(run);
   if (claim == "greedy") return claim + ": each removal adds the least volume";
@@ -154,7 +154,7 @@ std::string optimum_line(const SearchResult& search) {
                   certain(hundred * (search.now - bound) / search.now, 2)));
 }
 
-// How much of what the removals added is left, and by how many moves.
+// How much of the amount that the removals added is left, and after how many moves.
 std::string search_lines(const SearchResult& search, const Enclosure& input) {
   const bool has_kicks = search.request.kind != SearchKind::Walk;
   const std::string kind =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// surface_report.hpp - a surface, and what is measured of it and of parts that hold it: for
-// machines and for people.
+// surface_report.hpp - a surface, and the measures of it and of parts that hold it, as JSON and as
+// text for people.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>
