@@ -22,7 +22,7 @@ void require_engines(std::vector<Engine> engines) {
   }
 }
 
-// What a choice would cost, in the state after the merges that both runs have in common.
+// The cost of a choice, in the state after the merges that both runs have in common.
 struct JudgedMerge {
   MergeCost cost;
   Enclosure bounds;

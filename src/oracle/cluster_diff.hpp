@@ -29,11 +29,11 @@ inline constexpr auto kMergeDifferenceNames =
                                  {MergeDifference::WrongMerge, "wrong-merge"},
                                  {MergeDifference::WrongRecord, "wrong-record"}});
 
-/// How far off the float engine's estimates may be, as a share: they are bounds made tight to about
-/// 2^-26, from planes whose corners may be close together.
+/// The largest error of the float engine's estimates, as a share: they are bounds made tight to
+/// about 2^-26, from planes whose corners may be close together.
 inline constexpr double kExplained = 0x1p-24;
 
-/// The first difference. From there on the engines have different clusters before them.
+/// The first difference. From there on the engines work on different clusters.
 struct ClusterDivergence {
   std::size_t step = 0;  ///< Merges in common.
   MergeDifference kind = MergeDifference::WrongMerge;
@@ -60,8 +60,8 @@ struct ClusterDiff {
 
 /// Runs the engines, at least two and all different, and compares them with the first.
 /// @param options  Of every run; its engine and watch are not used.
-/// @throws Error InvalidArgument for what cluster() refuses, and for a list of engines that is no
-///               such list; Stopped when the watch ends the call.
+/// @throws Error InvalidArgument for what cluster() refuses, and for an invalid list of engines;
+///               Stopped when the watch ends the call.
 [[nodiscard]] ClusterDiff diff_clusters(const Surface& surface, const ClusterOptions& options,
                                         const std::vector<Engine>& engines,
                                         const StageWatch& watch = {});

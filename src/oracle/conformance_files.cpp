@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads what conform needs from JSON: profiles, and vectors with their known answers.
+// Reads the JSON files of conform: profiles, and vectors with their known answers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -81,7 +81,7 @@ Profile to_profile(const std::string& name, const json& entry) {
   return profile;
 }
 
-// "p", "p/q" or either with "*2^e" behind.
+// "p", "p/q", or either followed by "*2^e".
 Rational to_exact(const std::string& text) {
   const std::size_t star = text.find("*2^");
   if (star == std::string::npos) return parse_rational(text);

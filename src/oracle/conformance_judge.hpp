@@ -38,27 +38,28 @@ struct Case {
   }
 };
 
-/// Whether the largest distances to which points are beyond the planes of the output, one for each
-/// plane, are no larger than the rounding of its numbers explains.
+/// Whether the largest distances of points beyond the planes of the output, one for each plane, are
+/// no larger than the rounding of its numbers explains.
 [[nodiscard]] bool leak_is_rounding(const Case& c);
-/// Whether the faces are the surface of the hull up to what the rounding of its corners explains:
-/// for each face the corner that is farthest beyond it, and its own corners; and the faces enclose
-/// the hull once. Precondition: they are closed and oriented.
+/// Whether the faces are the surface of the hull up to the rounding of its corners: it must
+/// explain, for each face, the corner that is farthest beyond it and the corners of the face; and
+/// the faces must enclose the hull once. Precondition: they are closed and oriented.
 [[nodiscard]] bool faces_are_rounded(const Case& c);
 
-/// Of a hull by promise: each corner is a point of the input.
+/// For a hull by promise: each corner is a point of the input.
 void judge_corners(Case& c);
-/// Of an inner solid by promise: it lies in the input's hull.
+/// For an inner solid by promise: it lies in the input's hull.
 void judge_inside(Case& c);
 
-/// Whether a point is off the plane of a face by no more than this explains: each coordinate of a
-/// corner moves by up to `slack`, each of the point by up to `point_slack`.
+/// Whether the distance of a point to the plane of a face is explained by these movements: each
+/// coordinate of a corner by up to `slack`, each of the point by up to `point_slack`.
 ///
 /// Six times the volume between face and point is the sum of the determinants
 /// D_k = det(c_k - c_0, c_(k+1) - c_0, p - c_0). If each entry of a matrix moves by up to w, its
 /// determinant moves by at most perm(|D| + w) - perm(|D|), with the permanents of the absolute
-/// values. The distance is explained if |sum of D_k| is at most the sum of these bounds. Exact;
-/// on slivers, whose planes mean little, it allows long distances, on large faces only tiny ones.
+/// values. The distance is explained if |sum of D_k| is at most the sum of these bounds. The test
+/// is exact. It allows long distances for slivers, whose planes mean little, and only tiny ones for
+/// large faces.
 /// @param corners  Three or more, in cyclic order.
 [[nodiscard]] bool is_explained(std::span<const RationalPoint> corners, const Rational& slack,
                                 const RationalPoint& point, const Rational& point_slack);

@@ -14,7 +14,7 @@ inline constexpr auto kAsksNames = name_table<Asks>({{Asks::Enclosure, "enclosur
                                                      {Asks::Inner, "inner"},
                                                      {Asks::Simplify, "simplify"}});
 
-/// A matrix of passed/total by flag and level, the failures by kind and the worst first, how far
+/// A matrix of passed/total by flag and level, the failures by kind with the worst first, how far
 /// points are outside, and how tight the outputs are.
 [[nodiscard]] std::string conformance_text(const ConformanceReport& report);
 /// The same as a Markdown document.

@@ -90,7 +90,7 @@ std::string document_line(const Decomposition& made, const DecomposeRequest& req
   return on_one_line(proven_parts_json(document, parts, "the answer"));
 }
 
-// What --tree writes.
+// The bytes that --tree writes.
 std::string tree_line(const Decomposition& made, const DecomposeRequest& request,
                       std::optional<std::size_t> faces) {
   const TreeRequest tree{.faces = faces,

@@ -8,12 +8,12 @@
 namespace convexact {
 
 /// Answers a request (docs/schema/decompose_request.schema.json) with one line of JSON, without a
-/// line end: the request's `id` and either what decomposition_json() says with all details, and
-/// under `tree_file` what proven_tree_file() writes if asked for, both proven on their bytes; or
+/// line end: the request's `id`, and either the document of decomposition_json() with all details
+/// and, if asked for, under `tree_file` that of proven_tree_file(), both proven on their bytes; or
 /// `error`. Only std::bad_alloc is thrown.
 ///
 /// Coordinates are read as in requests to the oracle (stdio_request.hpp). `concavity` and
-/// `coplanar` mean what their texts say exactly, as strings or as numbers.
+/// `coplanar` mean exactly what their texts spell, as strings or as numbers.
 /// @param time_limit  Seconds that the decomposition may take; a request may ask for fewer. Beyond
 ///                    them the answer is the error `stopped`, some milliseconds later.
 /// @par Cost  Reading, about 20 ns a byte, and decompose().

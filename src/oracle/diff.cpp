@@ -30,7 +30,7 @@ void require_sensible(const DiffRequest& request) {
 
 std::string stage_name(Engine engine) { return std::string(name_of(engine)) + " engine"; }
 
-// The solid that all engines get, and what is asked about it.
+// The solid that all engines receive, and the questions about it.
 struct DiffCase {
   const DualHull& dual;
   RationalPoint center;
@@ -68,7 +68,7 @@ DivergenceOptions options_of(const DiffRequest& request) {
   return {.compare = request.compare, .stop = request.watch.stop};
 }
 
-// Sets the ratios of what two runs end with.
+// Sets the ratios of the results of two runs.
 void compare_ends(const DiffCase& c, const Run& reference, const Run& other, Comparison& result) {
   const auto before = left_after(reference, reference.steps.size());
   const auto after = left_after(other, other.steps.size());
@@ -89,7 +89,8 @@ void compare_ends(const DiffCase& c, const Run& reference, const Run& other, Com
   if (is_metric) result.measure_ratio = ratio(c.request.cost);
 }
 
-// Where a float run is not greedy after step `first`, the one at which it differs from another run.
+// The steps at which a float run is not greedy after step `first`, where it first differs from
+// another run.
 // @param is_reference  Whether the comparison has the float run first.
 std::vector<Divergence> later_divergences(const DiffCase& c, const Run& run, std::size_t first,
                                           bool is_reference) {

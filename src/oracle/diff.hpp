@@ -30,7 +30,7 @@ struct DiffRequest {
   CompareLimits compare = {};              ///< Of mean widths, by the engines and the judge.
   std::uint64_t seed = 1;                  ///< Of every random order. The answer does not depend on
                                            ///< it.
-  StageWatch watch = {};  ///< Removals are told as the progress of each engine's stage.
+  StageWatch watch = {};  ///< Reports removals as the progress of each engine's stage.
 };
 
 /// One engine against the reference.
@@ -56,7 +56,7 @@ struct Comparison {
 struct DiffReport {
   CostMeasure cost = CostMeasure::Volume;  ///< Of all runs.
   std::vector<Halfspace> halfspaces;       ///< Of the input, in canonical order; ids are positions.
-  std::vector<HalfspaceId> kept;           ///< What no run removes.
+  std::vector<HalfspaceId> kept;           ///< The facets that no run removes.
   std::vector<Engine> engines;             ///< In the order asked for.
   std::vector<Run> runs;                   ///< Of each of these engines.
   std::vector<Comparison> comparisons;

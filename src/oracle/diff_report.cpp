@@ -35,7 +35,7 @@ Json shortened(const std::optional<Rational>& x) {
   return x ? measured_json({Enclosure(*x, kMeasureBits), std::nullopt}, kDigits) : Json(nullptr);
 }
 
-// Null also for an interval around 0.
+// Null for an interval around 0, too.
 Json shortened(const std::optional<Regret>& x) {
   if (!x || (x->exact() == nullptr && !x->is_positive())) return nullptr;
   return measured_json({x->bounds(), std::nullopt}, kDigits);

@@ -38,7 +38,8 @@ std::optional<HalfspaceId> removal_at(const Run& run, std::size_t step) {
   return run.steps[step].removed;
 }
 
-// What is left after some steps of a run, and the cost of each removal from it by the definition.
+// The halfspaces that are left after some steps of a run, and the cost by the definition of each
+// removal from them.
 class CostsAt {
  public:
   CostsAt(const Run& run, const RationalPoint& center, std::size_t step, const Watch& watch)
@@ -56,7 +57,7 @@ class CostsAt {
 };
 
 // The same removal, recorded differently: the definition decides which record is wrong, as far as
-// the halfspaces that only one of them listed as tied go.
+// it concerns the halfspaces that only one of them lists as tied.
 void judge_record(Divergence& found, const Step& reference, const Step& other, const CostsAt& costs,
                   const DivergenceOptions& options) {
   found.kind = DivergenceKind::WrongRecord;
@@ -76,13 +77,13 @@ void judge_record(Divergence& found, const Step& reference, const Step& other, c
   found.reference_at_fault = !is_true;
 }
 
-// Of a volume the number, of other measures a lower bound of 128 bits.
+// For a volume the number, for other measures a lower bound of 128 bits.
 Rational number_of(const Cost& cost, const Watch& watch) {
   if (cost.measure() == CostMeasure::Volume) return cost.rational();
   return cost.enclose(kMeasureBits, watch).low();
 }
 
-// The same of a difference.
+// The same for a difference.
 Rational gap_between(const Cost& lower, const Cost& higher, const Watch& watch) {
   return number_of(difference(higher, lower), watch);
 }
@@ -182,7 +183,7 @@ bool is_explained(const Divergence& divergence, Engine reference, Engine other) 
 
 namespace {
 
-// Judges one step after another; `tell` gets each divergence and says whether to go on.
+// Judges one step after another; `tell` receives each divergence and returns whether to go on.
 template <class Tell>
 void follow(const DualHull& dual, const RationalPoint& center, const Run& run,
             const DivergenceOptions& options, Tell&& tell) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// divergence.hpp - where a greedy run differs from another, or from the cheapest removal, and which
-// of the two was right.
+// divergence.hpp - where a greedy run differs from another run, or from the cheapest removal, and
+// which one was right.
 #pragma once
 #include <atomic>
 #include <optional>
@@ -45,12 +45,12 @@ struct Divergence {
   std::size_t left;  ///< Halfspaces left before it.
   DivergenceKind kind;
   Choice reference, other;
-  /// Else `other` is: it chose the higher cost or, in a tie, the higher id.
+  /// If false, `other` is at fault. The fault is a higher cost or, in a tie, a higher id.
   bool reference_at_fault = false;
   /// (higher cost - lower cost) / lower cost. None where it is infinite or a cost is missing.
   std::optional<Regret> regret = {};
   /// How large a regret rounding explains: RemovalCost::rounding of both, over the lower cost. None
-  /// as for the regret, or if any is explained.
+  /// as for the regret, or if every regret is explained.
   std::optional<Rational> rounding = {};
   bool is_undecided = false;  ///< Of a tie: its costs are not proven to be equal.
 };
@@ -63,12 +63,13 @@ struct DivergenceOptions {
   Watch watch() const { return stop; }
 };
 
-/// Two different choices on what the first `step` removals of `run` leave, judged by the
-/// definition. At least one of them is a removal.
+/// Judges, by the definition, two different choices in the state after the first `step` removals of
+/// `run`. At least one of them is a removal.
 /// @param run     With the halfspaces of the solid; costs are of its measure.
 /// @param center  Strictly inside.
 /// @throws Error  InvalidArgument if what they leave is unbounded; Stopped, as the options say.
-/// @par Cost      Three intersections of what is left, from scratch: expected O(n log n).
+/// @par Cost      Three intersections of the remaining halfspaces, from scratch: expected O(n log
+///                n).
 [[nodiscard]] Divergence judge_choices(const Run& run, const RationalPoint& center,
                                        std::size_t step, std::optional<HalfspaceId> reference,
                                        std::optional<HalfspaceId> other,
@@ -85,8 +86,8 @@ struct DivergenceOptions {
 /// Whether both runs kept costs and tie lists, so that these were compared too.
 [[nodiscard]] bool have_records(const Run& a, const Run& b);
 
-/// Of a non-empty list the worst: by kind, in the order of DivergenceKind, then by regret; the
-/// first of equals. No regret is larger than any.
+/// The worst one of a non-empty list: by kind, in the order of DivergenceKind, then by regret; the
+/// first of equals. A missing regret counts as larger than any.
 [[nodiscard]] const Divergence& worst_of(std::span<const Divergence> divergences);
 
 /// Whether the engine at fault may differ like this: only the float engine may, and only where
@@ -94,14 +95,14 @@ struct DivergenceOptions {
 [[nodiscard]] bool is_explained(const Divergence& divergence, Engine reference, Engine other);
 
 /// Follows a run to its end and finds every step where the filtered engine, in the state that *the
-/// run* had reached, would have removed another halfspace. So runs that parted for good over a
-/// tie are still judged, each choice of the one by what it could choose from.
+/// run* had reached, would have removed another halfspace. So runs that differ for good after a tie
+/// are still judged: each choice of a run is compared with the choices that it had.
 ///
 /// In each divergence `reference` is the filtered engine's choice and `other` the run's. The set of
 /// the cheapest comes from the filtered engine, and with it the costs of ties; every other
 /// divergence is judged by the definition (judge_choices()). A removal that leaves an unbounded
 /// solid is the last one to be judged.
-/// @param dual    What the run started from.
+/// @param dual    The dual from which the run started.
 /// @param center  Strictly inside.
 /// @throws Error  Stopped, as the options say.
 /// @par Cost      A run of the filtered engine; for each tie a cap as a rational, for other

@@ -47,7 +47,7 @@ class ExcessSearch {
     }
     for (std::size_t j = 0; j < points_.size(); ++j) {
       const NearValue near = h.at(doubles_, j, absolute_);
-      if (!(near.value + near.error < surely_reached)) contenders_.emplace_back(j);  // also NaN
+      if (!(near.value + near.error < surely_reached)) contenders_.emplace_back(j);  // true for NaN
     }
   }
 

@@ -12,7 +12,8 @@
 namespace convexact {
 namespace {
 
-// Off by some units of 2^-53. Normals may have thousands of bits, so they are scaled first.
+// With an error of some units of 2^-53. Normals may have thousands of bits, so they are scaled
+// first.
 Point direction_of(const Halfspace& plane) {
   Integer largest = 0;
   for (const Integer& n : plane.normal()) largest = std::max(largest, Integer(abs(n)));
@@ -24,12 +25,14 @@ Point direction_of(const Halfspace& plane) {
 }
 
 // Finds facets for planes that a program has computed and written in floating point. A plane names
-// the facet whose normal is nearest to its own; of facets whose normals are as near, up to 2^-45,
-// the one whose corners it misses least. Rounding explains that it misses a corner by
+// the facet whose normal is nearest to the plane's normal; among facets whose normals are equally
+// near, up to 2^-45, the one whose corners it misses least. Rounding explains that it misses a
+// corner by
 //   16 u c D / h,
 // where u is the unit roundoff of the numbers, c the largest coordinate of the facet's corners, D
 // the length of the longest edge or diagonal from the first corner, and h how far the others are
-// from it: the cross product n of edges e and f is off by some u |e| |f|, its offset by u |n| c.
+// from it: the cross product n of edges e and f has an error of some u |e| |f|, its offset one of u
+// |n| c.
 class FacetMatcher {
  public:
   // @param unit  2^-53 for binary64. The dual is referred to.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// facet_match.hpp - which facet of a solid a plane of a list is, and which facets an order names.
+// facet_match.hpp - finds the facet of a solid for a plane of a list, and the facets that an order
+// names.
 #pragma once
 #include <map>
 #include <optional>
@@ -11,11 +12,11 @@
 
 namespace convexact {
 
-/// The facet that a plane comes nearest to, and how near.
+/// The facet that a plane is nearest to, and the distance.
 struct NearestFacet {
   HalfspaceId facet;
   Rational squared_distance;  ///< From the plane to the farthest corner of the facet, squared.
-  Rational squared_limit;     ///< What rounding explains of it, squared.
+  Rational squared_limit;     ///< The distance that rounding explains, squared.
 
   bool is_explained() const { return squared_distance <= squared_limit; }
 };
@@ -32,9 +33,9 @@ class NamedFacets {
     return listed.index() < ids_.size() ? ids_[listed.index()] : std::nullopt;
   }
   const ListedPlanes& listed() const { return listed_; }
-  /// How many of these facets no plane of the list is; 0 if the order has no list of its own.
+  /// How many of these facets are not in the list; 0 if the order has no separate list.
   std::size_t count_unlisted(const std::vector<HalfspaceId>& facets) const;
-  /// What a removal names that is no facet, and what was expected, in words.
+  /// The name in a removal that is no facet, and what was expected, in words.
   std::string found(const OrderedStep& removal) const;
   std::string expected(const OrderedStep& removal) const;
 

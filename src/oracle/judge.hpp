@@ -18,9 +18,10 @@ struct Input {
   Rational squared_diameter;
 };
 
-/// What a readable candidate stands for.
+/// The set that a readable candidate stands for.
 struct CandidateSet {
-  /// The set is where all of these hold. Of a flat mesh: the planes that hold it, both sides.
+  /// The set is where all of these hold. For a flat mesh: the planes that hold it, both sides of
+  /// each.
   std::vector<Halfspace> planes;
   bool is_empty = false;             ///< No point at all: a mesh without points, or 0 <= -1.
   std::optional<Hull> hull;          ///< Of a mesh that spans a volume.
@@ -29,14 +30,14 @@ struct CandidateSet {
   bool is_examined = false;                         ///< Whether find_vertices() has run.
 };
 
-/// One candidate on trial: what was asked, what is known, and the verdict so far. The references
-/// outlive it.
+/// The judgement of one candidate: the request, the data found, and the verdict so far. The
+/// references outlive it.
 class Trial {
  public:
   Trial(const Input& input, const Candidate& candidate, const VerifyRequest& request,
         StageLog& log);
 
-  /// The candidate, if it is that.
+  /// The candidate, if it is a mesh.
   const Mesh* mesh() const { return std::get_if<Mesh>(&candidate); }
   const HalfspaceList* list() const { return std::get_if<HalfspaceList>(&candidate); }
   const std::atomic<bool>* stop() const { return log.watch().stop; }
@@ -54,7 +55,7 @@ class Trial {
   void not_applicable(ClaimCode code, std::string sentence) {
     decide(code, Status::NotApplicable, std::move(sentence), {});
   }
-  /// Violated by so much, unless the tolerance allows it.
+  /// Violated by this distance, unless the tolerance allows it.
   void violated_by(const Rational& squared_distance, ClaimCode code, const std::string& sentence,
                    Witness witness);
   /// Whether a distance with this square is within the tolerance.
@@ -75,15 +76,15 @@ class Trial {
   void decide(ClaimCode code, Status status, std::string sentence, Witness witness);
 };
 
-/// The number that a budget allows, which may not be given; nullptr for other claims.
+/// The number that a budget allows, which may be unset; nullptr for other claims.
 [[nodiscard]] const std::optional<std::size_t>* budget_of(const VerifyRequest& request,
                                                           ClaimCode code);
 
-// The parts, in their order. Each takes what the ones before it found.
+// The parts, in their order. Each uses the results of those before it.
 
 /// Readable, finite: from the error of the reader. Returns whether there is anything to judge.
 bool judge_reading(Trial& trial);
-/// Solid, bounded: what set the candidate is.
+/// Solid, bounded: the kind of set that the candidate is.
 void judge_set(Trial& trial);
 /// Closed, oriented, planar, convex.
 void judge_faces(Trial& trial);
@@ -91,7 +92,7 @@ void judge_faces(Trial& trial);
 void find_facets_as_meant(Trial& trial);
 /// Contains the input. Where it does not, the candidate's polytope is found, to measure how far.
 void judge_containment(Trial& trial);
-/// Of an inner solid: no vertex lies outside of the input's hull.
+/// For an inner solid: no vertex lies outside of the input's hull.
 void judge_inside_input(Trial& trial);
 /// The three budgets.
 void judge_budgets(Trial& trial);

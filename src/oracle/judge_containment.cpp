@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a candidate contains the input, in two ways that share no predicate, and how far the
-// input reaches out of it.
+// Whether a candidate contains the input, decided in two ways that share no predicate, and how far
+// the input reaches out of it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -63,7 +63,7 @@ bool reaches_beyond_planes(const Input& input, std::span<const Halfspace> planes
   return false;
 }
 
-// @throws Error Internal if the second way comes to another result than the first.
+// @throws Error Internal if the second way gives another result than the first.
 void confirm(bool is_outside, const Trial& trial) {
   const CandidateSet& set = trial.set;
   const bool reaches_out =
@@ -117,7 +117,7 @@ Beyond farthest_beyond(std::span<const PointId> outside, const Trial& trial) {
   return found;
 }
 
-// The distance to a convex set is a convex function: of the input it is largest at a corner.
+// The distance to a convex set is a convex function: over the input it is largest at a corner.
 Farthest farthest_of(const std::vector<PointId>& outside, const Trial& trial) {
   const Input& input = trial.input;
   std::vector<PointId> corners;

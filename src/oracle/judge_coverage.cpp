@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Whether the union of some parts covers the points, the surface and the solid of an input, and the
-// numbers beside these claims.
+// measures reported with these claims.
 #include <fmt/format.h>
 
 #include "convexact/error.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 using enum ClaimCode;
 
-// Those that no part holds, by the definition: every point against every plane of a part.
+// The points that no part holds, by the definition: every point against every plane of a part.
 std::vector<PointId> points_outside(const PartsTrial& trial, const Watch& watch) {
   std::vector<PointId> left;
   for (std::size_t p = 0; p < trial.points.size(); ++p) left.emplace_back(p);

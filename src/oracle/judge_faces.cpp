@@ -97,9 +97,9 @@ void judge_planar(const MeshSurface& surface, const std::optional<CrossedFace>& 
 }
 
 // Simple polygons in facet planes of the hull that look outward cover each point of its surface
-// equally often if they close up: as a cycle on a sphere they are a multiple of it. Once if they
-// enclose what the hull encloses. Faces off by distances within a tolerance enclose nearly a
-// multiple.
+// equally often if they close up: as a cycle on a sphere they are a multiple of it. The multiple is
+// 1 if they enclose the volume of the hull. Faces that are off by distances within a tolerance
+// enclose nearly a multiple.
 bool covers_once(const Rational& enclosed, const Rational& hull, bool is_exact) {
   return is_exact ? enclosed == hull : abs(Rational(2 * (enclosed - hull))) < hull;
 }
@@ -108,7 +108,7 @@ void judge_convex(const MeshSurface& surface, bool is_closed,
                   const std::optional<CrossedFace>& crossed, Trial& trial) {
   const Mesh& mesh = *trial.mesh();
   const Hull& hull = *trial.set.hull;
-  // What the mesh stands for all the same.
+  // The solid that the mesh stands for in any case.
   const std::string hull_text = fmt::format("; the hull of its points has {} and {}",
                                             counted(hull.facets.size(), "facet", "facets"),
                                             counted(hull.vertices.size(), "vertex", "vertices"));

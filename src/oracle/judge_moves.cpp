@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMeasureDigits = 17;
 
-// Of the facets that are there; none if their solid is unbounded.
+// The measure of the facets that are left; none if their solid is unbounded.
 std::optional<Cost> measure_of(std::span<const Halfspace> halfspaces,
                                const std::vector<bool>& is_there, const RationalPoint& center,
                                CostMeasure measure, const Watch& watch) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// judge_moves.hpp - the exchanges after the removals of an order: is each what the order says?
+// judge_moves.hpp - judges whether the exchanges after the removals of an order are as the order
+// states.
 #pragma once
 #include <optional>
 #include <string>
@@ -9,11 +10,11 @@
 
 namespace convexact {
 
-/// The first move that is not, or of which that is not decided.
+/// The first move that is not as stated, or for which this is undecided.
 struct MoveFault {
   std::size_t row;  ///< Of the move; counted from 1.
   std::string found, expected;
-  bool is_open = false;  ///< Only comparisons of mean widths leave it open.
+  bool is_open = false;  ///< Undecided, by comparisons of mean widths only.
 };
 
 /// Follows the moves. Each must remove facets that are there and not to be kept, insert as many

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an output is judged by that verify() does not know: how far rounding explains a violation,
-// and what a hull or an inner solid promises.
+// The judgements of an output that verify() does not make: how far rounding explains a violation,
+// and the promises of a hull or an inner solid.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -138,7 +138,7 @@ bool faces_are_rounded(const Case& c) {
     std::vector<RationalPoint> face;
     for (const std::uint32_t corner : polygon) face.push_back(mesh.points[PointId(corner)]);
     const RationalVector3 area = area_vector(mesh.points, polygon);
-    if (area.isZero(0)) continue;  // as any sliver can be once it is rounded
+    if (area.isZero(0)) continue;  // since any sliver can be such a face after rounding
     const Halfspace plane(area, Rational(-area.dot(face[0])));
     if (const auto worst = find_excess(std::span(&plane, 1), corners);
         worst && !is_explained(face, slack, corners[worst->point], slack)) {
@@ -153,8 +153,8 @@ bool faces_are_rounded(const Case& c) {
   return abs(Rational(twice - 2 * volume(*c.solid))) < volume(*c.solid);
 }
 
-// The hull of points has no corner but them. What contains the points, and has corners among them
-// only, is their hull; with a tolerance it may lack some.
+// The hull of points has no other corners than these points. A convex solid that contains them, and
+// has corners among them only, is their hull; with a tolerance it may lack some.
 void judge_corners(Case& c) {
   const NearInput input(c);
   std::size_t strange = 0;

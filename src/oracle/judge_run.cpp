@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// judge_run(): how a run ended and, if there is an output, what is wrong with it: the claims of
-// verify(), the volume, and what the program promises.
+// judge_run(): how a run ended and, if there is an output, its faults: the claims of verify(), the
+// volume, and the program's promises.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ void judge_claims(Case& c) {
            leak_is_rounding(c));
   }
   if (!c.solid || (!violated(MeshPlanar) && !violated(MeshConvex))) return;
-  // A face that crosses itself, and faces that cover the hull twice, are off by no distance.
+  // A face that crosses itself, and faces that cover the hull twice, are faults without a distance.
   const auto is_gross = [&](ClaimCode code) {
     return violated(code) && !verdict[code].is_by_distance;
   };
@@ -71,14 +71,14 @@ void judge_claims(Case& c) {
   }
 }
 
-// How many times an enclosure may be as large as the box of the input: a tetrahedron of 4.5 times
-// its volume holds a box, and six faces hold it exactly; twice that.
+// How many times as large as the box of the input an enclosure may be. A tetrahedron of 4.5 times
+// its volume holds a box, and six faces hold it exactly; twice these factors are allowed.
 int most_boxes(const Case& c) {
   const auto* question = c.simplification();
   return c.asks(Asks::Simplify) && question != nullptr && question->faces >= 6 ? 2 : 9;
 }
 
-// Of the exact greedy run: known by the vector, or found.
+// The volume of the exact greedy run: from the vector, or computed.
 Rational greedy_volume(const Case& c, std::size_t faces) {
   if (const auto* question = c.simplification(); question->volume) return *question->volume;
   SimplifyRequest request;
@@ -88,7 +88,7 @@ Rational greedy_volume(const Case& c, std::size_t faces) {
   return std::get<SimplifyResult>(outcome).output_volume.exact.value();
 }
 
-// Enclosures only: an inner solid is as small as it likes.
+// For enclosures only: an inner solid may be of any size.
 void judge_volume(Case& c) {
   const Enclosure about = enclose_volume(*c.solid, kShownBits);
   const Enclosure hull = enclose_volume(c.given.hull, kShownBits);
@@ -120,7 +120,7 @@ void judge_volume(Case& c) {
          exact / most);
 }
 
-// Whether no facet can go: what the others bound reaches to infinity, for each of them.
+// Whether no facet can be removed: for each of them, the others bound an unbounded set.
 bool is_stuck(const std::vector<Halfspace>& planes) {
   for (std::size_t gone = 0; gone < planes.size(); ++gone) {
     std::vector<Halfspace> others = planes;
@@ -140,7 +140,8 @@ std::optional<std::size_t> most_facets(const TestVector& vector, const Promise& 
   return most;
 }
 
-// A simplification that cannot lose any more is forgiven, unless it breaks the program's promise.
+// A simplification with too many facets is accepted if no facet can be removed, unless it breaks
+// the program's promise.
 void judge_facets(Case& c) {
   const Claim& claim = c.verdict[ClaimCode::MaxFacets];
   if (claim.status != Status::Violated || !c.solid) return;
@@ -202,7 +203,7 @@ VerifyRequest request_of(const TestVector& vector, const Promise& promise) {
   request.max_vertices = promise.max_vertices;
   request.max_facet_vertices = promise.max_facet_vertices;
   if (promise.asks == Asks::Inner) {
-    using enum ClaimCode;  // all but ContainsInput; the budgets are asked by their numbers
+    using enum ClaimCode;  // all but ContainsInput; budgets are asked for by their numbers
     request.claims = {CandidateReadable, CandidateFinite, CandidateSolid, CandidateBounded,
                       MeshClosed,        MeshOriented,    MeshPlanar,     MeshConvex};
   }

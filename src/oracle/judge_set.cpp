@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What set a candidate is: readable, solid, bounded, and how large.
+// The set that a candidate is: readable, solid, bounded, and its size.
 #include <algorithm>
 
 #include "convexact/measure.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 using enum ClaimCode;
 
-// A flat mesh stands for what its planes hold, both sides of each.
+// A flat mesh stands for the set that its planes hold, both sides of each.
 void judge_flat_mesh(const FlatInput& flat, Trial& trial) {
   trial.set.is_empty = flat.dimension < 0;
   Witness witness;
@@ -50,7 +50,7 @@ void judge_no_solid(const NotSolid& reason, Trial& trial) {
   trial.not_applicable(CandidateBounded, "there is no solid");
 }
 
-// @param facets  Of a hull or a polytope.
+// @param facets  The facets of a hull or a polytope.
 template <class Facets>
 void measure_size(const Facets& facets, std::size_t vertices, CandidateSize& size) {
   size.facets = facets.size();
@@ -110,8 +110,8 @@ void judge_halfspace_set(const HalfspaceList& list, Trial& trial) {
   trial.holds(CandidateBounded, "no direction leads to infinity");
 }
 
-// The patches of which every corner is as near to a facet plane of the input's hull as rounding
-// explains, whatever program did it.
+// The patches of which every corner is so near to a facet plane of the input's hull that rounding,
+// in any program, explains the distance.
 class PlanesOfTheInput {
  public:
   PlanesOfTheInput(const Polytope& polytope, Precision precision, std::span<const Halfspace> planes)

@@ -26,7 +26,7 @@ std::string removal_text(HalfspaceId id, const std::optional<Cost>& cost) {
   return "removes " + id_text(id) + " at cost " + cost->decimal(kCostDigits);
 }
 
-// Both to so many digits that they differ, if they do. Volumes are fractions instead.
+// Both with enough digits to show a difference, if there is one. Volumes are fractions instead.
 std::array<std::string, 2> distinct_texts(const Cost& a, const Cost& b) {
   if (a.measure() == CostMeasure::Volume) return {to_string(a.rational()), to_string(b.rational())};
   constexpr int kMostDigits = 1000;
@@ -55,7 +55,7 @@ enum class TraceCode : unsigned char {
   Moves,
 };
 
-// One claim per code; of each the first violation is kept.
+// One claim per code; for each, the first violation is kept.
 class TraceClaims {
  public:
   void violate(TraceCode code, TraceWitness witness) {
@@ -64,7 +64,7 @@ class TraceClaims {
     claim.status = Status::Violated;
     claim.witness = std::move(witness);
   }
-  // Of each claim that is not violated either the first such place is kept.
+  // For each claim that is not violated, the first undecided place is kept.
   void leave_open(TraceCode code, TraceWitness witness) {
     TraceClaim& claim = at(code);
     if (claim.status == Status::Violated || claim.status == Status::Undecided) return;
@@ -103,7 +103,7 @@ class TraceClaims {
 class TraceJudge {
  public:
   /// Why an order is followed: for the verdict; to collect the facets that it never removes and
-  /// that make it too dear, each of which goes as soon as it is found; or for a rating only.
+  /// that make it too dear, each of which is removed as soon as it is found; or for a rating only.
   enum class Purpose { Verdict, Collect, Rate };
 
   TraceJudge(const DualHull& dual, const RationalPoint& center, const RemovalOrder& order,
@@ -216,8 +216,8 @@ TraceVerdict TraceJudge::run() {
   return std::move(verdict_);
 }
 
-// The list that the order states, if it states one. That none of them is removed is judged step by
-// step.
+// Compares the list that the order states, if it states one. Each step tests that it removes none
+// of these facets.
 void TraceJudge::compare_kept() {
   const std::vector<HalfspaceId>& kept = options_.kept;
   if (std::adjacent_find(kept.begin(), kept.end(), std::greater_equal<>()) != kept.end() ||
@@ -270,14 +270,14 @@ void TraceJudge::remove_unlisted(HalfspaceId id) {
   verdict_.left_out.push_back(id);
 }
 
-// Whether a step is too dear, and a facet that the order never removes is as cheap as can be.
+// Whether a step is too dear, and a facet that the order never removes is one of the cheapest.
 bool TraceJudge::is_blamed(const JudgedStep& judged) const {
   if (judged.is_within.value_or(true)) return false;
   return std::any_of(judged.tie.begin(), judged.tie.end(),
                      [&](HalfspaceId i) { return !is_removed_[i.index()]; });
 }
 
-// The order twice more: to collect the facets, and on the solid without them.
+// Follows the order twice more: to collect the facets, and on the solid without them.
 std::optional<LeftOut> TraceJudge::find_never_removed() const {
   const auto& steps = verdict_.steps;
   if (std::none_of(steps.begin(), steps.end(), [&](auto& step) { return is_blamed(step); })) {
@@ -288,7 +288,7 @@ std::optional<LeftOut> TraceJudge::find_never_removed() const {
   LeftOut found;
   const auto first = without.left_out.begin() + std::ptrdiff_t(verdict_.left_out.size());
   found.facets.assign(first, without.left_out.end());
-  if (found.facets.empty()) return std::nullopt;  // only level with one that is removed later
+  if (found.facets.empty()) return std::nullopt;  // only tied with one that is removed later
   std::sort(found.facets.begin(), found.facets.end());
   const TraceVerdict others = TraceJudge(dual_, center_, order_, without, Purpose::Rate).run();
   const auto is_found = [&](HalfspaceId i) {
@@ -373,7 +373,7 @@ JudgedStep TraceJudge::judge(const OrderedStep& removal, HalfspaceId removed) {
   return judged;
 }
 
-// The removal against each one that may be the cheapest: what is proven against any of them counts.
+// Compares the removal with each one that may be the cheapest: a proof against any of them counts.
 void TraceJudge::judge_open_tie(JudgedStep& judged) {
   judged.regret = Rational(0);
   judged.is_within = true;
@@ -504,8 +504,8 @@ void TraceJudge::compare_ties(const OrderedStep& removal, const JudgedStep& judg
   }
 }
 
-// Whether some of those that may be the cheapest can be all that are: at least one, and with each
-// one all that are proven to cost the same.
+// Whether the claimed ones can be all of the cheapest: at least one of those that may be the
+// cheapest, and with each one all that are proven to cost the same.
 bool TraceJudge::may_be_tie(const std::vector<HalfspaceId>& claimed,
                             const std::vector<HalfspaceId>& tie) {
   if (claimed.empty() || !std::includes(tie.begin(), tie.end(), claimed.begin(), claimed.end())) {

@@ -25,12 +25,12 @@ int turn(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c) {
   return Rational((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])).sign();
 }
 
-// Whether a, b, c on one line run back at b.
+// Whether the path a, b, c on one line turns back at b.
 bool runs_back(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c) {
   return Rational((b[0] - a[0]) * (c[0] - b[0]) + (b[1] - a[1]) * (c[1] - b[1])) < 0;
 }
 
-// Whether the direction from a to b is in the upper half of all, [0, 180) degrees.
+// Whether the direction from a to b is in the upper half of the circle, [0, 180) degrees.
 bool is_upward(const PlanarPoint& a, const PlanarPoint& b) {
   return b[1] > a[1] || (b[1] == a[1] && b[0] > a[0]);
 }
@@ -177,7 +177,7 @@ MeshSurface::MeshSurface(const Mesh& mesh) : mesh_(mesh), faces_(mesh.polygons) 
             [&](const DirectedEdge& a, const DirectedEdge& b) { return key(a) < key(b); });
 }
 
-// The first edge, with all that run along it in either direction, that is a fault.
+// The first edge that is a fault, with all edges that run along it in either direction.
 template <class IsFault>
 std::optional<MeshEdge> MeshSurface::find_edge(const IsFault& is_fault) const {
   const auto along = [](const DirectedEdge& a, const DirectedEdge& b) {
@@ -217,7 +217,7 @@ bool MeshSurface::is_on_a_line(std::size_t face) const {
   });
 }
 
-// Of a face on a line: all corners differ, and it turns round twice.
+// For a face on a line: whether all corners differ and it turns round twice.
 bool MeshSurface::goes_to_and_fro(std::size_t face) const {
   const std::vector<std::uint32_t>& corners = faces_[face];
   std::vector<std::uint32_t> sorted = corners;
@@ -234,11 +234,12 @@ bool MeshSurface::goes_to_and_fro(std::size_t face) const {
   return turns == 2;
 }
 
-// Of a face with corners that are not all on a line.
+// For a face with corners that are not all on a line.
 std::optional<CrossedFace> MeshSurface::crossing_of(std::size_t face) const {
   const std::vector<std::uint32_t>& corners = faces_[face];
   const auto next = [&](std::size_t k) { return corners[(k + 1) % corners.size()]; };
-  // A corner that comes back: seen along the normal, a spike out of the plane may hide behind it.
+  // A corner that occurs again: seen along the normal, a spike out of the plane may be hidden
+  // behind it.
   std::vector<std::uint32_t> sorted = corners;
   std::sort(sorted.begin(), sorted.end());
   if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end()) {
@@ -249,7 +250,7 @@ std::optional<CrossedFace> MeshSurface::crossing_of(std::size_t face) const {
     return CrossedFace{face, {corners[i], next(i), corners[j], next(j)}};
   }
   RationalVector3 n = area_vectors_[face];
-  // Parts that cancel each other: any normal will do, for no simple polygon has the area 0.
+  // The parts cancel each other: any normal can be used, since no simple polygon has the area 0.
   for (std::size_t k = 2; n.isZero(0) && k < corners.size(); ++k) {
     n = area_vector(mesh_.points, std::array{corners[0], corners[1], corners[k]});
   }

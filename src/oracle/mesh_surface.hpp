@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesh_surface.hpp - what is wrong with the faces of a mesh that should bound a convex solid.
+// mesh_surface.hpp - faults in the faces of a mesh that should bound a convex solid.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -33,7 +33,7 @@ struct PointOffFace {
   Rational squared_distance;  ///< Of the point to the plane; positive.
 };
 
-/// What a mesh has too much of, without being another surface.
+/// Superfluous elements of a mesh, without which the surface is the same.
 struct Surplus {
   std::size_t zero_edges = 0;                 ///< Edges between points at the same place.
   std::vector<std::size_t> degenerate_faces;  ///< Fewer than three different corners.
@@ -59,7 +59,7 @@ class MeshSurface {
   [[nodiscard]] std::optional<MeshEdge> open_edge() const;
   /// An edge along which two faces run in the same direction, so that one of them is turned over.
   [[nodiscard]] std::optional<MeshEdge> twisted_edge() const;
-  /// A face that crosses or touches itself, exactly; the corners of one that has them on a line go
+  /// A face that crosses or touches itself, exactly; if the corners lie on a line, they must run
   /// along it once to and fro.
   [[nodiscard]] std::optional<CrossedFace> crossed_face() const;
   /// The corner that is farthest from the plane of its face.
@@ -68,8 +68,9 @@ class MeshSurface {
   /// there is neither an open nor a twisted edge.
   [[nodiscard]] Rational enclosed() const;
 
-  /// Of the faces that are bent or not in a facet plane of the hull of the mesh's points, the one
-  /// that a point is farthest beyond; if none is beyond any, the one that is most bent.
+  /// Among the faces that are bent or not in a facet plane of the hull of the mesh's points, the
+  /// one that a point is farthest beyond; if no point is beyond any of them, the one that is most
+  /// bent.
   /// @param planes  Those of the hull. @param extreme  Its vertices.
   struct OffHull {
     std::size_t faces = 0;              ///< How many faces are off.

@@ -15,7 +15,7 @@ void require_model_text(const std::string& text) {
   const bool has_control = std::any_of(text.begin(), text.end(), [](char c) {
     return static_cast<unsigned char>(c) < ' ' || c == '\x7f';
   });
-  // XML has no U+FFFE and U+FFFF, escaped or not.
+  // XML does not allow U+FFFE and U+FFFF, escaped or not.
   const bool has_noncharacter =
       text.find("\xEF\xBF\xBE") != text.npos || text.find("\xEF\xBF\xBF") != text.npos;
   if (!has_control && !has_noncharacter && as_utf8(text) == text) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // part_models.hpp - the parts of a decomposition as collision shapes for simulators: MJCF and URDF,
-// which name the files of the parts, and USD, which holds their points. docs/formats.md says what
-// the simulators do to the numbers.
+// which name the files of the parts, and USD, which holds their points. docs/formats.md describes
+// what the simulators do to the numbers.
 #pragma once
 #include <span>
 #include <string>
@@ -14,7 +14,7 @@ namespace convexact {
 /// @throws Error Unrepresentable unless XML and USD can hold the text: UTF-8, no control character.
 void require_model_text(const std::string& text);
 
-/// A part, and where its mesh is found from the place of the model.
+/// A part, and the path of its mesh relative to the model.
 struct PartFile {
   std::string name, path;
 };
@@ -28,7 +28,7 @@ struct PartFile {
 [[nodiscard]] std::string write_urdf(const std::string& model, std::span<const PartFile> parts);
 
 /// Text of USD: an Xform with a Mesh for each part, each a collider by its convex hull. The names
-/// of prims are identifiers, all different; a name that is none is kept for display.
+/// of prims are identifiers, all different; a name that is no identifier is kept for display.
 /// @param parts  With a volume, in binary32.
 /// @param path   For messages.
 /// @throws Error as write_mjcf(); Internal if the points, read back as USD reads them, lose a

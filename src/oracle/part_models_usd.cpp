@@ -60,7 +60,7 @@ void append_list(OutputBuffer& out, const List& list, Append&& append) {
   out.text("]\n");
 }
 
-// The smallest and the largest coordinates: what USD calls the extent of a mesh.
+// The smallest and the largest coordinates: the extent of a mesh in USD.
 std::array<Point, 2> extent_of(std::span<const Point> points) {
   Point low = points[0], high = points[0];
   for (const Point& p : points) {
@@ -96,8 +96,8 @@ void append_mesh(OutputBuffer& out, const WrittenPart& part, const std::string& 
   out.text("        uniform token subdivisionScheme = \"none\"\n    }\n");
 }
 
-// Metres and z upward are what MJCF and URDF mean by the same numbers; without these two lines USD
-// would mean centimetres and y upward.
+// In MJCF and URDF the same numbers mean metres, with z upward; without these two lines USD would
+// mean centimetres and y upward.
 std::string write_usd(const std::string& model, std::span<const WrittenPart> parts) {
   require_model_text(model);
   for (const WrittenPart& part : parts) require_model_text(part.name);

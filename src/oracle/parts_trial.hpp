@@ -8,7 +8,8 @@
 
 namespace convexact::oracle {
 
-/// A decomposition on trial: what was asked, and the verdict so far. The references outlive it.
+/// The judgement of a decomposition: the request, and the verdict so far. The references outlive
+/// it.
 class PartsTrial {
  public:
   PartsTrial(const Mesh& input, bool has_tree, const PartsRequest& request, StageLog& log);
@@ -45,17 +46,17 @@ class PartsTrial {
   void decide(ClaimCode code, Status status, std::string sentence, Witness witness);
 };
 
-// The parts, in their order. Each takes what the ones before it found.
+// The parts, in their order. Each uses the results of those before it.
 
-/// Solid, convex, and the budgets: what each part is on its own.
+/// Solid, convex, and the budgets, for each part alone.
 void judge_each_part(std::span<const NamedPart> parts, PartsTrial& trial);
 /// Whether the union covers the points, the surface and the solid of the input.
 void judge_coverage(PartsTrial& trial);
 /// Whether parts overlap, and whether one lies in another.
 void judge_pairs(PartsTrial& trial);
-/// Whether the tree is one, and nested. @param tree  Null if there is none.
+/// Whether the tree is a tree, and nested. @param tree Null if there is none.
 void judge_tree(const HullTree* tree, PartsTrial& trial);
-/// The numbers beside the claims.
+/// The measures reported with the claims.
 void measure_parts(PartsTrial& trial);
 
 }  // namespace convexact::oracle

@@ -83,7 +83,7 @@ class HardEdges {
     return std::abs(determinant) > change + 16 * kUnit * size + kTiny;
   }
 
-  // Four times the square of the area, in units of its own.
+  // Four times the square of the area, in arbitrary units.
   double squared_area(Corners corners) const {
     Vector3<double> sum(0, 0, 0);
     for (std::size_t k = 2; k < corners.size(); ++k) {
@@ -103,7 +103,7 @@ struct Plane {
   RationalVector3 normal;
   Rational offset;
 
-  // How far n.p may be off.
+  // The largest error of n.p.
   Rational reach(const RationalVector3& slack) const {
     Rational sum = 0;
     for (int k = 0; k < 3; ++k) sum += abs(normal[k]) * slack[k];
@@ -162,7 +162,7 @@ class PatchSearch {
   std::vector<Facet> refused_by_;  // by facet, the last patch that cannot have it
   std::vector<Facet> fresh_;       // its neighbours still to be compared with the plane
   std::vector<Corner> corners_;    // each once
-  std::vector<Corner> decisive_;   // those that made the plane what it is
+  std::vector<Corner> decisive_;   // those that determine the plane
   Plane plane_;                    // near all of these
 };
 
@@ -264,7 +264,7 @@ void PatchSearch::grow(Facet seed) {
   is_thin_.back() = is_merged && is_thin_along_plane();
 }
 
-// Whether the facet is still to be had, and whether in a thin patch all its corners can remain
+// Whether the facet is still available, and whether in a thin patch all its corners can remain
 // corners of the solid meant.
 bool PatchSearch::may_join(Facet facet) const {
   if (patch_of_[facet] != kNone || refused_by_[facet] == patch_count_ - 1) return false;
@@ -283,7 +283,7 @@ void PatchSearch::accept(Facet facet) {
   fresh_.insert(fresh_.end(), soft_[facet].begin(), soft_[facet].end());
 }
 
-// How many patches meet in a corner; a facet that is in none so far is one.
+// How many patches meet in a corner; a facet that is in none so far counts as one.
 std::size_t PatchSearch::patches_at(Corner corner) const {
   std::vector<Facet> patches;
   std::size_t single = 0;
@@ -306,8 +306,8 @@ bool PatchSearch::keeps_corners(Facet facet) const {
 }
 
 // Moves the plane so that it is near the corners of one more facet as well, if any plane is. Few
-// corners decide: from those that decided before, the one that is worst is added until the plane
-// that is best for these is near all, or there is none.
+// corners decide: starting with those that decided before, the worst corner is added until the
+// plane that is best for these is near all, or no plane is.
 bool PatchSearch::tilt_to(Facet facet) {
   std::vector<Corner> all = corners_;
   all.insert(all.end(), polytope_.facets[facet].begin(), polytope_.facets[facet].end());

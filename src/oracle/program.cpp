@@ -46,7 +46,7 @@ bool write_all(int file, std::string_view bytes) {
   return true;
 }
 
-// What the child does, to its exit code.
+// The work of the child, up to its exit code.
 int do_work(const std::function<std::string()>& work, int result) {
   try {
     return write_all(result, work()) ? 0 : exit_code(ErrorCode::Stopped);
@@ -132,7 +132,7 @@ void Descriptor::reset(int id) {
   id_ = id;
 }
 
-// Neither the pipe nor the file of the result lives on in a program that the child becomes.
+// Neither the pipe nor the file of the result stays open in a program that the child becomes.
 ChildProcess::ChildProcess(const std::function<std::string()>& work, const ProgramLimits& limits)
     : limits_(limits), result_(require_descriptor(memfd_create("result", MFD_CLOEXEC))) {
   std::array<int, 2> ends{};
@@ -146,9 +146,10 @@ ChildProcess::ChildProcess(const std::function<std::string()>& work, const Progr
   setpgid(id_, id_);  // here and in the child, as either may come first
 }
 
-// Before the work only calls that are safe in a signal handler: the parent may have other threads.
+// Before the work, only calls that are safe in a signal handler are made: the parent may have other
+// threads.
 void ChildProcess::become_child(const std::function<std::string()>& work, int output) const {
-  setpgid(0, 0);  // an interrupt of the terminal is for the parent, which then kills this group
+  setpgid(0, 0);  // an interrupt from the terminal goes to the parent, which then kills this group
   (void)prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int signal : {SIGINT, SIGTERM, SIGPIPE}) std::signal(signal, SIG_DFL);
   set_limit(RLIMIT_CORE, 0);
@@ -180,7 +181,7 @@ std::optional<ProgramRun> ChildProcess::poll(int milliseconds) {
     return std::move(run_);
   }
   has_ended_ = true;
-  kill_group();  // what it left in the background could go on printing
+  kill_group();  // processes left in the background could go on printing
   while (listen(0)) {
   }
   run_.seconds = spent.count();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// program.hpp - work in a process of its own, limited, its output and its result captured; and a
+// program.hpp - work in a separate process with limits, whose output and result are captured; and a
 // folder for the files that a program reads and writes.
 #pragma once
 #include <chrono>
@@ -27,13 +27,13 @@ class Descriptor {
   int id_;
 };
 
-/// A fork of this process that does one piece of work, in a process group of its own. It is killed
-/// with all that it started when this object goes, and dies with its parent. Its standard input is
-/// empty, and it leaves no core dump.
+/// A fork of this process that does one piece of work, in a separate process group. It is killed
+/// with all processes that it started when this object is destroyed, and dies with its parent. Its
+/// standard input is empty, and it leaves no core dump.
 class ChildProcess {
  public:
   /// @param work  Its bytes are the result. If it throws, the child prints the message and ends
-  ///              with the exit code of Internal, for want of memory with that of Stopped. It may
+  ///              with the exit code of Internal, or of Stopped if memory ran out. It may
   ///              also become another program, by exec.
   /// @throws Error Stopped if the system cannot make a process.
   ChildProcess(const std::function<std::string()>& work, const ProgramLimits& limits);
@@ -41,10 +41,10 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// The run, once it has ended or taken too long; then this is not to be called again. Else waits
-  /// for output, at most so long.
+  /// The run, once it has ended or taken too long; after that this must not be called again.
+  /// Otherwise waits for output, at most this long.
   [[nodiscard]] std::optional<ProgramRun> poll(int milliseconds);
-  /// Of a child that has ended: what its work returned; empty if it did not.
+  /// For a child that has ended: what its work returned; empty if it did not return.
   [[nodiscard]] std::string result() const;
 
  private:

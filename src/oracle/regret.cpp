@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Regret: by which share one cost exceeds another.
+// Regret: the share by which one cost exceeds another.
 #include <algorithm>
 
 #include "convexact/error.hpp"

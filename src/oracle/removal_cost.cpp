@@ -27,7 +27,7 @@ Rational cone(const Polytope& polytope, std::size_t facet, const RationalPoint& 
   return six_times / 6;
 }
 
-// What the plane of a facet cuts off from the solid without it.
+// The part that the plane of a facet cuts off from the solid without it.
 struct CutOff {
   CutOff(const Polytope& with, std::size_t facet_of_it, const Polytope& without,
          const RationalPoint& inside)
@@ -59,9 +59,9 @@ struct CutOff {
 };
 
 // The largest |P|.|x| over the planes and the box of a cap. The box, with the center as origin,
-// holds the corners beyond the plane; what of the cap lies on the plane itself is hidden behind
-// these or is a corner of the facet.
-// @param corners  The planes with one of these corners count.
+// holds the corners beyond the plane; the points of the cap on the plane itself lie, seen from the
+// center, behind these or are corners of the facet.
+// @param corners  Only planes with one of these corners count.
 Rational spread(const CutOff& cap, const std::vector<char>& corners) {
   const Polytope& after = cap.after;
   RationalVector3 box = RationalVector3::Zero();
@@ -154,7 +154,8 @@ Rational support_motion(const CutOff& cap) {
   return 2 * root_of(farthest).high() * turn;
 }
 
-// Costs that are the same number by proof, or of mean widths to all bits that are looked at.
+// Costs that are proven to be the same number, or, for mean widths, agree in all bits that are
+// compared.
 bool is_same(const std::optional<Cost>& a, const std::optional<Cost>& b, const Watch& watch) {
   if (!a || !b) return a.has_value() == b.has_value();
   const Order order = compare(*a, *b, {}, watch).order;

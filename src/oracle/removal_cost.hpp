@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// removal_cost.hpp - what removing a halfspace costs, by definition, how well doubles can know it,
-// and the confirmation of judged costs.
+// removal_cost.hpp - the cost of removing a halfspace, by definition, how accurately doubles can
+// compute it, and the confirmation of judged costs.
 #pragma once
 #include <optional>
 #include <span>
@@ -24,8 +24,8 @@ inline constexpr double kPlaneRounding = 64 * 0x1p-52;
 struct RemovalCost {
   /// What is added to the measure, exactly; none if what is left is unbounded.
   std::optional<Cost> cost;
-  /// By how much a cost can come out wrong when each plane is off by kPlaneRounding, in units of
-  /// the cost; 0 if it is unbounded; none if a plane so far off may not bound the cap at all.
+  /// The largest error of a cost when each plane is off by kPlaneRounding, in units of the cost; 0
+  /// if it is unbounded; none if a plane with that error may not bound the cap at all.
   ///
   /// Take the center as origin, so that planes are P.x = 1. A relative error e per coordinate of P
   /// moves the plane, seen from the center at a point x of it, by the share e |P|.|x| at most
@@ -53,7 +53,7 @@ struct RemovalCost {
   std::optional<Rational> rounding;
 };
 
-/// A set of halfspaces with a bounded intersection, and what each removal from it costs. All
+/// A set of halfspaces with a bounded intersection, and the cost of each removal from it. All
 /// intersections are computed from scratch, without an engine.
 class RemovalOracle {
  public:
@@ -87,11 +87,12 @@ class RemovalOracle {
 
 /// Checks cost and boundedness of the removal that a step made and of the one that it should have
 /// made.
-/// @throws Error Internal if they are not what the step says; Stopped when the watch ends the call.
+/// @throws Error Internal if they differ from those of the step; Stopped when the watch ends the
+///         call.
 void confirm_step(const TraceVerdict& verdict, const RationalPoint& center, std::size_t step,
                   const Watch& watch = {});
 
-/// The measure before the first step, and all costs, are together the measure after the last
+/// Checks that the measure before the first step plus all costs is the measure after the last
 /// bounded one: volumes modulo two random primes, areas and mean widths by enclosures of 256 bits.
 /// @throws Error Internal if not; Stopped when the watch ends the call.
 void confirm_sum(const TraceVerdict& verdict, const RationalPoint& center, const Watch& watch = {});

@@ -44,7 +44,7 @@ HalfspaceId facet_of(std::uint64_t number) {
   return number < kNoFacet.value ? HalfspaceId(number) : kNoFacet;
 }
 
-// Reads the steps of a document; `place_` is where in it the reader is, for messages.
+// Reads the steps of a document; `place_` is the reader's place in it, for messages.
 class StepReader {
  public:
   explicit StepReader(std::optional<CostMeasure> asked) : asked_(asked) {}
@@ -74,7 +74,8 @@ HalfspaceId StepReader::facet(const json& number) const {
   return kNoFacet;
 }
 
-// A cost of another measure than the order's says that the order is not what it is taken for.
+// A cost of another measure than the order's shows that the order is not the kind that it is taken
+// for.
 std::optional<Cost> StepReader::claimed_cost(const json& cost, CostMeasure measure) const {
   for (const auto& [spelled, key] :
        {std::pair(CostMeasure::Volume, "exact"), std::pair(CostMeasure::Area, "roots"),

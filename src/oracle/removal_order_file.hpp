@@ -29,11 +29,11 @@ using ListedFacets = std::vector<std::optional<Halfspace>>;
 ///   step needs only `removed`; `cost`, as far as it is spelled exactly, `tie` and `left` are
 ///   claims; ids are positions in `halfspaces` if that is there;
 /// - text with four numbers per row: the planes n.x + d = 0 in order of removal;
-/// - text with an integer per row: ids in order of removal. Any integer: one that is out of range
-///   becomes an id that names no facet.
+/// - text with an integer per row: ids in order of removal. Any integer is accepted: one that is
+///   out of range becomes an id that names no facet.
 /// @param facets     The list that ids refer to; none: `canonical`, the input's own halfspaces.
-/// @param measure    What the order is to be judged by; none: the measure that it states, or the
-///                   volume.
+/// @param measure    The measure by which to judge the order; none: the measure that it states, or
+///                   the volume.
 /// @throws Error     Malformed or NotFinite with the line or, in JSON, the place; InvalidArgument
 ///                   if `facets` are given to an order that spells out its planes, or if it states
 ///                   another measure, or costs of another one.

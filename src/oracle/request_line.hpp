@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// request_line.hpp - what the requests of `verify --stdio` and `decompose --stdio` have in common:
-// their id, points, numbers and limit of time, and how faults are answered.
+// request_line.hpp - the common parts of the requests of `verify --stdio` and `decompose --stdio`:
+// their id, points, numbers and time limit, and the answers to faults.
 #pragma once
 #include <atomic>
 #include <condition_variable>
@@ -53,7 +53,7 @@ std::optional<Value> choice_in(const nlohmann::json& request, const char* key,
 /// @throws Error Malformed for any other value.
 [[nodiscard]] std::string_view number_text(const nlohmann::json& value);
 
-/// What `decimal` and `numbers` say of numbers. @throws Error Malformed.
+/// The meaning of numbers according to `decimal` and `numbers`. @throws Error Malformed.
 [[nodiscard]] Decimal decimal_of(const nlohmann::json& request);
 
 /// The points of a request. @throws Error as coordinate_of_json() and points_of_json().
@@ -64,7 +64,7 @@ std::optional<Value> choice_in(const nlohmann::json& request, const char* key,
 [[nodiscard]] std::optional<double> time_limit_of(const nlohmann::json& request,
                                                   std::optional<double> limit);
 
-/// Sets a flag when some seconds are over, unless it is destroyed before.
+/// Sets a flag after some seconds, unless it is destroyed before.
 class TimeLimit {
  public:
   explicit TimeLimit(std::optional<double> seconds);
@@ -85,7 +85,8 @@ class TimeLimit {
 /// @throws Error Stopped: "no verdict within the time limit of 2 s".
 [[noreturn]] void report_time_limit(const char* sought, double seconds);
 
-/// What `find` returns, given the flag that stops it. @param sought  "verdict", for the error.
+/// The result of `find`, which is given the flag that stops it. @param sought "verdict", for the
+/// error.
 /// @throws Error Stopped beyond the limit, and what `find` throws.
 template <class Find>
 auto in_time(std::optional<double> seconds, const char* sought, const Find& find) {
@@ -101,8 +102,9 @@ auto in_time(std::optional<double> seconds, const char* sought, const Find& find
 /// {"error": ...} with the proof that the input encloses no volume.
 [[nodiscard]] nlohmann::ordered_json not_solid_answer(const NotSolid& reason);
 
-/// Answers a line with one line, without its end: the request's id, then what `answer` makes of
-/// the request: the text of an object with a key, on one line. Each Error is an answer, too.
+/// Answers a line with one line, without its line end: the request's id, then the text that
+/// `answer` returns for the request, which is an object with a key, on one line. Each Error is an
+/// answer, too.
 /// @param spelled  Keys below which numbers are kept as their text, "id" among them.
 [[nodiscard]] std::string answer_line(
     std::string_view line, std::initializer_list<std::string_view> spelled,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// as_put() and run_vectors(): a program over the vectors, each in the numbers that it promises.
+// as_put() and run_vectors(): run a program over the vectors, each in the numbers that it promises.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -101,7 +101,7 @@ bool is_beyond(const TestVector& vector, const Promise& promise) {
          });
 }
 
-// A question that a program can answer that promises this.
+// Whether a program with this promise can answer the question.
 bool is_asked(const TestVector& vector, const Promise& promise) {
   if (std::holds_alternative<VerifyQuestion>(vector.question)) return false;
   return promise.asks != Asks::Simplify || !std::holds_alternative<HullQuestion>(vector.question);
@@ -148,7 +148,7 @@ std::optional<std::string> mesh_bytes(const PointSet& points, MeshFormat format,
       for (const PointId corner : hull->facets[f]) polygon.push_back(corner.value);
     }
   } else if (format == MeshFormat::Stl) {
-    return std::nullopt;  // no triangles to write
+    return std::nullopt;  // there are no triangles to write
   }
   return write_mesh(mesh, format, {.precision = precision});
 }

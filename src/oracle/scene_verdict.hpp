@@ -16,8 +16,8 @@ namespace convexact {
 struct GapVerdict {
   Gaps gaps;
   std::string sentence;
-  /// If it is violated: a face, which of its points is outside, and a plane that it is beyond; no
-  /// plane if the candidate encloses no volume.
+  /// If it is violated: a face, one of its points that is outside, and a plane that the point is
+  /// beyond; no plane if the candidate encloses no volume.
   struct Witness {
     PartFace face;
     std::string part;
@@ -45,9 +45,10 @@ struct SceneVerifyRequest {
   bool judges_gaps = true;
 };
 
-/// For each part of the input its candidate: by name if the names of both are the same in another
-/// order, each once; by position if they are the same in order, or if none is in both.
-/// @throws Error InvalidArgument, with a name, if there are more of one, or if only some names
+/// For each part of the input its candidate: by name if both have the same names in different
+/// orders, each once; by position if the names are the same in the same order, or if no name is in
+/// both.
+/// @throws Error InvalidArgument, with a name, if one side has more of them, or if only some names
 ///               match.
 [[nodiscard]] std::vector<std::size_t> match_parts(const std::vector<std::string>& input,
                                                    const std::vector<std::string>& candidate);

@@ -140,7 +140,7 @@ SupportProgram::SupportProgram(const Polytope& polytope)
     near_.push_back(near);
   }
   // Counter-clockwise around a vertex, a facet is followed by the one that leaves the vertex along
-  // the edge by which the facet itself enters it.
+  // the edge by which this facet enters it.
   struct Corner {
     std::uint32_t vertex, next, previous, facet;
   };

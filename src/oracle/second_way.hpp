@@ -25,8 +25,8 @@ class ConeLocation {
   /// @param points  Those to be located. @par Cost  O(T log T) for T triangles.
   ConeLocation(const Hull& hull, const PointSet& mesh, const PointSet& points);
 
-  /// The triangle whose cone holds a point. @param start  Any triangle: the nearer, the shorter the
-  /// walk.
+  /// The triangle whose cone holds a point. @param start  Any triangle; a nearer one makes the walk
+  /// shorter.
   [[nodiscard]] std::uint32_t locate(std::size_t point, std::uint32_t start) const;
   /// Whether a point lies strictly beyond the triangle that locate() found for it.
   [[nodiscard]] bool is_outside(std::size_t point, std::uint32_t triangle) const;

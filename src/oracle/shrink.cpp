@@ -32,7 +32,8 @@ Rational round_to_digits(const Rational& x, long digits) {
   return x < 0 ? Rational(-rounded) : rounded;
 }
 
-// Whether no coordinate lies beyond the largest double, as a difference may, or one rounded up.
+// Whether no coordinate lies beyond the largest double. A difference may, and so may a coordinate
+// that was rounded up.
 bool are_finite(const Rows& rows) {
   return std::ranges::all_of(rows, [](const Row& row) {
     return std::ranges::all_of(
@@ -100,7 +101,7 @@ class Shrinker {
   using Fails = std::function<bool(const Rows& rows, std::span<const PointId> origin)>;
   using Progress = std::function<void(const Rows& rows)>;
 
-  /// @param are_points  So that they may be moved, and scaled along each axis.
+  /// @param are_points  Whether rows are points, which may be moved, and scaled along each axis.
   Shrinker(Rows rows, bool are_points, Fails fails, Progress progress);
   void run();
   const Rows& rows() const { return rows_; }
@@ -157,7 +158,7 @@ void Shrinker::run() {
 
 // Takes the rows if they still fail.
 bool Shrinker::try_instead(Rows rows, std::vector<PointId> origin) {
-  std::string key;  // large sets do not come again
+  std::string key;  // large sets do not occur again
   if (rows.size() < 200) {
     for (const Row& row : rows) {
       for (const Rational& x : row) key += to_string(x) + " ";
@@ -200,7 +201,7 @@ void Shrinker::leave_out_rows() {
   }
 }
 
-// To the coarsest grid that serves, 2^e times the integers.
+// Rounds to the coarsest grid with which the rows still fail, 2^e times the integers.
 void Shrinker::round_all() {
   long top = 0, bottom = 0;  // 2^bottom divides every dyadic coordinate, none reaches 2^top
   bool any = false;
@@ -235,7 +236,7 @@ void Shrinker::move_to_origin() {
   }
 }
 
-// By the power of two that makes doubles integers that are not all even.
+// Scales by the power of two that makes the doubles integers that are not all even.
 void Shrinker::scale(const std::vector<std::size_t>& axes) {
   long power = 0;
   bool any = false;
@@ -255,7 +256,7 @@ void Shrinker::scale(const std::vector<std::size_t>& axes) {
   (void)try_numbers(std::move(scaled));
 }
 
-// A halfspace stays nearly the same if its numbers lose as many bits each.
+// A halfspace stays nearly the same if each of its numbers loses the same number of bits.
 void Shrinker::shorten_each() {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     std::size_t longest = 0;

@@ -47,8 +47,7 @@ Candidate candidate(const json& object, Decimal decimal) {
   }
 }
 
-// The document of a decomposition or of a tree says more of itself and of its parts than what is
-// judged.
+// The document of a decomposition or of a tree says more about itself and its parts than is judged.
 CandidateParts candidate_parts(const json& object, Decimal decimal) {
   const bool has_tree = object.contains("hull_tree");
   const bool is_document = has_tree || object.contains("decomposition");
@@ -98,7 +97,7 @@ VerifyRequest questions(const json& request) {
   return asked;
 }
 
-// The same questions to parts, and how many there may be.
+// The same questions about parts, and how many parts there may be.
 PartsRequest questions_to_parts(const json& request) {
   const VerifyRequest each = questions(request);
   if (each.inner) reject_request("inner with a single solid only");

@@ -8,8 +8,8 @@
 namespace convexact {
 
 /// Answers a request (docs/schema/stdio_request.schema.json) with one line of JSON, without a line
-/// end: the request's `id` and either what verdict_json() writes, without the
-/// claims that were not asked, or `error`. Any fault of the request is such an error, and any fault
+/// end: the request's `id` and either the verdict as verdict_json() writes it, without the claims
+/// that were not asked, or `error`. Any fault of the request is such an error, and any fault
 /// of the candidate is a verdict; only std::bad_alloc is thrown.
 ///
 /// A number means what the same text means in a file, as a JSON number or as a string,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a distance may be, and how far a rounded number from the one meant.
+// The largest distance that passes, and the largest error of a rounded number.
 #include <cmath>
 #include <limits>
 
@@ -44,7 +44,7 @@ Tolerance parse_tolerance(std::string_view text) {
 
 std::string least_tolerance(const Rational& squared) {
   const auto bits = [](const Integer& x) { return static_cast<long>(bit_length(x)); };
-  // A power of ten at or below the root, less than a factor 10 away or two; then upwards.
+  // A power of ten at or below the root, by less than one or two factors of 10; then upwards.
   const long halves = bits(numerator(squared)) - bits(denominator(squared)) - 1;
   long exponent = static_cast<long>(std::floor(static_cast<double>(halves) / 2 * 0.30103)) - 3;
   for (;; ++exponent) {

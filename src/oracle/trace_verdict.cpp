@@ -27,7 +27,7 @@ Json cost_json(const std::optional<Cost>& cost) {
                                                 : convexact::cost_json(*cost);
 }
 
-// Null also for an interval around 0.
+// Null for an interval around 0, too.
 Json regret_json(const std::optional<Regret>& regret) {
   if (!regret) return nullptr;
   if (regret->exact() != nullptr) return quantity_json(regret->rational());
@@ -109,13 +109,13 @@ Json notes_json(const TraceVerdict& verdict) {
 constexpr int kTraceDigits = 17;        // of costs
 constexpr int kRegretDigits = 3;        // of regrets
 constexpr std::size_t kWorstSteps = 5;  // as many as are shown
-constexpr std::size_t kLongest = 100;   // of what a witness may take of a line
+constexpr std::size_t kLongest = 100;   // characters of a line that a witness may quote
 
 std::string cost_text(const std::optional<Cost>& cost, const char* none) {
   return cost ? cost->decimal(kTraceDigits) : none;
 }
 
-// Dearer than another, the worst first; an unbounded one is worse than any.
+// Steps that are dearer than another, the worst first; an unbounded one is worse than any.
 std::vector<std::size_t> worst_steps(const std::vector<JudgedStep>& steps) {
   std::vector<std::size_t> worst;
   for (std::size_t s = 0; s < steps.size(); ++s) {

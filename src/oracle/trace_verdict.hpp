@@ -31,10 +31,10 @@ inline const char* name_of(TraceRating rating) { return name_in(kTraceRatingName
 /// "7, 12, 30", for the separator ", ".
 [[nodiscard]] std::string ids_text(std::span<const HalfspaceId> ids, const char* separator);
 
-/// "0.0123"; of an interval around 0 its upper end: "at most 1.2e-1233".
+/// "0.0123"; for an interval around 0 its upper end: "at most 1.2e-1233".
 [[nodiscard]] std::string regret_text(const Regret& regret);
 
-/// How many steps are not decided, and what may decide them; empty if all are.
+/// How many steps are undecided, and what may decide them; empty if all are decided.
 [[nodiscard]] std::string sentence_on_undecided(const TraceVerdict& verdict);
 /// Which facets cause the violation, and the rating of the order without them.
 [[nodiscard]] std::string sentence(const LeftOut& left_out, const TraceVerdict& verdict);

@@ -69,7 +69,7 @@ Json size_json(const CandidateSize& size) {
 // ---- Text
 
 constexpr int kVerdictDigits = 6;
-constexpr std::size_t kLongestFraction = 60;  // longer ones are for --json
+constexpr std::size_t kLongestFraction = 60;  // longer ones are only in --json
 
 std::string claim_lines(const Claim& claim) {
   std::string text = fmt::format("  {:<19} {:<15} {}\n", name_of(claim.code), name_of(claim.status),

@@ -14,13 +14,13 @@ namespace convexact {
 /// doubles are strings, exact ones as fractions.
 [[nodiscard]] nlohmann::ordered_json verdict_json(const Verdict& verdict);
 
-/// The claims with their witnesses, and what they come to: "verdict", "claims".
+/// The claims with their witnesses, and the verdict that follows from them: "verdict", "claims".
 [[nodiscard]] nlohmann::ordered_json claims_json(std::span<const Claim> claims,
                                                  const Rational& squared_diameter);
 
 /// A line for each claim that was asked, and one with those that were not.
 [[nodiscard]] std::string claims_text(std::span<const Claim> claims);
-/// What the claims come to, as the last line of a table.
+/// The verdict that follows from the claims, as the last line of a table.
 [[nodiscard]] std::string verdict_line(std::span<const Claim> claims);
 /// A line of such a table.
 [[nodiscard]] std::string verdict_line(const char* label, const std::string& text);

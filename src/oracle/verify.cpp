@@ -130,7 +130,7 @@ void find_smallest_tolerance(Trial& trial) {
                           "with --tolerance " + least.decimal + " every claim holds");
 }
 
-// The distance need be measured one way only if the candidate is known to contain the hull.
+// If the candidate is known to contain the hull, the distance is measured in one direction only.
 Tightness measure_tightness(const Polytope& candidate, const Polytope& hull, bool contained,
                             const std::atomic<bool>* stop) {
   constexpr long kBits = 96;  // some twenty certain decimal digits of each ratio
@@ -197,7 +197,7 @@ constexpr auto kClaimNames =
                            {ClaimCode::MaxPartVertices, "max-part-vertices"},
                            {ClaimCode::MaxPartFacetVertices, "max-part-facet-vertices"},
                            {ClaimCode::TreeNested, "tree-nested"}});
-// Besides those of every solid and every decomposition, inside-input and tree-nested.
+// In addition to those of every solid and every decomposition: inside-input and tree-nested.
 static_assert(kClaimNames.size() == kAllClaims.size() + 1 + kPartsClaims.size() + 1);
 
 constexpr auto kStatusNames = name_table<Status>({{Status::Holds, "holds"},

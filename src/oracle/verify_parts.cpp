@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// verify_parts(): which claims are asked, the order in which they are decided, and what each part
-// is on its own.
+// verify_parts(): which claims are asked, the order in which they are decided, and the judgement of
+// each part alone.
 #include "convexact/verify_parts.hpp"
 
 #include <fmt/format.h>
@@ -40,7 +40,7 @@ bool is_default(ClaimCode code) {
   return code != CoversSolid && code != PartsDisjoint && code != PartsNeeded;
 }
 
-// The claim of a single solid that a budget of each part is.
+// The claim about a single solid that corresponds to a budget of each part.
 ClaimCode of_one_part(ClaimCode code) {
   return code == MaxPartFacets     ? MaxFacets
          : code == MaxPartVertices ? MaxVertices
@@ -97,7 +97,7 @@ Rational PartsTrial::squared_tolerance() const {
 
 namespace {
 
-// The claims of a solid that make up parts-convex, and parts-solid first.
+// The claim of parts-solid, then those that make up parts-convex.
 constexpr ClaimCode kOwnClaims[] = {CandidateSolid, MeshClosed, MeshOriented, MeshPlanar,
                                     MeshConvex};
 
@@ -119,7 +119,7 @@ VerifyRequest request_for_a_part(const PartsTrial& trial) {
   return request;
 }
 
-// The oracle's own judgement of a solid, but for the input, which it is not asked about.
+// The oracle's judgement of a solid, except for the claims about the input.
 JudgedPart judge_part(const NamedPart& part, const VerifyRequest& request,
                       const PartsTrial& trial) {
   const Input nothing{{}, {}, {}, trial.verdict.squared_diameter};
@@ -127,7 +127,7 @@ JudgedPart judge_part(const NamedPart& part, const VerifyRequest& request,
   StageLog within(StageWatch{.stop = trial.log.watch().stop});
   Trial own(nothing, candidate, request, within);
   judge_set(own);
-  // The faces of a flat part bound nothing, however they lie; that it is flat is said already.
+  // The faces of a flat part bound nothing, in any position; that it is flat has been reported.
   if (own.set.hull) judge_faces(own);
   find_facets_as_meant(own);
   judge_budgets(own);
@@ -383,7 +383,7 @@ const std::vector<NamedPart>* judge_reading(const CandidateParts& candidate, Par
   return nullptr;
 }
 
-// What of the surface is not as a mesh of a solid should be, and what was made of it.
+// How the surface differs from a proper mesh of a solid, and how it was read.
 void note_surface(const Surface& surface, std::vector<std::string>& notes) {
   const auto note = [&](std::size_t count, const char* one, const char* many,
                         const std::string& rest) {

@@ -49,7 +49,7 @@ void require_parts(const std::string& bytes, const std::string& path,
     reject_bytes(path, fmt::format("has {} parts instead of {}", found.size(), parts.size()));
   }
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    // An object of an OBJ with one part is called as its file.
+    // The object of an OBJ with one part has the name of its file.
     if (parts.size() > 1 && found[k].name != parts[k].name) {
       reject_bytes(path, "calls " + in_quotes(parts[k].name) + " " + in_quotes(found[k].name));
     }

@@ -20,7 +20,7 @@ struct WrittenPart {
 /// @throws Error Internal: "read back from its bytes, PATH WHY".
 [[noreturn]] void reject_bytes(const std::string& path, const std::string& why);
 
-/// @param halfspaces  Of the part as a reader of the file takes it.
+/// @param halfspaces  The halfspaces of the part as a reader of the file takes it.
 /// @throws Error Internal if a corner of a triangle that the part owns is outside of one.
 void require_held(const std::string& path, const WrittenPart& written,
                   std::span<const Halfspace> halfspaces);

@@ -85,7 +85,7 @@ struct InputMeasures {
 /// For a float engine's run with a growth limit, which it compared in doubles: whether enclosures
 /// prove that the limit is kept, and that the next removal would have exceeded it.
 /// @param least_next  A lower bound of the amount that the next removal adds; none if there is no
-///                   next one.
+///                    next one.
 [[nodiscard]] bool is_growth_proven(std::size_t steps, StopReason stop,
                                     const std::optional<Rational>& least_next,
                                     const std::array<Enclosure, 2>& measure,
