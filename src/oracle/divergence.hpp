@@ -67,7 +67,8 @@ struct DivergenceOptions {
 /// `run`. At least one of them is a removal.
 /// @param run     With the halfspaces of the solid; costs are of its measure.
 /// @param center  Strictly inside.
-/// @throws Error  InvalidArgument if what they leave is unbounded; Stopped, as the options say.
+/// @throws Error  InvalidArgument if what they leave is unbounded; Stopped when the flag of the
+///         options becomes true.
 /// @par Cost      Three intersections of the remaining halfspaces, from scratch: expected O(n log
 ///                n).
 [[nodiscard]] Divergence judge_choices(const Run& run, const RationalPoint& center,
@@ -104,7 +105,7 @@ struct DivergenceOptions {
 /// solid is the last one to be judged.
 /// @param dual    The dual from which the run started.
 /// @param center  Strictly inside.
-/// @throws Error  Stopped, as the options say.
+/// @throws Error  Stopped when the flag of the options becomes true.
 /// @par Cost      A run of the filtered engine; for each tie a cap as a rational, for other
 ///                divergences the cost of judge_choices().
 [[nodiscard]] std::vector<Divergence> check_greedy(const DualHull& dual,

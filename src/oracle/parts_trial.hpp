@@ -54,7 +54,7 @@ void judge_each_part(std::span<const NamedPart> parts, PartsTrial& trial);
 void judge_coverage(PartsTrial& trial);
 /// Whether parts overlap, and whether one lies in another.
 void judge_pairs(PartsTrial& trial);
-/// Whether the tree is a tree, and nested. @param tree Null if there is none.
+/// Whether the tree is a tree, and nested. @param tree  Null if there is none.
 void judge_tree(const HullTree* tree, PartsTrial& trial);
 /// The measures reported with the claims.
 void measure_parts(PartsTrial& trial);

@@ -85,7 +85,7 @@ class TimeLimit {
 /// @throws Error Stopped: "no verdict within the time limit of 2 s".
 [[noreturn]] void report_time_limit(const char* sought, double seconds);
 
-/// The result of `find`, which is given the flag that stops it. @param sought "verdict", for the
+/// The result of `find`, which is given the flag that stops it. @param sought  "verdict", for the
 /// error.
 /// @throws Error Stopped beyond the limit, and what `find` throws.
 template <class Find>
