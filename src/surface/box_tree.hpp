@@ -10,7 +10,7 @@
 
 namespace convexact {
 
-/// Closed; of nothing as it begins.
+/// A closed box; empty at first.
 struct NearBox {
   Point low = Point::Constant(1e308), high = Point::Constant(-1e308);
 

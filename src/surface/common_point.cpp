@@ -8,7 +8,7 @@
 namespace convexact {
 namespace {
 
-// In each of three views: one of them tells points of a common plane, or line, apart.
+// In each of three views: one of them separates points of a common plane or line.
 bool segments_meet(const PointSet& points, PointId p, PointId q, PointId a, PointId b) {
   if (orient(points, p, q, a, b) != Sign::Zero) return false;
   for (int axis = 0; axis < 3; ++axis) {
@@ -30,7 +30,7 @@ bool segment_meets(const PointSet& points, PointId p, PointId q, const Triangle&
     return view.is_in(t, p) || view.meet(p, q, a, b) || view.meet(p, q, b, c) ||
            view.meet(p, q, c, a);
   }
-  // The segment meets the plane in one point; the edges must not see the line from both sides.
+  // The segment meets the plane in one point; its line must not pass the edges on different sides.
   const Sign sides[] = {orient(points, p, q, a, b), orient(points, p, q, b, c),
                         orient(points, p, q, c, a)};
   const auto has = [&](Sign sign) {
@@ -75,7 +75,7 @@ bool cross(const PointSet& points, const Triangle& s, const Triangle& t) {
   switch (shared.size()) {
     case 0:
       return have_common_point(points, s, t);
-    case 1:  // What they share is convex, and leaves one of them through the edge opposite.
+    case 1:  // The common set is convex, and leaves one of them through the opposite edge.
       return segment_meets(points, of_s[0], of_s[1], t) ||
              segment_meets(points, of_t[0], of_t[1], s);
     case 2: {  // In one plane, and on the same side of the edge.

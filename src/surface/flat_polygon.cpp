@@ -141,7 +141,7 @@ std::optional<std::vector<Triangle>> clip_ears(const PointSet& points,
     triangles.push_back({corners[(*tip + n - 1) % n], corners[*tip], corners[(*tip + 1) % n]});
     corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(*tip));
   }
-  // They do not lie on a line: the cut beside such a corner would have passed through it.
+  // The last three do not lie on a line: the cut beside such a corner would have passed through it.
   triangles.push_back({corners[0], corners[1], corners[2]});
   return triangles;
 }

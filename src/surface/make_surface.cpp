@@ -16,7 +16,7 @@ namespace {
 
 struct Welded {
   PointSet points;
-  std::vector<PointId> id;  // by point of the mesh; of those that no face uses, anything
+  std::vector<PointId> id;  // by point of the mesh; arbitrary for points that no face uses
   std::size_t repeated = 0, unused = 0;
 };
 
@@ -56,7 +56,7 @@ Welded weld(const Mesh& mesh) {
     }
   }
   if (mesh.points.is_binary()) {
-    // A zero with a sign is zero.
+    // A signed zero becomes plain zero.
     const auto at = [&](std::uint32_t p) { return Point(mesh.points.doubles()[p].array() + 0.0); };
     return weld<Point>(mesh.points.size(), is_used, at);
   }
@@ -78,7 +78,7 @@ void rotate_to_least(std::vector<PointId>& corners) {
   corners = best;
 }
 
-// Each corner once in a row.
+// Equal corners in a row become one.
 std::vector<PointId> cycle_of(const std::vector<std::uint32_t>& polygon, const Welded& welded) {
   std::vector<PointId> corners;
   for (const std::uint32_t p : polygon) {
@@ -168,8 +168,8 @@ void find_components(const EdgeTable& edges, Surface& surface) {
   }
 }
 
-// Whether each triangle is to be turned so that edges with two triangles cancel, each patch as its
-// lowest triangle is; `surface` learns which components have no such way.
+// Whether each triangle is to be turned so that edges with two triangles cancel, each patch like
+// its lowest triangle; notes in `surface` the components for which this is impossible.
 std::vector<bool> turns_to_consistent(const EdgeTable& edges, Surface& surface) {
   const std::size_t count = surface.triangles.size();
   struct Neighbor {
@@ -273,7 +273,7 @@ Surface make_surface(const Mesh& mesh, const SurfaceOptions& options, const Watc
   to_canonical_order(surface);
   find_components(EdgeTable(surface.triangles), surface);
   find_flat(surface);
-  // A component without such a way stays as it is; this tells which these are.
+  // A component that cannot be turned so stays as it is; this finds which these are.
   if (options.orient == Orient::Auto) {
     turn_to_consistent(surface);
   } else {
@@ -289,7 +289,7 @@ Surface make_surface(const Mesh& mesh, const SurfaceOptions& options, const Watc
     for (std::size_t k = 0; k < surface.components.size(); ++k) {
       SurfaceComponent& component = surface.components[k];
       if (!is_inside_out[k]) continue;
-      // Turning all turns those back that were turned before.
+      // Turning all triangles turns those back that were turned before.
       component.turned = component.triangles - component.turned;
       component.is_reversed = component.turned == component.triangles;
     }

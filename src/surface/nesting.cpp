@@ -26,7 +26,7 @@ Sign sign_of_volume(const Surface& surface, std::span<const std::uint32_t> trian
       size += p.cwiseAbs().dot(q.cwiseAbs().cross(r.cwiseAbs()).cwiseAbs()) +
               2 * p.cwiseAbs().maxCoeff() * q.cwiseAbs().maxCoeff() * r.cwiseAbs().maxCoeff();
     }
-    // Each term is off by less than 16 u of its size, each addition by u of what it adds to.
+    // Each term is off by less than 16 u times its size, each addition by u times the sum so far.
     const double error = (static_cast<double>(triangles.size()) + 32) * 0x1p-52 * size + 0x1p-900;
     if (std::abs(sum) > error) return sign_of(sum);
   }
@@ -51,7 +51,7 @@ class Shell {
 
   std::span<const std::uint32_t> triangles() const { return triangles_; }
 
-  // Whether it lies in another: no common point, and the other winds about a vertex.
+  // Whether it lies in another: they have no common point, and the other winds about a vertex.
   bool lies_in(const Shell& other, const Watch& watch) const {
     for (int k = 0; k < 3; ++k) {
       if (box_.low[k] < other.box_.low[k] || other.box_.high[k] < box_.high[k]) return false;

@@ -35,7 +35,7 @@ At meet(const Line& a, const Line& b) {
   return at / sum;
 }
 
-// What of the piece lies on the positive side of the line.
+// The part of the piece on the positive side of the line.
 Piece part_beyond(const Piece& piece, const Line& line) {
   Piece part;
   const std::size_t n = piece.corners.size();
@@ -96,8 +96,8 @@ At centroid_of(const Piece& piece) {
 
 // ---- Crossings
 
-// By triangle: those that it meets besides at common corners and edges. None of triangles without
-// area.
+// By triangle: those that it meets elsewhere than at common corners and edges. None for triangles
+// without area.
 std::vector<std::vector<std::uint32_t>> find_crossings(const Surface& surface,
                                                        const std::vector<bool>& has_area,
                                                        const Watch& watch) {
@@ -154,8 +154,8 @@ class SolidBoundary {
   }
 
  private:
-  // Triangles without crossings that are neighbours along edges of two: the winding numbers beside
-  // them are the same.
+  // Triangles without crossings that are neighbours along edges with two triangles have the same
+  // winding numbers beside them.
   std::vector<std::uint32_t> find_patches() const {
     std::vector<std::uint32_t> root(surface_.triangles.size());
     for (std::uint32_t t = 0; t < root.size(); ++t) root[t] = t;
@@ -246,7 +246,7 @@ class SolidBoundary {
 Measured solid_volume(const Surface& surface, long precision, bool exact, const Watch& watch) {
   const SolidBoundary boundary(surface, watch);
   const RationalPoint o = surface.points[PointId(0)];
-  // Each term once more for every doubling of their number.
+  // One more bit for every doubling of the number of terms.
   long guard = 8;
   for (std::size_t n = surface.triangles.size(); n > 0; n /= 2) ++guard;
   Enclosure sum(precision + guard);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Winding numbers: a ray upwards from a point that is moved aside by less than any number.
+// Winding numbers: from a ray upwards, which starts at the point after an infinitesimal shift.
 #include <cmath>
 
 #include "convexact/error.hpp"
@@ -29,9 +29,9 @@ struct Query {
   bool is_binary = false;
 };
 
-// The infinitesimal by which a query point is moved: first along `first`, if there is one, then by
-// far less along x, by less still along y, and along z. The triangles' lines and planes through
-// the point are left in this order.
+// The infinitesimal shift of a query point: first along `first`, if there is one, then by far less
+// along x, and by still less along y and then z. The shift leaves the triangles' lines and planes
+// through the point in this order.
 struct Shift {
   const RationalVector3* first = nullptr;
 
@@ -51,8 +51,8 @@ struct Shift {
   }
 };
 
-// A ray goes up for ever, and what is below does not harm: boxes are seen from above. All have one
-// height, 0, so that the tree is halved along x and y.
+// A ray goes up to infinity, and triangles below do no harm, so boxes are seen from above. All have
+// the same height, 0, so that the tree is halved along x and y.
 void flatten(NearBox& box) { box.low[2] = box.high[2] = 0; }
 
 std::vector<NearBox> boxes_of(const Surface& surface) {
@@ -104,8 +104,8 @@ class Winding::Search {
       const Triangle& triangle = surface_.triangles[t];
       const Sign up = PlaneView(surface_.points, 2).turn(triangle[0], triangle[1], triangle[2]);
       if (up == Sign::Zero || !is_over(triangle, up, query, shift)) continue;
-      // orient3d is positive where the corners look clockwise from the point, so below them if
-      // they face up.
+      // orient3d is positive where the corners look clockwise from the point: for triangles that
+      // face up, below them.
       const Sign beside = shift.sign(orient(triangle, query), [&] {
         return RationalVector3(-area_vector(surface_.points, triangle));
       });
@@ -141,7 +141,7 @@ class Winding::Search {
       const double own = std::abs(x[u]) * (std::abs(q[v] - x[v]) + std::abs(p[v] - x[v])) +
                          std::abs(x[v]) * (std::abs(q[u] - x[u]) + std::abs(p[u] - x[u])) +
                          0x1p-52 * std::abs(x[u]) * std::abs(x[v]);
-      // The last two are for underflow.
+      // The last two terms are for underflow.
       const double size = std::abs(p[u] - x[u]) + std::abs(p[v] - x[v]) + std::abs(q[u] - x[u]) +
                           std::abs(q[v] - x[v]);
       const double error = 0x1p-50 * (std::abs(left) + std::abs(right)) + 2 * x_error * own +
@@ -152,8 +152,8 @@ class Winding::Search {
     return sign_of(Integer(p[u] * q[v] - p[v] * q[u]));
   }
 
-  // The vector from the query point to a point of the surface, times a positive number. Integers:
-  // fractions of long numbers spend their time on greatest common divisors.
+  // The vector from the query point to a point of the surface, times a positive number. Integers,
+  // because fractions of long numbers spend their time on greatest common divisors.
   IntegerVector3 from(const Query& query, PointId point) const {
     const IntegerFraction p = clear_denominators(surface_.points[point]);
     return p.x * query.cleared.d - query.cleared.x * p.d;
@@ -169,7 +169,7 @@ class Winding::Search {
       // Where x is no double, each difference may be off by half a unit of x more. With s a bound
       // of x's coordinates, m one of the differences', the determinant of 6 products of three is
       // off by at most 6 ((m + e)^3 - m^3) for e = 2^-53 (s + 2 m), and by roundings below
-      // 2^-46 m^3; what is below 2^-1000 is for underflow.
+      // 2^-46 m^3; the term below 2^-1000 is for underflow.
       const double m =
           std::max({p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff(), r.cwiseAbs().maxCoeff()});
       const double s = query.is_binary ? 0 : query.near.cwiseAbs().maxCoeff();
