@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// exchange_surface.hpp - a solid of few halfspaces, and what exchanging one of them does to it.
+// exchange_surface.hpp - a solid of few halfspaces, and the effect of exchanging one of them.
 #pragma once
 #include <algorithm>
 #include <iterator>
@@ -20,7 +20,7 @@ namespace convexact {
 /// Ascending.
 using HalfspaceIds = std::vector<HalfspaceId>;
 
-/// Those of `a` that are not in `b`.
+/// The ids of `a` that are not in `b`.
 [[nodiscard]] inline HalfspaceIds without(const HalfspaceIds& a, const HalfspaceIds& b) {
   HalfspaceIds only_a;
   std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(only_a));
@@ -36,21 +36,21 @@ struct Change {
 
 /// The kept halfspaces, all of them facets of the input, so that none is ever redundant. Exchanging
 /// i for j inserts j first: where few halfspaces are kept, the solid without i is mostly unbounded.
-/// With both of them it gains the cap of i and loses that of j.
-/// Preconditions: i is kept, j is not.
+/// The exchange adds the cap of i to the solid with both, and takes away that of j. Preconditions:
+/// i is kept, j is not.
 class ExchangeSurface {
  public:
   virtual ~ExchangeSurface() = default;
 
-  /// None if the solid would be unbounded. An engine that has bounds leaves `exact` out.
+  /// None if the solid would be unbounded. An engine that has bounds leaves `exact` empty.
   virtual std::optional<Change> change(HalfspaceId i, HalfspaceId j) = 0;
   /// The same exactly, of an exchange that leaves the solid bounded.
   virtual Cost exact_change(HalfspaceId i, HalfspaceId j) = 0;
   /// Makes it. Precondition: it leaves the solid bounded.
   virtual void exchange(HalfspaceId i, HalfspaceId j) = 0;
 
-  /// Bounds of the measure as it is now, in one unit, for comparisons with former ones: infinite
-  /// where only exact numbers are known.
+  /// Bounds of the present measure, always in the same unit, for comparisons with former ones:
+  /// infinite where only exact numbers are known.
   virtual Interval<double> measure_bounds() {
     return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   }
@@ -67,7 +67,7 @@ class ExchangeSurface {
     const DualHull& dual, std::span<const DualTriangle> triangles, const RationalPoint& center,
     CostMeasure measure);
 
-/// Doubles with bounds, which exact numbers follow where they leave a sign or an order open.
+/// Doubles with bounds, and exact numbers where these leave a sign or an order open.
 /// @param dual  Of the input, with its ids; must outlive the surface.
 [[nodiscard]] std::unique_ptr<ExchangeSurface> make_filtered_surface(
     const FastDual& dual, std::span<const DualTriangle> triangles, CostMeasure measure);

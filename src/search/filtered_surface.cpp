@@ -7,7 +7,7 @@
 namespace convexact {
 namespace {
 
-// A triangle of dual points that are all at most 1 in size, about which many dual points are asked.
+// A triangle of dual points, all at most 1 in size, against which many dual points are tested.
 struct SightTest {
   DualTriangle corners;
   Triple<double> normal, corner;
@@ -23,8 +23,8 @@ struct SightTest {
   }
 };
 
-// Where the solid without i is bounded, i is taken off for as long as exchanges of it are asked
-// about: then an exchange of it for j is the cap of i, once, less that of j.
+// Where the solid without i is bounded, i is taken off the mesh for as long as exchanges of i are
+// asked for: then the change by an exchange for j is the cap of i, computed once, less that of j.
 class FilteredSurface : public ExchangeSurface {
  public:
   FilteredSurface(const FastDual& dual, std::span<const DualTriangle> triangles,
@@ -79,7 +79,7 @@ class FilteredSurface : public ExchangeSurface {
   Change change_without(HalfspaceId j);
   std::optional<Change> change_with_both(HalfspaceId i, HalfspaceId j);
   bool sees(const SightTest& test, HalfspaceId j) const;
-  // Asked of each triangle of the mesh without what is off.
+  // The test for each triangle of the mesh without the halfspace that is off.
   auto sight_of(HalfspaceId j) const {
     return
         [this, j, t = std::size_t{0}](const DualTriangle&) mutable { return sees(tests_[t++], j); };
@@ -91,7 +91,7 @@ class FilteredSurface : public ExchangeSurface {
   DualSigns signs_;
   HalfEdgeMesh mesh_;
   FilteredCap cap_;
-  std::optional<HalfspaceId> is_off_;  // what is kept but off the mesh
+  std::optional<HalfspaceId> is_off_;  // kept but off the mesh
   CostBounds<double> gained_;          // without it
   std::vector<SightTest> tests_;       // of the mesh without it
   OneRing ring_;
@@ -148,7 +148,7 @@ void FilteredSurface::insert(HalfspaceId j) {
   cap_.invalidate();
 }
 
-// Precondition: its cap is prepared.
+// Precondition: the cap of i is prepared.
 void FilteredSurface::remove(HalfspaceId i) {
   mesh_.remove(i, cap_.ring(), cap_.triangles());
   cap_.invalidate();

@@ -4,7 +4,7 @@
 // The volume that a set R of removals adds is the sum of m(S) over the subsets S of R, where m(S)
 // is the volume of the region outside exactly the planes of S. Every m(S) is 0 or more, so the cost
 // c_i of a removal, and the weight w_ij by which removing i makes j dearer, never fall when more is
-// removed: what was proven of them in a state holds in all states below it.
+// removed: a lower bound of them that is proven in a state holds in all states below it.
 #include <algorithm>
 #include <iterator>
 #include <limits>
@@ -23,9 +23,9 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// At most the sum of so many numbers, each 0 or more, that came out as this. Each rounding, of a
-// sum and of the product here, takes at most 2^-53 of it more; halves of subnormal numbers aside,
-// which are lost in a share of its own.
+// A lower bound of the sum of `count` numbers, each 0 or more, that was computed as `sum`. Each
+// rounding, of a sum and of the product here, takes at most 2^-53 of it more, except for halves of
+// subnormal numbers, which are covered by a separate share.
 double at_most(double sum, std::size_t count) {
   return next_below(sum * (1 - static_cast<double>(count + 2) * 0x1p-52));
 }
@@ -36,10 +36,11 @@ class BranchAndBound {
                  std::vector<Symmetry> symmetries, HalfspaceIds incumbent,
                  const SearchOptions& options);
 
-  // Looks at all sets, or until it is told to settle.
+  // Looks at all sets, unless it is told to settle earlier.
   void run();
   const HalfspaceIds& incumbent() const { return incumbent_; }
-  // By which the result of run() is smaller than the first incumbent, in the surface's unit.
+  // The amount by which the result of run() is smaller than the first incumbent, in the surface's
+  // unit.
   double saved() const { return saved_; }
   Optimality optimality() const;
 
@@ -50,7 +51,7 @@ class BranchAndBound {
   };
   struct Plane {
     bool is_removed = false;
-    bool is_free = true;  // neither removed, nor kept in all sets that are being looked at
+    bool is_free = true;  // neither removed, nor kept in all sets being looked at
     Interval<double> cost{0, kInfinite};
     std::optional<Rational> exact_cost = {};  // if it was needed
     std::vector<Weight> weights = {};         // in the input: those that are surely above 0
@@ -101,8 +102,8 @@ class BranchAndBound {
   HalfspaceIds removed_;
   std::vector<Share> shares_;    // of those, ascending, as bound() found them
   std::vector<double> weights_;  // scratch of share()
-  // The way here: what to restore on the way back, and of each state on it a bound of what is left
-  // to be looked at below.
+  // The path to this state: the data to restore on the way back, and for each state on it a bound
+  // of the choices left to be looked at below.
   HalfspaceIds kept_;
   std::vector<FormerCost> costs_;
   std::vector<double> open_;
@@ -110,7 +111,7 @@ class BranchAndBound {
   std::size_t nodes_ = 0;
 };
 
-// Every halfspace less leaves a bounded solid on the way to the incumbent, as that is one.
+// On the way to the incumbent, which is bounded, every removal leaves a bounded solid.
 BranchAndBound::BranchAndBound(std::unique_ptr<ShrunkSurface> surface, std::size_t size,
                                std::vector<Symmetry> symmetries, HalfspaceIds incumbent,
                                const SearchOptions& options)
@@ -188,8 +189,8 @@ void BranchAndBound::report() const {
 }
 
 // All choices of the removals to go among the free planes. Invariant: the costs of these are those
-// of the state at hand. In each round the choices that i is one of are looked at, and i is kept in
-// all further ones: so each set is met once, in whatever order its planes could go.
+// of the state at hand. In each round the choices that include i are looked at, and i is kept in
+// all further ones: so each set is met once, whatever the order of its removals.
 void BranchAndBound::explore() {
   watch_.ask();
   ++nodes_;
@@ -214,7 +215,7 @@ void BranchAndBound::explore() {
   undo_to(kept, costs);
 }
 
-// All choices that i is one of.
+// All choices that include i.
 void BranchAndBound::branch(HalfspaceId i) {
   const std::size_t kept = kept_.size(), costs = costs_.size();
   const Interval<double> before = added_;
@@ -249,9 +250,10 @@ void BranchAndBound::keep(HalfspaceId i) {
   kept_.push_back(i);
 }
 
-// Keeps i and what the symmetries that only exchange the removed planes make of it. Of each choice
-// that one of these is part of, a symmetry makes one as large that i is part of; unless a plane of
-// that one is kept already, it has just been looked at, and otherwise it was settled before.
+// Keeps i and its images under the symmetries that only exchange the removed planes. A symmetry
+// turns each choice that includes one of these images into one of the same volume that includes i.
+// Unless a plane of the latter is kept already, it has just been looked at; otherwise it was
+// settled before.
 void BranchAndBound::keep_orbit(HalfspaceId i) {
   keep(i);
   for (const Symmetry& symmetry : symmetries_) {
@@ -277,7 +279,8 @@ void BranchAndBound::undo_to(std::size_t kept, std::size_t costs) {
   }
 }
 
-// At most what every choice of the removals to go adds, with those made. Fills shares_.
+// A lower bound of the volume that every choice of the removals to go adds, with those made. Fills
+// shares_.
 double BranchAndBound::bound() {
   if (free_.size() < to_go_) return kInfinite;
   shares_.clear();
@@ -289,8 +292,9 @@ double BranchAndBound::bound() {
   return at_most(sum, to_go_ + 1);
 }
 
-// At most what i adds as one of the removals to go: its cost, and half of the least weights that it
-// can have with the others. The other half is in their shares. [Lawler1963]
+// A lower bound of the volume that i adds as one of the removals to go: its cost, and half of the
+// least weights that it can have with the others. The other half is in the shares of the others.
+// [Lawler1963]
 double BranchAndBound::share(HalfspaceId i) {
   const Plane& plane = at(i);
   weights_.clear();
@@ -306,8 +310,8 @@ double BranchAndBound::share(HalfspaceId i) {
   return at_most(plane.cost.lower + sum / 2, count + 1);
 }
 
-// Where the bound in doubles is level with the incumbent, as in solids of many equal caps: whether
-// the least exact costs of the removals to go end at no smaller volume.
+// Where the bound in doubles does not differ from the incumbent, as in solids with many equal caps:
+// whether the least exact costs of the removals to go end at no smaller volume.
 bool BranchAndBound::is_exact_bound_reached() {
   constexpr double kNearly = 1 - 0x1p-30;
   if (open_.back() < kNearly * incumbent_added_.upper) return false;
@@ -361,7 +365,7 @@ Optimality BranchAndBound::optimality() const {
   return {false, std::min(open, incumbent_volume_), nodes_};
 }
 
-// What is left after the moves, ascending.
+// The halfspaces that are left after the moves, ascending.
 HalfspaceIds left_by(const std::vector<Move>& moves, HalfspaceIds start) {
   for (const Move& move : moves) {
     const HalfspaceIds others = without(start, move.removed);

@@ -17,7 +17,7 @@
 namespace convexact {
 namespace {
 
-// Of each facet those that it has an edge with, ascending.
+// For each facet those that share an edge with it, ascending.
 std::vector<HalfspaceIds> neighbours_of(const Polytope& input) {
   std::vector<std::uint32_t> tail, head, facet;  // of each half-edge
   for (std::uint32_t f = 0; f < input.facets.size(); ++f) {
@@ -54,7 +54,8 @@ Cost zero_of(CostMeasure measure) {
   return Cost(AngleSum());
 }
 
-// The facets that so many steps, and no fewer, lead to from one of them, ascending.
+// The facets that are reached from a given one in exactly this many steps and not in fewer,
+// ascending.
 HalfspaceIds facets_away(const std::vector<HalfspaceIds>& neighbours, HalfspaceId from,
                          std::uint64_t steps) {
   HalfspaceIds before, now = {from};
@@ -65,7 +66,7 @@ HalfspaceIds facets_away(const std::vector<HalfspaceIds>& neighbours, HalfspaceI
     }
     std::sort(next.begin(), next.end());
     next.erase(std::unique(next.begin(), next.end()), next.end());
-    // A neighbour is a step nearer, as near, or a step farther.
+    // A neighbour is one step nearer, equally near, or one step farther.
     next = without(without(next, now), before);
     before = std::exchange(now, std::move(next));
   }
@@ -104,8 +105,8 @@ class ExchangeSearch {
   const Cost zero_;
   Random random_;
   HalfspaceIds kept_;              // ascending
-  std::set<HalfspaceId> settled_;  // of what is kept, what no exchange of it would help now
-  std::set<HalfspaceIds> walked_;  // what was kept at the start of every pass so far
+  std::set<HalfspaceId> settled_;  // kept halfspaces that no exchange would improve now
+  std::set<HalfspaceIds> walked_;  // the kept sets at the start of all passes so far
   // The best that is known so far, and the exchanges made since.
   HalfspaceIds best_;
   std::vector<DualTriangle> best_triangles_;
@@ -128,12 +129,12 @@ ExchangeSearch::ExchangeSearch(std::unique_ptr<ExchangeSurface> surface, const P
       best_triangles_(surface_->triangles()),
       best_bounds_(surface_->measure_bounds()) {}
 
-// What is not decided is not smaller.
+// An undecided cost counts as not smaller.
 bool ExchangeSearch::is_less(const Cost& a, const Cost& b) const {
   return compare(a, b, options_.compare, watch_).order == Order::Less;
 }
 
-// Bounds only settle what exact numbers would say. Without b: whether a makes the measure smaller.
+// Bounds give the same answers as exact numbers. Without b: whether a makes the measure smaller.
 bool ExchangeSearch::is_less(Exchange& a, std::optional<Exchange>& b) {
   const double lower = b ? b->change.lower : 0, upper = b ? b->change.upper : 0;
   if (a.change.lower >= upper) return false;
@@ -148,7 +149,7 @@ const Cost& ExchangeSearch::exactly(Exchange& exchange) {
   return *exact;
 }
 
-// The incumbent leads until a candidate is proven smaller, and that one until the next is.
+// The incumbent stays until a candidate is proven smaller, which then stays until the next one is.
 std::optional<ExchangeSearch::Exchange> ExchangeSearch::best_exchange(HalfspaceId out) {
   std::optional<Exchange> leader;
   for (const HalfspaceId in : neighbours_[out.index()]) {
@@ -229,7 +230,7 @@ bool ExchangeSearch::has_shrunk() {
   }
   if (lower >= 0) return false;
   if (upper < 0) return true;
-  // A kick may lead by way of a solid so large that the changes cancel.
+  // A kick may lead through a solid so large that the changes cancel.
   const Interval<double> now = surface_->measure_bounds();
   if (now.lower >= best_bounds_.upper) return false;
   if (now.upper < best_bounds_.lower) return true;
@@ -249,7 +250,7 @@ void ExchangeSearch::accept() {
   best_ = kept_;
 }
 
-// The exchanges the other way round, the last one first: each leads to a solid that was there.
+// Reverses the exchanges, the last one first: each leads to a solid that occurred before.
 void ExchangeSearch::undo() {
   for (auto exchange = since_.rbegin(); exchange != since_.rend(); ++exchange) {
     surface_->exchange(exchange->in, exchange->out);

@@ -14,10 +14,10 @@ namespace convexact {
 class ShrunkSurface {
  public:
   virtual ~ShrunkSurface() = default;
-  /// Bounds of what removing i adds; both infinite if that leaves the solid unbounded.
+  /// Bounds of the volume that removing i adds; both infinite if that leaves the solid unbounded.
   virtual Interval<double> cost(HalfspaceId i) = 0;
   virtual Rational exact_cost(HalfspaceId i) = 0;
-  /// Holds all that have an edge with i.
+  /// Contains all halfspaces that share an edge with i.
   virtual std::vector<HalfspaceId> ring(HalfspaceId i) = 0;
   virtual void remove(HalfspaceId i) = 0;
   virtual void insert(HalfspaceId i) = 0;
@@ -27,7 +27,7 @@ class ShrunkSurface {
   virtual Rational from_unit(double volume) const = 0;
 };
 
-/// Every sign and every volume in integers and rationals. Of all halfspaces of the input at first.
+/// Every sign and every volume in integers and rationals. Starts with all halfspaces of the input.
 /// @param dual  Of the input; must outlive the surface.
 [[nodiscard]] std::unique_ptr<ShrunkSurface> make_exact_shrunk_surface(const DualHull& dual,
                                                                        const RationalPoint& center);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// symmetries.hpp - which facets of a solid its own symmetries exchange.
+// symmetries.hpp - the facets of a solid that its symmetries exchange.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -16,11 +16,11 @@ namespace convexact {
 /// A permutation of facets: which one each becomes.
 using Symmetry = std::vector<HalfspaceId>;
 
-/// The symmetries of a solid among the 48 of a cube, which exchange coordinates and turn them
-/// round, about the middle of the solid's box: a group, less the identity. Others hardly survive
+/// The symmetries of a solid among the 48 of a cube, which exchange coordinates and change their
+/// signs, about the middle of the solid's box: a group, without the identity. Others hardly survive
 /// the rounding of coordinates to doubles.
 /// @param halfspaces  The facets of the solid.
-/// @par Cost          48 searches for each facet if all of them are symmetries; of a solid without
+/// @par Cost          48 searches for each facet if all of them are symmetries; for a solid without
 ///                    any mostly 48 in all.
 [[nodiscard]] inline std::vector<Symmetry> symmetries_of(std::span<const Halfspace> halfspaces,
                                                          const Polytope& solid) {
