@@ -6,7 +6,7 @@
 // b_1 (X_1, W_1) + b_2 (X_2, W_2) + b_3 (X_3, W_3) and has the coordinates b there. A plane of
 // space h is the row r = (h(X_1, W_1), h(X_2, W_2), h(X_3, W_3)) of integers: r.b is positive
 // beyond it. Two rows meet in their cross product. On a line there are two coordinates, and one
-// row is a point. docs/design/overlay.md tells the rest.
+// row is a point. docs/design/overlay.md explains the rest.
 #pragma once
 #include <array>
 #include <cmath>
@@ -72,8 +72,8 @@ class Arrangement {
   using RowId = std::uint32_t;
   using VertexId = std::uint32_t;
 
-  /// Rows 0 to N - 1 come with it: beyond row k, coordinate k is negative. So do the vertices 0 to
-  /// N - 1: the points of the frame.
+  /// Starts with rows 0 to N - 1, where coordinate k is negative beyond row k, and with vertices 0
+  /// to N - 1, the points of the frame.
   explicit Arrangement(const std::array<HomogeneousPoint, N>& frame) : frame_(frame) {
     for (std::size_t k = 0; k < N; ++k) weights_.exact[k] = frame_[k].w;
     weights_.near = near_row(weights_.exact);
@@ -169,7 +169,7 @@ class Arrangement {
     IntegerRow<N> exact;
   };
 
-  // The sum of products of a row and a vertex, and what it is off by at most. To first order a
+  // The sum of products of a row and a vertex, and a bound of its error. To first order a
   // product is off by 2 u of itself from the row, by u from rounding and by |row| error from the
   // vertex, a sum of three by 2 u of all; 8 u covers the higher orders. Flushed and underflowing
   // entries lose less than 3 (2^-1000 + 2^-1074), as the other factor is at most 1.
@@ -253,7 +253,7 @@ typename Arrangement<N>::VertexId Arrangement<N>::meet(const std::array<RowId, N
       settle(v);
       return id;
     }
-    const int exponent = exponent_of(top);  // a power of two: exact, but for underflow
+    const int exponent = exponent_of(top);  // a power of two: exact, except for underflow
     for (double& x : v.near) x = std::ldexp(x, -exponent);
     v.error = std::ldexp(v.error, -exponent) + 0x1p-990;
   }
@@ -325,7 +325,7 @@ struct Halves {
   ConvexPiece<N> inside, beyond;
 };
 
-/// Both halves of a piece that the row crosses. The side along the row belongs to the row in both.
+/// Both halves of a piece that the row crosses. In both, the new side belongs to the row.
 template <std::size_t N>
 [[nodiscard]] Halves<N> split(Arrangement<N>& arrangement, const ConvexPiece<N>& piece,
                               typename Arrangement<N>::RowId row) {
@@ -345,7 +345,8 @@ template <std::size_t N>
     for (std::size_t i = 0; i < m; ++i) {
       const auto& corner = piece.corners[i];
       const Sign here = side[i], next = side[(i + 1) % m];
-      // A corner on the row belongs to both. Leaving a half there, its side runs along the row.
+      // A corner on the row belongs to both halves. Where a half ends there, its next side runs
+      // along the row.
       if (here != Sign::Positive) {
         const bool leaves = here == Sign::Zero && next == Sign::Positive;
         halves.inside.corners.push_back({corner.at, leaves ? row : corner.side});
@@ -364,9 +365,9 @@ template <std::size_t N>
   }
 }
 
-/// What a convex set, the common part of the rows' inner sides, leaves of the pieces: whole pieces
-/// that it does not meet with an area, and of the others what lies beyond the first row, then the
-/// second of the remainder, and so on. Returns what it takes.
+/// Subtracts a convex set, the common part of the rows' inner sides, from the pieces. Pieces that
+/// do not meet it with an area stay whole; from the others the part beyond the first row stays,
+/// then the part of the remainder beyond the second row, and so on. Returns the parts in the set.
 template <std::size_t N>
 std::vector<ConvexPiece<N>> subtract(Arrangement<N>& arrangement,
                                      std::vector<ConvexPiece<N>>& pieces,
@@ -374,7 +375,7 @@ std::vector<ConvexPiece<N>> subtract(Arrangement<N>& arrangement,
   std::vector<ConvexPiece<N>> rest, taken;
   std::vector<typename Arrangement<N>::RowId> crossing;
   for (ConvexPiece<N>& piece : pieces) {
-    // (1) Rows that have all of the piece inside, or beyond.
+    // (1) Rows with all of the piece inside, or beyond.
     crossing.clear();
     bool meets = true;
     for (const auto row : rows) {
@@ -464,7 +465,7 @@ template <std::size_t N>
   const auto is_inside = [&](const IntegerRow<N>& b) {
     if (arrangement.weight(b) <= 0) return false;
     if constexpr (N == 3) {
-      // On the side of each row on which the piece lies: as the corner after the next.
+      // Tests that it is on the same side of each row as the piece: as the corner after the next.
       const std::size_t m = corners.size();
       for (std::size_t i = 0; i < m; ++i) {
         const Sign own = arrangement.side(corners[(i + 2) % m].at, corners[i].side);

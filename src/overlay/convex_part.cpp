@@ -117,7 +117,7 @@ bool boxes_overlap(const BoundingBox& a, const BoundingBox& b) {
   return true;
 }
 
-// Whether a facet of `a` has all vertices of `b` beyond it or on it.
+// Whether all vertices of `b` lie beyond or on some facet of `a`.
 bool parts(const LaidPart& a, const LaidPart& b) {
   for (std::size_t h = 0; h < a.planes.size(); ++h) {
     bool has_inside = false;
@@ -143,7 +143,8 @@ std::optional<RationalPoint> behind_facet_inside(const LaidPart& one, const Laid
     }
     const auto taken = subtract<3>(facet.arrangement, facet.pieces, rows);
     if (taken.empty()) continue;
-    // x is on one's boundary and inside the other, so some steps inward are inside of both.
+    // x is on the boundary of one part and inside the other, so small steps inward stay inside
+    // both.
     const RationalPoint x = facet.arrangement.point(interior_of(facet.arrangement, taken.front()));
     const IntegerVector3& normal = solid.planes[f].normal();
     const long length = exponent - static_cast<long>(bit_length(normal));
@@ -163,7 +164,7 @@ std::optional<RationalPoint> behind_facet_inside(const LaidPart& one, const Laid
 
 std::optional<RationalPoint> common_interior(const ConvexPart& a, const ConvexPart& b) {
   if (!a.solid || !b.solid || !boxes_overlap(a.box, b.box)) return std::nullopt;
-  // (1) A facet that parts them.
+  // (1) A facet that separates them.
   const std::array<BoundingBox, 2> boxes{a.box, b.box};
   const long exponent = common_exponent(boxes);
   const LaidPart first(a, exponent), second(b, exponent);
@@ -190,9 +191,9 @@ std::optional<RationalPoint> common_interior(const ConvexPart& a, const ConvexPa
     const HomogeneousPoint p = to_homogeneous(middle);
     if (is_inside(a, p) && is_inside(b, p)) return middle;
   }
-  // (3) A facet of one with an area inside the other: from there it is not far to the interior of
-  // both. If there is none, then either the interiors have no common point, or the second part lies
-  // in the first, and (2) or the exact middle of its vertices says so.
+  // (3) A facet of one with an area inside the other: the interior of both is near it. If there is
+  // none, then either the interiors have no common point, or the second part lies in the first,
+  // which (2) or the exact middle of its vertices shows.
   for (const auto& [one, other] : {std::pair(&first, &second), std::pair(&second, &first)}) {
     if (auto found = behind_facet_inside(*one, *other, exponent)) return found;
   }

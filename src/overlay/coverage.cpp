@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What parts leave of triangles: part after part is subtracted from each, in its plane.
+// The rest of triangles outside the parts: one part after another is subtracted from each triangle,
+// in its plane.
 #include <algorithm>
 
 #include "number/arithmetic.hpp"
@@ -54,7 +55,7 @@ class Coverage {
     return u.cross(v) != IntegerVector3::Zero();
   }
 
-  // Of corners in a line, the lexicographically first and last.
+  // The lexicographically first and last of corners in a line.
   Ids<2> far_ends(Ids<3> ids) const {
     const auto less = [&](std::uint32_t a, std::uint32_t b) {
       return precedes(points_.rational(a), points_.rational(b));

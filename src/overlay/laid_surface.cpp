@@ -117,7 +117,8 @@ void LaidSurface::cut(Arrangement<3>& arrangement, std::vector<ConvexPiece<3>>& 
     }
     pieces = std::move(result);
   }
-  // (2) Along the edges of coplanar ones. What one has taken is cut only by those that overlap it.
+  // (2) Along the edges of coplanar ones. The pieces that one has taken are cut only by those that
+  //     overlap it.
   struct Taken {
     std::uint32_t triangle;
     std::vector<ConvexPiece<3>> pieces;
@@ -165,7 +166,7 @@ bool LaidSurface::is_clear(const RationalPoint& x, const Related& related,
       if (is_on(*w)) return false;
       continue;
     }
-    // Without area: on the segment between two of the corners?
+    // Without area: tests whether it is on the segment between two of the corners.
     const auto ids = corners(t);
     for (std::size_t k = 0; k < 3; ++k) {
       const RationalPoint a = points_.rational(ids[k]), b = points_.rational(ids[(k + 1) % 3]);

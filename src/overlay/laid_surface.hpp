@@ -29,9 +29,9 @@ class LaidSurface {
   }
   const NearBox& box(std::size_t t) const { return tree_.box(t); }
 
-  /// The plane of a triangle with an area, which looks where the triangle looks; and by edge (from
-  /// corner k to corner k + 1) a wall: a halfspace that holds the triangle, and whose plane meets
-  /// the triangle's in the edge's line.
+  /// The plane of a triangle with an area, which faces the same way as the triangle; and by edge
+  /// (from corner k to corner k + 1) a wall: a halfspace that holds the triangle, and whose plane
+  /// meets the triangle's in the edge's line.
   struct Walls {
     Halfspace plane;
     std::array<Halfspace, 3> walls;
@@ -39,24 +39,25 @@ class LaidSurface {
   /// Nothing for a triangle without area.
   const Walls* walls(std::size_t t) const;
 
-  /// The triangles that have to do with pieces of one plane, see relate().
+  /// The triangles that concern pieces of one plane, see relate().
   struct Related {
     std::vector<std::uint32_t> crossing;  ///< Have an area, and meet the plane in a segment.
     std::vector<std::uint32_t> coplanar;
     std::vector<std::uint32_t> touching;  ///< Meet the plane in a point, or have no area.
   };
-  /// @param skip  Triangles with at least two of these points are left out, but for coplanar ones:
-  ///              pieces on one side of their common edge are not crossed by them.
+  /// @param skip  Triangles with at least two of these points are left out, except coplanar ones:
+  ///              they do not cross pieces on one side of their common edge.
   Related relate(const Halfspace& plane, const NearBox& box, std::span<const std::uint32_t> skip,
                  std::optional<std::size_t> self) const;
 
   /// Cuts pieces of the plane until each related triangle crosses none, and each coplanar one
-  /// holds all of a piece or nothing with an area. Of coplanar triangles below `drop_below`,
-  /// what they hold is dropped.
+  /// holds all of a piece or nothing with an area. Pieces that coplanar triangles below
+  /// `drop_below` hold are dropped.
   void cut(Arrangement<3>& arrangement, std::vector<ConvexPiece<3>>& pieces, const Related& related,
            std::size_t drop_below) const;
 
-  /// Whether x, in the plane, lies on no related triangle, but for the interiors of coplanar ones.
+  /// Whether x, in the plane, lies on no related triangle, except for the interiors of coplanar
+  /// ones.
   /// @param inside  Receives the first coplanar triangle with x in its interior.
   bool is_clear(const RationalPoint& x, const Related& related,
                 std::optional<std::size_t>& inside) const;

@@ -32,7 +32,7 @@ long common_exponent(std::span<const BoundingBox> boxes) {
 namespace {
 
 // x 2^-exponent, off by a relative 5 u to first order: numerator and denominator by 2 u each, as
-// they are cut off, and their quotient by u. What underflows is off by 2^-1074.
+// they are cut off, and their quotient by u. A number that underflows is off by 2^-1074.
 double scaled(const Rational& x, long exponent) {
   const auto* q = x.backend().data();
   if (mpq_sgn(q) == 0) return 0;
@@ -69,7 +69,7 @@ NearBox ScaledPoints::box(std::size_t i) const {
   NearBox box;
   for (int k = 0; k < 3; ++k) {
     const double error = 8 * kUnitRoundoff * std::abs(near_[i][k]) + 0x1p-1070;
-    box.low[k] = near_[i][k] - error;  // the roundings here take less than the rest of 8 u
+    box.low[k] = near_[i][k] - error;  // the roundings here need less than the rest of 8 u
     box.high[k] = near_[i][k] + error;
   }
   return box;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // scaled.hpp - points and planes of a scene in doubles, all coordinates at most 1 in size after
-// one common scaling, and the exact sides of points from planes.
+// one common scaling, and the exact sides of planes on which points lie.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -16,13 +16,13 @@
 namespace convexact {
 
 /// A halfspace whose plane holds p and q, and is parallel to the axis along which the normal is
-/// longest. Seen from where the normal looks, its inside lies to the left of the way from p to q.
-/// Precondition: q - p is perpendicular to the normal, and not zero.
+/// longest. Seen from the side to which the normal points, its inside lies to the left of the path
+/// from p to q. Precondition: q - p is perpendicular to the normal, and not zero.
 [[nodiscard]] Halfspace wall(const HomogeneousPoint& p, const HomogeneousPoint& q,
                              const IntegerVector3& normal);
 
-/// The least e so that all coordinates of the boxes are below 2^e in size, or one more; 0 if all
-/// are zero.
+/// The least e such that all coordinates of the boxes are below 2^e in size, or that e plus 1; 0 if
+/// all are zero.
 [[nodiscard]] long common_exponent(std::span<const BoundingBox> boxes);
 
 /// Points times 2^-e, e a common_exponent(). Keeps a reference.
@@ -93,7 +93,7 @@ class Holders {
   std::vector<std::vector<std::uint32_t>> holders_;
 };
 
-/// How a part lies to a convex polygon or segment.
+/// The position of a part relative to a convex polygon or segment.
 struct Meeting {
   enum Kind {
     Apart,     ///< The common part has no area (no length).

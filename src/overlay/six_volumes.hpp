@@ -17,7 +17,8 @@ class SixVolumes {
   SixVolumes(RationalPoint origin, long bits, bool exact)
       : origin_(std::move(origin)), bits_(bits), exact_(exact), sum_(bits) {}
 
-  /// Pieces of the boundary, which looks where the frame's triangle looks, or the other way.
+  /// Adds pieces of the boundary, which faces the same way as the frame's triangle, or the opposite
+  /// way.
   void add(Arrangement<3>& arrangement, std::span<const ConvexPiece<3>> pieces, bool looks_out);
 
   bool is_empty() const { return is_empty_; }
@@ -33,8 +34,8 @@ class SixVolumes {
   std::vector<Rational> terms_;
 };
 
-/// The volume inside a boundary, none or positive. The boundary is added once, or, if too many bits
-/// are lost to terms of either sign, again with more bits.
+/// The volume inside a boundary, none or positive. The boundary is added once, and again with more
+/// bits if terms of both signs cancel too many bits.
 [[nodiscard]] Measured measure_inside(const RationalPoint& origin, long precision, bool exact,
                                       const std::function<void(SixVolumes&)>& add_boundary);
 

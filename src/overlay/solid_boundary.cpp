@@ -51,7 +51,7 @@ class Walk {
     if (!rest) return true;
     const auto related = surface_.relate(walls->plane, surface_.box(t), corners, t);
     surface_.cut(rest->arrangement, rest->pieces, related, t);
-    // Where nothing crosses the triangle, the numbers are the same all over it.
+    // Where nothing crosses the triangle, the winding numbers are the same on all of it.
     const bool is_plain = related.crossing.empty() && related.coplanar.empty();
     std::optional<std::pair<long, long>> beside;
     for (const ConvexPiece<3>& piece : rest->pieces) {
@@ -86,7 +86,7 @@ class Walk {
     return true;
   }
 
-  // Where the plane looks.
+  // The winding number on the side that the plane faces.
   long winding_before(const Halfspace& plane, const RationalPoint& x,
                       std::optional<std::size_t> coplanar) const {
     if (!coplanar) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// solid_boundary.hpp - the boundary of what convex parts leave of a solid.
+// solid_boundary.hpp - the boundary of the rest of a solid outside convex parts.
 //
 // Let D be the points with a winding number other than 0 that lie in no solid part. Up to a set
 // without area, its boundary consists of
@@ -19,9 +19,10 @@ namespace convexact {
 struct SolidPiece {
   Arrangement<3>& arrangement;
   const ConvexPiece<3>& piece;
-  const Halfspace& plane;  ///< Looks where the frame's triangle looks.
+  const Halfspace& plane;  ///< Faces the same way as the frame's triangle.
   const RationalPoint& x;  ///< Strictly inside the piece.
-  bool looks_out;          ///< D lies behind the plane; otherwise before it, where it looks.
+  bool looks_out;          ///< D lies behind the plane; otherwise before it, on the side that it
+                           ///< faces.
 };
 
 /// Calls `visit` with each piece, until it returns false.

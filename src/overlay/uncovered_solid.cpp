@@ -26,8 +26,9 @@ class WitnessSearch {
   WitnessSearch(const Winding& winding, std::span<const ConvexPart> parts, long exponent)
       : winding_(winding), parts_(parts), exponent_(exponent) {}
 
-  // A point near x, at first far from it, where the normal looks. Precondition: x is in no solid
-  // part's interior, and on that side of it lie points of the solid outside of all of them.
+  // A point near x, on the side to which the normal points; the first attempts are far from x.
+  // Precondition: x is in no solid part's interior, and on that side of it lie points of the solid
+  // outside of all parts.
   //
   // Steps shrink, and their directions differ: those of (1, t, t^2) added to the normal. A flat
   // part through x holds at most two of them.
@@ -35,7 +36,8 @@ class WitnessSearch {
     const auto length = static_cast<long>(bit_length(normal));
     const Integer unit = Integer(1) << static_cast<unsigned>(length);
     for (long j = 1; j < 4096; ++j) {
-      // |sum of the latter| < 4.6 2^22 unit, and 2^26 |n| >= 2^25 unit: so less than 0.6 of it.
+      // The vector added has a length < 4.6 2^22 unit, and 2^26 |n| >= 2^25 unit: so it is less
+      // than 0.6 of the latter.
       const IntegerVector3 aside(Integer(unit << 22u), Integer(unit * (j << 11)),
                                  Integer(unit * (j * j)));
       const IntegerVector3 direction = normal * (Integer(1) << 26u) + aside;
@@ -76,8 +78,9 @@ std::optional<UncoveredSolid> find_uncovered_solid(const Surface& surface, const
                                                    const Watch& watch) {
   const long exponent = common_exponent(surface, parts);
   const WitnessSearch search(winding, parts, exponent);
-  // (1) Beside an uncovered piece of a triangle the solid is uncovered, too: cheap, and enough for
-  // most. Sheets that cancel have no solid beside them here, but may have elsewhere.
+  // (1) Beside an uncovered piece of a triangle the solid is uncovered, too: this is cheap, and
+  // enough in most cases. Sheets that cancel have no solid beside them here, but may have
+  // elsewhere.
   for (const UncoveredPiece& piece : coverage.uncovered) {
     watch.ask();
     if (piece.corners.size() < 3) continue;
@@ -92,7 +95,7 @@ std::optional<UncoveredSolid> find_uncovered_solid(const Surface& surface, const
     const IntegerVector3 n = plane.normal();
     return search.near(mean, before != 0 ? n : IntegerVector3(-n));
   }
-  // (2) The boundary of what is uncovered.
+  // (2) The boundary of the uncovered set.
   std::optional<UncoveredSolid> found;
   const auto visit = [&](const SolidPiece& piece) {
     const IntegerVector3 n = piece.plane.normal();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// union_boundary.hpp - the boundary of a union of convex solids: what other parts leave of each
-// facet.
+// union_boundary.hpp - the boundary of a union of convex solids: the rest of each facet outside the
+// other parts.
 //
 // Up to a set without area, a point of a facet lies on the boundary of the union iff no other part
-// holds it in its interior, or in a facet that looks the other way. If other parts hold it in
-// facets that look the same way, the first part has it. So each point of the boundary is in one
-// facet, which looks out of the union there.
+// holds it in its interior, or in a facet that faces the opposite way. If other parts hold it in
+// facets that face the same way, it is counted for the first part. So each point of the boundary is
+// in one facet, which faces out of the union there.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -31,7 +31,7 @@ struct PlanePieces {
 
 class UnionBoundary {
  public:
-  /// Of the parts that are solid. Keeps references.
+  /// The boundary of the parts that are solid. Keeps references.
   UnionBoundary(std::span<const ConvexPart> parts, long exponent);
 
   struct FacetId {
@@ -48,10 +48,10 @@ class UnionBoundary {
     return Holders(points, solids_, tree_, watch);
   }
 
-  /// What of a facet bounds the union, of whole_facet(); nothing if no piece does.
+  /// The pieces of a facet, in whole_facet(), that bound the union; nothing if there are none.
   std::optional<PlanePieces> rest(FacetId f) const;
 
-  /// What the closed solids leave of a triangle with an area.
+  /// The rest of a triangle with an area outside the closed solids.
   std::optional<PlanePieces> rest_of(const ScaledPoints& points,
                                      const std::array<std::uint32_t, 3>& corners) const;
 

@@ -42,7 +42,7 @@ RationalPoint nearest_on_exact_segment(const RationalPoint& a, const RationalPoi
   return a + factor * along;
 }
 
-// Outside of its sides the nearest point of a polygon is on one of them.
+// Outside of the sides, the nearest point of a polygon is on one of them.
 RationalPoint nearest_in_polygon(const ConvexPart& part, const FlatFeatures& features,
                                  const RationalPoint& x) {
   const RationalVector3 normal = features.plane->normal().cast<Rational>();
@@ -119,7 +119,7 @@ class UnionDistance::Search {
   }
 
  private:
-  // What a part's exact distances need, from when they are first asked for.
+  // The data for a part's exact distances, computed when they are first asked for.
   struct Exact {
     std::unique_ptr<const NearestPoint> solid;
     std::unique_ptr<const FlatFeatures> flat;

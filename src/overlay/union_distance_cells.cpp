@@ -15,10 +15,10 @@
 namespace convexact {
 namespace {
 
-// What rounding adds to the bounds of cells. A middle of a side is off by 2^-54 in each coordinate,
-// so the halves of a cell leave out no point that is more than 2^-53 from them; with less than 128
-// cuts one after another a point of a part is within 2^-46 of a cell, and a corner of a cell within
-// 2^-46 of the part.
+// The error that rounding adds to the bounds of cells. A middle of a side is off by 2^-54 in each
+// coordinate, so the halves of a cell leave out no point that is more than 2^-53 from them; with
+// less than 128 cuts one after another a point of a part is within 2^-46 of a cell, and a corner of
+// a cell within 2^-46 of the part.
 constexpr double kCellError = 0x1p-45;
 
 // A corner or a centroid of cells. Its distance to the surface is 0 or more.
@@ -84,7 +84,7 @@ class CellSearch {
   double upper() const {
     return std::max({lower(), dropped_, queue_.empty() ? 0 : queue_.top().upper});
   }
-  // Whose distance is at least lower(), if that is > 0.
+  // The site whose distance is at least lower(), if that is > 0.
   const Site& farthest() const { return sites_[farthest_]; }
 
  private:
@@ -97,7 +97,7 @@ class CellSearch {
     return *site.is_outside;
   }
 
-  // Three bounds, and none is computed if one before it is low enough.
+  // There are three bounds; each is computed only if those before it are not low enough.
   double upper_bound(const DistanceCell& cell) {
     const double enough = lower_ + gap_;
     Point middle = Point::Zero();
@@ -121,9 +121,9 @@ class CellSearch {
       upper = std::min(upper, bound_by_triangle(cell, sites_[cell.corners[k]].surface.triangle));
     }
     if (upper <= enough || is_outside(center)) return upper;
-    // (3) The centroid is in the solid, with all points that are nearer to it than the surface;
-    // so is the cell shrunk towards its centroid, if no triangle meets it: then all of the cell is
-    // near the solid.
+    // (3) The centroid is in the solid, with all points that are nearer to it than the surface. The
+    // cell shrunk towards its centroid is also in the solid if no triangle meets it: then all of
+    // the cell is near the solid.
     upper = std::min(upper, std::max(0.0, radius - center.surface.distance.low) + kCellError);
     if (upper <= enough) return upper;
     const double share = std::min(0.5, enough / radius * (1 - 0x1p-10));
@@ -227,7 +227,7 @@ DirectedDistance union_to_surface(std::span<const ConvexPart> parts, const Surfa
   search.run(watch);
   DirectedDistance result{
       Enclosure(frame.length(search.lower()), frame.length(search.upper()), kCellDistanceBits), {}};
-  // The site may be outside of its part by a rounding.
+  // Rounding may have moved the site out of its part.
   if (search.lower() > 0) {
     const Site& site = search.farthest();
     result.at = distance.nearest_in(site.part, frame.point(site.y));

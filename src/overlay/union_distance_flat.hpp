@@ -9,8 +9,8 @@
 
 namespace convexact {
 
-/// A polygon's plane and sides. A side is two vertices on the boundary of one halfspace that no
-/// third one lies on; the plane holds all vertices.
+/// A polygon's plane and sides. A side is two vertices on the boundary of one halfspace on which no
+/// third vertex lies; the plane holds all vertices.
 struct FlatFeatures {
   explicit FlatFeatures(const ConvexPart& polygon);
 

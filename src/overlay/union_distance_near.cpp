@@ -36,7 +36,8 @@ double NearFrame::root_up(const Rational& squared) const {
   return std::nextafter(std::sqrt(y), std::numeric_limits<double>::infinity());
 }
 
-// The center is rounded to few bits, so that differences from it stay as short as the coordinates.
+// The center is rounded to few bits, so that differences from it are no longer than the
+// coordinates.
 NearFrame frame_around(std::span<const BoundingBox> boxes) {
   RationalPoint low = boxes.front().low, high = boxes.front().high;
   for (const BoundingBox& box : boxes) {
@@ -249,7 +250,7 @@ std::vector<std::uint32_t> NearParts::candidates(const Point& y) const {
 }
 
 // A part that is more than high + 2 radius from y is more than high + radius from the point, which
-// no further than that from the part nearest to y.
+// is no farther than that from the part nearest to y.
 std::vector<std::uint32_t> NearParts::candidates(const Point& y, double radius) const {
   const double reach = to_union(y).high + 2.125 * radius;
   std::vector<std::uint32_t> list;

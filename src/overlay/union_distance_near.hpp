@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // union_distance_near.hpp - bounds of distances in doubles: to the convex hull of a few points, to
-// convex parts, and to triangles. Each bound is proven; exact numbers are for what they leave open.
+// convex parts, and to triangles. Each bound is proven; exact numbers decide the rest.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace convexact {
 
-/// x = center + 2^exponent y: where doubles are as fine as the shapes need. The shapes that a frame
-/// was made for have |y_k| < 1.
+/// x = center + 2^exponent y: a frame in which doubles are as fine as the shapes need. The shapes
+/// that a frame was made for have |y_k| < 1.
 struct NearFrame {
   RationalPoint center;
   long exponent = 0;
@@ -39,8 +39,8 @@ struct NearBounds {
   double high = std::numeric_limits<double>::infinity();
 };
 
-/// What rounding adds to the bounds of distances of a point y of a frame to a shape in it, as a
-/// multiple of max(1, |y_k|). With u = 2^-53:
+/// The error that rounding adds to the bounds of distances of a point y of a frame to a shape in
+/// it, as a multiple of max(1, |y_k|). With u = 2^-53:
 /// - Rounding to the frame moves a coordinate below 1 by u/2 at most, so vertices and with them
 ///   their hull by less than u, and the point by less than u max(1, |y_k|).
 /// - Differences w = v - y have |w| <= 2 sqrt(3) max(1, |y_k|) = W and an error of u W. A
@@ -48,23 +48,23 @@ struct NearBounds {
 ///   another 3u W.
 /// - For any q the distance is at least the minimum of q.w / |q| over the vertices: the dot product
 ///   has an error of 4u |q| W, the quotient one of 4u W.
-/// Together less than 24u W < 84u; 2^-46 is 128u. Where squares might underflow, bounds are not
-/// taken from them.
+/// Together less than 24u W < 84u; 2^-46 is 128u. Bounds are not taken from squares that might
+/// underflow.
 inline constexpr double kDistanceError = 0x1p-46;
 
 /// A distance between a point of a frame and the hull of some of its points, without
 /// kDistanceError.
 struct NearHull {
   NearBounds bounds;
-  Point nearest;  ///< Less the point: where it was found.
+  Point nearest;  ///< The nearest point found, less y.
 };
 
-/// Of the hull of at least one point, seen from y.
+/// The distance to the hull of at least one point, seen from y.
 /// @par Source  [Gilbert1988]: a simplex of vertices whose nearest point to y is replaced by that
 ///              of the simplex and the vertex beyond, until there is none.
 [[nodiscard]] NearHull near_hull(std::span<const Point> points, const Point& y);
 
-/// The same of a triangle, which may be degenerate.
+/// The same for a triangle, which may be degenerate.
 [[nodiscard]] NearHull near_triangle(const std::array<Point, 3>& corners, const Point& y);
 
 /// Widens by the error of rounding at y.

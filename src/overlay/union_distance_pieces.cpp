@@ -56,7 +56,7 @@ std::vector<Contender> find_contenders(std::span<const UncoveredPiece> pieces,
   return list;
 }
 
-// Symmetric inputs have many; beyond this many the bounds choose.
+// Symmetric inputs have many; if there are more than this, the bounds choose.
 constexpr std::size_t kExactContenders = 16;
 
 }  // namespace
@@ -83,7 +83,7 @@ std::optional<FarPoint> farthest_found(std::span<const UncoveredPiece> uncovered
     watch.ask();
     try_point(uncovered[c.piece].triangle, point_of(uncovered, c));
   }
-  // Closer than doubles tell: corners may lie on the union, centroids do not.
+  // The distance is too small for doubles: corners may lie on the union, centroids do not.
   for (std::size_t i = 0; i < uncovered.size() && best->nearest.squared == 0; ++i) {
     watch.ask();
     try_point(uncovered[i].triangle, mean(uncovered[i].corners));
@@ -95,8 +95,8 @@ namespace {
 
 // ---- Subdivision
 
-// Pieces, bisected where the upper bound of the distance is largest. A corner knows what was found
-// out about it and each part; pieces share corners.
+// Pieces, bisected where the upper bound of the distance is largest. Each corner keeps the results
+// about itself and each part; pieces share corners.
 class PieceSearch {
  public:
   struct Piece {
@@ -182,7 +182,8 @@ class PieceSearch {
     return least;
   }
 
-  // Of the distance of a corner to the union. `parts` may leave out parts that are not nearest.
+  // Bounds of the distance of a corner to the union. `parts` may leave out parts that are not
+  // nearest.
   const NearBounds& to_union(std::uint32_t corner, const std::vector<std::uint32_t>& parts) {
     if (!corners_[corner].to_union) {
       constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -239,7 +240,7 @@ class PieceSearch {
   bool is_tiny(const Piece& piece) const { return piece.size < tolerance_.low * 0x1p-20; }
 
  private:
-  // What is known of a corner and a part.
+  // The data on a corner and a part.
   struct Known {
     std::uint32_t part;
     NearBounds bounds;
@@ -287,7 +288,7 @@ class PieceSearch {
     return reach + 2 * kDistanceError;
   }
 
-  // Of the parts of the whole piece, those that are not too far from the first corner: with d the
+  // Keeps those parts of the whole piece that are not too far from the first corner: with d the
   // distance of that corner to the union, a part more than d + 2r from it is not the nearest to any
   // point within r of it.
   void keep_candidates(Piece& half, const std::vector<std::uint32_t>& parts) {
@@ -382,7 +383,7 @@ WithinDistance is_within(std::span<const UncoveredPiece> uncovered, const UnionD
 
 namespace {
 
-// Bits of the bounds of distances, which are hardly closer than to 1/kDistanceSteps.
+// Bits of the bounds of distances, which rarely differ by less than 1/kDistanceSteps.
 constexpr long kDistanceBits = 64;
 
 }  // namespace

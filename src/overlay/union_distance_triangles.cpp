@@ -85,7 +85,7 @@ NearBounds NearTriangles::to_triangle(std::uint32_t triangle, const Point& y) co
 }
 
 // Two hulls have a common point iff the hull of all differences of their vertices holds 0. The
-// differences are off by a few roundings, which kDistanceError covers several times.
+// differences have errors of a few roundings, which kDistanceError covers several times.
 bool NearTriangles::misses(std::span<const Point> hull) const {
   constexpr double kMargin = 4 * kDistanceError;
   DistanceBox box;

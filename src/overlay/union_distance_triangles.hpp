@@ -14,7 +14,7 @@ namespace convexact {
 
 class NearTriangles {
  public:
-  /// @param frame  That the surface lies in.
+  /// @param frame  The frame that the surface lies in.
   NearTriangles(const Surface& surface, const NearFrame& frame);
 
   /// Bounds of the distance of y to the surface, and a triangle that is about as near.
@@ -25,7 +25,8 @@ class NearTriangles {
   Nearest nearest(const Point& y) const;
   NearBounds to_triangle(std::uint32_t triangle, const Point& y) const;
 
-  /// Whether no triangle has a common point with the hull of at most four points, for sure.
+  /// Whether it is certain that no triangle has a common point with the hull of at most four
+  /// points.
   bool misses(std::span<const Point> corners) const;
 
  private:
