@@ -113,14 +113,15 @@ std::uint64_t& ShortestPaths::distance(std::uint32_t point) {
   return distances_[point];
 }
 
-// Less than the distance of two distinct points, which is at least 1; 0 of one and the same.
+// Less than the distance of two distinct points, which is at least 1; 0 if they are the same point.
 std::uint64_t ShortestPaths::at_least(std::uint32_t from, std::uint32_t to) const {
   const double length = EdgeLengths::unrounded(near_[from], near_[to]) - 2;
   return length > 0 ? static_cast<std::uint64_t>(length) : 0;
 }
 
-// Each point of a shortest path has a distance that, with what is at least left, is less than that
-// of the end. So all of them come out of the queue, with their final distances, before the end.
+// The distance of each point of a shortest path, plus the lower bound of the rest of the path, is
+// less than the distance of the end. So all these points come out of the queue, with their final
+// distances, before the end.
 std::vector<std::uint32_t> ShortestPaths::operator()(std::uint32_t from, std::uint32_t to) {
   using Entry = std::pair<std::uint64_t, std::uint32_t>;  // at least the whole length, a point
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
@@ -131,7 +132,7 @@ std::vector<std::uint32_t> ShortestPaths::operator()(std::uint32_t from, std::ui
     const auto [length, p] = queue.top();
     queue.pop();
     const std::uint64_t here = distance(p);
-    if (length > here + at_least(p, to)) continue;  // it was reached on a shorter way since
+    if (length > here + at_least(p, to)) continue;  // it has been reached on a shorter path since
     for (const Patch::Way& way : patch_.ways(p)) {
       if (here + way.length >= distance(way.to)) continue;
       distance(way.to) = here + way.length;
@@ -167,7 +168,8 @@ Sign sign_of_sum(const Rational& a, const IntegerVector3& n, const Rational& b,
   return sign_of(difference) * first;
 }
 
-// Positive on the left of the way from a to b, seen from where the sum of the unit normals points.
+// Positive on the left of the path from a to b, seen from the side to which the sum of the unit
+// normals points.
 Sign left_of(const Surface& surface, PointId a, PointId b, PointId x,
              const std::array<IntegerVector3, 2>& normals) {
   const RationalPoint from = surface.points[a];
@@ -260,7 +262,7 @@ class Associator {
   }
 
   // Each point takes the bridges of the nearest one that has any, by the number of edges; of
-  // several as near ones, of the lowest.
+  // several equally near ones, those of the lowest.
   void spread_labels() {
     constexpr std::uint32_t kNone = ~0u;
     std::vector<std::uint32_t> source(made_.points.size(), kNone), front, next;

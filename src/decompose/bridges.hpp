@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// bridges.hpp - the hull of a part as bridges over it, and which points of the part lie under
-// which: hull edges between bridges become shortest paths along the mesh.
+// bridges.hpp - the hull of a part as bridges over it, and the points of the part under each
+// bridge: hull edges between bridges become shortest paths along the mesh.
 #pragma once
 #include "convexact/hull.hpp"
 #include "convexact/split.hpp"
@@ -22,13 +22,13 @@ struct PatchHull {
                                    const Rational& cosine);
 
 /// Projects the edges of a hull that has an interior.
-/// @param options  `bridge` and `coplanar` count.
+/// @param options  Only `bridge` and `coplanar` count.
 [[nodiscard]] Association associate(const Surface& surface, const Patch& patch,
                                     const PatchHull& hull, const NearSurface& near,
                                     const SplitOptions& options);
 
-/// Shortest paths along the edges of a patch: exact, and of several as short ones the one that goes
-/// back from its end over the lowest points.
+/// Shortest paths along the edges of a patch: exact, and among several of the same length the one
+/// that, followed back from its end, has the lowest points.
 /// @par Source  [Hart1968]: Dijkstra's search, those points first that are nearest to the end.
 class ShortestPaths {
  public:
@@ -36,7 +36,7 @@ class ShortestPaths {
   ShortestPaths(const Patch& patch, std::span<const Point> near);
 
   /// @param from, to  Numbers of points.
-  /// @return The numbers of the points, both ends included; empty if there is no way.
+  /// @return The numbers of the points, both ends included; empty if there is no path.
   std::vector<std::uint32_t> operator()(std::uint32_t from, std::uint32_t to);
 
  private:
@@ -52,7 +52,7 @@ class ShortestPaths {
 
 /// Whether the edge of a hull from a to b spans a hole: some border of the patch leads from a to b
 /// on the left of it and leaves b to the right, seen from outside.
-/// @param normals  Of the two facets at the edge.
+/// @param normals  The normals of the two facets at the edge.
 [[nodiscard]] bool spans_hole(const Surface& surface, const Patch& patch, std::uint32_t a,
                               std::uint32_t b, const std::array<IntegerVector3, 2>& normals);
 

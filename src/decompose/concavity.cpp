@@ -41,8 +41,8 @@ Integer depth(const Halfspace& plane, const HomogeneousPoint& point) {
   return -plane_value(plane, point);
 }
 
-// A plane that a ray runs towards, speed = n.direction > 0. From a point X / W it gets there after
-// depth / (W speed) times its direction.
+// A plane that a ray runs towards, speed = n.direction > 0. From a point X / W it reaches the plane
+// after depth / (W speed) times its direction.
 struct Wall {
   const Halfspace* plane;
   Integer depth, speed;
@@ -52,7 +52,7 @@ struct Wall {
   Rational distance(const Integer& w) const { return {depth, w * speed}; }
 };
 
-// Where the ray from a point of the hull leaves it: the first plane that it gets to.
+// Where the ray from a point of the hull leaves it: the first plane that it reaches.
 std::optional<Wall> wall_ahead(const ConvexPart& hull, const HomogeneousPoint& from,
                                const IntegerVector3& direction) {
   std::optional<Wall> first;
@@ -65,7 +65,7 @@ std::optional<Wall> wall_ahead(const ConvexPart& hull, const HomogeneousPoint& f
   return first;
 }
 
-// The wall ahead of the centroid of a triangle, as far as it is from a corner: no ray from the
+// The wall ahead of the centroid of a triangle, at its distance from a corner: no ray from the
 // triangle is longer.
 Wall bounding_wall(const ConvexPart& hull, const Corners& corners,
                    const IntegerVector3& direction) {
@@ -81,10 +81,10 @@ Wall bounding_wall(const ConvexPart& hull, const Corners& corners,
 // (t, u, v): a ray from the point a + u (b - a) + v (c - a) of a triangle, t times its direction.
 // They compare by length, then by u and v, so there is one longest ray.
 using TriangleRay = std::array<Rational, 3>;
-// One plane as the corners of a triangle see it.
+// One plane as a wall for each corner of a triangle.
 using WallAtCorners = std::array<Wall, 3>;
 
-// At a corner, or on an edge where both planes are as far; they may be the same one.
+// At a corner, or on an edge where both planes are equally far; they may be the same plane.
 TriangleRay longest_by_two(const WallAtCorners& p, const WallAtCorners& q, const Integer& w) {
   const std::array<TriangleRay, 3> to_p{
       {{p[0].distance(w), 0, 0}, {p[1].distance(w), 1, 0}, {p[2].distance(w), 0, 1}}};
@@ -109,7 +109,7 @@ TriangleRay longest_by_two(const WallAtCorners& p, const WallAtCorners& q, const
   return longest;
 }
 
-// At most t as each plane allows it: a linear program in u, v and t.
+// The largest t that all planes allow: a linear program in u, v and t.
 TriangleRay longest_by_program(const std::vector<WallAtCorners>& walls, const Integer& w) {
   const auto count = static_cast<Eigen::Index>(walls.size());
   LinearProgram lp{RationalMatrix::Zero(count + 3, 3), RationalVector::Zero(count + 3),

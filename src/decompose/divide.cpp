@@ -47,7 +47,8 @@ IntegerVector3 rounded_unit(const IntegerVector3& n) {
   return unit;
 }
 
-// The cosine of the angle between two vectors, squared, with its sign: it orders as the cosine.
+// The cosine of the angle between two vectors, squared, with its sign: it has the same order as the
+// cosine.
 Rational signed_squared_cosine(const IntegerVector3& a, const IntegerVector3& b) {
   const Integer along = dot(a, b);
   return Rational(along * abs(along), dot(a, a) * dot(b, b));
@@ -203,8 +204,8 @@ class Divider {
  private:
   enum State { Remains, Moves, Stays };
 
-  // Of what remains, the units that are reached from the first fit one at the notch over others
-  // that are fit; false if there is none.
+  // Takes those of the remaining units that are reached from the first fit one at the notch over
+  // others that are fit; false if there is none.
   template <class Fit>
   bool take(State state, const Fit& is_fit) {
     const auto first = std::find_if(at_notch_.begin(), at_notch_.end(), [&](std::uint32_t unit) {

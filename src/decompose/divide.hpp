@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// divide.hpp - a part divided by a plane through its notch: which planes, in which order, and which
-// triangles go.
+// divide.hpp - divides a part by a plane through its notch: the planes, their order, and the
+// triangles that are moved.
 #pragma once
 #include <optional>
 
@@ -9,8 +9,8 @@
 
 namespace convexact {
 
-/// The triangles that move as one: one with an area and those without that hang on it; and which
-/// of them are neighbours.
+/// The triangles that move as one: one with an area and those without that are attached to it; and
+/// which units are neighbours.
 class Units {
  public:
   Units(const Surface& surface, const ClusterStart& start);
@@ -18,7 +18,8 @@ class Units {
   /// The lowest triangle of the unit of a triangle; it names the unit.
   std::uint32_t of(TriangleId triangle) const { return name_[triangle.index()]; }
   const std::vector<TriangleId>& triangles(std::uint32_t unit) const { return triangles_[unit]; }
-  /// The triangle that is on a side of a plane: the one with an area, if there is one.
+  /// The triangle that decides on which side of a plane the unit is: the one with an area, if there
+  /// is one.
   TriangleId shown(std::uint32_t unit) const { return shown_[unit]; }
   const std::vector<std::uint32_t>& beside(std::uint32_t unit) const { return beside_[unit]; }
 
@@ -50,9 +51,9 @@ struct Division {
   std::vector<TriangleId> kept, moved, islands;  ///< Ascending.
 };
 
-/// Moves the triangles beyond a plane that are reached from the notch over others beyond it. Of
-/// what remains, that which is connected to a triangle at the notch is kept; the islands go, too.
-/// So both halves are connected. Beyond is where a triangle's centroid is.
+/// Moves the triangles beyond a plane that are reached from the notch over others beyond it. Of the
+/// rest, the triangles connected to one at the notch are kept; the islands are moved, too. So both
+/// halves are connected. A triangle is beyond the plane if its centroid is.
 /// @return Nothing if one half would have no triangle at the notch.
 [[nodiscard]] std::optional<Division> divide(const Surface& surface, const Units& units,
                                              const Patch& patch, PointId notch,

@@ -49,19 +49,20 @@ struct Cluster {
   std::vector<std::uint32_t> neighbours;  // in any order
 };
 
-// What a merge costs in exact numbers, and bounds of 128 bits once it was compared with another.
+// The cost of a merge in exact numbers, and bounds of 128 bits once it was compared with another.
 struct ExactCost {
   MergeCost cost;
   std::optional<Enclosure> bounds;
 };
 
-// Two neighbouring clusters, first < second, and what is known of their union.
+// Two neighbouring clusters, first < second, and the data on their union.
 struct Candidate {
   LengthBounds concavity;           // of the union; the lower bound holds also while it is stale
-  LengthBounds key;                 // what the queue compares: the cost, or the concavity
+  LengthBounds key;                 // the number that the queue compares: the cost, or the
+                                    // concavity
   bool is_fresh = false;            // `concavity` is of the clusters as they are
   bool is_beyond = false;           // exceeds the limit
-  std::uint32_t equals = kNoClass;  // candidates of one class have the same key, as is proven
+  std::uint32_t equals = kNoClass;  // candidates of one class are proven to have the same key
   std::unique_ptr<NearCluster> united = {};
   std::unique_ptr<ExactCost> exact = {};
 
@@ -154,8 +155,8 @@ class FilteredEngine {
     }
   }
 
-  // Rationals are within half an ulp of the doubles, so sums of these bound nothing; and what is
-  // too small for doubles is lost.
+  // Rationals are within half an ulp of the doubles, so sums of these bound nothing; and numbers
+  // that are too small for doubles are lost.
   double error(double rounding) const {
     if (is_float_) return 0;
     return surface_.points.is_binary() ? rounding + 0x1p-960 : kNoBound;
@@ -197,7 +198,7 @@ class FilteredEngine {
                            : kNoBound};
   }
 
-  // Sets what the queue compares, and enters the candidate.
+  // Sets the key for the queue, and enters the candidate.
   void enter(const ClusterPair& pair, Candidate candidate) {
     candidate.key = candidate.concavity;
     if (!by_concavity_) {
@@ -211,7 +212,7 @@ class FilteredEngine {
     candidates_.insert_or_assign(pair, std::move(candidate));
   }
 
-  // It is entered again, or gone.
+  // It must be entered again, or dropped.
   void leave(const ClusterPair& pair) {
     const auto it = candidates_.find(pair);
     queue_.erase(place(pair, it->second));
@@ -250,7 +251,7 @@ class FilteredEngine {
     options_.watch.at(std::min(made_.merges.size() + made_.evaluations, expected), expected);
   }
 
-  // In exact numbers. The bounds become as narrow as doubles allow.
+  // The cost in exact numbers. The bounds become as narrow as doubles allow.
   const MergeCost& exact_cost(const ClusterPair& pair, Candidate& candidate) {
     if (candidate.exact) return candidate.exact->cost;
     ++made_.exact_evaluations;
@@ -336,8 +337,8 @@ class FilteredEngine {
     return std::nullopt;
   }
 
-  // The same, of those whose keys begin before the first one's ends; or nothing, after a candidate
-  // that may be as cheap was evaluated, narrowed, or joined to a class.
+  // The same among those whose keys begin before the first one's key ends; or nothing, after a
+  // candidate that may be as cheap was evaluated, narrowed, or joined to a class.
   std::optional<ClusterPair> cheapest_of_rivals(const ClusterPair& first) {
     ClusterPair best_pair = first;
     auto it = std::next(queue_.begin());
@@ -349,7 +350,7 @@ class FilteredEngine {
         evaluate(rival_pair);
         return std::nullopt;
       }
-      if (best.equals != kNoClass && rival.equals == best.equals) {  // and so is its whole class
+      if (best.equals != kNoClass && rival.equals == best.equals) {  // and so are all of its class
         it = queue_.upper_bound({rival.key.low, rival.equals, {UINT32_MAX, UINT32_MAX}});
         continue;
       }
@@ -417,7 +418,7 @@ class FilteredEngine {
     clusters_.erase(gone);
     std::erase(a.neighbours, gone);
     std::erase(b.neighbours, kept);
-    // What is known of a union holds of a larger one, as a lower bound.
+    // The bounds of a union are lower bounds for a larger one.
     std::map<std::uint32_t, Candidate> known;
     for (const auto& [name, beside] :
          {std::pair(kept, &a.neighbours), std::pair(gone, &b.neighbours)}) {

@@ -30,8 +30,8 @@ RootSum product(const RootSum& a, const RootSum& b) {
   return RootSum(std::move(terms));
 }
 
-// Whether perimeter^2 / area are the same: of similar shapes, for instance. Multiplied out, which
-// is for small clusters.
+// Whether perimeter^2 / area are the same: of similar shapes, for instance. The products are
+// multiplied out, which is feasible for small clusters only.
 bool have_equal_shapes(const MergeCost& a, const MergeCost& b, const Watch& watch) {
   constexpr std::size_t kMostTerms = 8;  // at most 512 products of three roots on each side
   for (const RootSum* sum : {&a.perimeter, &b.perimeter, &a.doubled_area, &b.doubled_area}) {

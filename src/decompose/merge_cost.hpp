@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// merge_cost.hpp - what it costs to merge two clusters, exactly, and the order of such costs.
+// merge_cost.hpp - the exact cost of merging two clusters, and the order of such costs.
 #pragma once
 #include <span>
 #include <utility>
@@ -9,7 +9,7 @@
 
 namespace convexact {
 
-/// Of the union S of two clusters, what its cost depends on.
+/// The data of the union S of two clusters on which its cost depends.
 struct MergeCost {
   Rational squared_concavity;
   RootSum perimeter;     ///< Of the edges that an odd number of its triangles have.
@@ -25,8 +25,8 @@ struct MergeCost {
 
 /// The cost of a merge, a length:
 ///   E D = C + (weight / 10) perimeter^2 / (4 pi area),
-/// C the concavity, and 0 instead of the quotient if there is no area. The quotient is the shape: 1
-/// of a disk, and more of what is less round.
+/// C the concavity, and 0 instead of the quotient if there is no area. The quotient measures the
+/// shape: it is 1 for a disk, and more for less round shapes.
 /// @par Source  [MamouGhorbel2009]; docs/design/clustering.md
 class CostOrder {
  public:
@@ -42,8 +42,8 @@ class CostOrder {
   [[nodiscard]] static bool have_same_terms(const MergeCost& a, const MergeCost& b);
 
   /// Equal if all terms are the same; else by enclosures of 128 bits; if these overlap, by the
-  /// proof that concavities are equal, and so are perimeters and areas or, of small clusters, the
-  /// quotients; and else by finer enclosures, which may leave it Undecided.
+  /// proof that concavities are equal, and so are perimeters and areas or, for small clusters, the
+  /// quotients; otherwise by finer enclosures, which may leave it Undecided.
   /// @throws Error Stopped when the watch ends the call.
   [[nodiscard]] Ordering compare(const MergeCost& a, const MergeCost& b,
                                  const Watch& watch = {}) const;

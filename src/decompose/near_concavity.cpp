@@ -14,9 +14,9 @@
 namespace convexact {
 namespace {
 
-/// More than all that is lost to numbers that are too small for doubles.
+/// More than the total loss by numbers that are too small for doubles.
 constexpr double kTiny = 1e-290;
-/// Below this share of the largest coordinate, whether a ray has length 0 is asked exactly.
+/// Below this share of the largest coordinate, an exact test decides whether a ray has length 0.
 constexpr double kMaybeZero = 0x1p-30;
 
 double largest(const Point& v) { return v.cwiseAbs().maxCoeff(); }
@@ -162,7 +162,7 @@ NearConcavity::Direction NearConcavity::direction_of(const Point& normal, double
   const double length = normal.norm();
   Direction direction{.exists = exists};
   if (!exists) return direction;
-  // A length of which the error is a large part gives no direction; an error of 2 says so.
+  // A length with a relatively large error gives no direction; this is marked by an error of 2.
   direction.error = length > 8 * error ? 4 * error / length + 8 * kUnitRoundoff : 2;
   if (length > 0) direction.unit = normal / length;
   if (is_float_) direction.error = 0;
@@ -336,7 +336,7 @@ void NearConcavity::bound_rays(NearCluster& cluster, double limit) const {
     const Direction& direction = directions_[ray.item];
     return NearRays(cluster.facets, corners, direction.unit, direction.error);
   };
-  std::vector<std::uint32_t> longer;  // rays that may be longer than what is known
+  std::vector<std::uint32_t> longer;  // rays that may be longer than the known bound
   LengthBounds& found = cluster.concavity;
   for (std::uint32_t k = 0; k < cluster.rays.size(); ++k) {
     RayBound& ray = cluster.rays[k];
@@ -390,8 +390,8 @@ Halfspace NearConcavity::exact_plane(const NearFacets& facets, std::int32_t plan
              : Halfspace::through(surface_->points[a], surface_->points[b], surface_->points[c]);
 }
 
-// By the planes that bound its rays, and those that they turn out to run through; nothing if one of
-// these shows that all are shorter than the longest one so far.
+// Uses the planes that bound its rays, and those that the rays are then found to pass through;
+// nothing if one of these planes shows that all rays are shorter than the longest one so far.
 std::optional<Concavity> NearConcavity::exact(const NearFacets& facets, TriangleId triangle,
                                               std::span<RayBound* const> rays,
                                               const std::optional<Concavity>& longest) const {
@@ -410,7 +410,8 @@ std::optional<Concavity> NearConcavity::exact(const NearFacets& facets, Triangle
     return std::nullopt;
   }
   for (;;) {
-    // With some of the planes rays are at least as long, so the longest one is if it fits.
+    // With only some of the planes, rays are at least as long; so the longest one is right if it
+    // fits.
     Concavity found = exact_(triangle, some);
     if (const auto behind = plane_behind(facets, found.leaves)) {
       used.push_back(*behind);
@@ -418,7 +419,7 @@ std::optional<Concavity> NearConcavity::exact(const NearFacets& facets, Triangle
       continue;
     }
     if (rays.size() == 1 && used.size() <= 3) {
-      // Other unions will know it as well as a double can.
+      // Other unions get it as exactly as a double can hold it.
       RayBound& ray = *rays.front();
       ray.high = std::min(ray.high, root_bounds(found.squared).high);
       ray.planes.fill(-1);

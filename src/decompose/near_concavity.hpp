@@ -33,18 +33,19 @@ struct NearFacets {
     double size;          ///< |x| + |y| + |z|.
   };
   std::vector<Plane> planes;
-  std::vector<std::array<PointId, 3>> corners;  ///< By plane: what it was computed from.
+  std::vector<std::array<PointId, 3>> corners;  ///< By plane: the points from which it was
+                                                ///< computed.
   Point origin = Point::Zero();
 };
 
-/// What bounds the rays of a triangle, or of a point, from above: up to three planes.
+/// The upper bound of the rays of a triangle, or of a point: up to three planes.
 struct RayBound {
   std::uint32_t item = 0;                          ///< The triangle, or the point.
   std::array<std::int32_t, 3> planes{-1, -1, -1};  ///< Into NearFacets::planes.
   double high = kNoBound;
 };
 
-/// A cluster as far as its concavity is concerned.
+/// The data of a cluster that its concavity needs.
 struct NearCluster {
   std::vector<PointId> extreme;  ///< Their hull is the cluster's; ascending.
   NearFacets facets;             ///< None of a flat cluster.
@@ -61,8 +62,8 @@ class NearConcavity {
 
   /// 2^exponent() times a length here is that length in units of the surface.
   [[nodiscard]] long exponent() const { return exponent_; }
-  /// The points, in these units: exact, but for what is below 2^-1074 here, and unless the
-  /// surface's are fractions.
+  /// The points, in these units: exact, except for parts below 2^-1074 in these units, and unless
+  /// the surface's points are fractions.
   [[nodiscard]] std::span<const Point> points() const { return points_; }
 
   /// A cluster of some triangles.
@@ -74,8 +75,8 @@ class NearConcavity {
 
   /// The exact concavity: the same as ExactConcavity, but without triangles that are certain to
   /// have shorter rays.
-  /// @param cluster  Of these triangles, which ascend, as made here. Its bounds become as narrow as
-  ///                 doubles allow.
+  /// @param cluster  The cluster of these triangles, which ascend, as made here. Its bounds become
+  ///                 as narrow as doubles allow.
   [[nodiscard]] Concavity exact(NearCluster& cluster, std::span<const TriangleId> triangles,
                                 const Watch& watch = {}) const;
   /// Its square alone.

@@ -12,11 +12,11 @@ namespace {
 /// More than three roundings.
 constexpr double kUp = 1 + 8 * kUnitRoundoff, kDown = 1 - 8 * kUnitRoundoff;
 constexpr std::size_t kMostCuts = 8, kMostRounds = 24;
-/// A point that is moved by this share towards the middle has a ray that is not much shorter, and
-/// is away from planes beside the triangle that hold the ray.
+/// A point that is moved by this share towards the middle has a ray that is hardly shorter, and
+/// keeps off planes beside the triangle that hold the ray.
 constexpr double kInward = 0x1p-26;
 
-// n.m, and how far it may be from the true one: |m| = 1 and m is within `error`.
+// n.m, and a bound of its error: |m| = 1 and m is within `error`.
 struct Speed {
   double value, error;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// near_rays.hpp - how long a ray from a triangle runs inside a hull, bounded in doubles.
+// near_rays.hpp - bounds, in doubles, of the length that a ray from a triangle has inside a hull.
 //
 // Along the direction m of a ray, the plane n.x = d lets a point x of the hull run at most
 // f(x) = (d - n.x) / (n.m), if n.m > 0. The ray's length is the least f over all planes: a concave
@@ -25,7 +25,7 @@ class NearRays {
 
   /// An upper bound by one plane: the one where the ray from the middle leaves.
   void bound_quickly(RayBound& ray);
-  /// Makes the upper bound as tight as three planes can, unless it is found to be below `enough`;
+  /// Makes the upper bound as tight as three planes allow, unless it is found to be below `enough`;
   /// returns a lower bound of the longest ray.
   double bound_tightly(RayBound& ray, double enough);
 

@@ -33,8 +33,8 @@ std::vector<SharedEdge> shared_edges(const Surface& surface) {
   return edges;
 }
 
-// By doubles, if these are the points: a component of a cross product is off by at most 10 unit
-// roundoffs times the largest components of both edges, and by what underflows.
+// In doubles, if the points are doubles: a component of a cross product is off by at most 10 unit
+// roundoffs times the largest components of both edges, plus losses by underflow.
 bool are_collinear(const PointSet& points, PointId a, PointId b, PointId c) {
   if (points.is_binary()) {
     const auto near = points.doubles();

@@ -34,8 +34,8 @@ RationalPoint nearest_on_facet(const PointSet& points, const Association::Facet&
 
 namespace {
 
-// How far points lie below the plane of a facet, in the frame. Points are off by u, differences by
-// 3u times their length, at most 2 sqrt(3); the unit normal by 4u: less than 40u.
+// The depth of points below the plane of a facet, in the frame. Points are off by u, differences by
+// 3u times their length, at most 2 sqrt(3), and the unit normal by 4u: in total less than 40u.
 class NearDepth {
  public:
   static constexpr double kError = kDistanceError;
@@ -74,8 +74,8 @@ class HullContact {
         near_(near),
         depths_(near_depths(hull, near)) {}
 
-  /// Whether a point is on the hull, and each triangle at it lies on a facet: no notch, whatever
-  /// its bridges are.
+  /// Whether a point is on the hull, and each triangle at it lies on a facet: then it is no notch
+  /// for any bridges.
   bool is_all_around(PointId p) {
     if (facets_at(p).empty()) return false;
     const auto triangles = patch_.triangles_at(patch_.number_of(p));
@@ -175,7 +175,7 @@ class BridgeDistances {
   }
 
  private:
-  // Of a region there are several bridges on paths only, and there the nearest counts.
+  // By Region, only points on paths have several bridges, and there the nearest counts.
   double chosen(double a, double b) const {
     return choice_ == BridgeChoice::Farther ? std::max(a, b) : std::min(a, b);
   }
@@ -240,14 +240,15 @@ std::optional<Notch> deepest_notch(const Surface& surface, const Patch& patch,
                                    const Watch& watch) {
   HullContact contact(surface, patch, hull, near);
   const BridgeDistances distances(surface, hull, association, choice, near);
-  using Bounded = std::pair<double, std::size_t>;  // not more than this, the point with this index
+  using Bounded = std::pair<double, std::size_t>;  // an upper bound, and the index of the point
   std::vector<Bounded> points;
   for (std::size_t k = 0; k < association.points.size(); ++k) {
     const PointId p = association.points[k];
     if (std::binary_search(hull.corners.begin(), hull.corners.end(), p)) continue;
     points.emplace_back(distances.quick_high(p, association.bridges_of[k]), k);
   }
-  // The deepest first, as far as corners tell; what may be less deep than one of them is left out.
+  // The deepest first, by the bounds from corners; points that are less deep than one of them are
+  // left out.
   std::sort(points.begin(), points.end(), std::greater<>());
   double deepest = 0;
   std::vector<Bounded> candidates;

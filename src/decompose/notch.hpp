@@ -18,9 +18,10 @@ struct Notch {
   Rational squared = 0;     ///< Their distance, squared.
 };
 
-/// The deepest point, of several the lowest; none if no point is away from its bridge. To a bridge
-/// means to the nearest of its facets; to which of its bridges, the choice says. Corners of the
-/// hull have distance 0, and so have points around which the patch lies on the hull.
+/// The deepest point, the lowest one on a tie; none if no point has a distance from its bridge. The
+/// distance to a bridge is that to the nearest of its facets; the choice says to which of its
+/// bridges. Corners of the hull have distance 0, and so have points around which the patch lies on
+/// the hull.
 /// @par Cost  Bounds in doubles for each point and each facet of its bridges; exact numbers where
 ///            these leave open which is deepest.
 [[nodiscard]] std::optional<Notch> deepest_notch(const Surface& surface, const Patch& patch,

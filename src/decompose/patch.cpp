@@ -144,7 +144,7 @@ std::vector<std::uint32_t> Patch::fans_at(std::uint32_t point) const {
   return lowest;
 }
 
-// Each step has one successor or none, so the loops are the cycles of a map.
+// Each step has at most one successor, so the loops are the cycles of a map.
 void Patch::find_loops(std::vector<BorderStep> steps) {
   constexpr std::size_t kNone = ~std::size_t(0);
   std::map<std::uint32_t, std::vector<std::uint32_t>> fans;  // of the points at borders

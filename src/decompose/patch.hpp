@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// patch.hpp - some triangles of a surface as a mesh of their own: its points, the edges between
+// patch.hpp - some triangles of a surface as a separate mesh: its points, the edges between
 // them with their lengths, and its borders.
 #pragma once
 #include <array>
@@ -75,9 +75,9 @@ class Patch {
   }
 
   /// The closed walks along borders, each once: along edges with one triangle, in the direction of
-  /// that triangle, so that what is missing lies to the right. At a point a walk goes on in the
-  /// same fan of triangles; of several ways, to the lowest point. What does not come back is left
-  /// out. Each as its points, the first one once.
+  /// that triangle, so that the hole lies to the right. At a point a walk goes on in the same fan
+  /// of triangles; among several ways, to the lowest point. Walks that do not return to their start
+  /// are left out. Each walk is the list of its points, with the first one once.
   std::span<const std::vector<std::uint32_t>> border_loops() const { return loops_; }
 
  private:

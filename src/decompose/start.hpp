@@ -17,8 +17,8 @@ struct ClusterStart {
   std::vector<std::pair<TriangleId, TriangleId>> united;  ///< As Clustering::united.
   std::vector<ClusterPair> pairs;                         ///< Ascending, each once.
   Rational squared_diameter, squared_limit;
-  /// Of the weight of the shape in a cost: the limit, or 2^-10 of the diameter if that is more, so
-  /// that shape decides even where no concavity is allowed.
+  /// The square of the weight of the shape in a cost: the limit, or 2^-10 of the diameter if that
+  /// is more, so that shape decides even where no concavity is allowed.
   Rational squared_weight;
 };
 
