@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// build_tree(): hulls over the parts, from the leaves to the root, each of what is stored below it.
+// build_tree(): hulls over the parts, from the leaves to the root, each around the stored hulls
+// below it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +16,7 @@
 namespace convexact {
 namespace {
 
-constexpr std::size_t kNeighbours = 8;  // among which a group looks for its partner
+constexpr std::size_t kNeighbours = 8;  // that a group considers as partners
 
 // A part, or the parts below a join.
 struct Group {
@@ -145,7 +146,7 @@ class TreeBuilder {
     return volume(*convex_part(corners_of(pair.first, pair.second), watch).solid);
   }
 
-  // Half the surface of the box around both: doubles, since it only says where to look.
+  // Half the surface of the box around both: doubles suffice, since it only chooses where to look.
   double common_box(std::size_t a, std::size_t b) const {
     const Point size =
         groups_[a].high.cwiseMax(groups_[b].high) - groups_[a].low.cwiseMin(groups_[b].low);
@@ -166,8 +167,8 @@ class TreeBuilder {
     return nearest;
   }
 
-  // Of all pairs in which one looks at the other, the one of least common hull; of equal ones the
-  // lowest. Volumes that are known stay in `common`.
+  // Among all pairs in which one group considers the other, the pair with the least common hull; of
+  // equal ones the lowest. Known volumes are kept in `common`.
   Pair best_pair(const std::vector<std::size_t>& roots, std::map<Pair, Rational>& common,
                  const Watch& watch) const {
     const std::pair<const Pair, Rational>* best = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joins_of(): how the method that made the parts would join them.
+// joins_of(): the joins that follow from the method that made the parts.
 #include <map>
 
 #include "convexact/hull_tree.hpp"
@@ -20,10 +20,11 @@ class Joiner {
     }
   }
 
-  // Of the part that has the triangle in its cluster. A cluster within another part is in none.
+  // The group of the part that has the triangle in its cluster. A cluster within another part is in
+  // none.
   MaybeGroup group_at(TriangleId t) const { return part_of_[t.index()]; }
 
-  // The group of both. They may be one already: a flat cluster joined a part elsewhere.
+  // The group of both. They may already be the same: a flat cluster joined a part elsewhere.
   MaybeGroup join(MaybeGroup a, MaybeGroup b) {
     if (!a || !b) return a ? a : b;
     const std::size_t first = last_group(*a), second = last_group(*b);

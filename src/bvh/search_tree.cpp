@@ -44,8 +44,8 @@ std::optional<std::map<std::size_t, const Answer*>> visits_of(
   return answers;
 }
 
-// Collects the parts below a node that visits find, as `is_found` says of each visit; nothing if
-// one is missing or false. Down from there where it is found.
+// Collects the parts below a node that visits find, where `is_found` decides for each visit;
+// nothing if a visit is missing or false. Goes further down where a visit finds something.
 template <class Answer>
 bool collect_parts(
     const SearchTree& tree, std::size_t root, const std::map<std::size_t, const Answer*>& visits,
@@ -99,7 +99,7 @@ TreeRayAnswer cast_ray(const SearchTree& tree, const Ray& ray) {
 bool check(const SearchTree& tree, const Ray& ray, const TreeRayAnswer& claim) {
   const auto visits = visits_of(tree, claim.visited);
   if (!visits) return false;
-  // A hull that is met only behind the first hit holds no part that is met before.
+  // A hull that is met only behind the first hit holds no part that is met before that hit.
   const auto is_found = [&](const Polytope& hull, const RayAnswer& met) -> std::optional<bool> {
     if (!check(hull, ray, met)) return {};
     return met.is_hit() && !(claim.first && met.first() > *claim.first);

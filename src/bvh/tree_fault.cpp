@@ -15,7 +15,7 @@ using Nodes = std::vector<std::size_t>;
 
 std::string list_text(const Nodes& nodes) { return fmt::format("{}", fmt::join(nodes, ", ")); }
 
-// The faults of a tree, each asked for when those before it are excluded.
+// The faults of a tree, each tested when those before it are excluded.
 class TreeInspection {
  public:
   TreeInspection(const HullTree& tree, const Watch& watch)
@@ -101,7 +101,8 @@ class TreeInspection {
     return {};
   }
 
-  // Every node but the root has one parent, so what is not reached from the root goes round.
+  // Every node but the root has one parent, so nodes that are not reached from the root lead into a
+  // cycle.
   std::optional<TreeFault> cycle() const {
     std::vector<bool> is_reached(nodes_.size(), false);
     Nodes open;

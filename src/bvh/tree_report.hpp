@@ -11,12 +11,12 @@
 
 namespace convexact {
 
-/// Where the parts of a tree come from, and what of the input they leave uncovered.
+/// Where the parts of a tree come from, and how much of the input they leave uncovered.
 struct TreeOrigin {
   std::string input;
   std::string parts;  ///< "hacd", "acd", or the name of a file.
   bool is_binary = true;
-  /// Pieces of triangles that no part holds, as stored; 0 is proven. Nothing if not asked.
+  /// Pieces of triangles that no part holds, as stored; 0 is proven. Unset if not asked for.
   std::optional<std::size_t> uncovered;
 };
 
@@ -24,19 +24,19 @@ struct TreeOrigin {
 [[nodiscard]] nlohmann::ordered_json tree_json(const BuiltTree& built, const TreeRequest& request,
                                                const TreeOrigin& origin);
 
-/// The file: these, the parts, and the nodes under "hull_tree", a node on a line. Read back from
-/// its bytes, the tree has no fault and the same hulls.
+/// The file: these counts, the parts, and the nodes under "hull_tree", one node per line. Read back
+/// from its bytes, the tree has no fault and the same hulls.
 /// @param path   For messages.
 /// @throws Error Internal if the bytes lose something.
 [[nodiscard]] std::string proven_tree_file(const BuiltTree& built, const TreeRequest& request,
                                            const TreeOrigin& origin, const std::string& path);
 
-/// Three lines: its size, how parts were joined, what is proven.
+/// Three lines: its size, how parts were joined, and what is proven.
 [[nodiscard]] std::string tree_summary(const BuiltTree& built, const TreeOrigin& origin);
 /// These, what is covered, and a table of the levels.
 [[nodiscard]] std::string tree_text(const BuiltTree& built, const TreeOrigin& origin);
 
-/// A tree that is asked, under the name of its file, with the names of its parts.
+/// A tree that queries refer to, with the name of its file and the names of its parts.
 struct NamedTree {
   std::string name;
   const SearchTree& tree;
