@@ -134,7 +134,8 @@ FalsePositives count_false_positives(const Polytope& a, const Polytope& b,
   result.center = frame.center;
   result.radius = pair.radius;
   pair.is_inside = !result.outside;
-  // Each kind has a seed of its own, so that the number of one does not change another.
+  // Each kind has a separate seed, so that the number of probes of one kind does not change another
+  // kind.
   Random seeds(request.seed);
   const std::uint64_t of_lines = seeds(), of_planes = seeds(), of_points = seeds();
   result.lines = tally(pair, request.lines, of_lines, CostMeasure::Area, draw_line);

@@ -102,7 +102,7 @@ bool check(const Polytope& a, const Polytope& b, const Separation& claim) {
   const RationalVector3 n = weighted_sum(a.planes, claim.of_a).normal;
   const RationalVector3 m = claim.plane.normal().cast<Rational>();
   if (!n.cross(m).isZero(0) || n.dot(m) <= 0) return false;
-  // (3) It parts the vertices, so also their hulls.
+  // (3) It separates the vertices, and so their hulls.
   const auto is_inside = [&](const RationalPoint& v) { return claim.plane(v) < 0; };
   const auto is_outside = [&](const RationalPoint& v) { return claim.plane(v) > 0; };
   return std::all_of(a.vertices.begin(), a.vertices.end(), is_inside) &&

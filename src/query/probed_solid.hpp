@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // probed_solid.hpp - a solid in the frame of a sphere around it: whether points, lines and planes
-// in doubles hit it, decided in doubles where their error bounds allow, and exactly where not.
+// in doubles hit it, decided in doubles where their error bounds allow, and otherwise exactly.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -36,8 +36,8 @@ struct ProbeLine {
   Point first, second;
 };
 
-/// A solid and its planes and vertices rounded to doubles, in one frame. All points that it is
-/// asked about have |y_k| <= 1.
+/// A solid and its planes and vertices rounded to doubles, in one frame. All points that are tested
+/// have |y_k| <= 1.
 class ProbedSolid {
  public:
   ProbedSolid(const Polytope& solid, const ProbeFrame& frame);
@@ -45,7 +45,7 @@ class ProbedSolid {
   [[nodiscard]] bool is_hit(const Point& point) const;
   [[nodiscard]] bool is_hit(const ProbeLine& line) const;
   [[nodiscard]] bool is_hit(const ProbePlane& plane) const;
-  /// How many of these decisions took exact numbers.
+  /// How many of these decisions needed exact numbers.
   [[nodiscard]] std::size_t exact_decisions() const { return exact_decisions_; }
 
   /// The first vertex of `inner` that is not in this solid.

@@ -26,7 +26,7 @@ Json point_json(const RationalPoint& x) {
   return {quantity_json(x[0]), quantity_json(x[1]), quantity_json(x[2])};
 }
 
-// The planes stand beside the ids, so that the sum can be checked from this alone.
+// The planes are given beside the ids, so that the sum can be checked from this object alone.
 void add_multipliers(Json& list, const char* of, const Polytope& solid,
                      const std::vector<Multiplier>& y) {
   for (const Multiplier& m : y) {
@@ -55,7 +55,7 @@ Json ray_json(const RayAnswer& answer) {
   return json;
 }
 
-// The ends as the doubles around them.
+// The ends, rounded outward to doubles.
 Json bounds_json(const Enclosure& x) {
   return {{"low", x.low_double()}, {"high", x.high_double()}};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// query_report.hpp - the answers to queries: for machines (docs/schema/query.schema.json) and for
-// people.
+// query_report.hpp - the answers to queries, as JSON (docs/schema/query.schema.json) and as text
+// for people.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace convexact {
 
-/// A solid that is asked about, under the name of its file.
+/// A solid that a query is about, with the name of its file.
 struct NamedPolytope {
   std::string name;
   const Polytope& solid;

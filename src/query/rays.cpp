@@ -50,7 +50,7 @@ struct LineBound {
   }
 };
 
-// What a facet says about the line: its value at the origin, and how it changes with t.
+// The values of a facet on the line: at the origin, and their change with t.
 struct OnLine {
   Rational value, slope;
   OnLine(const Halfspace& facet, const Ray& ray) : value(facet(ray.origin)), slope(0) {
