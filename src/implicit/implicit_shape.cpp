@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a node may be, and how its Lipschitz constant and tightness follow from those of its parts.
+// The conditions on nodes, and how the Lipschitz constant and tightness of a node follow from those
+// of its parts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -149,7 +150,8 @@ struct NodeBounds {
   ImplicitBounds operator()(const Primitive&) const {
     return {1, Rational(1)};
   }
-  // Outside of the union is outside of each part, and the nearest part is as far as the union.
+  // A point outside of the union is outside of each part, and as far from the union as from the
+  // nearest part.
   ImplicitBounds operator()(const implicit::Union& s) const {
     ImplicitBounds bounds{greatest_lipschitz(s.of), s.of[0].bounds().tightness};
     for (const ImplicitShape& part : s.of) {
@@ -177,8 +179,8 @@ struct NodeBounds {
     }
     return bounds;
   }
-  // With L = kappa = 1, f is the distance outside, and a distance less r is that from all points
-  // within r.
+  // With L = kappa = 1, f is the distance outside, and the distance less r is the distance to the
+  // set of all points within r.
   ImplicitBounds operator()(const implicit::Offset& s) const {
     ImplicitBounds bounds = s.of[0].bounds();
     const bool is_distance = bounds.lipschitz == 1 && bounds.tightness == Rational(1);

@@ -9,7 +9,7 @@ namespace convexact {
 namespace {
 
 // An interval of doubles. Each operation rounds to nearest, and then each end to its neighbour
-// outward. An overflow or NaN gives all numbers, which is always true.
+// outward. An overflow or NaN gives the interval of all numbers, which is always true.
 struct DoubleRange {
   double low, high;
 };
@@ -29,8 +29,8 @@ DoubleRange operator-(const DoubleRange& a, const DoubleRange& b) {
   return outward(a.low - b.high, a.high - b.low);
 }
 
-// The ends of a product or quotient are at ends of the arguments. One NaN among them gives all
-// numbers: min and max could lose it.
+// The ends of a product or quotient are at ends of the arguments. A NaN among them gives all
+// numbers, since min and max could lose it.
 DoubleRange outward(const std::array<double, 4>& ends) {
   if (!std::all_of(ends.begin(), ends.end(), [](double x) { return std::isfinite(x); })) {
     return kAllNumbers;
@@ -75,7 +75,7 @@ struct DoubleNumbers {
   }
 };
 
-// Intervals of many bits; they overflow nowhere that doubles lead to.
+// Intervals of many bits; with numbers that come from doubles they do not overflow.
 struct BigNumbers {
   using Number = Enclosure;
   long precision;

@@ -75,7 +75,7 @@ class Octree {
   Octree(const ImplicitShape& shape, const ImplicitBox& box, const Watch& watch)
       : shape_(shape), box_(box), watch_(watch) {}
 
-  // One level: of the children of the cells that the last one kept.
+  // One level: those kept of the children of the cells that the last level kept.
   std::vector<CellIndex> next_level(const std::vector<CellIndex>& parents, std::size_t level,
                                     bool is_last, ImplicitCells::Level& counts) {
     set_level(level);
