@@ -49,7 +49,7 @@ bool CollapsingMesh::turns_over(MeshCorner a, MeshCorner b, const Point& to) con
     return t[0] == v || t[1] == v || t[2] == v;
   };
   for (const MeshTriangle& t : triangles_at(a, b)) {
-    if (has(t, a) && has(t, b)) continue;  // it goes
+    if (has(t, a) && has(t, b)) continue;  // it is removed
     const auto moved = [&](MeshCorner v) { return v == a || v == b ? to : at(v); };
     const Point before = area_vector(at(t[0]), at(t[1]), at(t[2]));
     if (!(before.dot(area_vector(moved(t[0]), moved(t[1]), moved(t[2]))) > 0)) return true;
@@ -87,13 +87,13 @@ void CollapsingMesh::reduce_to(std::size_t vertices, const Watch& watch) {
       continue;
     }
     const Edge edge = queue_.begin()->edge;
-    const Point to = planned_.at(edge).at;  // the plan goes
+    const Point to = planned_.at(edge).at;  // the plan is removed
     collapse(edge, to);
   }
 }
 
-// b becomes a. What an edge costs depends on the triangles at its ends, so every edge is planned
-// again that has an end next to the new vertex.
+// b becomes a. The cost of an edge depends on the triangles at its ends, so every edge with an end
+// next to the new vertex is planned again.
 void CollapsingMesh::collapse(Edge edge, const Point& to) {
   const auto [a, b] = edge;
   const auto forget_edges_of = [&](MeshCorner v) {

@@ -21,33 +21,33 @@ using MeshTriangle = std::array<MeshCorner, 3>;  ///< Counter-clockwise from out
 
 class CollapsingMesh;
 
-/// Where the vertex goes that an edge becomes, and what that costs.
+/// The position of the vertex that replaces an edge, and the cost.
 struct Contraction {
   double cost;
   Point at;
 };
 
-/// What a collapse costs, and where it leads.
+/// The costs of collapses, and the positions of the new vertices.
 class CollapseRule {
  public:
   virtual ~CollapseRule() = default;
-  /// Ways to collapse the edge (a, b), the best first: the first that the mesh can take counts.
+  /// Ways to collapse the edge (a, b), the best first: the first one that the mesh allows is used.
   virtual std::vector<Contraction> contractions(const CollapsingMesh& mesh, MeshCorner a,
                                                 MeshCorner b) const = 0;
   /// Called after b has become a.
   virtual void merged(MeshCorner a, MeshCorner b) = 0;
 };
 
-/// By the squared distances from the planes of the triangles that a vertex has taken in, weighted
-/// by area: to the least point, or the best of the midpoint and the ends [GarlandHeckbert1997].
+/// By the squared distances from the planes of the triangles merged into a vertex, weighted by
+/// area: to the least point, or the best of the midpoint and the ends [GarlandHeckbert1997].
 [[nodiscard]] std::unique_ptr<CollapseRule> quadric_rule(std::span<const Point> vertices,
                                                          std::span<const MeshTriangle> triangles);
 /// By the added volume, to a point on or beyond all planes at the edge [Sander2000].
 [[nodiscard]] std::unique_ptr<CollapseRule> outward_rule();
 
 /// A closed triangle mesh without a boundary. A collapse must keep it one: both ends of the edge
-/// have just two common neighbours (the link condition), and four vertices stay. No triangle turns
-/// over, unless every collapse that is left would do that.
+/// have exactly two common neighbours (the link condition), and at least four vertices stay. No
+/// triangle is turned over, unless every remaining collapse would do that.
 class CollapsingMesh {
  public:
   /// @param rule  Must outlive the mesh.
@@ -55,7 +55,7 @@ class CollapsingMesh {
                  CollapseRule& rule);
 
   /// Collapses edges until so many vertices are left, or no edge can be collapsed. Of equally cheap
-  /// edges the one with the lower numbers goes first.
+  /// edges the one with the lower numbers is collapsed first.
   void reduce_to(std::size_t vertices, const Watch& watch = {});
 
   const Point& at(MeshCorner v) const { return vertices_[v]; }

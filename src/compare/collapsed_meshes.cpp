@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Directions of the facets of a mesh that has lost edges: by quadrics on the hull and on its dual
-// [GarlandHeckbert1997], and by added volume, where no vertex goes inward [Sander2000]. Or the
-// vertices that are left.
+// [GarlandHeckbert1997], and by added volume, where no vertex moves inward [Sander2000]. For solids
+// inside, the vertices that are left.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -41,8 +41,8 @@ Quadric quadric_of(const Point& p, const Point& q, const Point& r) {
 
 enum class QuadricPlacement { Free, Ends };
 
-// Edges go by quadrics: to the least point, or where that is not determined, or not allowed, to the
-// best of the midpoint and the ends. Or only to the better end.
+// Edges are collapsed by quadrics: to the least point or, if that is undetermined or not allowed,
+// to the best of the midpoint and the ends. Or only to the better end.
 class QuadricRule : public CollapseRule {
  public:
   QuadricRule(std::span<const Point> vertices, std::span<const MeshTriangle> triangles,
@@ -84,13 +84,13 @@ class QuadricRule : public CollapseRule {
   std::vector<Quadric> quadrics_;
 };
 
-// Edges go by the volume that is added, to a point on or beyond all planes at the edge: the
+// Edges are collapsed by the added volume, to a point on or beyond all planes at the edge: the
 // solution of a linear program in three unknowns.
 class OutwardRule : public CollapseRule {
  public:
   std::vector<Contraction> contractions(const CollapsingMesh& mesh, MeshCorner a,
                                         MeshCorner b) const override {
-    // Beyond so many planes the edge waits until its ends have fewer: all triples are tried.
+    // An edge with more planes waits until its ends have fewer, because all triples are tried.
     constexpr std::size_t kMostPlanes = 40;
     const std::vector<MeshTriangle> triangles = mesh.triangles_at(a, b);
     if (triangles.size() > kMostPlanes) return {};
@@ -123,7 +123,7 @@ class OutwardRule : public CollapseRule {
   // The point on or beyond all planes at which the goal is least; on a tie the first.
   static std::optional<Point> lowest(const std::vector<Plane>& planes, const Point& goal) {
     constexpr double kNear = 1e-12;       // of the size of the mesh, which is about 1
-    constexpr double kLeastAngle = 1e-9;  // three planes at less meet nowhere in particular
+    constexpr double kLeastAngle = 1e-9;  // below it, three planes meet in no definite point
     std::optional<Point> best;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < planes.size(); ++i) {
@@ -224,8 +224,8 @@ Normals propose_qem_dual(const HullToFit& hull, std::size_t faces, std::uint64_t
   return normals;
 }
 
-// A vertex that is left has the place of one that was there. Where rounding gave two the same
-// place, the first stands for both.
+// A remaining vertex has the place of an original one. Where rounding gave two the same place, the
+// first stands for both.
 HullCorners select_qem_ends(const HullToFit& hull, std::size_t vertices, std::uint64_t) {
   QuadricRule rule(hull.vertices, hull.triangles, QuadricPlacement::Ends);
   CollapsingMesh mesh(hull.vertices, hull.triangles, rule);
@@ -238,7 +238,7 @@ HullCorners select_qem_ends(const HullToFit& hull, std::size_t vertices, std::ui
   return left;
 }
 
-// What is left may have dents, so the hull of its vertices counts.
+// The remaining mesh may have dents, so the hull of its vertices is used.
 Normals propose_tlg(const HullToFit& hull, std::size_t faces, std::uint64_t seed) {
   OutwardRule rule;
   CollapsingMesh mesh(hull.vertices, hull.triangles, rule);

@@ -8,7 +8,7 @@
 namespace convexact {
 namespace {
 
-// What `work` returns, and its seconds.
+// The result of `work`, and its seconds.
 template <class Work>
 auto timed(double& seconds, Work&& work) {
   const Stopwatch watch;

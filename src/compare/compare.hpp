@@ -19,7 +19,7 @@ struct CompareRequest {
   StageWatch watch = {};
 };
 
-/// What a method made of one input.
+/// The result of a method on one input.
 struct MethodResult {
   const Method* method;
   double seconds;        ///< Of the proposal, from the exact hull on.
@@ -32,9 +32,9 @@ struct MethodResult {
     const Polytope& made = solid()->solid;
     return method->is_inner() ? made.vertices.size() : made.planes.size();
   }
-  /// Whether it made a solid that is no larger than so.
+  /// Whether it made a solid of at most this size.
   bool fits(std::size_t most) const { return solid() != nullptr && size() <= most; }
-  /// Whether its solid is nearer to the hull than the other one: by volume, exactly.
+  /// Whether its solid is nearer to the hull than the other one's: by volume, exactly.
   bool is_tighter(const MethodResult& other) const {
     const Rational &mine = solid()->volume_ratio, &its = other.solid()->volume_ratio;
     return method->is_inner() ? mine > its : mine < its;
@@ -67,7 +67,7 @@ struct MethodMedian {
   double volume = 0, area = 0, mean_width = 0, distance = 0, seconds = 0;
 };
 
-/// Of the methods with such an input, the tightest first.
+/// The medians of the methods with such an input, the tightest first.
 [[nodiscard]] std::vector<MethodMedian> medians(const std::vector<MethodComparison>& comparisons);
 
 /// A table for each input, and one of medians if there are several.
@@ -78,7 +78,7 @@ struct MethodMedian {
 /// A row for each input and method, with a heading. RFC 4180.
 [[nodiscard]] std::string compare_csv(const std::vector<MethodComparison>& comparisons);
 
-/// Every method with what it does and its source.
+/// Every method, with a description and its source.
 [[nodiscard]] std::string methods_text();
 [[nodiscard]] nlohmann::ordered_json methods_json();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What convexact compare says: tables, JSON and CSV.
+// The output of convexact compare: tables, JSON and CSV.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ std::string heading(const char* first) {
                      "area", "mean width", "distance", "seconds");
 }
 
-// What differs between solids around the inputs and those inside.
+// The words that differ between solids around the inputs and those inside.
 struct Wording {
   const char *size, *best, *beats, *better;
 };
@@ -29,7 +29,7 @@ Wording wording_of(bool inner) {
                : Wording{"planes", "least volume", "beats greedy", "less volume than greedy"};
 }
 
-// What stands behind a row.
+// The remark at the end of a row.
 std::string remark(const MethodComparison& comparison, const MethodResult& result) {
   std::string text;
   const Wording words = wording_of(comparison.inner);
@@ -57,7 +57,7 @@ std::string row_of(const MethodComparison& comparison, const MethodResult& resul
   return row + (note.empty() ? "" : "  " + note) + "\n";
 }
 
-// Those with a solid first, the tightest ahead.
+// Results with a solid first, in order of tightness.
 std::vector<const MethodResult*> by_tightness(const MethodComparison& comparison) {
   std::vector<const MethodResult*> order;
   for (const MethodResult& result : comparison.results) order.push_back(&result);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // method.hpp - methods that enclose a hull in few halfspaces, or keep few of its vertices.
 //
-// A method proposes directions or vertices and proves nothing: what it works with may be doubles.
+// A method proposes directions or vertices and proves nothing: it may work with doubles.
 // refit.hpp makes a solid of its proposal in exact numbers.
 #pragma once
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace convexact {
 
-/// A hull as the methods see it: exact, and as a triangle mesh in doubles.
+/// A hull in the forms that methods use: exact, and as a triangle mesh in doubles.
 struct HullToFit {
   const Solid& solid;
   /// solid.polytope.vertices less the middle of their box, times a power of two that leaves the
@@ -27,8 +27,8 @@ struct HullToFit {
   /// The facets of solid.polytope cut into fans, as indices of vertices, counter-clockwise from
   /// outside; 2 vertices.size() - 4 of them.
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  Watch watch = {};                         ///< Methods whose loops may take seconds ask it, ...
-  const std::atomic<bool>* stop = nullptr;  ///< ... or hand this flag on.
+  Watch watch = {};                         ///< Methods whose loops may take seconds check it, ...
+  const std::atomic<bool>* stop = nullptr;  ///< ... or pass this flag on.
 
   const Polytope& polytope() const { return solid.polytope; }
 };
@@ -50,7 +50,7 @@ using HullCorners = std::vector<std::uint32_t>;
 struct Method {
   std::string_view name;
   Normals (*propose)(const HullToFit& hull, std::size_t faces, std::uint64_t seed);
-  bool takes_faces;          ///< Otherwise it proposes the same whatever `faces` is.
+  bool takes_faces;          ///< Otherwise it proposes the same for every `faces`.
   std::string_view summary;  ///< What it does, for people.
   std::string_view source;   ///< A key of docs/references.md.
   /// Of a method for solids inside, which has no `propose`; null of the others.

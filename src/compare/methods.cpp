@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of all methods, and the hull as they see it.
+// The table of all methods, and the hull in the form that they use.
 
 #include "compare/method.hpp"
 #include "convexact/measure.hpp"

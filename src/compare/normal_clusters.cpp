@@ -15,7 +15,7 @@ double squared_distance(const Point& a, const Point& b) {
   return x * x + y * y + z * z;
 }
 
-// The unit normals of the facets. They count alike, however large the facets are.
+// The unit normals of the facets. They have the same weight, whatever the areas of the facets.
 std::vector<Point> unit_normals(const Polytope& hull) {
   std::vector<Point> normals;
   for (const Halfspace& plane : hull.planes) {

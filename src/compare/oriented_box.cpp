@@ -62,7 +62,7 @@ struct Oriented {
 };
 
 // Turns about the axes by ever smaller angles, as long as the box shrinks. The rounds are limited:
-// on needles, where rounding moves volumes more than small turns do, it might shrink for hours.
+// for needles, where rounding changes volumes more than small turns do, it might go on for hours.
 Oriented descend(const HullToFit& hull, Oriented best) {
   constexpr double kFirstAngle = 0.05, kLastAngle = 1e-9;
   constexpr int kRounds = 500;
@@ -93,7 +93,7 @@ Oriented descend(const HullToFit& hull, Oriented best) {
 
 Normals propose_obb(const HullToFit& hull, std::size_t, std::uint64_t) {
   constexpr std::size_t kRotations = 100'000, kDescents = 8;
-  // (1) The box of the axes, so that no input has a larger box than that, and all samples.
+  // (1) The box of the axes, so that the result is never larger than that, and all samples.
   std::vector<Oriented> boxes{{{1, 0, 0, 0}, 0}};
   for (std::size_t k = 0; k < kRotations; ++k) boxes.push_back({super_fibonacci(k, kRotations), 0});
   for (std::size_t k = 0; k < boxes.size(); ++k) {

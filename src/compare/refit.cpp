@@ -33,7 +33,7 @@ Polytope solid_of(const std::vector<Halfspace>& halfspaces, std::uint64_t seed) 
   return std::get<Polytope>(std::move(made));
 }
 
-// `distance` is that between the solid and the hull.
+// `distance` is the one between the solid and the hull.
 Refit refit_of(Polytope solid, const HausdorffDistance& distance, const HullMeasures& measures,
                const Watch& watch) {
   const HullMeasures after = measures_of(solid, watch);
@@ -74,7 +74,7 @@ RefitOutcome refit(const HullToFit& hull, const HullMeasures& measures, const No
   // (2) Bounded or not.
   const BoundedOutcome bounded = find_recession(halfspaces);
   if (const auto* ray = std::get_if<RecessionRay>(&bounded)) return *ray;
-  // (3) The solid without what is redundant; it holds every point.
+  // (3) The solid without redundant halfspaces; it holds every point.
   Polytope solid = solid_of(halfspaces, seed);
   if (count_outside(solid.planes, hull.solid.points) != 0) {
     throw Error(ErrorCode::Internal, "a refitted solid misses a point of the input");

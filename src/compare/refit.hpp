@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// refit.hpp - directions made a solid that holds the hull, or vertices of the hull one inside,
-// exactly, and measured.
+// refit.hpp - turns directions into a solid that holds the hull, or vertices of the hull into one
+// inside, exactly, and measures it.
 #pragma once
 #include <variant>
 
@@ -10,7 +10,7 @@
 
 namespace convexact {
 
-/// What the solids around a hull, and those inside, are measured against.
+/// The measures of the hull with which solids around it, and those inside, are compared.
 struct HullMeasures {
   Rational volume;
   Enclosure area, mean_width;
@@ -41,8 +41,8 @@ struct FlatSelection {};
 /// A solid, or a direction in which the proposed halfspaces leave it open, or why there is none.
 using RefitOutcome = std::variant<Refit, RecessionRay, FlatSelection>;
 
-/// Moves the plane of each direction to where it touches the hull, drops what is redundant, and
-/// proves on what is left that it is bounded and holds every point of the input.
+/// Moves the plane of each direction until it touches the hull, drops redundant halfspaces, and
+/// proves that the rest is bounded and holds every point of the input.
 /// @throws Error InvalidArgument for a direction that is zero; Internal if a proof fails; Stopped.
 /// @par Cost  An exact product for each direction and vertex, a solid of that many halfspaces, a
 ///            sign for each plane and point, and the Hausdorff distance.

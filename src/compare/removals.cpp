@@ -52,7 +52,7 @@ class RandomRemovals {
     shuffle(std::span(order_), random);
   }
 
-  /// What is left at so many halfspaces, or where no removal is bounded any more.
+  /// The remaining halfspaces when this many are left, or when no further removal is bounded.
   std::vector<HalfspaceId> left_at(std::size_t count) {
     std::size_t next = 0;
     while (next < order_.size() && kept_.size() + order_.size() - next > count) {
@@ -82,8 +82,8 @@ class RandomRemovals {
     return std::holds_alternative<BoundedProof>(find_recession(halfspaces));
   }
 
-  // The largest number in [next, last] up to which all may go. Fewer halfspaces never bound what
-  // more do not, so it is found by halving.
+  // The largest number in [next, last] up to which all may be removed. If halfspaces leave a solid
+  // unbounded, fewer of them do so, too; so it is found by halving.
   std::size_t furthest_bounded(std::size_t next, std::size_t last) const {
     if (is_bounded_from(last)) return last;
     std::size_t unbounded = last;
@@ -96,7 +96,7 @@ class RandomRemovals {
 
   const HullToFit& hull_;
   std::vector<std::size_t> order_;
-  std::vector<std::size_t> kept_;  // that cannot be removed
+  std::vector<std::size_t> kept_;  // those that cannot be removed
 };
 
 }  // namespace

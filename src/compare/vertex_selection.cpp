@@ -22,14 +22,14 @@ Point cross(const Point& a, const Point& b) {
 }
 double dot(const Point& a, const Point& b) { return a.x() * b.x() + a.y() * b.y() + a.z() * b.z(); }
 
-// The hull of selected vertices. Which triangles a vertex sees is decided exactly on the rounded
+// The hull of selected vertices. Visibility of triangles is decided exactly for the rounded
 // vertices, so the surface stays closed; volumes are doubles.
 class GrowingHull {
  public:
   explicit GrowingHull(std::span<const Point> points) : points_(points) {}
 
   /// The extreme pair of the widest axis, the vertex farthest from their line, and that farthest
-  /// from the plane of the three. @return False if the rounded vertices are all in one plane.
+  /// from the plane of the three. @return  False if the rounded vertices are all in one plane.
   bool start();
   /// The vertex outside that adds the most volume, the first on a tie; none if there is none.
   std::optional<Corner> best() const;
@@ -125,7 +125,7 @@ void GrowingHull::add(Corner apex) {
   }
 }
 
-// Directions of the facets, each once. A triangle that rounding alone made one is left out.
+// Directions of the facets, each once. A triangle that exists only by rounding is left out.
 Normals facet_directions(const Polytope& hull, std::span<const Piece> pieces) {
   std::vector<Halfspace> facets;
   for (const auto& [a, b, c] : pieces) {
