@@ -8,7 +8,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::size_t kMostListedRows = 60;  // of more, unmoved ones are only counted
+constexpr std::size_t kMostListedRows = 60;  // if there are more, unmoved ones are only counted
 
 ordered_json numbers_json(const RationalVector& v) {
   ordered_json list = ordered_json::array();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// chapters.hpp - the recorders of a lesson: each watches one algorithm and writes down what that
-// does, as docs/schema/lesson.schema.json describes it.
+// chapters.hpp - the recorders of a lesson: each watches one algorithm and records its steps, as
+// docs/schema/lesson.schema.json describes them.
 #pragma once
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -43,7 +43,7 @@ nlohmann::ordered_json triangle_json(const std::array<Id, 3>& t) {
 /// A cost as a trace has it, or null for an unbounded removal.
 [[nodiscard]] nlohmann::ordered_json cost_or_null(const std::optional<Cost>& cost);
 
-/// Writes down how a hull grows; beyond kMostLessonInsertions it only counts.
+/// Records how a hull grows; beyond kMostLessonInsertions it only counts.
 class HullRecorder : public HullObserver {
  public:
   void start(const HullStart& start) override;
@@ -59,7 +59,7 @@ class HullRecorder : public HullObserver {
   std::size_t count_ = 0;
 };
 
-/// Writes down how the linear program of chebyshev_center() is solved.
+/// Records how the linear program of chebyshev_center() is solved.
 class CenterRecorder : public LpObserver {
  public:
   explicit CenterRecorder(std::span<const Halfspace> halfspaces);
@@ -78,7 +78,7 @@ class CenterRecorder : public LpObserver {
   nlohmann::ordered_json chapter_;
 };
 
-/// Writes down the removals, from where at most kMostLessonHalfspaces are left.
+/// Records the removals, starting when at most kMostLessonHalfspaces are left.
 class RemovalRecorder : public RunObserver {
  public:
   /// The arguments must outlive the object.
@@ -90,18 +90,19 @@ class RemovalRecorder : public RunObserver {
   void evaluated(std::size_t step, const Removal& removal) override;
   void chosen(const Step& step) override;
   void checked(const TestedCondition& check) override;
-  /// To be called when the run has ended, also if it failed. @param why  Then, of the engine.
+  /// To be called when the run has ended, even if it failed. @param why  If it failed: the engine's
+  /// reason.
   void finish(const std::optional<std::string>& why = {});
 
-  /// {"step", "check"} of the check that did not hold, or what else made the engine give up; null
-  /// if the run succeeded.
+  /// {"step", "check"} of the check that did not hold, or the other reason why the engine gave up;
+  /// null if the run succeeded.
   const nlohmann::ordered_json& failed() const { return failed_; }
   std::size_t steps() const { return steps_; }
-  /// Of the steps that were made.
+  /// The halfspaces left after the steps that were made.
   std::vector<HalfspaceId> present() const;
   /// The first costs of all halfspaces; empty if there are too many of these.
   const std::vector<std::optional<Cost>>& first_costs() const { return first_costs_; }
-  /// Whether the run came so far that there is anything to show.
+  /// Whether the run got so far that there is anything to show.
   bool has_begun() const { return has_begun_; }
   /// How many removals are not shown.
   std::size_t skipped() const { return skipped_; }

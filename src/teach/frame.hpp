@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// frame.hpp - where a lesson draws points, planes and dual points.
+// frame.hpp - the positions at which a lesson draws points, planes and dual points.
 #pragma once
 #include <array>
 #include <nlohmann/json.hpp>
@@ -11,8 +11,8 @@
 namespace convexact {
 
 /// Moves the center of the dual to the origin and scales each axis by a power of two, so that the
-/// solid fits in about [-1, 1]. Everything is exact but the last step: a drawn number is a double
-/// of nine digits, and finite.
+/// solid fits in about [-1, 1]. Everything is exact except the last step: a drawn number is a
+/// double of nine digits, and finite.
 class LessonFrame {
  public:
   /// One scale for all axes, unless the solid is sixteen times longer along one than another.

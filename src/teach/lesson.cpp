@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 
 constexpr int kLessonVersion = 1;
 
-// What the chapters are about.
+// The subject of the chapters.
 struct Subject {
   const SceneObject& object;
   const LessonRequest& request;
@@ -166,7 +166,7 @@ ordered_json polar_chapter(const DualHull& dual, const LessonFrame& frame,
 
 // ---- The removals
 
-// What a run of the exact engine came to; nothing if it gave up, as it does where its verification
+// The result of a run of the exact engine; nothing if it gave up, as it does when its verification
 // refuses a step.
 std::optional<Run> watched_run(const DualHull& dual, RemovalRecorder& recorder,
                                const LessonFrame& frame, const Subject& subject,

@@ -13,11 +13,12 @@
 
 namespace convexact {
 
-/// Of what is larger a lesson leaves a part out, and says so.
-inline constexpr std::size_t kMostLessonHalfspaces = 200;  ///< When the removals shown begin.
+/// For larger inputs a lesson leaves a part out, and says so.
+inline constexpr std::size_t kMostLessonHalfspaces = 200;  ///< At the start of the removals that
+                                                           ///< are shown.
 inline constexpr std::size_t kMostLessonPoints = 3000;     ///< Of a hull shown being built.
-inline constexpr std::size_t kMostLessonInsertions = 300;  ///< Likewise.
-/// Above, the steps are verified at level local; it is the whole dual that takes long.
+inline constexpr std::size_t kMostLessonInsertions = 300;  ///< Likewise. Above this number, the
+/// steps are verified at level local; the whole dual would take long.
 inline constexpr std::size_t kMostFullyVerified = 60;
 
 struct LessonRequest {
@@ -40,7 +41,7 @@ struct Lesson {
 /// Runs the stages of `simplify --engine exact` on an object, watches them, and records what they
 /// do. The removals are those of the same request without a lesson.
 /// @throws Error InvalidArgument as simplify(); Internal if a certificate before the removals
-///               fails; Stopped as the watch says.
+///               fails; Stopped when the watch ends the call.
 [[nodiscard]] std::variant<Lesson, NotSolid> make_lesson(const SceneObject& object,
                                                          const LessonRequest& request);
 

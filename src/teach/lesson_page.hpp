@@ -8,7 +8,7 @@
 namespace convexact {
 
 /// A self-contained HTML page of a lesson (docs/schema/lesson.schema.json); it opens from disk and
-/// asks nothing of the network. @param name  Of the input, plain text in any encoding.
+/// needs no network. @param name  Of the input, plain text in any encoding.
 [[nodiscard]] std::string lesson_page(std::string_view name, const nlohmann::ordered_json& lesson);
 
 }  // namespace convexact

@@ -6,7 +6,7 @@
 namespace convexact {
 
 extern const std::string_view kLessonPage, kLessonStyle;
-/// In this order they are one script.
+/// Concatenated in this order they are one script.
 extern const std::string_view kRationalScript, kPaneScript, kRecordScript, kChaptersScript,
     kRemovalsScript, kStoringScript, kLessonScript;
 

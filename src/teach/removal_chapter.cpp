@@ -75,7 +75,7 @@ void RemovalRecorder::chosen(const Step& step) {
   if (has_begun_) removals.push_back(removal_json(step));
 }
 
-// Conditions of several parts without a number, such as those of a ring, are told once.
+// Conditions with several parts but no number, such as those of a ring, are recorded once.
 void RemovalRecorder::checked(const TestedCondition& check) {
   if (!check.holds) {
     failed_ = {{"step", chosen_ ? ordered_json(steps_ + 1) : ordered_json(nullptr)},
@@ -122,7 +122,7 @@ std::vector<HalfspaceId> RemovalRecorder::present() const {
   return ids;
 }
 
-// The solid as it is now, and what is known of its halfspaces.
+// The present solid, and the data on its halfspaces.
 void RemovalRecorder::begin() {
   has_begun_ = true;
   const std::vector<DualTriangle> triangles = surface_.triangles();
@@ -159,7 +159,7 @@ ordered_json RemovalRecorder::evaluation_json(const Seen& seen) const {
           {"others", others_of(seen.removal)}};
 }
 
-// What the same cap adds to the other measures.
+// The amounts that the same cap adds to the other measures.
 ordered_json RemovalRecorder::others_of(const Removal& removal) const {
   ordered_json others = ordered_json::object();
   for (const CostMeasure measure : request_.measures) {

@@ -21,7 +21,7 @@ Rational spacing_above(Precision precision, double x) {
   return to_rational(next) - to_rational(x);
 }
 
-// Where a direction is largest on the input.
+// The point of the input that is farthest in a direction.
 struct Support {
   PointId point;
   Rational value;
@@ -36,7 +36,7 @@ Support support_of(const RationalVector3& direction, const Solid& solid) {
   return support;
 }
 
-// Growths are upper bounds and may be infinite, which JSON does not know.
+// Growths are upper bounds and may be infinite, which JSON cannot represent.
 ordered_json bound_json(double x) { return std::isfinite(x) ? ordered_json(x) : nullptr; }
 
 ordered_json planes_chapter(const Polytope& exact, std::span<const HalfspaceId> ids,
