@@ -17,8 +17,8 @@ namespace convexact {
 inline constexpr std::size_t kMostLessonHalfspaces = 200;  ///< At the start of the removals that
                                                            ///< are shown.
 inline constexpr std::size_t kMostLessonPoints = 3000;     ///< Of a hull shown being built.
-inline constexpr std::size_t kMostLessonInsertions = 300;  ///< Likewise. Above this number, the
-/// steps are verified at level local; the whole dual would take long.
+inline constexpr std::size_t kMostLessonInsertions = 300;  ///< Likewise.
+/// Above this number, the steps are verified at level local; the whole dual would take long.
 inline constexpr std::size_t kMostFullyVerified = 60;
 
 struct LessonRequest {
