@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// errors.hpp - how large exactly known errors are, also where doubles would underflow, and those of
-// rounded planes.
+// errors.hpp - the sizes of exactly known errors, even where doubles would underflow, and the
+// errors of rounded planes.
 #pragma once
 #include <limits>
 
@@ -10,10 +10,10 @@
 
 namespace convexact {
 
-/// |error| in two ways.
+/// |error| in two forms.
 struct ErrorSize {
   double value = 0;  ///< Nearest double; 0 where it is less than the smallest one.
-  /// -log2 |error|, to about 12 digits: how many bits are right, if the error is a relative one.
+  /// -log2 |error|, to about 12 digits: the number of correct bits, if the error is a relative one.
   /// Infinite if, and only if, there is no error at all.
   double bits = std::numeric_limits<double>::infinity();
 
@@ -31,9 +31,9 @@ struct ErrorSize {
 /// The largest relative error of a coordinate of a dual point.
 [[nodiscard]] ErrorSize worst_coordinate(const RoundedDual& rounded, std::size_t halfspaces);
 
-/// How far a vertex of the solid lies outside one of the rounded planes, at most; relative to the
-/// diameter of the solid's box. Exactly the worst one: doubles only exclude pairs of a plane and a
-/// vertex that are proven not to be it.
+/// The largest distance of a vertex of the solid outside one of the rounded planes, relative to the
+/// diameter of the solid's box. It is found exactly: doubles only exclude pairs of a plane and a
+/// vertex that are proven not to be the worst one.
 [[nodiscard]] ErrorSize worst_outside(const RoundedDual& rounded, const DualHull& dual,
                                       const RationalPoint& center);
 

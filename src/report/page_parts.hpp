@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// page_parts.hpp - the files that pages are made of (embed.py turns each into an array), and how a
-// page is put together.
+// page_parts.hpp - the files from which pages are made (embed.py turns each into an array), and the
+// functions that assemble a page.
 #pragma once
 #include <map>
 #include <string>
@@ -17,7 +17,7 @@ extern const std::string_view kViewerPage, kViewerStyle, kFacetsScript, kShapesS
 [[nodiscard]] std::string fill_page(std::string_view page,
                                     const std::map<std::string_view, std::string_view>& texts);
 
-/// JSON that does not end the script element it stands in: '<' is spelled \u003c.
+/// JSON that does not end the script element that contains it: '<' is spelled \u003c.
 [[nodiscard]] std::string for_script_element(std::string_view json);
 
 /// Plain text as HTML, inside of elements and quoted attributes.

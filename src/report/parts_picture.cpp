@@ -15,10 +15,10 @@
 namespace convexact {
 namespace {
 
-// Distinct to colour-blind eyes, too [OkabeIto2008]; vermilion is for what is uncovered.
+// Distinguishable for colour-blind readers, too [OkabeIto2008]; vermilion is for uncovered pieces.
 constexpr std::array kColors = {"#56b4e9", "#e69f00", "#009e73", "#f0e442", "#0072b2", "#cc79a7"};
-constexpr std::size_t kMostSwitches = 32;  // parts with a switch of their own
-constexpr std::size_t kMostApart = 64;     // parts with a way of their own as well
+constexpr std::size_t kMostSwitches = 32;  // parts with a separate switch
+constexpr std::size_t kMostApart = 64;     // parts that also move separately
 
 PictureLayer uncovered_layer(const SurfaceCoverage& coverage) {
   PictureLayer layer{.name = "uncovered", .color = "#d55e00"};
@@ -116,7 +116,7 @@ std::vector<double> rays(const Decomposition& decomposition) {
   for (const Part& part : decomposition.parts) {
     std::vector<Eigen::Vector4d> planes;
     for (const Halfspace& plane : part.hull.halfspaces) {
-      // Their ratio is what counts, and integers may be beyond the doubles.
+      // Only their ratio counts, and integers may be beyond the doubles.
       Integer most = abs(plane.offset());
       for (const Integer& x : plane.normal()) most = std::max<Integer>(most, abs(x));
       const auto share = [&](const Integer& x) {
@@ -138,13 +138,13 @@ Point middle(const Mesh& mesh) {
   return sum;
 }
 
-// A part with its planes by polygon, where they are known: neither flat ones nor files have them.
+// A part with its planes by polygon, if they are known: flat parts and files do not have them.
 struct DrawnPart {
   const Mesh* mesh;
   std::span<const Halfspace> planes = {};
 };
 
-// The parts, most of them with a way of their own from the middle of all.
+// The parts, most of them with a separate direction away from the middle of all.
 void add_apart(const std::vector<DrawnPart>& drawn, Picture& picture) {
   Point center = Point::Zero();
   for (const DrawnPart& part : drawn) {
@@ -241,7 +241,7 @@ Picture decomposition_picture(const Decomposition& decomposition, const std::str
 
 std::vector<PictureLayer> tree_layers(const BuiltTree& built) {
   std::vector<PictureLayer> layers;
-  std::size_t node = 0;  // nodes stand level by level
+  std::size_t node = 0;  // nodes are in the order of their levels
   for (const TreeLevel& level : built.levels) {
     PictureLayer layer{.name = fmt::format("hulls of level {}", layers.size()),
                        .color = kColors[layers.size() % kColors.size()],

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// parts_picture.hpp - a decomposition to look at.
+// parts_picture.hpp - pictures of a decomposition.
 #pragma once
 #include <string>
 
@@ -10,14 +10,14 @@
 
 namespace convexact {
 
-/// The parts in colours, in red what of the input's surface none of them covers, and the input
-/// itself, which is hidden at first.
+/// The parts in colours, in red the pieces of the input's surface that none of them covers, and the
+/// input itself, which is hidden at first.
 [[nodiscard]] Picture parts_picture(const Mesh& input, const PartsVerdict& verdict,
                                     const std::string& title);
 
 /// The parts, which can be drawn apart; the input coloured by the clusters after any number of
-/// merges; and the input coloured by how far a ray from the middle of each triangle runs inside the
-/// hull of its cluster, in doubles. Both colourings are hidden at first.
+/// merges; and the input coloured by the length, in doubles, of a ray from the middle of each
+/// triangle inside the hull of its cluster. Both colourings are hidden at first.
 [[nodiscard]] Picture decomposition_picture(const Decomposition& decomposition,
                                             const std::string& title);
 

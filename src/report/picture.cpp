@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kGrid = 32767;                   // drawn coordinates are integers in [-kGrid, kGrid]
 constexpr std::size_t kMostDrawn = 1000000;    // triangles or dots of a layer
-constexpr std::size_t kMostTurning = 30000;    // while a page turns that has no fast graphics
+constexpr std::size_t kMostTurning = 30000;    // while a page without fast graphics turns
 constexpr std::size_t kMostStaticDots = 3000;  // of a layer, in the static drawing
 constexpr std::size_t kMostPicked = 5000;      // facets of a layer that can be picked
 constexpr std::size_t kMostNumbered = 200;     // facets of a page with a number at each
@@ -129,7 +129,7 @@ void sort_unique(std::vector<T>& items) {
   items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
-// The layer with one point for each cell of a grid; what collapses there is left out.
+// The layer with one point for each cell of a grid; polygons that collapse there are left out.
 DrawnLayer on_grid(const PictureLayer& layer, const Frame& frame, int step) {
   DrawnLayer drawn;
   Clusters clusters(layer, frame, step);
@@ -161,9 +161,9 @@ DrawnLayer on_grid(const PictureLayer& layer, const Frame& frame, int step) {
   return drawn;
 }
 
-// On the finest grid that leaves so few triangles, and dots.
+// The layer on the finest grid that leaves at most so many triangles, and dots.
 DrawnLayer drawn_layer(const PictureLayer& layer, const Frame& frame, std::size_t most) {
-  // Ends: few triangles have their corners in few grid points.
+  // The loop ends: few triangles have their corners in few grid points.
   for (int step = 1;; step = std::max(16, 3 * step / 2)) {
     DrawnLayer drawn = on_grid(layer, frame, step);
     if (std::max(drawn.triangles.size(), drawn.points.size()) <= most) return drawn;
@@ -203,7 +203,7 @@ nlohmann::ordered_json geometry_json(const PictureLayer& layer, const DrawnLayer
   return json;
 }
 
-// Every point, also where several share a place.
+// Every point, even where several share a place.
 std::vector<GridPoint> grid_points(const PictureLayer& layer, const Frame& frame) {
   std::vector<GridPoint> points;
   for (const Point& p : layer.points) {
@@ -214,7 +214,7 @@ std::vector<GridPoint> grid_points(const PictureLayer& layer, const Frame& frame
   return points;
 }
 
-// What facets.js reads. Corners are not merged on the grid, so facets that share two are
+// The data that facets.js reads. Corners are not merged on the grid, so facets that share two are
 // neighbours.
 nlohmann::ordered_json facets_json(const PictureLayer& layer, const Frame& frame) {
   nlohmann::ordered_json solids = nlohmann::ordered_json::array();
@@ -279,7 +279,8 @@ nlohmann::ordered_json layer_json(const PictureLayer& layer, const Frame& frame)
 
 // --- the static drawing -------------------------------------------------------------------------
 
-// A layer's points as viewer.js first shows them, without perspective: x to the right, y down.
+// The points of a layer in the first view of viewer.js, without perspective: x to the right, y
+// down.
 std::vector<std::array<int, 2>> projected(const PictureLayer& layer, const Frame& frame) {
   // Turned by 0.6 and tilted by 0.35. Digits, as cos() may differ in its last bit among platforms.
   constexpr double kCosTurn = 0.8253356149, kSinTurn = 0.5646424734;
@@ -368,7 +369,7 @@ std::string list_entry(const PictureLayer& layer) {
                      escaped_html(layer.name), counts);
 }
 
-// What a reader can change besides the view; viewer.js shows it.
+// The controls besides the view; viewer.js shows them.
 std::string control_list(const std::vector<PictureLayer>& layers) {
   constexpr std::string_view kSlider =
       R"(<label hidden>{} <input type="range" id="{}" min="0" max="{}" value="{}"> )"

@@ -14,22 +14,22 @@
 
 namespace convexact {
 
-/// A solid whose facets a reader can pick, and what the page then tells. Exact numbers travel as
-/// text.
+/// A solid whose facets a reader can pick, and the data that the page then shows. Exact numbers are
+/// stored as text.
 struct PictureSolid {
   std::string name;                 ///< Plain text.
   std::vector<std::string> planes;  ///< By facet: "(n1, n2, n3, d)", n.x + d <= 0.
 };
 
-/// What a picture shows and hides at once: surfaces, or points.
+/// The elements that a picture shows and hides together: surfaces, or points.
 struct PictureLayer {
-  std::string name;    ///< Plain text; stands beside the layer's switch.
+  std::string name;    ///< Plain text; shown beside the layer's switch.
   std::string color;   ///< "#rrggbb".
   double opacity = 1;  ///< Of the faces, in (0, 1]. Below 1, polygons must be closed surfaces,
                        ///< counter-clockwise from outside.
   bool edges = false;  ///< Draws the edges of the polygons.
   bool shown = true;   ///< When the page opens.
-  bool right = false;  ///< Stands in the right pane where a reader has two, else in the left one.
+  bool right = false;  ///< Shown in the right pane if a reader has two, otherwise in the left one.
   std::vector<Point> points = {};  ///< Drawn as dots if there are no polygons.
   std::vector<std::vector<std::uint32_t>> polygons = {};  ///< Indices into `points`.
   /// How far the layer moves, in the scene's units, when a reader draws layers apart.
@@ -40,12 +40,13 @@ struct PictureLayer {
   /// polygon, the lower name first. The page colours groups after as many steps as a reader asks
   /// for. Empty: `color`.
   std::vector<std::array<std::uint32_t, 2>> merges = {};
-  /// The last so many merges undo splits: a reader asks for a number of these instead.
+  /// The last so many merges undo splits: a reader chooses a number of splits instead.
   std::optional<std::size_t> splits = {};
-  /// The polygons are the facets of these solids, one solid after another. Empty: none is picked.
+  /// The polygons are the facets of these solids, one solid after another. Empty: none can be
+  /// picked.
   std::vector<PictureSolid> solids = {};
 
-  /// Whether polygons have colours of their own; then they are drawn in full, without edges.
+  /// Whether polygons have separate colours; then they are drawn in full, without edges.
   bool has_colors() const { return !heat.empty() || !merges.empty(); }
 
   /// Adds a surface, or a cloud of points if there are no polygons.
@@ -69,11 +70,11 @@ struct Picture {
   std::vector<PictureLayer> layers;
 };
 
-/// A self-contained HTML page that draws the layers by three.js; it opens from disk and asks
-/// nothing of the network. Where the browser has no WebGL 2, and in print, a static drawing stands
-/// in its place. Same picture, same bytes. Coordinates are rounded to 1/32767 of half the scene's
-/// size, and more coarsely in a layer of more than a million triangles or points: a picture is for
-/// looking at, and proves nothing.
+/// A self-contained HTML page that draws the layers by three.js; it opens from disk and needs no
+/// network. If the browser has no WebGL 2, and in print, it shows a static drawing instead. Same
+/// picture, same bytes. Coordinates are rounded to 1/32767 of half the scene's size, and more
+/// coarsely in a layer of more than a million triangles or points: a picture is for looking at, and
+/// proves nothing.
 [[nodiscard]] std::string picture_html(const Picture& picture);
 
 }  // namespace convexact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// report.hpp - everything that a report measures, on which machine, for machines to read.
+// report.hpp - all measurements of a report, and the machine, as data.
 #pragma once
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
@@ -56,10 +56,10 @@ struct ReportData {
 /// The measurements that do not depend on the inputs: spheres and stability.
 void measure_families(ReportData& report, const ReportRequest& request);
 
-/// A machine: enough to compare, and no names of hosts or users.
+/// A machine: enough for comparisons, but no names of hosts or users.
 struct Machine {
-  std::string processor;     ///< As the system calls it; "unknown" where it does not say.
-  unsigned cores = 0;        ///< That the process may use; 0 if unknown.
+  std::string processor;     ///< Its name in the system; "unknown" if there is none.
+  unsigned cores = 0;        ///< Those that the process may use; 0 if unknown.
   std::uint64_t memory = 0;  ///< Bytes; 0 if unknown.
 };
 
@@ -86,7 +86,7 @@ struct ReportOrigin {
 [[nodiscard]] std::string report_csv(const nlohmann::ordered_json& report);
 
 /// A self-contained HTML page: no network, no further file. Its script draws the plots and writes
-/// the tables from the data that it carries, so the page shows what the JSON says.
+/// the tables from the data that it carries, so the page shows exactly the data of the JSON.
 /// @param json  As write_json() prints it, UTF-8.
 [[nodiscard]] std::string report_page(std::string_view json);
 

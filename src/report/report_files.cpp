@@ -46,7 +46,7 @@ Json way_json(const WayResult& way, std::size_t at_start) {
   json["left"] = way.left;
   json["stop"] = name_of(way.stop);
   json["planes"] = error_json(way.planes);
-  // Where no removal was made, no cost is right, either.
+  // Without a removal there is no correct cost, either.
   const bool has_costs = way.left < at_start;
   json["cost_worst"] = has_costs ? error_json(way.cost_worst) : nullptr;
   json["cost_median"] = has_costs ? error_json(way.cost_median) : nullptr;
@@ -226,7 +226,7 @@ constexpr Quantity kErrors[] = {{"/left", "left", "1"},
 constexpr Quantity kLaw[] = {{"/exponent", "exponent", "1"},
                              {"/standard_error", "standard error of the exponent", "1"}};
 
-// A field as RFC 4180 wants it.
+// A field in the form of RFC 4180.
 std::string field(const std::string& bytes) {
   const std::string text = as_utf8(bytes);
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;

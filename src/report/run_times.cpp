@@ -111,7 +111,7 @@ double seconds_of(const std::vector<Stage>& stages, const std::string& name) {
   return 0;
 }
 
-// None if the set is flat or the time was up.
+// None if the set is flat or the time ran out.
 std::optional<Sample> sample(const PointSet& points, Engine engine, const Effort& effort) {
   std::vector<double> hull, removals;
   Sample result;

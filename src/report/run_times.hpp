@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// run_times.hpp - where the time of a run goes, what skipping stages saves, and how the time
-// grows with the input.
+// run_times.hpp - the time of a run by stage, the time that skipping stages saves, and the growth
+// of the time with the input.
 #pragma once
 #include <optional>
 #include <string>
@@ -19,8 +19,8 @@ struct StageTime {
 
 /// One kind of run of the pipeline, repeated.
 struct RunTimes {
-  /// "exact", "filtered", "float": down to so many halfspaces, nothing else. "everything": by the
-  /// filtered engine, and no stage left out.
+  /// "exact", "filtered", "float": only down to a number of halfspaces. "everything": by the
+  /// filtered engine, with no stage left out.
   std::string run;
   /// From the input in memory to the result; none if it took longer than the effort allows.
   std::optional<Spread> seconds;
@@ -56,8 +56,8 @@ struct ScalingSeries {
 [[nodiscard]] std::vector<PointSet> growing_spheres(std::size_t least, std::size_t most,
                                                     std::uint64_t seed);
 
-/// Runs of simplify() down to four halfspaces. An engine does not go on to a larger input once a
-/// run took a tenth of the effort's budget.
+/// Runs of simplify() down to four halfspaces. An engine does not continue with a larger input
+/// after a run took a tenth of the effort's budget.
 /// @param sets  Each larger than the one before.
 [[nodiscard]] std::vector<ScalingSeries> measure_scaling(const std::vector<PointSet>& sets,
                                                          const Effort& effort);

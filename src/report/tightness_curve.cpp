@@ -28,7 +28,7 @@ class Arrivals {
     if (at == faces_.end() || *at != left) return;
     times_[static_cast<std::size_t>(at - faces_.begin())].push_back(watch_.seconds());
   }
-  /// Of a number that some run reached.
+  /// The spread for a number that some run reached.
   std::optional<Spread> of(std::size_t index) const {
     if (times_[index].empty()) return std::nullopt;
     return spread_of(times_[index]);
@@ -96,7 +96,7 @@ TightnessCurve measure_tightness_curve(const Solid& solid, std::size_t least, co
   const Deadline deadline(effort);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const std::optional<Spread> seconds = arrivals.of(i);
-    if (!seconds) continue;  // every removal from somewhat more is unbounded
+    if (!seconds) continue;  // every removal from a larger number is unbounded
     if (effort.progress)
       effort.progress("tightness at " + std::to_string(faces[i]) + " halfspaces");
     SimplifyOptions options;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tightness_curve.hpp - how tightly k halfspaces enclose a solid, and when a run gets there.
+// tightness_curve.hpp - how tightly k halfspaces enclose a solid, and when a run reaches them.
 #pragma once
 #include <optional>
 #include <vector>
@@ -13,7 +13,7 @@ namespace convexact {
 /// The solid of k halfspaces after the greedy removals.
 struct TightnessPoint {
   std::size_t faces = 0;
-  /// The measure of the curve over that of the solid, minus 1; the nearest double, about.
+  /// The measure of the curve over that of the solid, minus 1; approximately the nearest double.
   double growth = 0;
   /// Hausdorff distance to the solid, over the diameter of its box: the nearest double. None where
   /// the effort's budget was spent before.
@@ -24,7 +24,7 @@ struct TightnessPoint {
 
 struct TightnessCurve {
   std::size_t halfspaces = 0;                 ///< Of the solid.
-  CostMeasure measure = CostMeasure::Volume;  ///< That each removal adds the least to.
+  CostMeasure measure = CostMeasure::Volume;  ///< The measure to which each removal adds the least.
   std::vector<TightnessPoint> points;         ///< Ascending by `faces`, from `least` to all.
 };
 

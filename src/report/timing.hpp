@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// timing.hpp - repeated measurements of time: how often, how long, their spread, and the power law
-// behind a series of them.
+// timing.hpp - repeated measurements of time: their number, their budget, their spread, and the
+// power law behind a series of them.
 #pragma once
 #include <atomic>
 #include <chrono>
@@ -18,7 +18,7 @@
 
 namespace convexact {
 
-/// Of the middle, or half way between the two middle ones. Precondition: at least one value.
+/// The middle value, or half way between the two middle ones. Precondition: at least one value.
 [[nodiscard]] double median(std::vector<double> values);
 
 /// Repeated measurements of one quantity.
@@ -46,11 +46,11 @@ struct PowerLaw {
 
 struct Effort {
   std::size_t repetitions = 5;  ///< Of every timed run; >= 1.
-  /// Seconds for the repetitions of one run: none begins later, and a first run that takes longer
-  /// by itself is given up.
+  /// Seconds for the repetitions of one run: none begins after that, and a first run that takes
+  /// longer is given up.
   double budget = 60;
   std::uint64_t seed = 1;
-  /// Called with what is being measured.
+  /// Called with the name of the present measurement.
   std::function<void(const std::string& what)> progress = {};
   const std::atomic<bool>* stop = nullptr;  ///< When it becomes true: Error Stopped.
 };
@@ -65,7 +65,7 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Stops engines when the time is up, or the user wants it.
+/// Stops engines when the time is up, or on an interrupt.
 class Deadline {
  public:
   explicit Deadline(const Effort& effort) : effort_(effort) {}
@@ -86,7 +86,7 @@ class Deadline {
   }
 
  private:
-  // Read too seldom to be seen in the times of the quickest engine.
+  // The clock is read so rarely that the times of the quickest engine do not show it.
   void look_at_the_clock(std::size_t step) {
     if (step % 64 == 0 && (has_passed() || is_interrupted())) ring_ = true;
   }
@@ -96,7 +96,7 @@ class Deadline {
   std::atomic<bool> ring_ = false;
 };
 
-/// Times `work(deadline)` again and again, as the effort allows. None if even the first run did not
+/// Times `work(deadline)` repeatedly, as the effort allows. None if even the first run did not
 /// end in time. @throws Error Stopped after an interrupt; otherwise as work.
 template <class Work>
 std::optional<Spread> time_repeatedly(const Effort& effort, Work&& work) {

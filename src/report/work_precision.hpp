@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// work_precision.hpp - the error that each way of computing makes, the time that it takes, and
-// where it breaks down as shapes become stiff or extreme.
+// work_precision.hpp - the error and the time of each way of computing, and where it breaks down as
+// shapes become stiff or extreme.
 #pragma once
 #include <optional>
 #include <string>
@@ -23,7 +23,7 @@ struct WrongStep {
 /// One way of computing on one solid, against exact numbers.
 struct WayResult {
   std::string way;           ///< "exact", "filtered", "float", "mpfr-24", ...
-  std::optional<long> bits;  ///< Of its numbers; none: it decides exactly.
+  std::optional<long> bits;  ///< The bits of its numbers; none: it decides exactly.
   /// Of the removals alone, from one dual hull; the verification of each step included where the
   /// way has one. None if it took longer than the effort allows; then nothing below is known.
   std::optional<Spread> seconds;
@@ -35,8 +35,8 @@ struct WayResult {
   ErrorSize cost_median;  ///< Likewise.
   /// Of the volume of what it left, relative; none where it could not compute it.
   std::optional<ErrorSize> volume;
-  /// How far an input point lies outside a plane as it is held, before any outward rounding, at
-  /// most; relative to the diameter of the input.
+  /// The largest distance of an input point outside a plane as it is held, before any outward
+  /// rounding; relative to the diameter of the input.
   ErrorSize outside;
 
   /// The first step, from 0, that does not remove what exact removes there.
@@ -45,7 +45,7 @@ struct WayResult {
   std::optional<WrongStep> first_wrong;
   /// Volume of what it left, over that of exact's run after as many removals, minus 1.
   double excess = 0;
-  /// Of MPFR in the formats of C's float and double: whether these gave the same, bit for bit.
+  /// For MPFR in the formats of C's float and double: whether these gave the same, bit for bit.
   std::optional<bool> agrees_with_c;
 };
 
