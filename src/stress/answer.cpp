@@ -58,7 +58,7 @@ std::size_t faces_for(const Question& question, const Polytope& polytope) {
   return std::max(question.faces, size - kMostSteps);
 }
 
-// The pipeline as users run it; the only part whose time is taken.
+// The pipeline as users run it; the only part that is timed.
 Polytope run_pipeline(const Shape& shape, const SimplifyRequest& request, EngineAnswer& answer) {
   const double start = processor_time();
   SimplifyOutcome outcome = simplify(shape, request);
@@ -83,7 +83,7 @@ Polytope run_pipeline(const Shape& shape, const SimplifyRequest& request, Engine
   return std::move(result->solid.exact);
 }
 
-// The steps of the run that keeps no record: the same computation as the pipeline's.
+// The steps of the run that keeps no record, which is the same computation as the pipeline's.
 void take_lean_run(const FastDual& dual, const Question& question, std::size_t faces,
                    EngineAnswer& answer) {
   SimplifyOptions options;
@@ -111,7 +111,7 @@ void take_lean_run(const FastDual& dual, const Question& question, std::size_t f
 
 void take_lean_run(const Shape& shape, const Solid& solid, const Question& question,
                    std::size_t faces, EngineAnswer& answer) {
-  // From the dual that the pipeline takes: bounds depend on its center. By volume, points need no
+  // From the dual that the pipeline uses: bounds depend on its center. By volume, points need no
   // exact planes.
   const auto* points = std::get_if<PointSet>(&shape);
   if (points == nullptr || question.cost != CostMeasure::Volume) {
@@ -122,7 +122,7 @@ void take_lean_run(const Shape& shape, const Solid& solid, const Question& quest
   take_lean_run(FastDual::of(std::get<Hull>(outcome), *points), question, faces, answer);
 }
 
-// In one form and precision. Refusing is an answer.
+// The result in one form and precision. A refusal is an answer, too.
 StoredBytes store_as(StressStored::Form form, Precision precision, bool whole,
                      const Polytope& result, const Solid& solid) {
   StoredBytes kept;
@@ -157,7 +157,7 @@ void store_all(const Polytope& result, const Solid& solid, bool whole, EngineAns
   }
 }
 
-// Its own removals again, then the search from their end.
+// The engine's removals again, then the search from their end.
 Polytope take_search(const Shape& shape, SimplifyRequest request, const SearchRequest& search,
                      EngineAnswer& answer) {
   request.trace = true;

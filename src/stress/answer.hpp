@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// answer.hpp - everything that an engine says about one input, for a judge in another process.
+// answer.hpp - all statements of an engine about one input, for a judge in another process.
 #pragma once
 #include <array>
 #include <nlohmann/json_fwd.hpp>
@@ -16,11 +16,12 @@ namespace convexact {
 
 /// A result as bytes, as a file would hold it.
 struct StoredBytes {
-  StressStored stored;  ///< As the engine claims it: it holds, or is refused.
+  StressStored stored;  ///< As the engine claims it: the solid holds, or is refused.
   std::string bytes;    ///< JSON for planes, OBJ for a mesh; empty if refused.
 };
 
-/// A measure or a cost as an engine reports it: in this interval. An end that says nothing is none.
+/// A measure or a cost as an engine reports it: in this interval. An end that excludes nothing is
+/// unset.
 struct ReportedVolume {
   std::optional<Rational> low, high;
 };
@@ -32,9 +33,9 @@ struct LeanStep {
   std::uint64_t tied = 0;
 };
 
-/// Where a search led from the end of the removals.
+/// The result of a search from the end of the removals.
 struct SearchAnswer {
-  std::vector<Move> moves;      ///< Each with the measure that it left.
+  std::vector<Move> moves;      ///< Each with the measure of its solid.
   std::vector<Halfspace> left;  ///< The planes of its result.
 };
 
@@ -43,8 +44,8 @@ struct EngineAnswer {
   StressEnd end = StressEnd::Failed;
   std::string why;  ///< Of an end with an error, and of NoVolume.
 
-  /// Of the solid and the run; each step with cost and tie, of the float engine, which keeps no
-  /// such record, with the removal only.
+  /// Of the solid and the run. Each step has cost and tie; for the float engine, which keeps no
+  /// such record, only the removal.
   Run run;
   std::vector<LeanStep> lean;  ///< Empty for the exact engine.
 
@@ -53,7 +54,7 @@ struct EngineAnswer {
   /// By area or mean width: this measure of the same two.
   std::optional<std::array<ReportedVolume, 2>> measure;
   std::optional<StressClaim> claim;  ///< Of the float engine.
-  /// None if none was asked for, of the float engine, and where more than 100 halfspaces are left.
+  /// None if none was asked for, for the float engine, and if more than 100 halfspaces are left.
   std::optional<SearchAnswer> search;
   std::vector<StoredBytes> stored;
   double seconds = 0;        ///< Of processor time: the pipeline with the exact result, not stored.
@@ -69,13 +70,13 @@ struct Question {
 };
 
 /// Runs an engine through the pipeline, as users do; again where needed for the record of its
-/// steps, and for a search; and stores the result in every format, unless it is large. Of a solid
-/// that takes long, the exact engine makes the first removals only. The errors of convexact become
-/// part of the answer.
+/// steps, and for a search; and stores the result in every format, unless it is large. For a solid
+/// that would take long, the exact engine makes the first removals only. The errors of convexact
+/// become part of the answer.
 [[nodiscard]] EngineAnswer answer_of(const Shape& shape, const Question& question);
 
-/// From one process to another. Costs are of run.measure. Numbers stay exact; of each step only
-/// removal, cost and tie are kept.
+/// From one process to another. Costs are of run.measure. Numbers stay exact; only removal, cost
+/// and tie of each step are kept.
 [[nodiscard]] nlohmann::ordered_json answer_json(const EngineAnswer& answer);
 [[nodiscard]] EngineAnswer answer_in(const nlohmann::ordered_json& json);
 

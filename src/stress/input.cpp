@@ -112,8 +112,8 @@ std::ptrdiff_t index_of(const shapes::Family& family, const std::string& paramet
   return found == all.end() ? -1 : found - all.begin();
 }
 
-// A family of shapes, swept over one of its parameters, which is none where nothing can be varied.
-// `points` counts for families with a plain number of points.
+// A family of shapes, swept over one of its parameters, or over none if nothing can be varied.
+// `points` applies to families with a plain number of points.
 StressFamily sweep(const std::string& name, const std::string& parameter, Values values,
                    Values large = {}) {
   const shapes::Family& family = shapes::family(name);
@@ -139,7 +139,7 @@ Values powers_of_two(std::initializer_list<int> exponents) {
   return values;
 }
 
-// Thin, nearly flat or round, of large valences, of extreme scales.
+// Shapes that are thin, nearly flat or round, or of large valences or extreme scales.
 void add_extreme(std::vector<StressFamily>& list) {
   const Values aspects{1,    10,   1e2,  1e4,  1e6,  1e8,   1e10,  1e12,  1e14,  1e15,
                        1e16, 1e17, 1e20, 1e30, 1e60, 1e100, 1e150, 1e200, 1e250, 1e300};
@@ -173,7 +173,7 @@ void add_extreme(std::vector<StressFamily>& list) {
                        {0, 1, 5, 10, 20, 26, 27, 52, 53, 100, 200, 300, 400, 500}));
 }
 
-// With large facets, symmetries and repeats.
+// Shapes with large facets, symmetries and repeats.
 void add_regular(std::vector<StressFamily>& list) {
   const Values corners{3, 4, 5, 6, 7, 8, 12, 24, 60, 100, 360};
   list.push_back(sweep("prism", "k", corners, {1000, 10000, 100000}));

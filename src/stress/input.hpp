@@ -27,10 +27,10 @@ struct SweepOptions {
   std::uint32_t seeds = 1;     ///< How many seeds, one after another, for each value.
   std::vector<double> values;  ///< Instead of the family's own, if there are any.
   std::size_t faces = 4;       ///< Halfspaces to keep, >= 4.
-  bool large = false;          ///< Also the values that take minutes.
+  bool large = false;          ///< Includes the values that take minutes.
 };
 
-/// A family as a sweep goes through it.
+/// A family in the form that a sweep uses.
 struct StressFamily {
   std::string name;
   std::string description;  ///< One line.

@@ -54,8 +54,9 @@ bool is_of(Precision precision, const Rational& x) {
   return to_rational(round_to(precision, x, Rounding::Nearest)) == x;
 }
 
-// Whether every number is of the precision. Planes are read as primitive integers, so only their
-// directions and offsets up to a common factor are left of the numbers: a mesh contains more.
+// Whether every number is of the precision. Planes are read as primitive integers, so of their
+// numbers only directions and offsets up to a common factor are left: this is tested for meshes
+// only.
 bool is_of_precision(const Candidate& candidate, Precision precision) {
   const auto* mesh = std::get_if<Mesh>(&candidate);
   if (mesh == nullptr) return true;
@@ -194,7 +195,8 @@ void Judge::judge_lean_run(const EngineAnswer& answer, StressRun& run) const {
   run.cost_error = largest;
 }
 
-// What it says of itself, and against the other engine, if that starts from the same.
+// Judges the search by its statements, and against the other engine's if that starts from the same
+// halfspaces.
 void Judge::judge_search(const EngineAnswer& answer, StressRun& run) const {
   append(run.faults, faults_of_search(solid_, answer));
   run.moves = answer.search->moves.size();
@@ -231,8 +233,8 @@ void Judge::compare_with_others(const EngineAnswer& answer, StressRun& run) cons
   }
 }
 
-// Whose removals count as right: the exact engine's, or where it was stopped before, the filtered
-// engine's, which is judged too.
+// The answer whose removals count as right: the exact engine's or, if it was stopped before, the
+// filtered engine's, which is judged too.
 const EngineAnswer* Judge::reference(std::size_t steps) const {
   for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
     for (const EngineAnswer& answer : answers_) {

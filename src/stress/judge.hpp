@@ -23,39 +23,39 @@ namespace convexact {
 
 // The parts of judge_answers().
 
-/// The reference of the judge: its own dual hull.
+/// The reference of the judge: a dual hull that it computes itself.
 struct CenteredDual {
   const DualHull& dual;
   RationalPoint center;  ///< Strictly inside.
 };
 
 /// Whether the value is in the interval. A root or an angle is known to 256 bits: the answer is no
-/// where these show that it is outside.
+/// if these show that it is outside.
 [[nodiscard]] bool holds(const ReportedVolume& reported, const Cost& value);
 
 /// Whether both are missing, or nothing shows that they differ.
 [[nodiscard]] bool may_be_same(const std::optional<Cost>& a, const std::optional<Cost>& b);
 
-/// Whether the removals are different halfspaces of the run's, and leave at least four.
+/// Whether the removals are different halfspaces of the run, and leave at least four.
 [[nodiscard]] bool is_valid_order(const Run& run);
 
-/// Follows the removals with all claims of the answer about them; of large solids the first ones.
+/// Follows the removals with all claims of the answer about them; for large solids only the first
+/// ones.
 [[nodiscard]] TraceVerdict follow(const CenteredDual& solid, const EngineAnswer& answer);
 
 /// The faults of an engine that promises the greedy order. @param verdict  Of follow().
 [[nodiscard]] std::vector<std::string> faults_of_order(const EngineAnswer& answer,
                                                        const TraceVerdict& verdict);
 
-/// By the definition, from where few halfspaces are left: each is taken away and the rest
-/// intersected from scratch. Each removal must be the cheapest of all, at the recorded cost, with
-/// all ties; and an end above the wanted number must have no bounded removal left.
+/// By the definition, once few halfspaces are left: each is removed and the rest intersected from
+/// scratch. Each removal must be the cheapest of all, at the recorded cost, with all ties; and an
+/// end above the wanted number must have no bounded removal left.
 [[nodiscard]] std::vector<std::string> faults_by_definition(const CenteredDual& solid,
                                                             const EngineAnswer& answer);
 
-/// Whether the volumes that the pipeline reports are those of what it started from and of what it
-/// ended with, both intersected from scratch; likewise the measure of the costs, and whether both
-/// differ by the sum of the costs.
-/// Of large solids only what they end with.
+/// Whether the volumes that the pipeline reports are those of the solids at its start and at its
+/// end, both intersected from scratch; likewise the measure of the costs, and whether the two
+/// measures differ by the sum of the costs. For large solids only the end is tested.
 [[nodiscard]] std::vector<std::string> faults_of_volume(const CenteredDual& solid,
                                                         const EngineAnswer& answer);
 
@@ -65,13 +65,13 @@ struct CenteredDual {
 [[nodiscard]] std::vector<std::string> faults_of_search(const CenteredDual& solid,
                                                         const EngineAnswer& answer);
 
-/// Of the float engine: adds to the run its errors against exact costs and minima in its own
-/// states, and what is wrong. An error is no fault; an error beyond its own bound is one, and so is
-/// an unbounded solid. @param verdict  Of follow().
+/// For the float engine: adds to the run its errors against exact costs and minima in the states
+/// that it reached, and its faults. An error is no fault; an error beyond the engine's stated bound
+/// is one, and so is an unbounded solid. @param verdict  Of follow().
 void judge_float(const EngineAnswer& answer, const TraceVerdict& verdict, StressRun& run);
 
-/// How far the ends of a reported cost are from the true one at most, relative to that; rounded up,
-/// infinite if one of them is.
+/// The largest distance of the ends of a reported cost from the true cost, relative to the latter;
+/// rounded up, and infinite if an end is.
 [[nodiscard]] double error_of_cost(const ReportedVolume& reported, const Cost& cost);
 
 }  // namespace convexact

@@ -16,17 +16,18 @@
 namespace convexact {
 namespace {
 
-// Solids with at most so many halfspaces left are judged by the definition alone.
+// Solids with at most this many halfspaces left are judged by the definition alone.
 constexpr std::size_t kDefinition = 12;
-// Solids of more halfspaces are large. Of these costs, minima and ties are computed again for the
-// first `kSteps` removals, and nothing of that size is intersected from scratch.
+// Solids of more halfspaces are large. For these, costs, minima and ties are computed again for the
+// first `kSteps` removals only, and no solid of that size is intersected from scratch.
 constexpr std::size_t kLarge = 2500, kSteps = 200;
-// Of enclosures of areas and mean widths.
+// Bits of the enclosures of areas and mean widths.
 constexpr long kCheckedBits = 256;
 
 bool has_record(const EngineAnswer& answer) { return answer.engine != Engine::Float; }
 
-// All removals from what is left, by the definition: none if every one is unbounded.
+// The cheapest of all removals from the present solid, by the definition: none if every one is
+// unbounded.
 struct Cheapest {
   std::optional<Cost> cost;
   std::vector<HalfspaceId> tie;
@@ -59,10 +60,10 @@ void check_reported(const char* what, const Cost& value, const ReportedVolume& r
                                name_of(value.measure()), what));
 }
 
-// Of a volume the number itself.
+// For a volume this is the number itself.
 Enclosure bounds_of(const Cost& cost) { return cost.enclose(kCheckedBits); }
 
-// Whether the costs are together what the measure has grown by: volumes exactly.
+// Whether the sum of the costs is the growth of the measure: exactly for volumes.
 bool add_up(const std::vector<Step>& steps, const Cost& first, const Cost& last) {
   if (first.measure() == CostMeasure::Volume) {
     std::vector<Rational> costs;
@@ -85,14 +86,14 @@ RemovalOrder order_about(const Run& run) {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Whether the run ends for want of bounded removals where there is one.
+// Whether the run ends with the claim that no removal is bounded although one is.
 bool ends_early(const TraceVerdict& verdict) {
   return std::any_of(verdict.claims.begin(), verdict.claims.end(), [](const TraceClaim& claim) {
     return std::string_view(claim.code) == "trace-stop" && claim.status == Status::Violated;
   });
 }
 
-// Whether the step is within what the engine says of its steps.
+// Whether the step is within the engine's bounds for its steps.
 bool is_as_claimed(const StressClaim& claim, double cost_error, double regret) {
   return cost_error <= claim.cost && regret <= claim.regret;
 }

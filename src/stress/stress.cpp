@@ -30,7 +30,7 @@ void require_sensible(const StressRequest& request) {
   }
 }
 
-// How a process ended that was to answer: its answer, or why there is none.
+// The end of a process that was to answer: its answer, or why there is none.
 struct ChildEnd {
   std::optional<nlohmann::ordered_json> answer;
   StressEnd end = StressEnd::Reached;
@@ -66,7 +66,8 @@ ChildEnd end_of(const ProgramRun& run, const ChildProcess& process, const Stress
   return end;
 }
 
-// A busy machine may give a process a small share of its time; beyond this, it waits for something.
+// A busy machine may give a process only a small share of its time; beyond this factor, the process
+// must be waiting.
 constexpr double kWallPerProcessorTime = 20;
 
 using Children = std::map<std::size_t, std::unique_ptr<ChildProcess>>;

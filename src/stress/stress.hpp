@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// stress.hpp - a sweep: every engine on every input, each in a process of its own, all judged.
+// stress.hpp - a sweep: every engine on every input, each in a separate process, all judged.
 #pragma once
 #include <atomic>
 #include <functional>
@@ -10,9 +10,9 @@
 
 namespace convexact {
 
-/// Of each process: one engine on one input, or the judge of their answers.
+/// The limits of each process: one engine on one input, or the judge of their answers.
 struct StressLimits {
-  /// Of processor time, more than 0; whole ones. A process that only waits gets 20 times as long.
+  /// Of processor time, more than 0; an integer. A process that only waits gets 20 times as long.
   double seconds = 120;
   std::uint64_t memory = 0;  ///< Bytes of address space; 0 for no limit.
 };
@@ -24,17 +24,17 @@ struct StressRequest {
   SearchRequest search = {};
   StressLimits limits;
   std::size_t processes = 1;  ///< At the same time, >= 1.
-  /// The engines under test; replaced where the judge itself is tested.
+  /// The engines under test; replaced in tests of the judge itself.
   std::function<EngineAnswer(const Shape&, const Question&)> answer = answer_of;
   /// Called when inputs are done, with their number and the number of all.
   std::function<void(std::size_t done, std::size_t total)> progress;
   const std::atomic<bool>* stop = nullptr;  ///< When it becomes true: Error Stopped.
 };
 
-/// The runs in the order of the inputs and, of each, of the engines. Whatever happens to an engine
-/// or to the judge is a run with a fault. Forks: a process of its own has no other thread of the
-/// caller's, and must not need one.
-/// @throws Error InvalidArgument for a request that makes no sense; Stopped.
+/// The runs in the order of the inputs and, of each, of the engines. Every failure of an engine or
+/// of the judge becomes a run with a fault. Forks: a child process has no other thread of the
+/// caller, and must not need one.
+/// @throws Error InvalidArgument for an invalid request; Stopped.
 [[nodiscard]] StressReport stress(std::span<const StressInput> inputs,
                                   const StressRequest& request);
 

@@ -18,8 +18,9 @@ namespace convexact {
 /// How an engine's run on a hard input ended.
 enum class StressEnd {
   Reached,       ///< With as many halfspaces as were wanted.
-  AllUnbounded,  ///< Above that: every further removal is unbounded (float: or may be, it says so).
-  NoVolume,      ///< The input encloses no volume, and the engine's way there says why.
+  AllUnbounded,  ///< Above that: every further removal is unbounded (or may be, as the float engine
+                 ///< then states).
+  NoVolume,      ///< The input encloses no volume, and the engine's pipeline says why.
   Failed,        ///< With an error. The only documented one is Unrepresentable, see StressStored.
   Crashed,       ///< A signal ended it.
   TimedOut,
@@ -56,7 +57,7 @@ struct StressStored {
 
 /// The bounds of the float engine on its own error (FloatBound).
 struct StressClaim {
-  double cost = 0;           ///< Relative error of each reported cost, at most.
+  double cost = 0;           ///< Largest relative error of a reported cost.
   double regret = 0;         ///< Each removal costs at most (1 + regret) times the cheapest.
   std::size_t doubtful = 0;  ///< Steps for which these two are not proven.
   bool end_proven = true;    ///< Whether exact numbers would have ended the run there, too.
@@ -93,8 +94,8 @@ struct StressRun {
   std::optional<double> regret;  ///< Largest (cost - minimum) / minimum of a step; may be infinite.
   std::optional<StressClaim> claim;  ///< Of the float engine.
 
-  /// Planes and mesh in binary64 and binary32, in that order; empty if there is no result. The
-  /// filtered engine's run has the input's hull in the same four forms after that.
+  /// Planes and mesh in binary64 and binary32, in that order; empty if there is no result. For the
+  /// filtered engine's run, the input's hull in the same four forms follows.
   std::vector<StressStored> stored;
   /// The faults, a sentence each. Empty: passed.
   std::vector<std::string> faults;
@@ -103,7 +104,7 @@ struct StressRun {
 };
 
 struct StressReport {
-  std::vector<StressRun> runs;             ///< By family and value; of one input by engine.
+  std::vector<StressRun> runs;             ///< By family and value; for one input by engine.
   double seconds = 0;                      ///< Wall time of the sweep.
   CostMeasure cost = CostMeasure::Volume;  ///< Of all runs.
 
@@ -119,7 +120,7 @@ struct StressReport {
 [[nodiscard]] std::vector<StressRun> stress_runs_in(const nlohmann::ordered_json& json);
 
 /// One line for each family and engine with the worst of its runs, then the faults; at most 100
-/// columns but for the faults' sentences.
+/// columns except for the faults' sentences.
 [[nodiscard]] std::string stress_table(const StressReport& report);
 /// One line for each run, then the faults.
 [[nodiscard]] std::string stress_case_table(const StressReport& report);

@@ -10,7 +10,7 @@
 namespace convexact {
 namespace {
 
-// The worst of some runs. Errors are none where nothing was judged.
+// The worst of some runs. Errors are unset where nothing was judged.
 struct Worst {
   std::size_t runs = 0, faulty = 0, early = 0, no_volume = 0, other_order = 0;
   std::size_t claims = 0, vouched = 0, stored = 0, refused = 0, missed = 0;
@@ -69,7 +69,7 @@ std::string label_of(const StressRun& run) {
   return fmt::format("{} {}={:.3g}", run.family, run.parameter, run.value);
 }
 
-// Short enough for a column, as are the ends.
+// Short enough for a column, like the ends.
 std::string short_label(const StressRun& run) {
   if (run.parameter.empty()) return run.family;
   return fmt::format("{} {:.3g}", run.family, run.value);
