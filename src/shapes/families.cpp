@@ -16,8 +16,8 @@ namespace {
 
 using Seed = std::uint64_t;
 
-// Calls the maker with the values in order, each as the type that it takes, and with the seed if it
-// takes one argument more.
+// Calls the maker with the values in order, each converted to the type that it takes, and with the
+// seed if it takes one argument more.
 template <class... Arguments, std::size_t... K>
 std::vector<Point> call(std::vector<Point> (*maker)(Arguments...),
                         [[maybe_unused]] std::span<const double> values, [[maybe_unused]] Seed seed,

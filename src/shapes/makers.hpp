@@ -118,7 +118,7 @@ struct CirclePoint {
 // Integer points in exactly special positions: on a sphere, on the moment curve.
 
 /// At most n of the integer points with x^2 + y^2 + z^2 = `squared_radius` <= 10^6, drawn without
-/// repeats: exactly cospherical, so every one is extreme, and many are coplanar.
+/// repeats: exactly cospherical, so all of them are extreme, and many are coplanar.
 /// @throws Error InvalidArgument if fewer than 4 such points exist; there are none for
 ///         4^a (8 b + 7), by Legendre's theorem.
 [[nodiscard]] std::vector<Point> cospherical(std::uint32_t n, std::uint32_t squared_radius,
@@ -186,7 +186,8 @@ struct CirclePoint {
 
 /// 1 <= `parts` <= 64 random shapes of the other families, few points each, with random values.
 /// Each may be turned, stretched by random powers of two along the axes, and moved; its points may
-/// come twice, once of them one ulp off. All coordinates are at most 2^1000. May span no volume.
+/// occur twice, the second time one ulp off. All coordinates are at most 2^1000. May span no
+/// volume.
 [[nodiscard]] std::vector<Point> mixture(std::uint32_t parts, std::uint64_t seed);
 
 }  // namespace convexact::shapes

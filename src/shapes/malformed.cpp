@@ -12,7 +12,7 @@ namespace {
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// Bytes that are no text, no header and, as numbers, neither small nor regular.
+// Bytes that are no text and no header and, as numbers, neither small nor regular.
 std::string noise() {
   std::string bytes;
   std::uint32_t state = 1;
@@ -73,7 +73,7 @@ std::string stl(const std::string& last) {
          "\nendloop\nendfacet\nendsolid s\n";
 }
 
-// One triangle, with a count that may be another one.
+// One triangle, with a count that may be wrong.
 std::string binary_stl(std::uint32_t count, float last) {
   std::string bytes(80, ' ');
   bytes += little_endian(count);

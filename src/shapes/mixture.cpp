@@ -15,7 +15,7 @@ std::uint32_t between(Random& random, std::uint32_t low, std::uint32_t high) {
   return low + static_cast<std::uint32_t>(uniform_below(random, high - low + 1));
 }
 
-// An exponent of two: mostly none, then ever larger ones, so that all scales meet.
+// An exponent of two: mostly 0, otherwise from ever larger ranges, so that all scales meet.
 int exponent(Random& random) {
   constexpr std::array<std::uint32_t, 8> kLargest{0, 0, 0, 3, 30, 60, 200, 450};
   const auto largest = kLargest[uniform_below(random, kLargest.size())];

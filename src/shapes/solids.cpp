@@ -175,7 +175,7 @@ CirclePoint in_first_octant(std::uint64_t a, std::uint64_t b) {
 }  // namespace
 
 CirclePoint on_circle(std::uint64_t k, std::uint64_t n) {
-  // The angle is pi a / b throughout; each line folds it into half of what was left.
+  // The angle is pi a / b throughout; each line halves the range of the angle that is left.
   std::uint64_t a = 2 * (k % n), b = n;
   const bool below = a > b;  // sine < 0
   if (below) a = 2 * b - a;
