@@ -50,7 +50,7 @@ struct BvhArguments {
   TreeRequest tree;
 };
 
-// What a tree is built of.
+// The parts that a tree is built from.
 struct TreeParts {
   std::vector<NamedPart> parts;
   std::vector<Join> joins;

@@ -27,8 +27,8 @@ std::atomic<bool> interrupt_flag = false, settle_flag = false, may_settle_flag =
 static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler");
 
 // The first interrupt makes the work end by itself, so that no half-written file remains; the
-// second one, with the default action restored, ends the process. A search that can settle takes
-// one before these.
+// second one, with the default action restored, ends the process. A search that can settle uses up
+// an earlier interrupt.
 extern "C" void on_interrupt(int signal) {
   if (may_settle_flag.exchange(false)) {
     settle_flag = true;
@@ -43,7 +43,7 @@ Reproducer& reproducer() {
   return kept;
 }
 
-// An internal error, with the file that a report of it needs.
+// An internal error, with the file for a bug report.
 Error with_reproducer(const Error& error) {
   reproducer().failure = error.what();
   const std::string path = write_reproducer(reproducer(), ".");
@@ -80,14 +80,14 @@ void limit_memory(const GlobalOptions& options) {
   });
 }
 
-// The command line up to --, behind which a program and its arguments stand.
+// The command line up to --, which a program and its arguments follow.
 std::vector<std::string> own_words() {
   const std::vector<std::string>& all = reproducer().command_line;
   return {all.begin() + 1, std::find(all.begin() + 1, all.end(), "--")};
 }
 
-// The first word that looks like an option and is none of its subcommand. The message of the parser
-// would name the words behind it, too.
+// The first word that looks like an option but is no option of its subcommand. The parser's message
+// would also name the words after it.
 std::optional<std::string> unknown_option(const CLI::App& program,
                                           const std::vector<std::string>& words) {
   std::vector<const CLI::App*> commands = {&program};
@@ -95,7 +95,7 @@ std::optional<std::string> unknown_option(const CLI::App& program,
     commands.push_back(commands.back()->get_subcommands().front());
   }
   for (const std::string& word : words) {
-    // A minus sign before a digit is that of a number.
+    // A minus sign before a digit belongs to a number.
     if (word.size() < 2 || word[0] != '-' || (word[1] >= '0' && word[1] <= '9')) continue;
     const std::string name = word[1] == '-' ? word.substr(0, word.find('=')) : word.substr(0, 2);
     const bool is_known = std::any_of(commands.begin(), commands.end(), [&](const CLI::App* app) {
@@ -106,7 +106,7 @@ std::optional<std::string> unknown_option(const CLI::App& program,
   return std::nullopt;
 }
 
-// The first word, if it stands where a subcommand should, and is none.
+// The first word, if it is in the place of a subcommand but is none.
 std::optional<std::string> unknown_subcommand(const CLI::App& program,
                                               const std::vector<std::string>& words) {
   if (words.empty() || words[0].starts_with('-')) return std::nullopt;
@@ -115,7 +115,7 @@ std::optional<std::string> unknown_subcommand(const CLI::App& program,
   return named.empty() ? std::optional(words[0]) : std::nullopt;
 }
 
-// What the parser prints instead of doing work: the help, or the version.
+// Prints the help or the version, if the parser asks for that instead of work.
 int print_answer(const CLI::App& program, const CLI::ParseError& error) {
   std::ostringstream text;
   const int code = program.exit(error, text, text);

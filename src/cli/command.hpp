@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// command.hpp - what the subcommands share: global options, the end of a run, the report of errors.
+// command.hpp - the common parts of the subcommands: global options, the end of a run, the report
+// of errors.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <atomic>
@@ -18,7 +19,7 @@ namespace convexact::cli {
 
 /// Options that every subcommand understands.
 struct GlobalOptions {
-  bool json = false;             ///< One JSON object on standard output, also on failure.
+  bool json = false;             ///< One JSON object on standard output, even on failure.
   std::uint64_t seed = 1;        ///< Of every random order; no answer depends on it.
   std::uint64_t max_memory = 0;  ///< Bytes of heap; 0 for no limit.
   bool stages = false;           ///< List every stage in the text for people.
@@ -50,8 +51,8 @@ void add_verify_command(CLI::App& program, int& exit_code);
 void remember_command_line(int argc, char** argv);
 void remember_input(const std::string& name, const std::string& bytes);
 
-/// Reports an error of the command line, an unknown option before any other, or prints the
-/// requested help; returns the exit code.
+/// Reports an error in the command line, unknown options first, or prints the requested help;
+/// returns the exit code.
 int end_of_parsing(const CLI::App& program, const CLI::ParseError& error);
 
 /// Runs a subcommand's work and turns each Error into its sentence on standard error (or, with
@@ -80,20 +81,21 @@ void print(const nlohmann::ordered_json& document);
 /// Becomes true when an interrupt (Ctrl-C, SIGTERM) arrives; long loops check it and end with
 /// Stopped.
 const std::atomic<bool>& interrupted() noexcept;
-/// While a search that can end with what it has is running, the first interrupt makes this true
-/// instead.
+/// While a search that can end with its best result so far is running, the first interrupt makes
+/// this true instead.
 const std::atomic<bool>& settled() noexcept;
 void let_interrupt_settle(bool may_settle) noexcept;
 
 /// Finds a file or folder that comes with the program: "vectors", "data/bunny.obj", "profiles.json"
-/// and the like. The first place that `is_it` accepts: beside the installed program, in the source
-/// of one that runs where it was built, or where it was to be installed.
+/// and the like. The first place that `is_it` accepts: beside the installed program; in the source
+/// folder, if the program runs where it was built; or in the folder for which the build was
+/// configured.
 [[nodiscard]] std::optional<std::filesystem::path> find_shipped(
     const std::filesystem::path& name,
     const std::function<bool(const std::filesystem::path&)>& is_it =
         [](const std::filesystem::path& place) { return std::filesystem::exists(place); });
 
-// memory.cpp: how much memory the program may use, and how it ends when there is no more.
+// memory.cpp: how much memory the program may use, and how it ends when that is used up.
 
 /// Makes GMP and MPFR allocate through memory.cpp. To be called before any number exists.
 void install_memory_functions();
@@ -101,8 +103,8 @@ void install_memory_functions();
 /// From now on at most `bytes` of heap may be in use; memory in use already is not counted.
 ///
 /// C++ gets std::bad_alloc from seven eighths of that on, so that a run ends by unwinding, as after
-/// any error. No exception may pass through GMP: it may use the last eighth, and if that is full as
-/// well the process ends, after `last_words`, with the exit code of Stopped.
+/// any error. No exception may pass through GMP: it may use the last eighth, and if that is used
+/// up, too, the process ends, after `last_words`, with the exit code of Stopped.
 void limit_memory(std::uint64_t bytes, std::function<void()> last_words);
 
 /// To be called before an error is reported, which takes memory, too.

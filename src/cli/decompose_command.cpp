@@ -48,7 +48,7 @@ constexpr const char* kDecomposeFooter =
     "part of acd cannot be split; the summary and \"eps_holds\" say so. 4: INPUT has no face, or "
     "all its faces lie in one plane.";
 
-// The files that a run writes. A new kind joins all_paths(), files_of() and the options.
+// The files that a run writes. A new kind must be added to all_paths(), files_of() and the options.
 struct DecomposeFiles {
   std::vector<std::string> results;  // -o
   std::string tree;                  // of hulls over the parts
@@ -128,8 +128,8 @@ struct DecomposedObject {
 
 using DecomposedObjects = std::vector<DecomposedObject>;
 
-// Parts of several objects begin with the name of theirs, or with its number if one of these names
-// cannot be part of the name of a file and of an object.
+// Names of parts of several objects begin with the name of the object, or with its number if one of
+// these names cannot be part of the name of a file and of an object.
 void name_parts(DecomposedObjects& objects, const std::vector<std::string>& object_names,
                 const PartNames& names) {
   const bool is_plain = std::all_of(object_names.begin(), object_names.end(), is_plain_name);
@@ -154,7 +154,7 @@ std::vector<WrittenPart> written_parts(const DecomposedObjects& objects) {
   return parts;
 }
 
-// Of several objects: their documents under "objects", and all parts together under "parts", each
+// For several objects: their documents under "objects", and all parts together under "parts", each
 // with the number of its object.
 nlohmann::ordered_json document_of(const DecomposedObjects& objects,
                                    const DecomposeRequest& request, DecompositionDetail detail) {
@@ -184,7 +184,7 @@ nlohmann::ordered_json document_of(const DecomposedObjects& objects,
 struct FilesOfParts {
   OutputFiles files;
   std::vector<std::string> folders, removed, notes;
-  std::string tree;  // what the summary says of it
+  std::string tree;  // its lines in the summary
 };
 
 std::string in_folder(const std::string& folder, const std::string& file) {
@@ -301,7 +301,8 @@ std::string answer_of(const DecomposedObjects& objects, const DecomposeRequest& 
   return text + stage_text(stages, options.global.stages);
 }
 
-// Which files a run writes to a folder is known when it ends, and too late for a refusal.
+// The files that a run writes to a folder are known only when it ends, which is too late for a
+// refusal.
 void require_other_names(const DecomposeArguments& options, const PartNames& names) {
   const std::filesystem::path input(options.input);
   if (input.extension() != ".obj" || !names.may_end(input.stem().string())) return;

@@ -58,7 +58,7 @@ void print_table(const std::vector<DiffedObject>& objects, const StageLog& log, 
   print(diff_table(named) + "\n" + stage_text(log.stages(), lists_stages));
 }
 
-// Merges of clusters have no faces to keep, and no cost but their own.
+// Merges of clusters have no faces to keep, and no choice of the cost.
 int run_diff_of_clusters(const DiffArguments& options) {
   const char* foreign = options.faces                              ? "--faces"
                         : !options.keep.empty()                    ? "--keep"

@@ -79,7 +79,7 @@ void print_list() {
   print(text);
 }
 
-// STL has triangles only, and which ones does not matter for a hull: the points three by three, the
+// STL has triangles only, and for a hull any triangles serve: the points three by three, with the
 // last one repeated at the end.
 void add_triangles_over_points(Mesh& mesh) {
   const auto size = static_cast<std::uint32_t>(mesh.points.size());
@@ -226,7 +226,7 @@ void add_generate_command(CLI::App& program, int& exit_code) {
       *program.add_subcommand("generate", "write hard inputs: families of points by name");
   command.footer(kGenerateFooter);
   command.require_subcommand(0, 1);
-  command.allow_extras();  // so that an unknown family gets a sentence of its own
+  command.allow_extras();  // so that an unknown family gets a separate message
   command.add_flag("--list", options->list, "name every family with its parameters");
   command.add_option(
       "-o,--output", options->output,

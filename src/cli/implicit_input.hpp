@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // implicit_input.hpp - simplify --implicit: its options, the corners of cells as an object, and
-// what the summary says about them.
+// their report.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace convexact::cli {
 
-/// What is known about a shape and its cells.
+/// The data on a shape and its cells.
 struct ImplicitFound {
   ImplicitBounds bounds;
   ImplicitCells cells;

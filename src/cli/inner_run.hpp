@@ -22,7 +22,7 @@ void add_inner_options(CLI::App& command, InnerOnly& options);
 /// @throws Error InvalidArgument for one of these options without --inner.
 void require_inner(const InnerOnly& options);
 
-/// What an inner run takes of the options of simplify.
+/// The options of simplify that an inner run uses.
 struct InnerArguments {
   const GlobalOptions& global;
   const std::vector<std::string>& inputs;

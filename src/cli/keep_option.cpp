@@ -31,7 +31,7 @@ std::optional<KeepText> parse(std::string_view selector) {
   return std::nullopt;
 }
 
-// What follows the name of the part and a slash.
+// The text after the name of the part and a slash.
 std::optional<KeepText> parse_for(const SceneObject& object, std::string_view text) {
   if (!text.starts_with(object.part) || !text.substr(object.part.size()).starts_with('/')) {
     return std::nullopt;

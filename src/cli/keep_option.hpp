@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// keep_option.hpp - --keep: facets that a run must not remove, as people name them.
+// keep_option.hpp - --keep: facets that a run must not remove, as users name them.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <string>

@@ -22,7 +22,8 @@ constexpr const char* kFooter =
     "  2  wrong usage                        6  stopped: memory, interrupt, closed pipe\n"
     "  3  a file is unreadable or malformed  70 an internal verification failed";
 
-// An empty name is one that a script has lost, not one that was not given. Every picture is a page.
+// An empty name is refused: a script has lost it, it was not left out. Every picture must be a
+// page.
 void check_file_names(CLI::App& command) {
   for (const char* const name :
        {"--output", "--picture", "--trace", "--proof", "--tree", "--csv", "--from"}) {

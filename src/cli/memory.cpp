@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Memory: counted and limited, for C++ by the operators below, for GMP by its hooks.
+// Counts and limits memory: for C++ by the operators below, for GMP by its hooks.
 #include <gmp.h>
 #include <malloc.h>
 #include <unistd.h>
@@ -80,8 +80,8 @@ void release(void* block, std::size_t) {
 void install_memory_functions() { mp_set_memory_functions(allocate, reallocate, release); }
 
 void limit_memory(std::uint64_t bytes, std::function<void()> words) {
-  // Destructors of JSON values allocate, and must not throw: what ends them ends the run as GMP
-  // does.
+  // Destructors of JSON values allocate, and must not throw: a failure in them ends the run as one
+  // in GMP does.
   std::set_terminate([] {
     try {
       if (std::current_exception()) std::rethrow_exception(std::current_exception());
@@ -120,8 +120,8 @@ void release_for_cpp(void* block) noexcept {
 }  // namespace
 }  // namespace convexact::cli
 
-// The operators for arrays call these. The ones that do not throw would, too, but a sanitizer
-// replaces them with its own while it uses ours for the rest.
+// The operators for arrays call these. The ones that do not throw would call them, too, but a
+// sanitizer replaces those by its versions while it uses ours for the rest.
 void* operator new(std::size_t size) { return convexact::cli::allocate_for_cpp(size, 0); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return convexact::cli::allocate_for_cpp(size, static_cast<std::size_t>(alignment));

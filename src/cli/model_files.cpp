@@ -25,7 +25,7 @@ std::string model_name(const std::string& path, PartsOutput kind) {
   return name.substr(0, name.size() - extension);
 }
 
-// From the place of the model, which readers take paths to be relative to. Neither has to exist.
+// Paths relative to the place of the model, as readers expect. Neither has to exist.
 std::vector<PartFile> files_in(const std::string& folder, const std::string& model,
                                std::span<const WrittenPart> parts) {
   const fs::path place = fs::weakly_canonical(fs::absolute(model).parent_path());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// model_files.hpp - outputs of decompose that are models for simulators: what they need, and where
-// they find the files of the parts.
+// model_files.hpp - outputs of decompose that are models for simulators: their conditions, and the
+// paths of the files of the parts.
 #pragma once
 #include <span>
 #include <string>
@@ -19,7 +19,7 @@ void require_model_options(const std::vector<std::string>& outputs, Precision pr
                            FlatParts flat);
 
 /// @param path     One of the outputs: MJCF, URDF or USD, by parts_output_of().
-/// @param outputs  Those that require_model_options() accepts.
+/// @param outputs  Outputs that require_model_options() accepts.
 /// @throws Error   As write_mjcf(), write_urdf() and proven_parts_usd().
 [[nodiscard]] std::string model_bytes(const std::string& path,
                                       const std::vector<std::string>& outputs,

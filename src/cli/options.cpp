@@ -30,7 +30,7 @@ bool is_plain_decimal(std::string_view text) {
   return is_digits(text.substr(0, point)) && is_digits(text.substr(point + 1));
 }
 
-// 1024 to the place of the unit's first letter; nothing if it is no unit.
+// 1024 to the power that the unit's first letter stands for; nothing if it is no unit.
 std::optional<Integer> bytes_of_unit(std::string unit) {
   std::transform(unit.begin(), unit.end(), unit.begin(),
                  [](unsigned char c) { return std::tolower(c); });

@@ -35,7 +35,7 @@ struct CountRange {
 /// Seconds: a decimal, more than 0 and at most a million. @throws Error InvalidArgument.
 [[nodiscard]] double parse_seconds(const std::string& option, const std::string& text);
 
-/// A decimal as nearest_double() reads it. @throws Error InvalidArgument.
+/// A decimal that is read by nearest_double(). @throws Error InvalidArgument.
 [[nodiscard]] double parse_decimal(const std::string& option, const std::string& text);
 
 /// A share, 0 or more: "5%", "0.05" or "1/20". @throws Error InvalidArgument.
@@ -45,8 +45,8 @@ struct CountRange {
 [[nodiscard]] std::vector<std::string> words_of(const std::string& text);
 
 /// The values of words such as "exact,float"; a comma may follow the last one.
-/// @param others  What else the option takes, for the message.
-/// @throws Error InvalidArgument, listing the words, for any other word, also an empty one.
+/// @param others  Other values that the option takes, for the message.
+/// @throws Error InvalidArgument, listing the words, for any other word, even an empty one.
 template <class Value, std::size_t N>
 [[nodiscard]] std::vector<Value> parse_words(const std::string& option, const std::string& text,
                                              const NameTable<Value, N>& table,
@@ -93,7 +93,7 @@ inline CLI::Option* add_count(CLI::App& command, const std::string& names,
                    [&value](std::uint64_t count) { value = count; });
 }
 
-/// How many halfspaces to keep: 4 to 2^32.
+/// The number of halfspaces to keep: 4 to 2^32.
 template <class Number>
 CLI::Option* add_faces(CLI::App& command, Number& value, const std::string& meaning) {
   return add_count(command, "-k,--faces", value, {4, std::uint64_t(1) << 32}, meaning);

@@ -36,7 +36,7 @@ std::string file_of(const SceneObject& object) {
   return std::filesystem::path(path).filename().string();
 }
 
-// A scan has many points of no face; over its surface they would look like cracks.
+// A scan has many points that no face uses; over its surface they would look like cracks.
 PictureLayer points_of_no_face(const PictureLayer& input) {
   PictureLayer loose{.name = "points of no face", .color = "#009e73", .shown = false};
   std::vector<bool> is_used(input.points.size());

@@ -28,7 +28,7 @@ struct OutputOptions {
   int precision = 0;    ///< 64 or 32; 0 if not given.
 
   std::vector<std::string> all_paths() const;
-  /// The formats that the result must be stored in; nothing where no output needs them.
+  /// The formats that the result must be stored in; unset where no output needs them.
   StoreRequest store_request() const;
   /// @throws Error InvalidArgument for unknown extensions and for formats that contradict each
   /// other.
@@ -42,7 +42,7 @@ struct OutputOptions {
 void require_other_files(const std::vector<std::string>& outputs,
                          const std::vector<std::string>& inputs);
 
-/// An object of a scene and what a command found about it.
+/// An object of a scene, and the result of a command for it.
 template <class Result>
 struct FoundObject {
   SceneObject source;
@@ -55,8 +55,8 @@ struct FlatObject {
   NotSolid reason;
 };
 
-/// What `work` finds about each object, by its shape and its number, with its stages in the log; or
-/// the first object without volume.
+/// The results of `work` for each object, from its shape and its number, with its stages in the
+/// log; or the first object without volume.
 template <class Result, class Work>
 std::variant<std::vector<FoundObject<Result>>, FlatObject> on_each_object(
     std::vector<SceneObject> scene, StageLog& log, Work&& work) {
@@ -73,7 +73,7 @@ std::variant<std::vector<FoundObject<Result>>, FlatObject> on_each_object(
   return found;
 }
 
-/// A list of the objects: each with its name, what `json` says of its result, and its stages.
+/// A list of the objects: each with its name, the entries of `json` for its result, and its stages.
 template <class Result, class Json>
 nlohmann::ordered_json objects_json(const std::vector<FoundObject<Result>>& objects, Json&& json) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -88,11 +88,11 @@ nlohmann::ordered_json objects_json(const std::vector<FoundObject<Result>>& obje
 
 void add_input_argument(CLI::App& command, std::vector<std::string>& inputs);
 void add_output_options(CLI::App& command, OutputOptions& options);
-/// --decimal: what decimals in text mean.
+/// --decimal: the meaning of decimals in text.
 void add_decimal_option(CLI::App& command, Decimal& decimal);
 void add_scene_options(CLI::App& command, SceneOptions& options);
 
-/// One object and what encloses it.
+/// One object and the solid that encloses it.
 struct OutputObject {
   const SceneObject& source;
   const Stored& solid;
@@ -130,9 +130,9 @@ std::vector<SceneObject> read_objects(const Arguments& options, StageLog& log) {
   return log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
 }
 
-/// Runs a subcommand that reads objects, finds something about them, watched, and writes the
+/// Runs a subcommand that reads objects, computes results for them under a watch, and writes the
 /// outputs and the answer; returns the exit code.
-/// @param find    From all objects to what is found about each, or to one without volume.
+/// @param find    From all objects to the results for each, or to one without volume.
 /// @param answer  The document or the summary, from the objects and all stages.
 template <class Result, class Arguments, class Find, class Answer>
 int run_on_scene(const Arguments& options, Find&& find, Answer&& answer) {
@@ -168,7 +168,7 @@ int run_on_scene(const Arguments& options, Find&& find, Answer&& answer) {
 }
 
 /// The same with `work` on each object.
-/// @param requests  From all objects to a list with what is asked about each of them.
+/// @param requests  From all objects to a list with the request for each of them.
 template <class Result, class Arguments, class Requests, class Work, class Answer>
 int run_on_inputs(const Arguments& options, Requests&& requests, Work&& work, Answer&& answer) {
   const auto find = [&](std::vector<SceneObject> scene, StageLog& log, const StageWatch& watch) {

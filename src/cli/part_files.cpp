@@ -32,7 +32,8 @@ bool has_extension(const std::string& path, std::string_view extension) {
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-// Folders that did not exist; removed again, if they are empty, unless keep() is called.
+// Folders that did not exist before; they are removed again, if they are empty, unless keep() is
+// called.
 class NewFolders {
  public:
   NewFolders() = default;

@@ -11,7 +11,7 @@
 
 namespace convexact::cli {
 
-/// Names out of a pattern with one number in it: "UCX_%02d".
+/// Names from a pattern with one number in it: "UCX_%02d".
 class PartNames {
  public:
   /// @throws Error InvalidArgument unless there is exactly one %d or %0Nd and the rest can be part
@@ -43,8 +43,8 @@ enum class PartsOutput {
 
 inline constexpr std::string_view kMjcfExtension = ".mjcf.xml";
 
-/// By the extension .obj, .json, .mjcf.xml, .urdf or .usda; a name that ends in /, or of a folder,
-/// is one.
+/// By the extension .obj, .json, .mjcf.xml, .urdf or .usda; a name that ends in /, or that of a
+/// folder, means a folder.
 /// @throws Error InvalidArgument for any other name.
 [[nodiscard]] PartsOutput parts_output_of(const std::string& path);
 
@@ -56,8 +56,10 @@ inline constexpr const char* kPartsDocument = "parts.json";
 
 /// Meshes in a folder that a run does not write.
 struct LeftInFolder {
-  std::vector<std::string> stale;    ///< Of an earlier run, as its document says: they must go.
-  std::vector<std::string> foreign;  ///< All others, which a reader of the folder takes for parts.
+  std::vector<std::string> stale;    ///< Of an earlier run, according to its document: they must be
+                                     ///< removed.
+  std::vector<std::string> foreign;  ///< All others, which a reader of the folder would take for
+                                     ///< parts.
 };
 
 /// @param written  Names of files, without the folder.

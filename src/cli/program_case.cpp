@@ -48,7 +48,7 @@ void ProgramCase::require_sensible() const {
 
 std::optional<std::string> failure_of(const ProgramCase& program, const std::string& bytes,
                                       const Shape& input, const ScratchFolder& folder) {
-  // After an interrupt no program is started: it might send another interrupt, which ends the
+  // After an interrupt no program is started: it might send another interrupt, which would end the
   // process.
   if (interrupted()) throw Error(ErrorCode::Stopped, "interrupted");
   const std::string output = folder.file("output" + program.output_extension);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// program_case.hpp - runs a program on one input after another: whether and how it fails.
+// program_case.hpp - runs a program on one input after another, and finds whether and how it fails.
 #pragma once
 #include <optional>
 #include <string>
@@ -14,9 +14,9 @@ namespace convexact::cli {
 /// Whether a placeholder such as "{input}" is in one of the words.
 [[nodiscard]] bool mentions(const std::vector<std::string>& words, const std::string& placeholder);
 
-/// What counts as a failure.
+/// The runs that count as failures.
 enum class FailsIf {
-  Either,   ///< Exit first; the verdict if the program succeeded.
+  Either,   ///< By Exit first; by Verdict if the program succeeded.
   Exit,     ///< An exit code other than 0, a crash, no end in time.
   Verdict,  ///< The program succeeded and its output is missing or violates a claim.
 };
@@ -33,9 +33,9 @@ struct ProgramCase {
   void require_sensible() const;
 };
 
-/// Runs the program on a file of `bytes`, which spell `input`, and says how it fails, in words that
-/// are the same for the same kind of failure: "exit code 3", "killed by signal 11", "no output",
-/// "violates contains-input"; nothing if it does not.
+/// Runs the program on a file of `bytes`, which spell `input`, and returns how it fails, in words
+/// that are the same for the same kind of failure: "exit code 3", "killed by signal 11", "no
+/// output", "violates contains-input"; nothing if it does not.
 /// @throws Error InvalidArgument if the program cannot be started; Stopped.
 [[nodiscard]] std::optional<std::string> failure_of(const ProgramCase& program,
                                                     const std::string& bytes, const Shape& input,

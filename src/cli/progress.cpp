@@ -20,8 +20,8 @@ void write_to_terminal(const std::string& text) {
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
-// How long `left` of something takes if `done` of it took `seconds`: "about 12 s left", in minutes
-// from two minutes on; empty as long as it is unknown.
+// The time for `left` steps if `done` steps took `seconds`: "about 12 s left", in minutes from two
+// minutes on; empty as long as it is unknown.
 std::string time_left(double seconds, std::size_t done, std::size_t left) {
   constexpr double kTooSoon = 0.5, kMinute = 60;
   if (done == 0 || seconds < kTooSoon) return {};

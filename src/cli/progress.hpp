@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// progress.hpp - what the program is doing, on one line of a terminal.
+// progress.hpp - the present activity of the program, on one line of a terminal.
 #pragma once
 #include <atomic>
 #include <chrono>
@@ -12,8 +12,8 @@
 
 namespace convexact::cli {
 
-/// One line of standard error, painted anew five times a second by a thread of its own, once the
-/// work takes over a second; nothing if that is no terminal. The destructor removes the line.
+/// One line of standard error, written anew five times a second by a separate thread, once the work
+/// takes over a second; nothing if standard error is no terminal. The destructor removes the line.
 class Progress {
  public:
   Progress();
@@ -21,7 +21,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `done` of `total` in what began with the first such call under that name.
+  /// `done` of `total` steps of the activity that began with the first such call under that name.
   void operator()(const std::string& what, std::size_t done, std::size_t total);
   /// Removes the line for good.
   void clear();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// promise_options.hpp - what a program promises, from --profile and single options, and which
-// claims are decided.
+// promise_options.hpp - the promise of a program, from --profile and single options, and the claims
+// to decide.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <optional>
@@ -20,7 +20,7 @@ struct PromiseOptions {
   bool allow_flat = false;
   std::optional<std::size_t> max_facets, max_vertices, max_facet_vertices;
 
-  /// @param asks_by_default  If neither the options nor a profile say.
+  /// @param asks_by_default  Used if neither the options nor a profile says.
   /// @throws Error InvalidArgument for an unknown profile or a malformed tolerance.
   Promise promise(Asks asks_by_default) const;
 };
@@ -31,7 +31,7 @@ void add_promise_options(CLI::App& command, PromiseOptions& options);
 void add_asking_options(CLI::App& command, PromiseOptions& options);
 
 /// The value of --claims: names, separated by commas.
-/// @throws Error InvalidArgument, listing the names, for any other word, also an empty one.
+/// @throws Error InvalidArgument, listing the names, for any other word, even an empty one.
 [[nodiscard]] std::vector<ClaimCode> parse_claims(const std::string& text);
 
 }  // namespace convexact::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// convexact query: overlap of two solids, rays against one, false positives of one around another.
+// convexact query: overlap of two solids, rays against a solid, false positives of one solid around
+// another.
 #include <memory>
 #include <optional>
 
@@ -91,7 +92,7 @@ class RunningQuery {
   NamedPolytope operator[](std::size_t k) const { return {names_[k], solids_[k]}; }
   StageLog& log() { return log_; }
 
-  /// Prints what one of the two makes, with the stages, and returns the exit code.
+  /// Prints the result of one of the two, with the stages, and returns the exit code.
   template <class Json, class Text>
   int print_answer(Json&& json, Text&& text) {
     progress_.clear();
@@ -130,7 +131,7 @@ std::optional<HullTree> tree_in(const std::string& path, Decimal decimal) {
   return std::move(*tree);
 }
 
-// A tree under examination, and the names of its parts.
+// A tree that is queried, and the names of its parts.
 class AskedTree {
  public:
   AskedTree(const std::string& path, const HullTree& tree, StageLog& log)

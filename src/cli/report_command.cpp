@@ -16,7 +16,7 @@
 
 namespace convexact::cli {
 
-// Of build_info.cpp, a library of its own.
+// From build_info.cpp, a separate library.
 extern const char* const kCommit;    // "unknown" if it was built outside of a repository
 extern const char* const kFlags;     // of the compiler, as far as they change what is measured
 extern const char* const kCompiler;  // with its version
@@ -57,7 +57,7 @@ ReportSections parse_sections(const std::string& text) {
   return sections;
 }
 
-// A figure's command names no folder of the machine that it ran on.
+// The command of a figure names no folder of the machine on which it ran.
 std::string without_folder(const std::string& name) {
   const std::size_t slash = name.find_last_of('/');
   return slash == std::string::npos ? name : name.substr(slash + 1);

@@ -160,7 +160,7 @@ void Shrinking::shrink_points(const PointSet& points) {
   }
   begin(write_mesh({points, input_.polygons, {}}, *format), size_of(points));
   const bool keeps_volume = !options_.allow_flat && is_solid(points);
-  bool is_first = true;  // that one has just been run
+  bool is_first = true;  // the original input, which has just been run
   (void)shrink(points, [&](const PointSet& fewer, std::span<const PointId> origin) {
     if (std::exchange(is_first, false)) return true;
     if (keeps_volume && !is_solid(fewer)) return false;

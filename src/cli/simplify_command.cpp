@@ -59,7 +59,7 @@ struct SimplifyArguments {
   ImplicitOptions implicit;
 };
 
-// --total-faces is for several parts. How many there are, the files say.
+// --total-faces is for several parts. Their number is known only from the files.
 void require_scene(const SimplifyArguments& options) {
   const auto reject = [](const std::string& why) {
     throw Error(ErrorCode::InvalidArgument, "--total-faces " + why);
@@ -123,7 +123,7 @@ SimplifyRequest request_of(const SimplifyArguments& options) {
 
 using FoundSolids = std::vector<FoundObject<SimplifyResult>>;
 
-/// Of all objects of a scene together.
+/// The results for all objects of a scene together.
 struct FoundTotals {
   SceneTotals totals;
   Gaps gaps;
@@ -152,7 +152,7 @@ std::string answer_of(const FoundSolids& objects, const std::optional<FoundTotal
   return text + stage_text(stages, options.global.stages);
 }
 
-// --inner, without the options that mean something for halfspaces only.
+// --inner, without the options that have a meaning for halfspaces only.
 int run_inward(const SimplifyArguments& options) {
   std::vector<std::string> foreign;
   if (options.cost != CostMeasure::Volume) foreign.emplace_back("--cost");

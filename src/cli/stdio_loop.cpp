@@ -42,7 +42,8 @@ int answer_lines(
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
   std::ios::sync_with_stdio(false);
-  std::cin.exceptions(std::ios::badbit);  // a line that no memory holds is not the end of the input
+  std::cin.exceptions(std::ios::badbit);  // a line too long for the memory is not the end of the
+                                          // input
   for (std::string line; std::getline(std::cin, line);) {
     const bool is_blank = line.find_first_not_of(" \t\r") == std::string::npos;
     if (!is_blank) print(answer(line, options.time_limit) + "\n");

@@ -15,12 +15,12 @@ struct StdioOptions {
   bool is_asked = false;              ///< --stdio
   std::optional<double> time_limit;   ///< --time-limit, in seconds
 
-  /// @throws Error InvalidArgument for what else the command line gives besides --stdio, and for a
+  /// @throws Error InvalidArgument for other options and arguments together with --stdio, and for a
   ///               limit without it.
   void require_sensible() const;
 };
 
-/// Adds --stdio and --time-limit. @param answers  What a line is answered with: "one verdict".
+/// Adds --stdio and --time-limit. @param answers  The answer to a line: "one verdict".
 void add_stdio_options(CLI::App& command, StdioOptions& options, const std::string& answers);
 
 /// Answers each line of standard input with a line on standard output, at once, until the end of

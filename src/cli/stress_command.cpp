@@ -42,7 +42,7 @@ struct StressArguments {
   SweepOptions sweep;
   std::string engines = "exact,filtered,float";
   CostMeasure cost = CostMeasure::Volume;
-  // Fewer kicks than of one run: the exact engine makes them, too.
+  // Fewer kicks than in a single run, because the exact engine makes them, too.
   SearchRequest search{.kicks = 20};
   StressLimits limits{120, std::uint64_t(4) << 30};
   std::size_t jobs = 2;

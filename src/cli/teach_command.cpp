@@ -62,7 +62,7 @@ OutputFiles lesson_files(const std::vector<std::string>& paths, const Lesson& le
   return files;
 }
 
-// The chapters, what is missing, and where the lesson is.
+// The chapters, the missing parts, and the place of the lesson.
 std::string summary_of(const Lesson& lesson, const OutputFiles& files) {
   const nlohmann::ordered_json& document = lesson.document;
   std::string text = fmt::format(

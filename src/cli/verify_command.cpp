@@ -103,7 +103,7 @@ int run_union(const VerifyArguments& options) {
                 "--claims: no-gaps compares parts of INPUT with those of CANDIDATE one by one, and "
                 "INPUT has one");
   }
-  // Parts may hold together what each of them alone does not.
+  // Several parts together may hold what no single one holds.
   const Promise promise = options.promise.promise(Asks::Enclosure);
   const VerifyRequest each = verify_request(options, promise);
   PartsRequest request;
@@ -150,7 +150,7 @@ int run_verify_parts(VerifyArguments options) {
   });
   const Candidate candidate = log.run("read candidate", StageKind::Io,
                                       [&] { return read_candidate(options.candidate, decimal); });
-  // Parts of one object can only be meant together.
+  // Parts of one object can only be judged together.
   if (const auto* mesh = std::get_if<Mesh>(&candidate);
       input.size() == 1 && mesh != nullptr && objects_with_faces(*mesh) > 1) {
     progress.clear();

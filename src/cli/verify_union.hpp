@@ -22,7 +22,7 @@ struct UnionOptions {
   std::string foreign_to_one_solid() const;
 };
 
-/// The faces of an input: of halfspaces, the facets of their solid.
+/// The faces of an input; for halfspaces, the facets of their solid.
 [[nodiscard]] std::variant<Mesh, NotSolid> mesh_of(SceneObject object);
 
 /// Adds --union, --max-parts, --orient, --exact-volumes and --picture.
@@ -33,7 +33,7 @@ void add_union_options(CLI::App& command, UnionOptions& options);
 
 /// Judges the parts, prints the verdict, writes the picture, and returns the exit code: 0 if every
 /// claim holds, else 1 (4 for an empty input).
-/// @param request  Without what `options` says.
+/// @param request  The request without the entries of `options`.
 int run_verify_union(const GlobalOptions& global, const std::string& input,
                      const std::string& candidate, Decimal decimal, PartsRequest request,
                      const UnionOptions& options);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// cli.hpp - what nearly every subcommand includes, compiled once (-Db_pch=false does without).
+// cli.hpp - the headers that nearly every subcommand includes, compiled once (-Db_pch=false turns
+// this off).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
