@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// arrays.hpp - points, planes, faces and options from and to the arrays, structs and texts of the C
-// interface.
+// arrays.hpp - converts points, planes, faces and options from and to the arrays, structs and texts
+// of the C interface.
 #pragma once
 #include <algorithm>
 #include <limits>
@@ -24,7 +24,7 @@ Value chosen(const Value (&values)[N], int number) {
   return values[number];
 }
 
-/// @throws Error InvalidArgument for a null pointer or none or too many of them.
+/// @throws Error InvalidArgument for a null pointer, and for no or too many numbers.
 inline void require_array(const double* numbers, std::size_t count) {
   if (numbers == nullptr || count == 0 || count >= std::numeric_limits<std::uint32_t>::max()) {
     throw Error(ErrorCode::InvalidArgument, "an array is missing, empty or too long");
@@ -91,7 +91,7 @@ struct MeshArrays {
   std::vector<std::size_t> face_sizes;
   std::vector<std::uint32_t> corners;
 
-  /// Of a mesh whose points are doubles.
+  /// From a mesh whose points are doubles.
   explicit MeshArrays(const Mesh& mesh) {
     for (const Point& p : mesh.points.doubles())
       vertices.insert(vertices.end(), p.begin(), p.end());
@@ -109,7 +109,7 @@ inline Precision to_precision(int bits) {
   throw Error(ErrorCode::InvalidArgument, "a precision of neither 64 nor 32 bits");
 }
 
-/// What a caller gave, or all defaults. Fields of later versions must be 0.
+/// The options that a caller gave, or all defaults. Fields of later versions must be 0.
 /// @throws Error InvalidArgument for a size that no version has, and for later fields.
 template <class Options>
 Options to_options(const Options* given) {
@@ -123,7 +123,7 @@ Options to_options(const Options* given) {
   return *given;
 }
 
-/// A count among options: none is 0.
+/// A count among options: 0 means none.
 inline std::optional<std::size_t> to_limit(std::size_t count) {
   return count == 0 ? std::nullopt : std::optional(count);
 }

@@ -47,7 +47,8 @@ PartArrays arrays_of(const Part& part) {
   return arrays;
 }
 
-// Of the triangles as the caller numbers them, of which each is one of the surface.
+// The owners of the triangles as the caller numbers them; each of these is a triangle of the
+// surface.
 std::vector<std::uint32_t> owners_of(const Decomposition& made, std::size_t triangles) {
   if (made.owner.size() != triangles) {
     throw Error(ErrorCode::Internal, "a triangle became several, or none");
@@ -63,7 +64,7 @@ VolumeNumbers numbers_of(const Measured& x) {
           to_string(*x.exact)};
 }
 
-// By convexact_volume.
+// In the order of convexact_volume.
 std::array<VolumeNumbers, 5> volumes_of(const DecompositionMeasures& measures) {
   const auto if_any = [](const std::optional<Measured>& x) {
     return x ? numbers_of(*x) : VolumeNumbers();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// decomposition.hpp - a decomposition as the C interface holds it.
+// decomposition.hpp - a decomposition in the form that the C interface keeps.
 #pragma once
 #include <array>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// guarded.hpp - the border that no exception passes.
+// guarded.hpp - the boundary that no exception crosses.
 #pragma once
 #include <new>
 
@@ -29,7 +29,7 @@ inline convexact_status status_of(ErrorCode code) {
   return CONVEXACT_INTERNAL;
 }
 
-/// CONVEXACT_OK, or what the exception means that `work` ends with.
+/// CONVEXACT_OK, or the status of the exception that ends `work`.
 template <class Work>
 convexact_status status_of_call(const Work& work) noexcept {
   try {
@@ -44,7 +44,7 @@ convexact_status status_of_call(const Work& work) noexcept {
   }
 }
 
-/// Sets *result to what `make` returns, a new object, or to null.
+/// Sets *result to the new object that `make` returns, or to null.
 template <class Result, class Make>
 convexact_status guarded(Result** result, const Make& make) noexcept {
   if (result == nullptr) return CONVEXACT_INVALID_ARGUMENT;

@@ -15,7 +15,7 @@ struct convexact_verdict {
 namespace convexact::capi {
 namespace {
 
-// The parts of arrays that hold all of them, one after another.
+// The parts in arrays that hold all of them, one after another.
 std::vector<NamedPart> to_parts(const double* vertices, const std::size_t* vertex_counts,
                                 std::size_t count, const std::uint32_t* corners,
                                 const std::size_t* face_sizes, const std::size_t* face_counts) {
@@ -36,7 +36,7 @@ std::vector<NamedPart> to_parts(const double* vertices, const std::size_t* verte
   return parts;
 }
 
-// Nodes without children are the leaves, whose parts stand in their order.
+// Nodes without children are the leaves; their parts are in the order of the leaves.
 HullTree to_tree(std::vector<NamedPart> hulls, const std::size_t* parents) {
   if (parents == nullptr) throw Error(ErrorCode::InvalidArgument, "the parents are missing");
   HullTree tree;
