@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* convexact.h - the C interface: does this enclose that? exactly; and enclose it in few halfspaces,
- * or in few convex parts.
+/* convexact.h - the C interface: exact tests of enclosure, and enclosures by few halfspaces or by
+ * few convex parts.
  *
  * Link with -lconvexact_c. A halfspace is n1 x + n2 y + n3 z + d <= 0, with n pointing outward, so
  * rows of planes are n1, n2, n3, d. Points and planes are arrays of doubles, taken exactly as they
  * are; a count is a number of points or planes, not of doubles.
  *
  * Ownership: arrays that you pass in are only read during the call. A result belongs to you until
- * you free it with the function of its name; what its functions return belongs to the result and
- * lives as long. Functions of a result do not fail; freeing NULL does nothing.
+ * you free it with the function of its name; pointers that its functions return belong to the
+ * result and are valid until then. Functions of a result do not fail; freeing NULL does nothing.
  *
- * Threads: there is no global state. Any functions may run at the same time, also on one result,
+ * Threads: there is no global state. Any functions may run at the same time, even on one result,
  * as long as no thread frees it meanwhile.
  *
  * Options: a struct whose first field is its size, as sizeof gives it, so that later versions can
@@ -19,8 +19,8 @@
  *     convexact_decompose_options options = {.size = sizeof options, .max_parts = 8};
  *
  * Errors: a function that can fail returns a status and sets its result to NULL unless it succeeds.
- * No exception passes. Only if GMP, which the numbers are made of, finds no memory does it end the
- * process; elsewhere that is CONVEXACT_OUT_OF_MEMORY. */
+ * No exception leaves a function. If GMP, which computes with the numbers, finds no memory, it ends
+ * the process; any other lack of memory is CONVEXACT_OUT_OF_MEMORY. */
 #ifndef CONVEXACT_H
 #define CONVEXACT_H
 
@@ -39,9 +39,9 @@ extern "C" {
 
 typedef enum convexact_status {
   CONVEXACT_OK = 0,
-  CONVEXACT_INVALID_ARGUMENT = 2, /* A null pointer, a count of 0, fewer than 4 planes wanted, a
-                                     face that is none, a tolerance that is none, a measure or
-                                     a number of bits that is none, an option out of its range. */
+  CONVEXACT_INVALID_ARGUMENT = 2, /* A null pointer, a count of 0, fewer than 4 planes wanted, an
+                                     invalid face, tolerance, measure or number of bits, or an
+                                     option out of its range. */
   CONVEXACT_NOT_FINITE = 3,       /* A number is NaN or infinite. */
   CONVEXACT_NO_INTERIOR = 4,      /* Points lie in one plane where a solid is needed. */
   CONVEXACT_UNREPRESENTABLE = 5,  /* Doubles cannot hold the result; ask for fewer planes. */
@@ -70,8 +70,8 @@ CONVEXACT_API convexact_status convexact_verify_vertices(const double* points, s
                                                          size_t vertex_count,
                                                          convexact_containment** result);
 
-/* 1 if no point is outside, else 0. The functions below tell the worst violation: of all points and
- * planes the pair of largest distance. If nothing is violated they return 0, or "0". */
+/* 1 if no point is outside, else 0. The functions below describe the worst violation: the pair of a
+ * point and a plane with the largest distance. If nothing is violated they return 0, or "0". */
 CONVEXACT_API int convexact_containment_holds(const convexact_containment* result);
 /* How many points are outside. */
 CONVEXACT_API size_t convexact_containment_outside(const convexact_containment* result);
@@ -140,7 +140,7 @@ typedef struct convexact_solid convexact_solid;
 CONVEXACT_API convexact_status convexact_simplify(const double* points, size_t point_count,
                                                   size_t plane_count, convexact_solid** result);
 
-/* What the solid gains least of. The values stay what they are; further ones may follow. */
+/* The measure to which each removal adds the least. Values do not change; more may be added. */
 typedef enum convexact_cost {
   CONVEXACT_COST_VOLUME = 0,
   CONVEXACT_COST_AREA = 1,      /* Of the surface. */
@@ -148,14 +148,14 @@ typedef enum convexact_cost {
 } convexact_cost;
 
 /* The same, where each removal adds the least to the measure `cost`, a convexact_cost. Volumes and
- * areas are compared exactly. Mean widths that enclosures of tie_bits bits do not tell apart, and
- * no proof shows to be equal, count as equal: 128 to 1048576, 0 for 4096. Where several removals
- * cost the same, the first in canonical order goes. */
+ * areas are compared exactly. Mean widths that enclosures of tie_bits bits cannot tell apart count
+ * as equal even without a proof; tie_bits is 128 to 1048576, or 0 for 4096. If several removals
+ * cost the same, the first in canonical order is made. */
 CONVEXACT_API convexact_status convexact_simplify_by(const double* points, size_t point_count,
                                                      size_t plane_count, int cost, long tie_bits,
                                                      convexact_solid** result);
 
-/* What is tried after the removals to make the measure smaller with as many planes. */
+/* The search after the removals for a smaller measure with as many planes. */
 typedef enum convexact_search {
   CONVEXACT_SEARCH_NONE = 0,
   CONVEXACT_SEARCH_WALK = 1, /* Exchanges of a plane for that of a facet next to it. */
@@ -180,11 +180,11 @@ CONVEXACT_API convexact_status convexact_simplify_with(const double* points, siz
 /* How many exchanges a search made after the removals. */
 CONVEXACT_API size_t convexact_solid_move_count(const convexact_solid* result);
 
-/* In how many steps several removals cost the same, or were not told apart. */
+/* The number of steps in which several removals cost the same, or could not be told apart. */
 CONVEXACT_API size_t convexact_solid_tie_count(const convexact_solid* result);
-/* Of how many of these it is not proven that the costs are equal; 0 unless by mean width. */
+/* The number of these in which the costs are not proven to be equal; 0 unless by mean width. */
 CONVEXACT_API size_t convexact_solid_undecided_count(const convexact_solid* result);
-/* The most bits that did not tell such costs apart; 0 if there are none. */
+/* The most bits with which such costs could not be told apart; 0 if there are none. */
 CONVEXACT_API long convexact_solid_undecided_bits(const convexact_solid* result);
 
 CONVEXACT_API size_t convexact_solid_plane_count(const convexact_solid* result);
@@ -198,7 +198,7 @@ CONVEXACT_API void convexact_solid_free(convexact_solid* result);
 
 /* ---- A mesh as few convex parts -------------------------------------------------------------- */
 
-/* Where the clusters of triangles come from of which the parts are the hulls. */
+/* How the clusters of triangles are made; the parts are the hulls of the clusters. */
 typedef enum convexact_method {
   CONVEXACT_HACD = 0, /* Neighbouring triangles are merged. */
   CONVEXACT_ACD = 1   /* The surface is split at notches. */
@@ -219,7 +219,7 @@ typedef enum convexact_flat {
                                  in one plane is CONVEXACT_NO_INTERIOR. */
 } convexact_flat;
 
-/* The options of `convexact decompose`, with its defaults; docs/usage.md tells more of each. */
+/* The options of `convexact decompose`, with its defaults; docs/usage.md describes each. */
 typedef struct convexact_decompose_options {
   size_t size;           /* sizeof(convexact_decompose_options). */
   int method;            /* A convexact_method. */
@@ -228,24 +228,24 @@ typedef struct convexact_decompose_options {
   size_t max_parts;      /* May lead beyond that concavity. 0 for no limit; as few as the mesh has
                             components, or CONVEXACT_INVALID_ARGUMENT. */
   int measure;           /* A convexact_concavity. */
-  size_t faces;          /* Planes to keep of each part, >= 4; 0 for all. */
-  size_t total_faces;    /* Instead of these: of all parts together, >= 4 for each; 0 for all. */
+  size_t faces;          /* Planes to keep in each part, >= 4; 0 for all. */
+  size_t total_faces;    /* Instead of `faces`: in all parts together, >= 4 for each; 0 for all. */
   int flat;              /* A convexact_flat. */
   int precision;         /* The numbers of the parts: 64 for doubles, 32 for doubles that are
                             floats. 0 for 64. */
   int no_volumes;        /* Not 0: do not measure volumes, which may take most of the time. */
   int exact_volumes;     /* Not 0: measure them as fractions, too, which may be very long. */
   uint64_t seed;         /* Of random orders. No result depends on it. */
-  int for_tree; /* Not 0: find out which merges would come next, for a tree of the parts. */
+  int for_tree;          /* Not 0: find the merges that would come next, for a tree of the parts. */
 } convexact_decompose_options;
 
 typedef struct convexact_decomposition convexact_decomposition;
 
 /* Triangle t has the corners triangles[3 t] to [3 t + 2], indices of points from 0, counter-
  * clockwise from outside; triangles are turned where the solid needs it. Every triangle gets an
- * owner, a part that holds it: proven on the numbers of the part as they are. That covers the
- * surface, and need not cover the solid. CONVEXACT_NO_INTERIOR if all triangles lie in one plane,
- * unless `flat` is thicken or keep; CONVEXACT_UNREPRESENTABLE if the precision cannot hold a
+ * owner, a part that holds it: proven on the numbers of the part as they are. So the parts cover
+ * the surface, but need not cover the solid. CONVEXACT_NO_INTERIOR if all triangles lie in one
+ * plane, unless `flat` is thicken or keep; CONVEXACT_UNREPRESENTABLE if the precision cannot hold a
  * part. */
 CONVEXACT_API convexact_status convexact_decompose(const double* points, size_t point_count,
                                                    const uint32_t* triangles, size_t triangle_count,
@@ -264,12 +264,12 @@ typedef enum convexact_volume {
   CONVEXACT_VOLUME_UNION = 1,     /* Of the union of the parts. */
   CONVEXACT_VOLUME_UNCOVERED = 2, /* Of the solid outside of the union. */
   CONVEXACT_VOLUME_EXCESS = 3,    /* Of the union outside of the solid. */
-  CONVEXACT_VOLUME_OVERLAP = 4    /* What the parts' volumes add up to, less the union's. */
+  CONVEXACT_VOLUME_OVERLAP = 4    /* The sum of the parts' volumes, less the union's. */
 } convexact_volume;
 
 /* Two doubles between which a convexact_volume lies: from 128 bits, or from the fraction if that
- * was asked for, and then the same one twice if it is a double. NaN if it was not measured; of
- * solid, uncovered and excess also if the mesh encloses no solid. */
+ * was asked for; they are then equal if it is a double. NaN if it was not measured; for solid,
+ * uncovered and excess also if the mesh encloses no solid. */
 CONVEXACT_API void convexact_decomposition_volume(const convexact_decomposition* result, int volume,
                                                   double bounds[2]);
 /* "p" or "p/q" if exact_volumes asked for it and it was measured; else "". */
@@ -289,7 +289,7 @@ CONVEXACT_API const size_t* convexact_decomposition_face_sizes(
     const convexact_decomposition* result, size_t k);
 CONVEXACT_API const uint32_t* convexact_decomposition_corners(const convexact_decomposition* result,
                                                               size_t k);
-/* Its planes: of a part that is not flat one for each face, in the same order. */
+/* Its planes: for a part that is not flat one for each face, in the same order. */
 CONVEXACT_API size_t convexact_decomposition_plane_count(const convexact_decomposition* result,
                                                          size_t k);
 /* Plane i < plane count, exactly: four coprime integers "n1 n2 n3 d". */
@@ -332,7 +332,7 @@ typedef struct convexact_parts_options {
   const char* claims;        /* The claims to decide, "covers-surface,parts-disjoint". NULL for all
                                 but covers-solid, parts-disjoint and parts-needed. */
   const char* tolerance;     /* As in convexact_judge_mesh. */
-  size_t max_parts;          /* 0: not asked. The following ones are of each part. */
+  size_t max_parts;          /* 0: not asked. The limits below are for each part. */
   size_t max_facets;         /* As meant: coplanar up to rounding. 0: not asked. */
   size_t max_vertices;       /* 0: not asked. */
   size_t max_facet_vertices; /* 0: not asked. */
@@ -354,7 +354,7 @@ CONVEXACT_API convexact_status convexact_verify_parts(
 
 /* ---- Parts under a tree of hulls ------------------------------------------------------------- */
 
-/* The options of `convexact bvh`; docs/hull-trees.md tells more of each. */
+/* The options of `convexact bvh`; docs/hull-trees.md describes each. */
 typedef struct convexact_tree_options {
   size_t size;       /* sizeof(convexact_tree_options). */
   size_t faces;      /* Planes to keep of each branch, >= 4; 0 for all. */
@@ -375,14 +375,14 @@ CONVEXACT_API convexact_status convexact_decomposition_tree(const convexact_deco
                                                             const convexact_tree_options* options,
                                                             convexact_tree** result);
 
-/* Nodes stand level by level, the root first. */
+/* Nodes are in the order of their levels, the root first. */
 CONVEXACT_API size_t convexact_tree_node_count(const convexact_tree* result);
-/* Of node i < node count: its parent, CONVEXACT_NONE of the root; */
+/* Of node i < node count: its parent, CONVEXACT_NONE for the root; */
 CONVEXACT_API size_t convexact_tree_parent(const convexact_tree* result, size_t i);
-/* its children, two of a branch and none of a leaf; */
+/* its children, two for a branch and none for a leaf; */
 CONVEXACT_API size_t convexact_tree_child_count(const convexact_tree* result, size_t i);
 CONVEXACT_API const size_t* convexact_tree_children(const convexact_tree* result, size_t i);
-/* of a leaf its part of the decomposition, of a branch CONVEXACT_NONE; */
+/* its part of the decomposition for a leaf, CONVEXACT_NONE for a branch; */
 CONVEXACT_API size_t convexact_tree_part(const convexact_tree* result, size_t i);
 /* and the corners and faces of its hull, as those of a part. */
 CONVEXACT_API size_t convexact_tree_vertex_count(const convexact_tree* result, size_t i);
