@@ -39,16 +39,16 @@ const Side& left_of(const Surface& surface, std::size_t a, std::size_t b) {
   return found->second;
 }
 
-// What the costs of a proof are. None has no claim about costs.
+// The measure of the costs of a proof. None makes no claim about costs.
 enum class Measure { Volume, Area, None };
 
-// What is known of the removal of a plane.
+// The data on the removal of a plane.
 struct Removal {
-  bool fresh = false;      // its ring has not changed since it was evaluated
-  bool unbounded = false;  // for ever: fewer planes bound no more
-  bool kept = false;       // for ever, and not in the queue
-  // The terms of its cost as evaluated last, each for as long as the plane named is there: 0 or
-  // more, and never less while that plane is there.
+  bool fresh = false;      // its ring has not changed since the evaluation
+  bool unbounded = false;  // for good: fewer planes bound no more
+  bool kept = false;       // for good, and not in the queue
+  // The terms of its cost as evaluated last, each kept while the plane that it names is there: 0 or
+  // more, and never falling while that plane is there.
   std::map<std::size_t, RootSum> terms;
   Cost cost;  // their sum, a lower bound
   Ids ring;
@@ -59,7 +59,7 @@ class Proof {
  public:
   explicit Proof(const std::string& bytes) : words_(bytes) {}
 
-  // What is proven, in sentences.
+  // The proven facts, in sentences.
   // @throws Failure with its line.
   std::string check() {
     try {
@@ -70,8 +70,8 @@ class Proof {
     }
   }
 
-  // (17) The points, or the rows of halfspaces, are those of a file: as sets, since neither order
-  // nor repeats change what they bound. Decimals mean the same in all of the file.
+  // (17) The points, or the rows of halfspaces, are those of a file, as sets: neither order nor
+  // repeats change what they bound. Decimals mean the same in the whole file.
   std::string require_same(const std::string& path) const {
     const std::string bytes = bytes_of_file(path);
     const std::string proven = "proven: the " + std::string(rows_.empty() ? "points" : "rows") +
@@ -278,7 +278,7 @@ class Proof {
     }
   }
 
-  // What the branches of a tree leave as it was.
+  // The state that the branches of a tree restore.
   struct State {
     Surface surface;
     std::set<std::size_t> left;
@@ -329,8 +329,8 @@ class Proof {
     }
     restore(start);
   }
-  // Costs never fall, so the lowest of them are a bound for all choices of removals to go. Of
-  // fewer planes than these there is no choice.
+  // Costs never fall, so the lowest of them give a bound for all choices of the removals to go. If
+  // there are fewer planes than removals, there is no choice.
   void require_no_less() {
     ++states_;
     Rational bound = added_;
@@ -354,14 +354,15 @@ class Proof {
     if (optimal_) added_ += volume_of(i);
     replace(i, removals_[i]);
   }
-  // (19) The removals lead to as many planes as the tree is about, and add what it calls the least.
+  // (19) The removals lead to as many planes as the tree is about, and add the volume that it
+  //      states as the least.
   void require_least() const {
     require(left_.size() == wanted_, "another number of planes is left than the tree is about");
     require(added_ == least_, "the removals add another volume than the least");
   }
 
-  // What the removal of i would add, in the state at hand. A plane that is gone has no ring and
-  // bounds no ray, so (7) or (8) refuses it.
+  // The amount that the removal of i would add in the present state. A plane that is gone has no
+  // ring and bounds no ray, so (7) or (8) refuses it.
   void evaluate() {
     const std::size_t i = words_.id(planes_.size());
     Removal& removal = removals_[i];
@@ -463,8 +464,9 @@ class Proof {
   }
 
   // (11) The sides of the cap in triangles. Around the side in plane r, an edge leads from the
-  // vertex left of (s, r) to that left of (r, s). With a corner of the side it makes a triangle.
-  // The normal of the plane through it points inward, and is as long as twice the area times w.
+  // vertex left of (s, r) to that left of (r, s). Together with a corner of the side, it forms a
+  // triangle. The normal of the plane through it points inward, and is as long as twice the area
+  // times w.
   struct SideTriangle {
     std::size_t side;
     Row plane;
@@ -498,8 +500,8 @@ class Proof {
     return terms[0];
   }
 
-  // The area: of each side, less that of its image on plane i, along the normal of i. The images
-  // cover the base. With n.n = N, the side in a plane of normal n has the area s sqrt(N).
+  // The area: that of each side, less that of its image on plane i, along the normal of i. The
+  // images cover the base. With n.n = N, the side in a plane of normal n has the area s sqrt(N).
   std::map<std::size_t, RootSum> areas(std::size_t i, const Surface& cap) const {
     std::map<std::size_t, RootSum> terms;
     const Row& base = planes_[i];
@@ -558,8 +560,8 @@ class Proof {
     removals_[i] = {};
   }
 
-  // (14) The planes that are left. They hold the points since P does; this says it once more, with
-  // no surface in between.
+  // (14) The planes that are left. They hold the points since P does; this proves it again, without
+  // using a surface.
   void read_survivors() {
     expect(words_.take_if("survive"), "survive");
     require(words_.ids(planes_.size()) == Ids(left_.begin(), left_.end()), "others survive");
@@ -593,8 +595,8 @@ class Proof {
            " planes stored are bounded, hold every point and " + reach(stored) + "\n";
   }
 
-  // (16) How far the stored solid reaches beyond the solid of the planes left, at most. Three
-  // stored planes stand for each vertex v of the latter and meet in a point w.
+  // (16) An upper bound of how far the stored solid reaches beyond the solid of the planes left.
+  // Three stored planes stand for each vertex v of the latter and meet in a point w.
   std::string reach(const std::vector<Row>& stored) const {
     std::map<std::size_t, Row> stored_of;
     for (const std::size_t i : left_) stored_of[i] = stored[stored_of.size()];
@@ -651,12 +653,12 @@ class Proof {
   std::vector<Removal> removals_;
   std::set<std::pair<Cost, std::size_t>> queue_;  // by proven lower bound, equal ones by id
   std::size_t steps_ = 0, evaluations_ = 0, ties_ = 0, kept_ = 0;
-  // Of a tree: the volume that the removals so far add, the least, and for how many planes.
+  // For a tree: the volume that the removals so far add, the least volume, and for how many planes.
   Rational added_, least_;
   std::size_t wanted_ = 0, states_ = 0;
 };
 
-// What a proof of any kind proves, and that it is about a mesh file if one is given.
+// The facts that a proof of any kind proves, and that it is about a mesh file if one is given.
 template <class AnyProof>
 std::string prove(const std::string& bytes, const std::optional<std::string>& mesh) {
   AnyProof proof(bytes);

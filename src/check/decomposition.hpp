@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// decomposition.hpp - proofs of decompositions: clusters of triangles and how concave each is,
-// that no two of them can be one, and convex parts that hold the triangles that they own. Of
-// clusters made by splitting only how deep points lie, whatever bridges are chosen over them.
+// decomposition.hpp - proofs of decompositions: clusters of triangles and the concavity of each,
+// that no two of them can be merged, and convex parts that hold the triangles that they own. For
+// clusters made by splitting only the depth of points, for any choice of bridges over them.
 //
 // The numbers in parentheses are the steps of docs/decomposition-proof.md.
 #pragma once
@@ -16,7 +16,7 @@ class DecompositionProof {
  public:
   explicit DecompositionProof(const std::string& bytes) : words_(bytes) {}
 
-  // What is proven, in sentences.
+  // The proven facts, in sentences.
   // @throws Failure with its line.
   std::string check() {
     try {
@@ -27,7 +27,7 @@ class DecompositionProof {
     }
   }
 
-  // (9) The faces are those of a file. Decimals mean the same in all of it.
+  // (9) The faces are those of a file. Decimals mean the same in the whole file.
   std::string require_same(const std::string& path) const {
     const std::string bytes = bytes_of_file(path);
     std::string first;
@@ -54,7 +54,7 @@ class DecompositionProof {
     Ids triangles;
     IdSet points;
     std::vector<Row> planes;  // each holds the points
-    std::size_t facets = 0;   // so many planes come first, and bound the hull of the points
+    std::size_t facets = 0;   // this many planes come first, and bound the hull of the points
     Rational concavity = 0;   // squared
     bool has_part = false;
   };
@@ -101,7 +101,7 @@ class DecompositionProof {
            (by_edges_ ? "" : "; that clusters are connected");
   }
 
-  // Which concavity is meant, how much of it is allowed, and what neighbours are.
+  // The kind of concavity, the limit, and the definition of neighbours.
   void read_question() {
     expect(words_.take_if("measure"), "measure");
     at_corners_ = words_.take_if("vertices");
@@ -147,7 +147,7 @@ class DecompositionProof {
     return {words_.id(limit), words_.id(limit), words_.id(limit)};
   }
   static bool has_repeats(const Corners& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
-  // Of the box of the points.
+  // The squared diagonal of the box of the points.
   Rational squared_diameter() const {
     Numbers low{0, 0, 0, 1}, high{0, 0, 0, 1};
     for (int k = 0; k < 3; ++k) {
@@ -165,8 +165,8 @@ class DecompositionProof {
     return plane[0] != 0 || plane[1] != 0 || plane[2] != 0;
   }
 
-  // (2) The direction in which concavity is taken, in coprime integers: of a triangle its normal;
-  // of a point the sum of the area vectors around it. Zero if there is none.
+  // (2) The direction in which concavity is taken, in coprime integers: for a triangle its normal,
+  // for a point the sum of the area vectors around it. Zero if there is none.
   void find_directions() {
     if (by_bridges_) return;
     std::vector<Numbers> sums(at_corners_ ? points_.size() : 0);
@@ -229,8 +229,8 @@ class DecompositionProof {
     require(reached.size() == cluster.triangles.size(), "the cluster is not connected");
   }
 
-  // (4) Facets are all of the hull's boundary: each has the points on its plane or behind it, one
-  // of them strictly behind; and every edge runs once in each direction.
+  // (4) The facets are the whole boundary of the hull: all points are on the plane of each or
+  // behind it, one of them strictly behind; and every edge runs once in each direction.
   static std::vector<Row> planes_of_hull(const std::vector<Row>& points,
                                          const std::vector<std::array<Row, 3>>& facets) {
     std::vector<Row> planes;
@@ -390,8 +390,9 @@ class DecompositionProof {
     require(deepest == cluster.concavity, "its points lie deeper, or less deep");
   }
 
-  // (7) A part is the hull of its cluster, or of the stored corners; of the latter with facets or,
-  // if it is flat, without. It owns at least the triangles of its cluster, and holds their corners.
+  // (7) A part is the hull of its cluster, or of the stored corners; in the latter case with facets
+  // or, if it is flat, without. It owns at least the triangles of its cluster, and holds their
+  // corners.
   void read_part() {
     const std::string form = words_.take();
     expect(is_one_of(form, {"hull", "stored", "flat"}), "hull, stored or flat");
@@ -435,7 +436,8 @@ class DecompositionProof {
     }
     ++parts_;
   }
-  // Each point is a convex combination of the corners: one that is no corner says of which.
+  // Each point is a convex combination of the corners: the proof gives the combination of each one
+  // that is no corner.
   void require_combinations(const IdSet& points, const std::vector<Row>& stored) {
     std::set<Row> known(stored.begin(), stored.end());
     IdSet all;
@@ -450,8 +452,8 @@ class DecompositionProof {
     }
   }
 
-  // (8) Of every two clusters with a common edge, a ray that is longer than the limit runs inside
-  // of the hull of both. Their number.
+  // (8) For every two clusters with a common edge, a ray that is longer than the limit runs inside
+  // of the hull of both. Returns the number of such pairs.
   std::size_t read_pairs() {
     std::set<Pair> open;
     for (const auto& [edge, triangles] : at_edge_) {
@@ -479,16 +481,16 @@ class DecompositionProof {
   }
 
   // For (9): each face of the file has the corners of its triangles, and its boundary is theirs.
-  // That means: of the edges of the face and of its triangles each occurs an even number of times,
-  // and there are as many triangles as a polygon of these corners takes, so that none of them
-  // cancel. Empty if so. Counts faces whose triangles do not all run as the file says.
+  // That means: each edge among those of the face and of its triangles occurs an even number of
+  // times, and there are as many triangles as a polygon with these corners needs, so that none of
+  // them cancel. Empty if so. Counts faces whose triangles do not all run as the file says.
   std::string difference_to(const MeshFile& file, std::size_t& turned) const {
     if (!file.is_mesh) return "it is of another kind";
     std::map<Row, std::size_t> ids;
     for (std::size_t p = 0; p < points_.size(); ++p) ids[points_[p]] = p;
     struct Edge {
       std::size_t uses = 0;
-      long along = 0;  // how often it is run along by triangles rather than by the face
+      long along = 0;  // how often triangles, less how often the face, run along it
     };
     struct Face {
       IdSet corners;
@@ -501,7 +503,7 @@ class DecompositionProof {
         ++edge.uses;
         edge.along += (from < to) != is_of_file ? 1 : -1;
       }
-      // With the edges of the file, whose face is this cycle of corners.
+      // Compares with the face of the file that is this cycle of corners.
       bool is_face(const Ids& cycle) const {
         if (corners != IdSet(cycle.begin(), cycle.end())) return false;
         if (triangles + 2 != std::max<std::size_t>(cycle.size(), 3)) return false;

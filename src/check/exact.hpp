@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// exact.hpp - what the checker computes with: GMP's numbers, planes, points, and failures.
+// exact.hpp - the basic types of the checker: GMP's numbers, planes, points, and failures.
 //
 // A plane (n, d) is the halfspace {x : n.x + d <= 0}. A point is (x, y, z, w), w > 0, in
 // homogeneous integers. dot() of the two is negative inside, zero on the plane, positive outside.
@@ -48,7 +48,7 @@ inline void end_if_memory_is_short() {
       nullptr);
 }
 
-// Of two normals.
+// The dot product of two normals.
 inline Integer dot3(const Row& a, const Row& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline Integer dot(const Row& a, const Row& b) { return dot3(a, b) + a[3] * b[3]; }
 // The determinant of three columns of three rows: by default of three normals.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // mesh_file.hpp - the points of a mesh, its faces where they are asked for, or the rows of a list
-// of halfspaces, as docs/formats.md has them. Colours and normals are passed over: a point that is
-// misread is a difference to the proof, and so is a point that is missed.
+// of halfspaces, as docs/formats.md has them. Colours and normals are skipped: a misread point
+// would be a difference to the proof, and so would a missing one.
 #pragma once
 #include <bit>
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace check {
 
-// In the order of the file, each as often as it is there.
+// In the order of the file, repeats included.
 struct MeshFile {
   bool is_mesh = true;       // points; or else halfspaces
   std::vector<Row> rows{};   // points as scaled(), halfspaces as primitive()
@@ -25,7 +25,7 @@ struct MeshFile {
 class Lines {
  public:
   // A word that starts with `comment` ends its line. With `continued` a backslash at the end joins
-  // a line with the next, except that a name after o or g is taken to the letter.
+  // a line with the next, except that a name after o or g is taken literally.
   explicit Lines(const std::string& bytes, char comment = '\0', bool continued = false)
       : bytes_(bytes), comment_(comment), continued_(continued) {
     if (bytes_.starts_with("\xEF\xBB\xBF")) offset_ = 3;
@@ -179,7 +179,8 @@ class MeshReader {
     }
   }
 
-  // Of each corner the point, before a slash: from 1, or negative and back from the last one.
+  // For each corner the point, before a slash: from 1, or negative and counted back from the last
+  // one.
   void add_obj_face(const WordList& words) {
     file.faces.emplace_back();
     for (std::size_t k = 1; k < words.size(); ++k) {
@@ -192,8 +193,8 @@ class MeshReader {
     }
   }
 
-  // A header such as OFF or COFF, the counts behind it or on the next line, a point on each line,
-  // a face on each line: the number of its corners, and they.
+  // A header such as OFF or COFF, the counts after it or on the next line, a point on each line,
+  // and a face on each line: the number of its corners, then the corners.
   void read_off() {
     Lines lines(bytes_, '#');
     WordList words = next(lines);
@@ -265,7 +266,7 @@ class MeshReader {
     expect(is_text || is_big_endian || format == WordList{"format", "binary_little_endian", "1.0"},
            "ascii or a byte order");
     const std::vector<PlyElement> elements = read_ply_header(lines);
-    // If lines end with CR alone, an LF behind the header is the first byte of the body.
+    // If lines end with CR alone, an LF after the header is the first byte of the body.
     const bool is_dos = bytes_.compare(bytes_.find_first_of("\r\n"), 2, "\r\n") == 0;
     const bool ends_so = bytes_.compare(lines.offset() - 2, 2, "\r\n") == 0;
     Binary binary(bytes_, lines.offset() - (ends_so && !is_dos), is_big_endian);
@@ -368,7 +369,7 @@ class MeshReader {
       expect(!is_one_of(words[0], refused), "inequalities only");
     }
   }
-  // A row without a normal that holds everywhere is none.
+  // A row without a normal that holds everywhere is ignored.
   void add_halfspace(const WordList& words, int sign) {
     expect(words.size() == 4, "a row of four numbers");
     Numbers row;
@@ -383,7 +384,7 @@ class MeshReader {
   const bool with_faces_;
 };
 
-// The end of the file's name tells its format.
+// The end of the file's name determines its format.
 // @throws Failure of exit code 3, with the place.
 inline MeshFile parse_mesh_file(const std::string& bytes, const std::string& path,
                                 Decimals decimals, bool with_faces = false) {
@@ -403,7 +404,7 @@ inline std::string bytes_of_file(const std::string& path) {
     std::string bytes{std::istreambuf_iterator<char>(in), {}};
     if (in.is_open()) return bytes;
   } catch (const std::ios_base::failure&) {
-    // A folder opens, and cannot be read.
+    // A folder can be opened, but not read.
   }
   throw Failure{3, "expected a file that can be read", path.empty() ? "''" : path};
 }

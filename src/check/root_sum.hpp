@@ -45,7 +45,7 @@ inline RootSum by_square_class(const RootSum& sum) {
 }
 
 // Two numbers with the sum between them. Each term, the root of factor^2 radicand, lies between two
-// neighbouring multiples of a power of two, for which it has about so many bits.
+// neighbouring multiples of a power of two that is chosen so that it has about this many bits.
 inline std::pair<Rational, Rational> bounds(const RootSum& sum, long bits) {
   std::pair<Rational, Rational> ends;
   for (const auto& [radicand, factor] : sum) {

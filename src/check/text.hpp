@@ -29,8 +29,8 @@ inline std::string lower_case(std::string text) {
   return text;
 }
 
-// A number in text, taken apart: its digits without the point, how many of them stand behind the
-// point, and the exponent behind a marker such as e.
+// The parts of a number in text: its digits without the point, how many of them are after the
+// point, and the exponent after a marker such as e.
 struct SpeltNumber {
   bool is_negative;
   std::string digits;
@@ -75,7 +75,8 @@ inline Rational number_of_proof(const std::string& word) {
   return value;
 }
 
-// What a decimal in a mesh file means: the nearest double, a tie to even; or the rational spelt.
+// The meaning of a decimal in a mesh file: the nearest double, with ties to even; or the rational
+// spelt.
 enum class Decimals { Nearest, Spelt };
 
 // A double has 53 bits, or fewer if the last one would be below 2^-1074: |x| is cut into steps of
@@ -101,7 +102,7 @@ inline Rational decimal(const std::string& word, Decimals decimals) {
   spelt.digits.erase(0, std::min(spelt.digits.find_first_not_of('0'), spelt.digits.size()));
   if (spelt.digits.empty()) return 0;
   // The value is below 10^magnitude. A size far beyond every double, or below half the smallest
-  // one, is settled before it takes memory.
+  // one, is decided before it needs memory.
   const Integer count = spelt.digits.size(), shift = spelt.exponent - spelt.places;
   const Integer magnitude = shift + count;
   expect(magnitude <= 309, "a number below 2^1024");
@@ -115,7 +116,7 @@ inline Rational decimal(const std::string& word, Decimals decimals) {
   return decimals == Decimals::Nearest ? nearest_double(value) : value;
 }
 
-// In lists of halfspaces integers and p/q are exact, whatever a decimal means.
+// In lists of halfspaces integers and p/q are exact, for every meaning of decimals.
 inline Rational number_of_row(const std::string& word, Decimals decimals) {
   if (word.find_first_of(".eE") != word.npos) return decimal(word, decimals);
   const std::size_t slash = std::min(word.find('/'), word.size());
@@ -158,7 +159,7 @@ class Words {
     while (at_number()) list.push_back(id(limit));
     return list;
   }
-  // The number of this line, so that none is missing, and nothing behind it.
+  // Requires the number of this line, so that none is missing, and nothing after it.
   void end() {
     expect(take_if("end"), "end and its line number");
     const std::size_t number = id(line() + 1);

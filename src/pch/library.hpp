@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// library.hpp - what nearly every source includes, compiled once (-Db_pch=false does without).
+// library.hpp - the headers that nearly every source includes, compiled once (-Db_pch=false turns
+// this off).
 #include <fmt/format.h>
 
 #include <algorithm>
