@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Property of checked_mesh: of the bytes of a mesh file or of a list of halfspaces, convexact-check
-// reads the same exact points, faces and rows as the library, which shares no code with it, or
-// refuses them. Only the checker refuses statements of OBJ that it does not know, and "linearity
-// 0".
+// Property of checked_mesh: from the bytes of a mesh file or of a list of halfspaces,
+// convexact-check reads the same exact points, faces and rows as the library, which shares no code
+// with it, or both refuse them. The checker alone refuses statements of OBJ that it does not know,
+// and "linearity 0".
 #include "../tests/check/checker.hpp"
 #include "convexact/io.hpp"
 #include "convexact/point_set.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Property of decompose: of any few triangles on a grid the engines exact and filtered make the
-// same merges, clusters are a partition, connected and within the limit, no two neighbours can
-// merge, and the judge of decompositions, which knows nothing of owners, finds every triangle
+// Property of decompose: for any few triangles on a grid the exact and the filtered engine make the
+// same merges; clusters are a partition, connected and within the limit; no two neighbours can
+// merge; and the judge of decompositions, which does not use the owners, finds every triangle
 // covered.
 #include <set>
 
@@ -73,7 +73,7 @@ void decompose_few(FuzzInput& in) {
   const DecomposeRequest request = request_of(in);
   const DecomposeOutcome outcome = decompose(mesh, request);
   const auto* made = std::get_if<Decomposition>(&outcome);
-  if (made == nullptr) return;  // flat as a whole
+  if (made == nullptr) return;  // the whole mesh is flat
   check_clustering(made->surface, request);
   std::vector<NamedPart> parts;
   for (const Part& part : made->parts) parts.push_back({"part", part.mesh});

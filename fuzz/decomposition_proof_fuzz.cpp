@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Property of decomposition_proof: convexact-check accepts the proof of every decomposition; one
-// that is changed in a few words or lines is refused, or its claims are still true by the
+// Property of decomposition_proof: convexact-check accepts the proof of every decomposition; a
+// proof that is changed in a few words or lines is refused, or its claims are still true by the
 // definition. Property of decomposition_text: for any bytes of such a proof the checker ends with
 // a documented exit code, and any proof that it accepts is true by the definition.
 #include "../tests/check/checker.hpp"

@@ -34,7 +34,7 @@ void check_same_steps(const Run& exact, const Run& filtered) {
   }
 }
 
-// The run that is not written down: costs are enclosed, ties only counted.
+// The run without a record: costs are enclosed, ties only counted.
 void check_same_removals(const Run& exact, const FastDual& dual, const FastResult& lean) {
   FUZZ_CHECK(exact.stop == lean.stop);
   FUZZ_CHECK(exact.steps.size() == lean.steps.size());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Property of halfspaces_json, ine, rows: the reader takes any bytes and either reads them or
-// refuses them with an Error of exit code 3, numbers rounded or taken as spelled. A list that was
-// read can be written in every format and is read back as the same.
+// refuses them with an Error of exit code 3, whether numbers are rounded or taken as spelled. A
+// list that was read can be written in every format, and reading it back gives the same list.
 #include "convexact/io.hpp"
 #include "fuzz_target.hpp"
 #include "unless_refused.hpp"

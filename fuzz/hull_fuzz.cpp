@@ -2,7 +2,7 @@
 // Property of hull: on small grids (repeats, coplanar and flat points) the hull has exactly the
 // vertices and facets of the hull by definition, and check_hull() accepts its certificate; points
 // that span no volume are reported as flat, with their dimension and a proof. The same holds for
-// every seed and insertion order, and for images of the grid in last bits and in thirds.
+// every seed and insertion order, and for images of the grid in last bits and in thirds of units.
 #include <limits>
 
 #include "convexact/hull.hpp"
@@ -36,7 +36,7 @@ std::vector<std::uint32_t> indices(std::span<const PointId> ids) {
   return list;
 }
 
-// The polytope's planes pass through their facets' corners and have all others inside.
+// The polytope's planes pass through the corners of their facets, with all other vertices inside.
 void check_planes(const Polytope& polytope) {
   for (std::size_t f = 0; f < polytope.planes.size(); ++f) {
     const std::vector<std::uint32_t>& facet = polytope.facets[f];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Property of trees of hulls: what is built holds its children; a tree with some numbers changed
-// has a fault iff it is none by the definition; and questions to a tree without fault have the
-// answers of asking every part.
+// Property of trees of hulls: every hull that is built holds its children; a tree with some numbers
+// changed has a fault iff it is not a valid tree by the definition; and queries to a tree without
+// fault give the same answers as queries to every part.
 #include <algorithm>
 #include <set>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Property of implicit: the reader takes any bytes and either reads a shape or refuses them with an
-// Error of exit code 3. Of a shape that was read, the doubles' interval of a value meets that of
+// Error of exit code 3. For a shape that was read, the interval of a value in doubles meets that in
 // more bits.
 #include "convexact/implicit.hpp"
 #include "fuzz_target.hpp"

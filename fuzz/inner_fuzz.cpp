@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Property of inner runs: on small grids (repeats, coplanar points, exact ties) and on hard doubles
 // the filtered engine removes the same vertices as the exact one, at the same costs, with the same
-// ties and the same end; each cost is the least by hulls from scratch; both pass the verification.
+// ties and the same end; each cost is the least, by hulls computed from scratch; both pass the
+// verification.
 #include <algorithm>
 
 #include "convexact/measure.hpp"

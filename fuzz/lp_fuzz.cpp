@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Property of lp: a small linear program's outcome is the one that Fourier-Motzkin elimination
 // finds, with a certificate that check() accepts, for every seed.
-// Property of feasibility: of a few halfspaces, empty, flat, bounded and the largest ball are
-// answered with certificates that check() accepts, and as the volume of the intersection by
-// definition says.
+// Property of feasibility: for a few halfspaces, the answers about empty, flat, bounded and the
+// largest ball have certificates that check() accepts, and agree with the volume of the
+// intersection by definition.
 #include "convexact/linear_program.hpp"
 #include "fourier_motzkin.hpp"
 #include "fuzz_check.hpp"
@@ -72,7 +72,7 @@ std::vector<Halfspace> halfspaces_of(FuzzInput& in) {
   return list;
 }
 
-// Which of the three it is, with its proof checked.
+// Finds which of the three cases it is, and checks its proof.
 bool has_interior(const std::vector<Halfspace>& list, const InteriorOutcome& outcome) {
   FUZZ_CHECK(std::visit([&](const auto& claim) { return check(list, claim); }, outcome));
   const auto* interior = std::get_if<InteriorPoint>(&outcome);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Property of obj, off, ply, stl, xyz: the reader takes any bytes and either reads them or refuses
-// them with an Error of exit code 3. A mesh that was read can be written and is read back as the
-// same; decimals taken as spelled round to the doubles, or binary32 numbers, that they are read as
-// otherwise.
+// them with an Error of exit code 3. A mesh that was read can be written, and reading it back gives
+// the same mesh; decimals taken as spelled, when rounded, are the doubles or binary32 numbers that
+// are read otherwise.
 #include "convexact/io.hpp"
 #include "convexact/number.hpp"
 #include "fuzz_target.hpp"

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Property of expansions: sums, products and multiples of expansions are exact and strongly
-// nonoverlapping, an estimate is within its bound, and a double-double's operations are within
-// theirs.
-// Property of rounding: a rational in binary64 or binary32, rounded in a named direction, is the
-// format's number that the definition names.
-// Property of decimals: a text is refused, or read as the double or the binary32 number nearest to
-// the rational that it spells; printed with any number of digits, that rational is within half a
-// unit of the last one.
+// nonoverlapping, an estimate is within its bound, and operations on double-doubles are within
+// theirs. Property of rounding: a rational in binary64 or binary32, rounded in a named direction,
+// is the format's number that the definition names. Property of decimals: a text is refused, or
+// read as the double or the binary32 number nearest to the rational that it spells; printed with
+// any number of digits, that rational is within half a unit of the last one.
 #include <limits>
 
 #include "convexact/number.hpp"
@@ -20,7 +18,8 @@ using namespace convexact;
 
 namespace {
 
-// Of any number of bits, but of a size at which no product of four leaves the range of doubles.
+// A double with any number of bits, but of a size at which no product of four leaves the range of
+// doubles.
 double moderate(FuzzInput& in) {
   const double x = in.finite_double();
   int exponent = 0;
@@ -110,7 +109,7 @@ void hold_rounding(FuzzInput& in) {
   check_rounded<float>(x, to_float);
 }
 
-// Fuzzers find the grammar by themselves; what they waste is letters.
+// Fuzzers find the grammar by themselves, but they waste attempts on letters.
 std::string numeric_text(FuzzInput& in) {
   constexpr std::string_view kLetters = "0123456789.+-eE/xpXPaf 15";
   const bool is_raw = in.below(8) == 0;

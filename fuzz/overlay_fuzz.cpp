@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Property of clip: planes cut the triangle or segment of a frame into halves. Every half has an
-// area, all shares add up to 1, every sign of a corner is that of the plane at its point, each
-// corner is on the right side of every plane that cut its piece, and interior points are strictly
-// so.
-// Property of subtract: of boxes mapped by an integer matrix, the volume of the union, the volume
-// of a solid outside of it, and the verdict with its witness are those that unit cells give; of
-// small solids and flat parts, the uncovered share of a triangle is that of inclusion and
-// exclusion, each grid point of it is in a part or in an uncovered piece, and common interiors are
-// where common parts have a volume.
+// area, the shares of all pieces add up to 1, every sign of a corner is that of the plane at its
+// point, each corner is on the right side of every plane that cut its piece, and interior points
+// strictly so. Property of subtract: for boxes mapped by an integer matrix, the volume of the
+// union, the volume of a solid outside of it, and the verdict with its witness are those that unit
+// cells give; for small solids and flat parts, the uncovered share of a triangle is that of
+// inclusion and exclusion, each grid point of it is in a part or in an uncovered piece, and common
+// interiors exist exactly where common parts have a volume.
 #include <algorithm>
 #include <vector>
 
@@ -246,7 +245,7 @@ void subtract_solids(FuzzInput& in) {
         best = std::max(best, side_of_piece(normal, piece, x));
       }
       FUZZ_CHECK(is_held || best >= 0);
-      // Flat parts across the triangle hold points of pieces, too.
+      // Flat parts that cross the triangle hold points of pieces, too.
       const bool is_held_by_solid = std::any_of(
           parts.begin(), parts.end(),
           [&](const ConvexPart& part) { return part.dimension == 3 && holds(part, x); });

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Property of parts: the verdict on any decomposition of a shape of unit cells into boxes, and its
-// volumes, are what counting gives.
-// Property of parts_file: any bytes of a file of parts are read or make the verdict unreadable; the
-// points of a cube are covered as each part's halfspaces say.
+// volumes, agree with counting cells. Property of parts_file: any bytes of a file of parts are
+// read, or the verdict is that they are unreadable; the points of a cube are covered according to
+// each part's halfspaces.
 #include "fine_boxes.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"

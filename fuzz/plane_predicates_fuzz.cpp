@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Property of plane_signs: the determinants of plane coefficients are those of Laplace's expansion,
-// in each of the three places that compute them on their own: the fast engines', the dual's and the
-// verifier's. Property of dual_signs: the signs of a solid's dual points are exact at every stage;
-// the rounded dual points are as near to the true ones as promised.
+// in each of the three places that compute them independently: in the fast engines, in the dual and
+// in the verifier. Property of dual_signs: the signs of a solid's dual points are exact at every
+// stage; the rounded dual points are as near to the true ones as stated.
 #include "convexact/dual.hpp"
 #include "fast/signs.hpp"
 #include "fuzz_check.hpp"
@@ -30,7 +30,7 @@ Integer true_determinant(const Halfspace& a, const Halfspace& b, const Halfspace
          a.offset() * true_normal_determinant(b, c, p);
 }
 
-// Small, or two that differ in the last of many bits, or of very different sizes.
+// Small numbers, or two that differ in the last of many bits, or numbers of very different sizes.
 Halfspace halfspace(FuzzInput& in, std::size_t kind) {
   Integer row[4];
   for (Integer& x : row) {

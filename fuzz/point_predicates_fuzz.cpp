@@ -45,7 +45,7 @@ void hold_orient3d(FuzzInput& in) {
   FUZZ_CHECK(abs(Rational(rounded - truth)) <= to_rational(bounds.bound_b));
 }
 
-// Small, or so close to another that doubles see no difference.
+// Small, or so close to another number that doubles cannot distinguish them.
 Integer coefficient(FuzzInput& in, bool is_close) {
   const Integer small = static_cast<int>(in.below(9)) - 4;
   if (!is_close) return small;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Property of rays: any bytes are read as rays with directions that are not zero, rounded or as
-// spelled, or refused with an Error of exit code 3; rays written as fractions are read back as the
-// same, and a cube answers each with an answer that its check accepts.
-// Property of query: of two small solids on grids the answer to overlap is accepted by its check;
-// so is that of a ray on the grid against each; and probes hit as the definitions in rationals say.
+// spelled, or refused with an Error of exit code 3; rays written as fractions are the same when
+// read back, and the answer for each ray against a cube is accepted by its check. Property of
+// query: for two small solids on grids, the answer to overlap is accepted by its check, and so is
+// that of a ray on the grid against each; and probes hit according to the definitions in rationals.
 #include <algorithm>
 
 #include "convexact/query.hpp"

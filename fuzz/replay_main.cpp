@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Feeds files, and all files of folders, to a fuzz target: its corpus as an ordinary test, or one
-// input that a fuzzer found, under a debugger, without a fuzzing engine.
+// Feeds files, and all files of folders, to a fuzz target without a fuzzing engine: its corpus as
+// an ordinary test, or one input that a fuzzer found, under a debugger.
 //     replay TARGET FILE-OR-FOLDER...
 #include <algorithm>
 #include <cstdint>
@@ -37,7 +37,7 @@ int main(int count, char** arguments) {
   const std::vector<std::filesystem::path> files = files_of(count, arguments);
   for (const auto& file : files) {
     std::printf("%s\n", file.filename().c_str());
-    std::fflush(stdout);  // the last line names the input, should it end the process
+    std::fflush(stdout);  // the last line names the input if it ends the process
     const std::string bytes = convexact::read_bytes(file.string());
     FuzzInput in(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
     target->hold(in);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Property of stdio: for any line, the answer is one line of JSON, an object with either a
 // verdict or an error of a documented kind (6 beyond its time limit); a verdict has the request's
-// id; the oracle's two ways agree. Property of decompose_stdio: likewise, with the parts of the
-// mesh in the place of the verdict, and the oracle finds that they cover it.
-// Property of test_vectors: every text is read, or refused with an
-// Error of exit code 3.
+// id; the oracle's two ways agree. Property of decompose_stdio: the same, with the parts of the
+// mesh in place of the verdict, and the oracle finds that they cover the mesh. Property of
+// test_vectors: every text is read, or refused with an Error of exit code 3.
 #include <nlohmann/json.hpp>
 
 #include "convexact/conform.hpp"
@@ -49,7 +48,7 @@ void hold_decompose_stdio(FuzzInput& in) {
   }
   const json request = json::parse(line);
   FUZZ_CHECK(object.contains("id") == request.contains("id"));
-  // Read as doubles here, decimals would not mean the same with these.
+  // Decimals are read as doubles here; with these keys they would have another meaning.
   if (request.contains("decimal") || request.contains("numbers")) return;
   const json judged = {{"points", request["points"]},
                        {"triangles", request["triangles"]},
@@ -62,7 +61,7 @@ void hold_decompose_stdio(FuzzInput& in) {
 
 void hold_test_vectors(FuzzInput& in) {
   const std::string_view text = in.rest();
-  // A vector may name a file that is none of ours; an escape may spell the word.
+  // A vector may name a file outside of the project; an escape may spell the word.
   if (text.find("file") != text.npos || text.find('\\') != text.npos) return;
   const auto vectors =
       unless_refused([&] { return read_test_vectors_bytes(text, "no-such-folder"); });

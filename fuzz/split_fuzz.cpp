@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Property of split: of any few triangles on a grid the tree obeys its laws: leaves partition the
-// triangles and are connected, always the most concave one is split, by a plane beyond which the
-// moved triangles are, and each status says what is so. A run for fewer parts makes the first of
-// the splits. Rarely the whole tree is compared with the one that the definitions make.
+// Property of split: for any few triangles on a grid the tree obeys its laws: leaves partition the
+// triangles and are connected, the most concave one is always split, by a plane beyond which the
+// moved triangles lie, and each status is true. A run for fewer parts makes the first of these
+// splits. For rare inputs the whole tree is compared with the one that the definitions give.
 #include "convexact/split.hpp"
 #include "decompose/patch.hpp"
 #include "definitional_tree.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Property of surface: of any soup of polygons the triangles of a face have its area, points are
-// distinct and sorted, closed means that directed edges cancel, and the order of points and faces
-// changes nothing; winding numbers are those of a ray in another direction, and those beside a
-// triangle differ by the triangles that lie on it.
+// Property of surface: for any soup of polygons the triangles of a face have its area, points are
+// distinct and sorted, directed edges cancel iff the surface is closed, and the order of points and
+// faces changes nothing; winding numbers are those of a ray in another direction, and those beside
+// a triangle differ by the triangles that lie on it.
 #include <map>
 
 #include "convexact/surface.hpp"
@@ -26,7 +26,7 @@ Mesh soup_of(FuzzInput& in) {
     for (std::uint32_t& corner : polygon) {
       corner = static_cast<std::uint32_t>(in.below(points.size()));
     }
-    // The same face the other way round closes what it bounds.
+    // The same face in the opposite direction closes the surface.
     if (in.below(2) == 0) {
       const auto copy = polygon;
       mesh.polygons.emplace_back(copy.rbegin(), copy.rend());
@@ -117,7 +117,7 @@ std::optional<long> winding_by_ray(const Surface& s, const RationalPoint& x) {
                                     [](Sign sign) { return sign == Sign::Negative; });
     if (!is_in) continue;
     if (at == 0) return std::nullopt;
-    // The ray meets no edge: then another direction would be needed.
+    // The ray must not meet an edge: then another direction would be needed.
     FUZZ_CHECK(std::none_of(std::begin(sides), std::end(sides),
                             [](Sign sign) { return sign == Sign::Zero; }));
     sum += slope > 0 ? 1 : -1;

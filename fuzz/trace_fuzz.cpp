@@ -15,7 +15,7 @@ using namespace convexact;
 
 namespace {
 
-// What the definition says of the order so far.
+// The rating of the order so far by the definition.
 struct Expected {
   explicit Expected(const std::vector<Halfspace>& halfspaces)
       : arrangement(halfspaces), left(arrangement.all()) {}
@@ -48,7 +48,7 @@ struct Expected {
   bool has(std::size_t i) const { return (left >> i & 1) != 0; }
 };
 
-// Which of an order's lines come next, and what the definition says of it.
+// Makes the next lines of an order, with the result of the definition for each.
 class OrderMaker {
  public:
   OrderMaker(const std::vector<Halfspace>& halfspaces, const Rational& limit, FuzzInput& in)
@@ -127,7 +127,7 @@ void OrderMaker::rate(HalfspaceId removed, const definition::Cheapest& best,
   expected_.lower(TraceRating::NotGreedy);
 }
 
-// Of each kind none, the right one or another.
+// Of each kind of claim none, the right one or a wrong one.
 void OrderMaker::add_claims(const definition::Cheapest& best, const std::optional<Rational>& cost,
                             OrderedStep& ordered) {
   Step& claim = ordered.step;
@@ -170,7 +170,7 @@ void check_steps(const TraceVerdict& verdict, const Expected& expected) {
   FUZZ_CHECK(verdict.other_ties == expected.other_ties);
 }
 
-// Without the facets that are to blame the order is what the note says.
+// Without the facets that are to blame, the order has the rating in the note.
 void check_left_out(const DualHull& solid, const RationalPoint& center, const RemovalOrder& order,
                     JudgeOptions options, const TraceVerdict& verdict) {
   if (!verdict.never_removed) return;

@@ -2,7 +2,7 @@
 // Property of verify: the verdict on any candidate, mesh or halfspaces, is the one that the
 // definitions give: surfaces by counting edges, hulls by all triples of points, boundedness by all
 // meetings of three planes, distances by all pairs.
-// Property of candidates: the same for any bytes of a candidate's file.
+// Property of candidates: the same, for any bytes of a candidate's file.
 #include "convexact/verify.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // fuzz_check.hpp - a property that must hold for every input; on failure the process ends by abort,
-// which the fuzzer reports with the input that led there.
+// which the fuzzer reports with the input that caused it.
 #pragma once
 #include <cstdio>
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fuzz_input.hpp - turns the bytes of a fuzzer into choices, so that it can learn what they do.
+// fuzz_input.hpp - turns the bytes of a fuzzer into choices, so that it can learn their effect.
 #pragma once
 #include <bit>
 #include <cmath>
@@ -56,7 +56,7 @@ class FuzzInput {
     return points;
   }
 
-  /// What has not been consumed.
+  /// The bytes that have not been consumed.
   std::string_view rest() const { return {reinterpret_cast<const char*>(data_), size_}; }
 
  private:

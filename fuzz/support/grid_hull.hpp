@@ -25,7 +25,7 @@ inline std::int64_t dot(const Vector& a, const Vector& b) {
 }
 inline constexpr Vector kZero{0, 0, 0};
 
-/// What convex_hull() has to find.
+/// The hull that convex_hull() must find.
 struct Expected {
   explicit Expected(const std::vector<convexact::Point>& grid);
 
@@ -101,8 +101,8 @@ inline void Expected::try_plane(std::uint32_t a, std::uint32_t b, std::uint32_t 
   facets.insert(corners(std::move(on), normal));
 }
 
-// Of points in a plane the extreme ones: those that have, in some order around them, a gap of half
-// a turn or more. Found by walking from the lowest extreme one to the next in counter-clockwise
+// The extreme ones of points in a plane: those around which the others leave a gap of half a turn
+// or more. They are found by walking from the lowest extreme one to the next in counter-clockwise
 // order.
 inline std::vector<std::uint32_t> Expected::corners(std::vector<std::uint32_t> on,
                                                     const Vector& normal) const {
@@ -114,7 +114,7 @@ inline std::vector<std::uint32_t> Expected::corners(std::vector<std::uint32_t> o
   std::vector<std::uint32_t> walk;
   do {
     walk.push_back(at);
-    std::uint32_t next = at;  // no point is to the right of at -> next; of several the farthest
+    std::uint32_t next = at;  // no point is to the right of at -> next; among several the farthest
     for (const std::uint32_t i : on) {
       if (i == at) continue;
       const Vector u = minus(points_[next], points_[at]), v = minus(points_[i], points_[at]);
