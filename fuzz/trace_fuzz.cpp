@@ -127,7 +127,7 @@ void OrderMaker::rate(HalfspaceId removed, const definition::Cheapest& best,
   expected_.lower(TraceRating::NotGreedy);
 }
 
-// Of each kind of claim none, the right one or a wrong one.
+// Of each kind of claim none, the right one or another one.
 void OrderMaker::add_claims(const definition::Cheapest& best, const std::optional<Rational>& cost,
                             OrderedStep& ordered) {
   Step& claim = ordered.step;
