@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// allocation_watch.hpp - how many allocations there were, and how large the largest; link
+// allocation_watch.hpp - counts allocations, and records the size of the largest; link
 // allocation_watch.cpp in.
 #pragma once
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// auditor.hpp - decides again everything that the filtered engine decides without exact numbers:
-// signs by a determinant of rationals, caps by the exact engine's explicit polytopes.
+// auditor.hpp - repeats every decision that the filtered engine makes without exact numbers: signs
+// by a determinant of rationals, caps by the exact engine's explicit polytopes.
 #pragma once
 #include <doctest/doctest.h>
 
@@ -20,13 +20,13 @@ namespace audit {
 
 using namespace convexact;
 
-/// What an auditor has heard of, and decided again.
+/// The decisions reported to an auditor, and those that it repeated.
 struct Tally {
   std::size_t signs = 0, unknown_signs = 0, signs_checked = 0;
   std::size_t caps = 0, unenclosed_caps = 0, caps_checked = 0;
 };
 
-/// Decides again every `stride`-th sign and cap that it hears of.
+/// Repeats the decision on every `stride`-th sign and cap that is reported.
 class Auditor : public CostObserver, public Tally {
  public:
   Auditor(const FastDual& dual, std::size_t stride, CostMeasure measure = CostMeasure::Volume)
@@ -88,7 +88,7 @@ class Auditor : public CostObserver, public Tally {
     CHECK((is_beyond_doubles || high <= exactly(bounds.upper)));
   }
 
-  // What the bounds are about, exactly or within 200 bits.
+  // The number that is bounded, exactly or within 200 bits.
   std::array<Rational, 2> multiple(const Cap& cap, HalfspaceId i,
                                    std::span<const HalfspaceId> ring) {
     const long exponent = -dual_.cost_exponent(measure_);
@@ -134,7 +134,7 @@ inline Audited run(const FastDual& dual, std::size_t stride, const SimplifyOptio
   return {auditor, result.counts};
 }
 
-/// Of points that span a volume.
+/// The same for points that span a volume.
 inline Audited run(const std::vector<Point>& points, std::size_t stride, std::size_t faces = 4) {
   const PointSet set(points);
   const Hull hull = std::get<Hull>(convex_hull(set));

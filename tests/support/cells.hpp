@@ -44,7 +44,8 @@ inline Mesh box_mesh(const Box& box) {
   return {PointSet(box_corners(box)), box_faces(), {{"", 0, 6}}};
 }
 
-/// The boundary of the union of cells, as squares: the faces of cells beside no other cell.
+/// The boundary of the union of cells, as squares: those faces of cells with no other cell beside
+/// them.
 inline Mesh mesh_of_cells(const std::set<Cell>& cells) {
   std::vector<Point> points;
   std::map<std::array<int, 3>, std::uint32_t> ids;

@@ -16,8 +16,7 @@ struct Cheapest {
   std::vector<HalfspaceId> tie;  // ascending
 };
 
-/// The order of two costs of one measure. Those that this cannot tell apart are a failure of the
-/// test that asks.
+/// The order of two costs of one measure. Costs that cannot be told apart fail the calling test.
 inline std::strong_ordering in_order(const Cost& a, const Cost& b) {
   switch (compare(a, b).order) {
     case Order::Less:
@@ -32,7 +31,7 @@ inline std::strong_ordering in_order(const Cost& a, const Cost& b) {
   throw Error(ErrorCode::Internal, "undecided");
 }
 
-/// @param kept  What must stay, whatever it costs.
+/// @param kept  Halfspaces that must stay, whatever their cost.
 inline Cheapest cheapest_removals(const HalfspaceArrangement& arrangement, Subset left,
                                   CostMeasure measure = CostMeasure::Volume, Subset kept = 0) {
   Cost before = arrangement.measure(left, measure).value();

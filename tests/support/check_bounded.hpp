@@ -10,8 +10,8 @@
 #include "exact_determinant.hpp"
 #include "fast/filtered_engine.hpp"
 
-/// By the definition: closed and every triangle of the dual seen from the center in the right
-/// orientation, so the center is inside the dual hull. D is independent of the center.
+/// By the definition: the dual is closed and every triangle of it has the right orientation as seen
+/// from the center, so the center is inside the dual hull. D is independent of the center.
 inline void check_bounded(const convexact::FastDual& dual, const convexact::FastResult& result) {
   using namespace convexact;
   REQUIRE(result.survivors.size() + result.steps.size() == dual.size());

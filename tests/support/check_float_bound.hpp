@@ -10,8 +10,8 @@
 
 namespace convexact {
 
-// The filtered loop, made to follow the float engine's removals, knows the exact cost of each and
-// of the cheapest at each state: it is tested against the definition elsewhere.
+// The filtered loop follows the float engine's removals and gives the exact cost of each and of the
+// cheapest in each state; it is tested against the definition elsewhere.
 inline void check_float_bound(const FastDual& dual, const FastResult& result,
                               CostMeasure measure = CostMeasure::Volume) {
   REQUIRE(result.bound.has_value());
@@ -25,7 +25,7 @@ inline void check_float_bound(const FastDual& dual, const FastResult& result,
     const auto best = loop.choose();
     REQUIRE(best.has_value());
     REQUIRE(loop.is_bounded(step.removed));
-    constexpr long kBits = 200;  // volumes are exact to about that, too
+    constexpr long kBits = 200;  // volumes are exact to about this, too
     const Enclosure least = loop.cost(*best).enclose(kBits);
     const Enclosure cost = loop.cost(step.removed).enclose(kBits);
     worse += cost.low() > (1 + to_rational(bound.regret)) * least.high();

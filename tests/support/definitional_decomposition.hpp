@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// definitional_decomposition.hpp - what the proof of a decomposition claims, and whether it is true
+// definitional_decomposition.hpp - the claims of a decomposition's proof, and whether they are true
 // by the definition. Witnesses (facets, bounds, convex combinations, the rays of pairs) are no
 // claims.
 #pragma once
@@ -37,7 +37,7 @@ class DecompositionClaims {
   }
   std::size_t size() const { return surface_.points.size() + surface_.triangles.size(); }
 
-  /// Whether all of it is true. For a dozen points and two dozen triangles.
+  /// Whether all claims are true. For a dozen points and two dozen triangles.
   bool are_true() const {
     const ExactConcavity concavity(surface_, measure_);
     const Rational limit = limit_.squared(bounding_box(surface_.points).squared_diameter());

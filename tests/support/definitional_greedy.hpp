@@ -9,8 +9,8 @@
 
 namespace definition {
 
-/// Every step is the cheapest one of those that are not kept, with exactly the ties that there are;
-/// a run that says so has really nothing bounded left to remove.
+/// Every step must be the cheapest one of those that are not kept, with exactly the true ties; a
+/// run that ends for want of bounded removals must have none left.
 inline void check_against_definition(const Run& trace, CostMeasure measure = CostMeasure::Volume) {
   const HalfspaceArrangement arrangement(trace.halfspaces);
   Subset left = arrangement.all(), kept = 0;

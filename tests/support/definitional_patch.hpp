@@ -24,8 +24,8 @@ inline Integer least_root(const Rational& x) {
   return high;
 }
 
-/// A number a / sqrt(n) + b / sqrt(m): its sign. Of two numbers of some digits, so that 2000 bits
-/// tell whether it is 0.
+/// The sign of a / sqrt(n) + b / sqrt(m). The numbers have so few digits that 2000 bits show
+/// whether it is 0.
 inline Sign sign_of_sum(const Rational& a, const Rational& n, const Rational& b,
                         const Rational& m) {
   constexpr long kBits = 2000;
@@ -84,10 +84,10 @@ class Patch {
   }
   bool is_reached(PointId a, PointId b) const { return distances_.count({a, b}) > 0; }
   const Integer& distance(PointId a, PointId b) const { return distances_.at({a, b}); }
-  /// By the number of edges; only if it is reached.
+  /// The number of edges from a to b. Precondition: b is reached.
   std::size_t steps(PointId a, PointId b) const { return steps_.at({a, b}); }
 
-  /// Back from the end over the lowest points on a shortest path; none if there is no way.
+  /// Follows a shortest path back from its end over the lowest points; none if there is no path.
   std::vector<PointId> path(PointId from, PointId to) const {
     std::vector<PointId> made{to};
     if (!is_reached(from, to)) return {};
@@ -101,7 +101,7 @@ class Patch {
     return made;
   }
 
-  /// Whether a border leads from a, left of the way to b, into b, and leaves b to the right.
+  /// Whether a border leads from a, left of the path to b, into b, and leaves b to the right.
   bool spans_hole(PointId a, PointId b, const RationalVector3& n, const RationalVector3& m) const {
     const auto side = [&](PointId x) {
       const RationalPoint from = surface_.points[a];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// definitional_proof.hpp - what a proof claims, and whether it is true by the definition. Witnesses
-// (the interior point, the tetrahedra that show points inside, rays) are no claims; judging them is
-// the checker's business.
+// definitional_proof.hpp - the claims of a proof, and whether they are true by the definition.
+// Witnesses (the interior point, the tetrahedra that show points inside, rays) are no claims; only
+// the checker judges them.
 #pragma once
 #include <set>
 #include <sstream>
@@ -36,7 +36,7 @@ struct ProofClaims {
   std::vector<std::array<Rational, 4>> stored;
 
   friend bool operator==(const ProofClaims&, const ProofClaims&) = default;
-  /// Whether all of it is true. For a dozen points and two dozen planes.
+  /// Whether all claims are true. For a dozen points and two dozen planes.
   bool are_true() const;
 
  private:

@@ -19,7 +19,7 @@ inline Subset subset_of(const Ids& ids) {
   return set;
 }
 
-/// Of each facet those with which it has two corners, and so an edge, in common.
+/// For each facet those that share two corners, and so an edge, with it.
 inline std::vector<Ids> facets_next_to(const Polytope& polytope) {
   std::vector<Ids> next(polytope.facets.size());
   for (std::size_t i = 0; i < next.size(); ++i) {

@@ -51,7 +51,7 @@ struct SplitHull {
   std::map<Association::Facet, RationalVector3> normals;  ///< By facet; none if it is flat.
 };
 
-/// The bridges over a patch, and which of them its points have.
+/// The bridges over a patch, and the bridges of each of its points.
 class SplitAssociation {
  public:
   SplitAssociation(const Patch& patch, const SplitHull& hull, const SplitOptions& options)

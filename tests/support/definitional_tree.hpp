@@ -82,7 +82,7 @@ class SplitPlanes {
   std::map<Rank, Plane> ranked_;
 };
 
-/// Triangles that move as one: those without area with the one that they hang on.
+/// Triangles that move as one: those without area with the one that they are attached to.
 class SplitUnits {
  public:
   SplitUnits(const Surface& surface, Connect connect,
@@ -116,7 +116,7 @@ class SplitUnits {
     }
     return found;
   }
-  /// Those of some units that are reached from one of them.
+  /// Those among some units that are reached from one of them.
   std::set<TriangleId> reached(TriangleId first, const std::set<TriangleId>& among) const {
     std::set<TriangleId> found{first};
     for (std::size_t before = 0; before != found.size();) {
@@ -131,7 +131,7 @@ class SplitUnits {
     }
     return found;
   }
-  /// Where the centroid of its triangle with an area is.
+  /// Decided by the centroid of its triangle with an area.
   bool is_beyond(const Halfspace& plane, TriangleId unit) const {
     const std::vector<TriangleId> of_unit = triangles({unit});
     const auto shown = std::find_if(of_unit.begin(), of_unit.end(), [&](TriangleId t) {

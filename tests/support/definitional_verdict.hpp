@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// definitional_verdict.hpp - what the oracle should say about a small candidate, straight from the
-// definition of each claim: all triples of points, all corners of all faces, all pairs of a point
-// and a plane, in rationals. Shares nothing with the oracle but the number types.
+// definitional_verdict.hpp - the right verdict of the oracle on a small candidate, straight from
+// the definition of each claim: all triples of points, all corners of all faces, all pairs of a
+// point and a plane, in rationals. Shares only the number types with the oracle.
 #pragma once
 #include <array>
 #include <map>
@@ -51,11 +51,11 @@ inline Beyond beyond(std::span<const Halfspace> planes, const std::vector<Ration
   return result;
 }
 
-/// The squared distance of a point to the intersection of halfspaces: 0 if none excludes it. Else
-/// the nearest point is where the projection to the meet of one, two or three of the planes lies in
-/// all of them, and the way there is against a nonnegative combination of these normals (the
-/// conditions of Karush, Kuhn and Tucker). Nothing if there is none such: the intersection is
-/// empty.
+/// The squared distance of a point to the intersection of halfspaces: 0 if none excludes it.
+/// Otherwise the nearest point is the projection to the intersection of one, two or three of the
+/// planes for which the projection lies in all halfspaces, and the vector to it is opposite to a
+/// nonnegative combination of these normals (the conditions of Karush, Kuhn and Tucker). Nothing if
+/// there is no such projection: the intersection is empty.
 inline std::optional<Rational> squared_distance(std::span<const Halfspace> planes,
                                                 const RationalPoint& x) {
   std::vector<RationalVector3> n;
@@ -189,7 +189,7 @@ class MeshByDefinition {
     for (const RationalPoint& p : c) places.insert(place_of(p));
     return places.size() < c.size();
   }
-  // Of corners on a line: between neighbours among them two edges pass, everywhere.
+  // For corners on a line: whether exactly two edges run between any two neighbours among them.
   static bool covers_a_segment_twice(const std::vector<RationalPoint>& c) {
     const RationalVector3 along = c[1] - c[0];
     std::vector<Rational> at;
@@ -206,7 +206,7 @@ class MeshByDefinition {
     }
     return !has_repeats(c);
   }
-  // Of segments in one plane: p + s u and q + t v with s and t in [0, 1].
+  // For segments in one plane: p + s u and q + t v with s and t in [0, 1].
   static bool do_meet(const RationalPoint& p, const RationalVector3& u, const RationalPoint& q,
                       const RationalVector3& v) {
     const RationalVector3 n = u.cross(v), w = q - p;
@@ -218,7 +218,7 @@ class MeshByDefinition {
     const Rational a = w.dot(u), b = a + v.dot(u);
     return std::max(a, b) >= 0 && std::min(a, b) <= u.dot(u);
   }
-  // Of corners in a plane: all differ, and edges meet only where they follow each other.
+  // For corners in a plane: whether all differ, and edges meet only where they follow each other.
   static bool is_simple(const std::vector<RationalPoint>& c) {
     const std::size_t n = c.size();
     if (has_repeats(c)) return false;

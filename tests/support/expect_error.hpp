@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// expect_error.hpp - runs something that must be refused, and says how it was.
+// expect_error.hpp - runs an action that must be refused, and returns the error.
 #pragma once
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// fine_boxes.hpp - what a decomposition into boxes covers of a shape of unit cells, by counting.
-// All boxes have coordinates in quarters, so a small cube of the grid of quarters lies wholly in a
-// box or has no interior point in it, and likewise a small square of the surface.
+// fine_boxes.hpp - how much of a shape of unit cells a decomposition into boxes covers, by
+// counting. All boxes have coordinates in quarters, so a small cube of the grid of quarters lies
+// wholly in a box or has no interior point in it, and likewise a small square of the surface.
 #pragma once
 #include <algorithm>
 

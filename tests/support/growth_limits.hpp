@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// growth_limits.hpp - limits of growth that a run hits exactly, or misses by next to nothing.
+// growth_limits.hpp - limits of growth that a run hits exactly, or misses by almost nothing.
 #pragma once
 #include <vector>
 
@@ -13,8 +13,8 @@ struct GrowthCase {
   std::size_t steps;
 };
 
-/// Growth by the first `count` steps exactly, by less than 2^-80 of that more, and, for a count
-/// above 0, less.
+/// The growth by the first `count` steps exactly, that plus less than 2^-80 of it, and, for a count
+/// above 0, that minus as little.
 inline std::vector<GrowthCase> limits_after(const convexact::Run& trace,
                                             const convexact::Rational& volume, std::size_t count) {
   using namespace convexact;
@@ -24,7 +24,7 @@ inline std::vector<GrowthCase> limits_after(const convexact::Run& trace,
   std::vector<GrowthCase> cases{{exactly, count}};
   if (count == 0) return cases;
   cases.push_back({exactly - next_to_nothing, count - 1});
-  // Not more than half of the next step, should that be tiny.
+  // At most half of the next step, in case that is tiny.
   Rational more = next_to_nothing;
   if (count < trace.steps.size()) {
     more = std::min(more, Rational(trace.steps[count].cost->rational() / volume / 2));

@@ -105,7 +105,8 @@ inline bool HalfspaceArrangement::is_vertex(const Meeting& meeting, Subset chose
 
 inline bool HalfspaceArrangement::is_bounded(Subset chosen) const {
   // Without three planes that meet in a point there is a line inside. Otherwise the cone of rays
-  // inside is pointed: were it more than 0, it had an extreme ray, which lies in two planes.
+  // inside is pointed: if it were more than 0, it would have an extreme ray, which lies in two
+  // planes.
   const bool pointed = std::any_of(meetings_.begin(), meetings_.end(), [&](const Meeting& m) {
     return std::any_of(m.triples.begin(), m.triples.end(),
                        [&](Subset triple) { return contains(chosen, triple); });
@@ -183,8 +184,8 @@ inline Cost HalfspaceArrangement::area(Subset chosen) const {
   return Cost(std::move(sum));
 }
 
-// 4 pi times it: every two planes with two common vertices have an edge, and as no halfspace is
-// redundant, no third plane holds that.
+// 4 pi times the mean width: every two planes with two common vertices have an edge, and as no
+// halfspace is redundant, no third plane holds that edge.
 inline Cost HalfspaceArrangement::mean_width(Subset chosen) const {
   const std::vector<const Meeting*> vertices = vertices_of(chosen);
   std::vector<AngleTerm> terms;

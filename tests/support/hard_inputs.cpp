@@ -30,7 +30,8 @@ Points grid_part(uint32_t i) {
   return points;
 }
 
-// Lattice solids tie often; an ulp more or less makes near-ties and near-coplanar facets of these.
+// Lattice solids tie often; an ulp more or less turns these ties into near-ties and near-coplanar
+// facets.
 Points nudged_lattice(uint32_t i) { return nudged(lattice(i), i); }
 Points nudged_grid(uint32_t i) { return nudged(grid_part(i), i); }
 
@@ -85,7 +86,7 @@ Points box(uint32_t i) {
 }
 Points nudged_box(uint32_t i) { return nudged(box(i), i); }
 
-// Planes that part by 2^-1074: vertices and volumes beyond the range of doubles.
+// Planes that differ by 2^-1074: vertices and volumes beyond the range of doubles.
 Points barely_nudged(uint32_t i) {
   return nudged(i % 2 == 0 ? shapes::grid(2 + i / 2 % 2) : box(i % 12), i, 0x1p-1074);
 }
@@ -120,7 +121,7 @@ Points needle(uint32_t i) {
   }
 }
 
-// The aspect that is promised, and ties in it: lattice solids squeezed by powers of two are exact.
+// Shapes with the stated aspect and with ties: lattice solids squeezed by powers of two are exact.
 Points squeezed(uint32_t i) {
   const int thin = -40 - static_cast<int>(i % 3);
   const Points points = i % 2 == 0 ? lattice(i) : over_polygon(i);
@@ -235,7 +236,7 @@ Points near_a_plane(uint32_t i) {
   }
 }
 
-// Up to rounding the most regular solids; nudged, their costs are apart by an ulp or two.
+// The most regular solids, up to rounding; after nudging, their costs differ by an ulp or two.
 Points regular(uint32_t i) {
   const auto solid = [&] {
     switch (i % 6) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // hard_inputs.hpp - thousands of small point sets on which floating point goes wrong, numbered, so
-// that engines and filters can all be judged on the very same ones.
+// that engines and filters can all be judged on the same ones.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace hard {
 
-/// One way of being hard. Some members may span no volume.
+/// One kind of hard inputs. Some members may span no volume.
 struct Inputs {
   std::string_view name;
   std::uint32_t count;

@@ -40,7 +40,7 @@ inline void mutate(std::vector<double>& x, Random& random) {
   one = std::clamp(one, -1.0, 1.0);
 }
 
-/// The largest value of `ratio` that some climbs of `tries` tries find.
+/// The largest value of `ratio` found by some climbs with `tries` tries each.
 template <class Ratio>
 double highest(std::size_t count, int climbs, int tries, std::uint64_t seed, const Ratio& ratio) {
   Random random(seed);
@@ -61,8 +61,9 @@ double highest(std::size_t count, int climbs, int tries, std::uint64_t seed, con
   return highest;
 }
 
-/// Of a function that is affine in each of its arguments: |computed - f(q)| at its largest over all
-/// q with |q_k - x_k| <= error |x_k|, to first order in the error, and exactly at some such q.
+/// For a function that is affine in each of its arguments: the largest |computed - f(q)| over all q
+/// with |q_k - x_k| <= error |x_k|, to first order in the error; it is attained exactly at some
+/// such q.
 /// @param f  From a vector of Rational.
 template <class Function>
 Rational worst_distance(const Rational& computed, const std::vector<Rational>& x,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// hull_outline.hpp - what two hull programs must agree on: the planes of the facets, and the points
-// where three of them meet.
+// hull_outline.hpp - the data in which two hull programs must agree: the planes of the facets, and
+// the points where three of them meet.
 #pragma once
 #include <algorithm>
 #include <array>

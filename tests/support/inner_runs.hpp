@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// inner_runs.hpp - inner runs of points, and their judge by the definition: at each step the hull
-// is computed from scratch without each of the vertices that are left.
+// inner_runs.hpp - inner runs of points, and a judge of them by the definition: at each step the
+// hull is computed from scratch without each of the vertices that are left.
 #pragma once
 #include <doctest/doctest.h>
 
@@ -40,7 +40,7 @@ inline Rational volume_without(const VertexHull& start, const std::vector<Vertex
   return volume_of(subset(start.points, ids));
 }
 
-/// Every removal loses the least volume of all, with exactly the ties that there are.
+/// Every removal must lose the least volume of all, with exactly the true ties.
 inline void check_against_definition(const VertexHull& start, const InnerRun& run) {
   std::vector<VertexId> left = vertices_left({}, start.points.size());
   Rational before = volume_without(start, left, {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// integer_halfspace.hpp - halfspaces as tests write them out by hand.
+// integer_halfspace.hpp - halfspaces as tests write them by hand.
 #pragma once
 #include "convexact/halfspace.hpp"
 

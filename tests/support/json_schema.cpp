@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// On its own because valijson takes a minute to compile.
+// A separate file because valijson takes a minute to compile.
 #include "json_schema.hpp"
 
 #include <pthread.h>
@@ -29,7 +29,7 @@ std::string complaint(const Json& text, const Json& document) {
   return results.popError(error) ? error.description : "does not conform";
 }
 
-// Runs `work` on a stack of 512 MB, of which only what is touched becomes memory. valijson's
+// Runs `work` on a stack of 512 MB, of which only the touched part becomes memory. valijson's
 // patterns are std::regex, which recurses for each character: a fraction of some thousand digits
 // overflows the usual 8 MB where a sanitizer makes the frames larger. `work` must not throw.
 void on_large_stack(std::function<void()> work) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// least_volume.hpp - the least volume that some of the halfspaces of a solid bound, so many of
-// them, by its definition: every choice is intersected from scratch, without duality.
+// least_volume.hpp - the least volume that a given number of the halfspaces of a solid bound, by
+// its definition: every choice is intersected from scratch, without duality.
 #pragma once
 #include <bit>
 #include <optional>
@@ -30,7 +30,7 @@ inline Least least_volume(const HalfspaceArrangement& arrangement, std::size_t c
   return least;
 }
 
-/// What is left of a start after the moves of a search.
+/// The halfspaces that are left of a start after the moves of a search.
 inline Subset left_by(const SearchRun& run, const Ids& start) {
   Subset kept = subset_of(start);
   for (const Move& move : run.moves) {

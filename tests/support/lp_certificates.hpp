@@ -45,8 +45,8 @@ inline RationalVector combine(const LinearProgram& lp, const std::vector<Multipl
 
 }  // namespace lp_certificates
 
-// These judge N, d and c alone and share nothing with the solver. O(k n) rational operations for k
-// coordinates and n rows.
+// These functions use N, d and c alone and share nothing with the solver. O(k n) rational
+// operations for k coordinates and n rows.
 
 // For any feasible z: c'z = sum y_i n_i.z <= -sum y_i d_i = sum y_i n_i.x = c'x.
 inline bool check(const LinearProgram& lp, const Optimal& claim) {

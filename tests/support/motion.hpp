@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// motion.hpp - small points, and what may be done to them without changing what they enclose.
+// motion.hpp - small points, and changes of them that keep the enclosed solid.
 #pragma once
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// overlay_scenes.hpp - surfaces and parts for the tests of overlay/, and what covers what by
+// overlay_scenes.hpp - surfaces and parts for the tests of overlay/, and their coverage by
 // definition: cell by cell, and by inclusion and exclusion with intersections by enumeration.
 #pragma once
 #include <algorithm>
@@ -243,7 +243,7 @@ inline std::vector<RationalPoint> vertices_by_enumeration(const std::vector<Half
   return found;
 }
 
-/// The volume of the parts' common part.
+/// The volume of the intersection of the parts.
 inline Rational common_volume(const std::vector<const ConvexPart*>& parts) {
   std::vector<Halfspace> planes;
   for (const ConvexPart* part : parts) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// perturb.hpp - from points to points that are harder: one ulp off, stretched, sheared, far away.
+// perturb.hpp - makes points harder: one ulp off, stretched, sheared, far away.
 #pragma once
 #include <array>
 #include <cmath>
@@ -16,8 +16,8 @@ using convexact::Random;
 using Points = std::vector<Point>;
 
 /// Each coordinate moved to its lower or upper neighbor, or not at all, with equal chances.
-/// @param after_zero  What counts as the neighbor of 0: 2^-53, as for numbers of size 1, or the
-///                    true one, 2^-1074.
+/// @param after_zero  The number taken as the neighbor of 0: 2^-53, as for numbers of size 1, or
+///                    the true one, 2^-1074.
 inline Points nudged(Points points, std::uint64_t seed, double after_zero = 0x1p-53) {
   Random random(seed);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -46,7 +46,7 @@ inline Points turned(Points points) {
   return points;
 }
 
-/// Rounded where the sum has more than 53 bits.
+/// Sums with more than 53 bits are rounded.
 inline Points shifted(Points points, const Point& by) {
   for (Point& p : points) p += by;
   return points;

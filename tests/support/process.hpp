@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// process.hpp - runs the program as a user would and keeps what it said.
+// process.hpp - runs the program as a user would and keeps its output.
 #pragma once
 #include <sys/wait.h>
 
@@ -13,7 +13,7 @@
 
 namespace support {
 
-/// A folder of its own for one test, gone afterwards.
+/// A separate folder for one test, removed afterwards.
 class ScratchFolder {
  public:
   ScratchFolder() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// property.hpp - a rapidcheck property as a doctest assertion: on failure the shrunk
-// counterexample stands on stderr and the case fails.
+// property.hpp - a rapidcheck property as a doctest assertion: on failure the shrunk counterexample
+// is printed to stderr and the case fails.
 #pragma once
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// refine_decimal.hpp - a real number with certain digits, however many bits that takes.
+// refine_decimal.hpp - a real number with certain digits, with as many bits as needed.
 #pragma once
 #include <optional>
 #include <string>

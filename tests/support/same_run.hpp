@@ -32,7 +32,8 @@ inline void check_same_steps(const convexact::Run& exact, const convexact::Run& 
   }
 }
 
-/// Checks that a run without a record is the first `count` steps of an exact one, and why it ended.
+/// Checks that a run without a record is the first `count` steps of an exact one, and its reason to
+/// end.
 inline void check_same_prefix(const convexact::Run& exact, std::size_t count,
                               const convexact::FastDual& dual, const convexact::FastResult& lean) {
   using namespace convexact;
@@ -51,20 +52,20 @@ inline void check_same_prefix(const convexact::Run& exact, std::size_t count,
   }
 }
 
-/// Runs both engines to the end on a solid. @return The exact run.
+/// Runs both engines to the end on a solid. @return  The exact run.
 inline convexact::Run check_same_solid(const convexact::DualHull& solid,
                                        convexact::SimplifyOptions options = {}) {
   using namespace convexact;
   const RationalPoint center = mean_of_vertices(solid);
   const Run filtered = simplify_filtered(solid, center, options);
-  options.verify = VerifyLevel::None;  // has tests of its own
+  options.verify = VerifyLevel::None;  // tested separately
   Run exact = simplify_exact(solid, center, options);
   check_same_steps(exact, filtered);
   return exact;
 }
 
 /// Runs both engines to the end, the filtered one from the exact dual hull and from the hull.
-/// Points that span no volume are skipped. @return Whether the engines were compared.
+/// Points that span no volume are skipped. @return  Whether the engines were compared.
 inline bool check_same_run(const std::vector<convexact::Point>& points,
                            const convexact::SimplifyOptions& options = {}) {
   using namespace convexact;

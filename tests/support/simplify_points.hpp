@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// simplify_points.hpp - points to an exact simplification, with the dual hull from the definition.
+// simplify_points.hpp - an exact simplification of points, with the dual hull from the definition.
 #pragma once
 #include "definitional_dual.hpp"
 #include "simplify/exact_engine.hpp"

@@ -31,7 +31,7 @@ inline convexact::Mesh terrain(std::uint32_t columns, std::uint32_t rows, unsign
   return {convexact::PointSet(std::move(points)), std::move(triangles), {}};
 }
 
-/// Cells that hang together by their faces, at random.
+/// Random cells that are connected by their faces.
 inline std::set<Cell> random_cells(std::size_t count, std::mt19937& random) {
   std::vector<Cell> cells{{0, 0, 0}};
   std::set<Cell> taken{cells[0]};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// split_laws.hpp - what holds for every tree of split(), and whether two trees are the same.
+// split_laws.hpp - the laws of every tree of split(), and whether two trees are the same.
 #pragma once
 #include <algorithm>
 #include <set>
@@ -13,7 +13,7 @@ namespace support {
 
 using namespace convexact;
 
-/// The triangles of each node: of a leaf its own, of a branch those of its children.
+/// The triangles of each node: for a leaf those of the leaf, for a branch those of its children.
 inline std::vector<std::set<TriangleId>> triangles_of_nodes(const SplitTree& tree) {
   std::vector<std::set<TriangleId>> of(tree.nodes.size());
   for (const SplitLeaf& leaf : tree.leaves) {
@@ -38,7 +38,7 @@ class SplitLaws {
         of_(triangles_of_nodes(tree)),
         pairs_(neighbours(surface, options.connect)) {}
 
-  /// What is broken; nothing if all of them hold.
+  /// The laws that are broken; nothing if all of them hold.
   std::string broken() const {
     for (const std::string& law :
          {shape(), partition(), numbers(), splits(), order(), statuses()}) {
@@ -148,8 +148,8 @@ class SplitLaws {
     return {};
   }
 
-  // Each split leaf is the worst of its time that is not known to be unsplittable: of the others,
-  // those that are worse stay leaves for ever.
+  // Each split leaf is the worst one at that time that is not known to be unsplittable: worse ones
+  // among the others stay leaves for good.
   std::string order() const {
     std::set<std::uint32_t> leaves;
     for (std::uint32_t n = 0; n < tree_.roots; ++n) leaves.insert(n);
@@ -220,8 +220,8 @@ class SplitLaws {
   const std::vector<std::pair<TriangleId, TriangleId>> pairs_;
 };
 
-/// What two trees differ in: in structure, and in squares of lengths, of which those of `b` are
-/// `factor` times those of `a`; nothing if they do not.
+/// The difference between two trees in structure, and in squares of lengths, where those of `b` are
+/// to be `factor` times those of `a`; nothing if there is none.
 inline std::string difference(const SplitTree& a, const SplitTree& b, const Rational& factor = 1) {
   if (a.roots != b.roots || a.nodes.size() != b.nodes.size()) return "the number of nodes";
   for (std::size_t n = 0; n < a.nodes.size(); ++n) {
@@ -257,7 +257,7 @@ inline std::string difference(const SplitTree& a, const SplitTree& b, const Rati
   return {};
 }
 
-/// The same of two trees of surfaces at the same place: points and planes, too.
+/// The same for two trees of surfaces at the same place, including points and planes.
 inline std::string difference_in_place(const SplitTree& a, const SplitTree& b) {
   if (const std::string found = difference(a, b); !found.empty()) return found;
   for (std::size_t n = 0; n < a.nodes.size(); ++n) {
@@ -270,7 +270,7 @@ inline std::string difference_in_place(const SplitTree& a, const SplitTree& b) {
   return {};
 }
 
-/// What two associations differ in.
+/// The difference between two associations.
 inline std::string difference(const Association& a, const Association& b) {
   if (a.bridges != b.bridges) return "the bridges";
   if (a.points != b.points) return "the points";

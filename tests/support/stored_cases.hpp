@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// stored_cases.hpp - results to store (hulls and bounded subsets of their planes), and how the
-// independent checker sees them.
+// stored_cases.hpp - results to store (hulls and bounded subsets of their planes), in the form for
+// the independent checker.
 #pragma once
 #include <optional>
 #include <span>
@@ -60,8 +60,8 @@ inline Polytope solid_of(std::span<const Halfspace> halfspaces, const PointSet& 
   return to_polytope(dual.dual.halfspaces, dual.dual.triangles);
 }
 
-/// The same input with a random subset of the hull's planes as the result; halfspaces go one after
-/// another as long as the rest is bounded, until `left` are left.
+/// The same input with a random subset of the hull's planes as the result; halfspaces are removed
+/// one after another as long as the rest is bounded, until `left` are left.
 inline Case drop_planes(const Case& hull, std::size_t left, std::uint64_t seed) {
   std::vector<Halfspace> kept = hull.exact.planes;
   Random random(seed);

@@ -96,7 +96,7 @@ inline bool is_bounded(const std::vector<Plane>& planes) {
   return rank_3;
 }
 
-/// The planes of a mesh's polygons, after showing that they are the facets of the hull of its
+/// The planes of a mesh's polygons, if these are shown to be the facets of the hull of its
 /// vertices: every polygon lies in a plane that has no vertex beyond it, and the surface is closed
 /// (each directed edge once, its reverse once), so it covers the boundary of the hull.
 /// Empty if any of that fails.

@@ -8,7 +8,7 @@
 
 namespace definition {
 
-/// Collects the claims that are judged otherwise than the definitions say.
+/// Collects the claims whose judgement differs from the definitions.
 class Disagreements {
  public:
   explicit Disagreements(const Verdict& verdict) : verdict_(verdict) {}
@@ -30,8 +30,8 @@ class Disagreements {
   std::string found_;
 };
 
-// Whether the witness's point is at the distance that it names from a nearest point that it names,
-// which lies in the solid, and no point is farther away.
+// Whether the witness's point has the stated distance from the stated nearest point, which lies in
+// the solid, and no point is farther away.
 inline bool is_farthest(const Witness& w, std::span<const Halfspace> planes,
                         const std::vector<RationalPoint>& points) {
   if (!w.nearest || !w.squared_distance) return false;
@@ -45,8 +45,8 @@ inline bool is_farthest(const Witness& w, std::span<const Halfspace> planes,
   return worst == *w.squared_distance;
 }
 
-// All input points against the planes, and a witness that is beyond the plane that it names; as far
-// from a bounded solid as it says, and without a distance if there is none.
+// Checks all input points against the planes, and a witness that must be beyond the plane that it
+// names, at its stated distance from a bounded solid, or without a distance if there is none.
 inline void check_containment(std::span<const Halfspace> planes, bool is_bounded_solid,
                               const PointSet& input, Disagreements& so_far) {
   const Verdict& verdict = so_far.verdict();
@@ -123,7 +123,7 @@ inline void check_halfspaces(const HalfspaceList& list, const PointSet& input,
   if (volume && *volume == 0) so_far.expect(ClaimCode::CandidateSolid, Status::Violated);
 }
 
-/// The names of what differs; empty if the verdict on a small candidate is right.
+/// The names of the claims that differ; empty if the verdict on a small candidate is right.
 [[nodiscard]] inline std::string disagreement(const Verdict& verdict, const Candidate& candidate,
                                               const PointSet& input) {
   Disagreements so_far(verdict);
