@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// fuzz_target.hpp - all targets by name, in one program: each file of targets adds its own.
+// fuzz_target.hpp - all targets by name, in one program: each file of targets adds those that it
+// defines.
 #pragma once
 #include <string_view>
 #include <vector>

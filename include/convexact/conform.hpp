@@ -63,7 +63,7 @@ struct ProgramRun {
 [[nodiscard]] std::vector<std::string> fill_in(const std::vector<std::string>& words,
                                                const std::map<std::string, std::string>& values);
 
-/// What a program is asked for.
+/// The output that a program is asked for.
 enum class Asks {
   Enclosure,  ///< A convex solid that contains the input.
   Hull,       ///< The same, and each of its corners is a point of the input.

@@ -25,7 +25,7 @@ enum class DecomposeMethod {
   Acd,   ///< split(): the surface is split at notches.
 };
 
-/// What becomes of clusters that lie in a plane.
+/// The treatment of clusters that lie in a plane.
 enum class FlatParts {
   Auto,     ///< As Thicken, but a shape that is flat as a whole is not decomposed.
   Thicken,  ///< A part with a volume: both sides moved by about 2^-20 of the diameter, or by some
@@ -95,7 +95,8 @@ struct Part {
   std::vector<Halfspace> halfspaces;  ///< The hull of mesh.points, proven to hold what it owns.
 };
 
-/// A cluster that lies in the hull of another one, or in its part as stored: no part of its own.
+/// A cluster that lies in the hull of another one, or in its part as stored, and so becomes no
+/// part.
 struct InnerCluster {
   TriangleId lowest;  ///< Of its triangles.
   std::size_t part;   ///< The part that holds it.

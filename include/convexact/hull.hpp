@@ -134,7 +134,7 @@ struct HullStart {
   std::span<const InsideProof> inside;  ///< Points given up, each with its proof.
 };
 
-/// What one insertion does to the surface. The spans are valid during the call only.
+/// The effect of one insertion on the surface. The spans are valid during the call only.
 struct HullInsertion {
   PointId point;
   /// The triangles that the point sees: they go. Together they are a disk.

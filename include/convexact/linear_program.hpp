@@ -174,7 +174,7 @@ struct LpPoint {
   RationalVector direction;  ///< Zero: the point is x.
 };
 
-/// What one constraint does to the optimum of those before it.
+/// The effect of one constraint on the optimum of those before it.
 struct LpInsertion {
   std::size_t row;
   bool moved;  ///< Whether the constraint cut the old optimum off.

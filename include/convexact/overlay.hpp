@@ -22,7 +22,7 @@ struct ConvexPart {
   /// The part is their intersection. For a flat part, both sides of each plane that holds it are
   /// among them.
   std::vector<Halfspace> halfspaces;
-  /// The solid of a part of dimension 3; `vertices` and `halfspaces` are its own.
+  /// The solid of a part of dimension 3; `vertices` and `halfspaces` are those of this solid.
   std::optional<Polytope> solid;
   BoundingBox box;
 };

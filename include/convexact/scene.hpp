@@ -67,7 +67,7 @@ struct Stored {
   std::optional<StoredMesh> mesh;
 };
 
-/// One object, to be enclosed on its own.
+/// One object, to be enclosed separately.
 struct SceneObject {
   std::string name;  ///< The file, or "file: part".
   std::string part;  ///< The part's name; the file's stem without parts.
@@ -79,7 +79,7 @@ struct SceneObject {
 
 struct SceneOptions {
   Decimal decimal = Decimal::Nearest;
-  bool parts = false;  ///< Each object of a file on its own.
+  bool parts = false;  ///< Whether each object of a file is separate.
   /// Called with the name and the bytes of each file before it is parsed.
   std::function<void(const std::string& name, const std::string& bytes)> on_read = {};
 };

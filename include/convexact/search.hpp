@@ -45,7 +45,7 @@ struct SearchOptions {
   const std::atomic<bool>* settle = nullptr;
 };
 
-/// What search_optimal() has proven.
+/// The facts that search_optimal() has proven.
 struct Optimality {
   bool is_proven = false;  ///< No equal number of halfspaces of the input bounds a smaller volume.
   /// They bound no smaller volume than this, which is the volume of the result if that is proven

@@ -65,7 +65,7 @@ struct KeptFacet {
   std::size_t plane;  ///< Its place in the planes of the result.
 };
 
-/// What a search achieved. Measures are those that the run keeps small.
+/// The result of a search. Measures are those that the run keeps small.
 struct SearchResult {
   /// The move by which the measure fell most; of those that seem to be equal, the first.
   struct Best {

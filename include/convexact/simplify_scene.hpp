@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// simplify_scene.hpp - several parts, each enclosed on its own, with one budget of halfspaces; and
+// simplify_scene.hpp - several parts, each enclosed separately, with one budget of halfspaces; and
 // the gaps that solids leave between the parts.
 #pragma once
 #include <array>

@@ -181,7 +181,7 @@ inline constexpr unsigned kRoundingUlps = 16;
 /// The facets as they were meant, each a list of facets of the solid: the fewest *patches* found. A
 /// patch is a set of facets, connected by edges, all of whose corners some plane comes near:
 /// |n.p + d| <= |n_1| u_1 + |n_2| u_2 + |n_3| u_3, that is, they become coplanar when each
-/// coordinate moves by at most its own u. Such a plane is found by linear programs, exactly.
+/// coordinate moves by at most its u. Such a plane is found by linear programs, exactly.
 ///
 /// Where the solid is thinner along n than 1024 times the right side, rounding might explain
 /// anything. There facets stay single, unless all corners of the patch remain corners of the solid
@@ -201,7 +201,7 @@ struct VerifyRequest {
   /// budgets must apply to the candidate for the verdict to hold.
   std::vector<ClaimCode> claims = {};
   /// Violations of planarity and convexity up to this distance from a plane, and of containment up
-  /// to this distance from the candidate, pass; they are reported all the same.
+  /// to this distance from the candidate, pass; they are still reported.
   Tolerance tolerance = {};
   std::optional<std::size_t> max_facets = {}, max_vertices = {}, max_facet_vertices = {};
   /// Whether `max_facets` is for the facets of a mesh as they are, not as they were meant.

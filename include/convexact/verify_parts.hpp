@@ -34,7 +34,7 @@ struct PartsRequest {
   StageWatch watch = {};
 };
 
-/// A part on its own.
+/// The judgement of a single part.
 struct JudgedPart {
   std::string name;
   CandidateSize size;

@@ -36,8 +36,8 @@ struct OrderedStep {
 struct RemovalOrder {
   /// None for a row with normal 0: no facet has that plane. Any order, repeats allowed.
   std::vector<std::optional<Halfspace>> facets;
-  /// Whether `facets` is a list of its own, whose rows the ids count: not the input's
-  /// facets, and not the planes removed.
+  /// Whether `facets` is a separate list, whose rows the ids count: not the input's facets, and not
+  /// the planes removed.
   bool has_list = false;
   std::vector<OrderedStep> steps;
   /// Each removal is to add the least to this measure. Costs that steps state are of it.

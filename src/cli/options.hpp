@@ -115,7 +115,8 @@ CLI::Option* add_tie_bits(CLI::App& command, long& bits, const std::string& mean
 /// --center, of the polar dual; the default is shown.
 CLI::Option* add_center_option(CLI::App& command, std::string& text);
 
-/// What --center spells: "X,Y,Z", or nothing for "chebyshev". @throws Error InvalidArgument.
+/// The point that --center spells as "X,Y,Z"; nothing for "chebyshev". @throws Error
+/// InvalidArgument.
 [[nodiscard]] std::optional<RationalPoint> parse_center(const std::string& text);
 
 /// An option that takes one of a few words, in upper or lower case; the help shows them and the

@@ -249,7 +249,7 @@ class Associator {
     path.bridges = {std::min(bridge[f], bridge[g]), std::max(bridge[f], bridge[g])};
     path.points = {edge.low, edge.high};
     const std::uint32_t a = patch_.number_of(edge.low), b = patch_.number_of(edge.high);
-    if (patch_.is_edge(a, b)) return;  // is its own shortest path
+    if (patch_.is_edge(a, b)) return;  // the edge is the shortest path
     path.spans_hole =
         spans_hole(surface_, patch_, a, b, {hull_.planes[f].normal(), hull_.planes[g].normal()});
     path.is_joined = false;

@@ -32,7 +32,7 @@ namespace convexact {
 /// cancels, and there is no singular case. (In the sum over T of H^3 / (D D D D) [Lawrence1991] the
 /// D of an inner diagonal may vanish, and does on every prism.)
 ///
-/// Determinants computes them, all of them >= 0, in numbers of its own:
+/// Determinants computes them, all of them >= 0, in a number type that it chooses:
 ///   Number base(m)       D(i, m, m + 1)
 ///   Number slack(m)      |H(i, 0, 1, m)|
 ///   Number leg(m, q)     |H(i, m, m + 1, q)|

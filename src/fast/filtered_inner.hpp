@@ -31,7 +31,7 @@ struct InnerCounts {
                                                const InnerOptions& options = {},
                                                InnerCounts* counts = nullptr);
 
-/// What the hull loses with a vertex: the ring, the triangles that close it, and bounds of the sum
+/// The loss of the hull with a vertex: the ring, the triangles that close it, and bounds of the sum
 /// of the tetrahedra between these and the vertex.
 class FilteredLoss {
  public:
@@ -77,7 +77,7 @@ class FilteredLoss {
 
 /// The queue holds for each vertex a lower bound of its cost. When its ring changes, the entry is
 /// *stale*, and evaluated again only when it comes near the top. Costs may fall, so the old bound
-/// is of no use; but the terms that do not name the removed vertex are lost all the same, and their
+/// is of no use; but the terms that do not name the removed vertex are lost in any case, and their
 /// sum is the key of a stale entry.
 class InnerLoop {
  public:

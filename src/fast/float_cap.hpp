@@ -21,7 +21,7 @@ namespace convexact {
 /// and, if there is a longer arithmetic for the caps that this one does not find bounded,
 ///   Longer                              such a type, without a Longer of its own
 ///   const Longer& longer()
-/// and, if the run is to know its own error (FastResult::bound),
+/// and, if the run is to bound its error (FastResult::bound),
 ///   const DualSigns& signs()            decides where a sign of T is uncertain in this arithmetic
 /// These two are the engine's own.
 struct DoubleDoubles {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesh.hpp - the triangulated dual hull in flat arrays; removals reuse their own slots.
+// mesh.hpp - the triangulated dual hull in flat arrays; removals reuse the slots that they free.
 #pragma once
 #include <cstdint>
 #include <span>

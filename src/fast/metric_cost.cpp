@@ -236,7 +236,7 @@ double forget_terms_of(HalfspaceId removed, std::vector<LastingTerm>& terms) {
   return MetricCost::lower_bound(terms);
 }
 
-// What was rounded away, of the terms and of their sum.
+// The rounding errors of the terms and of their sum.
 CostBounds<double> MetricCost::widened(const Interval<double>& sum, bool is_certain) {
   // A direction that underflowed makes everything NaN.
   if (!(sum.lower >= 0)) {

@@ -15,7 +15,7 @@ namespace {
 
 using CellIndex = std::array<std::uint32_t, 3>;
 
-// What is proven about a cell: f > L rho or f < -L rho at its center, or neither.
+// The proven facts about a cell: f > L rho or f < -L rho at its center, or neither.
 enum class CellPlace { Outside, Inside, Kept, Undecided };
 
 [[noreturn]] void refuse_box(const std::string& message) {

@@ -42,7 +42,7 @@ struct Comparison {
   Engine reference, other;
   /// Ascending by step; empty if the runs are the same, step by step. The first is where the runs
   /// differ. In the later ones, the choice of the engine that is not `float` is the removal of the
-  /// filtered engine in that state, since its own run has reached another one.
+  /// filtered engine in that state, since the separate run of that engine has reached another one.
   std::vector<Divergence> divergences = {};
   bool explained = true;      ///< Whether each of them is (is_explained()).
   std::size_t judged = 0;     ///< Steps that were compared or judged, from the first one on.

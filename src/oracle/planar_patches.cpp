@@ -79,7 +79,7 @@ class HardEdges {
       change += e[0][i] * (std::abs(y) + e[1][j]) * (std::abs(z) + e[2][k]) +
                 std::abs(x) * e[1][j] * (std::abs(z) + e[2][k]) + std::abs(x * y) * e[2][k];
     }
-    // What rounding adds here is below 2^-49 of the sum of the sizes.
+    // The rounding errors here are below 2^-49 of the sum of the sizes.
     return std::abs(determinant) > change + 16 * kUnit * size + kTiny;
   }
 

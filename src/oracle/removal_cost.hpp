@@ -22,7 +22,7 @@ inline constexpr double kPlaneRounding = 64 * 0x1p-52;
 
 /// The price of one removal from a bounded solid.
 struct RemovalCost {
-  /// What is added to the measure, exactly; none if what is left is unbounded.
+  /// The exact growth of the measure; none if the rest is unbounded.
   std::optional<Cost> cost;
   /// The largest error of a cost when each plane is off by kPlaneRounding, in units of the cost; 0
   /// if it is unbounded; none if a plane with that error may not bound the cap at all.

@@ -63,7 +63,7 @@ struct PictureLayer {
   void add_facet(const Polytope& solid, std::size_t facet);
 };
 
-/// What a picture shows. Layers are drawn one after another: inner ones should come first.
+/// The contents of a picture. Layers are drawn one after another: inner ones should come first.
 struct Picture {
   std::string title;    ///< Plain text.
   std::string caption;  ///< Plain text, one line.

@@ -81,7 +81,7 @@ struct ReportOrigin {
                                                  const ReportRequest& request,
                                                  const ReportOrigin& origin);
 
-/// Every number of a report_json() in a row of its own: section, subject, parameter, way, quantity,
+/// Every number of a report_json() in a separate row: section, subject, parameter, way, quantity,
 /// value, unit. With a heading; a value that is not known is empty. RFC 4180.
 [[nodiscard]] std::string report_csv(const nlohmann::ordered_json& report);
 

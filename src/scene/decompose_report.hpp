@@ -52,7 +52,7 @@ enum class DecompositionDetail {
                                                         std::span<const std::string> names,
                                                         DecompositionDetail detail);
 
-/// A document with an entry of each top-level list, and every other value, on a line of its own.
+/// A document with each entry of a top-level list, and every other value, on a separate line.
 [[nodiscard]] std::string write_lines(const nlohmann::ordered_json& document);
 
 /// The concavity allowed, and one that was found.
@@ -65,7 +65,7 @@ enum class DecompositionDetail {
 [[nodiscard]] nlohmann::ordered_json vertices_json(const PointSet& points, bool as_fractions);
 /// The numbers of triangles, as a list.
 [[nodiscard]] nlohmann::ordered_json indices_json(std::span<const TriangleId> triangles);
-/// What ended the run.
+/// The reason why the run ended.
 [[nodiscard]] const char* stop_name(const Decomposition& decomposition);
 
 /// The root of an exact square, and a length as a percentage of the diameter; 0 for a single point.

@@ -160,7 +160,7 @@ std::string stored_line(const Decomposition& decomposition, Precision precision)
                                             fmt::join(forms, ", ")));
 }
 
-// What was done to the surface, and which of its properties may be unexpected.
+// The changes to the surface, and its properties that may be unexpected.
 std::string surface_notes(const Surface& surface) {
   std::size_t turned = 0, reversed = 0;
   for (const SurfaceComponent& component : surface.components) {

@@ -158,7 +158,8 @@ struct CirclePoint {
                                            std::uint64_t seed);
 /// n points of in_box() times 1e300: squares overflow.
 [[nodiscard]] std::vector<Point> huge(std::uint32_t n, std::uint64_t seed);
-/// n points of in_box(), each coordinate times its own power of two from 2^-exponent to 2^exponent.
+/// n points of in_box(), each coordinate times a separate power of two from 2^-exponent to
+/// 2^exponent.
 [[nodiscard]] std::vector<Point> wide_exponents(std::uint32_t n, std::uint32_t exponent,
                                                 std::uint64_t seed);
 /// n points of the plane z = 1, every second of them `ulps` >= 1 units in the last place (2^-52)

@@ -50,7 +50,7 @@ class DualSurface {
   /// @par Source      [Jacobson2026]; docs/construction.md has the steps.
   [[nodiscard]] Removal removal_of(HalfspaceId i, RingObserver* observer = nullptr);
 
-  /// What a removal adds to any measure. Preconditions: those of apply().
+  /// The amount that a removal adds to any measure. Preconditions: those of apply().
   [[nodiscard]] Cost added_by(const Removal& removal, CostMeasure measure);
 
   /// Makes a removal. Preconditions: it is bounded, and it was computed when the triangles around
@@ -64,7 +64,7 @@ class DualSurface {
   /// old one cut by it. Halfspaces that become redundant leave the surface, even if they still
   /// touch the solid in a vertex or an edge: there are none if all were facets of one solid.
   /// Unlike undo(), it may choose another triangulation of level dual points.
-  /// Precondition: !has(i). @return False, and nothing changes, if the halfspace is redundant.
+  /// Precondition: !has(i). @return  False, and nothing changes, if the halfspace is redundant.
   /// @par Cost  One exact sign for each triangle of the surface.
   bool insert(HalfspaceId i);
 

@@ -54,7 +54,7 @@ class ExactRun {
   std::size_t left() const;
   /// The next removal, found at the first call after each make(); null if there is no bounded one.
   const Step* next();
-  /// What it adds to any measure. Precondition, as for make(): next() is not null.
+  /// The amount that it adds to any measure. Precondition, as for make(): next() is not null.
   Cost added(CostMeasure measure);
   void make();
   /// A measure of the solid that is left.

@@ -29,9 +29,9 @@ class CheckObserver {
   virtual void checked(const TestedCondition& check) = 0;
 };
 
-/// Replays steps on its own copy of the dual's directed edges. It shares no code with any engine:
-/// it uses no center, computes with the planes (n, d) themselves, and assumes nothing about a step.
-/// docs/verification.md says what each check proves.
+/// Replays steps on a separate copy of the dual's directed edges. It shares no code with any
+/// engine: it uses no center, computes with the planes (n, d) themselves, and assumes nothing about
+/// a step. docs/verification.md says what each check proves.
 class StepVerification {
  public:
   /// @param dual   The dual hull from which the run starts; must outlive this object.

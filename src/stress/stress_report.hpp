@@ -55,7 +55,7 @@ struct StressStored {
   std::string why;             ///< If it does not hold: why not.
 };
 
-/// The bounds of the float engine on its own error (FloatBound).
+/// The float engine's bounds on its errors (FloatBound).
 struct StressClaim {
   double cost = 0;           ///< Largest relative error of a reported cost.
   double regret = 0;         ///< Each removal costs at most (1 + regret) times the cheapest.

@@ -41,7 +41,7 @@ Sign sign_of_volume(const Surface& surface, std::span<const std::uint32_t> trian
   return sign_of(sum);
 }
 
-// A closed component on its own.
+// A single closed component.
 class Shell {
  public:
   Shell(const Surface& surface, std::vector<std::uint32_t> triangles)

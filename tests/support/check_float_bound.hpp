@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// check_float_bound.hpp - compares the float engine's bounds on its own errors with exact numbers.
+// check_float_bound.hpp - compares the float engine's bounds on its errors with exact numbers.
 #pragma once
 #include <doctest/doctest.h>
 
