@@ -13,8 +13,8 @@
 #include "number/precision.hpp"
 #include "number/text.hpp"
 #include "scene/objects.hpp"
-#include "simplify/inner_trace.hpp"
 #include "simplify/run_names.hpp"
+#include "simplify/trace_json.hpp"
 
 namespace convexact {
 namespace {
