@@ -107,7 +107,7 @@ inline Rational decimal(const std::string& word, Decimals decimals) {
   const Integer magnitude = shift + count;
   expect(magnitude <= 309, "a number below 2^1024");
   if (decimals == Decimals::Nearest && magnitude < -330) return 0;
-  expect(shift >= -100000 - count, "an exponent that is not absurd");
+  expect(shift >= -100000 - count, "an exponent within the limits");
   Integer power;
   mpz_ui_pow_ui(power.get_mpz_t(), 10, Integer(abs(shift)).get_ui());
   const Integer digits(spelt.digits, 10);

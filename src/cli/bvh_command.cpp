@@ -29,9 +29,11 @@ constexpr const char* kBvhFooter =
     "  convexact query rays tree.json rays.txt\n"
     "  convexact verify cow.obj tree.json --union\n"
     "\n"
-    "Without --from the parts are those of convexact decompose, joined as acd split them, or as\n"
-    "hacd would merge them on; what that leaves apart, and the parts of a file, are joined where\n"
-    "the common hull has the least volume. Each hull is made from its children's stored numbers,\n"
+    "Without --from the parts are those of convexact decompose, joined by the splits of acd,\n"
+    "or by the next merges of hacd; groups that this leaves apart, and parts from a file, are "
+    "joined\n"
+    "where the common hull has the least volume. Each hull is made from its children's stored "
+    "numbers,\n"
     "and is proven to hold them: a ray or a solid that misses it misses all below.\n"
     "convexact decompose --tree writes parts, proof, picture and tree in one run.";
 
@@ -202,20 +204,21 @@ void add_bvh_command(CLI::App& program, int& exit_code) {
       "parts to build on, instead of decomposing INPUT: objects of an OBJ, a folder of meshes, or "
       "JSON with \"parts\"");
   add_choice(command, "--method", options->method, kDecomposeMethodNames,
-             "of the decomposition: hacd merges triangles, acd splits at notches")
+             "for the decomposition: hacd merges triangles, acd splits at notches")
       ->excludes(from);
   command
       .add_option("--concavity", options->concavity,
-                  "of the decomposition: how deep a cluster may lie in its hull: a share of the "
+                  "for the decomposition: how deep a cluster may lie in its hull: a share of the "
                   "diameter, 3% or 0.03d, or a length, 0.05")
       ->capture_default_str()
       ->excludes(from);
   add_count(command, "--max-parts", options->max_parts, {1},
-            "of the decomposition: at least 1; may lead beyond the concavity allowed")
+            "for the decomposition: at least 1; may lead beyond the concavity allowed")
       ->excludes(from);
-  add_choice(command, "--join", options->join, kJoinByNames,
-             "how parts are joined: as the method splits or would merge them, or where the common "
-             "hull has the least volume, which makes rays visit fewer nodes")
+  add_choice(
+      command, "--join", options->join, kJoinByNames,
+      "how to join parts: by the splits or the next merges of the method, or by the least volume "
+      "of the common hull, with which rays visit fewer nodes")
       ->excludes(from);
   add_faces(command, options->tree.faces, "how many halfspaces to keep of each branch, at least 4");
   add_count(command, "--leaf-faces", options->tree.leaf_faces, {4, std::uint64_t(1) << 32},

@@ -128,7 +128,7 @@ int print_answer(const CLI::App& program, const CLI::ParseError& error) {
 }  // namespace
 
 void add_global_options(CLI::App& command, GlobalOptions& options) {
-  command.add_flag("--json", options.json, "print one JSON object, also on failure");
+  command.add_flag("--json", options.json, "print one JSON object, even on failure");
   add_count(command, "--seed", options.seed, {},
             "seed of the random orders; the answer does not depend on it");
   add_bytes(command, "--max-memory", options.max_memory,

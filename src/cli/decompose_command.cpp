@@ -37,7 +37,8 @@ constexpr const char* kDecomposeFooter =
     "on the written numbers. That covers the surface and need not cover the solid: the summary "
     "says\n"
     "what of the solid is in no part.\n"
-    "Exit code 0 also where --max-parts or --flat merge leads beyond the concavity allowed, or a\n"
+    "The exit code is 0 even if --max-parts or --flat merge leads beyond the concavity allowed, or "
+    "a\n"
     "part of acd cannot be split; the summary and \"eps_holds\" say so. 4: INPUT has no face, or "
     "all its faces lie in one plane.";
 
@@ -170,17 +171,17 @@ void add_cluster_options(CLI::App& command, DecomposeArguments& options) {
                   "or a length, 0.05")
       ->capture_default_str();
   add_count(command, "--max-parts", options.request.max_parts, {1},
-            "at least 1: hacd merges on beyond the concavity allowed until so many parts are left, "
-            "acd splits no more when there are so many");
+            "at least 1: hacd keeps merging beyond the concavity allowed until this many parts are "
+            "left; acd stops splitting at this many");
   add_choice(command, "--measure", options.request.measure, kConcavityMeasureNames,
-             "of hacd: concavity at every point of the triangles, or at their corners only, as "
+             "hacd only: concavity at every point of the triangles, or at their corners only, as "
              "published, which sees no notch whose corners all lie on the hull");
   add_choice(command, "--bridge", options.request.bridge, kBridgeChoiceNames,
-             "of acd: concavity is the distance to a bridge, facets of the hull over the nearest "
+             "acd only: concavity is the distance to a bridge, facets of the hull over the nearest "
              "path; to the farther of its bridges, to that of the whole region, or to the nearer");
   command
       .add_option("--coplanar", options.coplanar,
-                  "of acd: facets are one bridge where the cosine of the angle between their "
+                  "acd only: facets are one bridge where the cosine of the angle between their "
                   "normals is larger; above 0, at most 1")
       ->capture_default_str();
 }
@@ -201,17 +202,17 @@ void add_decompose_command(CLI::App& program, int& exit_code) {
   add_count(command, "--total-faces", options->request.total_faces, {4, std::uint64_t(1) << 32},
             "how many halfspaces to keep in all parts together, at least 4 for each");
   add_choice(command, "--flat", options->request.flat, kFlatPartsNames,
-             "what becomes of clusters in a plane: thicken them, keep polygons, or merge them with "
-             "a neighbour; auto thickens, and refuses an input that is flat as a whole");
+             "how to treat clusters in a plane: thicken them, keep polygons, or merge them with a "
+             "neighbour; auto thickens, and refuses an input that is entirely flat");
   command.add_flag("--keep-inner", options->request.keep_inner,
                    "keep parts that lie in another part");
   add_choice(command, "--connect", options->request.connect, kConnectNames,
              "neighbours have a common edge; or also edges that overlap; or also a common point of "
              "two components");
   add_choice(command, "--orient", options->request.orient, kOrientationNames,
-             "turn faces until the solid comes out right, or keep them as they are");
+             "turn faces so that they bound the solid correctly, or keep them as they are");
   add_choice(command, "--engine", options->request.engine, kEngineNames,
-             "of hacd: rationals everywhere; the same parts, faster; or doubles that choose, the "
+             "hacd only: rationals everywhere; the same parts, faster; or doubles that choose, the "
              "parts still proven");
   add_decompose_files(command, options->files);
   add_choice<Precision>(command, "--precision", options->request.precision,

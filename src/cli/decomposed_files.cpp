@@ -62,10 +62,11 @@ void require_sensible_models(const std::vector<std::string>& outputs,
                       "of the input; --precision 32 rounds outward before they do");
     }
     if (request.flat == FlatParts::Keep) {
-      throw Error(ErrorCode::InvalidArgument,
-                  "-o " + path +
-                      ": a part that stays flat is no solid to a simulator; --flat thicken, the "
-                      "default, makes it one");
+      throw Error(
+          ErrorCode::InvalidArgument,
+          "-o " + path +
+              ": a part that stays flat is not a solid for a simulator; --flat thicken, the "
+              "default, makes it one");
     }
     if (kind != PartsOutput::Usd && folders != 1) {
       throw Error(ErrorCode::InvalidArgument,
@@ -103,7 +104,7 @@ void require_other_names(const DecomposeFiles& files, const PartNames& names,
     }
     throw Error(ErrorCode::InvalidArgument,
                 "-o " + path +
-                    ": the input lies there and is called as a part may be; name "
+                    ": the input is in this folder, under a name that a part may get; name "
                     "another folder, or other --names");
   }
 }
@@ -129,7 +130,7 @@ void add_folder(FilesOfParts& out, const std::string& folder, nlohmann::ordered_
   const LeftInFolder left = left_in_folder(folder, written, {input});
   out.removed.insert(out.removed.end(), left.stale.begin(), left.stale.end());
   for (const std::string& file : left.foreign) {
-    out.notes.push_back(file + " is none of these parts; verify of the folder takes it for one");
+    out.notes.push_back(file + " is not one of these parts, but verify would read it as one");
   }
 }
 
@@ -172,7 +173,8 @@ void DecomposeFiles::require_sensible(const std::string& input,
     throw Error(ErrorCode::InvalidArgument, "--tree: expected a name that ends in .json");
   }
   if (tree_faces && tree.empty()) {
-    throw Error(ErrorCode::InvalidArgument, "--tree-faces is of a tree: name its file by --tree");
+    throw Error(ErrorCode::InvalidArgument,
+                "--tree-faces applies to a tree: name its file with --tree");
   }
   require_sensible_models(results, request);
   require_other_files(all_paths(), {input});

@@ -67,7 +67,7 @@ int run_diff_of_clusters(const DiffArguments& options) {
                                                                    : nullptr;
   if (foreign != nullptr) {
     throw Error(ErrorCode::InvalidArgument,
-                std::string(foreign) + ": a comparison of clusters (--clusters) does not have it");
+                std::string(foreign) + " does not apply to a comparison of clusters (--clusters)");
   }
   return run_cluster_diff(options.global, options.inputs, options.scene,
                           parse_words("--engines", options.engines, kEngineNames),
@@ -78,7 +78,7 @@ int run_diff(const DiffArguments& options) {
   if (options.clusters.is_asked) return run_diff_of_clusters(options);
   if (const std::string foreign = options.clusters.foreign_to_removals(); !foreign.empty()) {
     throw Error(ErrorCode::InvalidArgument,
-                foreign + ": only a comparison of clusters has it; give --clusters as well");
+                foreign + " applies only to a comparison of clusters; give --clusters as well");
   }
   Progress progress;
   StageLog log(progress.watch());
@@ -124,13 +124,14 @@ void add_diff_command(CLI::App& program, int& exit_code) {
   add_keep_option(command, options->keep);
   command
       .add_option("--engines", options->engines,
-                  "which to run; the first is the reference of the others")
+                  "engines to run; the first is the reference of the others")
       ->capture_default_str();
   add_choice(command, "--cost", options->cost, kCostMeasureNames,
              "what each removal is to add the least to; the runs are judged by it");
-  add_tie_bits(command, options->tie_bits,
-               "mean widths that so many bits do not tell apart, and no proof, count as equal; the "
-               "result says so");
+  add_tie_bits(
+      command, options->tie_bits,
+      "mean widths that neither this many bits nor a proof can order count as equal; the result "
+      "says so");
   add_cluster_diff_options(command, options->clusters);
   add_scene_options(command, options->scene);
   finish_command(command, options, exit_code, run_diff);

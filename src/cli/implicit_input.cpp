@@ -113,7 +113,7 @@ std::string implicit_summary(const ImplicitFound& found) {
   }
   text += fmt::format("  {:<12}L = {}", "bounds", to_string(found.bounds.lipschitz));
   if (!cells.distance) {
-    return text + "; tightness not known: only that the shape is held is claimed\n";
+    return text + "; tightness not known: the only claim is that the result holds the shape\n";
   }
   text += fmt::format(", tightness {}: no corner is farther than {:.6g} from the shape\n",
                       to_string(*found.bounds.tightness), *cells.distance);

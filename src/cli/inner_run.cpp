@@ -33,7 +33,7 @@ const char* foreign_option(const SimplifyArguments& options) {
 
 void require_sensible(const SimplifyArguments& options) {
   if (const char* option = foreign_option(options)) {
-    reject_inner(std::string(option) + ": an inner run (--inner) does not have it");
+    reject_inner(std::string(option) + " does not apply to an inner run (--inner)");
   }
   if (options.request.engine == Engine::Float) {
     reject_inner("--engine float: an inner run has the engines exact and filtered");
@@ -157,7 +157,7 @@ void require_inner(const InnerOnly& options) {
                        : options.max_loss.empty() ? nullptr
                                                   : "--max-loss";
   if (option == nullptr || options.inner) return;
-  reject_inner(std::string(option) + ": only an inner run has it; give --inner as well");
+  reject_inner(std::string(option) + " applies only to an inner run; give --inner as well");
 }
 
 int run_inner(const SimplifyArguments& options) {

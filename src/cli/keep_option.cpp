@@ -121,7 +121,7 @@ CLI::Option* add_keep_option(CLI::App& command, std::vector<std::string>& texts)
   return command
       .add_option("--keep", texts,
                   "facets that stay, by id:N,..., plane:NX,NY,NZ,D, normal:X,Y,Z[:DEGREES] or "
-                  "group:NAME; of several objects PART/id:N; may be repeated")
+                  "group:NAME; with several objects PART/id:N; may be repeated")
       ->expected(1)
       ->allow_extra_args(false)  // an INPUT that need not be there may follow
       ->take_all()

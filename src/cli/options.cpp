@@ -157,9 +157,10 @@ CLI::Option* add_seconds(CLI::App& command, const std::string& names, double& va
 
 CLI::Option* add_center_option(CLI::App& command, std::string& text) {
   return command
-      .add_option("--center", text,
-                  "of the polar dual: chebyshev, or X,Y,Z strictly inside; the answer does not "
-                  "depend on it")
+      .add_option(
+          "--center", text,
+          "center of the polar dual: chebyshev, or X,Y,Z strictly inside; the answer does not "
+          "depend on it")
       ->capture_default_str();
 }
 

@@ -38,7 +38,7 @@ std::string file_of(const SceneObject& object) {
 
 // A scan has many points that no face uses; over its surface they would look like cracks.
 PictureLayer points_of_no_face(const PictureLayer& input) {
-  PictureLayer loose{.name = "points of no face", .color = "#009e73", .shown = false};
+  PictureLayer loose{.name = "points that no face uses", .color = "#009e73", .shown = false};
   std::vector<bool> is_used(input.points.size());
   for (const auto& polygon : input.polygons) {
     for (const std::uint32_t corner : polygon) is_used[corner] = true;
@@ -173,7 +173,8 @@ void add_decimal_option(CLI::App& command, Decimal& decimal) {
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
   options.on_read = remember_input;
-  command.add_flag("--parts", options.parts, "each object (o or g line, STL solid) on its own");
+  command.add_flag("--parts", options.parts,
+                   "treat each object (o or g line, STL solid) separately");
   add_decimal_option(command, options.decimal);
 }
 

@@ -33,7 +33,7 @@ constexpr const char* kQueryFooter =
     "\n"
     "A tree of convexact bvh stands for the union of its parts. Its hulls are tested to hold "
     "their\n"
-    "children, then only what lies below a hull that is met is asked; every visit is checked.";
+    "children, then only nodes below a hull that is met are tested; every visit is checked.";
 
 constexpr const char* kOverlapFooter =
     "Example:\n"
@@ -57,7 +57,7 @@ constexpr const char* kFalsePositivesFooter =
     "The rate is the share of the probes that hit B and miss A, among those that hit B. If A is\n"
     "inside B, it is expected to be 1 - M(A)/M(B): M is the area for lines, the mean width for\n"
     "planes, the volume for points; sigma is its standard deviation. If A is not inside B, this\n"
-    "is said, and no rate is predicted.";
+    "is reported instead of a predicted rate.";
 
 struct QueryArguments {
   GlobalOptions global;
@@ -306,7 +306,7 @@ void add_query_command(CLI::App& program, int& exit_code) {
   probes.footer(kFalsePositivesFooter);
   options = std::make_shared<QueryArguments>();
   add_solid(probes, "A", options->a, "a solid");
-  add_solid(probes, "B", options->b, "the one around it");
+  add_solid(probes, "B", options->b, "the solid around it");
   add_probes(probes, "--lines", options->probes.lines, "lines through a ball around both");
   add_probes(probes, "--planes", options->probes.planes, "planes through it");
   add_probes(probes, "--points", options->probes.points, "points of it");

@@ -141,7 +141,7 @@ void add_report_command(CLI::App& program, int& exit_code) {
   ReportRequest& request = options->request;
   add_faces(command, request.faces, "halfspaces at which runs end, at least 4");
   add_choice(command, "--cost", request.cost, kCostMeasureNames,
-             "what the runs of the section tightness gain least of, and what it shows; the other "
+             "the measure that the section tightness keeps small and shows; the other "
              "sections are by volume");
   add_count(command, "--repetitions", request.effort.repetitions, {1, 1000},
             "repetitions of every timed run");

@@ -49,7 +49,7 @@ void require_scene(const SimplifyArguments& options) {
   }
   if (options.center != "chebyshev") reject("has a center for each part: leave --center out");
   if (options.request.search.kind != SearchKind::None) {
-    reject("shares halfspaces out by removals: give --faces for each part to --search");
+    reject("distributes halfspaces by removals: give --faces for each part to --search");
   }
 }
 
@@ -218,15 +218,17 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
             "removal of all parts goes first");
   add_keep_option(command, options->keep);
   command.add_option("--max-growth", options->max_growth,
-                     "stop before what --cost names grows by more, e.g. 5% or 0.05");
+                     "stop before the measure of --cost grows by more, e.g. 5% or 0.05");
   add_choice(command, "--growth-of", options->request.growth_of, kCostMeasureNames,
-             "what --max-growth limits, if not what --cost names");
+             "what --max-growth limits, if not the measure of --cost");
   add_choice(command, "--cost", options->request.cost, kCostMeasureNames,
-             "what the solid shall gain least of: for fewer false hits of points, of rays, or of "
+             "the measure to which each removal adds the least: for fewer false hits of points, of "
+             "rays, or of "
              "planes");
-  add_tie_bits(command, options->request.compare.bits,
-               "mean widths that so many bits do not tell apart, and no proof, count as equal; the "
-               "result says so");
+  add_tie_bits(
+      command, options->request.compare.bits,
+      "mean widths that neither this many bits nor a proof can order count as equal; the result "
+      "says so");
   add_output_options(command, options->output);
   command.add_option("--trace", options->output.trace,
                      "every step as JSON, for a program that replays it");
@@ -247,7 +249,7 @@ void add_simplify_command(CLI::App& program, int& exit_code) {
             "with --search optimal: how many states are looked at before it ends without a proof, "
             "as an interrupt ends it (default: 10000000)");
   add_choice(command, "--verify", options->request.verify, kVerifyLevelNames,
-             "what is proven again at each step");
+             "how much of each step is proven again");
   add_center_option(command, options->center);
   command.add_flag("--exact-values", options->request.exact_volumes,
                    "with --json: volumes as fractions too");

@@ -30,7 +30,7 @@ void StdioOptions::require_sensible() const {
         name == "--stdio" || name == "--time-limit" || name == "--max-memory" || name == "--json";
     if (option->count() > 0 && !is_known) {
       throw Error(ErrorCode::InvalidArgument, "--stdio takes everything from standard input: " +
-                                                  name + " belongs into the requests");
+                                                  name + " belongs in the requests");
     }
   }
 }

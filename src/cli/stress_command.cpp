@@ -33,7 +33,7 @@ constexpr const char* kStressFooter =
     "Columns: early: runs that end above the wanted number; diff: runs that removed a halfspace\n"
     "that was not among the cheapest; cost, regret, volume: largest relative errors; vouched,\n"
     "own: runs that the float engine vouches for; refuse: results that a format cannot hold;\n"
-    "miss: input points outside of what was written; push: largest, of binary64; secs: longest,\n"
+    "miss: input points outside the written solid; push: largest, of binary64; secs: longest,\n"
     "of processor time. Exit code 0: every promise was kept. 1: one was not.";
 
 struct StressArguments {
@@ -157,7 +157,7 @@ void add_sweep_options(CLI::App& command, StressArguments& options) {
 }
 
 void add_run_options(CLI::App& command, StressArguments& options) {
-  command.add_option("--engines", options.engines, "which to run")->capture_default_str();
+  command.add_option("--engines", options.engines, "engines to run")->capture_default_str();
   add_choice(command, "--cost", options.cost, kCostMeasureNames,
              "what each removal is to add the least to; every answer is judged by it");
   add_choice(command, "--search", options.search.kind, kSearchKindNames,

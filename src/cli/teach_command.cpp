@@ -25,7 +25,8 @@ constexpr const char* kTeachFooter =
     "linear\n"
     "program, each cost, each removal with the signs that verify it, and the rounding of the "
     "result.\n"
-    "Of large inputs parts are left out; the summary and the lesson say which, and why.\n"
+    "For large inputs, parts of the lesson are left out; the summary and the lesson say which, and "
+    "why.\n"
     "A step that fails its verification is shown as the last one; the exit code is then 70.";
 
 struct TeachArguments {
@@ -141,7 +142,7 @@ void add_teach_command(CLI::App& program, int& exit_code) {
       ->required();
   add_faces(command, options->request.faces, "how many halfspaces to keep, at least 4");
   add_choice(command, "--cost", options->request.cost, kCostMeasureNames,
-             "what the solid shall gain least of");
+             "the measure to which each removal adds the least");
   add_text(command, "--measures",
            "further costs of each evaluation to show, out of volume,area,mean-width",
            [&request = options->request](const auto& option, const auto& text) {

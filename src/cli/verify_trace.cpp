@@ -82,8 +82,8 @@ void add_trace_options(CLI::App& command, TraceOptions& options) {
       "trace names, else volume)")
       ->needs(trace);
   add_tie_bits(command, options.tie_bits,
-               "with --trace: mean widths that so many bits do not tell apart, and no proof, are "
-               "not decided; the verdict says so")
+               "with --trace: mean widths that neither this many bits nor a proof can order are "
+               "undecided; the verdict says so")
       ->needs(trace);
   command.add_option("--facets", options.facets,
                      "with --trace: the facets that its ids refer to, counted from 0: rows nx ny "

@@ -33,15 +33,15 @@ void add_union_options(CLI::App& command, UnionOptions& options) {
                    "without this option if CANDIDATE is a folder, or JSON with \"parts\", or if "
                    "--claims names a claim of parts");
   add_count(command, "--max-parts", options.max_parts, {},
-            "with --union: most parts; the other budgets are of each part");
+            "with --union: the largest number of parts; the other budgets apply to each part");
   add_choice(command, "--orient", options.orient, kOrientationNames,
-             "with --union: turn faces of INPUT until its solid comes out right, or keep them as "
-             "they are (default: auto)");
+             "with --union: turn faces of INPUT so that they bound its solid correctly, or keep "
+             "them as they are (default: auto)");
   command.add_flag("--exact-volumes", options.exact_volumes,
                    "with --union: volumes in --json as fractions, too, which may be very long");
   command.add_option("--picture", options.picture,
-                     "with --union: a page (.html) that shows the parts, and in red what of INPUT "
-                     "lies in none");
+                     "with --union: a page (.html) that shows the parts, and in red the pieces of "
+                     "INPUT that lie in no part");
 }
 
 bool is_decomposition(const std::string& path) {

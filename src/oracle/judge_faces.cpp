@@ -214,7 +214,7 @@ void judge_faces(Trial& trial) {
     });
   }
   for (const ClaimCode code : kFaceClaims) {
-    trial.not_applicable(code, "halfspaces have no faces of their own");
+    trial.not_applicable(code, "a list of halfspaces has no faces");
   }
 }
 

@@ -290,7 +290,7 @@ std::optional<Conformance> judge_end(const ProgramRun& run, const ProgramLimits&
   if (run.end == ProgramEnd::TimedOut) return failed(Outcome::TimedOut, describe(run));
   if (run.succeeded()) return std::nullopt;
   if (ran_out_of_memory(run, limits)) {
-    return failed(Outcome::OutOfMemory, describe(run) + ", for want of memory");
+    return failed(Outcome::OutOfMemory, describe(run) + ", out of memory");
   }
   if (run.end == ProgramEnd::Crashed) return failed(Outcome::Crashed, describe(run));
   if (may_refuse) return passed("refused with " + describe(run));
@@ -303,7 +303,7 @@ Conformance judge_acceptance(const RefuseQuestion& question, const Promise& prom
                              const std::atomic<bool>* stop) {
   if (promise.allow_flat && question.error == ErrorCode::NoInterior &&
       question.dimension.value_or(-1) >= 0) {
-    return passed("accepted an input without volume, which the program may");
+    return passed("accepted an input without volume, as the program may");
   }
   if (!question.points || !output) {
     return failed(Outcome::AcceptedUnusable, "exit code 0 for an input that must be refused");

@@ -88,7 +88,7 @@ std::string parts_text(const PartsVerdict& verdict) {
   std::string text = fmt::format("{}, at most {} facets and {} vertices each",
                                  counted(verdict.parts.size(), "part", "parts"), facets, vertices);
   if (verdict.worst_part) {
-    text += fmt::format("; part {} ({}) is nearest to what sticks out farthest",
+    text += fmt::format("; part {} ({}) is nearest to the uncovered point that is farthest",
                         *verdict.worst_part, in_quotes(verdict.parts[*verdict.worst_part].name));
   }
   return verdict_line("parts", text);

@@ -25,13 +25,14 @@ void require_sensible(const DecomposeRequest& request) {
   const DecomposeRequest plain;
   if (request.method == DecomposeMethod::Acd) {
     if (request.measure != plain.measure) {
-      refuse_request("the measure is hacd's: acd measures concavity to bridges");
+      refuse_request("the measure applies to hacd only: acd measures concavity to bridges");
     }
     if (request.engine != plain.engine) {
-      refuse_request("the engine is hacd's: acd has one, which decides as exact numbers do");
+      refuse_request(
+          "the engine applies to hacd only: acd has one, which decides as exact numbers do");
     }
   } else if (request.bridge != plain.bridge || request.coplanar != plain.coplanar) {
-    refuse_request("bridges and the cosine of coplanar facets are acd's: hacd has none");
+    refuse_request("bridges and the cosine of coplanar facets apply to acd only");
   }
   if (request.faces && request.total_faces) {
     refuse_request("give the faces of each part or the faces of all parts, not both");

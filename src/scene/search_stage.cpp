@@ -83,8 +83,8 @@ void require_sensible_search(const SimplifyRequest& request) {
   }
   if (request.search.kind == SearchKind::Optimal && request.cost != CostMeasure::Volume) {
     reject(
-        "only a volume can be proven the least: removing a halfspace may come to add less area or "
-        "mean width than before, so no bound holds for what is left to be tried; leave out the "
+        "only a volume can be proven the least: removing a halfspace may add less area or mean "
+        "width later, so no bound holds for what is left to be tried; leave out the "
         "cost, or search by walk or local");
   }
   if (!request.faces) {
@@ -94,8 +94,8 @@ void require_sensible_search(const SimplifyRequest& request) {
   }
   if (request.record && request.search.kind != SearchKind::Optimal) {
     reject(
-        "a proof is about the removals of a run, and this search ends elsewhere: leave out the one "
-        "or the other, or search for the optimum");
+        "a proof is about the removals of a run, and this search ends elsewhere: leave out one of "
+        "them, or search for the optimum");
   }
 }
 

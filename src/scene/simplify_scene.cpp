@@ -19,15 +19,15 @@ namespace {
 void require_sensible_scene(std::size_t parts, const SceneRequest& request) {
   if (parts == 0) refuse("a scene needs a part");
   if (request.each.faces || request.each.center || !request.each.keep.empty()) {
-    refuse("of a scene, faces, center and what is kept are not the same for every part");
+    refuse("the parts of a scene have no faces, center or kept facets in common");
   }
   if (request.each.search.kind != SearchKind::None) {
     refuse(
-        "a scene shares its halfspaces out by removals; a search is for a run with faces of its "
+        "a scene distributes its halfspaces by removals; a search is for a run with faces of its "
         "own");
   }
   if (!request.keep.empty() && request.keep.size() != parts) {
-    refuse("what is kept is not given for each part");
+    refuse("kept facets are not given for each part");
   }
   if (request.total_faces / 4 < parts) {
     refuse(fmt::format("{} parts need at least {} faces, 4 for each; {} are too few", parts,

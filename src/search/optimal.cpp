@@ -385,8 +385,8 @@ SearchOptions options_of_local(const SearchOptions& options) {
   }
   if (options.cost != CostMeasure::Volume) {
     throw Error(ErrorCode::InvalidArgument,
-                "only a volume can be proven the least: removing a halfspace may come to add less "
-                "area or mean width than before, so no bound holds for what is left to be tried");
+                "only a volume can be proven the least: removing a halfspace may add less area or "
+                "mean width later, so no bound holds for what is left to be tried");
   }
   SearchOptions local = options;
   local.request.kind = SearchKind::Local;

@@ -192,7 +192,8 @@ Growth checked_growth(const Polytope& exact, const Polytope& polytope, const Poi
   const RationalPoint center = interior_point(input, witnesses, both);
   const Rational squared = bounding_box(input).squared_diameter();
   const Growth result = growth(exact, polytope, center, squared);
-  const char* const too_far = "rounded, it lies farther from the exact one than that one is long";
+  const char* const too_far =
+      "after rounding, its distance from the exact solid exceeds the length of that solid";
   if (!std::isfinite(result.push)) refuse(precision, too_far);
   const Rational push = to_rational(result.push);
   if (push * push * squared > bounding_box(exact.vertices).squared_diameter())

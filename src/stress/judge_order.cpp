@@ -285,8 +285,8 @@ void judge_float(const EngineAnswer& answer, const TraceVerdict& verdict, Stress
   run.regret = regret;
   if (!answer.claim) return;
   if (beyond_claim > answer.claim->doubtful) {
-    run.faults.push_back(fmt::format("{} steps are worse than it says, and it doubts {}",
-                                     beyond_claim, answer.claim->doubtful));
+    run.faults.push_back(fmt::format("{} steps exceed its stated bounds; {} doubtful", beyond_claim,
+                                     answer.claim->doubtful));
   }
   if (ends_early(verdict) && answer.claim->end_proven) {
     run.faults.push_back("it ends although a bounded removal is left, and vouches for the end");

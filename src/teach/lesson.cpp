@@ -143,7 +143,7 @@ ordered_json polar_chapter(const DualHull& dual, const LessonFrame& frame,
                            const RemovalRecorder& recorder, const Subject& subject) {
   if (recorder.first_costs().empty()) {
     subject.left_out.add("polar", fmt::format("costs from a second center are shown for at most {} "
-                                              "halfspaces; here are {}",
+                                              "halfspaces; this input has {}",
                                               kMostLessonHalfspaces, dual.halfspaces.size()));
     return nullptr;
   }
@@ -179,7 +179,7 @@ std::optional<Run> watched_run(const DualHull& dual, RemovalRecorder& recorder,
   options.verify = count <= kMostFullyVerified ? VerifyLevel::Full : VerifyLevel::Local;
   if (options.verify == VerifyLevel::Local) {
     subject.left_out.add("verification",
-                         fmt::format("with {} halfspaces each step is verified for itself; the "
+                         fmt::format("with {} halfspaces each step is verified separately; the "
                                      "whole dual is verified up to {}",
                                      count, kMostFullyVerified));
   }
@@ -200,7 +200,7 @@ std::optional<Run> watched_run(const DualHull& dual, RemovalRecorder& recorder,
   recorder.finish(failure);
   if (!recorder.has_begun()) {
     const std::string why =
-        fmt::format("the run ends with {} halfspaces; removals are shown from where {} are left",
+        fmt::format("the run ends with {} halfspaces; removals are shown once {} are left",
                     recorder.present().size(), kMostLessonHalfspaces);
     for (const char* chapter : {"topology", "removal"}) subject.left_out.add(chapter, why);
   } else if (recorder.skipped() > 0) {

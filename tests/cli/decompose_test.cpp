@@ -489,7 +489,7 @@ TEST_CASE("decompose -o folder/: what stays in it, and what goes") {
   const auto fewer = run_program("decompose " + input + " --max-parts 1 -o " + folder);
   REQUIRE(fewer.exit == 0);
   CHECK(fewer.out.find("removed     " + folder + "/part_001.obj") != std::string::npos);
-  CHECK(fewer.out.find("mine.obj is none of these parts") != std::string::npos);
+  CHECK(fewer.out.find("mine.obj is not one of these parts") != std::string::npos);
   CHECK(std::filesystem::exists(folder + "/part_000.obj"));
   CHECK_FALSE(std::filesystem::exists(folder + "/part_001.obj"));
   CHECK(bytes_of(folder + "/notes.txt") == "mine");
@@ -564,30 +564,30 @@ TEST_CASE("decompose: refusals, each with a sentence") {
   const ScratchFolder scratch;
   const std::string input = scratch.write("l.obj", obj_of_cells(support::l_cells()));
   const std::string share = "--concavity: expected a share of the diameter from 0 to 1";
-  for (const Refusal& refusal :
-       std::vector<Refusal>{{"--concavity 101%", 2, share},
-                            {"--concavity 1.01d", 2, share},
-                            {"--concavity -1", 2, share},
-                            {"--concavity=-3%", 2, share},
-                            {"--concavity nan", 2, share},
-                            {"--concavity 3%%", 2, share},
-                            {"--concavity ''", 2, share},
-                            {"--method cut", 2, "--method"},
-                            {"--method acd --engine float", 2, "the engine is hacd's"},
-                            {"--method acd --measure vertices", 2, "the measure is hacd's"},
-                            {"--method acd --coplanar 1.5", 2, "--coplanar: expected the cosine"},
-                            {"--method acd --coplanar x", 2, "--coplanar: expected the cosine"},
-                            {"--bridge nearer", 2, "are acd's"},
-                            {"--max-parts 0", 2, "--max-parts: expected a whole number"},
-                            {"--faces 3", 2, "--faces: expected a whole number from 4"},
-                            {"--faces 8 --total-faces 8", 2, "name one"},
-                            {"--exact-volumes --no-measures", 2, "name one"},
-                            {"--precision 16", 2, "--precision"},
-                            {"-o x.stl", 2, "expected an extension .obj"},
-                            {"-o x", 2, "or a folder (a name that ends in /)"},
-                            {"-o " + input, 2, "this file is an input"},
-                            {"--trace " + input, 2, "this file is an input"},
-                            {"--names l%d -o " + scratch.file("none") + "/x.obj", 5, "x.obj"}}) {
+  for (const Refusal& refusal : std::vector<Refusal>{
+           {"--concavity 101%", 2, share},
+           {"--concavity 1.01d", 2, share},
+           {"--concavity -1", 2, share},
+           {"--concavity=-3%", 2, share},
+           {"--concavity nan", 2, share},
+           {"--concavity 3%%", 2, share},
+           {"--concavity ''", 2, share},
+           {"--method cut", 2, "--method"},
+           {"--method acd --engine float", 2, "the engine applies to hacd only"},
+           {"--method acd --measure vertices", 2, "the measure applies to hacd only"},
+           {"--method acd --coplanar 1.5", 2, "--coplanar: expected the cosine"},
+           {"--method acd --coplanar x", 2, "--coplanar: expected the cosine"},
+           {"--bridge nearer", 2, "apply to acd only"},
+           {"--max-parts 0", 2, "--max-parts: expected a whole number"},
+           {"--faces 3", 2, "--faces: expected a whole number from 4"},
+           {"--faces 8 --total-faces 8", 2, "name one"},
+           {"--exact-volumes --no-measures", 2, "name one"},
+           {"--precision 16", 2, "--precision"},
+           {"-o x.stl", 2, "expected an extension .obj"},
+           {"-o x", 2, "or a folder (a name that ends in /)"},
+           {"-o " + input, 2, "this file is an input"},
+           {"--trace " + input, 2, "this file is an input"},
+           {"--names l%d -o " + scratch.file("none") + "/x.obj", 5, "x.obj"}}) {
     CAPTURE(refusal.options);
     const auto ran = run_program("decompose " + input + " " + refusal.options);
     CAPTURE(ran.err);
