@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// objects.hpp - the objects of a file: taken out of a mesh, put into one, and missed in its bytes.
+// objects.hpp - the objects of a file: taken out of a mesh, joined into one, read back from bytes.
 #pragma once
 #include <span>
 #include <string>
