@@ -342,10 +342,12 @@ TEST_CASE("StepVerification: an input point outside a survivor is found at the e
   // A vertex of the first step's cap: only the halfspace that the step removes leaves it out.
   DualHull solid = round_solid();
   const Step& step = true_steps().front();
-  const auto& [a, b, c] = step.triangles.front();
   const auto& planes = solid.halfspaces;
-  solid.vertices.push_back(meet(planes[a.index()], planes[b.index()], planes[c.index()]));
-  REQUIRE(planes[step.removed.index()](solid.vertices.back()) > 0);
+  for (const auto& [a, b, c] : step.triangles) {
+    const RationalPoint vertex = meet(planes[a.index()], planes[b.index()], planes[c.index()]);
+    if (planes[step.removed.index()](vertex) > 0) solid.vertices.push_back(vertex);
+  }
+  REQUIRE(solid.vertices.size() > round_solid().vertices.size());
   StepVerification before(solid, VerifyLevel::Full);
   CHECK_THROWS_WITH_AS(before.finish(), doctest::Contains("holds every hull vertex at the end"),
                        Error);
