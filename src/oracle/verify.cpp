@@ -209,8 +209,9 @@ VerifyOutcome verify(const Shape& shape, const Candidate& candidate, const Verif
     }
     const auto* budget = budget_of(request, code);
     if (budget == nullptr || *budget) continue;
+    const std::string name(name_of(code));
     throw Error(ErrorCode::InvalidArgument,
-                "the claim " + std::string(name_of(code)) + " needs the number that it allows");
+                "the claim " + name + " needs the number that it allows: set " + name);
   }
   StageLog log(request.watch);
   const auto made = input_of(shape, request.seed, log);

@@ -180,7 +180,7 @@ void check_request(const PartsRequest& request) {
     const auto* budget = budget_of(request, code);
     if (budget != nullptr && !*budget) {
       throw Error(ErrorCode::InvalidArgument,
-                  "the claim " + name + " needs the number that it allows");
+                  "the claim " + name + " needs the number that it allows: set " + name);
     }
   }
 }

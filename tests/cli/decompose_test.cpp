@@ -599,7 +599,7 @@ TEST_CASE("decompose: refusals, each with a sentence") {
   const std::string part = scratch.write("part_007.obj", bytes_of(input));
   const auto same = run_program("decompose " + part + " -o " + scratch.file("."));
   CHECK(same.exit == 2);
-  CHECK(same.err.find("the input lies there") != std::string::npos);
+  CHECK(same.err.find("the input is in this folder") != std::string::npos);
   CHECK(scratch.count() == 2);
 }
 

@@ -194,7 +194,7 @@ TEST_CASE("part models: what cannot be, is refused before anything is written") 
            {urdf + folder, 2, "--precision 32 rounds outward"},
            {" --precision 64" + usd, 2, "which cuts off points of the input"},
            {" --precision 32 --flat keep" + usd, 2, "--flat thicken"},
-           {" --precision 32 --flat keep" + folder + mjcf, 2, "no solid to a simulator"},
+           {" --precision 32 --flat keep" + folder + mjcf, 2, "not a solid for a simulator"},
            {" --precision 32 -o " + scratch.file("l.xml"), 2, ".mjcf.xml, .urdf or .usda"},
            {" --precision 32 -o " + scratch.file("missing/l.usda"), 5, "missing"},
            {" --precision 32 --names '\xFF_%d'" + usd, 5, "UTF-8"},

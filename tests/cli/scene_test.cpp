@@ -223,17 +223,21 @@ TEST_CASE("scene: verify --parts judges each part, and the gaps") {
 TEST_CASE("scene: verify --parts refuses parts that do not match") {
   const ScratchFolder scratch;
   const std::string input = scratch.write("room.obj", two_cubes());
-  const auto refused = [&](const std::string& candidate, const std::string& name = "c.obj") {
+  const auto refused = [&](const std::string& candidate, const std::string& says,
+                           const std::string& name = "c.obj") {
     const auto ran = run_program("verify --parts " + input + " " + scratch.write(name, candidate));
     CAPTURE(ran.err);
     CHECK(ran.exit == 2);
-    CHECK(ran.err.find("--parts") != std::string::npos);
+    CHECK(ran.err.find(says) != std::string::npos);
   };
-  refused(cut_cube("deep", 0, 0.5, 1));
-  refused(cut_cube("deep", 0, 0.5, 1) + cut_cube("other", 4, 0.25, 11));
-  refused(cut_cube("shallow", 0, 0.5, 1) + cut_cube("shallow", 4, 0.25, 11));
-  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
-  refused("[[1,0,0,-1],[-1,0,0,-1],[0,1,0,-1],[0,-1,0,-1],[0,0,1,-1],[0,0,-1,-1]]", "c.json");
+  refused(cut_cube("deep", 0, 0.5, 1), "the input has 2 parts and the candidate has 1");
+  refused(cut_cube("deep", 0, 0.5, 1) + cut_cube("other", 4, 0.25, 11),
+          "the candidate has no part 'shallow'");
+  refused(cut_cube("shallow", 0, 0.5, 1) + cut_cube("shallow", 4, 0.25, 11),
+          "the input has 2 parts and the candidate has 1");
+  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n", "the file has no faces, so no parts");
+  refused("[[1,0,0,-1],[-1,0,0,-1],[0,1,0,-1],[0,-1,0,-1],[0,0,1,-1],[0,0,-1,-1]]",
+          "the candidate is a list of halfspaces, which has no parts", "c.json");
   CHECK(run_program("verify --claims no-gaps " + input + " " + input).exit == 2);
   CHECK(run_program("verify --parts " + input + " --trace " + input).exit == 2);
   CHECK(run_program("verify --parts --stdio").exit == 2);
