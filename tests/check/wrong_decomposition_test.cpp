@@ -76,9 +76,7 @@ std::string proof_at(const Mesh& mesh, const std::string& limit,
 }
 
 // Two clusters that are neighbours, of concavity 0.
-std::string l_proof() {
-  return proof_at(mesh_of_cells({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), "0");
-}
+std::string l_proof() { return proof_at(mesh_of_cells({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), "0"); }
 
 // Two clusters that are none.
 std::string two_boxes() { return proof_at(mesh_of_cells({{0, 0, 0}, {3, 0, 0}}), "0"); }
