@@ -27,9 +27,9 @@ namespace convexact {
 /// one for each join.
 using Join = std::pair<std::size_t, std::size_t>;
 
-/// How the method that made the parts joins them: by the splits that it undid last, or by the
-/// merges that it would have made next (DecomposeRequest::for_tree). Parts that neither joins, as
-/// those of several components, stay apart.
+/// How the method that made the parts joins them: by undoing its splits, the last one first, or by
+/// the merges that it would have made next (DecomposeRequest::for_tree). Parts that neither joins,
+/// as those of several components, stay apart.
 [[nodiscard]] std::vector<Join> joins_of(const Decomposition& decomposition);
 
 struct TreeRequest {
