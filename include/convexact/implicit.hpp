@@ -166,7 +166,7 @@ struct ImplicitCells {
   struct Level {
     std::size_t tested = 0;
     std::size_t kept = 0;
-    std::size_t undecided = 0;  ///< Of the kept ones: the bounds leave open whether they are needed.
+    std::size_t undecided = 0;  ///< Of the kept ones: the bounds decide neither way.
   };
   std::vector<Level> levels;                        ///< From 0, the box, to the depth.
   std::vector<std::array<std::uint32_t, 3>> leaves; /**< The kept cells of the last level, by number
