@@ -17,7 +17,7 @@ namespace convexact {
 
 /// The unit of rounding() below: doubles hold a dual point with a relative error of 2^-52 per
 /// coordinate (FastDual::kNearError), that is one; a term of the cap's volume has at most eight
-/// determinants as factors (cap_volume.hpp), each of about a dozen operations that are off by
+/// determinants as factors (fast/cap_volume.hpp), each of about a dozen operations that are off by
 /// 2^-53, that is 8 * 12 / 2 = 48 more. 64 leaves room for the sum of the terms.
 inline constexpr double kPlaneRounding = 64 * 2 * kUnitRoundoff;
 
