@@ -22,9 +22,9 @@ Rational squared_length(const Ray& ray) {
 }
 
 // The corners of a triangle over one denominator.
-using Corners = std::array<HomogeneousPoint, 3>;
+using TriangleCorners = std::array<HomogeneousPoint, 3>;
 
-Corners corners_of(const Surface& surface, TriangleId triangle) {
+TriangleCorners corners_of(const Surface& surface, TriangleId triangle) {
   std::array<Rational, 9> coordinates;
   for (std::size_t k = 0; k < 3; ++k) {
     const RationalPoint corner = surface.points[surface.triangles[triangle.index()][k]];
@@ -62,7 +62,7 @@ std::optional<Wall> wall_ahead(const ConvexPart& hull, const HomogeneousPoint& f
 
 // The wall ahead of the centroid of a triangle, at its distance from a corner: no ray from the
 // triangle is longer.
-Wall bounding_wall(const ConvexPart& hull, const Corners& corners,
+Wall bounding_wall(const ConvexPart& hull, const TriangleCorners& corners,
                    const IntegerVector3& direction) {
   const auto& [a, b, c] = corners;
   Wall bound = *wall_ahead(hull, {a.n + b.n + c.n, 3 * a.w}, direction);
@@ -126,7 +126,7 @@ TriangleRay longest_by_program(const std::vector<WallAtCorners>& walls, const In
 }
 
 // Planes that are beyond the bound at all corners cut off nothing, and are left out.
-TriangleRay longest_ray(const ConvexPart& hull, const Corners& corners,
+TriangleRay longest_ray(const ConvexPart& hull, const TriangleCorners& corners,
                         const IntegerVector3& direction) {
   const Wall bound = bounding_wall(hull, corners, direction);
   std::vector<WallAtCorners> walls;
@@ -168,7 +168,7 @@ IntegerVector3 ExactConcavity::direction(TriangleId triangle, int k) const {
 }
 
 Concavity ExactConcavity::operator()(TriangleId triangle, const ConvexPart& hull) const {
-  const Corners corners = corners_of(*surface_, triangle);
+  const TriangleCorners corners = corners_of(*surface_, triangle);
   std::array<RationalPoint, 3> points;
   for (std::size_t k = 0; k < 3; ++k) {
     points[k] = surface_->points[surface_->triangles[triangle.index()][k]];
@@ -207,7 +207,7 @@ bool ExactConcavity::is_no_longer(TriangleId triangle, const ConvexPart& hull,
                                   const Rational& squared) const {
   const IntegerVector3 normal = direction(triangle, 0);
   if (normal.isZero()) return true;
-  const Corners corners = corners_of(*surface_, triangle);
+  const TriangleCorners corners = corners_of(*surface_, triangle);
   const Wall bound = bounding_wall(hull, corners, normal);
   return squared_length({bound.distance(corners[0].w), normal}) <= squared;
 }

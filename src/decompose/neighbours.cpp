@@ -12,9 +12,9 @@
 namespace convexact {
 namespace {
 
-using Pairs = std::vector<std::pair<TriangleId, TriangleId>>;
+using TrianglePairs = std::vector<std::pair<TriangleId, TriangleId>>;
 
-void add_pair(std::uint32_t a, std::uint32_t b, Pairs& pairs) {
+void add_pair(std::uint32_t a, std::uint32_t b, TrianglePairs& pairs) {
   if (a != b) pairs.emplace_back(std::minmax(TriangleId(a), TriangleId(b)));
 }
 
@@ -69,7 +69,7 @@ void for_each_meeting(std::vector<NearBox> boxes, const Watch& watch, const Look
 }
 
 void add_overlapping(const Surface& surface, const std::vector<SharedEdge>& edges,
-                     const Watch& watch, Pairs& pairs) {
+                     const Watch& watch, TrianglePairs& pairs) {
   std::vector<NearBox> boxes;
   for (const SharedEdge& edge : edges) {
     boxes.push_back(box_of(surface.points, {edge.low, edge.high, edge.high}));
@@ -82,7 +82,7 @@ void add_overlapping(const Surface& surface, const std::vector<SharedEdge>& edge
   });
 }
 
-void add_touching(const Surface& surface, const Watch& watch, Pairs& pairs) {
+void add_touching(const Surface& surface, const Watch& watch, TrianglePairs& pairs) {
   if (surface.components.size() < 2) return;
   std::vector<NearBox> boxes;
   for (const auto& triangle : surface.triangles) boxes.push_back(box_of(surface.points, triangle));
@@ -96,9 +96,9 @@ void add_touching(const Surface& surface, const Watch& watch, Pairs& pairs) {
 
 }  // namespace
 
-Pairs neighbours(const Surface& surface, Connect connect, const Watch& watch) {
+TrianglePairs neighbours(const Surface& surface, Connect connect, const Watch& watch) {
   watch.ask();
-  Pairs pairs;
+  TrianglePairs pairs;
   const std::vector<SharedEdge> edges = shared_edges(surface);
   for (const SharedEdge& edge : edges) {
     for (std::size_t i = 0; i < edge.triangles.size(); ++i) {

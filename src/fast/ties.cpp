@@ -44,12 +44,12 @@ std::array<SignedPermutation, 48> all_signed_permutations() {
 }
 
 // Pairs of planes, one of each cap, whose normals correspond.
-using Pairs = std::vector<std::pair<const Halfspace*, const Halfspace*>>;
+using PlanePairs = std::vector<std::pair<const Halfspace*, const Halfspace*>>;
 
 // x -> S x + t carries {n.x + d = 0} to {Sn.x + d - Sn.t = 0}. So there is a t for all pairs if and
 // only if some (t, 1) is orthogonal to all rows (Sn, d' - d). The first three planes meet in a
 // vertex, so they determine t.
-bool differ_by_one_translation(const Pairs& pairs) {
+bool differ_by_one_translation(const PlanePairs& pairs) {
   if (std::all_of(pairs.begin(), pairs.end(),
                   [](const auto& p) { return p.first->offset() == p.second->offset(); })) {
     return true;  // t = 0
@@ -71,7 +71,7 @@ bool are_congruent(const FastDual& dual, const FacetOutline& a, const FacetOutli
   static const std::array<SignedPermutation, 48> kSymmetries = all_signed_permutations();
   const std::size_t k = a.neighbours.size();
   if (b.neighbours.size() != k) return false;
-  Pairs pairs(k + 1);
+  PlanePairs pairs(k + 1);
   pairs[0] = {&dual.exact(a.facet), &dual.exact(b.facet)};
   for (const SignedPermutation& symmetry : kSymmetries) {
     if (!symmetry.carries(pairs[0].first->normal(), pairs[0].second->normal())) continue;

@@ -78,7 +78,7 @@ bool has_no_common_square(const Integer& x, const Integer& rest) {
 }
 
 // alpha without rational divisors, and its norm without 2 and the primes that divide d.
-void make_primitive(Argument& alpha, const Integer& d) {
+void remove_divisors(Argument& alpha, const Integer& d) {
   const Integer common = gcd(alpha.x, alpha.y), two = 2;
   alpha.x /= common;
   alpha.y /= common;
@@ -174,7 +174,7 @@ std::optional<bool> is_multiple_of_pi(std::vector<Argument> arguments, Integer d
   const Integer root = take_small_squares(d, rest);
   for (Argument& alpha : arguments) {
     alpha.y *= root;
-    make_primitive(alpha, d);
+    remove_divisors(alpha, d);
     if (!has_no_common_square(alpha.x, rest)) return std::nullopt;
   }
   if (!balances_at_two(arguments, d)) return false;

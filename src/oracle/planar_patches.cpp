@@ -17,7 +17,7 @@ namespace convexact {
 namespace {
 
 using Corner = std::uint32_t;
-using Corners = std::span<const Corner>;
+using PatchCorners = std::span<const Corner>;
 using Facet = std::uint32_t;
 
 constexpr int kThinnest = 1024;  // of a solid whose facets are merged, in units of its slack
@@ -85,7 +85,7 @@ class HardEdges {
   }
 
   // Four times the square of the area, in arbitrary units.
-  double squared_area(Corners corners) const {
+  double squared_area(PatchCorners corners) const {
     Vector3<double> sum(0, 0, 0);
     for (std::size_t k = 2; k < corners.size(); ++k) {
       const Vector3<double> u = points_[corners[k - 1]] - points_[corners[0]];
@@ -144,8 +144,9 @@ class PatchSearch {
   void accept(Facet facet);
   bool fits(Facet facet) const;
   bool tilt_to(Facet facet);
-  std::optional<Plane> plane_near(Corners all) const;
-  std::optional<Plane> plane_near(Corners all, int axis, int first_sign, int second_sign) const;
+  std::optional<Plane> plane_near(PatchCorners all) const;
+  std::optional<Plane> plane_near(PatchCorners all, int axis, int first_sign,
+                                  int second_sign) const;
   bool is_thin_along_plane() const;
   std::size_t patches_at(Corner corner) const;
   bool keeps_corners(Facet facet) const;
@@ -335,7 +336,7 @@ bool PatchSearch::tilt_to(Facet facet) {
 }
 
 // A plane near all these corners; best in one of the octants in which its normal may lie.
-std::optional<Plane> PatchSearch::plane_near(Corners all) const {
+std::optional<Plane> PatchSearch::plane_near(PatchCorners all) const {
   int axis = 0;
   plane_.normal.cwiseAbs().maxCoeff(&axis);
   const auto signs_of = [&](int column) {
@@ -354,7 +355,7 @@ std::optional<Plane> PatchSearch::plane_near(Corners all) const {
 // The plane that is nearest to all corners among those whose normal has component 1 along the axis
 // and at most 2, of the signs given, along the next two: in variables these two, the offset and s,
 //   maximise s,  |n.p + d| + s <= n_1 u_1 + n_2 u_2 + n_3 u_3  with |n_k| for n_k.
-std::optional<Plane> PatchSearch::plane_near(Corners all, int axis, int first_sign,
+std::optional<Plane> PatchSearch::plane_near(PatchCorners all, int axis, int first_sign,
                                              int second_sign) const {
   const int first = (axis + 1) % 3, second = (axis + 2) % 3;
   const RationalPoint& origin = polytope_.vertices[all[0]];

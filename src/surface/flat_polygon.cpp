@@ -9,16 +9,16 @@
 namespace convexact {
 namespace {
 
-using Corners = std::vector<PointId>;
+using PolygonCorners = std::vector<PointId>;
 
-bool is_planar(const PointSet& points, const Corners& corners, const RationalVector3& area) {
+bool is_planar(const PointSet& points, const PolygonCorners& corners, const RationalVector3& area) {
   const Rational at_first = area.dot(points[corners[0]]);
   return std::all_of(corners.begin(), corners.end(),
                      [&](PointId p) { return area.dot(points[p]) == at_first; });
 }
 
 // Twice the area, along its normal.
-RationalVector3 area_of(const PointSet& points, const Corners& corners) {
+RationalVector3 area_of(const PointSet& points, const PolygonCorners& corners) {
   RationalVector3 sum = RationalVector3::Zero();
   const RationalPoint first = points[corners[0]];
   for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
@@ -36,7 +36,7 @@ int longest_axis(const RationalVector3& v) {
   return axis;
 }
 
-bool is_simple(const PlaneView& view, const Corners& corners) {
+bool is_simple(const PlaneView& view, const PolygonCorners& corners) {
   const std::size_t n = corners.size();
   for (std::size_t i = 0; i < n; ++i) {
     const PointId a = corners[i], b = corners[(i + 1) % n];
@@ -114,7 +114,7 @@ RationalVector3 area_vector(const PointSet& points, const Triangle& t) {
 
 std::optional<std::vector<Triangle>> clip_ears(const PointSet& points,
                                                std::span<const PointId> given) {
-  Corners corners(given.begin(), given.end());
+  PolygonCorners corners(given.begin(), given.end());
   const RationalVector3 area = area_of(points, corners);
   const int axis = longest_axis(area);
   if (area[axis] == 0 || !is_planar(points, corners, area)) return std::nullopt;
