@@ -63,15 +63,6 @@ std::vector<Rational> numbers(const std::string& text, const std::string& list, 
   return values;
 }
 
-KeepIds parse_ids(const std::string& text, const std::string& list) {
-  constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
-  KeepIds wanted;
-  for (const std::string& word : words_of(list)) {
-    wanted.ids.emplace_back(parse_count("--keep " + text, word, {0, kMost}));
-  }
-  return wanted;
-}
-
 KeepPlane parse_plane(const std::string& text, const std::string& list) {
   const std::vector<Rational> x = numbers(text, list, 4);
   return {{x[0], x[1], x[2]}, x[3]};
@@ -104,7 +95,7 @@ KeepSelector selector_of(const std::string& text, const KeepText& parsed,
                          const SceneObject& object) {
   KeepSelector selector{KeepIds{}, "--keep " + text};
   if (parsed.kind == "id:") {
-    selector.facets = parse_ids(text, parsed.what);
+    selector.facets = KeepIds{parse_ids("--keep " + text, parsed.what)};
   } else if (parsed.kind == "plane:") {
     selector.facets = parse_plane(text, parsed.what);
   } else if (parsed.kind == "normal:") {

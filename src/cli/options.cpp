@@ -103,6 +103,15 @@ std::vector<std::string> words_of(const std::string& text) {
   return CLI::detail::split(text + ",", ',');
 }
 
+std::vector<HalfspaceId> parse_ids(const std::string& option, const std::string& text) {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+  std::vector<HalfspaceId> ids;
+  for (const std::string& word : words_of(text)) {
+    ids.emplace_back(parse_count(option, word, {0, kMost}));
+  }
+  return ids;
+}
+
 CLI::Option* add_text(
     CLI::App& command, const std::string& names, const std::string& meaning,
     const std::function<void(const std::string& option, const std::string& text)>& take) {

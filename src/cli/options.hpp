@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "convexact/error.hpp"
+#include "convexact/halfspace.hpp"
 #include "convexact/number.hpp"
 #include "convexact/point_set.hpp"
 #include "io/names.hpp"
@@ -43,6 +44,10 @@ struct CountRange {
 
 /// The words between commas; an empty last one counts, too, so that "1," is no list of numbers.
 [[nodiscard]] std::vector<std::string> words_of(const std::string& text);
+
+/// "1217,33" as ids, each below 2^32. @throws Error InvalidArgument as parse_count().
+[[nodiscard]] std::vector<HalfspaceId> parse_ids(const std::string& option,
+                                                 const std::string& text);
 
 /// The values of words such as "exact,float"; a comma may follow the last one.
 /// @param others  Other values that the option takes, for the message.

@@ -15,16 +15,6 @@
 namespace convexact::cli {
 namespace {
 
-// "1217,33".
-std::vector<HalfspaceId> parse_ids(const std::string& option, const std::string& text) {
-  constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
-  std::vector<HalfspaceId> ids;
-  for (const std::string& word : words_of(text)) {
-    ids.emplace_back(parse_count(option, word, {0, kMost}));
-  }
-  return ids;
-}
-
 // The files of an order, read but not yet understood.
 struct OrderFiles {
   std::string trace;

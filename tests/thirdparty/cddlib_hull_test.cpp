@@ -1,41 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Hulls against cddlib's double description [Fukuda, cddlib, built on GMP], third-party truth: the
-// same planes on every family of solids of up to 150 points (its cost grows steeply). Without
-// cddlib the test is skipped.
-#include <cstdio>
-
-#ifndef CONVEXACT_HAVE_CDDLIB
-int main() {
-  std::puts("skipped: cddlib is not installed (libcdd-dev)");
-  return 77;
-}
-#else
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
-#define GMPRATIONAL
-#include <cddlib/setoper.h>
-// cddlib wants setoper.h first.
-#include <cddlib/cdd.h>
+// same planes on every family of solids of up to 150 points (its cost grows steeply).
 #include <doctest/doctest.h>
 
 #include <set>
 
+#include "cddlib.hpp"
 #include "convexact/shapes.hpp"
 #include "hull_outline.hpp"
 #include "shapes/makers.hpp"
 using namespace convexact;
 
 namespace {
-
-struct CddGlobals {
-  CddGlobals() { dd_set_global_constants(); }
-  ~CddGlobals() { dd_free_global_constants(); }
-};
-
-Rational to_rational(const mpq_t& x) {
-  Rational q;
-  mpq_set(q.backend().data(), x);
-  return q;
-}
 
 // The facets, sorted; from rows (b, A) with b + A x >= 0.
 std::vector<Halfspace> planes_of_cddlib(const PointSet& points) {
@@ -89,4 +65,3 @@ TEST_CASE("convex_hull: the planes of cddlib on lattice points") {
     check_same_planes(PointSet(shapes::lattice(20, 1 + seed % 4, seed)));
   }
 }
-#endif

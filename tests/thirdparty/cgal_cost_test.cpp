@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Costs by area and sums of roots against CGAL's exact numbers with square roots, third-party truth
 // that decides signs by separation bounds instead of square classes. A cost is the difference of
-// two areas, each from the corners of polygons. Without CGAL the test is skipped.
-#include <cstdio>
-
-#ifndef CONVEXACT_HAVE_CGAL
-int main() {
-  std::puts("skipped: CGAL is not installed (libcgal-dev)");
-  return 77;
-}
-#else
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+// two areas, each from the corners of polygons.
 #include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
 #include <doctest/doctest.h>
 
@@ -27,8 +18,8 @@ using namespace convexact;
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt;
-using Root = Kernel::FT;
+using KernelWithRoots = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt;
+using Root = KernelWithRoots::FT;
 
 Root to_root(const Integer& x) {
   // Digit by digit, as the two programs share no number type.
@@ -56,9 +47,9 @@ Root area_of(const Polytope& polytope) {
   for (const auto& facet : polytope.facets) {
     const auto point = [&](std::size_t i) {
       const RationalPoint& p = polytope.vertices[facet[i]];
-      return Kernel::Point_3(to_root(p[0]), to_root(p[1]), to_root(p[2]));
+      return KernelWithRoots::Point_3(to_root(p[0]), to_root(p[1]), to_root(p[2]));
     };
-    Kernel::Vector_3 normal(CGAL::NULL_VECTOR);
+    KernelWithRoots::Vector_3 normal(CGAL::NULL_VECTOR);
     for (std::size_t i = 2; i < facet.size(); ++i) {
       normal = normal + CGAL::cross_product(point(i - 1) - point(0), point(i) - point(0));
     }
@@ -184,4 +175,3 @@ TEST_CASE("costs by area: cut corners of a box cost what CGAL says, and tie wher
   }
   CHECK(compare(ours[0], ours[1]).order == Order::Equal);
 }
-#endif

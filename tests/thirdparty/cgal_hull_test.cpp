@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Hulls against CGAL's convex_hull_3 with exact constructions, third-party truth: the same planes
 // and the same vertices on the shipped meshes and on every family of solids. CGAL may cut a facet
-// into coplanar triangles; equal planes merge here. Without CGAL the test is skipped.
-#include <cstdio>
-
-#ifndef CONVEXACT_HAVE_CGAL
-int main() {
-  std::puts("skipped: CGAL is not installed (libcgal-dev)");
-  return 77;
-}
-#else
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+// into coplanar triangles; equal planes merge here.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
@@ -96,4 +87,3 @@ TEST_CASE("convex_hull: the planes and vertices of CGAL on random lattice points
     check_same_hull(PointSet(shapes::lattice(30, 1 + seed % 4, seed)));
   }
 }
-#endif

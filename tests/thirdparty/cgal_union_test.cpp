@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Volumes of unions against CGAL's Nef polyhedra, third-party truth: parts of the shipped meshes,
-// cut along a grid, and random solids on a grid, which share planes, edges and vertices. Without
-// CGAL the test is skipped.
-#include <cstdio>
-
-#ifndef CONVEXACT_HAVE_CGAL
-int main() {
-  std::puts("skipped: CGAL is not installed (libcgal-dev)");
-  return 77;
-}
-#else
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+// cut along a grid, and random solids on a grid, which share planes, edges and vertices.
 #include <doctest/doctest.h>
 
 #include <sstream>
@@ -60,4 +50,3 @@ TEST_CASE("CGAL: unions of parts of meshes have the same volume") {
     CHECK(*union_volume(parts, 64, true).exact == volume_by_nef(parts));
   }
 }
-#endif

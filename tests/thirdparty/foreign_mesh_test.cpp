@@ -3,16 +3,6 @@
 // mesh in doubles and writes it as OFF, with 17 digits, with 6 and with 3. What is outside, and by
 // how much, is then found once more by CGAL's exact kernel, which reads the same file back: every
 // point against every facet of the exact hull, and the distance to the nearest triangle of it.
-// Without CGAL the test is skipped.
-#include <cstdio>
-
-#ifndef CONVEXACT_HAVE_CGAL
-int main() {
-  std::puts("skipped: CGAL is not installed (libcgal-dev)");
-  return 77;
-}
-#else
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
@@ -115,4 +105,3 @@ TEST_CASE("verify: hulls by CGAL, as CGAL itself judges them exactly") {
   }
   CHECK(faulty > 0);  // else nothing was put to the test
 }
-#endif

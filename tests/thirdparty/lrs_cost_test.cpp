@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Runs by area and by mean width against lrs [Avis2000] and 80 digits of MPFR, third-party truth.
 // lrs gets the planes that are left and finds the vertices; areas are polygons around their
-// centroids, mean widths are lengths times angles between planes, both from the definition. Without
-// lrs the test is skipped.
-#include <cstdio>
-
-#ifndef CONVEXACT_LRS
-int main() {
-  std::puts("skipped: lrs is not installed (lrslib)");
-  return 77;
-}
-#else
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+// centroids, mean widths are lengths times angles between planes, both from the definition.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -176,4 +166,3 @@ TEST_CASE("costs by area and by mean width: every step on lattice points agrees 
     }
   }
 }
-#endif

@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Overlap of two solids against lrs [Avis2000], third-party truth: whether the halfspaces of both
-// have a vertex. Without lrs the test is skipped.
-#include <cstdio>
-
-#ifndef CONVEXACT_LRS
-int main() {
-  std::puts("skipped: lrs is not installed (lrslib)");
-  return 77;
-}
-#else
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+// have a vertex.
 #include <doctest/doctest.h>
 
 #include "convexact/query.hpp"
@@ -73,4 +64,3 @@ TEST_CASE("overlap: spheres, boxes and needles at distances near that of touchin
   CHECK(seen.apart > 10);
   CHECK(seen.overlapping > 10);
 }
-#endif

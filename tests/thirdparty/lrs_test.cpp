@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Exact volumes against lrs [Avis2000], third-party truth: hulls of lattice points and of every
 // family of shapes, and the shipped meshes at 100, 18 and 6 halfspaces. For these lrs gets the
-// planes only: it finds the vertices itself and takes their volume. Without lrs the test is
-// skipped.
-#include <cstdio>
+// planes only: it finds the vertices itself and takes their volume.
+#include "lrs.hpp"
 
-#ifndef CONVEXACT_LRS
-int main() {
-  std::puts("skipped: lrs is not installed (lrslib)");
-  return 77;
-}
-#else
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include "convexact/dual.hpp"
@@ -21,7 +13,6 @@ int main() {
 #include "convexact/measure.hpp"
 #include "convexact/shapes.hpp"
 #include "lp/interior_point.hpp"
-#include "lrs.hpp"
 #include "number/arithmetic.hpp"
 #include "shapes/makers.hpp"
 #include "shipped_meshes.hpp"
@@ -97,4 +88,3 @@ TEST_CASE("volume: shipped meshes at 100, 18 and 6 halfspaces agree with lrs") {
     }
   }
 }
-#endif

@@ -1,21 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Kinds and values of linear programs, and Chebyshev radii, against cddlib's exact simplex
-// [Fukuda, cddlib, built on GMP]: third-party truth. Without cddlib the test is skipped.
-#include <cstdio>
-
-#ifndef CONVEXACT_HAVE_CDDLIB
-int main() {
-  std::puts("skipped: cddlib is not installed (libcdd-dev)");
-  return 77;
-}
-#else
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
-#define GMPRATIONAL
-#include <cddlib/setoper.h>
-// cddlib wants setoper.h first.
-#include <cddlib/cdd.h>
+// [Fukuda, cddlib, built on GMP]: third-party truth.
 #include <doctest/doctest.h>
 
+#include "cddlib.hpp"
 #include "convexact/linear_program.hpp"
 #include "halfspaces.hpp"
 #include "linear_programs.hpp"
@@ -24,11 +12,6 @@ int main() {
 using namespace convexact;
 
 namespace {
-
-struct CddGlobals {
-  CddGlobals() { dd_set_global_constants(); }
-  ~CddGlobals() { dd_free_global_constants(); }
-};
 
 struct CddAnswer {
   dd_LPStatusType status;
@@ -124,4 +107,3 @@ TEST_CASE("chebyshev_center: cddlib finds the same radius") {
     REQUIRE(theirs.value == std::get<ChebyshevCenter>(chebyshev_center(list)).optimum_radius);
   }
 }
-#endif
