@@ -143,7 +143,7 @@ std::vector<std::uint32_t> Patch::fans_at(std::uint32_t point) const {
 
 // Each step has at most one successor, so the loops are the cycles of a map.
 void Patch::find_loops(std::vector<BorderStep> steps) {
-  constexpr std::size_t kNone = ~std::size_t(0);
+  constexpr std::size_t kNoStep = ~std::size_t(0);
   std::map<std::uint32_t, std::vector<std::uint32_t>> fans;  // of the points at borders
   const auto fan = [&](std::uint32_t point, std::uint32_t triangle) {
     const auto [found, is_new] = fans.try_emplace(point);
@@ -161,17 +161,17 @@ void Patch::find_loops(std::vector<BorderStep> steps) {
   }
   const auto successor = [&](const BorderStep& step) {
     const auto next = out_of.find({step.to, fan(step.to, step.triangle)});
-    return next != out_of.end() ? next->second : kNone;
+    return next != out_of.end() ? next->second : kNoStep;
   };
-  std::vector<std::size_t> walk(steps.size(), kNone);  // by step: the first step of its walk
+  std::vector<std::size_t> walk(steps.size(), kNoStep);  // by step: the first step of its walk
   for (std::size_t first = 0; first < steps.size(); ++first) {
     std::vector<std::size_t> path;
     std::size_t step = first;
-    for (; step != kNone && walk[step] == kNone; step = successor(steps[step])) {
+    for (; step != kNoStep && walk[step] == kNoStep; step = successor(steps[step])) {
       walk[step] = first;
       path.push_back(step);
     }
-    if (step == kNone || walk[step] != first) continue;
+    if (step == kNoStep || walk[step] != first) continue;
     std::vector<std::uint32_t>& loop = loops_.emplace_back();
     for (auto k = std::find(path.begin(), path.end(), step); k != path.end(); ++k) {
       loop.push_back(steps[*k].from);

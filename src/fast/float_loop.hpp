@@ -296,12 +296,12 @@ template <class Arithmetic>
 template <class Number>
 void FloatLoop<Arithmetic>::enclose(HalfspaceId i, const CostEstimate<Number>& cap, bool is_right) {
   if constexpr (HasSigns<Arithmetic>) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
     if (!is_right) {
-      errors_->enclose(i, 0, kInfinity);
+      errors_->enclose(i, 0, kInfinite);
     } else if (cap.kind == Boundedness::Unbounded ||
                (cap.kind == Boundedness::Doubtful && is_unbounded_by_signs())) {
-      errors_->enclose(i, kInfinity, kInfinity);
+      errors_->enclose(i, kInfinite, kInfinite);
     } else {
       errors_->enclose(i, next_below(leading(cap.lower)), next_above(leading(cap.upper)));
     }

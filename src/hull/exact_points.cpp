@@ -62,14 +62,14 @@ Sign DoublePoints::side(PointId a, PointId b, PointId c, PointId p) const {
 }
 
 Sign DoublePoints::center_side(PointId a, PointId b, PointId p) const {
-  const RationalVector3 u = rational(a) - center_, v = rational(b) - center_;
-  const RationalVector3 cross = u.cross(v), w = rational(p) - center_;
-  return sign_of(Rational(cross.dot(w)));
+  const RationalVector3 to_a = rational(a) - center_, to_b = rational(b) - center_;
+  const RationalVector3 cross = to_a.cross(to_b), to_p = rational(p) - center_;
+  return sign_of(Rational(cross.dot(to_p)));
 }
 
 bool DoublePoints::collinear(PointId a, PointId b, PointId c) const {
-  const RationalVector3 u = rational(b) - rational(a), v = rational(c) - rational(a);
-  const RationalVector3 cross = u.cross(v);
+  const RationalVector3 ab = rational(b) - rational(a), ac = rational(c) - rational(a);
+  const RationalVector3 cross = ab.cross(ac);
   return cross == RationalVector3::Zero();
 }
 
@@ -138,8 +138,8 @@ bool HomogeneousPoints::equal(PointId p, PointId q) const {
 }
 
 bool HomogeneousPoints::collinear(PointId a, PointId b, PointId c) const {
-  const RationalVector3 u = rational(b) - rational(a), v = rational(c) - rational(a);
-  const RationalVector3 cross = u.cross(v);
+  const RationalVector3 ab = rational(b) - rational(a), ac = rational(c) - rational(a);
+  const RationalVector3 cross = ab.cross(ac);
   return cross == RationalVector3::Zero();
 }
 
