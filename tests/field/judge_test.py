@@ -176,7 +176,8 @@ class Files(unittest.TestCase):
 
     def test_what_is_malformed_is_said_to_be(self):
         for name, data in (("a.obj", b"v 0 0\n"), ("a.obj", b"v 0 0 0\nf 1 1 2\n"), ("a.obj", b"hello\n"),
-                           ("a.txt", b"\n"), ("a.json", b"{}"), ("a.off", b"OFF 1 0 0\n")):
+                           ("a.txt", b"\n"), ("a.json", b"{}"), ("a.json", b"[]"),
+                           ("a.off", b"OFF 1 0 0\n")):
             with self.assertRaises(Malformed):
                 self.read(name, data)
         with self.assertRaises(NotFinite):
