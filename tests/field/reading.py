@@ -113,7 +113,7 @@ def obj_index(word, count):
 
 def read_obj(data, numbers):
     points, faces, pending = [], [], ""
-    for line in text_lines(data):
+    for line in [*text_lines(data), ""]:  # a last line may be joined with nothing
         if line.endswith("\\"):
             pending += line[:-1] + " "
             continue
