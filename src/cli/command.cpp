@@ -28,7 +28,7 @@ static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler")
 
 // The first interrupt makes the work end by itself, so that no half-written file remains; the
 // second one, with the default action restored, ends the process. A search that can settle uses up
-// an earlier interrupt.
+// an earlier interrupt, once in a run: after it the searches of further objects settle, too.
 extern "C" void on_interrupt(int signal) {
   if (may_settle_flag.exchange(false)) {
     settle_flag = true;
@@ -226,6 +226,8 @@ std::optional<fs::path> find_shipped(const fs::path& name,
 
 const std::atomic<bool>& interrupted() noexcept { return interrupt_flag; }
 const std::atomic<bool>& settled() noexcept { return settle_flag; }
-void let_interrupt_settle(bool may_settle) noexcept { may_settle_flag = may_settle; }
+void let_interrupt_settle(bool may_settle) noexcept {
+  may_settle_flag = may_settle && !settle_flag;
+}
 
 }  // namespace convexact::cli

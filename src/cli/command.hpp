@@ -82,7 +82,7 @@ void print(const nlohmann::ordered_json& document);
 /// Stopped.
 const std::atomic<bool>& interrupted() noexcept;
 /// While a search that can end with its best result so far is running, the first interrupt makes
-/// this true instead.
+/// this true instead, once in a run.
 const std::atomic<bool>& settled() noexcept;
 void let_interrupt_settle(bool may_settle) noexcept;
 

@@ -61,6 +61,18 @@ bool is_solid(std::span<const Halfspace> halfspaces) {
          std::holds_alternative<BoundedProof>(find_recession(halfspaces));
 }
 
+// What other commands say of an input without points, or with rows that all bound nothing: there is
+// nothing to remove from it.
+std::optional<NotSolid> nothing_in(const Shape& shape) {
+  if (const auto* points = std::get_if<PointSet>(&shape)) {
+    if (points->size() > 0) return std::nullopt;
+    return std::get<FlatInput>(convex_hull(*points));
+  }
+  const auto& halfspaces = std::get<std::vector<Halfspace>>(shape);
+  if (!halfspaces.empty()) return std::nullopt;
+  return std::get<RecessionRay>(find_recession(halfspaces));
+}
+
 // A mesh with some of its points, moved: the polygons that keep all their corners.
 Mesh part_of(const SceneObject& mesh, const PointSet& points, std::span<const PointId> origin) {
   constexpr std::uint32_t kGone = 0xffffffff;
@@ -208,6 +220,9 @@ int run_shrink(const ShrinkArguments& options) {
   require_other_files({options.output}, {options.input});
   const std::vector<SceneObject> scene = read_scene({options.input}, {.on_read = remember_input});
   Shrinking shrinking(options, scene.front());
+  if (const auto reason = nothing_in(scene.front().shape)) {
+    return report_not_solid(options.global, scene.front().name, *reason);
+  }
   try {
     shrinking.run();
   } catch (const Error& error) {

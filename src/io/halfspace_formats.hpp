@@ -17,8 +17,8 @@ namespace convexact {
 /// or a string that holds one or a fraction "p/q"; a number spelled with a point or an exponent is
 /// read by `decimal`, any other is exact. Other keys of the object are ignored, so a trace can be
 /// read, too.
-/// @throws Error Malformed with the line (for a number, the line of its row's opening bracket);
-///               NotFinite for decimals beyond the largest double.
+/// @throws Error Malformed with the line (for a number, the line of its row's opening bracket) and
+///               for a list without a row; NotFinite for decimals beyond the largest double.
 [[nodiscard]] HalfspaceList read_halfspaces_json(std::string_view bytes, Decimal decimal);
 
 /// Integers as strings, since JSON readers round large numbers; one halfspace per line.
@@ -32,8 +32,8 @@ namespace convexact {
 /// Integers and fractions are exact; decimals (type real only) are read by `decimal`. Options
 /// before `begin` and after `end` are ignored, except for those that turn rows into equations or
 /// strict inequalities.
-/// @throws Error Malformed with the line, also for a V-representation, another dimension or
-///               linearity; NotFinite for decimals beyond the largest double.
+/// @throws Error Malformed with the line, also for a V-representation, another dimension,
+///               linearity or no row at all; NotFinite for decimals beyond the largest double.
 /// @par Source   [Fukuda-cddlib, sec. 2], [Avis-lrs]
 [[nodiscard]] HalfspaceList read_ine(std::string_view bytes, Decimal decimal);
 

@@ -31,6 +31,7 @@ class HalfspaceEvents : public JsonEvents {
   bool start_array(std::size_t) {
     if (list_is_next_ || depth_ == 0) {
       list_depth_ = depth_ + 1;
+      list_line_ = line_;
       list_is_next_ = false;
       seen_ = true;
     } else if (in_list() && depth_ == list_depth_) {
@@ -61,6 +62,11 @@ class HalfspaceEvents : public JsonEvents {
     if (!seen_) {
       throw Error(ErrorCode::Malformed,
                   "expected an object with a key 'halfspaces', or an array of halfspaces");
+    }
+    // As in the other formats: it looks like the output of a program that failed.
+    if (list_.row_count() == 0) {
+      throw Error(ErrorCode::Malformed, "expected halfspaces [n1, n2, n3, d], found none",
+                  list_line_);
     }
     return std::move(list_);
   }
@@ -110,7 +116,7 @@ class HalfspaceEvents : public JsonEvents {
   Decimal decimal_;
   HalfspaceList list_;
   std::vector<Rational> row_;
-  std::size_t row_line_ = 0;
+  std::size_t row_line_ = 0, list_line_ = 0;
   std::size_t list_depth_ = 0;  // depth inside the array of halfspaces; 0: not in it
   bool list_is_next_ = false;   // the key has just been read
   bool seen_ = false;

@@ -53,6 +53,7 @@ class IneReader {
       cursor_.fail_expected("integer, rational or real", type);
     }
     cursor_.expect_line_end();
+    if (rows == 0) cursor_.fail("expected rows b a1 a2 a3, found none");
     constexpr std::uint64_t kShortestRow = 8;  // "0 0 0 0\n"
     if (rows * kShortestRow > cursor_.remaining() + 1) {
       cursor_.fail("expected " + std::to_string(rows) + " rows, found a file too short for them");

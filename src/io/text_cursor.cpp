@@ -20,8 +20,8 @@ TextCursor::TextCursor(std::string_view text, TextRules rules)
 }
 
 bool TextCursor::at_continuation() const {
-  return rules_.continuation && *position_ == '\\' && position_ + 1 < end_ &&
-         is_line_end(position_[1]);
+  return rules_.continuation && *position_ == '\\' &&
+         (position_ + 1 == end_ || is_line_end(position_[1]));
 }
 
 void TextCursor::step_over_line_end() {
@@ -36,7 +36,7 @@ void TextCursor::skip_blanks() {
       ++position_;
     } else if (at_continuation()) {
       ++position_;
-      step_over_line_end();
+      if (position_ < end_) step_over_line_end();
     } else {
       return;
     }

@@ -14,7 +14,7 @@ namespace convexact {
 /// How one format cuts its lines.
 struct TextRules {
   char comment = '\0';        ///< A token that starts with it ends the line; '\0': no comments.
-  bool continuation = false;  ///< A backslash before a line end joins two lines.
+  bool continuation = false;  ///< A backslash at the end of a line joins it with the next, if any.
 };
 
 /// Lines end at "\n", "\r\n" or "\r". Tokens are separated by blanks. Views point into the

@@ -128,6 +128,37 @@ TEST_CASE("an interrupt: exit 6, and nothing written") {
   }
 }
 
+// The search on 116 facets begins within a fraction of a second and is out of reach: it is what the
+// first signal meets.
+TEST_CASE("an interrupt of a search for the optimum ends the search, a second one the program") {
+  const ScratchFolder scratch;
+  const std::string small = scratch.file("a.xyz"), large = scratch.file("b.xyz");
+  REQUIRE(run_program("generate random-sphere --points 60 -o " + small).exit == 0);
+  REQUIRE(run_program("generate fibonacci-sphere --points 5000 -o " + large).exit == 0);
+  const std::string search =
+      " --faces 18 --search optimal --moves 0 --nodes 100000000000 -o " + scratch.file("c.obj");
+
+  const auto settled = run_interrupted("simplify " + small + search, "INT", "2");
+  CHECK(settled.exit == 0);
+  CHECK(has(settled.out, "not proven"));
+  CHECK(std::filesystem::remove(scratch.file("c.obj")));
+
+  // Two interrupts that meet the same search. The program stands still while they are sent, or it
+  // might be done before the second; and they are different ones, since the same signal twice is
+  // delivered once.
+  const auto at_once = run_interrupted("simplify " + small + search, "STOP", "2",
+                                       "kill -INT $pid; kill -TERM $pid; kill -CONT $pid; ");
+  CHECK(at_once.exit == 6);
+  CHECK(has(at_once.err, "interrupted"));
+
+  // Ctrl-C twice. The second one meets the work on the next object, which takes far longer.
+  const auto later = run_interrupted("simplify " + small + " " + large + " --engine exact" + search,
+                                     "INT", "2", "sleep 1; kill -INT $pid; ");
+  CHECK(later.exit == 6);
+  CHECK(has(later.err, "interrupted"));
+  CHECK(scratch.count() == 2);
+}
+
 TEST_CASE("an interrupt of verify: exit 6 at once, whatever it is doing (#13)") {
   const ScratchFolder scratch;
   const std::string input = scratch.file("a.obj");

@@ -119,6 +119,38 @@ TEST_CASE("shrink command: what cannot be done") {
   CHECK(bytes_of(test.output).empty());
 }
 
+TEST_CASE("shrink command: an input with nothing to remove is refused as elsewhere") {
+  // The program would fail on it, and is not run.
+  const ScratchFolder scratch;
+  const std::string ran = scratch.file("ran");
+  const std::string program = scratch.write("program", "echo >>'" + ran + "'; exit 1\n");
+  struct Case {
+    const char* file;
+    const char* bytes;
+    const char* output;
+    const char* says;
+  };
+  for (const Case& c : {Case{"a.obj", "", "b.obj", "there are no points"},
+                        Case{"a.xyz", "# nothing\n", "b.xyz", "there are no points"},
+                        Case{"a.off", "OFF\n0 0 0\n", "b.off", "there are no points"},
+                        Case{"a.txt", "0 0 0 -1\n", "b.txt", "infinity"}}) {
+    CAPTURE(c.file);
+    const std::string input = scratch.write(c.file, c.bytes);
+    for (const char* options : {"", "--allow-flat ", "--json "}) {
+      CAPTURE(options);
+      const auto refused =
+          run_program("shrink " + std::string(options) + input + " -o " + scratch.file(c.output) +
+                      " -- /bin/sh " + program + " {input}");
+      const bool is_json = std::string(options) == "--json ";
+      CHECK(refused.exit == 4);
+      CHECK((is_json ? refused.out : refused.err).find(c.says) != std::string::npos);
+    }
+    CHECK(run_program("hull " + input).exit == 4);
+    CHECK_FALSE(std::filesystem::exists(scratch.file(c.output)));
+  }
+  CHECK_FALSE(std::filesystem::exists(ran));
+}
+
 TEST_CASE("shrink command: an interrupt leaves the smallest input so far that fails") {
   // It ends as in the first case, and interrupts its parent once few points are left.
   const ShrinkCase test;

@@ -102,7 +102,9 @@ TEST_CASE("verify: whatever is wrong with the candidate is exit code 1, with a c
         Case{"c.ply", "ply\nformat binary_little_endian 1.0\n", "candidate-readable"},
         Case{"c.stl", std::string(83, 'x'), "candidate-readable"},
         Case{"c.json", "{\"halfspaces\": 3}", "candidate-readable"},
-        Case{"c.json", "[[0,0,0,1]]", "candidate-solid"}, Case{"c.json", "[]", "candidate-bounded"},
+        Case{"c.json", "[[0,0,0,1]]", "candidate-solid"},
+        Case{"c.json", "[[0,0,0,-1]]", "candidate-bounded"},
+        Case{"c.json", "[]", "candidate-readable"},
         Case{"c.ine", "begin\n1 4 integer\n", "candidate-readable"},
         Case{"c.txt", "1 0 0 1e999\n", "candidate-finite"}, Case{"c.txt", "", "candidate-readable"},
         Case{"c", std::string("\x00\xff\x7f", 3), "candidate-readable"}}) {

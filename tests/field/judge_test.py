@@ -161,7 +161,7 @@ class Files(unittest.TestCase):
             to_binary32(Fraction(3.5e38))
 
     def test_all_formats_say_the_same(self):
-        obj = b"v 0 0 0\nv 1 0 0 1\r\nv 0 1 0 .5 .5 .5 # c\nv 0 0 1\nf 1 3 2\nf 1/1 2/2 4/3\nf -4 \\\n-1 -2\nf 2//1 3//1 4\n"
+        obj = b"v 0 0 0\nv 1 0 0 1\r\nv 0 1 0 .5 .5 .5 # c\nv 0 0 1\nf 1 3 2\nf 1/1 2/2 4/3\nf -4 \\\n-1 -2\nf 2//1 3//1 4 \\"
         off = b"OFF 4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3 255 0 0\n"
         ply = (b"ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
                b"property double z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n" +
@@ -176,7 +176,8 @@ class Files(unittest.TestCase):
 
     def test_what_is_malformed_is_said_to_be(self):
         for name, data in (("a.obj", b"v 0 0\n"), ("a.obj", b"v 0 0 0\nf 1 1 2\n"), ("a.obj", b"hello\n"),
-                           ("a.txt", b"\n"), ("a.json", b"{}"), ("a.off", b"OFF 1 0 0\n")):
+                           ("a.txt", b"\n"), ("a.json", b"{}"), ("a.json", b"[]"),
+                           ("a.off", b"OFF 1 0 0\n")):
             with self.assertRaises(Malformed):
                 self.read(name, data)
         with self.assertRaises(NotFinite):

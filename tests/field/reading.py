@@ -113,7 +113,7 @@ def obj_index(word, count):
 
 def read_obj(data, numbers):
     points, faces, pending = [], [], ""
-    for line in text_lines(data):
+    for line in [*text_lines(data), ""]:  # a last line may be joined with nothing
         if line.endswith("\\"):
             pending += line[:-1] + " "
             continue
@@ -257,7 +257,7 @@ def read_rows_json(data, numbers):
     except ValueError as fault:
         raise Malformed(str(fault)) from fault
     rows = document.get("halfspaces") if isinstance(document, dict) else document
-    if not isinstance(rows, list) or any(not isinstance(row, list) or len(row) != 4 for row in rows):
+    if not isinstance(rows, list) or not rows or any(not isinstance(row, list) or len(row) != 4 for row in rows):
         raise Malformed("expected rows of four numbers")
     return Rows([tuple(row_number(word, numbers) for word in row) for row in rows])
 

@@ -34,7 +34,6 @@ TEST_CASE("read_halfspaces_json: numbers and strings, objects and bare arrays") 
     CHECK(list.rows == std::vector<std::size_t>{0, 1});
     CHECK_FALSE(list.impossible_row.has_value());
   }
-  CHECK(from_json(R"({"halfspaces": []})").halfspaces.empty());
 }
 
 TEST_CASE("read_halfspaces_json: integers of any length are exact, decimals by choice") {
@@ -73,6 +72,8 @@ TEST_CASE("read_halfspaces_json: every error has its line and says what was expe
            {"{\"halfspaces\":\n7}", 2, "expected an array of halfspaces, found '7'"},
            {"{\"halfspaces\": {}}", 1, "expected an array of halfspaces, found an object"},
            {"{\"halfspaces\": [], \"halfspaces\": []}", 1, "found two"},
+           {"{\"halfspaces\":\n[]\n}\n", 2, "expected halfspaces [n1, n2, n3, d], found none"},
+           {"[\n]", 1, "expected halfspaces [n1, n2, n3, d], found none"},
            {"[\n[1, 0, 0, 1],\n[1, 0, 0]]", 3, "halfspace 1: expected 4 numbers, found 3"},
            {"[[1, 0, 0, 1, 1]]", 1, "halfspace 0: expected 4 numbers, found 5"},
            {"[[1, 0, [0], 1]]", 1, "halfspace 0: expected a number, found a list or object"},
@@ -108,7 +109,6 @@ TEST_CASE("write_halfspaces_json: the bytes") {
         "{\"halfspaces\": [\n[\"1\", \"0\", \"0\", \"-1\"],\n[\"0\", \"-2\", \"0\", \"3\"]\n]}\n");
   CHECK(write_halfspaces_json(std::vector<BinaryHalfspace>{{1, -0.1, 0, 5e-324}}) ==
         "{\"halfspaces\": [\n[1, -0.1, 0, 5e-324]\n]}\n");
-  CHECK(from_json(write_halfspaces_json(std::vector<Halfspace>{})).halfspaces.empty());
 }
 
 TEST_CASE("halfspaces: any list comes back, in every format") {
@@ -125,7 +125,7 @@ TEST_CASE("halfspaces: any list comes back, in every format") {
       binary.push_back(h);
       exact.emplace_back(to_rational(Vector3<double>(h[0], h[1], h[2])), to_rational(h[3]));
     }
-    if (exact.empty()) return;  // plain rows refuse to be none
+    if (exact.empty()) return;  // no format may be without a row
     for (const HalfspaceFormat format :
          {HalfspaceFormat::Json, HalfspaceFormat::Ine, HalfspaceFormat::Rows}) {
       const std::string integers = write_halfspaces(std::span<const Halfspace>(exact), format);

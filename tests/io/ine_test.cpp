@@ -76,6 +76,7 @@ TEST_CASE("read_ine: every error has its line and says what was expected") {
            {"begin\nm 4 integer\n", 2, "expected the number of rows, found 'm'"},
            {"begin\n1 5 integer\n", 2, "expected 4 columns for three dimensions, found '5'"},
            {"begin\n1 4 float\n", 2, "expected integer, rational or real, found 'float'"},
+           {"begin\n0 4 integer\nend\n", 2, "expected rows b a1 a2 a3, found none"},
            {"begin\n4294967295 4 integer\n0 0 0 1\n", 2, "found a file too short"},
            {"begin\n1 4 integer\n0 0 1         \n", 3, "expected four numbers"},
            {"begin\n1 4 integer\n0 0 0 1 1\n", 3, "expected the end of the line"},

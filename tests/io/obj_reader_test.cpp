@@ -57,6 +57,18 @@ TEST_CASE("read_obj: line ends, byte order mark, comments, weights, colours, pas
   }
 }
 
+TEST_CASE("read_obj: a backslash that joins the last line with nothing ends it") {
+  for (const std::string end :
+       {"\\", " \\", "\\\n", " \\\r\n", " \\\r", " \\\n\\", " \\\n \\\n\n"}) {
+    CAPTURE(end);
+    CHECK(obj(kSquare + "f 1 2 3 4" + end).polygons == std::vector<Polygon>{{0, 1, 2, 3}});
+    const Mesh mesh = obj("v 1 2 3" + end);
+    REQUIRE(mesh.points.size() == 1);
+    CHECK(mesh.points.doubles()[0] == Point(1, 2, 3));
+    CHECK(obj(end).points.size() == 0);
+  }
+}
+
 TEST_CASE("read_obj: points may follow the faces that use them") {
   CHECK(obj("f 1 2 3\n" + kSquare).polygons == std::vector<Polygon>{{0, 1, 2}});
 }
@@ -109,7 +121,9 @@ TEST_CASE("read_obj: every error has its line and says what was expected") {
            {kSquare + "f 1 2 3.0", 5, malformed, "expected a corner"},
            {kSquare + "f 1 2 99999999999", 5, malformed, "expected a corner"},
            {kSquare + "f 1 2", 5, malformed, "at least 3 corners, found 2"},
-           {kSquare + "f 1 2 \\", 5, malformed, "expected a corner"},
+           {kSquare + "f 1 2 \\", 5, malformed, "at least 3 corners, found 2"},
+           {kSquare + "f 1 2\\ 3", 5, malformed, "expected a corner"},
+           {kSquare + "f 1 2 3 \\\\", 5, malformed, "expected a corner"},
            {"ply\n", 1, malformed, "expected an OBJ statement such as v, f, o or g, found 'ply'"},
            {std::string("\0\0\0", 3), 1, malformed, "found '"},
        }) {

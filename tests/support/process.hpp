@@ -72,15 +72,15 @@ inline Ran run_program(const std::string& arguments, const std::string& after = 
 
 /// Runs the program and sends it `signal` (INT or TERM) when it has worked for `seconds`: the time
 /// counts from when it handles SIGINT, the second bit of SigCgt, however long a busy machine takes
-/// to start it.
+/// to start it. `then` is what the shell does before it waits for the program, $pid.
 inline Ran run_interrupted(const std::string& arguments, const std::string& signal,
-                           const std::string& seconds) {
+                           const std::string& seconds, const std::string& then = "") {
   return run_program(
       arguments,
       " & pid=$!; for i in $(seq 3000); do"
       " grep -q '^SigCgt:.*[2367abef]$' /proc/$pid/status && break; sleep 0.02; done;"
       " sleep " +
-          seconds + "; kill -" + signal + " $pid; wait $pid");
+          seconds + "; kill -" + signal + " $pid; " + then + "wait $pid");
 }
 
 }  // namespace support
