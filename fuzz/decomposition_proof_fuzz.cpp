@@ -4,7 +4,7 @@
 // definition. Property of decomposition_text: for any bytes of such a proof the checker ends with
 // a documented exit code, and any proof that it accepts is true by the definition.
 #include "../tests/check/checker.hpp"
-#include "../tests/check/proof_text.hpp"
+#include "changed_proof.hpp"
 #include "convexact/decompose.hpp"
 #include "definitional_decomposition.hpp"
 #include "fuzz_check.hpp"
@@ -30,7 +30,7 @@ Mesh triangles_of(FuzzInput& in) {
 }
 
 // The proof of some decomposition; empty if there is none.
-std::string some_proof(FuzzInput& in) {
+std::string proof_of_some_decomposition(FuzzInput& in) {
   DecomposeRequest request;
   request.engine = std::array{Engine::Exact, Engine::Filtered, Engine::Float}[in.below(3)];
   request.measure = in.below(2) == 0 ? ConcavityMeasure::Surface : ConcavityMeasure::Vertices;
@@ -50,46 +50,11 @@ std::string some_proof(FuzzInput& in) {
   return made == nullptr ? "" : write_decomposition_proof(*made, request);
 }
 
-constexpr const char* kWords[] = {"0",      "1",    "2",     "-1",     "1/2",       "0/0",
-                                  "-",      "nan",  "hull",  "stored", "flat",      "edges",
-                                  "within", "part", "facet", "share",  "unclaimed", "99999999999"};
+constexpr const char* kDecompositionWords[] = {
+    "0",      "1",    "2",     "-1",     "1/2",  "0/0",   "-",     "nan",       "hull",
+    "stored", "flat", "edges", "within", "part", "facet", "share", "unclaimed", "99999999999"};
 
-void change(ProofText& proof, FuzzInput& in) {
-  auto& lines = proof.lines;
-  const std::size_t l = in.below(lines.size()), other = in.below(lines.size());
-  const auto at_line = lines.begin() + static_cast<std::ptrdiff_t>(l);
-  std::vector<std::string>& words = lines[l];
-  if (words.empty()) return;
-  const std::size_t w = in.below(words.size());
-  const auto at_word = words.begin() + static_cast<std::ptrdiff_t>(w);
-  switch (in.below(8)) {
-    case 0:
-      words[w] = kWords[in.below(std::size(kWords))];
-      break;
-    case 1:
-      if (!lines[other].empty()) words[w] = lines[other][in.below(lines[other].size())];
-      break;
-    case 2:
-      words.erase(at_word);
-      break;
-    case 3:
-      words.insert(at_word, words[w]);
-      break;
-    case 4:
-      std::swap(lines[l], lines[other]);
-      break;
-    case 5:
-      lines.insert(at_line, lines[other]);
-      break;
-    case 6:
-      if (lines.size() > 1) lines.erase(at_line);
-      break;
-    default:  // one digit
-      words[w][in.below(words[w].size())] = static_cast<char>('0' + in.below(10));
-  }
-}
-
-void check_claims(const std::string& proof) {
+void check_decomposition_claims(const std::string& proof) {
   const CheckerVerdict verdict = check_proof(proof);
   FUZZ_CHECK(verdict.exit_code == 0 || verdict.exit_code == 1 || verdict.exit_code == 3);
   FUZZ_CHECK(!verdict.said.empty());
@@ -100,19 +65,20 @@ void check_claims(const std::string& proof) {
 }
 
 void hold_decomposition_proof(FuzzInput& in) {
-  const std::string proof = some_proof(in);
+  const std::string proof = proof_of_some_decomposition(in);
   if (proof.empty()) return;
   FUZZ_CHECK(check_proof(proof).exit_code == 0);
-  if (in.rarely()) check_claims(proof);
+  if (in.rarely()) check_decomposition_claims(proof);
   for (std::size_t rounds = in.below(5); rounds > 0 && !in.empty(); --rounds) {
     ProofText changed(proof);
     const bool is_renumbered = in.below(4) > 0;
-    for (std::size_t count = 1 + in.below(3); count > 0; --count) change(changed, in);
-    check_claims(changed.text(is_renumbered));
+    for (std::size_t count = 1 + in.below(3); count > 0; --count)
+      change_proof(changed, kDecompositionWords, in);
+    check_decomposition_claims(changed.text(is_renumbered));
   }
 }
 
-void hold_decomposition_text(FuzzInput& in) { check_claims(std::string(in.rest())); }
+void hold_decomposition_text(FuzzInput& in) { check_decomposition_claims(std::string(in.rest())); }
 
 const FuzzTarget kDecompositionProof("decomposition_proof", hold_decomposition_proof);
 const FuzzTarget kDecompositionText("decomposition_text", hold_decomposition_text);

@@ -74,7 +74,7 @@ void hold_parts(FuzzInput& in) {
   FUZZ_CHECK(*m.excess_volume->exact == Rational((found.in_union - found.covered) * fine));
 }
 
-constexpr const char* kNames[] = {"p.obj", "p.off", "p.ply", "p.stl", "p.xyz", "p.json", "p"};
+constexpr const char* kPartNames[] = {"p.obj", "p.off", "p.ply", "p.stl", "p.xyz", "p.json", "p"};
 
 // By the definition, on the halfspaces of the hulls.
 bool is_covered(const std::vector<ConvexPart>& parts, const RationalPoint& x) {
@@ -86,7 +86,7 @@ bool is_covered(const std::vector<ConvexPart>& parts, const RationalPoint& x) {
 
 void hold_parts_file(FuzzInput& in) {
   constexpr std::size_t kMostPoints = 60;
-  const char* name = kNames[in.below(std::size(kNames))];
+  const char* name = kPartNames[in.below(std::size(kPartNames))];
   const Decimal decimal = in.below(2) == 0 ? Decimal::Nearest : Decimal::Exact;
   const CandidateParts parts = read_parts_bytes(in.rest(), name, decimal);
   const Mesh cube = box_mesh(box_of({0, 0, 0}));

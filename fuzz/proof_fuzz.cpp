@@ -4,7 +4,7 @@
 // proof_text: for any bytes of a proof, the checker ends with a documented exit code, and any proof
 // that it accepts is true by the definition.
 #include "../tests/check/checker.hpp"
-#include "../tests/check/proof_text.hpp"
+#include "changed_proof.hpp"
 #include "convexact/simplify.hpp"
 #include "definitional_proof.hpp"
 #include "fuzz_check.hpp"
@@ -38,7 +38,7 @@ Shape shape_of(FuzzInput& in) {
 }
 
 // The proof of some run; empty if there is none, because the shape is no solid.
-std::string some_proof(FuzzInput& in) {
+std::string proof_of_some_run(FuzzInput& in) {
   SimplifyRequest request;
   request.engine = std::array{Engine::Exact, Engine::Filtered, Engine::Float}[in.below(3)];
   request.faces = 4 + in.below(4);
@@ -58,44 +58,9 @@ std::string some_proof(FuzzInput& in) {
                      result->solid.planes);
 }
 
-constexpr const char* kWords[] = {"0",    "1",     "2",     "-1",       "1/2",         "0/0",
-                                  "-",    "0x1p0", "0x1p9", "nan",      "unbounded",   "cost",
-                                  "ring", "tie",   "end",   "evaluate", "99999999999", "triangles"};
-
-void change(ProofText& proof, FuzzInput& in) {
-  auto& lines = proof.lines;
-  const std::size_t l = in.below(lines.size()), other = in.below(lines.size());
-  const auto at_line = lines.begin() + static_cast<std::ptrdiff_t>(l);
-  std::vector<std::string>& words = lines[l];
-  if (words.empty()) return;
-  const std::size_t w = in.below(words.size());
-  const auto at_word = words.begin() + static_cast<std::ptrdiff_t>(w);
-  switch (in.below(8)) {
-    case 0:
-      words[w] = kWords[in.below(std::size(kWords))];
-      break;
-    case 1:
-      if (!lines[other].empty()) words[w] = lines[other][in.below(lines[other].size())];
-      break;
-    case 2:
-      words.erase(at_word);
-      break;
-    case 3:
-      words.insert(at_word, words[w]);
-      break;
-    case 4:
-      std::swap(lines[l], lines[other]);
-      break;
-    case 5:
-      lines.insert(at_line, lines[other]);
-      break;
-    case 6:
-      if (lines.size() > 1) lines.erase(at_line);
-      break;
-    default:  // one digit
-      words[w][in.below(words[w].size())] = static_cast<char>('0' + in.below(10));
-  }
-}
+constexpr const char* kRunWords[] = {
+    "0",   "1",         "2",    "-1",   "1/2", "0/0", "-",        "0x1p0",       "0x1p9",
+    "nan", "unbounded", "cost", "ring", "tie", "end", "evaluate", "99999999999", "triangles"};
 
 void check_claims(const std::string& proof, const std::string& original) {
   const CheckerVerdict verdict = check_proof(proof);
@@ -110,14 +75,15 @@ void check_claims(const std::string& proof, const std::string& original) {
 }
 
 void hold_proof(FuzzInput& in) {
-  const std::string proof = some_proof(in);
+  const std::string proof = proof_of_some_run(in);
   if (proof.empty()) return;
   FUZZ_CHECK(check_proof(proof).exit_code == 0);
   if (in.rarely()) check_claims(proof, "");
   for (std::size_t rounds = in.below(5); rounds > 0 && !in.empty(); --rounds) {
     ProofText changed(proof);
     const bool is_renumbered = in.below(4) > 0;
-    for (std::size_t count = 1 + in.below(3); count > 0; --count) change(changed, in);
+    for (std::size_t count = 1 + in.below(3); count > 0; --count)
+      change_proof(changed, kRunWords, in);
     check_claims(changed.text(is_renumbered), proof);
   }
 }

@@ -13,7 +13,7 @@ using namespace convexact;
 
 namespace {
 
-PointSet points_of(FuzzInput& in) {
+PointSet some_points(FuzzInput& in) {
   const std::size_t most = in.rarely() ? 16 : 6;
   if (in.below(3) == 0) {
     std::vector<RationalPoint> thirds;
@@ -66,7 +66,7 @@ void hold_stored(FuzzInput& in) {
   const Precision precision = in.below(2) == 0 ? Precision::Binary64 : Precision::Binary32;
   const bool wants_mesh = in.below(2) == 0;
   (wants_mesh ? request.store.mesh : request.store.planes) = precision;
-  const PointSet points = points_of(in);
+  const PointSet points = some_points(in);
   try {
     const SimplifyOutcome outcome = simplify(points, request);
     const auto* result = std::get_if<SimplifyResult>(&outcome);

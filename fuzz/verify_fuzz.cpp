@@ -44,7 +44,7 @@ Mesh mesh_of(FuzzInput& in) {
   return mesh;
 }
 
-HalfspaceList halfspaces_of(FuzzInput& in) {
+HalfspaceList candidate_halfspaces(FuzzInput& in) {
   HalfspaceList list;
   for (std::size_t count = in.below((in.rarely() ? kMostRowsRarely : kMostRows) + 1); count > 0;
        --count) {
@@ -62,12 +62,12 @@ void hold_verify(FuzzInput& in) {
   if (in.below(2) == 0) {
     check_verdict(input, mesh_of(in), tightness);
   } else {
-    check_verdict(input, halfspaces_of(in), tightness);
+    check_verdict(input, candidate_halfspaces(in), tightness);
   }
 }
 
-constexpr const char* kNames[] = {"c.obj",  "c.off", "c.ply", "c.stl",
-                                  "c.json", "c.ine", "c.txt", "c"};
+constexpr const char* kCandidateNames[] = {"c.obj",  "c.off", "c.ply", "c.stl",
+                                           "c.json", "c.ine", "c.txt", "c"};
 
 bool is_small(const Candidate& candidate) {
   if (const auto* mesh = std::get_if<Mesh>(&candidate)) {
@@ -79,7 +79,7 @@ bool is_small(const Candidate& candidate) {
 }
 
 void hold_candidates(FuzzInput& in) {
-  const char* name = kNames[in.below(std::size(kNames))];
+  const char* name = kCandidateNames[in.below(std::size(kCandidateNames))];
   const Decimal decimal = in.below(2) == 0 ? Decimal::Nearest : Decimal::Exact;
   const Candidate candidate = read_candidate_bytes(in.rest(), name, decimal);
   if (!is_small(candidate)) return;

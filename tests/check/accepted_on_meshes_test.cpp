@@ -12,7 +12,7 @@ using namespace convexact;
 
 namespace {
 
-constexpr auto kEngines = {Engine::Exact, Engine::Filtered, Engine::Float};
+constexpr Engine kAllEngines[] = {Engine::Exact, Engine::Filtered, Engine::Float};
 
 void check_one(const PointSet& points, Engine engine, std::size_t faces,
                std::optional<Precision> precision, CostMeasure cost = CostMeasure::Volume) {
@@ -28,7 +28,7 @@ TEST_CASE("proof: shipped meshes, by every engine") {
   for (const std::string& path : shipped_meshes()) {
     CAPTURE(path);
     const PointSet points = read_mesh(path).points;
-    for (const Engine engine : kEngines) check_one(points, engine, 18, Precision::Binary32);
+    for (const Engine engine : kAllEngines) check_one(points, engine, 18, Precision::Binary32);
     // The exact engine takes half a minute for these, and its proofs are made in the same way.
     for (const CostMeasure cost : {CostMeasure::Area, CostMeasure::MeanWidth}) {
       check_one(points, Engine::Filtered, 18, {}, cost);
@@ -41,7 +41,7 @@ TEST_CASE("proof: every family of solids, by every engine") {
     if (family.dimension < 3) continue;
     CAPTURE(family.name);
     const PointSet points(shapes::generate(family, shapes::usual_values(family)));
-    for (const Engine engine : kEngines) check_one(points, engine, 6, {});
+    for (const Engine engine : kAllEngines) check_one(points, engine, 6, {});
     for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
       check_one(points, engine, 6, {}, CostMeasure::Area);
       check_one(points, engine, 6, {}, CostMeasure::MeanWidth);
