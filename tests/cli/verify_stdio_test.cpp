@@ -7,6 +7,7 @@
 
 #include "number/random.hpp"
 #include "process.hpp"
+#include "sweep.hpp"
 
 using nlohmann::json;
 using support::run_program;
@@ -43,7 +44,7 @@ TEST_CASE("verify --stdio: a line for each request in its order; errors do not e
   CHECK(list[4]["verdict"] == "holds");  // the last line has no end
 }
 
-TEST_CASE("verify --stdio: nothing in, nothing out; a line of a megabyte is one request") {
+TEST_CASE("verify --stdio: nothing in, nothing out; a line of a megabyte is one request" * sweep) {
   CHECK(verdicts_of("").empty());
   std::string points = "[0,0,0],[1,0,0],[0,1,0],[0,0,1]";
   for (int k = 0; k < 65000; ++k) points += ",[0.25,0.25,0.25]";

@@ -11,6 +11,7 @@
 #include "shapes/makers.hpp"
 #include "simplify/trace_json.hpp"
 #include "simplify_points.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 
@@ -242,7 +243,8 @@ TEST_CASE("removal order: costs are spelled as the measure has them") {
   CHECK(code("", R"("roots": [["1", "2"]])") == ErrorCode::InvalidArgument);
 }
 
-TEST_CASE("removal order: a corrupted trace is read or refused, and judged without a failure") {
+TEST_CASE("removal order: a corrupted trace is read or refused, and judged without a failure" *
+          sweep) {
   const DualHull solid = dual_of_doubles(shapes::cut_cube(5, 0.25));
   const RationalPoint center = center_of(solid);
   Random random(2604);

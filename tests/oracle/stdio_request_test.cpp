@@ -9,6 +9,7 @@
 
 #include "json_schema.hpp"
 #include "number/random.hpp"
+#include "sweep.hpp"
 
 using namespace convexact;
 using nlohmann::json;
@@ -277,7 +278,8 @@ TEST_CASE("stdio: a number means what its text does, whatever stands beside it (
   }
 }
 
-TEST_CASE("stdio: a corrupted request has an answer that is one line of JSON, as the schema says") {
+TEST_CASE("stdio: a corrupted request has an answer that is one line of JSON, as the schema says" *
+          sweep) {
   const json faces = {{1, 3, 7, 5}, {0, 4, 6, 2}, {2, 6, 7, 3},
                       {0, 1, 5, 4}, {4, 5, 7, 6}, {0, 2, 3, 1}};
   json exact = request({{"planes", cube_planes("-0x1p0")}});
