@@ -49,6 +49,9 @@ class ObjReader {
       part_name_ = cursor_.rest();
     } else if (std::find(kPassedOver.begin(), kPassedOver.end(), keyword) == kPassedOver.end()) {
       cursor_.fail_expected("an OBJ statement such as v, f, o or g", keyword);
+    } else {
+      while (!cursor_.token().empty()) {  // it may go on in the next line
+      }
     }
   }
 

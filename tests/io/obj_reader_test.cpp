@@ -47,7 +47,8 @@ TEST_CASE("read_obj: line ends, byte order mark, comments, weights, colours, pas
         "v 0 0 0\rv 1 0 0\rv 1 1 0\rv 0 1 0\rf 1 2 3",
         "\xEF\xBB\xBFv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 .5 .5 .5\nv 0 1 0 1 0 0 0\nf 1 2 3 # why not",
         "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nvn 0 0 1\nvt 0 0\nv 1 1 0\nv 0 1 0\nusemtl m\ns off\n"
-        "  f 1 2 3\nl 1 2\np 1"}) {
+        "  f 1 2 3\nl 1 2\np 1",
+        "v 0 0 0\nv 1 0 0\nl 1 2 \\\n 1\nv 1 1 0\nv 0 1 0\nparm u 0\\\r\n1\nf 1 2 3"}) {
     CAPTURE(text);
     const Mesh mesh = obj(text);
     CHECK(mesh.polygons == expected.polygons);
