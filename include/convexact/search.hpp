@@ -41,8 +41,13 @@ struct SearchOptions {
   std::function<void(std::size_t nodes, double gap)> bounded = {};
   /// When it becomes true, the search ends with Error(Stopped).
   const std::atomic<bool>* stop = nullptr;
-  /// When it becomes true, search_optimal() stops searching and returns the best result so far.
+  /// When it becomes true, no further kicks or states are tried, and the best result so far is
+  /// returned.
   const std::atomic<bool>* settle = nullptr;
+
+  bool is_told_to_settle() const {
+    return settle != nullptr && settle->load(std::memory_order_relaxed);
+  }
 };
 
 /// The facts that search_optimal() has proven.

@@ -175,8 +175,7 @@ void BranchAndBound::weigh(HalfspaceId i) {
 }
 
 bool BranchAndBound::is_settled() const {
-  return nodes_ >= options_.request.nodes ||
-         (options_.settle != nullptr && options_.settle->load(std::memory_order_relaxed));
+  return nodes_ >= options_.request.nodes || options_.is_told_to_settle();
 }
 
 void BranchAndBound::report() const {

@@ -264,6 +264,7 @@ SearchRun ExchangeSearch::run() {
   walk(false);
   if (options_.request.kind == SearchKind::Local) {
     for (std::size_t made = 1; made <= options_.request.kicks; ++made) {
+      if (options_.is_told_to_settle()) break;
       watch_.ask();
       kick();
       if (options_.progress) options_.progress(made);

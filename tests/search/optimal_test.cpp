@@ -171,8 +171,11 @@ TEST_CASE("optimal: it settles for the best so far, or stops without a result") 
   const std::atomic<bool> now = true;
   SearchOptions options = optimal();
   options.settle = &now;
+  std::size_t kicks = 0;
+  options.progress = [&](std::size_t made) { kicks = made; };
   const SearchRun settled = find_optimum(greedy, options);
   CHECK_FALSE(settled.optimality->is_proven);
+  CHECK(kicks == 0);
   options.request.kind = SearchKind::Local;
   CHECK(same_moves(settled, greedy.search(options)));
   options.stop = &now;
