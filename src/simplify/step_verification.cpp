@@ -29,13 +29,13 @@ struct StepVerification::State {
   PlainVertex vertex_of(const DualTriangle& t) const {
     return plain_vertex(plane(t[0]), plane(t[1]), plane(t[2]));
   }
-  void require(const TestedCondition& check) const {
-    if (observer != nullptr) observer->checked(check);
-    if (check.holds) return;
+  void require(bool holds, const TestedCondition& check) const {
+    if (observer != nullptr) observer->checked(check, holds);
+    if (holds) return;
     throw Error(ErrorCode::Internal,
                 "verification of step " + std::to_string(number) + " failed: " + check.name);
   }
-  void require(bool holds, const char* name) const { require(TestedCondition{name, holds}); }
+  void require(bool holds, const char* name) const { require(holds, TestedCondition{name}); }
 
   const DualHull& dual;
   VerifyLevel level;
@@ -124,17 +124,26 @@ void StepVerification::State::check_cap(const Step& step) const {
   for (const DualTriangle& t : step.triangles) {
     cap.push_back(vertex_of(t));
     const Integer& d = cap.back().d;
-    require({"every new triangle is bounded (D > 0)", d > 0, t, {}, &d, ">0"});
+    require(d > 0, {.name = "every new triangle is bounded (D > 0)",
+                    .triangle = t,
+                    .value = &d,
+                    .wants = ">0"});
   }
   for (std::size_t n = 0; n < cap.size(); ++n) {
     const DualTriangle& t = step.triangles[n];
     const Integer beyond = value_at(cap[n], plane(step.removed));
-    require({"every new cap vertex lies on or beyond the removed plane", beyond >= 0, t,
-             step.removed, &beyond, ">=0"});
+    require(beyond >= 0, {.name = "every new cap vertex lies on or beyond the removed plane",
+                          .triangle = t,
+                          .plane = step.removed,
+                          .value = &beyond,
+                          .wants = ">=0"});
     for (const HalfspaceId j : step.ring) {
       const Integer value = value_at(cap[n], plane(j));
-      require({"every new cap vertex lies inside the other planes of the ring", value <= 0, t, j,
-               &value, "<=0"});
+      require(value <= 0, {.name = "every new cap vertex lies inside the other planes of the ring",
+                           .triangle = t,
+                           .plane = j,
+                           .value = &value,
+                           .wants = "<=0"});
     }
   }
 }
@@ -147,7 +156,11 @@ void StepVerification::State::check_rim(const Step& step, const PlainSurface& di
     require(apex.has_value(), "every ring edge has an outside");
     const DualTriangle inner{from, to, *disk.third(from, to)};
     const Integer value = value_at(vertex_of(inner), plane(*apex));
-    require({"every ring edge is convex", value <= 0, inner, *apex, &value, "<=0"});
+    require(value <= 0, {.name = "every ring edge is convex",
+                         .triangle = inner,
+                         .plane = *apex,
+                         .value = &value,
+                         .wants = "<=0"});
   }
 }
 

@@ -14,7 +14,6 @@ namespace convexact {
 /// the integer whose sign decides it.
 struct TestedCondition {
   const char* name;
-  bool holds;
   std::optional<DualTriangle> triangle = {};  ///< The triangle whose vertex is tested ...
   std::optional<HalfspaceId> plane = {};      ///< ... and the plane that it is tested against;
                                               ///< none: its D.
@@ -26,7 +25,7 @@ struct TestedCondition {
 class CheckObserver {
  public:
   virtual ~CheckObserver() = default;
-  virtual void checked(const TestedCondition& check) = 0;
+  virtual void checked(const TestedCondition& check, bool holds) = 0;
 };
 
 /// Replays steps on a separate copy of the dual's directed edges. It shares no code with any

@@ -83,7 +83,7 @@ class RemovalRecorder : public RunObserver {
                 std::span<const DualTriangle> gained) override;
   void evaluated(std::size_t step, const Removal& removal) override;
   void chosen(const Step& step) override;
-  void checked(const TestedCondition& check) override;
+  void checked(const TestedCondition& check, bool holds) override;
   /// To be called when the run has ended, even if it failed. @param why  If it failed: the engine's
   /// reason.
   void finish(const std::optional<std::string>& why = {});

@@ -66,20 +66,20 @@ void RemovalRecorder::chosen(const Step& step) {
 }
 
 // Conditions with several parts but no number, such as those of a ring, are recorded once.
-void RemovalRecorder::checked(const TestedCondition& check) {
-  if (!check.holds) {
+void RemovalRecorder::checked(const TestedCondition& check, bool holds) {
+  if (!holds) {
     failed_ = {{"step", chosen_ ? ordered_json(steps_ + 1) : ordered_json(nullptr)},
                {"check", check.name}};
   }
   if (!chosen_ || !has_begun_) return;
   ordered_json& checks = removals.back()["checks"];
   const auto is_told = [&](const ordered_json& told) { return told["check"] == check.name; };
-  if (check.holds && check.value == nullptr && std::any_of(checks.begin(), checks.end(), is_told)) {
+  if (holds && check.value == nullptr && std::any_of(checks.begin(), checks.end(), is_told)) {
     return;
   }
   checks.push_back(
       {{"check", check.name},
-       {"holds", check.holds},
+       {"holds", holds},
        {"triangle", or_null(check.triangle)},
        {"plane", or_null(check.plane)},
        {"value", check.value ? ordered_json(to_string(*check.value)) : ordered_json(nullptr)},

@@ -36,7 +36,7 @@ struct CountedChecks : RunObserver {
                 std::span<const DualTriangle>) override {}
   void evaluated(std::size_t, const Removal&) override {}
   void chosen(const Step&) override { after_choice.push_back(0); }
-  void checked(const TestedCondition&) override { ++after_choice.back(); }
+  void checked(const TestedCondition&, bool) override { ++after_choice.back(); }
 
   std::vector<std::size_t> after_choice;
 };
