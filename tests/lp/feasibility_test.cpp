@@ -186,6 +186,7 @@ TEST_CASE("check: a bounded set is not proven by less") {
   const BoundedProof good{{1, 1, 2, 2, 3, 3}, {0, 2, 4}};
   CHECK(check(box, good));
   CHECK_FALSE(check(box, BoundedProof{{1, 1, 2, 2, 3}, {0, 2, 4}}));
+  CHECK_FALSE(check(box, BoundedProof{{1, 1, 2, 2, 3, 3, 1}, {0, 2, 4}}));
   CHECK_FALSE(check(box, BoundedProof{{1, 1, 2, 1, 3, 3}, {0, 2, 4}}));
   CHECK_FALSE(check(box, BoundedProof{{1, 1, 2, 2, 0, 0}, {0, 2, 4}}));
   CHECK_FALSE(check(box, BoundedProof{{-1, -1, -1, -1, -1, -1}, {0, 2, 4}}));

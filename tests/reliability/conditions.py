@@ -33,8 +33,8 @@ OPTIONS = ['-Dassertions=true', '-Dbuildtype=plain', '-Db_ndebug=false', '-Dopti
            '-Dunity=on', '-Dunity_size=6', '-Dthird_party=false', '-Dbench=false']
 # Which places of a file hold conditions, and the tests (with the sources of each that are asked first).
 CLAIMS, REFUSALS, ANSWERS, SKIPS = 'claims', 'refusals', 'answers', 'skips'
-_CHECK = [('check', 'wrong_proof_test,metric_proof_test,same_points_test,stored_reach_test'), ('check_mutated', '')]
-_DECOMPOSITION = [('check', 'wrong_decomposition_test,decomposition_proof_test'), ('check_mutated', '')]
+_CHECK = [('check', 'wrong_proof_test,metric_proof_test,same_points_test,stored_reach_test'), ('check_mutated', ''), ('check', '')]
+_DECOMPOSITION = [('check', 'wrong_decomposition_test,decomposition_proof_test'), ('check_mutated', ''), ('check', '')]
 _SIMPLIFY = [('simplify', 'step_verification_test,whole_dual_test'), ('simplify', '')]
 _LP = [('lp', 'certificates_test,chebyshev_center_test,feasibility_test'), ('lp', '')]
 FILES = {
