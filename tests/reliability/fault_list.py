@@ -6,6 +6,7 @@ PUSH, SKIP, STALE = 'push too small', 'verification skipped', 'stale value trust
 
 _FAST, _GEO, _DEC, _BVH = 'src/fast/', 'src/geometry/', 'src/decompose/', 'src/bvh/'
 _TEACH, _SEARCH = 'src/teach/', 'src/search/'
+_SURFACE, _OVERLAY = 'src/surface/', 'src/overlay/'
 _AUDIT = 'fast_plane_filter fast_audit'
 _CAPS = 'fast_cap_bounds fast_audit'
 _AGREE = 'fast'
@@ -242,6 +243,35 @@ FAULTS = [
     (STALE, 'src/hull/incremental_hull.cpp', '    for (const PointId p : orphans_) note_filed(p, filed);\n', '', 'teach'),
     (SKIP, 'src/simplify/step_verification.cpp', '    if (observer != nullptr) observer->checked(check);\n    if (check.holds) return;',
      '    if (check.holds) return;', 'teach'),
+
+    # Surfaces.
+    (TIE, _SURFACE + 'winding.cpp', '      if (g[k] != 0) return sign_of(g[k]);\n', '', 'surface'),
+    (TIE, _SURFACE + 'solid_volume.cpp', 'if (is_counted_before(t, at)) continue;', '', 'surface'),
+    (SIGN, _SURFACE + 'nesting.cpp', 'shells[outermost]->triangles()', 'shells[i]->triangles()', 'surface'),
+    (SKIP, _SURFACE + 'flat_polygon.cpp', 'area[axis] == 0 || !is_planar(points, corners, area)', 'area[axis] == 0', 'surface'),
+    (SKIP, _SURFACE + 'make_surface.cpp', '          surface.components[surface.component[t]].is_orientable = false;\n',
+     '', 'surface'),
+    (SKIP, _SURFACE + 'common_point.cpp', 'an_edge_meets(points, s, t) || an_edge_meets(points, t, s)',
+     'an_edge_meets(points, t, s)', 'surface overlay'),
+    (PUSH, _SURFACE + 'box_tree.cpp', 'i < last; ++i) nodes_[own]', 'i + 1 < last; ++i) nodes_[own]', 'surface'),
+
+    # Surfaces and unions of convex parts.
+    (SIGN, _OVERLAY + 'convex_part.cpp', '  if (normal[k] < 0) std::reverse(chain.begin(), chain.end());\n', '', 'overlay'),
+    (TIE, _OVERLAY + 'coverage.cpp', 'return {*low, *high};', 'return {ids[0], ids[1]};', 'overlay'),
+    (TIE, _OVERLAY + 'laid_surface.cpp', 't >= drop_below && !own.pieces.empty()', '!own.pieces.empty()', 'overlay'),
+    (TIE, _OVERLAY + 'union_boundary.cpp', 'if (looks_alike && s > f.part) continue;', 'if (looks_alike) continue;', 'overlay'),
+    (STALE, _OVERLAY + 'arrangement.hpp', 'halves.inside.corners.push_back({corner.at, leaves ? row : corner.side});',
+     'halves.inside.corners.push_back({corner.at, corner.side});', 'overlay'),
+    (STALE, _OVERLAY + 'solid_boundary.cpp', 'if (!is_plain || !beside) beside', 'if (!beside) beside', 'overlay'),
+    (SKIP, _OVERLAY + 'uncovered_solid.cpp', '      if (is_held(y)) continue;\n', '', 'overlay'),
+    (TIE, _OVERLAY + 'union_distance.cpp', 'squared < best->squared)', 'squared <= best->squared)', 'overlay'),
+    (PUSH, _OVERLAY + 'union_distance_cells.cpp', '      dropped_ = std::max(dropped_, cell.upper);\n', '', 'overlay'),
+    (PUSH, _OVERLAY + 'union_distance_near.cpp', 'to_union(y).high + 2.125 * radius',
+     'to_union(y).high + 0.125 * radius', 'overlay'),
+    (SKIP, _OVERLAY + 'union_distance_pieces.cpp', 'if (queue.is_empty() && !tiny) return {};',
+     'if (queue.is_empty()) return {};', 'overlay'),
+    (SKIP, _OVERLAY + 'union_distance_triangles.cpp',
+     'if (near_hull(differences, Point::Zero()).bounds.low <= kMargin) return false;', '', 'overlay'),
 
     # Trees of hulls.
     (STALE, _BVH + 'joins.cpp', 'while (joined_to_[group] != group) group = joined_to_[group];', '', 'hull_trees'),

@@ -47,6 +47,8 @@ UNITS = {
     'src/fast/near_vertices.hpp': ['src/fast/near_vertices.cpp', 'src/fast/filtered_inner.cpp'],
     'src/hull/near_geometry.hpp': _HULL,
     'src/hull/exact_points.hpp': _HULL,
+    'src/overlay/arrangement.hpp': ['src/overlay/' + name for name in (
+        'convex_part.cpp', 'coverage.cpp', 'laid_surface.cpp', 'union_boundary.cpp')],
 }
 
 
