@@ -7,6 +7,7 @@
 
 #include "convexact/hull.hpp"
 #include "hull/exact_points.hpp"
+#include "number/arithmetic.hpp"
 
 namespace convexact {
 namespace {

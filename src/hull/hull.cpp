@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "hull/hull_steps.hpp"
+#include "number/arithmetic.hpp"
 
 namespace convexact {
 namespace {

@@ -239,10 +239,10 @@ FAULTS = [
     (CONSTANT, _TEACH + 'frame.cpp', 'extent.maxCoeff() > 16 * extent.minCoeff()', 'extent.maxCoeff() > extent.minCoeff()', 'teach'),
     (STALE, _TEACH + 'removal_chapter.cpp', '  for (const DualTriangle& t : chosen_->triangles) surface_.add(t);\n', '', 'teach'),
     (STALE, _TEACH + 'removal_chapter.cpp', 'latest_[i] = std::move(current_);', 'if (step == 0) latest_[i] = current_;', 'teach'),
-    (SKIP, _TEACH + 'removal_chapter.cpp', '{"holds", check.holds},', '{"holds", true},', 'teach'),
+    (SKIP, _TEACH + 'removal_chapter.cpp', '{"holds", holds},', '{"holds", true},', 'teach'),
     (STALE, 'src/hull/incremental_hull.cpp', '    for (const PointId p : orphans_) note_filed(p, filed);\n', '', 'teach'),
-    (SKIP, 'src/simplify/step_verification.cpp', '    if (observer != nullptr) observer->checked(check);\n    if (check.holds) return;',
-     '    if (check.holds) return;', 'teach'),
+    (SKIP, 'src/simplify/step_verification.cpp', '    if (observer != nullptr) observer->checked(check, holds);\n    if (holds) return;',
+     '    if (holds) return;', 'teach'),
 
     # Surfaces.
     (TIE, _SURFACE + 'winding.cpp', '      if (g[k] != 0) return sign_of(g[k]);\n', '', 'surface'),
