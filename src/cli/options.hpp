@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "convexact/error.hpp"
-#include "convexact/halfspace.hpp"
 #include "convexact/number.hpp"
 #include "convexact/point_set.hpp"
 #include "io/names.hpp"

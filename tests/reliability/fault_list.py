@@ -248,6 +248,7 @@ FAULTS = [
     (TIE, _SURFACE + 'winding.cpp', '      if (g[k] != 0) return sign_of(g[k]);\n', '', 'surface'),
     (TIE, _SURFACE + 'solid_volume.cpp', 'if (is_counted_before(t, at)) continue;', '', 'surface'),
     (SIGN, _SURFACE + 'nesting.cpp', 'shells[outermost]->triangles()', 'shells[i]->triangles()', 'surface'),
+    (SKIP, _SURFACE + 'flat_polygon.cpp', '  if (!is_simple(view, corners)) return std::nullopt;\n', '', 'surface'),
     (SKIP, _SURFACE + 'flat_polygon.cpp', 'area[axis] == 0 || !is_planar(points, corners, area)', 'area[axis] == 0', 'surface'),
     (SKIP, _SURFACE + 'make_surface.cpp', '          surface.components[surface.component[t]].is_orientable = false;\n',
      '', 'surface'),

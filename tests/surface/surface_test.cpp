@@ -271,6 +271,12 @@ TEST_CASE("make_surface: polygons are cut into triangles with their area") {
                     {{0, 1, 2, 3}},
                     {}});
   CHECK(bow.fans == std::vector<std::size_t>{0});
+  // It has an area, and each of its corners looks like an ear.
+  const Surface pentagram = make_surface(
+      {PointSet(std::vector<Point>{{2, 0, 0}, {4, 2, 0}, {3, 4, 0}, {1, 4, 0}, {0, 2, 0}}),
+       {{0, 2, 4, 1, 3}},
+       {}});
+  CHECK(pentagram.fans == std::vector<std::size_t>{0});
 }
 
 TEST_CASE("make_surface: faces that are none") {
