@@ -11,7 +11,7 @@
 #include "convexact/hull_tree.hpp"
 #include "convexact/io.hpp"
 #include "io/json.hpp"
-#include "report/parts_picture.hpp"
+#include "pages/parts_picture.hpp"
 #include "scene/decompose_options.hpp"
 #include "scene/decompose_report.hpp"
 #include "scene/objects.hpp"

@@ -32,18 +32,14 @@ void add_global_options(CLI::App& command, GlobalOptions& options);
 void add_stages_option(CLI::App& command, GlobalOptions& options);
 
 /// Each adds its subcommand to the program; the subcommand's exit code goes to `exit_code`.
-void add_compare_command(CLI::App& program, int& exit_code);
 void add_conform_command(CLI::App& program, int& exit_code);
 void add_bvh_command(CLI::App& program, int& exit_code);
 void add_decompose_command(CLI::App& program, int& exit_code);
-void add_diff_command(CLI::App& program, int& exit_code);
 void add_generate_command(CLI::App& program, int& exit_code);
 void add_hull_command(CLI::App& program, int& exit_code);
 void add_query_command(CLI::App& program, int& exit_code);
-void add_report_command(CLI::App& program, int& exit_code);
 void add_shrink_command(CLI::App& program, int& exit_code);
 void add_simplify_command(CLI::App& program, int& exit_code);
-void add_stress_command(CLI::App& program, int& exit_code);
 void add_teach_command(CLI::App& program, int& exit_code);
 void add_verify_command(CLI::App& program, int& exit_code);
 

@@ -10,7 +10,7 @@
 #include "bvh/tree_report.hpp"
 #include "cli/part_files.hpp"
 #include "convexact/error.hpp"
-#include "report/parts_picture.hpp"
+#include "pages/parts_picture.hpp"
 #include "scene/decomposition_proof.hpp"
 #include "scene/part_models.hpp"
 #include "scene/written_parts.hpp"

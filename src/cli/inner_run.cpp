@@ -4,7 +4,7 @@
 #include "convexact/inner.hpp"
 #include "convexact/io.hpp"
 #include "io/json.hpp"
-#include "report/picture.hpp"
+#include "pages/picture.hpp"
 #include "scene/inner_report.hpp"
 #include "simplify/trace_json.hpp"
 

@@ -9,7 +9,7 @@
 #include "convexact/io.hpp"
 #include "convexact/stored.hpp"
 #include "io/json.hpp"
-#include "report/picture.hpp"
+#include "pages/picture.hpp"
 #include "scene/proof.hpp"
 #include "simplify/trace_json.hpp"
 

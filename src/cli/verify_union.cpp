@@ -10,7 +10,7 @@
 #include "convexact/scene.hpp"
 #include "io/json.hpp"
 #include "oracle/parts_verdict.hpp"
-#include "report/parts_picture.hpp"
+#include "pages/parts_picture.hpp"
 #include "scene/decompose_options.hpp"
 #include "scene/decompose_report.hpp"
 #include "scene/objects.hpp"

@@ -2,7 +2,6 @@
 #include "fast/engines.hpp"
 
 #include "fast/filtered_loop.hpp"
-#include "fast/float_loop.hpp"
 
 namespace convexact {
 
@@ -29,13 +28,6 @@ Run simplify_filtered(const DualHull& dual_hull, const RationalPoint& center,
                       const SimplifyOptions& options) {
   RecordedLoop recorded(dual_hull, center, options);
   return recorded.finish(recorded.loop().run(recorded.steps()));
-}
-
-template class FloatLoop<Doubles>;
-
-FastResult simplify_float(const FastDual& dual, const SimplifyOptions& options) {
-  const Doubles arithmetic{dual, {dual}};
-  return FloatLoop<Doubles>(dual, arithmetic, options).run();
 }
 
 }  // namespace convexact

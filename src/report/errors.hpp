@@ -6,7 +6,7 @@
 
 #include "convexact/dual.hpp"
 #include "convexact/number.hpp"
-#include "fast/rounded_dual.hpp"
+#include "report/rounded_dual.hpp"
 
 namespace convexact {
 

@@ -6,8 +6,9 @@
 #include <span>
 
 #include "io/json.hpp"
-#include "report/page_parts.hpp"
+#include "pages/page_parts.hpp"
 #include "report/report.hpp"
+#include "report/report_parts.hpp"
 #include "simplify/run_names.hpp"
 
 namespace convexact {

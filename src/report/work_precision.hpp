@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "convexact/scene.hpp"
-#include "fast/rounded_dual.hpp"
 #include "report/errors.hpp"
+#include "report/rounded_dual.hpp"
 #include "report/timing.hpp"
 #include "scene/solid.hpp"
 

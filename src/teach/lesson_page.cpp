@@ -5,7 +5,7 @@
 
 #include "io/json.hpp"
 #include "number/text.hpp"
-#include "report/page_parts.hpp"
+#include "pages/page_parts.hpp"
 #include "teach/lesson_parts.hpp"
 
 namespace convexact {

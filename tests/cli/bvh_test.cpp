@@ -13,12 +13,14 @@
 #include "convexact/number.hpp"
 #include "json_schema.hpp"
 #include "process.hpp"
+#include "program_json.hpp"
 
 using convexact::Rational;
 using nlohmann::json;
 using support::bytes_of;
 using support::data;
 using support::Ran;
+using support::program_json;
 using support::run_program;
 using support::ScratchFolder;
 
@@ -53,13 +55,7 @@ json tree_of(const std::string& path) {
 }
 
 json printed(const std::string& arguments, const char* schema, int exit = 0) {
-  const Ran ran = run_program(arguments + " --json");
-  CAPTURE(arguments);
-  CAPTURE(ran.err);
-  REQUIRE_MESSAGE(ran.exit == exit, ran.out);
-  json document = json::parse(ran.out);
-  CHECK(schema_complaint(schema, document) == "");
-  return document;
+  return program_json(arguments, schema, exit);
 }
 
 const json& claim_in(const json& verdict, const std::string& code) {

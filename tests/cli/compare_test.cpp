@@ -8,11 +8,13 @@
 
 #include "json_schema.hpp"
 #include "process.hpp"
+#include "program_json.hpp"
 
 using nlohmann::json;
 using support::bytes_of;
 using support::data;
 using support::Ran;
+using support::program_json;
 using support::run_program;
 using support::ScratchFolder;
 
@@ -24,12 +26,7 @@ constexpr const char* kUnitCube =
 constexpr const char* kUnitOctahedron = "v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n";
 
 json comparison_of(const std::string& arguments, int exit = 0) {
-  const Ran ran = run_program("compare " + arguments + " --json");
-  CHECK_MESSAGE(ran.exit == exit, ran.err);
-  json document = json::parse(ran.out);
-  const std::string complaint = schema_complaint("compare", document);
-  CHECK_MESSAGE(complaint.empty(), complaint);
-  return document;
+  return program_json("compare " + arguments, "compare", exit);
 }
 
 std::string comparison_error(const std::string& arguments, int exit) {

@@ -9,9 +9,11 @@
 
 #include "json_schema.hpp"
 #include "process.hpp"
+#include "program_json.hpp"
 
 using nlohmann::json;
 using support::bytes_of;
+using support::program_json;
 using support::run_program;
 using support::ScratchFolder;
 
@@ -25,15 +27,10 @@ std::string ourselves() { return std::string("'") + std::getenv("CONVEXACT_PROGR
 
 // A mode of wrong_program.cpp, over some vectors: the JSON report, which fits the schema.
 json conform_wrong(const std::string& mode, const std::string& options, int exit) {
-  const auto ran = run_program("conform --json " + vectors() + options + " -- '" +
-                               std::getenv("CONVEXACT_WRONG_PROGRAM") + "' " + mode +
-                               " {input} {faces} {output}");
-  CAPTURE(mode);
-  CAPTURE(ran.err);
-  CHECK(ran.exit == exit);
-  const json report = json::parse(ran.out);
-  CHECK(schema_complaint("conformance", report) == "");
-  return report;
+  return program_json("conform " + vectors() + options + " -- '" +
+                          std::getenv("CONVEXACT_WRONG_PROGRAM") + "' " + mode +
+                          " {input} {faces} {output}",
+                      "conformance", exit);
 }
 
 // The outcomes that occurred among vectors that ask to simplify, and among those that ask to

@@ -15,12 +15,14 @@
 #include "convexact/number.hpp"
 #include "json_schema.hpp"
 #include "process.hpp"
+#include "program_json.hpp"
 #include "sweep.hpp"
 
 using convexact::parse_rational;
 using convexact::Rational;
 using nlohmann::json;
 using support::bytes_of;
+using support::program_json;
 using support::run_program;
 using support::ScratchFolder;
 
@@ -56,14 +58,7 @@ std::string point_line(const std::string& x, const std::string& y, const std::st
 }
 
 json decomposed(const std::string& arguments) {
-  const auto ran = run_program("decompose --json " + arguments);
-  CAPTURE(arguments);
-  CAPTURE(ran.err);
-  CAPTURE(ran.out);
-  REQUIRE(ran.exit == 0);
-  const json document = json::parse(ran.out);
-  CHECK(schema_complaint("decompose", document) == "");
-  return document;
+  return program_json("decompose " + arguments, "decompose");
 }
 
 json parts_document(const std::string& path) {

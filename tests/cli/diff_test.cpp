@@ -7,9 +7,11 @@
 
 #include "json_schema.hpp"
 #include "process.hpp"
+#include "program_json.hpp"
 
 using nlohmann::json;
 using support::data;
+using support::program_json;
 using support::run_program;
 using support::ScratchFolder;
 
@@ -28,10 +30,7 @@ const char* const kCutCube =
 TEST_CASE("diff --json: engines that agree are exit 0, as the schema says") {
   const ScratchFolder scratch;
   const std::string input = scratch.write("cut.json", kCutCube);
-  const auto ran = run_program("diff " + input + " --json");
-  REQUIRE(ran.exit == 0);
-  const json document = json::parse(ran.out);
-  CHECK(complaint(document) == "");
+  const json document = program_json("diff " + input, "diff");
   CHECK(document["explained"] == true);
   const json& object = document["objects"][0];
   CHECK(object["halfspaces"] == 8);
@@ -49,10 +48,7 @@ TEST_CASE("diff --json: engines that agree are exit 0, as the schema says") {
 
 TEST_CASE("diff --json: exact ties end in the float engine as in the others (#13)") {
   // The mirror images of the shipped cow tie exactly.
-  const auto ran = run_program("diff " + data("spot.obj") + " --faces 560 --json");
-  REQUIRE(ran.exit == 0);
-  const json document = json::parse(ran.out);
-  CHECK(complaint(document) == "");
+  const json document = program_json("diff " + data("spot.obj") + " --faces 560", "diff");
   for (const json& comparison : document["objects"][0]["comparisons"]) {
     CHECK(comparison["same"] == true);
   }
@@ -63,10 +59,7 @@ TEST_CASE("diff --json: a choice of the float engine among costs equal to double
   const ScratchFolder scratch;
   const std::string sphere = scratch.file("sphere.obj");
   REQUIRE(run_program("generate fibonacci-sphere --points 40 -o " + sphere).exit == 0);
-  const auto ran = run_program("diff " + sphere + " --faces 8 --json");
-  REQUIRE(ran.exit == 0);
-  json document = json::parse(ran.out);
-  CHECK(complaint(document) == "");
+  json document = program_json("diff " + sphere + " --faces 8", "diff");
   const json& comparisons = document["objects"][0]["comparisons"];
   CHECK(comparisons[0]["same"] == true);
   CHECK(comparisons[0]["other"] == "filtered");
@@ -123,10 +116,7 @@ TEST_CASE("diff --cost: the engines agree by area and by mean width, as the sche
   for (const std::string cost : {"area", "mean-width"}) {
     CAPTURE(cost);
     const std::string arguments = "diff " + input + " --engines exact,filtered --cost " + cost;
-    const auto ran = run_program(arguments + " --json");
-    REQUIRE(ran.exit == 0);
-    const json document = json::parse(ran.out);
-    CHECK(complaint(document) == "");
+    const json document = program_json(arguments, "diff");
     const json& object = document["objects"][0];
     CHECK(object["cost"] == cost);
     CHECK(object["comparisons"][0]["same"] == true);

@@ -7,9 +7,11 @@
 
 #include "json_schema.hpp"
 #include "process.hpp"
+#include "program_json.hpp"
 
 using nlohmann::json;
 using support::data;
+using support::program_json;
 using support::run_program;
 using support::ScratchFolder;
 
@@ -38,11 +40,7 @@ TEST_CASE("simplify --implicit: the capsule, its cells and bounds, and a proof")
   const std::string arguments = implicit_arguments(data("capsule.json")) + kBoxOption +
                                 "--depth 5 --faces 18 --proof " + scratch.file("proof.txt") +
                                 " -o " + scratch.file("proxy.obj");
-  const auto ran = run_program(arguments + " --json");
-  CAPTURE(ran.err);
-  REQUIRE(ran.exit == 0);
-  const json document = json::parse(ran.out);
-  CHECK(schema_complaint("result", document) == "");
+  const json document = program_json(arguments, "result");
   // Of the specification, which had them from other code.
   const json& cells = document["implicit"];
   CHECK(cells["levels"].size() == 6);

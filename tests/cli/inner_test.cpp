@@ -9,10 +9,12 @@
 
 #include "json_schema.hpp"
 #include "process.hpp"
+#include "program_json.hpp"
 
 using nlohmann::json;
 using support::bytes_of;
 using support::data;
+using support::program_json;
 using support::run_program;
 using support::ScratchFolder;
 
@@ -38,13 +40,10 @@ TEST_CASE("simplify --inner: the answer is as the schema says, and verify --inne
   const std::string mesh = scratch.file("in.obj"), planes = scratch.file("in.json"),
                     rows = scratch.file("in.txt"), ine = scratch.file("in.ine"),
                     trace = scratch.file("trace.json"), page = scratch.file("in.html");
-  const auto ran = run_program(
-      "simplify " + data("spot.obj") + " --inner --vertices 32 --json -o " + mesh + " -o " +
-      planes + " -o " + rows + " -o " + ine + " --trace " + trace + " --picture " + page);
-  CAPTURE(ran.err);
-  REQUIRE(ran.exit == 0);
-  const json document = json::parse(ran.out);
-  CHECK(schema_complaint("inner", document).empty());
+  const json document = program_json("simplify " + data("spot.obj") + " --inner --vertices 32 -o " +
+                                         mesh + " -o " + planes + " -o " + rows + " -o " + ine +
+                                         " --trace " + trace + " --picture " + page,
+                                     "inner");
   CHECK(document["output"]["vertices"] == 32);
   CHECK(document["volume"]["ratio"].get<double>() == doctest::Approx(0.95115).epsilon(1e-5));
   CHECK(document["input"]["points"] == 2930);
@@ -81,10 +80,7 @@ TEST_CASE("verify --inner: the witness is the vertex farthest outside") {
       scratch.write("out.obj",
                     "v 0 0 0\nv 1.25 0.5 0.5\nv 0 1 0\nv 0 0 1.125\nf 1 3 2\nf 1 2 4\n"
                     "f 1 4 3\nf 2 3 4\n");
-  const auto ran = run_program("verify --inner --json " + cube + " " + out);
-  REQUIRE(ran.exit == 1);
-  const json document = json::parse(ran.out);
-  CHECK(schema_complaint("verdict", document).empty());
+  const json document = program_json("verify --inner " + cube + " " + out, "verdict", 1);
   const json& claim = document["claims"].back();
   CHECK(claim["code"] == "inside-input");
   CHECK(claim["status"] == "violated");

@@ -10,10 +10,12 @@
 
 #include "json_schema.hpp"
 #include "process.hpp"
+#include "program_json.hpp"
 
 using nlohmann::json;
 using support::bytes_of;
 using support::data;
+using support::program_json;
 using support::run_program;
 using support::ScratchFolder;
 
@@ -26,12 +28,7 @@ const std::string kGroupedCutCube =
     "g cut\nf 8 9 10\ng bottom/left\nf 1 3 4 2\nf 1 5 3\n";
 
 json simplified(const std::string& arguments) {
-  const auto ran = run_program("simplify --json " + arguments);
-  CAPTURE(ran.err);
-  CHECK(ran.exit == 0);
-  const json document = json::parse(ran.out);
-  CHECK(schema_complaint("result", document) == "");
-  return document;
+  return program_json("simplify " + arguments, "result");
 }
 
 std::string refusal(const std::string& arguments) {

@@ -9,12 +9,14 @@
 #include "convexact/number.hpp"
 #include "json_schema.hpp"
 #include "process.hpp"
+#include "program_json.hpp"
 
 using convexact::parse_rational;
 using convexact::Rational;
 using nlohmann::json;
 using support::data;
 using support::Ran;
+using support::program_json;
 using support::run_program;
 using support::ScratchFolder;
 
@@ -33,23 +35,12 @@ std::string cube_rows(int x, int y, int z) {
   return rows;
 }
 
-json answer_of(const std::string& arguments) {
-  const Ran ran = run_program("query " + arguments + " --json");
-  REQUIRE_MESSAGE(ran.exit == 0, ran.err);
-  json document = json::parse(ran.out);
-  const std::string complaint = schema_complaint("query", document);
-  CHECK_MESSAGE(complaint.empty(), complaint);
-  return document;
-}
+json answer_of(const std::string& arguments) { return program_json("query " + arguments, "query"); }
 
 Rational number(const json& text) { return parse_rational(text.get<std::string>()); }
 
 json error_of_query(const std::string& arguments, int exit) {
-  const Ran ran = run_program("query " + arguments + " --json");
-  CHECK_MESSAGE(ran.exit == exit, ran.out);
-  json document = json::parse(ran.out);
-  const std::string complaint = schema_complaint("query", document);
-  CHECK_MESSAGE(complaint.empty(), complaint);
+  json document = program_json("query " + arguments, "query", exit);
   CHECK(document["error"]["exit"] == exit);
   return document["error"];
 }

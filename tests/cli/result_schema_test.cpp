@@ -8,9 +8,11 @@
 
 #include "json_schema.hpp"
 #include "process.hpp"
+#include "program_json.hpp"
 
 using nlohmann::json;
 using support::data;
+using support::program_json;
 using support::run_program;
 using support::ScratchFolder;
 
@@ -38,11 +40,10 @@ TEST_CASE("--json: runs by area and by mean width, their measure and their ties"
   for (const char* measure : {"area", "mean-width"}) {
     CAPTURE(measure);
     const ScratchFolder scratch;
-    const auto ran = run_program("simplify " + data("spot.obj") + " --faces 580 --json --cost " +
-                                 std::string(measure) + " --proof " + scratch.file("proof"));
-    REQUIRE(ran.exit == 0);
-    const json document = json::parse(ran.out);
-    CHECK(is_valid(document));
+    const json document =
+        program_json("simplify " + data("spot.obj") + " --faces 580 --cost " +
+                         std::string(measure) + " --proof " + scratch.file("proof"),
+                     "result");
     CHECK(document["cost"] == measure);
     CHECK(document["proof"] ==
           (std::string(measure) == "area" ? "greedy-area" : "costs-not-shown"));
@@ -56,10 +57,7 @@ TEST_CASE("--json: a cube cannot lose a side, and that is said") {
   const std::string cube = scratch.write(
       "cube.json",
       "[[1,0,0,-1],[-1,0,0,-1],[0,1,0,-1],[0,-1,0,-1],[0,0,1,-1],[0,0,-1,-1],[1,0,0,-2]]");
-  const auto ran = run_program("simplify " + cube + " --faces 5 --json --exact-values");
-  REQUIRE(ran.exit == 0);
-  const json document = json::parse(ran.out);
-  CHECK(is_valid(document));
+  const json document = program_json("simplify " + cube + " --faces 5 --exact-values", "result");
   CHECK(document["output"]["reached"] == false);
   CHECK(document["output"]["halfspaces"] == 6);
   CHECK(document["input"]["redundant"] == json{6});
@@ -91,11 +89,8 @@ TEST_CASE("--json: failures and several objects are as the schema says") {
   const std::string two = scratch.write("two.obj", tetrahedron + "o first\nf 1 2 3\nf 1 2 4\n" +
                                                        "v 5 5 5\nv 6 5 5\nv 5 6 5\nv 5 5 6\n" +
                                                        "o second\nf 5 6 7\nf 5 6 8\n");
-  const auto ran = run_program("simplify --parts --json --faces 4 " + two + " -o " +
-                               scratch.file("proxies.obj"));
-  REQUIRE(ran.exit == 0);
-  const json document = json::parse(ran.out);
-  CHECK(is_valid(document));
+  const json document = program_json(
+      "simplify --parts --faces 4 " + two + " -o " + scratch.file("proxies.obj"), "result");
   CHECK(document["objects"].size() == 2);
   CHECK(document["objects"][1]["output"]["halfspaces"] == 4);
 }

@@ -11,10 +11,12 @@
 
 #include "json_schema.hpp"
 #include "process.hpp"
+#include "program_json.hpp"
 
 using nlohmann::json;
 using support::bytes_of;
 using support::data;
+using support::program_json;
 using support::run_program;
 using support::ScratchFolder;
 
@@ -54,12 +56,9 @@ TEST_CASE("scene: one budget, in JSON and as a mesh with the names of the parts"
   const ScratchFolder scratch;
   const std::string input = scratch.write("room.obj", two_cubes());
   const std::string mesh = scratch.file("proxy.obj"), page = scratch.file("proxy.html");
-  const auto ran = run_program("simplify " + input + " --parts --total-faces 13 --json -o " + mesh +
-                               " --picture " + page + " --exact-values");
-  CAPTURE(ran.err);
-  REQUIRE(ran.exit == 0);
-  const json document = json::parse(ran.out);
-  CHECK(schema_complaint("result", document).empty());
+  const json document = program_json("simplify " + input + " --parts --total-faces 13 -o " + mesh +
+                                         " --picture " + page + " --exact-values",
+                                     "result");
   CHECK(document["total"]["input"]["halfspaces"] == 14);
   CHECK(document["total"]["output"]["halfspaces"] == 13);
   CHECK(document["total"]["output"]["reached"] == true);
@@ -88,11 +87,9 @@ TEST_CASE("scene: every measure, stuck parts, and several files") {
   const std::string shallow = scratch.write("shallow.obj", cut_cube("b", 0, 0.25, 1));
   for (const std::string cost : {"volume", "area", "mean-width"}) {
     for (const std::string engine : {"exact", "filtered", "float"}) {
-      const auto ran = run_program("simplify " + deep + " " + shallow + " --total-faces 8 --json" +
-                                   " --cost " + cost + " --engine " + engine);
-      REQUIRE(ran.exit == 0);
-      const json document = json::parse(ran.out);
-      CHECK(schema_complaint("result", document).empty());
+      const json document = program_json("simplify " + deep + " " + shallow + " --total-faces 8" +
+                                             " --cost " + cost + " --engine " + engine,
+                                         "result");
       CHECK(document["total"]["cost"] == cost);
       CHECK(document["total"]["output"]["halfspaces"] == 12);
       CHECK(document["total"]["output"]["reached"] == false);
@@ -171,13 +168,7 @@ TEST_CASE("scene: verify --parts judges each part, and the gaps") {
   const std::string whole = cut_cube("deep", 0, 0.125, 1), narrow = cut_cube("shallow", 4, 0.5, 11);
   const auto judged = [&](const std::string& candidate, const std::string& options, int exit) {
     const std::string file = scratch.write("candidate.obj", candidate);
-    const auto ran = run_program("verify --parts --json " + input + " " + file + options);
-    CAPTURE(candidate);
-    CAPTURE(ran.err);
-    CHECK(ran.exit == exit);
-    const json document = json::parse(ran.out);
-    CHECK(schema_complaint("verdict", document).empty());
-    return document;
+    return program_json("verify --parts " + input + " " + file + options, "verdict", exit);
   };
   // Itself; other names in the same order; the same names in another order.
   for (const std::string& candidate :

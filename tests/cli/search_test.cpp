@@ -8,23 +8,20 @@
 
 #include "json_schema.hpp"
 #include "process.hpp"
+#include "program_json.hpp"
 #include "sweep.hpp"
 
 using nlohmann::json;
 using support::bytes_of;
 using support::data;
+using support::program_json;
 using support::run_program;
 using support::ScratchFolder;
 
 namespace {
 
 json searched(const std::string& arguments) {
-  const auto ran = run_program("simplify --json " + arguments);
-  CAPTURE(ran.err);
-  CHECK(ran.exit == 0);
-  const json document = json::parse(ran.out);
-  CHECK(schema_complaint("result", document) == "");
-  return document;
+  return program_json("simplify " + arguments, "result");
 }
 
 std::string refused(const std::string& arguments) {
@@ -80,11 +77,7 @@ TEST_CASE("--search: its trace is judged move by move" * sweep) {
     CHECK(last == doctest::Approx(result["search"]["now"]["value"].get<double>()));
     const auto judged = [&](const json& order, int exit) {
       const std::string file = scratch.write("order.json", order.dump());
-      const auto ran = run_program("verify " + data("spot.obj") + " --trace " + file + " --json");
-      CHECK(ran.exit == exit);
-      const json verdict = json::parse(ran.out);
-      CHECK(schema_complaint("trace_verdict", verdict) == "");
-      return verdict;
+      return program_json("verify " + data("spot.obj") + " --trace " + file, "trace_verdict", exit);
     };
     CHECK(status_of(judged(trace, 0), "trace-moves") == "holds");
     const auto is_refuted = [&](const json& order) {

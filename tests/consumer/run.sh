@@ -40,3 +40,5 @@ program=$(find "$scratch/root" -path '*/bin/convexact')
 (cd "$scratch" && "$program" conform --level 1 --flag malformed -- false {input} {faces} {output}) >"$scratch/log"
 grep -q 'the program conforms' "$scratch/log"
 echo "installed program: finds its conformance vectors"
+"$program" stress --list >"$scratch/log"
+echo "installed program: starts convexact-lab"

@@ -5,10 +5,10 @@
 
 #include "convexact/error.hpp"
 #include "cut_box.hpp"
+#include "diff/diff.hpp"
+#include "diff/divergence.hpp"
 #include "expect_error.hpp"
 #include "fast/engines.hpp"
-#include "oracle/diff.hpp"
-#include "oracle/divergence.hpp"
 #include "shapes/makers.hpp"
 #include "simplify/exact_engine.hpp"
 

@@ -3,7 +3,7 @@
 """Injects one fault after another into a copy of the sources and says which test catches it.
 
   faults.py                     all faults of fault_list.py, in build/faults
-  faults.py --only orient3d     those whose kind, file or text holds this
+  faults.py --only orient3d     those whose kind, place or text holds this
   faults.py --check             only that every fault still finds its place, once, in the tree
 
 A static_assert that a fault breaks catches it; it is taken out then, and the tests are asked too.
@@ -13,20 +13,36 @@ import json
 import pathlib
 import sys
 
+from definitions import places
 from fault_list import FAULTS
 from scratch import ROOT, UNITS, Scratch
 
 LIMIT = 180  # seconds for one test program
 
 
+def place_of(fault):
+    """(file, offset) of the text that a fault replaces; None unless it occurs once in the definitions of its anchor."""
+    _, anchor, old, _, _ = fault
+    found = set()
+    for path, start, end in places(anchor):
+        text = path.read_text(encoding='utf-8')
+        at = text.find(old, start)
+        while at != -1 and at < end:
+            found.add((str(path.relative_to(ROOT)), at))
+            at = text.find(old, at + 1)
+    return found.pop() if len(found) == 1 else None
+
+
 def caught_by(scratch, fault):
     """What caught a fault: (the compiler's message or '', the test or '', its case)."""
-    _, name, old, new, tests = fault
+    _, _, old, new, tests = fault
+    name, at = place_of(fault)
     compiler = ''
     for test in tests.split():
         scratch.build(test)
     try:
-        scratch.write(name, (ROOT / name).read_text().replace(old, new))
+        text = (ROOT / name).read_text()
+        scratch.write(name, text[:at] + new + text[at + len(old):])
         for test in tests.split():
             # First what the test compiles of the fault itself, which is quick; then the library's share.
             for with_library in (False, True):
@@ -47,8 +63,9 @@ def caught_by(scratch, fault):
 
 
 def misplaced(faults):
-    return [fault for fault in faults
-            if (ROOT / fault[1]).read_text().count(fault[2]) != 1 or not fault[1].endswith('.cpp') and fault[1] not in UNITS]
+    found = [(fault, place_of(fault)) for fault in faults]
+    return [fault for fault, place in found
+            if place is None or not place[0].endswith('.cpp') and place[0] not in UNITS]
 
 
 def main():
@@ -60,19 +77,19 @@ def main():
     arguments = parser.parse_args()
     faults = [f for f in FAULTS if any(arguments.only in part for part in f)]
     wrong = misplaced(faults)
-    for _, name, old, *_ in wrong:
-        print(f'not found exactly once in {name}, or not in UNITS: {old}', file=sys.stderr)
+    for _, anchor, old, *_ in wrong:
+        print(f'not found exactly once in {anchor}, or in no file of UNITS: {old}', file=sys.stderr)
     if wrong or arguments.check:
         return 1 if wrong else 0
     scratch = Scratch(arguments.scratch)
     rows = []
     for number, fault in enumerate(faults, 1):
-        kind, name, _, new, _ = fault
+        kind, anchor, _, new, _ = fault
         compiler, test, case = caught_by(scratch, fault)
-        rows.append({'kind': kind, 'file': name, 'from': fault[2], 'to': new, 'compiler': compiler,
+        rows.append({'kind': kind, 'place': anchor, 'from': fault[2], 'to': new, 'compiler': compiler,
                      'test': test, 'case': case})
         who = ', '.join(filter(None, [compiler, test and f'{test}: {case}'])) or 'NO TEST'
-        print(f'{number}/{len(faults)} {kind} | {pathlib.Path(name).name} | '
+        print(f'{number}/{len(faults)} {kind} | {anchor} | '
               f'{" ".join(new.split())[:70] or "- " + " ".join(fault[2].split())[:66]} | {who}', flush=True)
         if arguments.json:
             arguments.json.write_text(json.dumps(rows, indent=1))

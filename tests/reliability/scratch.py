@@ -43,7 +43,7 @@ UNITS = {
     'src/fast/ring_determinants.hpp': [_CAPS, 'src/fast/cap.cpp'],
     'src/fast/keyed_queue.hpp': ['src/fast/filtered_loop.cpp'],
     'src/fast/filtered_loop.hpp': ['src/fast/filtered_loop.cpp', 'src/fast/engines.cpp', 'src/scene/part_runs.cpp'],
-    'src/fast/float_loop.hpp': ['src/fast/engines.cpp', 'src/scene/part_runs.cpp'],
+    'src/fast/float_loop_steps.hpp': ['src/fast/float_loop.cpp'],
     'src/fast/near_vertices.hpp': ['src/fast/near_vertices.cpp', 'src/fast/filtered_inner.cpp'],
     'src/hull/near_geometry.hpp': _HULL,
     'src/hull/exact_points.hpp': _HULL,

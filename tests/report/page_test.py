@@ -16,7 +16,7 @@ import tempfile
 import chromium
 
 HERE = pathlib.Path(__file__).resolve().parent
-VENDOR = HERE.parent.parent / "src" / "report" / "vendor"
+VENDOR = HERE.parent.parent / "src" / "pages" / "vendor"
 
 # Of each canvas: the number of different colours among its pixels, and the points of its datasets.
 PLOTS = """[...document.querySelectorAll("canvas")].map(canvas => {

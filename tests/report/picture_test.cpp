@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures: what the page carries for viewer.js, on shapes whose data are known by construction.
-#include "report/picture.hpp"
+#include "pages/picture.hpp"
 
 #include <doctest/doctest.h>
 

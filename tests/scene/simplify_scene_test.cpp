@@ -22,8 +22,8 @@ constexpr Engine kEngines[] = {Engine::Exact, Engine::Filtered, Engine::Float};
 constexpr CostMeasure kMeasures[] = {CostMeasure::Volume, CostMeasure::Area,
                                      CostMeasure::MeanWidth};
 
-SceneRequest request_for(std::size_t total, Engine engine = Engine::Filtered,
-                         CostMeasure cost = CostMeasure::Volume) {
+SceneRequest total_request(std::size_t total, Engine engine = Engine::Filtered,
+                           CostMeasure cost = CostMeasure::Volume) {
   SceneRequest request;
   request.each.engine = engine;
   request.each.cost = cost;
@@ -191,7 +191,7 @@ TEST_CASE("simplify_scene: the least sum of volumes of all splits of a budget") 
     const std::size_t all = halfspaces_of(runs);
     for (std::size_t total = all; total >= 12; total -= 2) {
       CAPTURE(total);
-      const SceneResult scene = run(parts, request_for(total));
+      const SceneResult scene = run(parts, total_request(total));
       const std::optional<Rational> least = least_sum(runs, 0, all - total);
       CHECK((scene.stop == StopReason::Reached) == least.has_value());
       CHECK(scene.input_halfspaces == all);
@@ -219,7 +219,7 @@ TEST_CASE("simplify_scene: every engine and measure takes the cheapest removal o
         CHECK(expected.made == end.made);
         for (const Engine engine : kEngines) {
           CAPTURE(static_cast<int>(engine));
-          const SceneResult scene = run(parts, request_for(total, engine, cost));
+          const SceneResult scene = run(parts, total_request(total, engine, cost));
           CHECK(steps_of_parts(scene) == expected.made);
           CHECK(scene.order == end.order);
           CHECK(scene.measure.has_value() == (cost != CostMeasure::Volume));
@@ -245,7 +245,7 @@ TEST_CASE("simplify_scene: costs that fall are spent in order, with a growth lim
     for (std::size_t total = 8; total < halfspaces_of(runs); ++total) {
       const Merged expected = merge(runs, total);
       for (const Engine engine : kEngines) {
-        SceneRequest request = request_for(total, engine, cost);
+        SceneRequest request = total_request(total, engine, cost);
         CHECK(steps_of_parts(run(parts, request)) == expected.made);
         request.each.max_growth = Rational(100000);
         CHECK(steps_of_parts(run(parts, request)) == expected.made);
@@ -263,7 +263,7 @@ TEST_CASE("simplify_scene: one part alone is the plain run, removal by removal" 
       for (const bool records : {false, true}) {
         if (records && engine == Engine::Float) continue;
         for (const bool limits_growth : {false, true}) {
-          SceneRequest request = request_for(11, engine, cost);
+          SceneRequest request = total_request(11, engine, cost);
           request.each.trace = records;
           if (limits_growth) request.each.max_growth = Rational(1, 50);
           SimplifyRequest plain = request.each;
@@ -305,13 +305,13 @@ TEST_CASE("simplify_scene: the part with the shallow cuts pays first") {
                                  PointSet(shapes::cut_cube(2, 0.25))};
   for (const Engine engine : kEngines) {
     CAPTURE(static_cast<int>(engine));
-    const SceneResult fourteen = run(parts, request_for(14, engine));
+    const SceneResult fourteen = run(parts, total_request(14, engine));
     CHECK(order_text(fourteen) == "11");
     CHECK(fourteen.parts[0].solid.exact.planes.size() == 8);
     CHECK(fourteen.parts[1].solid.exact.planes.size() == 6);
     CHECK(*fourteen.input_volume.exact == Rational(2 - Rational(2, 48) - Rational(2, 384)));
     CHECK(*fourteen.output_volume.exact == Rational(2 - Rational(2, 48)));
-    CHECK(order_text(run(parts, request_for(13, engine))) == "110");
+    CHECK(order_text(run(parts, total_request(13, engine))) == "110");
     // Each on its own to seven: the sum is larger.
     Rational uniform = 0;
     for (const Shape& part : parts) uniform += *run_alone(part, 7, engine).output_volume.exact;
@@ -333,7 +333,7 @@ TEST_CASE("simplify_scene: shared is never worse than uniform, by volume") {
         uniform += *alone.output_volume.exact;
         total += alone.solid.exact.planes.size();
       }
-      CHECK(*run(parts, request_for(total)).output_volume.exact <= uniform);
+      CHECK(*run(parts, total_request(total)).output_volume.exact <= uniform);
     }
   }
 }
@@ -349,7 +349,7 @@ TEST_CASE("simplify_scene: of equal costs the first part goes on, however the pa
     for (const std::size_t total : {runs[0].halfspaces.size() + 8, std::size_t(15)}) {
       const Merged expected = merge_in_the_end(runs, total);
       for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
-        const SceneResult scene = run(parts, request_for(total, engine, cost));
+        const SceneResult scene = run(parts, total_request(total, engine, cost));
         CHECK(scene.order == expected.order);
         CHECK(steps_of_parts(scene) == merge(runs, total).made);
         const auto& tied = scene.ties.steps;
@@ -370,7 +370,7 @@ TEST_CASE("simplify_scene: ties within a part go before those of the next one") 
   const std::vector<Shape> parts{PointSet(cube), PointSet(moved(cube, 8)),
                                  PointSet(shapes::cut_cube(1, 0.25))};
   for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
-    const SceneResult scene = run(parts, request_for(18, engine));
+    const SceneResult scene = run(parts, total_request(18, engine));
     CHECK(order_text(scene) == "20011");
     CHECK(scene.ties.steps[static_cast<std::size_t>(TieProof::EqualRationals)] == 2);
     for (const SimplifyResult& part : scene.parts) CHECK(part.stop == StopReason::Reached);
@@ -383,16 +383,16 @@ TEST_CASE("simplify_scene: parts that are stuck drop out, and a part with 4 face
                                  PointSet(shapes::box({1, 1, 1}))};
   for (const Engine engine : kEngines) {
     for (const CostMeasure cost : kMeasures) {
-      const SceneResult reached = run(parts, request_for(17, engine, cost));
+      const SceneResult reached = run(parts, total_request(17, engine, cost));
       CHECK(reached.stop == StopReason::Reached);
       CHECK(order_text(reached) == "1");
-      const SceneResult stuck = run(parts, request_for(12, engine, cost));
+      const SceneResult stuck = run(parts, total_request(12, engine, cost));
       CHECK(stuck.stop == StopReason::AllUnbounded);
       CHECK(stuck.output_halfspaces == 16);
       CHECK(steps_of_parts(stuck) == std::vector<std::size_t>{0, 2, 0});
       for (const SimplifyResult& part : stuck.parts) CHECK(part.stop == stuck.stop);
-      CHECK(run(parts, request_for(18, engine, cost)).steps == 0);
-      CHECK(run(parts, request_for(1000, engine, cost)).steps == 0);
+      CHECK(run(parts, total_request(18, engine, cost)).steps == 0);
+      CHECK(run(parts, total_request(1000, engine, cost)).steps == 0);
     }
   }
 }
@@ -410,7 +410,7 @@ TEST_CASE("simplify_scene: growth is that of the sum, exactly") {
   for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
     for (const CostMeasure cost : kMeasures) {
       for (const Limit& limit : limits) {
-        SceneRequest request = request_for(8, engine, cost);
+        SceneRequest request = total_request(8, engine, cost);
         request.each.max_growth = limit.growth;
         request.each.growth_of = CostMeasure::Volume;
         const SceneResult scene = run(parts, request);
@@ -423,7 +423,7 @@ TEST_CASE("simplify_scene: growth is that of the sum, exactly") {
     }
   }
   // The float engine, where doubles can tell.
-  SceneRequest request = request_for(8, Engine::Float);
+  SceneRequest request = total_request(8, Engine::Float);
   request.each.max_growth = Rational(3, 188);
   const SceneResult scene = run(parts, request);
   CHECK(scene.order.size() == 1);
@@ -437,9 +437,9 @@ TEST_CASE("simplify_scene: growth of an area, of parts that differ in size by po
                                  PointSet(scaled(shapes::cut_cube(1, 0.5), small))};
   for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
     for (const CostMeasure cost : kMeasures) {
-      SceneRequest request = request_for(13, engine, cost);
+      SceneRequest request = total_request(13, engine, cost);
       CHECK(order_text(run(parts, request)) == "1");
-      request = request_for(12, engine, cost);
+      request = total_request(12, engine, cost);
       // The large corner is 2.7% of the area; the small one is nothing beside it.
       request.each.max_growth = Rational(2, 100);
       request.each.growth_of = CostMeasure::Area;
@@ -454,9 +454,9 @@ TEST_CASE("simplify_scene: kept facets stay, by part") {
   const std::vector<Shape> parts{PointSet(shapes::cut_cube(1, 0.5)),
                                  PointSet(shapes::cut_cube(1, 0.25))};
   for (const Engine engine : kEngines) {
-    SceneRequest request = request_for(13, engine);
+    SceneRequest request = total_request(13, engine);
     CHECK(order_text(run(parts, request)) == "1");
-    const auto cut = run(parts, request_for(14, engine)).parts[1].solid.exact;
+    const auto cut = run(parts, total_request(14, engine)).parts[1].solid.exact;
     const auto normal = std::find_if(cut.planes.begin(), cut.planes.end(), [](const auto& plane) {
                           return plane.normal().x() != 0 && plane.normal().y() != 0;
                         })->normal();
@@ -480,19 +480,19 @@ TEST_CASE("simplify_scene: what makes no sense is refused") {
     return error_of([&] { return simplify_scene(given, request); }).code() ==
            ErrorCode::InvalidArgument;
   };
-  CHECK(is_refused({}, request_for(8)));
-  CHECK(is_refused(parts, request_for(7)));
-  CHECK(is_refused(parts, request_for(0)));
-  SceneRequest request = request_for(8);
+  CHECK(is_refused({}, total_request(8)));
+  CHECK(is_refused(parts, total_request(7)));
+  CHECK(is_refused(parts, total_request(0)));
+  SceneRequest request = total_request(8);
   request.each.faces = 4;
   CHECK(is_refused(parts, request));
-  request = request_for(8);
+  request = total_request(8);
   request.each.center = RationalPoint(0, 0, 0);
   CHECK(is_refused(parts, request));
-  request = request_for(8);
+  request = total_request(8);
   request.each.max_growth = Rational(-1);
   CHECK(is_refused(parts, request));
-  request = request_for(8, Engine::Float);
+  request = total_request(8, Engine::Float);
   request.each.trace = true;
   CHECK(is_refused(parts, request));
 }
@@ -501,7 +501,7 @@ TEST_CASE("simplify_scene: the first part without volume comes back with its pro
   const std::vector<Shape> parts{PointSet(shapes::cube()),
                                  PointSet(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
                                  PointSet()};
-  const SceneOutcome outcome = simplify_scene(parts, request_for(100));
+  const SceneOutcome outcome = simplify_scene(parts, total_request(100));
   REQUIRE(std::holds_alternative<NotSolidPart>(outcome));
   CHECK(std::get<NotSolidPart>(outcome).part == 1);
   CHECK(std::holds_alternative<FlatInput>(std::get<NotSolidPart>(outcome).reason));
@@ -510,7 +510,7 @@ TEST_CASE("simplify_scene: the first part without volume comes back with its pro
 TEST_CASE("simplify_scene: progress counts the removals of all parts, and it can be stopped") {
   const std::vector<Shape> parts{PointSet(shapes::cut_cube(2, 0.5)),
                                  PointSet(shapes::cut_cube(2, 0.25))};
-  SceneRequest request = request_for(13);
+  SceneRequest request = total_request(13);
   std::vector<std::size_t> seen;
   request.each.watch.progress = [&](const std::string& stage, std::size_t done, std::size_t total) {
     if (stage != stage::kSimplify) return;
@@ -584,7 +584,7 @@ TEST_CASE("find_gaps: what simplify_scene() makes has none, halfspaces and cloud
   std::vector<SceneObject> parts = two_cubes();
   std::vector<Shape> shapes_of_parts;
   for (const SceneObject& part : parts) shapes_of_parts.push_back(part.shape);
-  const SceneResult scene = run(shapes_of_parts, request_for(8));
+  const SceneResult scene = run(shapes_of_parts, total_request(8));
   std::vector<std::vector<Halfspace>> solids;
   for (const SimplifyResult& part : scene.parts) solids.push_back(part.solid.exact.planes);
   CHECK(find_gaps(parts, solids).out_of_own.empty());

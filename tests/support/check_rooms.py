@@ -11,7 +11,7 @@ import sys
 
 # From the top down.
 ROOMS = ["error", "number", "geometry", "shapes", "io", "lp", "hull", "dual", "implicit", "measure", "simplify", "fast", "search", "stored",
-         "surface", "overlay", "decompose", "scene", "query", "bvh", "oracle", "report", "teach", "compare", "stress", "cli", "capi", "check"]
+         "surface", "overlay", "decompose", "scene", "query", "bvh", "oracle", "pages", "teach", "diff", "report", "compare", "stress", "cli", "lab", "capi", "check"]
 # The room of each public header.
 PUBLIC = {
     "error": "error", "watch": "error", "number": "number", "root_sum": "number",

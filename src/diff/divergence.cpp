@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/divergence.hpp"
+#include "diff/divergence.hpp"
 
 #include <algorithm>
 

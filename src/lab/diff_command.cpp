@@ -4,13 +4,13 @@
 #include <memory>
 #include <optional>
 
-#include "cli/command.hpp"
-#include "cli/diff_clusters.hpp"
 #include "cli/keep_option.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "convexact/scene.hpp"
-#include "oracle/diff.hpp"
+#include "diff/diff.hpp"
+#include "lab/commands.hpp"
+#include "lab/diff_clusters.hpp"
 #include "scene/stage_log.hpp"
 #include "scene/stage_report.hpp"
 #include "simplify/run_names.hpp"
@@ -116,8 +116,7 @@ int run_diff(const DiffArguments& options) {
 
 void add_diff_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<DiffArguments>();
-  CLI::App& command = *program.add_subcommand(
-      "diff", "compare engines step by step, and explain the steps where they differ");
+  CLI::App& command = *program.add_subcommand(kDiffCommand.name, kDiffCommand.description);
   command.footer(kDiffFooter);
   add_input_argument(command, options->inputs);
   add_faces(command, options->faces, "how many halfspaces to keep, at least 4");

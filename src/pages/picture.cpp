@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/picture.hpp"
+#include "pages/picture.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 #include "convexact/number.hpp"
 #include "number/arithmetic.hpp"
 #include "number/text.hpp"
-#include "report/page_parts.hpp"
+#include "pages/page_parts.hpp"
 
 namespace convexact {
 namespace {

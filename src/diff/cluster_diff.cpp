@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/cluster_diff.hpp"
+#include "diff/cluster_diff.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/page_parts.hpp"
+#include "pages/page_parts.hpp"
 
 namespace convexact {
 

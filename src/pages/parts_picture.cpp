@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/parts_picture.hpp"
+#include "pages/parts_picture.hpp"
 
 #include <fmt/format.h>
 

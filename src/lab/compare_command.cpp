@@ -5,12 +5,12 @@
 #include <memory>
 #include <span>
 
-#include "cli/command.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "compare/compare.hpp"
 #include "convexact/scene.hpp"
 #include "io/json.hpp"
+#include "lab/commands.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -106,8 +106,7 @@ int run_compare(const CompareArguments& options) {
 
 void add_compare_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<CompareArguments>();
-  CLI::App& command = *program.add_subcommand(
-      "compare", "measure exactly how tightly other methods enclose the inputs");
+  CLI::App& command = *program.add_subcommand(kCompareCommand.name, kCompareCommand.description);
   command.footer(kCompareFooter);
   command.add_option("INPUT", options->inputs, "meshes or halfspaces");
   CLI::Option* faces =

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <memory>
 
-#include "cli/command.hpp"
 #include "cli/progress.hpp"
 #include "convexact/io.hpp"
 #include "convexact/mesh.hpp"
+#include "lab/commands.hpp"
 #include "scene/simplify_report.hpp"
 #include "simplify/run_names.hpp"
 #include "stress/stress.hpp"
@@ -175,8 +175,7 @@ void add_run_options(CLI::App& command, StressArguments& options) {
 
 void add_stress_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<StressArguments>();
-  CLI::App& command = *program.add_subcommand(
-      "stress", "run every engine on ever harder inputs, and judge every answer");
+  CLI::App& command = *program.add_subcommand(kStressCommand.name, kStressCommand.description);
   command.footer(kStressFooter);
   add_sweep_options(command, *options);
   add_run_options(command, *options);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "cli/diff_clusters.hpp"
+#include "lab/diff_clusters.hpp"
 
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
-#include "oracle/cluster_diff.hpp"
+#include "diff/cluster_diff.hpp"
 #include "scene/decompose_options.hpp"
 #include "scene/decompose_report.hpp"
 #include "scene/objects.hpp"

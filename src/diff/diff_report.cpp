@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "convexact/number.hpp"
+#include "diff/diff.hpp"
 #include "io/json.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
-#include "oracle/diff.hpp"
 #include "simplify/run_names.hpp"
 #include "simplify/trace_json.hpp"
 

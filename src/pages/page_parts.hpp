@@ -8,7 +8,6 @@
 
 namespace convexact {
 
-extern const std::string_view kReportPage, kReportStyle, kReportScript, kChartLibrary;
 extern const std::string_view kViewerPage, kViewerStyle, kFacetsScript, kShapesScript,
     kViewerScript, kThreeLibrary;
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "fast/rounded_dual.hpp"
+#include "report/rounded_dual.hpp"
 
 #include <array>
 #include <cmath>
 
 #include "fast/float_cap.hpp"
-#include "fast/float_loop.hpp"
+#include "fast/float_loop_steps.hpp"
 #include "number/arithmetic.hpp"
 #include "number/mpfr_scalar.hpp"
 

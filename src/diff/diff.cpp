@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "oracle/diff.hpp"
+#include "diff/diff.hpp"
 
 #include <algorithm>
 
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
+#include "diff/divergence.hpp"
 #include "fast/dual.hpp"
 #include "fast/engines.hpp"
 #include "number/precision.hpp"
-#include "oracle/divergence.hpp"
 #include "scene/solid.hpp"
 #include "simplify/exact_engine.hpp"
 #include "simplify/run_names.hpp"

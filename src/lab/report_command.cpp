@@ -6,11 +6,11 @@
 #include <memory>
 #include <optional>
 
-#include "cli/command.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "convexact/scene.hpp"
 #include "io/json.hpp"
+#include "lab/commands.hpp"
 #include "report/report.hpp"
 #include "simplify/run_names.hpp"
 
@@ -130,8 +130,7 @@ int run_report(const ReportArguments& options) {
 
 void add_report_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<ReportArguments>();
-  CLI::App& command = *program.add_subcommand(
-      "report", "measure error against run time; writes report.html, .json and .csv");
+  CLI::App& command = *program.add_subcommand(kReportCommand.name, kReportCommand.description);
   command.footer(kReportFooter);
   command.add_option("INPUT", options->inputs,
                      "meshes or halfspaces; without any, only the sections that need no input");

@@ -11,7 +11,7 @@
 #include "convexact/number.hpp"
 #include "convexact/run.hpp"
 #include "convexact/simplify.hpp"
-#include "oracle/divergence.hpp"
+#include "diff/divergence.hpp"
 
 namespace convexact {
 

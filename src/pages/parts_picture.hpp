@@ -6,7 +6,7 @@
 #include "convexact/decompose.hpp"
 #include "convexact/hull_tree.hpp"
 #include "convexact/verify_parts.hpp"
-#include "report/picture.hpp"
+#include "pages/picture.hpp"
 
 namespace convexact {
 
