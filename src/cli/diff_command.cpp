@@ -10,6 +10,7 @@
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "convexact/scene.hpp"
+#include "io/json_document.hpp"
 #include "oracle/diff.hpp"
 #include "scene/stage_log.hpp"
 #include "scene/stage_report.hpp"
@@ -44,8 +45,8 @@ struct DiffArguments {
 
 using DiffedObject = FoundObject<DiffReport>;
 
-nlohmann::ordered_json document_of(const std::vector<DiffedObject>& objects, std::size_t faces,
-                                   bool explained, const StageLog& log) {
+Json document_of(const std::vector<DiffedObject>& objects, std::size_t faces, bool explained,
+                 const StageLog& log) {
   return {{"faces", faces},
           {"explained", explained},
           {"objects", objects_json(objects, diff_json)},
