@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "convexact/error.hpp"
 #include "io/json.hpp"
 #include "number/precision.hpp"
@@ -17,8 +15,6 @@
 
 namespace convexact {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string parts_name(const TreeOrigin& origin) {
   const auto* method = std::get_if<DecomposeMethod>(&origin.parts);

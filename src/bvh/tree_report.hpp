@@ -2,13 +2,13 @@
 // tree_report.hpp - a tree of hulls as its file (docs/schema/hull-tree.schema.json), and for
 // people; the answers of a tree to questions.
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <variant>
 
 #include "convexact/decompose.hpp"
 #include "convexact/hull_tree.hpp"
+#include "io/json_document.hpp"
 #include "query/query_report.hpp"
 #include "scene/decompose_report.hpp"
 
@@ -25,8 +25,8 @@ struct TreeOrigin {
 };
 
 /// Counts and levels, without the hulls.
-[[nodiscard]] nlohmann::ordered_json tree_json(const BuiltTree& built, const TreeRequest& request,
-                                               const TreeOrigin& origin);
+[[nodiscard]] Json tree_json(const BuiltTree& built, const TreeRequest& request,
+                             const TreeOrigin& origin);
 
 /// The file: these counts, the parts, and the nodes under "hull_tree", one node per line. Read back
 /// from its bytes, the tree has no fault and the same hulls.
@@ -62,13 +62,12 @@ struct NamedTree {
 };
 
 /// "rays", in the order of the file, "hits", and the number of nodes visited.
-[[nodiscard]] nlohmann::ordered_json rays_json(const NamedTree& named,
-                                               std::span<const TreeRayAnswer> answers);
+[[nodiscard]] Json rays_json(const NamedTree& named, std::span<const TreeRayAnswer> answers);
 [[nodiscard]] std::string rays_text(const NamedTree& named, std::span<const TreeRayAnswer> answers);
 
 /// The parts that overlap, each with a common point; and the nodes that do not, with the proofs.
-[[nodiscard]] nlohmann::ordered_json overlap_json(const NamedTree& named, const NamedPolytope& b,
-                                                  const TreeOverlap& answer);
+[[nodiscard]] Json overlap_json(const NamedTree& named, const NamedPolytope& b,
+                                const TreeOverlap& answer);
 [[nodiscard]] std::string overlap_text(const NamedTree& named, const NamedPolytope& b,
                                        const TreeOverlap& answer);
 

@@ -134,7 +134,7 @@ std::string answer_of(const BuiltTree& built, const TreeRequest& request, const 
                       const OutputFiles& files, const std::vector<Stage>& stages,
                       const BvhArguments& options) {
   if (options.global.json) {
-    nlohmann::ordered_json document = tree_json(built, request, origin);
+    Json document = tree_json(built, request, origin);
     document["stages"] = stages_json(stages);
     return write_json(document, 2) + "\n";
   }

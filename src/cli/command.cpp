@@ -53,11 +53,10 @@ Error with_reproducer(const Error& error) {
 }
 
 // Reports an error, with further facts for --json, and returns its exit code.
-int report(const GlobalOptions& options, const Error& error,
-           const nlohmann::ordered_json& proof = {}) {
+int report(const GlobalOptions& options, const Error& error, const Json& proof = {}) {
   const int code = exit_code(error.code());
   if (options.json) {
-    nlohmann::ordered_json body = error_json(error);
+    Json body = error_json(error);
     if (!proof.is_null()) body["proof"] = proof;
     std::cout << write_json({{"error", body}}, 2) << std::endl;
   } else {
@@ -206,7 +205,7 @@ void print(const std::string& text) {
               std::string("standard output cannot be written: ") + std::strerror(errno));
 }
 
-void print(const nlohmann::ordered_json& document) { print(write_json(document, 2) + "\n"); }
+void print(const Json& document) { print(write_json(document, 2) + "\n"); }
 
 std::optional<fs::path> find_shipped(const fs::path& name,
                                      const std::function<bool(const fs::path&)>& is_it) {

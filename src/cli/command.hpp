@@ -7,13 +7,13 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "cli/options.hpp"
 #include "convexact/error.hpp"
 #include "convexact/scene.hpp"
+#include "io/json_document.hpp"
 
 namespace convexact::cli {
 
@@ -72,7 +72,7 @@ int report_not_solid(const GlobalOptions& options, const std::string& name, cons
 /// Prints to standard output.
 /// @throws Error Stopped if its reader has closed the pipe; Unwritable if it cannot be written.
 void print(const std::string& text);
-void print(const nlohmann::ordered_json& document);
+void print(const Json& document);
 
 /// Becomes true when an interrupt (Ctrl-C, SIGTERM) arrives; long loops check it and end with
 /// Stopped.

@@ -76,8 +76,7 @@ std::string answer_of(const std::vector<DecomposedObject>& objects, const Decomp
                       const FilesOfParts& out, const std::vector<Stage>& stages,
                       const DecomposeArguments& options) {
   if (options.global.json) {
-    nlohmann::ordered_json document =
-        decomposition_json(objects, request, DecompositionDetail::Numbers);
+    Json document = decomposition_json(objects, request, DecompositionDetail::Numbers);
     if (objects.size() == 1) document["input"] = objects[0].name;
     document["files"] = options.files.all_paths();
     document["removed"] = out.removed;

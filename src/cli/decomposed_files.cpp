@@ -10,6 +10,7 @@
 #include "bvh/tree_report.hpp"
 #include "cli/part_files.hpp"
 #include "convexact/error.hpp"
+#include "io/json_document.hpp"
 #include "pages/parts_picture.hpp"
 #include "scene/decomposition_proof.hpp"
 #include "scene/part_models.hpp"
@@ -113,7 +114,7 @@ std::string in_folder(const std::string& folder, const std::string& file) {
   return (fs::path(folder) / file).string();
 }
 
-void add_folder(FilesOfParts& out, const std::string& folder, nlohmann::ordered_json document,
+void add_folder(FilesOfParts& out, const std::string& folder, Json document,
                 const std::vector<WrittenPart>& parts, const std::string& input) {
   out.folders.push_back(folder);
   std::set<std::string> written;

@@ -38,29 +38,29 @@ struct GenerateArguments {
   std::function<int()> work;  ///< Of the family that was named.
 };
 
-nlohmann::ordered_json parameter_json(const Parameter& p) {
+Json parameter_json(const Parameter& p) {
   return {{"name", p.name}, {"meaning", p.meaning}, {"least", p.least},
           {"most", p.most}, {"default", p.usual},   {"integer", p.whole}};
 }
 
 void print_list_json() {
-  nlohmann::ordered_json families = nlohmann::ordered_json::array();
+  Json families = Json::array();
   for (const Family& f : shapes::families()) {
-    nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
+    Json parameters = Json::array();
     for (const Parameter& p : f.parameters) parameters.push_back(parameter_json(p));
     families.push_back({{"name", f.name},
                         {"description", f.description},
                         {"dimension", f.dimension},
                         {"parameters", parameters}});
   }
-  nlohmann::ordered_json malformed = nlohmann::ordered_json::array();
+  Json malformed = Json::array();
   for (const MalformedFile& file : shapes::malformed_files()) {
     malformed.push_back({{"name", file.name},
                          {"description", file.description},
                          {"extension", file.extension()},
                          {"error", file.not_finite ? "not-finite" : "malformed"}});
   }
-  print(nlohmann::ordered_json{{"families", families}, {"malformed", malformed}});
+  print(Json{{"families", families}, {"malformed", malformed}});
 }
 
 void print_list() {
@@ -115,17 +115,17 @@ MeshFormat format_of(const GenerateArguments& options) {
   return *format;
 }
 
-nlohmann::ordered_json document_of(const Family& family, const std::vector<double>& values,
-                                   std::uint64_t seed, const Mesh& mesh) {
-  nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
+Json document_of(const Family& family, const std::vector<double>& values, std::uint64_t seed,
+                 const Mesh& mesh) {
+  Json parameters = Json::object();
   for (std::size_t i = 0; i < values.size(); ++i) {
-    nlohmann::ordered_json& value = parameters[std::string(family.parameters[i].name)];
+    Json& value = parameters[std::string(family.parameters[i].name)];
     value = values[i];
     if (family.parameters[i].whole) value = static_cast<std::int64_t>(values[i]);
   }
-  nlohmann::ordered_json points = nlohmann::ordered_json::array();
+  Json points = Json::array();
   for (const Point& p : mesh.points.doubles()) points.push_back({p.x(), p.y(), p.z()});
-  nlohmann::ordered_json document = {
+  Json document = {
       {"family", family.name}, {"parameters", parameters}, {"seed", seed}, {"points", points}};
   if (!mesh.polygons.empty()) document["facets"] = mesh.polygons;
   return document;

@@ -33,11 +33,9 @@ std::string answer_of(const std::vector<FoundObject<HullResult>>& objects,
                       const std::vector<Stage>& stages, const HullArguments& options) {
   const int digits = options.request.digits;
   if (options.global.json) {
-    const nlohmann::ordered_json list = objects_json(
+    const Json list = objects_json(
         objects, [digits](const HullResult& result) { return hull_json(result, digits); });
-    return write_json(objects.size() == 1 ? list[0] : nlohmann::ordered_json{{"objects", list}},
-                      2) +
-           "\n";
+    return write_json(objects.size() == 1 ? list[0] : Json{{"objects", list}}, 2) + "\n";
   }
   std::string text;
   for (const auto& [source, result] : objects) text += source.name + "\n" + summary(result, digits);

@@ -78,16 +78,16 @@ SceneObject read_implicit_object(const ImplicitOptions& options, const SceneOpti
           .polygons = {}};
 }
 
-nlohmann::ordered_json implicit_json(const ImplicitFound& found) {
+Json implicit_json(const ImplicitFound& found) {
   const ImplicitCells& cells = found.cells;
-  nlohmann::ordered_json levels = nlohmann::ordered_json::array();
+  Json levels = Json::array();
   for (const auto& [tested, kept, undecided] : cells.levels) {
     levels.push_back({{"tested", tested}, {"kept", kept}, {"undecided", undecided}});
   }
-  nlohmann::ordered_json json = {{"levels", levels},
-                                 {"leaf_edge", cells.leaf_edge},
-                                 {"corners", cells.corners.size()},
-                                 {"lipschitz", to_string(found.bounds.lipschitz)}};
+  Json json = {{"levels", levels},
+               {"leaf_edge", cells.leaf_edge},
+               {"corners", cells.corners.size()},
+               {"lipschitz", to_string(found.bounds.lipschitz)}};
   if (!cells.distance) return json;
   json["tightness"] = to_string(*found.bounds.tightness);
   json["distance"] = *cells.distance;

@@ -4,13 +4,13 @@
 #pragma once
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "convexact/implicit.hpp"
 #include "convexact/scene.hpp"
+#include "io/json_document.hpp"
 
 namespace convexact::cli {
 
@@ -44,7 +44,7 @@ void add_implicit_options(CLI::App& command, ImplicitOptions& options);
                                                const SceneOptions& scene, const Watch& watch);
 
 /// Level by level, and the bounds that are known.
-[[nodiscard]] nlohmann::ordered_json implicit_json(const ImplicitFound& found);
+[[nodiscard]] Json implicit_json(const ImplicitFound& found);
 [[nodiscard]] std::string implicit_summary(const ImplicitFound& found);
 
 }  // namespace convexact::cli

@@ -124,10 +124,8 @@ OutputFiles files_of(const std::vector<FoundObject<InnerResult>>& objects,
 std::string answer_of(const std::vector<FoundObject<InnerResult>>& objects,
                       const std::vector<Stage>& stages, const SimplifyArguments& options) {
   if (options.global.json) {
-    nlohmann::ordered_json document =
-        objects.size() == 1
-            ? inner_json(objects[0].result)
-            : nlohmann::ordered_json{{"objects", objects_json(objects, inner_json)}};
+    Json document = objects.size() == 1 ? inner_json(objects[0].result)
+                                        : Json{{"objects", objects_json(objects, inner_json)}};
     document["stages"] = stages_json(stages);
     return write_json(document, 2) + "\n";
   }

@@ -2,7 +2,6 @@
 // outputs.hpp - the files that simplify writes: all of them, complete, or none.
 #pragma once
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <variant>
@@ -14,6 +13,7 @@
 #include "convexact/run.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/simplify.hpp"
+#include "io/json_document.hpp"
 #include "scene/stage_log.hpp"
 #include "scene/stage_report.hpp"
 
@@ -74,11 +74,11 @@ std::variant<std::vector<FoundObject<Result>>, FlatObject> on_each_object(
 }
 
 /// A list of the objects: each with its name, the entries of `json` for its result, and its stages.
-template <class Result, class Json>
-nlohmann::ordered_json objects_json(const std::vector<FoundObject<Result>>& objects, Json&& json) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+template <class Result, class Describe>
+Json objects_json(const std::vector<FoundObject<Result>>& objects, Describe&& json) {
+  Json list = Json::array();
   for (const auto& [source, result] : objects) {
-    nlohmann::ordered_json& entry = list.emplace_back();
+    Json& entry = list.emplace_back();
     entry["name"] = source.name;
     entry.update(json(result));
     entry["stages"] = stages_json(result.stages);

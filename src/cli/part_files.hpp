@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/outputs.hpp"
+#include "io/json_document.hpp"
 
 namespace convexact::cli {
 

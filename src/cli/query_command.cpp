@@ -93,11 +93,11 @@ class RunningQuery {
   StageLog& log() { return log_; }
 
   /// Prints the result of one of the two, with the stages, and returns the exit code.
-  template <class Json, class Text>
-  int print_answer(Json&& json, Text&& text) {
+  template <class Describe, class Text>
+  int print_answer(Describe&& json, Text&& text) {
     progress_.clear();
     if (options_.global.json) {
-      nlohmann::ordered_json document = json();
+      Json document = json();
       document["stages"] = stages_json(log_.stages());
       print(document);
     } else {

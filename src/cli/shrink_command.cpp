@@ -201,12 +201,11 @@ void Shrinking::shrink_halfspaces(const std::vector<Halfspace>& halfspaces) {
 
 std::string Shrinking::summary() const {
   if (options_.global.json) {
-    const nlohmann::ordered_json document = {
-        {"failure", failure_},
-        {rows_name(), {{"before", before_.rows}, {"after", size_.rows}}},
-        {"bits", {{"before", before_.bits}, {"after", size_.bits}}},
-        {"runs", runs_},
-        {"output", options_.output}};
+    const Json document = {{"failure", failure_},
+                           {rows_name(), {{"before", before_.rows}, {"after", size_.rows}}},
+                           {"bits", {{"before", before_.bits}, {"after", size_.bits}}},
+                           {"runs", runs_},
+                           {"output", options_.output}};
     return write_json(document, 2) + "\n";
   }
   return fmt::format(

@@ -102,10 +102,9 @@ struct FoundTotals {
 std::string answer_of(const FoundSolids& objects, const std::optional<FoundTotals>& together,
                       const std::vector<Stage>& stages, const SimplifyArguments& options) {
   if (options.global.json) {
-    nlohmann::ordered_json document =
-        objects.size() == 1 && !together
-            ? result_json(objects[0].result)
-            : nlohmann::ordered_json{{"objects", objects_json(objects, result_json)}};
+    Json document = objects.size() == 1 && !together
+                        ? result_json(objects[0].result)
+                        : Json{{"objects", objects_json(objects, result_json)}};
     if (options.implicit.is_given()) document["implicit"] = implicit_json(*options.implicit.found);
     if (together) document["total"] = totals_json(together->totals, together->gaps);
     document["stages"] = stages_json(stages);

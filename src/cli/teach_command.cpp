@@ -55,7 +55,7 @@ void require_outputs(const TeachArguments& options) {
 
 OutputFiles lesson_files(const std::vector<std::string>& paths, const Lesson& lesson) {
   OutputFiles files;
-  const std::string name = lesson.document["name"].get<std::string>();
+  const std::string name = lesson.document["name"].text();
   for (const std::string& path : paths) {
     files.emplace_back(path, path.ends_with(".html") ? lesson_page(name, lesson.document)
                                                      : write_json(lesson.document) + "\n");
@@ -65,10 +65,10 @@ OutputFiles lesson_files(const std::vector<std::string>& paths, const Lesson& le
 
 // The chapters, the missing parts, and the place of the lesson.
 std::string summary_of(const Lesson& lesson, const OutputFiles& files) {
-  const nlohmann::ordered_json& document = lesson.document;
-  std::string text = fmt::format(
-      "  input       {} {}, {} halfspaces\n", document["input"]["count"].get<std::size_t>(),
-      document["input"]["kind"].get<std::string>(), document["halfspaces"].size());
+  const Json& document = lesson.document;
+  std::string text =
+      fmt::format("  input       {} {}, {} halfspaces\n", document["input"]["count"].count(),
+                  document["input"]["kind"].text(), document["halfspaces"].size());
   if (document.contains("hull")) {
     text += fmt::format("  hull        {} insertions\n", document["hull"]["insertions"].size());
   }
@@ -83,14 +83,13 @@ std::string summary_of(const Lesson& lesson, const OutputFiles& files) {
                         document["removals"].size(), document["evaluations"].size(), checks);
   }
   text += fmt::format("  left        {} halfspaces ({})\n", document["end"]["present"].size(),
-                      document["stop"].get<std::string>());
+                      document["stop"].text());
   if (document.contains("storing")) {
     text += fmt::format("  storing     {} planes in {}\n", document["storing"]["planes"].size(),
-                        document["storing"]["precision"].get<std::string>());
+                        document["storing"]["precision"].text());
   }
   for (const auto& missing : document["left_out"]) {
-    text += fmt::format("  left out    {}: {}\n", missing["chapter"].get<std::string>(),
-                        missing["why"].get<std::string>());
+    text += fmt::format("  left out    {}: {}\n", missing["chapter"].text(), missing["why"].text());
   }
   for (const auto& [path, bytes] : files) text += "  written     " + path + "\n";
   return text;

@@ -15,6 +15,7 @@
 #include "convexact/io.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/verify.hpp"
+#include "io/json_document.hpp"
 #include "oracle/scene_verdict.hpp"
 #include "oracle/stdio_request.hpp"
 #include "oracle/verdict_report.hpp"
@@ -157,7 +158,7 @@ int run_verify_parts(VerifyArguments options) {
   for (const PartVerdict& part : verdict.parts) log.add(part.verdict.stages);
   const std::string name = display_name(options.input);
   if (options.global.json) {
-    nlohmann::ordered_json document = {{"input", name}, {"file", options.candidate}};
+    Json document = {{"input", name}, {"file", options.candidate}};
     document.update(scene_verdict_json(verdict));
     document["stages"] = stages_json(log.stages());
     print(document);
@@ -190,7 +191,7 @@ int run_verify_candidate(const VerifyArguments& options) {
   log.add(verdict.stages);
   progress.clear();
   if (options.global.json) {
-    nlohmann::ordered_json document = {{"input", input.name}, {"file", options.candidate}};
+    Json document = {{"input", input.name}, {"file", options.candidate}};
     document.update(verdict_json(verdict));
     document["stages"] = stages_json(log.stages());
     print(document);

@@ -6,6 +6,7 @@
 #include "convexact/io.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/verify_run.hpp"
+#include "io/json_document.hpp"
 #include "oracle/removal_order_file.hpp"
 #include "oracle/trace_verdict.hpp"
 #include "scene/solid.hpp"
@@ -131,7 +132,7 @@ int run_verify_trace(const GlobalOptions& global, const std::string& input, Deci
       judge(std::get<Solid>(outcome), files, options, judge_options, decimal, log);
   progress.clear();
   if (global.json) {
-    nlohmann::ordered_json document = trace_verdict_json(verdict);
+    Json document = trace_verdict_json(verdict);
     document["stages"] = stages_json(log.stages());
     print(document);
   } else {

@@ -2,7 +2,6 @@
 #include "cli/verify_union.hpp"
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
@@ -84,7 +83,7 @@ int run_verify_union(const GlobalOptions& global, const std::string& input,
   }
   std::string answer;
   if (global.json) {
-    nlohmann::ordered_json document = {{"input", name}, {"file", candidate}};
+    Json document = {{"input", name}, {"file", candidate}};
     document.update(parts_verdict_json(verdict));
     document["stages"] = stages_json(log.stages());
     answer = write_json(document, 2) + "\n";

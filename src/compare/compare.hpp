@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // compare.hpp - the methods on one input, each refitted, timed and measured; as tables and as data.
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "compare/refit.hpp"
 #include "convexact/scene.hpp"
+#include "io/json_document.hpp"
 
 namespace convexact {
 
@@ -73,13 +73,13 @@ struct MethodMedian {
 /// A table for each input, and one of medians if there are several.
 [[nodiscard]] std::string compare_text(const std::vector<MethodComparison>& comparisons);
 /// docs/schema/compare.schema.json.
-[[nodiscard]] nlohmann::ordered_json compare_json(const std::vector<MethodComparison>& comparisons,
-                                                  const CompareRequest& request);
+[[nodiscard]] Json compare_json(const std::vector<MethodComparison>& comparisons,
+                                const CompareRequest& request);
 /// A row for each input and method, with a heading. RFC 4180.
 [[nodiscard]] std::string compare_csv(const std::vector<MethodComparison>& comparisons);
 
 /// Every method, with a description and its source.
 [[nodiscard]] std::string methods_text();
-[[nodiscard]] nlohmann::ordered_json methods_json();
+[[nodiscard]] Json methods_json();
 
 }  // namespace convexact

@@ -10,8 +10,6 @@
 namespace convexact {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr const char* kMeasures = "{:>10.5f} {:>10.5f} {:>11.5f} {:>9.5f} {:>9.3g}";
 
 std::string heading(const char* first) {

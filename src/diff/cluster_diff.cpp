@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "decompose/cluster_engines.hpp"
 #include "decompose/merge_cost.hpp"
@@ -125,13 +124,12 @@ ClusterComparison compare_runs(const ClusterDiff& diff, std::size_t k, const Clu
   return result;
 }
 
-nlohmann::ordered_json merge_json(const std::optional<Merge>& merge,
-                                  const std::optional<Enclosure>& cost) {
+Json merge_json(const std::optional<Merge>& merge, const std::optional<Enclosure>& cost) {
   if (!merge) return nullptr;
-  nlohmann::ordered_json json = {{"kept", merge->kept.value},
-                                 {"gone", merge->gone.value},
-                                 {"ties", merge->ties},
-                                 {"beyond_limit", merge->beyond_limit}};
+  Json json = {{"kept", merge->kept.value},
+               {"gone", merge->gone.value},
+               {"ties", merge->ties},
+               {"beyond_limit", merge->beyond_limit}};
   if (cost) json["cost"] = measured_json({*cost, {}}, 17);
   return json;
 }
@@ -172,8 +170,8 @@ ClusterDiff diff_clusters(const Surface& surface, const ClusterOptions& options,
   return diff;
 }
 
-nlohmann::ordered_json cluster_diff_json(const ClusterDiff& diff) {
-  nlohmann::ordered_json runs = nlohmann::ordered_json::array(), comparisons = runs;
+Json cluster_diff_json(const ClusterDiff& diff) {
+  Json runs = Json::array(), comparisons = runs;
   for (std::size_t k = 0; k < diff.runs.size(); ++k) {
     runs.push_back({{"engine", name_of(diff.engines[k])},
                     {"parts", diff.runs[k].clusters.size()},
@@ -182,10 +180,10 @@ nlohmann::ordered_json cluster_diff_json(const ClusterDiff& diff) {
                     {"exact_evaluations", diff.runs[k].exact_evaluations}});
   }
   for (const ClusterComparison& each : diff.comparisons) {
-    nlohmann::ordered_json entry = {{"reference", name_of(each.reference)},
-                                    {"other", name_of(each.other)},
-                                    {"explained", each.explained},
-                                    {"divergence", nullptr}};
+    Json entry = {{"reference", name_of(each.reference)},
+                  {"other", name_of(each.other)},
+                  {"explained", each.explained},
+                  {"divergence", nullptr}};
     if (const auto& found = each.divergence) {
       entry["divergence"] = {{"step", found->step},
                              {"kind", name_in(kMergeDifferenceNames, found->kind)},

@@ -2,13 +2,13 @@
 // cluster_diff.hpp - where two engines merge clusters differently, and whether rounding explains
 // it.
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "convexact/cluster.hpp"
 #include "convexact/scene.hpp"
+#include "io/json_document.hpp"
 #include "io/names.hpp"
 
 namespace convexact {
@@ -66,7 +66,7 @@ struct ClusterDiff {
                                         const std::vector<Engine>& engines,
                                         const StageWatch& watch = {});
 
-[[nodiscard]] nlohmann::ordered_json cluster_diff_json(const ClusterDiff& diff);
+[[nodiscard]] Json cluster_diff_json(const ClusterDiff& diff);
 /// A line for each engine and each comparison.
 [[nodiscard]] std::string cluster_diff_text(const ClusterDiff& diff);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // diff.hpp - compares engines on one shape.
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <variant>
@@ -12,6 +11,7 @@
 #include "convexact/run.hpp"
 #include "convexact/simplify.hpp"
 #include "diff/divergence.hpp"
+#include "io/json_document.hpp"
 
 namespace convexact {
 
@@ -76,7 +76,7 @@ using DiffOutcome = std::variant<DiffReport, NotSolid>;
 
 /// One object's report without its name and stages. Where two runs differ first and worst, costs
 /// are exact, of any length.
-[[nodiscard]] nlohmann::ordered_json diff_json(const DiffReport& report);
+[[nodiscard]] Json diff_json(const DiffReport& report);
 
 struct NamedDiff {
   std::string name;

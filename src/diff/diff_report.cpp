@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "convexact/number.hpp"
 #include "diff/diff.hpp"
@@ -16,8 +15,6 @@ namespace convexact {
 namespace {
 
 // ---- JSON
-
-using Json = nlohmann::ordered_json;
 
 Json choice_json(const Choice& choice, const std::vector<Halfspace>& halfspaces) {
   if (!choice.removed) return {{"removed", nullptr}};

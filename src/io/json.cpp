@@ -1,39 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/json.hpp"
 
+#include <cmath>
+
 #include "io/names.hpp"
 
 namespace convexact {
-
-using nlohmann::ordered_json;
-
-std::string write_json(const ordered_json& document, int indent) {
-  return document.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
-}
-
-std::string write_lines(const ordered_json& document) {
-  std::string text = "{";
-  const char* comma = "\n";
-  for (const auto& [key, value] : document.items()) {
-    text += comma + write_json(key) + ": ";
-    comma = ",\n";
-    const bool is_list = value.is_array() && !value.empty() && value[0].is_structured();
-    if (!is_list) {
-      text += write_json(value);
-      continue;
-    }
-    for (std::size_t k = 0; k < value.size(); ++k) {
-      text += (k == 0 ? "[\n  " : ",\n  ") + write_json(value[k]);
-    }
-    text += "\n]";
-  }
-  return text + "\n}\n";
-}
-
-std::string as_utf8(const std::string& text) {
-  return ordered_json::parse(write_json(text)).get<std::string>();
-}
-
 namespace {
 
 constexpr auto kErrorNames =
@@ -49,21 +21,38 @@ constexpr auto kErrorNames =
 
 }  // namespace
 
-nlohmann::ordered_json error_json(const Error& error) {
-  nlohmann::ordered_json json = {{"code", name_in(kErrorNames, error.code())},
-                                 {"message", error.what()},
-                                 {"exit", exit_code(error.code())}};
+Json error_json(const Error& error) {
+  Json json = {{"code", name_in(kErrorNames, error.code())},
+               {"message", error.what()},
+               {"exit", exit_code(error.code())}};
   if (error.line()) json["line"] = *error.line();
   return json;
 }
 
-nlohmann::ordered_json measured_json(const Measured& x, int digits) {
+Json measured_json(const Measured& x, int digits) {
   const std::optional<std::string> decimal = to_decimal(x.bounds, digits);
   if (!decimal) throw Error(ErrorCode::Internal, "the bounds of a measure are too wide to print");
   const double value = to_double(parse_rational(*decimal), Rounding::Nearest);
-  nlohmann::ordered_json json = {{"value", value_or_null(value)}, {"decimal", *decimal}};
+  Json json = {{"value", value_or_null(value)}, {"decimal", *decimal}};
   if (x.exact) json["exact"] = to_string(*x.exact);
   return json;
+}
+
+Json plane_json(const Halfspace& h) { return h; }
+
+Json vector_json(const RationalVector3& v) {
+  return {to_string(v[0]), to_string(v[1]), to_string(v[2])};
+}
+
+Json value_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+Json bounds_json(const Enclosure& x) {
+  return {{"low", x.low_double()}, {"high", x.high_double()}};
+}
+
+Json quantity_json(const std::optional<Rational>& x) {
+  if (!x) return nullptr;
+  return measured_json({Enclosure(*x, kMeasureBits), *x}, kDigits);
 }
 
 }  // namespace convexact

@@ -7,6 +7,17 @@
 #include "convexact/number.hpp"
 #include "number/text.hpp"
 
+convexact::Rational nlohmann::adl_serializer<convexact::Rational>::from_json(
+    const nlohmann::json& json) {
+  return convexact::parse_rational(json.get_ref<const std::string&>());
+}
+
+convexact::Halfspace nlohmann::adl_serializer<convexact::Halfspace>::from_json(
+    const nlohmann::json& json) {
+  const auto number = [&json](std::size_t i) { return json.at(i).get<convexact::Rational>(); };
+  return {convexact::RationalVector3(number(0), number(1), number(2)), number(3)};
+}
+
 namespace convexact {
 
 using nlohmann::json;

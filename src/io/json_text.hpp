@@ -12,6 +12,24 @@
 #include "convexact/halfspace.hpp"
 #include "convexact/point_set.hpp"
 
+// Exact numbers, ids and planes as Json spells them.
+template <>
+struct nlohmann::adl_serializer<convexact::Rational> {
+  static convexact::Rational from_json(const nlohmann::json& json);
+};
+
+template <class Tag>
+struct nlohmann::adl_serializer<convexact::Id<Tag>> {
+  static convexact::Id<Tag> from_json(const nlohmann::json& json) {
+    return convexact::Id<Tag>(json.get<std::size_t>());
+  }
+};
+
+template <>
+struct nlohmann::adl_serializer<convexact::Halfspace> {
+  static convexact::Halfspace from_json(const nlohmann::json& json);
+};
+
 namespace convexact {
 
 /// How deep lists and objects of a JSON text may lie within each other. Our formats need 6; the

@@ -4,6 +4,7 @@
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "diff/cluster_diff.hpp"
+#include "io/json_document.hpp"
 #include "scene/decompose_options.hpp"
 #include "scene/decompose_report.hpp"
 #include "scene/objects.hpp"
@@ -44,7 +45,7 @@ int run_cluster_diff(const GlobalOptions& global, const std::vector<std::string>
   StageLog log(progress.watch());
   std::vector<SceneObject> objects =
       log.run("read", StageKind::Io, [&] { return read_scene(inputs, scene); });
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  Json list = Json::array();
   std::string text;
   bool explained = true;
   for (SceneObject& object : objects) {
@@ -64,8 +65,7 @@ int run_cluster_diff(const GlobalOptions& global, const std::vector<std::string>
   }
   progress.clear();
   if (global.json) {
-    print(nlohmann::ordered_json{
-        {"explained", explained}, {"objects", list}, {"stages", stages_json(log.stages())}});
+    print(Json{{"explained", explained}, {"objects", list}, {"stages", stages_json(log.stages())}});
   } else {
     print(text + stage_text(log.stages(), global.stages));
   }

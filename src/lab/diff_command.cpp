@@ -9,6 +9,7 @@
 #include "cli/progress.hpp"
 #include "convexact/scene.hpp"
 #include "diff/diff.hpp"
+#include "io/json_document.hpp"
 #include "lab/commands.hpp"
 #include "lab/diff_clusters.hpp"
 #include "scene/stage_log.hpp"
@@ -44,8 +45,8 @@ struct DiffArguments {
 
 using DiffedObject = FoundObject<DiffReport>;
 
-nlohmann::ordered_json document_of(const std::vector<DiffedObject>& objects, std::size_t faces,
-                                   bool explained, const StageLog& log) {
+Json document_of(const std::vector<DiffedObject>& objects, std::size_t faces, bool explained,
+                 const StageLog& log) {
   return {{"faces", faces},
           {"explained", explained},
           {"objects", objects_json(objects, diff_json)},

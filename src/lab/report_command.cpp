@@ -63,7 +63,7 @@ std::string without_folder(const std::string& name) {
   return slash == std::string::npos ? name : name.substr(slash + 1);
 }
 
-OutputFiles files_of(const std::string& folder, const nlohmann::ordered_json& document) {
+OutputFiles files_of(const std::string& folder, const Json& document) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (failure) throw Error(ErrorCode::Unwritable, folder + ": " + failure.message());
@@ -119,7 +119,7 @@ int run_report(const ReportArguments& options) {
                             .compiler = kCompiler,
                             .flags = kFlags,
                             .machine = this_machine()};
-  const nlohmann::ordered_json document = report_json(report, request, origin);
+  const Json document = report_json(report, request, origin);
   write_together(files_of(options.folder, document), options.global.json
                                                          ? write_json(document, 2) + "\n"
                                                          : summary_of(report, options.folder));

@@ -8,6 +8,7 @@
 #include "cli/progress.hpp"
 #include "convexact/io.hpp"
 #include "convexact/mesh.hpp"
+#include "io/json_document.hpp"
 #include "lab/commands.hpp"
 #include "scene/simplify_report.hpp"
 #include "simplify/run_names.hpp"
@@ -80,7 +81,7 @@ std::vector<StressFamily> chosen_families(const StressArguments& options) {
 }
 
 void print_list(const StressArguments& options) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  Json list = Json::array();
   std::string text;
   for (const StressFamily& family : chosen_families(options)) {
     list.push_back({{"name", family.name},
@@ -96,7 +97,7 @@ void print_list(const StressArguments& options) {
     }
     text += "\n";
   }
-  if (options.global.json) return print(nlohmann::ordered_json{{"families", list}});
+  if (options.global.json) return print(Json{{"families", list}});
   print(text);
 }
 

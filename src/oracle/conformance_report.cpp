@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <vector>
 
@@ -207,14 +206,14 @@ constexpr const char* kBadge =
 
 // ---- JSON
 
-using Json = nlohmann::ordered_json;
+Json score_json(const Score& score) { return {{"passed", score.passed}, {"total", score.total}}; }
 
 Json row_json(const ScoreRow& row) {
   Json levels = Json::array();
-  for (const Score& score : row) {
-    levels.push_back({{"passed", score.passed}, {"total", score.total}});
+  for (const Score& score : std::span(row).first(row.size() - 1)) {
+    levels.push_back(score_json(score));
   }
-  return {{"levels", Json(levels.begin(), levels.end() - 1)}, {"all", levels.back()}};
+  return {{"levels", std::move(levels)}, {"all", score_json(row.back())}};
 }
 
 Json promise_json(const ConformanceReport& report) {
@@ -360,7 +359,7 @@ std::string conformance_badge(const ConformanceReport& report) {
                      fmt::arg("words", words));
 }
 
-nlohmann::ordered_json conformance_json(const ConformanceReport& report) {
+Json conformance_json(const ConformanceReport& report) {
   const ScoreMatrix matrix = matrix_of(report);
   Json flags = Json::object(), outcomes = Json::object(), reasons = Json::object();
   Json entries = Json::array();
@@ -368,7 +367,7 @@ nlohmann::ordered_json conformance_json(const ConformanceReport& report) {
   for (const Outcome outcome : kAllOutcomes) outcomes[name_of(outcome)] = 0;
   for (const ConformanceEntry& entry : report.entries) {
     Json& count = outcomes[name_of(entry.result.outcome())];
-    count = count.get<std::size_t>() + 1;
+    count = count.count() + 1;
     entries.push_back(entry_json(entry));
   }
   std::size_t not_run = 0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // conformance_report.hpp - how a program did on the vectors: as text, Markdown, JSON and a badge.
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "convexact/conform.hpp"
+#include "io/json_document.hpp"
 #include "io/names.hpp"
 
 namespace convexact {
@@ -20,7 +20,7 @@ inline constexpr auto kAsksNames = name_table<Asks>({{Asks::Enclosure, "enclosur
 /// The same as a Markdown document.
 [[nodiscard]] std::string conformance_markdown(const ConformanceReport& report);
 /// docs/schema/conformance.schema.json.
-[[nodiscard]] nlohmann::ordered_json conformance_json(const ConformanceReport& report);
+[[nodiscard]] Json conformance_json(const ConformanceReport& report);
 /// A small SVG: "convexact" and passed/total; green if the program conforms.
 [[nodiscard]] std::string conformance_badge(const ConformanceReport& report);
 

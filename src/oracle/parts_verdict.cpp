@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "io/json.hpp"
 #include "number/precision.hpp"
@@ -14,8 +13,6 @@
 
 namespace convexact {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // ---- JSON
 

@@ -11,6 +11,7 @@
 #include "io/text_cursor.hpp"
 #include "number/text.hpp"
 #include "oracle/facet_match.hpp"
+#include "simplify/cost_reader.hpp"
 #include "simplify/run_names.hpp"
 #include "simplify/trace_json.hpp"
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <unordered_map>
 
@@ -20,8 +19,6 @@
 
 namespace convexact {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // The halfspaces of the hull of a part's points; none if these span no volume.
 std::vector<Halfspace> hull_planes(const PointSet& points, const VerifyRequest& request) {
@@ -151,7 +148,7 @@ std::variant<SceneVerdict, NotSolidPart> verify_scene(const std::vector<SceneObj
   return verdict;
 }
 
-nlohmann::ordered_json scene_verdict_json(const SceneVerdict& verdict) {
+Json scene_verdict_json(const SceneVerdict& verdict) {
   Json parts = Json::array();
   bool violated = verdict.gaps && verdict.gaps->witness;
   for (const PartVerdict& part : verdict.parts) {

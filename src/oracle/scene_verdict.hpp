@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // scene_verdict.hpp - a candidate for each part of an input, and the gaps between the candidates.
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <variant>
@@ -9,6 +8,7 @@
 
 #include "convexact/simplify_scene.hpp"
 #include "convexact/verify.hpp"
+#include "io/json_document.hpp"
 
 namespace convexact {
 
@@ -61,7 +61,7 @@ struct SceneVerifyRequest {
     const std::vector<SceneObject>& input, const Candidate& candidate,
     const SceneVerifyRequest& request);
 
-[[nodiscard]] nlohmann::ordered_json scene_verdict_json(const SceneVerdict& verdict);
+[[nodiscard]] Json scene_verdict_json(const SceneVerdict& verdict);
 [[nodiscard]] std::string scene_verdict_text(const SceneVerdict& verdict);
 
 }  // namespace convexact

@@ -20,7 +20,6 @@ namespace convexact {
 namespace {
 
 using nlohmann::json;
-using nlohmann::ordered_json;
 
 // As in a list of halfspaces: integers and fractions are exact.
 Rational coefficient(const json& value, Decimal decimal) {
@@ -109,8 +108,8 @@ PartsRequest questions_to_parts(const json& request) {
   return asked;
 }
 
-ordered_json answer_about_parts(const json& request, PointSet points, Decimal decimal,
-                                std::optional<double> seconds) {
+Json answer_about_parts(const json& request, PointSet points, Decimal decimal,
+                        std::optional<double> seconds) {
   PartsRequest asked = questions_to_parts(request);
   Mesh input{std::move(points), {}, {}};
   if (request.contains("triangles")) {
@@ -125,7 +124,7 @@ ordered_json answer_about_parts(const json& request, PointSet points, Decimal de
   return parts_verdict_json(verdict);
 }
 
-ordered_json answer(const json& request, std::optional<double> time_limit) {
+Json answer(const json& request, std::optional<double> time_limit) {
   require_known_keys(request,
                      {"id", "points", "candidate", "claims", "tolerance", "tightness", "decimal",
                       "numbers", "max_facets", "max_vertices", "max_facet_vertices", "exact_facets",

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "convexact/number.hpp"
 #include "convexact/scene.hpp"
@@ -20,8 +19,6 @@ namespace convexact {
 namespace {
 
 // ---- JSON
-
-using Json = nlohmann::ordered_json;
 
 Json cost_json(const std::optional<Cost>& cost) {
   if (!cost) return nullptr;

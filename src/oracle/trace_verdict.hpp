@@ -2,10 +2,10 @@
 // trace_verdict.hpp - the verdict on a removal order, for machines
 // (docs/schema/trace_verdict.schema.json) and for people.
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "convexact/verify_run.hpp"
+#include "io/json_document.hpp"
 #include "io/names.hpp"
 
 namespace convexact {
@@ -38,7 +38,7 @@ inline const char* name_of(TraceRating rating) { return name_in(kTraceRatingName
 [[nodiscard]] std::string sentence(const ListedPlanes& listed);
 
 /// All steps with exact costs, of any length; without the stages.
-[[nodiscard]] nlohmann::ordered_json trace_verdict_json(const TraceVerdict& verdict);
+[[nodiscard]] Json trace_verdict_json(const TraceVerdict& verdict);
 
 /// The verdict, the violated claims with their witnesses, the worst steps, totals.
 [[nodiscard]] std::string trace_verdict_text(const TraceVerdict& verdict);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "convexact/number.hpp"
 #include "io/json.hpp"
@@ -16,8 +15,6 @@ namespace convexact {
 namespace {
 
 // ---- JSON
-
-using Json = nlohmann::ordered_json;
 
 Json distance_json(const Rational& squared, const Rational& squared_diameter) {
   Json json = {{"squared", to_string(squared)}, {"decimal", decimal_of_root(squared, kDigits)}};

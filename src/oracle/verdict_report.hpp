@@ -2,24 +2,23 @@
 // verdict_report.hpp - verdicts as JSON (docs/schema/verdict.schema.json) and as a table for
 // people.
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 
 #include "convexact/verify.hpp"
+#include "io/json_document.hpp"
 
 namespace convexact {
 
 /// {"verdict", "claims", "candidate", "outside", "tightness", "notes"}; numbers that are not
 /// doubles are strings, exact ones as fractions.
-[[nodiscard]] nlohmann::ordered_json verdict_json(const Verdict& verdict);
+[[nodiscard]] Json verdict_json(const Verdict& verdict);
 
 /// Whether a claim is violated, not only undecided.
 [[nodiscard]] bool is_violated(std::span<const Claim> claims);
 
 /// The claims with their witnesses, and what they come to: "verdict", "claims".
-[[nodiscard]] nlohmann::ordered_json claims_json(std::span<const Claim> claims,
-                                                 const Rational& squared_diameter);
+[[nodiscard]] Json claims_json(std::span<const Claim> claims, const Rational& squared_diameter);
 
 /// A line for each claim that was asked, and one with those that were not.
 [[nodiscard]] std::string claims_text(std::span<const Claim> claims);

@@ -7,12 +7,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <unordered_map>
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
+#include "io/json_document.hpp"
 #include "number/arithmetic.hpp"
 #include "number/text.hpp"
 #include "pages/page_parts.hpp"
@@ -193,12 +193,12 @@ std::string base64(const std::vector<Group>& groups) {
 }
 
 // 16-bit coordinates, and indices of 16 bits or, if "wide", 32. Points alone have no triangles.
-nlohmann::ordered_json geometry_json(const PictureLayer& layer, const DrawnLayer& drawn) {
+Json geometry_json(const PictureLayer& layer, const DrawnLayer& drawn) {
   const bool wide = drawn.points.size() > 65536;
   const auto indices = [wide](const auto& groups) {
     return wide ? base64<std::uint32_t>(groups) : base64<std::uint16_t>(groups);
   };
-  nlohmann::ordered_json json = {{"wide", wide}, {"points", base64<std::int16_t>(drawn.points)}};
+  Json json = {{"wide", wide}, {"points", base64<std::int16_t>(drawn.points)}};
   if (!layer.polygons.empty()) json["triangles"] = indices(drawn.triangles);
   if (layer.edges) json["edges"] = indices(drawn.edges);
   return json;
@@ -217,8 +217,8 @@ std::vector<GridPoint> grid_points(const PictureLayer& layer, const Frame& frame
 
 // The data that facets.js reads. Corners are not merged on the grid, so facets that share two are
 // neighbours.
-nlohmann::ordered_json facets_json(const PictureLayer& layer, const Frame& frame) {
-  nlohmann::ordered_json solids = nlohmann::ordered_json::array();
+Json facets_json(const PictureLayer& layer, const Frame& frame) {
+  Json solids = Json::array();
   auto polygon = layer.polygons.begin();
   for (const PictureSolid& solid : layer.solids) {
     const auto end = polygon + static_cast<std::ptrdiff_t>(solid.planes.size());
@@ -232,7 +232,7 @@ nlohmann::ordered_json facets_json(const PictureLayer& layer, const Frame& frame
 }
 
 // Every polygon as a fan, with the polygon of each triangle.
-nlohmann::ordered_json colored_json(const PictureLayer& layer, const Frame& frame) {
+Json colored_json(const PictureLayer& layer, const Frame& frame) {
   DrawnLayer drawn;
   drawn.points = grid_points(layer, frame);
   std::vector<std::array<std::uint32_t, 1>> polygon_of;
@@ -243,7 +243,7 @@ nlohmann::ordered_json colored_json(const PictureLayer& layer, const Frame& fram
       polygon_of.push_back({f});
     }
   }
-  nlohmann::ordered_json json = geometry_json(layer, drawn);
+  Json json = geometry_json(layer, drawn);
   json["polygonOf"] = base64<std::uint32_t>(polygon_of);
   if (!layer.heat.empty()) {
     std::vector<std::array<std::uint8_t, 1>> heat;
@@ -258,8 +258,8 @@ nlohmann::ordered_json colored_json(const PictureLayer& layer, const Frame& fram
 }
 
 // A layer as viewer.js reads it. "turning", if it is there, is a coarser geometry.
-nlohmann::ordered_json layer_json(const PictureLayer& layer, const Frame& frame) {
-  nlohmann::ordered_json json = {{"color", layer.color}, {"opacity", layer.opacity}};
+Json layer_json(const PictureLayer& layer, const Frame& frame) {
+  Json json = {{"color", layer.color}, {"opacity", layer.opacity}};
   if (layer.right) json["right"] = true;
   if (can_be_picked(layer)) json.update(facets_json(layer, frame));
   if (layer.has_colors() && layer.polygons.size() <= kMostDrawn) {
@@ -464,7 +464,7 @@ void PictureLayer::add_facet(const Polytope& solid, std::size_t facet) {
 
 std::string picture_html(const Picture& picture) {
   const Frame frame(picture.layers);
-  nlohmann::ordered_json layers = nlohmann::ordered_json::array();
+  Json layers = Json::array();
   std::string list;
   for (const PictureLayer& layer : picture.layers) {
     layers.push_back(layer_json(layer, frame));
@@ -475,7 +475,7 @@ std::string picture_html(const Picture& picture) {
                                  {"LAYERS", list},
                                  {"CONTROLS", control_list(picture.layers)},
                                  {"DRAWING", static_drawing(picture, frame)},
-                                 {"DATA", for_script_element(layers.dump())},
+                                 {"DATA", for_script_element(write_json(layers))},
                                  {"STYLE", kViewerStyle},
                                  {"LIBRARY", kThreeLibrary},
                                  {"FACETS", kFacetsScript},

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "io/json.hpp"
@@ -13,8 +12,6 @@
 
 namespace convexact {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json solid_json(const NamedPolytope& named) {
   return {{"name", named.name},

@@ -2,11 +2,11 @@
 // query_report.hpp - the answers to queries, as JSON (docs/schema/query.schema.json) and as text
 // for people.
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 
 #include "convexact/query.hpp"
+#include "io/json_document.hpp"
 
 namespace convexact {
 
@@ -17,21 +17,19 @@ struct NamedPolytope {
 };
 
 /// "overlap", and "witness" or "farkas" and "separating_plane".
-[[nodiscard]] nlohmann::ordered_json overlap_json(const NamedPolytope& a, const NamedPolytope& b,
-                                                  const Overlap& answer);
+[[nodiscard]] Json overlap_json(const NamedPolytope& a, const NamedPolytope& b,
+                                const Overlap& answer);
 [[nodiscard]] std::string overlap_text(const NamedPolytope& a, const NamedPolytope& b,
                                        const Overlap& answer);
 
 /// "rays", in the order of the file, and "hits", their number.
-[[nodiscard]] nlohmann::ordered_json rays_json(const NamedPolytope& a,
-                                               std::span<const RayAnswer> answers);
+[[nodiscard]] Json rays_json(const NamedPolytope& a, std::span<const RayAnswer> answers);
 /// A line for each ray.
 [[nodiscard]] std::string rays_text(const NamedPolytope& a, std::span<const RayAnswer> answers);
 
 /// "inside", the ball, and "lines", "planes" and "points", each if there are samples.
-[[nodiscard]] nlohmann::ordered_json false_positives_json(const NamedPolytope& a,
-                                                          const NamedPolytope& b,
-                                                          const FalsePositives& found);
+[[nodiscard]] Json false_positives_json(const NamedPolytope& a, const NamedPolytope& b,
+                                        const FalsePositives& found);
 /// A table.
 [[nodiscard]] std::string false_positives_text(const NamedPolytope& a, const NamedPolytope& b,
                                                const FalsePositives& found);

@@ -2,12 +2,12 @@
 // report.hpp - all measurements of a report, and the machine, as data.
 #pragma once
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "io/json_document.hpp"
 #include "report/run_times.hpp"
 #include "report/tightness_curve.hpp"
 #include "report/work_precision.hpp"
@@ -77,13 +77,12 @@ struct ReportOrigin {
 
 /// The whole report. Each figure has the command that makes it, where inputs are named without
 /// their folders.
-[[nodiscard]] nlohmann::ordered_json report_json(const ReportData& report,
-                                                 const ReportRequest& request,
-                                                 const ReportOrigin& origin);
+[[nodiscard]] Json report_json(const ReportData& report, const ReportRequest& request,
+                               const ReportOrigin& origin);
 
 /// Every number of a report_json() in a separate row: section, subject, parameter, way, quantity,
 /// value, unit. With a heading; a value that is not known is empty. RFC 4180.
-[[nodiscard]] std::string report_csv(const nlohmann::ordered_json& report);
+[[nodiscard]] std::string report_csv(const Json& report);
 
 /// A self-contained HTML page: no network, no further file. Its script draws the plots and writes
 /// the tables from the data that it carries, so the page shows exactly the data of the JSON.

@@ -14,8 +14,6 @@
 namespace convexact {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json number_or_null(const std::optional<double>& x) {
   return x ? value_or_null(*x) : Json(nullptr);
 }
@@ -238,12 +236,17 @@ std::string field(const std::string& bytes) {
   return escaped + "\"";
 }
 
-std::string value_text(const Json& json, const char* pointer) {
-  const Json::json_pointer place(pointer);
-  if (!json.contains(place) || json.at(place).is_null()) return {};
-  const Json& value = json.at(place);
-  if (value.is_string()) return value.get<std::string>();
-  return value.is_number_float() ? fmt::format("{}", value.get<double>()) : value.dump();
+// @param pointer  "/key", or "/key/key" for a member of a member.
+std::string value_text(const Json& json, std::string_view pointer) {
+  const Json* value = &json;
+  while (value != nullptr && !pointer.empty()) {
+    const std::size_t end = std::min(pointer.find('/', 1), pointer.size());
+    value = value->find(pointer.substr(1, end - 1));
+    pointer.remove_prefix(end);
+  }
+  if (value == nullptr || value->is_null()) return {};
+  if (value->is_string()) return value->text();
+  return value->is_double() ? fmt::format("{}", value->number()) : write_json(*value);
 }
 
 // CsvRows of one section and subject.
@@ -262,15 +265,15 @@ class CsvRows {
   }
   void add_ways(const std::string& parameter, const Json& precision) {
     for (const Json& way : precision.at("ways")) {
-      add(parameter, way.at("way"), way, kSeconds);
-      if (!way.at("seconds").is_null()) add(parameter, way.at("way"), way, kErrors);
+      add(parameter, way.at("way").text(), way, kSeconds);
+      if (!way.at("seconds").is_null()) add(parameter, way.at("way").text(), way, kErrors);
     }
   }
   void add_scaling(const Json& scaling) {
     for (const Json& series : scaling.at("series")) {
-      const std::string run = series.at("run"), counts = series.at("counts");
+      const std::string &run = series.at("run").text(), &counts = series.at("counts").text();
       for (const Json& point : series.at("points")) {
-        add(point.at("size").dump() + " " + counts, run, point, kSeconds);
+        add(write_json(point.at("size")) + " " + counts, run, point, kSeconds);
       }
       if (!series.at("law").is_null()) add("", run, series.at("law"), kLaw);
     }
@@ -282,16 +285,16 @@ class CsvRows {
 };
 
 void add_input_rows(std::string& csv, const Json& input) {
-  const std::string name = input.at("name");
+  const std::string& name = input.at("name").text();
   if (input.contains("precision")) CsvRows(csv, "precision", name).add_ways("", input["precision"]);
   if (input.contains("tightness")) {
     CsvRows rows(csv, "tightness", name);
-    std::string growth = "growth of " + input["tightness"].at("measure").get<std::string>();
+    std::string growth = "growth of " + input["tightness"].at("measure").text();
     std::replace(growth.begin(), growth.end(), '-', ' ');
     const Quantity tightness[] = {{"/growth", growth.c_str(), "relative"},
                                   {"/hausdorff", "Hausdorff distance", "diameters"}};
     for (const Json& point : input["tightness"].at("points")) {
-      const std::string faces = point.at("faces").dump() + " faces";
+      const std::string faces = write_json(point.at("faces")) + " faces";
       rows.add(faces, "filtered", point, tightness);
       rows.add(faces, "filtered", point, kSeconds);
     }
@@ -299,9 +302,9 @@ void add_input_rows(std::string& csv, const Json& input) {
   if (input.contains("stages")) {
     CsvRows rows(csv, "stages", name);
     for (const Json& run : input["stages"].at("runs")) {
-      rows.add("all", run.at("run"), run, kSeconds);
+      rows.add("all", run.at("run").text(), run, kSeconds);
       for (const Json& stage : run.at("stages")) {
-        rows.add(stage.at("name"), run.at("run"), stage, kSeconds);
+        rows.add(stage.at("name").text(), run.at("run").text(), stage, kSeconds);
       }
     }
   }
@@ -310,8 +313,8 @@ void add_input_rows(std::string& csv, const Json& input) {
 
 }  // namespace
 
-nlohmann::ordered_json report_json(const ReportData& report, const ReportRequest& request,
-                                   const ReportOrigin& origin) {
+Json report_json(const ReportData& report, const ReportRequest& request,
+                 const ReportOrigin& origin) {
   const Commands commands(request);
   Json inputs = Json::array(), families = Json::array();
   for (const InputReport& input : report.inputs) inputs.push_back(input_json(input, commands));
@@ -347,11 +350,10 @@ std::string report_csv(const Json& report) {
   if (report.contains("spheres")) CsvRows(csv, "scaling", "sphere").add_scaling(report["spheres"]);
   if (!report.contains("stability")) return csv;
   for (const Json& family : report["stability"]) {
-    CsvRows rows(csv, "stability", family.at("family"));
+    CsvRows rows(csv, "stability", family.at("family").text());
     for (const Json& point : family.at("points")) {
       if (!point.contains("ways")) continue;
-      rows.add_ways(family.at("parameter").get<std::string>() + " " + value_text(point, "/value"),
-                    point);
+      rows.add_ways(family.at("parameter").text() + " " + value_text(point, "/value"), point);
     }
   }
   return csv;

@@ -2,7 +2,6 @@
 #include "scene/decompose_report.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "io/json.hpp"
 #include "io/names.hpp"
@@ -15,7 +14,6 @@
 
 namespace convexact {
 namespace {
-using OrderedJson = nlohmann::ordered_json;
 
 constexpr auto kPartFormNames = name_table<PartForm>({{PartForm::Hull, "hull"},
                                                       {PartForm::Rounded, "rounded"},
@@ -60,15 +58,15 @@ std::size_t merges_beyond(const Clustering& clustering) {
 
 // ---- JSON
 
-OrderedJson limit_json(const ConcavityLimit& limit, const Decomposition& decomposition) {
-  OrderedJson json = {{limit.is_share ? "share" : "length", to_string(limit.value)}};
+Json limit_json(const ConcavityLimit& limit, const Decomposition& decomposition) {
+  Json json = {{limit.is_share ? "share" : "length", to_string(limit.value)}};
   json["squared"] = to_string(decomposition.squared_limit());
   json["bounds"] = interval_json(enclosed_root_of(decomposition.squared_limit()));
   return json;
 }
 
-OrderedJson method_json(const DecomposeRequest& request) {
-  OrderedJson json = {{"method", name_in(kDecomposeMethodNames, request.method)}};
+Json method_json(const DecomposeRequest& request) {
+  Json json = {{"method", name_in(kDecomposeMethodNames, request.method)}};
   if (request.method == DecomposeMethod::Hacd) {
     json["measure"] = name_in(kConcavityMeasureNames, request.measure);
     json["engine"] = name_of(request.engine);
@@ -88,8 +86,8 @@ const char* stop_name(const Decomposition& decomposition) {
              : "concavity";
 }
 
-OrderedJson vertices_json(const PointSet& points, bool as_fractions) {
-  OrderedJson vertices = OrderedJson::array();
+Json vertices_json(const PointSet& points, bool as_fractions) {
+  Json vertices = Json::array();
   for (const Point& p : points.doubles()) {
     if (as_fractions) {
       vertices.push_back(vector_json(to_rational(p)));
@@ -109,7 +107,7 @@ const char* status_name(const Part& part) {
                  part.is_unsplittable ? LeafStatus::Unsplittable : LeafStatus::MaxParts);
 }
 
-OrderedJson concavity_json(const Concavity& concavity, const Rational& squared_diameter) {
+Json concavity_json(const Concavity& concavity, const Rational& squared_diameter) {
   const Enclosure length = enclosed_root_of(concavity.squared);
   return {{"squared", to_string(concavity.squared)},
           {"bounds", interval_json(length)},
@@ -119,18 +117,17 @@ OrderedJson concavity_json(const Concavity& concavity, const Rational& squared_d
           {"leaves", vector_json(concavity.leaves)}};
 }
 
-OrderedJson part_entry(const Decomposition& decomposition, std::size_t number,
-                       const std::string& name, DecompositionDetail detail) {
+Json part_entry(const Decomposition& decomposition, std::size_t number, const std::string& name,
+                DecompositionDetail detail) {
   const Part& part = decomposition.parts[number];
-  OrderedJson json = {
-      {"name", name},
-      {"form", name_in(kPartFormNames, part.form)},
-      {"dimension", part.hull.dimension},
-      {"triangles", part.owns.size()},
-      {"corners", part.mesh.points.size()},
-      {"facets", part.faces},
-      {"status", status_name(part)},
-      {"concavity", concavity_json(part.concavity, decomposition.squared_diameter())}};
+  Json json = {{"name", name},
+               {"form", name_in(kPartFormNames, part.form)},
+               {"dimension", part.hull.dimension},
+               {"triangles", part.owns.size()},
+               {"corners", part.mesh.points.size()},
+               {"facets", part.faces},
+               {"status", status_name(part)},
+               {"concavity", concavity_json(part.concavity, decomposition.squared_diameter())}};
   if (const auto& least = part.least_squared_concavity) {
     json["least_concavity"] = {{"squared", to_string(*least)},
                                {"bounds", interval_json(enclosed_root_of(*least))}};
@@ -152,17 +149,17 @@ std::vector<std::uint32_t> first_clusters(const Clustering& clustering, std::siz
 }
 
 // First the clusters of the start, by their lowest triangles, then one for each merge.
-OrderedJson forest_json(const Decomposition& decomposition, const Clustering& clustering) {
+Json forest_json(const Decomposition& decomposition, const Clustering& clustering) {
   const std::vector<std::uint32_t> lowest =
       first_clusters(clustering, decomposition.surface.triangles.size());
   std::vector<std::vector<std::uint32_t>> triangles(lowest.size());
   for (std::size_t t = 0; t < lowest.size(); ++t) {
     triangles[lowest[t]].push_back(static_cast<std::uint32_t>(t));
   }
-  OrderedJson nodes = OrderedJson::array();
+  Json nodes = Json::array();
   std::vector<std::size_t> node_of(lowest.size());  // by the lowest triangle of a cluster
   std::vector<bool> is_root(lowest.size());
-  const auto add = [&](std::size_t cluster, const char* key, OrderedJson value) {
+  const auto add = [&](std::size_t cluster, const char* key, Json value) {
     node_of[cluster] = nodes.size();
     nodes.push_back({{"node", nodes.size()}, {"parent", nullptr}, {"part", nullptr}});
     nodes.back()[key] = std::move(value);
@@ -187,18 +184,18 @@ OrderedJson forest_json(const Decomposition& decomposition, const Clustering& cl
 
 // Every node, first the roots, then the children of each split; of a leaf its triangles and its
 // part, of a split its notch and its plane.
-OrderedJson split_tree_json(const Decomposition& decomposition, const SplitTree& tree) {
-  OrderedJson nodes = OrderedJson::array();
+Json split_tree_json(const Decomposition& decomposition, const SplitTree& tree) {
+  Json nodes = Json::array();
   for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
     nodes.push_back({{"node", n}, {"parent", or_null(tree.nodes[n].parent)}, {"part", nullptr}});
   }
   for (const SplitLeaf& leaf : tree.leaves) {
-    OrderedJson& node = nodes[leaf.node];
+    Json& node = nodes[leaf.node];
     node["part"] = decomposition.owner[leaf.triangles.front().index()];
     node["triangles"] = leaf.triangles;
   }
   for (const Split& split : tree.splits) {
-    OrderedJson& node = nodes[split.node];
+    Json& node = nodes[split.node];
     node["children"] = tree.nodes[split.node].children;
     node["notch"] = vector_json(decomposition.surface.points[split.edge[0]]);
     node["plane"] = plane_json(split.plane);
@@ -206,7 +203,7 @@ OrderedJson split_tree_json(const Decomposition& decomposition, const SplitTree&
   return nodes;
 }
 
-OrderedJson merges_json(const Clustering& clustering) {
+Json merges_json(const Clustering& clustering) {
   return {{"count", clustering.merges.size()},
           {"beyond_eps", merges_beyond(clustering)},
           {"ties", ties_json(ties_of(clustering))},
@@ -214,7 +211,7 @@ OrderedJson merges_json(const Clustering& clustering) {
           {"exact_evaluations", clustering.exact_evaluations}};
 }
 
-OrderedJson splits_json(const SplitTree& tree) {
+Json splits_json(const SplitTree& tree) {
   std::size_t refused = 0;
   for (const Split& split : tree.splits) refused += split.refused;
   return {{"count", tree.splits.size()},
@@ -224,16 +221,16 @@ OrderedJson splits_json(const SplitTree& tree) {
           {"unsplittable", count_leaves(tree, LeafStatus::Unsplittable)}};
 }
 
-OrderedJson measured_or_null(const std::optional<Measured>& x) {
-  return x ? interval_json(*x) : OrderedJson(nullptr);
+Json measured_or_null(const std::optional<Measured>& x) {
+  return x ? interval_json(*x) : Json(nullptr);
 }
 
 }  // namespace
 
-OrderedJson decomposition_json(const Decomposition& decomposition, const DecomposeRequest& request,
-                               std::span<const std::string> names, DecompositionDetail detail) {
+Json decomposition_json(const Decomposition& decomposition, const DecomposeRequest& request,
+                        std::span<const std::string> names, DecompositionDetail detail) {
   const auto* clustering = std::get_if<Clustering>(&decomposition.origin);
-  OrderedJson json = {{"decomposition", 1}};
+  Json json = {{"decomposition", 1}};
   json.update(method_json(request));
   json["concavity"] = limit_json(request.limit, decomposition);
   json["max_parts"] = or_null(request.max_parts);
@@ -256,13 +253,13 @@ OrderedJson decomposition_json(const Decomposition& decomposition, const Decompo
     json["union"] = interval_json(measures->union_volume);
     json["overlap"] = interval_json(measures->overlap_volume);
   }
-  OrderedJson inner = OrderedJson::array();
+  Json inner = Json::array();
   for (const InnerCluster& cluster : decomposition.inner) {
     inner.push_back({{"triangle", cluster.lowest}, {"part", cluster.part}});
   }
   json["inner"] = std::move(inner);
   json["flat_merged"] = decomposition.flat_merged;
-  OrderedJson parts = OrderedJson::array();
+  Json parts = Json::array();
   for (std::size_t k = 0; k < decomposition.parts.size(); ++k) {
     parts.push_back(part_entry(decomposition, k, names[k], detail));
   }
@@ -275,17 +272,17 @@ OrderedJson decomposition_json(const Decomposition& decomposition, const Decompo
   return json;
 }
 
-OrderedJson decomposition_json(std::span<const DecomposedObject> objects,
-                               const DecomposeRequest& request, DecompositionDetail detail) {
+Json decomposition_json(std::span<const DecomposedObject> objects, const DecomposeRequest& request,
+                        DecompositionDetail detail) {
   if (objects.size() == 1) {
     return decomposition_json(objects[0].result, request, objects[0].part_names, detail);
   }
   bool holds = true;
-  OrderedJson parts = OrderedJson::array(), list = parts;
+  Json parts = Json::array(), list = parts;
   for (std::size_t k = 0; k < objects.size(); ++k) {
-    OrderedJson entry = {{"name", objects[k].name}};
+    Json entry = {{"name", objects[k].name}};
     entry.update(decomposition_json(objects[k].result, request, objects[k].part_names, detail));
-    for (const OrderedJson& part : entry["parts"]) {
+    for (const Json& part : entry["parts"]) {
       parts.push_back({{"name", part["name"]}, {"object", k}});
       parts.back().update(part);
     }

@@ -2,12 +2,12 @@
 // decompose_report.hpp - a decomposition for machines (docs/schema/decompose.schema.json), as a
 // trace (docs/schema/decompose-trace.schema.json, decompose-acd-trace.schema.json), and for people.
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "convexact/decompose.hpp"
+#include "io/json_document.hpp"
 #include "io/names.hpp"
 
 namespace convexact {
@@ -25,10 +25,10 @@ enum class DecompositionDetail {
 
 /// A decomposition and how it came about, without stages.
 /// @param names  Of the parts.
-[[nodiscard]] nlohmann::ordered_json decomposition_json(const Decomposition& decomposition,
-                                                        const DecomposeRequest& request,
-                                                        std::span<const std::string> names,
-                                                        DecompositionDetail detail);
+[[nodiscard]] Json decomposition_json(const Decomposition& decomposition,
+                                      const DecomposeRequest& request,
+                                      std::span<const std::string> names,
+                                      DecompositionDetail detail);
 
 /// A decomposition of one object of a scene, and the names of its parts.
 struct DecomposedObject {
@@ -39,18 +39,16 @@ struct DecomposedObject {
 
 /// Of one object the same; of several their documents under "objects", and all parts together under
 /// "parts", each with the number of its object.
-[[nodiscard]] nlohmann::ordered_json decomposition_json(std::span<const DecomposedObject> objects,
-                                                        const DecomposeRequest& request,
-                                                        DecompositionDetail detail);
+[[nodiscard]] Json decomposition_json(std::span<const DecomposedObject> objects,
+                                      const DecomposeRequest& request, DecompositionDetail detail);
 
 /// The concavity allowed.
-[[nodiscard]] nlohmann::ordered_json limit_json(const ConcavityLimit& limit,
-                                                const Decomposition& decomposition);
+[[nodiscard]] Json limit_json(const ConcavityLimit& limit, const Decomposition& decomposition);
 /// Doubles; of an input with fractions the fractions that they are, which mean the same to a reader
 /// that takes decimals as they are spelled.
-[[nodiscard]] nlohmann::ordered_json vertices_json(const PointSet& points, bool as_fractions);
+[[nodiscard]] Json vertices_json(const PointSet& points, bool as_fractions);
 /// The method and its options.
-[[nodiscard]] nlohmann::ordered_json method_json(const DecomposeRequest& request);
+[[nodiscard]] Json method_json(const DecomposeRequest& request);
 /// What ended the run.
 [[nodiscard]] const char* stop_name(const Decomposition& decomposition);
 

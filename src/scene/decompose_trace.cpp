@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A decomposition as a trace: every merge, or every split.
-#include <nlohmann/json.hpp>
 
 #include "io/json.hpp"
 #include "scene/decompose_options.hpp"
@@ -10,16 +9,14 @@
 namespace convexact {
 namespace {
 
-using OrderedJson = nlohmann::ordered_json;
-
 // What every trace begins with: the question, and the surface.
-OrderedJson trace_head(const Decomposition& decomposition, const DecomposeRequest& request) {
+Json trace_head(const Decomposition& decomposition, const DecomposeRequest& request) {
   const Surface& surface = decomposition.surface;
-  OrderedJson points = OrderedJson::array();
+  Json points = Json::array();
   for (std::size_t k = 0; k < surface.points.size(); ++k) {
     points.push_back(vector_json(surface.points[PointId(k)]));
   }
-  OrderedJson json = {{"decompose_trace", 1}};
+  Json json = {{"decompose_trace", 1}};
   json.update(method_json(request));
   json["orient"] = name_in(kOrientationNames, request.orient);
   json["concavity"] = limit_json(request.limit, decomposition);
@@ -32,15 +29,15 @@ OrderedJson trace_head(const Decomposition& decomposition, const DecomposeReques
   return json;
 }
 
-OrderedJson merge_entries(const Clustering& clustering) {
-  OrderedJson merges = OrderedJson::array();
+Json merge_entries(const Clustering& clustering) {
+  Json merges = Json::array();
   for (const Merge& merge : clustering.merges) {
-    OrderedJson entry = {{"kept", merge.kept},
-                         {"gone", merge.gone},
-                         {"squared_concavity", or_null(merge.squared_concavity)},
-                         {"cost", nullptr},
-                         {"ties", merge.ties},
-                         {"beyond_limit", merge.beyond_limit}};
+    Json entry = {{"kept", merge.kept},
+                  {"gone", merge.gone},
+                  {"squared_concavity", or_null(merge.squared_concavity)},
+                  {"cost", nullptr},
+                  {"ties", merge.ties},
+                  {"beyond_limit", merge.beyond_limit}};
     if (merge.cost) entry["cost"] = bounds_json(*merge.cost);
     entry.update(tie_json(merge.tie_evidence, "tie"));
     merges.push_back(std::move(entry));
@@ -48,8 +45,8 @@ OrderedJson merge_entries(const Clustering& clustering) {
   return merges;
 }
 
-OrderedJson association_json(const Association& association) {
-  OrderedJson paths = OrderedJson::array();
+Json association_json(const Association& association) {
+  Json paths = Json::array();
   for (const BridgePath& path : association.paths) {
     paths.push_back({{"bridges", path.bridges},
                      {"points", path.points},
@@ -63,8 +60,8 @@ OrderedJson association_json(const Association& association) {
 }
 
 // Every node with the bridges over it, and every split with the triangles that go.
-OrderedJson nodes_and_splits(const SplitTree& tree) {
-  OrderedJson nodes = OrderedJson::array(), splits = nodes;
+Json nodes_and_splits(const SplitTree& tree) {
+  Json nodes = Json::array(), splits = nodes;
   for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
     const SplitNode& node = tree.nodes[n];
     nodes.push_back({{"node", n},
@@ -99,7 +96,7 @@ OrderedJson nodes_and_splits(const SplitTree& tree) {
 
 std::string write_decompose_trace(const Decomposition& decomposition,
                                   const DecomposeRequest& request) {
-  OrderedJson json = trace_head(decomposition, request);
+  Json json = trace_head(decomposition, request);
   if (const auto* clustering = std::get_if<Clustering>(&decomposition.origin)) {
     json["merges"] = merge_entries(*clustering);
   } else {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
@@ -57,7 +56,7 @@ void prove_mesh(const std::string& bytes, const std::string& path, MeshFormat fo
 
 }  // namespace
 
-nlohmann::ordered_json inner_json(const InnerResult& result) {
+Json inner_json(const InnerResult& result) {
   // A lower bound, so that it never reads as more than was kept.
   const Enclosure ratio = result.output_volume.bounds / result.input_volume.bounds;
   return {{"inner", true},

@@ -2,16 +2,16 @@
 // inner_report.hpp - the result of an inner run as JSON (docs/schema/inner.schema.json), as text
 // for people, and as files that are proven from their bytes.
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 
 #include "convexact/inner.hpp"
+#include "io/json_document.hpp"
 
 namespace convexact {
 
 /// One result without its stages.
-[[nodiscard]] nlohmann::ordered_json inner_json(const InnerResult& result);
+[[nodiscard]] Json inner_json(const InnerResult& result);
 /// A few lines: what was found, how much of the volume is kept, what was verified.
 [[nodiscard]] std::string summary(const InnerResult& result);
 

@@ -15,7 +15,6 @@
 namespace convexact {
 
 using nlohmann::json;
-using nlohmann::ordered_json;
 
 void reject_request(const std::string& expected) {
   throw Error(ErrorCode::Malformed, "expected " + expected);
@@ -105,8 +104,8 @@ void report_time_limit(const char* sought, double seconds) {
               fmt::format("no {} within the time limit of {} s", sought, seconds));
 }
 
-ordered_json not_solid_answer(const NotSolid& reason) {
-  ordered_json error = error_json(Error(ErrorCode::NoInterior, describe(reason)));
+Json not_solid_answer(const NotSolid& reason) {
+  Json error = error_json(Error(ErrorCode::NoInterior, describe(reason)));
   error["proof"] = proof_json(reason);
   return {{"error", error}};
 }
@@ -128,7 +127,7 @@ std::string with_id(const json& request, const std::string& body) {
 
 // Invalid UTF-8 in a message is replaced, so that a line is always JSON.
 std::string failure_text(const Error& error) {
-  return write_json(ordered_json{{"error", error_json(error)}});
+  return write_json(Json{{"error", error_json(error)}});
 }
 
 void require_simple_id(const json& request) {

@@ -17,6 +17,7 @@
 #include "convexact/number.hpp"
 #include "convexact/point_set.hpp"
 #include "convexact/scene.hpp"
+#include "io/json_document.hpp"
 #include "io/names.hpp"
 
 namespace convexact {
@@ -100,7 +101,7 @@ auto in_time(std::optional<double> seconds, const char* sought, const Find& find
 }
 
 /// {"error": ...} with the proof that the input encloses no volume.
-[[nodiscard]] nlohmann::ordered_json not_solid_answer(const NotSolid& reason);
+[[nodiscard]] Json not_solid_answer(const NotSolid& reason);
 
 /// Answers a line with one line, without its line end: the request's id, then the text that
 /// `answer` returns for the request, which is an object with a key, on one line. Each Error is an

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/simplify_report.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "convexact/number.hpp"
 #include "io/json.hpp"
 #include "number/precision.hpp"
@@ -12,8 +10,6 @@
 
 namespace convexact {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json stored_json(const std::string& format, const Growth& growth, std::size_t violations) {
   return {{"format", format},

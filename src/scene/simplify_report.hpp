@@ -2,11 +2,11 @@
 // simplify_report.hpp - what a run or a hull found: for machines (docs/schema/result.schema.json)
 // and for people.
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "convexact/simplify.hpp"
 #include "convexact/simplify_scene.hpp"
+#include "io/json_document.hpp"
 #include "io/names.hpp"
 
 namespace convexact {
@@ -17,11 +17,11 @@ inline constexpr auto kSearchKindNames = name_table<SearchKind>({{SearchKind::No
                                                                  {SearchKind::Optimal, "optimal"}});
 
 /// One result without its stages.
-[[nodiscard]] nlohmann::ordered_json result_json(const SimplifyResult& result);
+[[nodiscard]] Json result_json(const SimplifyResult& result);
 /// All parts of a scene together, without stages.
-[[nodiscard]] nlohmann::ordered_json totals_json(const SceneTotals& totals, const Gaps& gaps);
-[[nodiscard]] nlohmann::ordered_json gaps_json(const Gaps& gaps);
-[[nodiscard]] nlohmann::ordered_json hull_json(const HullResult& result, int digits);
+[[nodiscard]] Json totals_json(const SceneTotals& totals, const Gaps& gaps);
+[[nodiscard]] Json gaps_json(const Gaps& gaps);
+[[nodiscard]] Json hull_json(const HullResult& result, int digits);
 
 /// A few lines: what was found, how tight it is, what was verified, how far it was pushed.
 [[nodiscard]] std::string summary(const SimplifyResult& result);

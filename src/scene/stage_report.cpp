@@ -4,16 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "io/json.hpp"
 #include "number/text.hpp"
 
 namespace convexact {
-
-namespace {
-using Json = nlohmann::ordered_json;
-}  // namespace
 
 Json stages_json(const std::vector<Stage>& stages) {
   Json list = Json::array();

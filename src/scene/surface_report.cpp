@@ -3,15 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "io/json.hpp"
 #include "number/text.hpp"
 
 namespace convexact {
 
-nlohmann::ordered_json interval_json(const Measured& x) {
-  nlohmann::ordered_json json = bounds_json(x.bounds);
+Json interval_json(const Measured& x) {
+  Json json = bounds_json(x.bounds);
   if (x.exact) {
     json["decimal"] = to_decimal(*x.exact, kDigits);
     json["exact"] = to_string(*x.exact);
@@ -21,9 +19,7 @@ nlohmann::ordered_json interval_json(const Measured& x) {
   return json;
 }
 
-nlohmann::ordered_json interval_json(const Enclosure& x) {
-  return interval_json(Measured{x, std::nullopt});
-}
+Json interval_json(const Enclosure& x) { return interval_json(Measured{x, std::nullopt}); }
 
 std::string interval_text(const Enclosure& x) {
   constexpr int kFew = 4;
@@ -46,7 +42,7 @@ std::string share_text(const Enclosure& part, const Enclosure& whole) {
   return " (" + percent_text(percent) + ")";
 }
 
-nlohmann::ordered_json surface_json(const Surface& surface) {
+Json surface_json(const Surface& surface) {
   std::size_t border_edges = 0, branching_edges = 0, turned = 0, reversed = 0, twisted = 0;
   for (const SurfaceComponent& component : surface.components) {
     border_edges += component.border_edges;

@@ -9,7 +9,8 @@
 #include "convexact/io.hpp"
 #include "convexact/parts.hpp"
 #include "convexact/stored.hpp"
-#include "io/json.hpp"
+#include "io/json_document.hpp"
+#include "io/json_text.hpp"
 #include "number/text.hpp"
 #include "scene/objects.hpp"
 
@@ -62,15 +63,15 @@ std::string proven_parts_obj(std::span<const WrittenPart> parts, const std::stri
   return bytes;
 }
 
-std::string proven_parts_json(const nlohmann::ordered_json& document,
-                              std::span<const WrittenPart> parts, const std::string& path) {
+std::string proven_parts_json(const Json& document, std::span<const WrittenPart> parts,
+                              const std::string& path) {
   std::string bytes = write_lines(document);
   require_parts(bytes, path, parts);
   const nlohmann::json read = nlohmann::json::parse(bytes);
   for (std::size_t k = 0; k < parts.size(); ++k) {
     std::vector<Halfspace> halfspaces;
     for (const auto& halfspace : read.at("parts").at(k).at("halfspaces")) {
-      halfspaces.push_back(nlohmann::adl_serializer<Halfspace>::from_json(halfspace));
+      halfspaces.push_back(halfspace.get<Halfspace>());
     }
     if (halfspaces.size() < 4) {
       reject_bytes(path, "has no solid under the halfspaces of " + in_quotes(parts[k].name));

@@ -2,12 +2,12 @@
 // written_parts.hpp - the files of a decomposition: read back from their bytes, each part holds
 // every triangle that it owns.
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "convexact/decompose.hpp"
+#include "io/json_document.hpp"
 #include "scene/decompose_report.hpp"
 
 namespace convexact {
@@ -36,7 +36,7 @@ void require_held(const std::string& path, const WrittenPart& written,
 /// A document with these parts under "parts", each with "vertices" and "halfspaces".
 /// @throws Error as proven_parts_obj(); both the hull of the vertices and the halfspaces must hold
 ///               what a part owns.
-[[nodiscard]] std::string proven_parts_json(const nlohmann::ordered_json& document,
+[[nodiscard]] std::string proven_parts_json(const Json& document,
                                             std::span<const WrittenPart> parts,
                                             const std::string& path);
 

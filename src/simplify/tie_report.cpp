@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "number/text.hpp"
@@ -11,15 +10,15 @@
 
 namespace convexact {
 
-nlohmann::ordered_json tie_json(const TieEvidence& evidence, const char* key) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+Json tie_json(const TieEvidence& evidence, const char* key) {
+  Json json = Json::object();
   if (evidence.proof) json[key] = name_of(*evidence.proof);
   if (evidence.proof == TieProof::Undecided) json["bits"] = evidence.bits;
   return json;
 }
 
-nlohmann::ordered_json ties_json(const TieTally& ties) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+Json ties_json(const TieTally& ties) {
+  Json json = Json::object();
   for (const auto& [proof, name] : kTieProofNames) {
     const std::size_t steps = ties.steps[static_cast<std::size_t>(proof)];
     if (steps > 0) json[name] = steps;

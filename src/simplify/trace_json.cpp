@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "simplify/trace_json.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "io/json.hpp"
@@ -13,11 +11,9 @@
 namespace convexact {
 namespace {
 
-using nlohmann::ordered_json;
-
 // The number without loss: a fraction, or the terms of a sum.
-void add_exactly(ordered_json& object, const Cost& cost) {
-  ordered_json terms = ordered_json::array();
+void add_exactly(Json& object, const Cost& cost) {
+  Json terms = Json::array();
   switch (cost.measure()) {
     case CostMeasure::Volume:
       object["exact"] = to_string(cost.rational());
@@ -41,89 +37,19 @@ void add_exactly(ordered_json& object, const Cost& cost) {
 
 }  // namespace
 
-ordered_json cost_json(const Cost& cost) {
+Json cost_json(const Cost& cost) {
   const Rational near =
       cost.measure() == CostMeasure::Volume ? cost.rational() : cost.enclose(kMeasureBits).low();
   const double value = to_double(near, Rounding::Nearest);
-  ordered_json object = {{"value", value_or_null(value)}, {"decimal", cost.decimal(kDigits)}};
+  Json object = {{"value", value_or_null(value)}, {"decimal", cost.decimal(kDigits)}};
   add_exactly(object, cost);
   return object;
 }
 
 namespace {
 
-[[noreturn]] void reject(const char* expected) {
-  throw Error(ErrorCode::Malformed, std::string("expected ") + expected);
-}
-
-// An entry of a term; `expected` describes the whole term.
-Rational number_in(const nlohmann::json& entry, const char* expected) {
-  if (!entry.is_string()) reject(expected);
-  try {
-    return parse_rational(entry.get_ref<const std::string&>());
-  } catch (const Error&) {
-    reject(expected);
-  }
-}
-
-Integer integer_in(const nlohmann::json& entry, const char* expected) {
-  const Rational x = number_in(entry, expected);
-  if (denominator(x) != 1) reject(expected);
-  return numerator(x);
-}
-
-RootSum roots_in(const nlohmann::json& list) {
-  constexpr const char* kExpected = "the roots as [q, N] in strings, N > 0 an integer";
-  if (!list.is_array()) reject(kExpected);
-  std::vector<RootTerm> terms;
-  for (const nlohmann::json& term : list) {
-    if (!term.is_array() || term.size() != 2) reject(kExpected);
-    terms.push_back({number_in(term[0], kExpected), integer_in(term[1], kExpected)});
-    if (terms.back().radicand <= 0) reject(kExpected);
-  }
-  return RootSum(std::move(terms));
-}
-
-AngleSum edges_in(const nlohmann::json& list) {
-  constexpr const char* kExpected =
-      "the edges as [f, L, C, D] in strings, L, C >= 0, C and D integers that are not both 0";
-  if (!list.is_array()) reject(kExpected);
-  std::vector<AngleTerm> terms;
-  for (const nlohmann::json& term : list) {
-    if (!term.is_array() || term.size() != 4) reject(kExpected);
-    const AngleTerm& edge = terms.emplace_back(
-        AngleTerm{number_in(term[0], kExpected), number_in(term[1], kExpected),
-                  integer_in(term[2], kExpected), integer_in(term[3], kExpected)});
-    if (edge.squared_length < 0 || edge.squared_cross < 0 ||
-        (edge.squared_cross == 0 && edge.dot == 0)) {
-      reject(kExpected);
-    }
-  }
-  return AngleSum(std::move(terms));
-}
-
-}  // namespace
-
-std::optional<Cost> cost_in_json(const nlohmann::json& object, CostMeasure measure) {
-  switch (measure) {
-    case CostMeasure::Volume:
-      if (!object.contains("exact")) return std::nullopt;
-      if (!object["exact"].is_string()) reject("the exact cost as a string");
-      return Cost(number_in(object["exact"], "the exact cost as p or p/q"));
-    case CostMeasure::Area:
-      if (!object.contains("roots")) return std::nullopt;
-      return Cost(roots_in(object["roots"]));
-    case CostMeasure::MeanWidth:
-      break;
-  }
-  if (!object.contains("edges")) return std::nullopt;
-  return Cost(edges_in(object["edges"]));
-}
-
-namespace {
-
-ordered_json step_json(const Step& step) {
-  ordered_json object = {
+Json step_json(const Step& step) {
+  Json object = {
       {"removed", step.removed}, {"cost", cost_json(step.cost.value())}, {"tie", step.tie},
       {"ring", step.ring},       {"triangles", step.triangles},          {"left", step.left}};
   object.update(tie_json(step.tie_evidence));
@@ -132,8 +58,8 @@ ordered_json step_json(const Step& step) {
 
 }  // namespace
 
-ordered_json moves_json(const std::vector<Move>& moves) {
-  ordered_json list = ordered_json::array();
+Json moves_json(const std::vector<Move>& moves) {
+  Json list = Json::array();
   for (const Move& move : moves) {
     list.push_back({{"removed", move.removed},
                     {"inserted", move.inserted},
@@ -143,30 +69,30 @@ ordered_json moves_json(const std::vector<Move>& moves) {
 }
 
 std::string write_trace_json(const Run& run) {
-  ordered_json halfspaces = ordered_json::array(), steps = ordered_json::array();
+  Json halfspaces = Json::array(), steps = Json::array();
   for (const Halfspace& halfspace : run.halfspaces) halfspaces.push_back(plane_json(halfspace));
   for (const Step& step : run.steps) steps.push_back(step_json(step));
-  ordered_json document = {{"version", kTraceVersion},
-                           {"measure", name_of(run.measure)},
-                           {"halfspaces", std::move(halfspaces)},
-                           {"steps", std::move(steps)},
-                           {"stop", name_of(run.stop)}};
+  Json document = {{"version", kTraceVersion},
+                   {"measure", name_of(run.measure)},
+                   {"halfspaces", std::move(halfspaces)},
+                   {"steps", std::move(steps)},
+                   {"stop", name_of(run.stop)}};
   if (!run.kept.empty()) document["kept"] = run.kept;
   if (!run.moves.empty()) document["moves"] = moves_json(run.moves);
   return write_json(document) + "\n";
 }
 
 std::string write_inner_trace_json(const VertexHull& start, const InnerRun& run) {
-  ordered_json vertices = ordered_json::array(), steps = vertices;
+  Json vertices = Json::array(), steps = vertices;
   for (std::size_t v = 0; v < start.ids.size(); ++v) {
     vertices.push_back({{"point", start.ids[v]}, {"at", vector_json(start.points[PointId(v)])}});
   }
   for (const Step& step : run.steps) steps.push_back(step_json(step));
-  const ordered_json document = {{"inner_trace", 1},
-                                 {"vertices", std::move(vertices)},
-                                 {"triangles", start.triangles},
-                                 {"steps", std::move(steps)},
-                                 {"stop", name_of(run.stop)}};
+  const Json document = {{"inner_trace", 1},
+                         {"vertices", std::move(vertices)},
+                         {"triangles", start.triangles},
+                         {"steps", std::move(steps)},
+                         {"stop", name_of(run.stop)}};
   return write_json(document) + "\n";
 }
 

@@ -2,14 +2,13 @@
 // trace_json.hpp - a run as JSON text (a trace), with enough data for another program to replay
 // every step.
 #pragma once
-#include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "convexact/cost.hpp"
 #include "convexact/inner_run.hpp"
 #include "convexact/run.hpp"
+#include "io/json_document.hpp"
 
 namespace convexact {
 
@@ -17,15 +16,10 @@ namespace convexact {
 inline constexpr int kTraceVersion = 2;
 
 /// A cost as a trace has it, see write_trace_json().
-[[nodiscard]] nlohmann::ordered_json cost_json(const Cost& cost);
+[[nodiscard]] Json cost_json(const Cost& cost);
 
 /// Moves as a trace has them, see write_trace_json().
-[[nodiscard]] nlohmann::ordered_json moves_json(const std::vector<Move>& moves);
-
-/// The exact number of such an object: what "exact", "roots" or "edges" spell, by the measure; none
-/// if the object does not have that key.
-/// @throws Error Malformed if the key holds anything else.
-[[nodiscard]] std::optional<Cost> cost_in_json(const nlohmann::json& object, CostMeasure measure);
+[[nodiscard]] Json moves_json(const std::vector<Move>& moves);
 
 /// One object as docs/schema/trace.schema.json describes it: integers of any size are strings, a
 /// cost is {"value": nearest double, or null beyond the largest one, "decimal": 17 digits} with, by

@@ -2,7 +2,6 @@
 // answer.hpp - all statements of an engine about one input, for a judge in another process.
 #pragma once
 #include <array>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "convexact/halfspace.hpp"
 #include "convexact/run.hpp"
 #include "convexact/scene.hpp"
+#include "io/json_document.hpp"
 #include "stress/stress_report.hpp"
 
 namespace convexact {
@@ -76,8 +76,8 @@ struct Question {
 [[nodiscard]] EngineAnswer answer_of(const Shape& shape, const Question& question);
 
 /// From one process to another. Costs are of run.measure. Numbers stay exact; only removal, cost
-/// and tie of each step are kept.
-[[nodiscard]] nlohmann::ordered_json answer_json(const EngineAnswer& answer);
-[[nodiscard]] EngineAnswer answer_in(const nlohmann::ordered_json& json);
+/// and tie of each step are kept; the answer is read from the text.
+[[nodiscard]] Json answer_json(const EngineAnswer& answer);
+[[nodiscard]] EngineAnswer answer_in(std::string_view text);
 
 }  // namespace convexact

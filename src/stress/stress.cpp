@@ -32,7 +32,7 @@ void require_sensible(const StressRequest& request) {
 
 // The end of a process that was to answer: its answer, or why there is none.
 struct ChildEnd {
-  std::optional<nlohmann::ordered_json> answer;
+  std::optional<std::string> answer;
   StressEnd end = StressEnd::Reached;
   std::string why;
   std::uint64_t memory = 0;
@@ -42,7 +42,7 @@ ChildEnd end_of(const ProgramRun& run, const ChildProcess& process, const Stress
   ChildEnd end;
   end.memory = run.peak_memory;
   if (run.succeeded()) {
-    end.answer = nlohmann::ordered_json::parse(process.result());
+    end.answer = process.result();
     return end;
   }
   constexpr std::size_t kMost = 500;
@@ -88,7 +88,7 @@ class Sweep {
 
  private:
   std::unique_ptr<ChildProcess> start(std::size_t i) const;
-  std::unique_ptr<ChildProcess> start(const std::function<nlohmann::ordered_json()>& work) const;
+  std::unique_ptr<ChildProcess> start(const std::function<Json()>& work) const;
   void finish(std::size_t i, const ChildEnd& end);
 
   std::span<const StressInput> inputs_;
@@ -127,8 +127,7 @@ std::vector<StressRun> Sweep::run() {
   return runs;
 }
 
-std::unique_ptr<ChildProcess> Sweep::start(
-    const std::function<nlohmann::ordered_json()>& work) const {
+std::unique_ptr<ChildProcess> Sweep::start(const std::function<Json()>& work) const {
   const double seconds = request_.limits.seconds;
   const ProgramLimits limits{.seconds = kWallPerProcessorTime * seconds,
                              .memory = request_.limits.memory};

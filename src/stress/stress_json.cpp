@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "convexact/error.hpp"
 #include "io/json.hpp"
+#include "io/json_text.hpp"
+#include "simplify/cost_reader.hpp"
 #include "simplify/run_names.hpp"
 #include "simplify/trace_json.hpp"
 #include "stress/answer.hpp"
 
 namespace convexact {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr auto kFormNames = name_table<StressStored::Form>(
     {{StressStored::Form::Planes, "planes"}, {StressStored::Form::Mesh, "mesh"}});
@@ -21,17 +22,17 @@ constexpr auto kOutcomeNames =
                                        {StressStored::Outcome::Wrong, "wrong"}});
 
 template <class E, std::size_t N>
-E enumerator_in(const NameTable<E, N>& table, const Json& json) {
-  const std::optional<E> value = value_in(table, json.get_ref<const std::string&>());
-  if (!value) throw Error(ErrorCode::Malformed, "no name of an enumerator: " + json.dump());
+E enumerator_in(const NameTable<E, N>& table, const nlohmann::json& read) {
+  const std::optional<E> value = value_in(table, read.get_ref<const std::string&>());
+  if (!value) throw Error(ErrorCode::Malformed, "no name of an enumerator: " + read.dump());
   return *value;
 }
 
 // JSON has no infinity.
 Json number_json(double x) { return std::isfinite(x) ? Json(x) : Json("infinite"); }
 
-double number_in(const Json& json) {
-  return json.is_string() ? std::numeric_limits<double>::infinity() : json.get<double>();
+double number_in(const nlohmann::json& read) {
+  return read.is_string() ? std::numeric_limits<double>::infinity() : read.get<double>();
 }
 
 template <class Value>
@@ -45,12 +46,12 @@ Json optional_json(const std::optional<Value>& x) {
 }
 
 template <class Value>
-void take(std::optional<Value>& x, const Json& json) {
-  if (json.is_null()) return;
+void take(std::optional<Value>& x, const nlohmann::json& read) {
+  if (read.is_null()) return;
   if constexpr (std::is_floating_point_v<Value>) {
-    x = number_in(json);
+    x = number_in(read);
   } else {
-    x = json.get<Value>();
+    x = read.get<Value>();
   }
 }
 
@@ -68,18 +69,18 @@ Json stored_json(const StressStored& stored) {
   return json;
 }
 
-StressStored stored_in(const Json& json) {
+StressStored stored_in(const nlohmann::json& read) {
   StressStored stored;
-  stored.form = enumerator_in(kFormNames, json.at("form"));
-  stored.precision = json.at("precision") == 64 ? Precision::Binary64 : Precision::Binary32;
-  stored.whole = json.at("of") == "hull";
-  stored.outcome = enumerator_in(kOutcomeNames, json.at("outcome"));
+  stored.form = enumerator_in(kFormNames, read.at("form"));
+  stored.precision = read.at("precision") == 64 ? Precision::Binary64 : Precision::Binary32;
+  stored.whole = read.at("of") == "hull";
+  stored.outcome = enumerator_in(kOutcomeNames, read.at("outcome"));
   if (stored.outcome != StressStored::Outcome::Refused) {
-    stored.violations = json.at("violations");
-    stored.push = number_in(json.at("push"));
-    stored.volume_ratio = number_in(json.at("volume_ratio"));
+    stored.violations = read.at("violations");
+    stored.push = number_in(read.at("push"));
+    stored.volume_ratio = number_in(read.at("volume_ratio"));
   }
-  stored.why = json.value("why", "");
+  stored.why = read.value("why", "");
   return stored;
 }
 
@@ -92,23 +93,23 @@ Json claim_json(const std::optional<StressClaim>& claim) {
           {"end_proven", claim->end_proven}};
 }
 
-std::optional<StressClaim> claim_in(const Json& json) {
-  if (json.is_null()) return std::nullopt;
-  return StressClaim{.cost = number_in(json.at("cost")),
-                     .regret = number_in(json.at("regret")),
-                     .doubtful = json.at("doubtful"),
-                     .end_proven = json.at("end_proven"),
-                     .vouched = json.at("vouched")};
+std::optional<StressClaim> claim_in(const nlohmann::json& read) {
+  if (read.is_null()) return std::nullopt;
+  return StressClaim{.cost = number_in(read.at("cost")),
+                     .regret = number_in(read.at("regret")),
+                     .doubtful = read.at("doubtful"),
+                     .end_proven = read.at("end_proven"),
+                     .vouched = read.at("vouched")};
 }
 
 Json volume_json(const ReportedVolume& volume) {
   return {optional_json(volume.low), optional_json(volume.high)};
 }
 
-ReportedVolume volume_in(const Json& json) {
+ReportedVolume volume_in(const nlohmann::json& read) {
   ReportedVolume volume;
-  take(volume.low, json.at(0));
-  take(volume.high, json.at(1));
+  take(volume.low, read.at(0));
+  take(volume.high, read.at(1));
   return volume;
 }
 
@@ -154,31 +155,31 @@ Json run_json(const StressRun& run) {
   return json;
 }
 
-StressRun run_in(const Json& json) {
+StressRun run_in(const nlohmann::json& read) {
   StressRun run;
-  run.family = json.at("family");
-  run.parameter = json.at("parameter");
-  run.value = json.at("value");
-  run.seed = json.at("seed");
-  run.engine = enumerator_in(kEngineNames, json.at("engine"));
-  run.end = enumerator_in(kStressEndNames, json.at("end"));
-  run.why = json.value("why", "");
-  run.input = json.at("input");
-  run.at_start = json.at("halfspaces");
-  run.steps = json.at("steps");
-  run.compared = json.at("compared");
-  run.seconds = json.at("seconds");
-  run.memory = json.at("memory");
-  take(run.volume_error, json.at("volume_error"));
-  take(run.cost_error, json.at("cost_error"));
-  take(run.first_difference, json.at("first_difference"));
-  run.other_ties = json.at("other_ties");
-  run.undecided = json.value("undecided", std::size_t(0));
-  if (json.contains("moves")) run.moves = json.at("moves").get<std::size_t>();
-  take(run.regret, json.at("regret"));
-  run.claim = claim_in(json.at("claim"));
-  for (const Json& stored : json.at("stored")) run.stored.push_back(stored_in(stored));
-  run.faults = json.at("faults");
+  run.family = read.at("family");
+  run.parameter = read.at("parameter");
+  run.value = read.at("value");
+  run.seed = read.at("seed");
+  run.engine = enumerator_in(kEngineNames, read.at("engine"));
+  run.end = enumerator_in(kStressEndNames, read.at("end"));
+  run.why = read.value("why", "");
+  run.input = read.at("input");
+  run.at_start = read.at("halfspaces");
+  run.steps = read.at("steps");
+  run.compared = read.at("compared");
+  run.seconds = read.at("seconds");
+  run.memory = read.at("memory");
+  take(run.volume_error, read.at("volume_error"));
+  take(run.cost_error, read.at("cost_error"));
+  take(run.first_difference, read.at("first_difference"));
+  run.other_ties = read.at("other_ties");
+  run.undecided = read.value("undecided", std::size_t(0));
+  if (read.contains("moves")) run.moves = read.at("moves").get<std::size_t>();
+  take(run.regret, read.at("regret"));
+  run.claim = claim_in(read.at("claim"));
+  for (const nlohmann::json& stored : read.at("stored")) run.stored.push_back(stored_in(stored));
+  run.faults = read.at("faults");
   return run;
 }
 
@@ -193,9 +194,10 @@ Json stress_json(const StressReport& report) {
   return json;
 }
 
-std::vector<StressRun> stress_runs_in(const Json& json) {
+std::vector<StressRun> stress_runs_in(std::string_view text) {
+  const nlohmann::json read = nlohmann::json::parse(text);
   std::vector<StressRun> runs;
-  for (const Json& run : json.at("runs")) runs.push_back(run_in(run));
+  for (const nlohmann::json& run : read.at("runs")) runs.push_back(run_in(run));
   return runs;
 }
 
@@ -204,15 +206,15 @@ Json search_json(const std::optional<SearchAnswer>& search) {
   return {{"moves", moves_json(search->moves)}, {"left", search->left}};
 }
 
-std::optional<SearchAnswer> search_in(const Json& json, CostMeasure measure) {
-  if (json.is_null()) return std::nullopt;
+std::optional<SearchAnswer> search_in(const nlohmann::json& read, CostMeasure measure) {
+  if (read.is_null()) return std::nullopt;
   SearchAnswer search;
-  for (const Json& entry : json.at("moves")) {
+  for (const nlohmann::json& entry : read.at("moves")) {
     search.moves.push_back({entry.at("removed").get<std::vector<HalfspaceId>>(),
                             entry.at("inserted").get<std::vector<HalfspaceId>>(),
-                            cost_in_json(nlohmann::json(entry.at("measure")), measure)});
+                            cost_in_json(entry.at("measure"), measure)});
   }
-  search.left = json.at("left").get<std::vector<Halfspace>>();
+  search.left = read.at("left").get<std::vector<Halfspace>>();
   return search;
 }
 
@@ -242,36 +244,37 @@ Json answer_json(const EngineAnswer& answer) {
           {"seconds", answer.seconds}};
 }
 
-EngineAnswer answer_in(const Json& json) {
+EngineAnswer answer_in(std::string_view text) {
+  const nlohmann::json read = nlohmann::json::parse(text);
   EngineAnswer answer;
-  answer.engine = enumerator_in(kEngineNames, json.at("engine"));
-  answer.end = enumerator_in(kStressEndNames, json.at("end"));
-  answer.why = json.at("why");
-  answer.run.measure = enumerator_in(kCostMeasureNames, json.at("cost"));
-  if (const Json& measure = json.at("measure"); !measure.is_null()) {
+  answer.engine = enumerator_in(kEngineNames, read.at("engine"));
+  answer.end = enumerator_in(kStressEndNames, read.at("end"));
+  answer.why = read.at("why");
+  answer.run.measure = enumerator_in(kCostMeasureNames, read.at("cost"));
+  if (const nlohmann::json& measure = read.at("measure"); !measure.is_null()) {
     answer.measure = {volume_in(measure.at(0)), volume_in(measure.at(1))};
   }
-  answer.run.halfspaces = json.at("halfspaces").get<std::vector<Halfspace>>();
-  for (const Json& entry : json.at("steps")) {
+  answer.run.halfspaces = read.at("halfspaces").get<std::vector<Halfspace>>();
+  for (const nlohmann::json& entry : read.at("steps")) {
     Step& step = answer.run.steps.emplace_back();
     step.removed = entry.at("removed").get<HalfspaceId>();
-    step.cost = cost_in_json(nlohmann::json(entry.at("cost")), answer.run.measure);
+    step.cost = cost_in_json(entry.at("cost"), answer.run.measure);
     step.tie = entry.at("tie").get<std::vector<HalfspaceId>>();
   }
-  for (const Json& entry : json.at("lean")) {
+  for (const nlohmann::json& entry : read.at("lean")) {
     answer.lean.push_back({.removed = entry.at("removed").get<HalfspaceId>(),
                            .cost = volume_in(entry.at("cost")),
                            .tied = entry.at("tied")});
   }
-  answer.left = json.at("left").get<std::vector<Halfspace>>();
-  answer.input_volume = volume_in(json.at("input_volume"));
-  answer.output_volume = volume_in(json.at("output_volume"));
-  answer.claim = claim_in(json.at("claim"));
-  answer.search = search_in(json.at("search"), answer.run.measure);
-  for (const Json& entry : json.at("stored")) {
+  answer.left = read.at("left").get<std::vector<Halfspace>>();
+  answer.input_volume = volume_in(read.at("input_volume"));
+  answer.output_volume = volume_in(read.at("output_volume"));
+  answer.claim = claim_in(read.at("claim"));
+  answer.search = search_in(read.at("search"), answer.run.measure);
+  for (const nlohmann::json& entry : read.at("stored")) {
     answer.stored.push_back({stored_in(entry.at("stored")), entry.at("bytes")});
   }
-  answer.seconds = json.at("seconds");
+  answer.seconds = read.at("seconds");
   return answer;
 }
 

@@ -4,13 +4,13 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "convexact/number.hpp"
 #include "convexact/simplify.hpp"
+#include "io/json_document.hpp"
 #include "io/names.hpp"
 
 namespace convexact {
@@ -114,10 +114,10 @@ struct StressReport {
 };
 
 /// Everything: docs/schema/stress.schema.json. Infinite numbers are the string "infinite".
-[[nodiscard]] nlohmann::ordered_json stress_json(const StressReport& report);
+[[nodiscard]] Json stress_json(const StressReport& report);
 
-/// The runs of such a report.
-[[nodiscard]] std::vector<StressRun> stress_runs_in(const nlohmann::ordered_json& json);
+/// The runs in the text of such a report.
+[[nodiscard]] std::vector<StressRun> stress_runs_in(std::string_view text);
 
 /// One line for each family and engine with the worst of its runs, then the faults; at most 100
 /// columns except for the faults' sentences.

@@ -6,12 +6,10 @@
 namespace convexact {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr std::size_t kMostListedRows = 60;  // if there are more, unmoved ones are only counted
 
-ordered_json numbers_json(const RationalVector& v) {
-  ordered_json list = ordered_json::array();
+Json numbers_json(const RationalVector& v) {
+  Json list = Json::array();
   for (const Rational& x : v) list.push_back(x);
   return list;
 }
@@ -19,7 +17,7 @@ ordered_json numbers_json(const RationalVector& v) {
 }  // namespace
 
 CenterRecorder::CenterRecorder(std::span<const Halfspace> halfspaces) : halfspaces_(halfspaces) {
-  ordered_json norms = ordered_json::array();
+  Json norms = Json::array();
   for (const Halfspace& halfspace : halfspaces) {
     norms_.push_back(enclose_norm(halfspace.normal()).upper);
     norms.push_back(norms_.back());
@@ -28,8 +26,8 @@ CenterRecorder::CenterRecorder(std::span<const Halfspace> halfspaces) : halfspac
 }
 
 // The last row, t >= 0, keeps the radius from being negative.
-ordered_json CenterRecorder::name_of(std::size_t row) const {
-  return row == norms_.size() ? ordered_json("t>=0") : ordered_json(row);
+Json CenterRecorder::name_of(std::size_t row) const {
+  return row == norms_.size() ? Json("t>=0") : Json(row);
 }
 
 // By the definition: n.x + d + U r = 0, and so for the part in M.
@@ -44,23 +42,23 @@ bool CenterRecorder::is_tight(std::size_t row, const LpPoint& point) const {
 void CenterRecorder::start(const LpPoint& optimum) {
   chapter_["start"] = {{"x", numbers_json(optimum.x)},
                        {"direction", numbers_json(optimum.direction)}};
-  chapter_["insertions"] = ordered_json::array();
+  chapter_["insertions"] = Json::array();
 }
 
 void CenterRecorder::inserted(const LpInsertion& insertion) {
   rows_.insert(insertion.row);
-  ordered_json& list = chapter_["insertions"];
+  Json& list = chapter_["insertions"];
   if (!insertion.moved && norms_.size() >= kMostListedRows) {
     if (list.empty() || !list.back().contains("unmoved")) list.push_back({{"unmoved", 0}});
-    ordered_json& count = list.back()["unmoved"];
-    count = count.get<std::size_t>() + 1;
+    Json& count = list.back()["unmoved"];
+    count = count.count() + 1;
     return;
   }
-  ordered_json entry = {{"row", name_of(insertion.row)}, {"moved", insertion.moved}};
+  Json entry = {{"row", name_of(insertion.row)}, {"moved", insertion.moved}};
   if (insertion.moved && insertion.optimum) {
     entry["x"] = numbers_json(insertion.optimum->x);
     entry["direction"] = numbers_json(insertion.optimum->direction);
-    ordered_json tight = ordered_json::array();
+    Json tight = Json::array();
     for (const std::size_t row : rows_) {
       if (is_tight(row, *insertion.optimum)) tight.push_back(name_of(row));
     }
@@ -69,8 +67,8 @@ void CenterRecorder::inserted(const LpInsertion& insertion) {
   list.push_back(std::move(entry));
 }
 
-ordered_json CenterRecorder::take(const ChebyshevCenter& center) {
-  ordered_json touching = ordered_json::array();
+Json CenterRecorder::take(const ChebyshevCenter& center) {
+  Json touching = Json::array();
   for (const Multiplier& m : center.touching) touching.push_back({m.row, to_string(m.value)});
   chapter_["optimum"] = vector_json(center.optimum);
   chapter_["optimum_radius"] = center.optimum_radius;

@@ -2,7 +2,6 @@
 // chapters.hpp - the recorders of a lesson: each watches one algorithm and records its steps, as
 // docs/schema/lesson.schema.json describes them.
 #pragma once
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <span>
@@ -12,6 +11,7 @@
 #include "convexact/hull.hpp"
 #include "convexact/linear_program.hpp"
 #include "convexact/stored.hpp"
+#include "io/json_document.hpp"
 #include "scene/solid.hpp"
 #include "simplify/exact_engine.hpp"
 #include "teach/frame.hpp"
@@ -25,17 +25,17 @@ class LeftOutParts {
   void add(const char* chapter, const std::string& why) {
     list_.push_back({{"chapter", chapter}, {"why", why}});
   }
-  const nlohmann::ordered_json& list() const { return list_; }
+  const Json& list() const { return list_; }
 
  private:
-  nlohmann::ordered_json list_ = nlohmann::ordered_json::array();
+  Json list_ = Json::array();
 };
 
 /// Integers of a dual point: n1, n2, n3, w.
-[[nodiscard]] nlohmann::ordered_json dual_point_json(const DualPoint& point);
+[[nodiscard]] Json dual_point_json(const DualPoint& point);
 
 /// A cost as a trace has it, or null for an unbounded removal.
-[[nodiscard]] nlohmann::ordered_json cost_or_null(const std::optional<Cost>& cost);
+[[nodiscard]] Json cost_or_null(const std::optional<Cost>& cost);
 
 /// Records how a hull grows; beyond kMostLessonInsertions it only counts.
 class HullRecorder : public HullObserver {
@@ -46,10 +46,10 @@ class HullRecorder : public HullObserver {
 
   std::size_t insertions() const { return count_; }
   /// The keys from "triangles" on. Facets are in the order of the hull.
-  nlohmann::ordered_json take() { return std::move(chapter_); }
+  Json take() { return std::move(chapter_); }
 
  private:
-  nlohmann::ordered_json chapter_;
+  Json chapter_;
   std::size_t count_ = 0;
 };
 
@@ -60,16 +60,16 @@ class CenterRecorder : public LpObserver {
   void start(const LpPoint& optimum) override;
   void inserted(const LpInsertion& insertion) override;
 
-  nlohmann::ordered_json take(const ChebyshevCenter& center);
+  Json take(const ChebyshevCenter& center);
 
  private:
   bool is_tight(std::size_t row, const LpPoint& point) const;
-  nlohmann::ordered_json name_of(std::size_t row) const;
+  Json name_of(std::size_t row) const;
 
   std::span<const Halfspace> halfspaces_;
   std::vector<Rational> norms_;  // upper bounds, as the program has them
   std::set<std::size_t> rows_;   // inserted so far
-  nlohmann::ordered_json chapter_;
+  Json chapter_;
 };
 
 /// Records the removals, starting when at most kMostLessonHalfspaces are left.
@@ -90,7 +90,7 @@ class RemovalRecorder : public RunObserver {
 
   /// {"step", "check"} of the check that did not hold, or the other reason why the engine gave up;
   /// null if the run succeeded.
-  const nlohmann::ordered_json& failed() const { return failed_; }
+  const Json& failed() const { return failed_; }
   std::size_t steps() const { return steps_; }
   /// The halfspaces left after the steps that were made.
   std::vector<HalfspaceId> present() const;
@@ -101,23 +101,23 @@ class RemovalRecorder : public RunObserver {
   /// How many removals are not shown.
   std::size_t skipped() const { return skipped_; }
 
-  nlohmann::ordered_json topology = {};
-  nlohmann::ordered_json evaluations = nlohmann::ordered_json::array();
-  nlohmann::ordered_json removals = nlohmann::ordered_json::array();
+  Json topology = {};
+  Json evaluations = Json::array();
+  Json removals = Json::array();
 
  private:
   struct Seen {
     std::size_t step = 0;
     Removal removal;
     DualTriangle first;
-    nlohmann::ordered_json insertions;  // Chew's
+    Json insertions;  // Chew's
   };
 
   void make_chosen_step();
   void begin();
-  nlohmann::ordered_json evaluation_json(const Seen& seen) const;
-  nlohmann::ordered_json others_of(const Removal& removal) const;
-  nlohmann::ordered_json removal_json(const Step& step);
+  Json evaluation_json(const Seen& seen) const;
+  Json others_of(const Removal& removal) const;
+  Json removal_json(const Step& step);
 
   const DualHull& dual_;
   const LessonFrame& frame_;
@@ -134,15 +134,13 @@ class RemovalRecorder : public RunObserver {
   std::vector<std::optional<Cost>> first_costs_;
   bool has_begun_ = false;
   Rational volume_;
-  nlohmann::ordered_json failed_;
+  Json failed_;
 };
 
 /// How a result is rounded outward, plane by plane, against rounding to nearest. Null, and a reason
 /// in `left_out`, if the format cannot hold it.
 /// @param ids  Of the planes of `exact`.
-[[nodiscard]] nlohmann::ordered_json storing_chapter(const Polytope& exact,
-                                                     std::span<const HalfspaceId> ids,
-                                                     const Solid& solid, Precision precision,
-                                                     LeftOutParts& left_out);
+[[nodiscard]] Json storing_chapter(const Polytope& exact, std::span<const HalfspaceId> ids,
+                                   const Solid& solid, Precision precision, LeftOutParts& left_out);
 
 }  // namespace convexact

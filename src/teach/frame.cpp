@@ -11,8 +11,6 @@
 namespace convexact {
 namespace {
 
-using nlohmann::ordered_json;
-
 // The e with 2^(e-1) < |x| <= 2^e. Precondition: x != 0.
 long power_above(const Rational& x) {
   long e = exponent_of(x);
@@ -45,40 +43,40 @@ LessonFrame::LessonFrame(std::span<const RationalPoint> vertices, const Rational
   for (int k = 0; k < 3; ++k) exponent_[k] = power_above(is_long ? reach[k] : reach.maxCoeff());
 }
 
-ordered_json LessonFrame::at(const RationalPoint& point) const {
-  ordered_json at = ordered_json::array();
+Json LessonFrame::at(const RationalPoint& point) const {
+  Json at = Json::array();
   for (int k = 0; k < 3; ++k) {
     at.push_back(drawn(scale_by_power_of_two(Rational(point[k] - center_[k]), -exponent_[k])));
   }
   return at;
 }
 
-ordered_json LessonFrame::both(const RationalPoint& point) const {
+Json LessonFrame::both(const RationalPoint& point) const {
   return {{"exact", vector_json(point)}, {"at", at(point)}};
 }
 
-ordered_json LessonFrame::plane(const Halfspace& halfspace) const {
+Json LessonFrame::plane(const Halfspace& halfspace) const {
   RationalVector3 normal;
   for (int k = 0; k < 3; ++k) {
     normal[k] = scale_by_power_of_two(Rational(halfspace.normal()[k]), exponent_[k]);
   }
   const long bits = power_above(normal.cwiseAbs().maxCoeff());
-  ordered_json plane = ordered_json::array();
+  Json plane = Json::array();
   for (int k = 0; k < 3; ++k) plane.push_back(drawn(scale_by_power_of_two(normal[k], -bits)));
   plane.push_back(drawn(scale_by_power_of_two(halfspace(center_), -bits)));
   return plane;
 }
 
-ordered_json LessonFrame::dual(const DualPoint& dual) const {
-  ordered_json at = ordered_json::array();
+Json LessonFrame::dual(const DualPoint& dual) const {
+  Json at = Json::array();
   for (int k = 0; k < 3; ++k) {
     at.push_back(drawn(scale_by_power_of_two(Rational(dual.n[k], dual.w), exponent_[k])));
   }
   return at;
 }
 
-ordered_json LessonFrame::json() const {
-  ordered_json scale = ordered_json::array();
+Json LessonFrame::json() const {
+  Json scale = Json::array();
   for (const long e : exponent_) scale.push_back(scale_by_power_of_two(Rational(1), -e));
   return {{"center", vector_json(center_)}, {"scale", std::move(scale)}};
 }

@@ -2,11 +2,11 @@
 // frame.hpp - the positions at which a lesson draws points, planes and dual points.
 #pragma once
 #include <array>
-#include <nlohmann/json.hpp>
 #include <span>
 
 #include "convexact/dual.hpp"
 #include "convexact/halfspace.hpp"
+#include "io/json_document.hpp"
 
 namespace convexact {
 
@@ -21,15 +21,15 @@ class LessonFrame {
   const RationalPoint& center() const { return center_; }
 
   /// A point as it is drawn.
-  nlohmann::ordered_json at(const RationalPoint& point) const;
+  Json at(const RationalPoint& point) const;
   /// {"exact", "at"}.
-  nlohmann::ordered_json both(const RationalPoint& point) const;
+  Json both(const RationalPoint& point) const;
   /// The drawn plane's n1, n2, n3, d, its largest |n_k| in [1/2, 1].
-  nlohmann::ordered_json plane(const Halfspace& halfspace) const;
+  Json plane(const Halfspace& halfspace) const;
   /// The polar of the drawn plane. @param dual  From any center.
-  nlohmann::ordered_json dual(const DualPoint& dual) const;
+  Json dual(const DualPoint& dual) const;
   /// {"center", "scale"}.
-  nlohmann::ordered_json json() const;
+  Json json() const;
 
  private:
   RationalPoint center_;

@@ -5,12 +5,10 @@
 namespace convexact {
 namespace {
 
-using nlohmann::ordered_json;
-
 // Points, each with a triangle: [p, a, b, c].
 template <class PointAtTriangle>
-ordered_json points_json(std::span<const PointAtTriangle> points) {
-  ordered_json list = ordered_json::array();
+Json points_json(std::span<const PointAtTriangle> points) {
+  Json list = Json::array();
   for (const auto& [point, t] : points) {
     list.push_back({point, t[0], t[1], t[2]});
   }
@@ -23,7 +21,7 @@ void HullRecorder::start(const HullStart& start) {
   chapter_ = {{"triangles", start.triangles},
               {"conflicts", points_json(start.filed)},
               {"inside", points_json(start.inside)},
-              {"insertions", ordered_json::array()}};
+              {"insertions", Json::array()}};
 }
 
 void HullRecorder::inserted(const HullInsertion& insertion) {
@@ -40,7 +38,7 @@ void HullRecorder::inserted(const HullInsertion& insertion) {
 }
 
 void HullRecorder::finished(const Hull& hull) {
-  ordered_json facets = ordered_json::array();
+  Json facets = Json::array();
   for (std::size_t f = 0; f < hull.facets.size(); ++f) facets.push_back(hull.facets[f]);
   chapter_["facets"] = std::move(facets);
 }

@@ -16,8 +16,6 @@
 namespace convexact {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr int kLessonVersion = 1;
 
 // The subject of the chapters.
@@ -36,9 +34,9 @@ struct Subject {
 // ---- The hull
 
 // The dual points that the hull was made of; the interior point of that hull is their center.
-ordered_json hull_rows(const Solid& solid, const Subject& subject, const LessonFrame& frame) {
+Json hull_rows(const Solid& solid, const Subject& subject, const LessonFrame& frame) {
   const auto& halfspaces = std::get<std::vector<Halfspace>>(subject.object.shape);
-  ordered_json rows = ordered_json::array();
+  Json rows = Json::array();
   for (const std::size_t row : solid.hull_rows) {
     const DualPoint dual = polar(halfspaces[row], *solid.interior);
     rows.push_back({{"dual", dual_point_json(dual)}, {"at", frame.dual(dual)}});
@@ -46,8 +44,8 @@ ordered_json hull_rows(const Solid& solid, const Subject& subject, const LessonF
   return rows;
 }
 
-ordered_json hull_chapter(HullRecorder& recorder, const Solid& solid, const Subject& subject,
-                          const LessonFrame& frame) {
+Json hull_chapter(HullRecorder& recorder, const Solid& solid, const Subject& subject,
+                  const LessonFrame& frame) {
   if (subject.count() > kMostLessonPoints) {
     subject.left_out.add(
         "hull", fmt::format("the input has {} {}; a hull is shown being built from at most {}",
@@ -60,7 +58,7 @@ ordered_json hull_chapter(HullRecorder& recorder, const Solid& solid, const Subj
                                              recorder.insertions(), kMostLessonInsertions));
     return nullptr;
   }
-  ordered_json chapter = {{"of", subject.points() ? "points" : "dual-points"}};
+  Json chapter = {{"of", subject.points() ? "points" : "dual-points"}};
   if (!subject.points()) {
     chapter["center"] = vector_json(*solid.interior);
     chapter["rows"] = hull_rows(solid, subject, frame);
@@ -68,9 +66,9 @@ ordered_json hull_chapter(HullRecorder& recorder, const Solid& solid, const Subj
   chapter.update(recorder.take());
   if (subject.points()) {
     // In canonical order, so that facet k is halfspace k.
-    ordered_json facets = ordered_json::array();
+    Json facets = Json::array();
     for (const std::vector<std::uint32_t>& facet : solid.polytope.facets) {
-      ordered_json cycle = ordered_json::array();
+      Json cycle = Json::array();
       for (const std::uint32_t corner : facet) cycle.push_back(solid.extreme[corner].index());
       facets.push_back(std::move(cycle));
     }
@@ -79,12 +77,11 @@ ordered_json hull_chapter(HullRecorder& recorder, const Solid& solid, const Subj
   return chapter;
 }
 
-ordered_json input_json(const Solid& solid, const Subject& subject, const LessonFrame& frame,
-                        bool has_hull) {
-  ordered_json input = {{"kind", subject.points() ? "points" : "halfspaces"},
-                        {"count", subject.count()}};
+Json input_json(const Solid& solid, const Subject& subject, const LessonFrame& frame,
+                bool has_hull) {
+  Json input = {{"kind", subject.points() ? "points" : "halfspaces"}, {"count", subject.count()}};
   if (subject.points() && has_hull) {
-    ordered_json points = ordered_json::array();
+    Json points = Json::array();
     for (std::size_t i = 0; i < subject.count(); ++i) {
       points.push_back(frame.both((*subject.points())[PointId(i)]));
     }
@@ -99,7 +96,7 @@ ordered_json input_json(const Solid& solid, const Subject& subject, const Lesson
 // ---- The center, and the polar map from it
 
 // As simplify() finds it; the chapter is null if the caller gave a center.
-RationalPoint find_center(const DualHull& dual, const Subject& subject, ordered_json& chapter) {
+RationalPoint find_center(const DualHull& dual, const Subject& subject, Json& chapter) {
   const LessonRequest& request = subject.request;
   if (request.center) {
     if (!is_strictly_inside(dual.halfspaces, *request.center)) {
@@ -122,8 +119,8 @@ RationalPoint find_center(const DualHull& dual, const Subject& subject, ordered_
   });
 }
 
-ordered_json halfspaces_json(const DualHull& dual, const LessonFrame& frame) {
-  ordered_json list = ordered_json::array();
+Json halfspaces_json(const DualHull& dual, const LessonFrame& frame) {
+  Json list = Json::array();
   for (const Halfspace& h : dual.halfspaces) {
     list.push_back({{"plane", plane_json(h)},
                     {"drawn", frame.plane(h)},
@@ -132,15 +129,15 @@ ordered_json halfspaces_json(const DualHull& dual, const LessonFrame& frame) {
   return list;
 }
 
-ordered_json costs_json(const std::vector<std::optional<Cost>>& costs) {
-  ordered_json list = ordered_json::array();
+Json costs_json(const std::vector<std::optional<Cost>>& costs) {
+  Json list = Json::array();
   for (const std::optional<Cost>& cost : costs) list.push_back(cost_or_null(cost));
   return list;
 }
 
 // No cost depends on the center: all of them again, from halfway to a vertex.
-ordered_json polar_chapter(const DualHull& dual, const LessonFrame& frame,
-                           const RemovalRecorder& recorder, const Subject& subject) {
+Json polar_chapter(const DualHull& dual, const LessonFrame& frame, const RemovalRecorder& recorder,
+                   const Subject& subject) {
   if (recorder.first_costs().empty()) {
     subject.left_out.add("polar", fmt::format("costs from a second center are shown for at most {} "
                                               "halfspaces; this input has {}",
@@ -150,7 +147,7 @@ ordered_json polar_chapter(const DualHull& dual, const LessonFrame& frame,
   const RationalPoint other = (frame.center() + dual.vertices.front()) / Rational(2);
   DualSurface surface(dual.halfspaces, dual.triangles, other, subject.request.seed,
                       subject.request.cost);
-  ordered_json points = ordered_json::array();
+  Json points = Json::array();
   std::vector<std::optional<Cost>> costs;
   for (std::size_t i = 0; i < dual.halfspaces.size(); ++i) {
     points.push_back(dual_point_json(polar(dual.halfspaces[i], other)));
@@ -212,16 +209,16 @@ std::optional<Run> watched_run(const DualHull& dual, RemovalRecorder& recorder,
   return run;
 }
 
-ordered_json end_json(const DualHull& dual, const RemovalRecorder& recorder) {
-  ordered_json witnesses = ordered_json::array();
+Json end_json(const DualHull& dual, const RemovalRecorder& recorder) {
+  Json witnesses = Json::array();
   for (const HalfspaceId i : recorder.present()) {
     witnesses.push_back({i.index(), vector_json(dual.vertices[dual.witness[i.index()]])});
   }
   return {{"present", recorder.present()}, {"witness", std::move(witnesses)}};
 }
 
-ordered_json stored_chapter(const Solid& solid, const std::optional<Run>& run,
-                            const RemovalRecorder& recorder, const Subject& subject) {
+Json stored_chapter(const Solid& solid, const std::optional<Run>& run,
+                    const RemovalRecorder& recorder, const Subject& subject) {
   const std::vector<HalfspaceId> present = recorder.present();
   if (!run || present.size() > kMostLessonHalfspaces) {
     subject.left_out.add("storing",
@@ -252,7 +249,7 @@ std::vector<CostMeasure> other_measures(const LessonRequest& request) {
   return others;
 }
 
-void add_unless_null(ordered_json& document, const char* key, ordered_json value) {
+void add_unless_null(Json& document, const char* key, Json value) {
   if (!value.is_null()) document[key] = std::move(value);
 }
 
@@ -276,10 +273,10 @@ std::variant<Lesson, NotSolid> make_lesson(const SceneObject& object, const Less
   const auto& solid = std::get<Solid>(outcome);
 
   // (2) The center of the dual.
-  ordered_json center;
+  Json center;
   const RationalPoint found = find_center(solid.dual, subject, center);
   const LessonFrame frame(solid.dual.vertices, found);
-  ordered_json hull_part = hull_chapter(hull, solid, subject, frame);
+  Json hull_part = hull_chapter(hull, solid, subject, frame);
 
   // (3) The removals.
   RemovalRecorder recorder(solid.dual, frame, request);
@@ -287,13 +284,13 @@ std::variant<Lesson, NotSolid> make_lesson(const SceneObject& object, const Less
   const std::optional<Run> run = watched_run(solid.dual, recorder, frame, subject, lesson.failure);
 
   // (4) The parts that show more than a run needs.
-  ordered_json polar_part =
+  Json polar_part =
       log.run("second center", [&] { return polar_chapter(solid.dual, frame, recorder, subject); });
-  ordered_json storing = stored_chapter(solid, run, recorder, subject);
+  Json storing = stored_chapter(solid, run, recorder, subject);
 
-  ordered_json measures = ordered_json::array();
+  Json measures = Json::array();
   for (const CostMeasure m : request.measures) measures.push_back(name_of(m));
-  ordered_json& document = lesson.document;
+  Json& document = lesson.document;
   document = {{"lesson", kLessonVersion},
               {"name", title_of(object)},
               {"cost", name_of(request.cost)},

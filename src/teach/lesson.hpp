@@ -2,7 +2,6 @@
 // lesson.hpp - the polar-dual construction of one shape, step by step, as the engine recorded it.
 #pragma once
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <variant>
@@ -10,6 +9,7 @@
 
 #include "convexact/cost.hpp"
 #include "convexact/scene.hpp"
+#include "io/json_document.hpp"
 
 namespace convexact {
 
@@ -32,7 +32,7 @@ struct LessonRequest {
 };
 
 struct Lesson {
-  nlohmann::ordered_json document;  ///< As docs/schema/lesson.schema.json describes it.
+  Json document;  ///< As docs/schema/lesson.schema.json describes it.
   /// Why the engine gave up: as a rule, the verification refused a step. The document ends there.
   std::optional<std::string> failure;
   std::vector<Stage> stages;

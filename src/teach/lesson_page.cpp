@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "teach/lesson_page.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "io/json.hpp"
 #include "number/text.hpp"
 #include "pages/page_parts.hpp"
@@ -10,7 +8,7 @@
 
 namespace convexact {
 
-std::string lesson_page(std::string_view name, const nlohmann::ordered_json& lesson) {
+std::string lesson_page(std::string_view name, const Json& lesson) {
   std::string script;
   for (const std::string_view part : {kRationalScript, kPaneScript, kRecordScript, kChaptersScript,
                                       kRemovalsScript, kStoringScript, kLessonScript}) {

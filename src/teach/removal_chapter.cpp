@@ -9,16 +9,12 @@
 #include "teach/chapters.hpp"
 
 namespace convexact {
-namespace {
-using nlohmann::ordered_json;
-}  // namespace
-
-ordered_json dual_point_json(const DualPoint& point) {
+Json dual_point_json(const DualPoint& point) {
   return {to_string(point.n[0]), to_string(point.n[1]), to_string(point.n[2]), to_string(point.w)};
 }
 
-ordered_json cost_or_null(const std::optional<Cost>& cost) {
-  return cost ? cost_json(*cost) : ordered_json(nullptr);
+Json cost_or_null(const std::optional<Cost>& cost) {
+  return cost ? cost_json(*cost) : Json(nullptr);
 }
 
 RemovalRecorder::RemovalRecorder(const DualHull& dual, const LessonFrame& frame,
@@ -42,7 +38,7 @@ RemovalRecorder::RemovalRecorder(const DualHull& dual, const LessonFrame& frame,
 void RemovalRecorder::started(const DualTriangle& first) {
   make_chosen_step();
   current_.first = first;
-  current_.insertions = ordered_json::array();
+  current_.insertions = Json::array();
 }
 
 void RemovalRecorder::inserted(HalfspaceId corner, std::span<const DualTriangle> lost,
@@ -68,22 +64,20 @@ void RemovalRecorder::chosen(const Step& step) {
 // Conditions with several parts but no number, such as those of a ring, are recorded once.
 void RemovalRecorder::checked(const TestedCondition& check, bool holds) {
   if (!holds) {
-    failed_ = {{"step", chosen_ ? ordered_json(steps_ + 1) : ordered_json(nullptr)},
-               {"check", check.name}};
+    failed_ = {{"step", chosen_ ? Json(steps_ + 1) : Json(nullptr)}, {"check", check.name}};
   }
   if (!chosen_ || !has_begun_) return;
-  ordered_json& checks = removals.back()["checks"];
-  const auto is_told = [&](const ordered_json& told) { return told["check"] == check.name; };
+  Json& checks = removals.back()["checks"];
+  const auto is_told = [&](const Json& told) { return told["check"] == check.name; };
   if (holds && check.value == nullptr && std::any_of(checks.begin(), checks.end(), is_told)) {
     return;
   }
-  checks.push_back(
-      {{"check", check.name},
-       {"holds", holds},
-       {"triangle", or_null(check.triangle)},
-       {"plane", or_null(check.plane)},
-       {"value", check.value ? ordered_json(to_string(*check.value)) : ordered_json(nullptr)},
-       {"wants", check.wants ? ordered_json(check.wants) : ordered_json(nullptr)}});
+  checks.push_back({{"check", check.name},
+                    {"holds", holds},
+                    {"triangle", or_null(check.triangle)},
+                    {"plane", or_null(check.plane)},
+                    {"value", check.value ? Json(to_string(*check.value)) : Json(nullptr)},
+                    {"wants", check.wants ? Json(check.wants) : Json(nullptr)}});
 }
 
 void RemovalRecorder::finish(const std::optional<std::string>& why) {
@@ -118,7 +112,7 @@ void RemovalRecorder::begin() {
   const std::vector<DualTriangle> triangles = surface_.triangles();
   const Polytope solid = to_polytope(dual_.halfspaces, triangles);
   volume_ = volume(solid);
-  ordered_json vertices = ordered_json::array(), vertex_of = ordered_json::array();
+  Json vertices = Json::array(), vertex_of = Json::array();
   for (const RationalPoint& v : solid.vertices) vertices.push_back(frame_.both(v));
   for (const auto& [a, b, c] : triangles) {
     const RationalPoint corner =
@@ -140,7 +134,7 @@ void RemovalRecorder::begin() {
   }
 }
 
-ordered_json RemovalRecorder::evaluation_json(const Seen& seen) const {
+Json RemovalRecorder::evaluation_json(const Seen& seen) const {
   return {{"step", seen.step},
           {"halfspace", seen.removal.removed},
           {"ring", seen.removal.ring},
@@ -150,8 +144,8 @@ ordered_json RemovalRecorder::evaluation_json(const Seen& seen) const {
 }
 
 // The amounts that the same cap adds to the other measures.
-ordered_json RemovalRecorder::others_of(const Removal& removal) const {
-  ordered_json others = ordered_json::object();
+Json RemovalRecorder::others_of(const Removal& removal) const {
+  Json others = Json::object();
   for (const CostMeasure measure : request_.measures) {
     std::optional<Cost> cost;
     if (removal.cost) {
@@ -163,23 +157,23 @@ ordered_json RemovalRecorder::others_of(const Removal& removal) const {
   return others;
 }
 
-ordered_json RemovalRecorder::removal_json(const Step& step) {
+Json RemovalRecorder::removal_json(const Step& step) {
   const Seen& seen = latest_[step.removed.index()];
   const RingTriangulation& roof = seen.removal.roof;
   const std::size_t k = step.ring.size();
   const Cap cap = make_cap(points_, step.removed, step.ring, roof);
-  ordered_json entry = {{"step", steps_ + 1},
-                        {"removed", step.removed},
-                        {"cost", cost_or_null(step.cost)},
-                        {"others", others_of(seen.removal)},
-                        {"tie", step.tie}};
+  Json entry = {{"step", steps_ + 1},
+                {"removed", step.removed},
+                {"cost", cost_or_null(step.cost)},
+                {"others", others_of(seen.removal)},
+                {"tie", step.tie}};
   if (step.tie_evidence.proof) entry["tie_proof"] = name_of(*step.tie_evidence.proof);
   entry["left"] = step.left;
   entry["ring"] = step.ring;
   entry["first"] = seen.first;
   entry["insertions"] = seen.insertions;
 
-  ordered_json triangles = ordered_json::array(), base = ordered_json::array();
+  Json triangles = Json::array(), base = Json::array();
   for (std::size_t t = 0; t < roof.triangles.size(); ++t) {
     const DualPlane& plane = roof.planes[t];
     triangles.push_back(
@@ -196,7 +190,7 @@ ordered_json RemovalRecorder::removal_json(const Step& step) {
   entry["base"] = std::move(base);
   entry["sides"] = cap.sides;
 
-  ordered_json pieces = ordered_json::array();
+  Json pieces = Json::array();
   const Integer& e = cap.vertices[0].d;
   Rational six_volume = 0;
   for (const CapTetrahedron& t : tetrahedra(cap)) {
@@ -208,7 +202,7 @@ ordered_json RemovalRecorder::removal_json(const Step& step) {
   entry["cap_volume"] = Rational(six_volume / 6);
   volume_ += six_volume / 6;
   entry["volume_after"] = volume_;
-  entry["checks"] = ordered_json::array();
+  entry["checks"] = Json::array();
   return entry;
 }
 

@@ -10,8 +10,6 @@
 namespace convexact {
 namespace {
 
-using nlohmann::ordered_json;
-
 // The gap between a number of the format and the next larger one.
 Rational spacing_above(Precision precision, double x) {
   const double next =
@@ -36,10 +34,10 @@ Support support_of(const RationalVector3& direction, const Solid& solid) {
   return support;
 }
 
-ordered_json planes_chapter(const Polytope& exact, std::span<const HalfspaceId> ids,
-                            const Solid& solid, Precision precision) {
+Json planes_chapter(const Polytope& exact, std::span<const HalfspaceId> ids, const Solid& solid,
+                    Precision precision) {
   const StoredPlanes stored = store_planes(exact, solid.points, solid.extreme, precision);
-  ordered_json planes = ordered_json::array();
+  Json planes = Json::array();
   std::vector<Halfspace> naive_planes;
   for (std::size_t i = 0; i < exact.planes.size(); ++i) {
     const Halfspace& plane = exact.planes[i];
@@ -77,7 +75,7 @@ ordered_json planes_chapter(const Polytope& exact, std::span<const HalfspaceId> 
           {"volume_ratio", value_or_null(stored.growth.volume_ratio)}};
 }
 
-ordered_json mesh_part(const Polytope& exact, const Solid& solid, Precision precision) {
+Json mesh_part(const Polytope& exact, const Solid& solid, Precision precision) {
   const StoredMesh stored = store_mesh(exact, solid.points, solid.extreme, precision);
   std::vector<Point> rounded;
   for (const RationalPoint& v : exact.vertices) {
@@ -91,9 +89,9 @@ ordered_json mesh_part(const Polytope& exact, const Solid& solid, Precision prec
 
 }  // namespace
 
-ordered_json storing_chapter(const Polytope& exact, std::span<const HalfspaceId> ids,
-                             const Solid& solid, Precision precision, LeftOutParts& left_out) {
-  ordered_json chapter;
+Json storing_chapter(const Polytope& exact, std::span<const HalfspaceId> ids, const Solid& solid,
+                     Precision precision, LeftOutParts& left_out) {
+  Json chapter;
   const auto unless_refused = [&](auto&& work) {
     try {
       work();

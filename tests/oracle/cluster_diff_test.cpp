@@ -5,8 +5,6 @@
 
 #include <doctest/doctest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "expect_error.hpp"
 #include "small_surfaces.hpp"
 

@@ -5,12 +5,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "cells.hpp"
 #include "convexact/error.hpp"
 #include "convexact/verify_parts.hpp"
 #include "expect_error.hpp"
+#include "io/json_document.hpp"
 #include "scene/decompose_report.hpp"
 
 using namespace convexact;

@@ -56,7 +56,7 @@ void check_caught(Engine engine, const Corruption& corrupt,
   REQUIRE(report.runs.size() == 1);
   CHECK_FALSE(report.passes());
   CHECK_FALSE(report.runs[0].passes());
-  CHECK(schema_complaint("stress", nlohmann::json::parse(stress_json(report).dump())) == "");
+  CHECK(schema_complaint("stress", nlohmann::json::parse(write_json(stress_json(report)))) == "");
   CHECK(stress_table(report).find(" NO\n") != std::string::npos);
   CHECK(stress_table(report).find(report.runs[0].faults[0]) != std::string::npos);
 }
@@ -97,7 +97,7 @@ TEST_CASE("stress: honest engines pass on inputs of every kind" * sweep) {
     CHECK(run.stored.size() == (flat ? 0 : run.engine == Engine::Filtered ? 8 : 4));
     if (run.engine == Engine::Exact && !flat) CHECK(run.cost_error == 0);
   }
-  CHECK(schema_complaint("stress", nlohmann::json::parse(stress_json(report).dump())) == "");
+  CHECK(schema_complaint("stress", nlohmann::json::parse(write_json(stress_json(report)))) == "");
   for (const std::string& table : {stress_table(report), stress_case_table(report)}) {
     CHECK(table.find(" NO\n") == std::string::npos);
     std::istringstream lines(table);
@@ -113,7 +113,7 @@ TEST_CASE("stress: answers and findings are the same on the other side of a proc
     if (answer.claim) answer.claim->regret = std::numeric_limits<double>::infinity();
     if (!answer.lean.empty()) answer.lean[0].cost.high.reset();
     answer.seconds = 0.1 + 0.2;
-    const EngineAnswer read = answer_in(nlohmann::ordered_json::parse(answer_json(answer).dump()));
+    const EngineAnswer read = answer_in(write_json(answer_json(answer)));
     CHECK(answer_json(read) == answer_json(answer));
     CHECK(read.why == answer.why);
     CHECK(read.seconds == answer.seconds);
@@ -128,7 +128,7 @@ TEST_CASE("stress: answers and findings are the same on the other side of a proc
     if (read.claim) CHECK(read.claim->regret == std::numeric_limits<double>::infinity());
     const StressReport report{judge_answers(input, input.make(), std::span(&answer, 1)), 0};
     const auto json = stress_json(report);
-    CHECK(stress_json({stress_runs_in(nlohmann::ordered_json::parse(json.dump())), 0}) == json);
+    CHECK(stress_json({stress_runs_in(write_json(json)), 0}) == json);
   }
 }
 
@@ -355,7 +355,7 @@ TEST_CASE("stress --cost: honest engines pass by area and by mean width" * sweep
       CHECK_MESSAGE(run.passes(), (run.passes() ? "" : run.faults[0]));
       CHECK(run.undecided == 0);
     }
-    const auto json = nlohmann::json::parse(stress_json(report).dump());
+    const auto json = nlohmann::json::parse(write_json(stress_json(report)));
     CHECK(schema_complaint("stress", json) == "");
     CHECK(json["cost"] == (cost == CostMeasure::Area ? "area" : "mean-width"));
   }
@@ -391,8 +391,7 @@ TEST_CASE("stress --cost: wrong costs, measures and choices by area and mean wid
       const StressInput input = one_input()[0];
       EngineAnswer answer = answer_of(input.make(), asked);
       corrupt(answer);
-      const EngineAnswer read =
-          answer_in(nlohmann::ordered_json::parse(answer_json(answer).dump()));
+      const EngineAnswer read = answer_in(write_json(answer_json(answer)));
       return judge_answers(input, input.make(), std::span(&read, 1)).at(0).faults;
     };
     for (const Engine engine : {Engine::Exact, Engine::Filtered}) {
@@ -459,7 +458,7 @@ TEST_CASE("stress: searches of both engines pass, by every measure" * sweep) {
       CHECK(run.moves.has_value());
     }
     CHECK(report.runs[0].moves.value() > 0);
-    CHECK(schema_complaint("stress", nlohmann::json::parse(stress_json(report).dump())) == "");
+    CHECK(schema_complaint("stress", nlohmann::json::parse(write_json(stress_json(report)))) == "");
   }
 }
 

@@ -40,7 +40,7 @@ inline json lesson_of(Shape shape, const LessonRequest& request) {
   REQUIRE(std::holds_alternative<Lesson>(outcome));
   const Lesson& lesson = std::get<Lesson>(outcome);
   CHECK_FALSE(lesson.failure.has_value());
-  json document = json::parse(lesson.document.dump());
+  json document = json::parse(write_json(lesson.document));
   CHECK(schema_complaint("lesson", with_short_numbers(document)) == "");
   CHECK(document["name"] == "shape.obj");
   return document;
