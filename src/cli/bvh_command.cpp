@@ -189,9 +189,9 @@ int run_bvh(const BvhArguments& options) {
 
 }  // namespace
 
-void add_bvh_command(CLI::App& program, int& exit_code) {
+void add_bvh_command(Command& program, int& exit_code) {
   auto options = std::make_shared<BvhArguments>();
-  CLI::App& command = *program.add_subcommand(
+  Command& command = *program.add_subcommand(
       "bvh", "a tree of hulls over convex parts, each of which holds its children");
   command.footer(kBvhFooter);
   command
@@ -199,7 +199,7 @@ void add_bvh_command(CLI::App& program, int& exit_code) {
                   "a mesh (OBJ, OFF, PLY, STL), or halfspaces (JSON, .ine, rows); - is standard "
                   "input")
       ->required();
-  CLI::Option* from = command.add_option(
+  Option from = command.add_option(
       "--from", options->from,
       "parts to build on, instead of decomposing INPUT: objects of an OBJ, a folder of meshes, or "
       "JSON with \"parts\"");

@@ -10,7 +10,6 @@
 #include <cstring>
 #include <iostream>
 #include <new>
-#include <sstream>
 
 #include "cli/reproducer.hpp"
 #include "io/json.hpp"
@@ -87,46 +86,38 @@ std::vector<std::string> own_words() {
 
 // The first word that looks like an option but is no option of its subcommand. The parser's message
 // would also name the words after it.
-std::optional<std::string> unknown_option(const CLI::App& program,
+std::optional<std::string> unknown_option(const Command& program,
                                           const std::vector<std::string>& words) {
-  std::vector<const CLI::App*> commands = {&program};
-  while (!commands.back()->get_subcommands().empty()) {
-    commands.push_back(commands.back()->get_subcommands().front());
+  std::vector<const Command*> commands;
+  for (const Command* command = &program; command != nullptr;
+       command = command->parsed_subcommand()) {
+    commands.push_back(command);
   }
   for (const std::string& word : words) {
     // A minus sign before a digit belongs to a number.
     if (word.size() < 2 || word[0] != '-' || (word[1] >= '0' && word[1] <= '9')) continue;
     const std::string name = word[1] == '-' ? word.substr(0, word.find('=')) : word.substr(0, 2);
-    const bool is_known = std::any_of(commands.begin(), commands.end(), [&](const CLI::App* app) {
-      return app->get_option_no_throw(name) != nullptr;
-    });
+    const bool is_known =
+        std::any_of(commands.begin(), commands.end(),
+                    [&](const Command* command) { return command->find_option(name).has_value(); });
     if (!is_known) return name;
   }
   return std::nullopt;
 }
 
 // The first word, if it is in the place of a subcommand but is none.
-std::optional<std::string> unknown_subcommand(const CLI::App& program,
+std::optional<std::string> unknown_subcommand(const Command& program,
                                               const std::vector<std::string>& words) {
   if (words.empty() || words[0].starts_with('-')) return std::nullopt;
-  const auto named = program.get_subcommands(
-      [&](const CLI::App* command) { return command->check_name(words[0]); });
-  return named.empty() ? std::optional(words[0]) : std::nullopt;
-}
-
-// Prints the help or the version, if the parser asks for that instead of work.
-int print_answer(const CLI::App& program, const CLI::ParseError& error) {
-  std::ostringstream text;
-  const int code = program.exit(error, text, text);
-  return run_guarded({}, [&] {
-    print(text.str());
-    return code;
-  });
+  const bool is_known =
+      std::any_of(program.subcommands().begin(), program.subcommands().end(),
+                  [&](const auto& command) { return command->is_called(words[0]); });
+  return is_known ? std::nullopt : std::optional(words[0]);
 }
 
 }  // namespace
 
-void add_global_options(CLI::App& command, GlobalOptions& options) {
+void add_global_options(Command& command, GlobalOptions& options) {
   command.add_flag("--json", options.json, "print one JSON object, even on failure");
   add_count(command, "--seed", options.seed, {},
             "seed of the random orders; the answer does not depend on it");
@@ -134,7 +125,7 @@ void add_global_options(CLI::App& command, GlobalOptions& options) {
             "stop with exit code 6 rather than use more heap, e.g. 1.5GB");
 }
 
-void add_stages_option(CLI::App& command, GlobalOptions& options) {
+void add_stages_option(Command& command, GlobalOptions& options) {
   command.add_flag("--stages", options.stages,
                    "list every stage with its time, or why it was not needed (--json always does)");
 }
@@ -147,19 +138,24 @@ void remember_input(const std::string& name, const std::string& bytes) {
   reproducer().inputs.emplace_back(name, bytes);
 }
 
-int end_of_parsing(const CLI::App& program, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return print_answer(program, error);
+int end_of_parsing(const Command& program, const NotRun& reason) {
+  if (reason.is_answer) {
+    return run_guarded({}, [&] {
+      print(reason.text);
+      return 0;
+    });
+  }
   const std::vector<std::string> words = own_words();
   GlobalOptions options;
   options.json = std::find(words.begin(), words.end(), "--json") != words.end();
-  std::string what = error.what();
+  std::string what = reason.text;
   const auto subcommand = unknown_subcommand(program, words);
   const auto option = unknown_option(program, words);
   if (subcommand) {
     what = "there is no subcommand " + in_quotes(*subcommand) + "; --help names them";
   } else if (option) {
     what = "there is no option " + in_quotes(*option) + "; --help names the options";
-  } else if (error.get_name() != "ValidationError") {
+  } else if (!reason.is_of_value) {
     what += "; --help names the options";
   }
   return report(options, Error(ErrorCode::InvalidArgument, what));

@@ -2,7 +2,6 @@
 // command.hpp - the common parts of the subcommands: global options, the end of a run, the report
 // of errors.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <filesystem>
 #include <functional>
@@ -11,6 +10,7 @@
 #include <string>
 
 #include "cli/options.hpp"
+#include "cli/parser.hpp"
 #include "convexact/error.hpp"
 #include "convexact/scene.hpp"
 #include "io/json_document.hpp"
@@ -26,22 +26,22 @@ struct GlobalOptions {
 };
 
 /// Adds --json, --seed and --max-memory to a subcommand.
-void add_global_options(CLI::App& command, GlobalOptions& options);
+void add_global_options(Command& command, GlobalOptions& options);
 
 /// Adds --stages to a subcommand whose summary ends with the time of its stages.
-void add_stages_option(CLI::App& command, GlobalOptions& options);
+void add_stages_option(Command& command, GlobalOptions& options);
 
 /// Each adds its subcommand to the program; the subcommand's exit code goes to `exit_code`.
-void add_conform_command(CLI::App& program, int& exit_code);
-void add_bvh_command(CLI::App& program, int& exit_code);
-void add_decompose_command(CLI::App& program, int& exit_code);
-void add_generate_command(CLI::App& program, int& exit_code);
-void add_hull_command(CLI::App& program, int& exit_code);
-void add_query_command(CLI::App& program, int& exit_code);
-void add_shrink_command(CLI::App& program, int& exit_code);
-void add_simplify_command(CLI::App& program, int& exit_code);
-void add_teach_command(CLI::App& program, int& exit_code);
-void add_verify_command(CLI::App& program, int& exit_code);
+void add_conform_command(Command& program, int& exit_code);
+void add_bvh_command(Command& program, int& exit_code);
+void add_decompose_command(Command& program, int& exit_code);
+void add_generate_command(Command& program, int& exit_code);
+void add_hull_command(Command& program, int& exit_code);
+void add_query_command(Command& program, int& exit_code);
+void add_shrink_command(Command& program, int& exit_code);
+void add_simplify_command(Command& program, int& exit_code);
+void add_teach_command(Command& program, int& exit_code);
+void add_verify_command(Command& program, int& exit_code);
 
 /// For a reproducer: the words of the command line, and each input as soon as it is read.
 void remember_command_line(int argc, char** argv);
@@ -49,7 +49,7 @@ void remember_input(const std::string& name, const std::string& bytes);
 
 /// Reports an error in the command line, unknown options first, or prints the requested help;
 /// returns the exit code.
-int end_of_parsing(const CLI::App& program, const CLI::ParseError& error);
+int end_of_parsing(const Command& program, const NotRun& reason);
 
 /// Runs a subcommand's work and turns each Error into its sentence on standard error (or, with
 /// --json, into {"error": {...}} on standard output) and its exit code. Internal errors leave a
@@ -58,7 +58,7 @@ int run_guarded(const GlobalOptions& options, const std::function<int()>& work);
 
 /// Adds the global options, and lets the command run `run` in this way.
 template <class Arguments>
-void finish_command(CLI::App& command, const std::shared_ptr<Arguments>& arguments, int& exit_code,
+void finish_command(Command& command, const std::shared_ptr<Arguments>& arguments, int& exit_code,
                     int (*run)(const Arguments&)) {
   add_global_options(command, arguments->global);
   command.callback([arguments, run, &exit_code] {

@@ -124,9 +124,9 @@ int run_conform(const ConformArguments& options) {
 
 }  // namespace
 
-void add_conform_command(CLI::App& program, int& exit_code) {
+void add_conform_command(Command& program, int& exit_code) {
   auto options = std::make_shared<ConformArguments>();
-  CLI::App& command = *program.add_subcommand(
+  Command& command = *program.add_subcommand(
       "conform", "run a program over inputs with known answers, and judge its outputs");
   command.footer(kConformFooter);
   command.add_option("PROGRAM", options->run.program, "the program and its arguments, after --")
@@ -144,12 +144,12 @@ void add_conform_command(CLI::App& program, int& exit_code) {
   add_bytes(command, "--memory-limit", options->run.limits.memory,
             "address space for each vector, e.g. 2GB; no limit by default");
   command.add_option("--input-format", options->run.input_format, "what the program reads")
-      ->check(CLI::IsMember({"obj", "off", "ply", "stl", "xyz", "json", "ine", "txt"}))
+      ->one_of({"obj", "off", "ply", "stl", "xyz", "json", "ine", "txt"})
       ->capture_default_str();
   command
       .add_option("--output-format", options->run.output_format,
                   "what the program writes: a mesh, or halfspaces")
-      ->check(CLI::IsMember({"obj", "off", "ply", "stl", "json", "ine", "txt"}))
+      ->one_of({"obj", "off", "ply", "stl", "json", "ine", "txt"})
       ->capture_default_str();
   command
       .add_option("-o,--output", options->reports,

@@ -159,7 +159,7 @@ int run_decompose(const DecomposeArguments& options) {
 }
 
 // Where the clusters come from, and how many there are.
-void add_cluster_options(CLI::App& command, DecomposeArguments& options) {
+void add_cluster_options(Command& command, DecomposeArguments& options) {
   add_choice(
       command, "--method", options.request.method, kDecomposeMethodNames,
       "hacd merges neighbouring triangles, then clusters, by concavity and shape; acd splits "
@@ -187,9 +187,9 @@ void add_cluster_options(CLI::App& command, DecomposeArguments& options) {
 
 }  // namespace
 
-void add_decompose_command(CLI::App& program, int& exit_code) {
+void add_decompose_command(Command& program, int& exit_code) {
   auto options = std::make_shared<DecomposeArguments>();
-  CLI::App& command = *program.add_subcommand(
+  Command& command = *program.add_subcommand(
       "decompose", "the surface of a mesh as few convex parts, each the hull of some triangles");
   command.footer(kDecomposeFooter);
   command.add_option("INPUT", options->input,

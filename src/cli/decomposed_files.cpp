@@ -193,7 +193,7 @@ void DecomposeFiles::require_room_for(std::size_t objects) const {
   }
 }
 
-void add_decompose_files(CLI::App& command, DecomposeFiles& files) {
+void add_decompose_files(Command& command, DecomposeFiles& files) {
   command
       .add_option("-o,--output", files.results,
                   "file for the parts: .obj with an object for each, .json, or a folder (ends in "

@@ -32,7 +32,7 @@ struct DecomposeFiles {
 };
 
 /// Adds -o, --names, --tree, --tree-faces, --trace, --proof and --picture.
-void add_decompose_files(CLI::App& command, DecomposeFiles& files);
+void add_decompose_files(Command& command, DecomposeFiles& files);
 
 /// Names the parts after the pattern. Parts of several objects begin with the name of theirs, or
 /// with its number if one of these names cannot be part of the name of a file and of an object.

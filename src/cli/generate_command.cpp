@@ -178,7 +178,7 @@ int run_generate(const GenerateArguments& options, const std::vector<std::string
 }
 
 // Whole numbers from 0 on are counts; one family takes a negative exponent.
-void add_parameter(CLI::App& entry, const Parameter& p, double& value) {
+void add_parameter(Command& entry, const Parameter& p, double& value) {
   const std::string name = "--" + std::string(p.name);
   if (p.whole && p.least >= 0) {
     const CountRange range{static_cast<std::uint64_t>(p.least), static_cast<std::uint64_t>(p.most)};
@@ -191,9 +191,9 @@ void add_parameter(CLI::App& entry, const Parameter& p, double& value) {
       ->default_str(fmt::format("{}", value));
 }
 
-void add_family(CLI::App& command, const Family& family, GenerateArguments& options) {
+void add_family(Command& command, const Family& family, GenerateArguments& options) {
   auto values = std::make_shared<std::vector<double>>(shapes::usual_values(family));
-  CLI::App& entry =
+  Command& entry =
       *command.add_subcommand(std::string(family.name), std::string(family.description))
            ->fallthrough()
            ->group("Families of points");
@@ -206,10 +206,10 @@ void add_family(CLI::App& command, const Family& family, GenerateArguments& opti
   });
 }
 
-void add_malformed(CLI::App& command, const MalformedFile& file, GenerateArguments& options) {
-  CLI::App& entry = *command.add_subcommand(file.name, file.description)
-                         ->fallthrough()
-                         ->group("Files that no reader may accept");
+void add_malformed(Command& command, const MalformedFile& file, GenerateArguments& options) {
+  Command& entry = *command.add_subcommand(file.name, file.description)
+                        ->fallthrough()
+                        ->group("Files that no reader may accept");
   entry.callback([&file, &options] {
     options.work = [&file, &options] { return run_malformed(options, file); };
   });
@@ -217,9 +217,9 @@ void add_malformed(CLI::App& command, const MalformedFile& file, GenerateArgumen
 
 }  // namespace
 
-void add_generate_command(CLI::App& program, int& exit_code) {
+void add_generate_command(Command& program, int& exit_code) {
   auto options = std::make_shared<GenerateArguments>();
-  CLI::App& command =
+  Command& command =
       *program.add_subcommand("generate", "write hard inputs: families of points by name");
   command.footer(kGenerateFooter);
   command.require_subcommand(0, 1);

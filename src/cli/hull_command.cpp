@@ -69,9 +69,9 @@ int run_hull(const HullArguments& options) {
 
 }  // namespace
 
-void add_hull_command(CLI::App& program, int& exit_code) {
+void add_hull_command(Command& program, int& exit_code) {
   auto options = std::make_shared<HullArguments>();
-  CLI::App& command =
+  Command& command =
       *program.add_subcommand("hull", "the exact hull: counts, volume, area, mean width");
   command.footer(kHullFooter);
   add_input_argument(command, options->inputs);

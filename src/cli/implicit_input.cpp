@@ -47,7 +47,7 @@ void ImplicitOptions::require_complete(const std::vector<std::string>& inputs) c
   if (!depth) reject_implicit("--implicit needs --depth");
 }
 
-void add_implicit_options(CLI::App& command, ImplicitOptions& options) {
+void add_implicit_options(Command& command, ImplicitOptions& options) {
   command.get_option("INPUT")->required(false);
   command.add_option("--implicit", options.file,
                      "an implicit shape (JSON) in the place of INPUT: the corners of all cells "

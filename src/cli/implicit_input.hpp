@@ -2,7 +2,6 @@
 // implicit_input.hpp - simplify --implicit: its options, the corners of cells as an object, and
 // their report.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,7 +35,7 @@ struct ImplicitOptions {
 };
 
 /// Adds the options; INPUT of the command may be left out from now on.
-void add_implicit_options(CLI::App& command, ImplicitOptions& options);
+void add_implicit_options(Command& command, ImplicitOptions& options);
 
 /// Reads the shape and finds its cells; their corners are the points of the object.
 /// @throws Error as read_bytes(), and as read_implicit_bytes() and kept_cells() with the file.

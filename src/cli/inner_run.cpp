@@ -140,7 +140,7 @@ std::string answer_of(const std::vector<FoundObject<InnerResult>>& objects,
 
 }  // namespace
 
-void add_inner_options(CLI::App& command, InnerOnly& options) {
+void add_inner_options(Command& command, InnerOnly& options) {
   command.add_flag("--inner", options.inner,
                    "remove vertices of the hull instead: a solid inside, losing as little volume "
                    "as possible");

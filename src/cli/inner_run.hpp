@@ -31,7 +31,7 @@ struct SimplifyArguments {
   ImplicitOptions implicit;
 };
 
-void add_inner_options(CLI::App& command, InnerOnly& options);
+void add_inner_options(Command& command, InnerOnly& options);
 
 /// @throws Error InvalidArgument for one of these options without --inner.
 void require_inner(const InnerOnly& options);

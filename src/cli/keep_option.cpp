@@ -108,7 +108,7 @@ KeepSelector selector_of(const std::string& text, const KeepText& parsed,
 
 }  // namespace
 
-CLI::Option* add_keep_option(CLI::App& command, std::vector<std::string>& texts) {
+Option add_keep_option(Command& command, std::vector<std::string>& texts) {
   return command
       .add_option("--keep", texts,
                   "facets that stay, by id:N,..., plane:NX,NY,NZ,D, normal:X,Y,Z[:DEGREES] or "

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // keep_option.hpp - --keep: facets that a run must not remove, as users name them.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
@@ -11,7 +10,7 @@
 namespace convexact::cli {
 
 /// Adds --keep, which may be repeated. @param texts  Receives what was given.
-CLI::Option* add_keep_option(CLI::App& command, std::vector<std::string>& texts);
+Option add_keep_option(Command& command, std::vector<std::string>& texts);
 
 /// The selectors of each object: id:12,13 and plane:nx,ny,nz,d and normal:x,y,z[:degrees] and
 /// group:NAME; in a scene of several objects each after the name of a part and a slash.

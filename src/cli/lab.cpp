@@ -15,8 +15,8 @@ constexpr LabCommand kLabCommands[] = {kDiffCommand, kReportCommand, kStressComm
 
 }  // namespace
 
-std::function<void(CLI::App&, int&)> listed(const LabCommand& command) {
-  return [command](CLI::App& program, int&) {
+std::function<void(Command&, int&)> listed(const LabCommand& command) {
+  return [command](Command& program, int&) {
     program.add_subcommand(command.name, command.description);
   };
 }

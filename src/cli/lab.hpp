@@ -27,7 +27,7 @@ inline constexpr LabCommand kCompareCommand = {
     "compare", "measure exactly how tightly other methods enclose the inputs"};
 
 /// Lists a subcommand of the lab in --help.
-[[nodiscard]] std::function<void(CLI::App&, int&)> listed(const LabCommand& command);
+[[nodiscard]] std::function<void(Command&, int&)> listed(const LabCommand& command);
 
 /// Whether a word of the command line names one of these subcommands.
 [[nodiscard]] bool is_lab_command(std::string_view word);

@@ -100,7 +100,7 @@ Rational parse_share(const std::string& option, const std::string& text) {
 
 std::vector<std::string> words_of(const std::string& text) {
   // A comma at the end, since the splitter ignores an empty last word.
-  return CLI::detail::split(text + ",", ',');
+  return split(text + ",", ',');
 }
 
 std::vector<HalfspaceId> parse_ids(const std::string& option, const std::string& text) {
@@ -112,28 +112,20 @@ std::vector<HalfspaceId> parse_ids(const std::string& option, const std::string&
   return ids;
 }
 
-CLI::Option* add_text(
-    CLI::App& command, const std::string& names, const std::string& meaning,
+Option add_text(
+    Command& command, const std::string& names, const std::string& meaning,
     const std::function<void(const std::string& option, const std::string& text)>& take) {
   const std::string name = names.substr(names.rfind(',') + 1);
-  return command.add_option_function<std::string>(
-      names,
-      [name, take](const std::string& text) {
-        try {
-          take(name, text);
-        } catch (const Error& error) {
-          throw CLI::ValidationError(error.what());
-        }
-      },
-      meaning);
+  return command.add_option_function(
+      names, [name, take](const std::string& text) { take(name, text); }, meaning);
 }
 
-CLI::Option* add_count(CLI::App& command, const std::string& names, const CountRange& range,
-                       const std::string& meaning, std::optional<std::uint64_t> usual,
-                       const std::function<void(std::uint64_t)>& take) {
+Option add_count(Command& command, const std::string& names, const CountRange& range,
+                 const std::string& meaning, std::optional<std::uint64_t> usual,
+                 const std::function<void(std::uint64_t)>& take) {
   const bool is_endless = range.most >> 32 != 0;
   const std::string limits = is_endless ? "" : fmt::format(", {} to {}", range.least, range.most);
-  CLI::Option* option = add_text(
+  Option option = add_text(
       command, names, meaning + limits,
       [take, range](const auto& name, const auto& text) { take(parse_count(name, text, range)); });
   if (usual && *usual >= range.least && *usual <= range.most) {
@@ -142,21 +134,21 @@ CLI::Option* add_count(CLI::App& command, const std::string& names, const CountR
   return option->type_name("COUNT");
 }
 
-CLI::Option* add_bytes(CLI::App& command, const std::string& names, std::uint64_t& value,
-                       const std::string& meaning) {
+Option add_bytes(Command& command, const std::string& names, std::uint64_t& value,
+                 const std::string& meaning) {
   return add_text(command, names, meaning,
                   [&value](const auto& name, const auto& text) { value = parse_bytes(name, text); })
       ->type_name("SIZE");
 }
 
-CLI::Option* add_tie_bits(CLI::App& command, long& bits, const std::string& meaning) {
+Option add_tie_bits(Command& command, long& bits, const std::string& meaning) {
   return command.add_option("--tie-bits", bits, meaning)
-      ->check(CLI::Range(128L, 1L << 20))
+      ->between(128, 1L << 20)
       ->capture_default_str();
 }
 
-CLI::Option* add_seconds(CLI::App& command, const std::string& names, double& value,
-                         const std::string& meaning) {
+Option add_seconds(Command& command, const std::string& names, double& value,
+                   const std::string& meaning) {
   return add_text(
              command, names, meaning,
              [&value](const auto& name, const auto& text) { value = parse_seconds(name, text); })
@@ -164,7 +156,7 @@ CLI::Option* add_seconds(CLI::App& command, const std::string& names, double& va
       ->default_str(fmt::format("{}", value));
 }
 
-CLI::Option* add_center_option(CLI::App& command, std::string& text) {
+Option add_center_option(Command& command, std::string& text) {
   return command
       .add_option(
           "--center", text,
@@ -175,7 +167,7 @@ CLI::Option* add_center_option(CLI::App& command, std::string& text) {
 
 std::optional<RationalPoint> parse_center(const std::string& text) {
   if (text == "chebyshev") return std::nullopt;
-  const std::vector<std::string> words = CLI::detail::split(text, ',');
+  const std::vector<std::string> words = split(text, ',');
   if (words.size() == 3) {
     try {
       return RationalPoint(parse_rational(words[0]), parse_rational(words[1]),

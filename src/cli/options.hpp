@@ -2,7 +2,6 @@
 // options.hpp - options of the command line: words, lists, numbers, sizes and seconds, read
 // strictly.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -11,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/parser.hpp"
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "convexact/point_set.hpp"
@@ -56,7 +56,7 @@ template <class Value, std::size_t N>
                                              const NameTable<Value, N>& table,
                                              const std::string& others = {}) {
   std::vector<Value> values;
-  for (const std::string& word : CLI::detail::split(text, ',')) {
+  for (const std::string& word : split(text, ',')) {
     const std::optional<Value> value = value_in(table, word);
     if (!value) {
       std::string names;
@@ -71,53 +71,53 @@ template <class Value, std::size_t N>
 }
 
 /// An option whose text goes to `take`, with the option's name. An Error of `take` is wrong usage.
-CLI::Option* add_text(
-    CLI::App& command, const std::string& names, const std::string& meaning,
+Option add_text(
+    Command& command, const std::string& names, const std::string& meaning,
     const std::function<void(const std::string& option, const std::string& text)>& take);
 
 /// An option that takes a count. The help shows the range unless its end is arbitrary, and the
 /// default unless there is none or it lies outside of the range, like a 0 that stands for "not
 /// given".
-CLI::Option* add_count(CLI::App& command, const std::string& names, const CountRange& range,
-                       const std::string& meaning, std::optional<std::uint64_t> usual,
-                       const std::function<void(std::uint64_t)>& take);
+Option add_count(Command& command, const std::string& names, const CountRange& range,
+                 const std::string& meaning, std::optional<std::uint64_t> usual,
+                 const std::function<void(std::uint64_t)>& take);
 
 /// `Number` holds every number of the range.
 template <class Number>
-CLI::Option* add_count(CLI::App& command, const std::string& names, Number& value,
-                       const CountRange& range, const std::string& meaning) {
+Option add_count(Command& command, const std::string& names, Number& value, const CountRange& range,
+                 const std::string& meaning) {
   return add_count(command, names, range, meaning, static_cast<std::uint64_t>(value),
                    [&value](std::uint64_t count) { value = static_cast<Number>(count); });
 }
 
-inline CLI::Option* add_count(CLI::App& command, const std::string& names,
-                              std::optional<std::size_t>& value, const CountRange& range,
-                              const std::string& meaning) {
+inline Option add_count(Command& command, const std::string& names,
+                        std::optional<std::size_t>& value, const CountRange& range,
+                        const std::string& meaning) {
   return add_count(command, names, range, meaning, std::nullopt,
                    [&value](std::uint64_t count) { value = count; });
 }
 
 /// The number of halfspaces to keep: 4 to 2^32.
 template <class Number>
-CLI::Option* add_faces(CLI::App& command, Number& value, const std::string& meaning) {
+Option add_faces(Command& command, Number& value, const std::string& meaning) {
   return add_count(command, "-k,--faces", value, {4, std::uint64_t(1) << 32}, meaning);
 }
 
 /// An option that takes a size in bytes; 0 for no limit. A size is digits, with a fraction if
 /// wanted, then nothing, B, KB, MB, GB or TB (powers of 1024; KiB or K mean the same), in either
 /// case. A fraction of a byte is dropped; anything else, and 2^64 and more, is wrong usage.
-CLI::Option* add_bytes(CLI::App& command, const std::string& names, std::uint64_t& value,
-                       const std::string& meaning);
+Option add_bytes(Command& command, const std::string& names, std::uint64_t& value,
+                 const std::string& meaning);
 
 /// An option that takes seconds; the default is shown.
-CLI::Option* add_seconds(CLI::App& command, const std::string& names, double& value,
-                         const std::string& meaning);
+Option add_seconds(Command& command, const std::string& names, double& value,
+                   const std::string& meaning);
 
 /// --tie-bits, the precision up to which mean widths are compared; the default is shown.
-CLI::Option* add_tie_bits(CLI::App& command, long& bits, const std::string& meaning);
+Option add_tie_bits(Command& command, long& bits, const std::string& meaning);
 
 /// --center, of the polar dual; the default is shown.
-CLI::Option* add_center_option(CLI::App& command, std::string& text);
+Option add_center_option(Command& command, std::string& text);
 
 /// The point that --center spells as "X,Y,Z"; nothing for "chebyshev". @throws Error
 /// InvalidArgument.
@@ -126,8 +126,8 @@ CLI::Option* add_center_option(CLI::App& command, std::string& text);
 /// An option that takes one of a few words, in upper or lower case; the help shows them and the
 /// default, if there is one. @param value  A `Value`, or an optional one.
 template <class Value, class Target>
-CLI::Option* add_choice(CLI::App& command, const std::string& name, Target& value,
-                        const std::map<std::string, Value>& words, const std::string& meaning) {
+Option add_choice(Command& command, const std::string& name, Target& value,
+                  const std::map<std::string, Value>& words, const std::string& meaning) {
   std::string list, marked;
   for (const auto& [word, meant] : words) {
     list += (list.empty() ? "" : ", ") + word;
@@ -136,7 +136,7 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, Target& valu
   const std::string note = marked.find('*') == marked.npos ? "" : " (* is the default)";
   return add_text(command, name, meaning + note,
                   [&value, words, list](const auto& option, const auto& text) {
-                    const auto found = words.find(CLI::detail::to_lower(text));
+                    const auto found = words.find(to_lower(text));
                     if (found == words.end()) {
                       throw Error(ErrorCode::InvalidArgument, option + ": expected one of " + list +
                                                                   ", found " + in_quotes(text));
@@ -147,8 +147,8 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, Target& valu
 }
 
 template <class Value, std::size_t N, class Target>
-CLI::Option* add_choice(CLI::App& command, const std::string& name, Target& value,
-                        const NameTable<Value, N>& table, const std::string& meaning) {
+Option add_choice(Command& command, const std::string& name, Target& value,
+                  const NameTable<Value, N>& table, const std::string& meaning) {
   std::map<std::string, Value> words;
   for (const auto& [meant, word] : table) words.emplace(word, meant);
   return add_choice<Value>(command, name, value, words, meaning);

@@ -144,7 +144,7 @@ void require_other_files(const std::vector<std::string>& outputs,
   }
 }
 
-void add_input_argument(CLI::App& command, std::vector<std::string>& inputs) {
+void add_input_argument(Command& command, std::vector<std::string>& inputs) {
   command
       .add_option("INPUT", inputs,
                   "meshes or points (OBJ, OFF, PLY, STL, XYZ) or halfspaces (JSON, .ine, rows); - "
@@ -152,7 +152,7 @@ void add_input_argument(CLI::App& command, std::vector<std::string>& inputs) {
       ->required();
 }
 
-void add_output_options(CLI::App& command, OutputOptions& options) {
+void add_output_options(Command& command, OutputOptions& options) {
   command
       .add_option("-o,--output", options.results,
                   "file for the result, by extension: .obj .off .ply .stl .xyz or .json .ine .txt; "
@@ -165,13 +165,13 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
                   "round outward to binary64 or binary32");
 }
 
-void add_decimal_option(CLI::App& command, Decimal& decimal) {
+void add_decimal_option(Command& command, Decimal& decimal) {
   add_choice<Decimal>(command, "--decimal", decimal,
                       {{"nearest", Decimal::Nearest}, {"exact", Decimal::Exact}},
                       "decimals in text mean the nearest double, or the number they spell");
 }
 
-void add_scene_options(CLI::App& command, SceneOptions& options) {
+void add_scene_options(Command& command, SceneOptions& options) {
   options.on_read = remember_input;
   command.add_flag("--parts", options.parts,
                    "treat each object (o or g line, STL solid) separately");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // outputs.hpp - the files that simplify writes: all of them, complete, or none.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
 #include <utility>
 #include <variant>
@@ -86,11 +85,11 @@ Json objects_json(const std::vector<FoundObject<Result>>& objects, Describe&& js
   return list;
 }
 
-void add_input_argument(CLI::App& command, std::vector<std::string>& inputs);
-void add_output_options(CLI::App& command, OutputOptions& options);
+void add_input_argument(Command& command, std::vector<std::string>& inputs);
+void add_output_options(Command& command, OutputOptions& options);
 /// --decimal: the meaning of decimals in text.
-void add_decimal_option(CLI::App& command, Decimal& decimal);
-void add_scene_options(CLI::App& command, SceneOptions& options);
+void add_decimal_option(Command& command, Decimal& decimal);
+void add_scene_options(Command& command, SceneOptions& options);
 
 /// One object and the solid that encloses it.
 struct OutputObject {

@@ -6,16 +6,16 @@ namespace {
 
 // An empty name is refused: a script has lost it, it was not left out. Every picture must be a
 // page.
-void check_file_names(CLI::App& command) {
+void check_file_names(Command& command) {
   for (const char* const name :
        {"--output", "--picture", "--trace", "--proof", "--tree", "--csv", "--from"}) {
-    CLI::Option* const option = command.get_option_no_throw(name);
-    if (option == nullptr) continue;
+    std::optional<Option> option = command.find_option(name);
+    if (!option) continue;
     option->check([](const std::string& text) {
       return std::string(text.empty() ? "expected the name of a file, found ''" : "");
     });
   }
-  if (CLI::Option* const picture = command.get_option_no_throw("--picture")) {
+  if (std::optional<Option> picture = command.find_option("--picture")) {
     picture->check([](const std::string& text) {
       return std::string(text.ends_with(".html") ? "" : "expected a name that ends in .html");
     });
@@ -27,19 +27,15 @@ void check_file_names(CLI::App& command) {
 int run_program(const Program& parts, int argc, char** argv) {
   install_memory_functions();
   remember_command_line(argc, argv);
-  CLI::App program(parts.description, "convexact");
+  Command program(parts.description, "convexact");
   program.footer(parts.footer);
   program.set_version_flag("--version", CONVEXACT_VERSION);
   program.require_subcommand(1);
   int exit_code = 0;
   for (const auto& add_to : parts.commands) add_to(program, exit_code);
-  for (CLI::App* const command : program.get_subcommands({})) check_file_names(*command);
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return end_of_parsing(program, error);
-  }
-  return exit_code;
+  for (const auto& command : program.subcommands()) check_file_names(*command);
+  const std::optional<NotRun> reason = program.parse(argc, argv);
+  return reason ? end_of_parsing(program, *reason) : exit_code;
 }
 
 }  // namespace convexact::cli

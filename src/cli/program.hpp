@@ -12,7 +12,7 @@ namespace convexact::cli {
 struct Program {
   const char* description;
   const char* footer;
-  std::vector<std::function<void(CLI::App&, int&)>> commands;
+  std::vector<std::function<void(Command&, int&)>> commands;
 };
 
 /// Parses the command line, runs the subcommand, and returns the exit code.

@@ -60,7 +60,7 @@ Promise PromiseOptions::promise(Asks asks_by_default) const {
   return result;
 }
 
-void add_promise_options(CLI::App& command, PromiseOptions& options) {
+void add_promise_options(Command& command, PromiseOptions& options) {
   command.add_option("--profile", options.profile,
                      "the promises of a known engine, by its name: docs/conform.md has the list; "
                      "other options override it");
@@ -78,7 +78,7 @@ void add_promise_options(CLI::App& command, PromiseOptions& options) {
             "most corners of a facet");
 }
 
-void add_asking_options(CLI::App& command, PromiseOptions& options) {
+void add_asking_options(Command& command, PromiseOptions& options) {
   add_choice(command, "--asks", options.asks, kAsksNames,
              "what the program writes: an enclosure, the hull, a solid inside it, or an "
              "enclosure of {faces} facets (default: simplify with {faces}, else enclosure)");

@@ -2,7 +2,6 @@
 // promise_options.hpp - the promise of a program, from --profile and single options, and the claims
 // to decide.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,9 +25,9 @@ struct PromiseOptions {
 };
 
 /// --profile, --tolerance, --numbers and the three caps.
-void add_promise_options(CLI::App& command, PromiseOptions& options);
+void add_promise_options(Command& command, PromiseOptions& options);
 /// --asks and --allow-flat.
-void add_asking_options(CLI::App& command, PromiseOptions& options);
+void add_asking_options(Command& command, PromiseOptions& options);
 
 /// The value of --claims: names, separated by commas.
 /// @throws Error InvalidArgument, listing the names, for any other word, even an empty one.

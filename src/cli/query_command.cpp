@@ -253,7 +253,7 @@ int run_false_positives(const QueryArguments& options) {
                             [&] { return false_positives_text(a, b, found); });
 }
 
-void add_solid(CLI::App& command, const std::string& name, std::string& path,
+void add_solid(Command& command, const std::string& name, std::string& path,
                const std::string& meaning) {
   command
       .add_option(name, path,
@@ -263,7 +263,7 @@ void add_solid(CLI::App& command, const std::string& name, std::string& path,
       ->required();
 }
 
-void finish_query(CLI::App& command, const std::shared_ptr<QueryArguments>& options, int& exit_code,
+void finish_query(Command& command, const std::shared_ptr<QueryArguments>& options, int& exit_code,
                   int (*run)(const QueryArguments&)) {
   options->scene.on_read = remember_input;
   add_decimal_option(command, options->scene.decimal);
@@ -271,20 +271,20 @@ void finish_query(CLI::App& command, const std::shared_ptr<QueryArguments>& opti
   add_stages_option(command, options->global);
 }
 
-void add_probes(CLI::App& command, const std::string& name, std::size_t& samples,
+void add_probes(Command& command, const std::string& name, std::size_t& samples,
                 const std::string& meaning) {
   add_count(command, name, samples, {0, 1'000'000'000}, meaning);
 }
 
 }  // namespace
 
-void add_query_command(CLI::App& program, int& exit_code) {
-  CLI::App& command =
+void add_query_command(Command& program, int& exit_code) {
+  Command& command =
       *program.add_subcommand("query", "overlap, rays and false positives, answered exactly");
   command.footer(kQueryFooter);
   command.require_subcommand(1);
 
-  CLI::App& overlap =
+  Command& overlap =
       *command.add_subcommand("overlap", "whether two solids have a point in common");
   overlap.footer(kOverlapFooter);
   auto options = std::make_shared<QueryArguments>();
@@ -292,7 +292,7 @@ void add_query_command(CLI::App& program, int& exit_code) {
   add_solid(overlap, "B", options->b, "another one");
   finish_query(overlap, options, exit_code, run_overlap);
 
-  CLI::App& rays = *command.add_subcommand("rays", "where rays enter and leave a solid");
+  Command& rays = *command.add_subcommand("rays", "where rays enter and leave a solid");
   rays.footer(kRaysFooter);
   options = std::make_shared<QueryArguments>();
   add_solid(rays, "A", options->a, "a solid, or a tree of convexact bvh");
@@ -301,7 +301,7 @@ void add_query_command(CLI::App& program, int& exit_code) {
       ->required();
   finish_query(rays, options, exit_code, run_rays);
 
-  CLI::App& probes = *command.add_subcommand(
+  Command& probes = *command.add_subcommand(
       "false-positives", "how often random probes hit a solid and not one inside it");
   probes.footer(kFalsePositivesFooter);
   options = std::make_shared<QueryArguments>();

@@ -244,9 +244,9 @@ int run_shrink(const ShrinkArguments& options) {
 
 }  // namespace
 
-void add_shrink_command(CLI::App& program, int& exit_code) {
+void add_shrink_command(Command& program, int& exit_code) {
   auto options = std::make_shared<ShrinkArguments>();
-  CLI::App& command = *program.add_subcommand(
+  Command& command = *program.add_subcommand(
       "shrink", "reduce an input on which a program fails to a minimal one");
   command.footer(kShrinkFooter);
   command
@@ -277,7 +277,7 @@ void add_shrink_command(CLI::App& program, int& exit_code) {
   command
       .add_option("--output-format", options->output_format,
                   "the format in which PROGRAM writes {output}")
-      ->check(CLI::IsMember({"obj", "off", "ply", "stl", "json", "ine", "txt"}))
+      ->one_of({"obj", "off", "ply", "stl", "json", "ine", "txt"})
       ->capture_default_str();
   add_seconds(command, "--time-limit", options->program.limits.seconds, "time for each run");
   add_bytes(command, "--memory-limit", options->program.limits.memory,

@@ -204,11 +204,11 @@ int run_simplify(const SimplifyArguments& options) {
 
 }  // namespace
 
-void add_simplify_command(CLI::App& program, int& exit_code) {
+void add_simplify_command(Command& program, int& exit_code) {
   auto options = std::make_shared<SimplifyArguments>();
-  CLI::App& command = *program.add_subcommand("simplify",
-                                              "enclose a shape in few halfspaces, adding as little "
-                                              "volume as possible, or area, or mean width");
+  Command& command = *program.add_subcommand("simplify",
+                                             "enclose a shape in few halfspaces, adding as little "
+                                             "volume as possible, or area, or mean width");
   command.footer(kSimplifyFooter);
   add_input_argument(command, options->inputs);
   add_faces(command, options->request.faces, "how many halfspaces to keep, at least 4");

@@ -6,7 +6,7 @@
 
 namespace convexact::cli {
 
-void add_stdio_options(CLI::App& command, StdioOptions& options, const std::string& answers) {
+void add_stdio_options(Command& command, StdioOptions& options, const std::string& answers) {
   options.command = &command;
   command.add_flag("--stdio", options.is_asked,
                    "answer requests on standard input, one JSON object per line, with " + answers +
@@ -24,11 +24,11 @@ void StdioOptions::require_sensible() const {
     throw Error(ErrorCode::InvalidArgument, "--time-limit is for each request of --stdio");
   }
   if (!is_asked) return;
-  for (const CLI::Option* option : command->get_options()) {
-    const std::string name = option->get_name();
+  for (const Option& option : command->options()) {
+    const std::string name = option.name();
     const bool is_known =
         name == "--stdio" || name == "--time-limit" || name == "--max-memory" || name == "--json";
-    if (option->count() > 0 && !is_known) {
+    if (option.is_given() && !is_known) {
       throw Error(ErrorCode::InvalidArgument, "--stdio takes everything from standard input: " +
                                                   name + " belongs in the requests");
     }

@@ -11,9 +11,9 @@
 namespace convexact::cli {
 
 struct StdioOptions {
-  const CLI::App* command = nullptr;  ///< Set by add_stdio_options().
-  bool is_asked = false;              ///< --stdio
-  std::optional<double> time_limit;   ///< --time-limit, in seconds
+  const Command* command = nullptr;  ///< Set by add_stdio_options().
+  bool is_asked = false;             ///< --stdio
+  std::optional<double> time_limit;  ///< --time-limit, in seconds
 
   /// @throws Error InvalidArgument for other options and arguments together with --stdio, and for a
   ///               limit without it.
@@ -21,7 +21,7 @@ struct StdioOptions {
 };
 
 /// Adds --stdio and --time-limit. @param answers  The answer to a line: "one verdict".
-void add_stdio_options(CLI::App& command, StdioOptions& options, const std::string& answers);
+void add_stdio_options(Command& command, StdioOptions& options, const std::string& answers);
 
 /// Answers each line of standard input with a line on standard output, at once, until the end of
 /// the input; blank lines have no answer. Errors are in the answers, so the exit code is 0.

@@ -129,9 +129,9 @@ int run_teach(const TeachArguments& options) {
 
 }  // namespace
 
-void add_teach_command(CLI::App& program, int& exit_code) {
+void add_teach_command(Command& program, int& exit_code) {
   auto options = std::make_shared<TeachArguments>();
-  CLI::App& command = *program.add_subcommand(
+  Command& command = *program.add_subcommand(
       "teach", "a lesson: how the halfspaces of one shape are found and removed, step by step");
   command.footer(kTeachFooter);
   command

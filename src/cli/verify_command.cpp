@@ -127,7 +127,7 @@ int run_verify_parts(VerifyArguments options) {
     std::vector<std::string> names = words_of(*options.claims);
     request.judges_gaps = std::erase(names, kNoGaps) > 0;
     request.judges_parts = !names.empty();
-    options.claims = CLI::detail::join(names, ",");
+    options.claims = join(names, ",");
     if (names.empty()) options.claims.reset();
   }
   const Promise promise = promise_of(options);
@@ -249,9 +249,9 @@ int run_verify(const VerifyArguments& options) {
 
 }  // namespace
 
-void add_verify_command(CLI::App& program, int& exit_code) {
+void add_verify_command(Command& program, int& exit_code) {
   auto options = std::make_shared<VerifyArguments>();
-  CLI::App& command = *program.add_subcommand(
+  Command& command = *program.add_subcommand(
       "verify",
       "decide exactly whether an output is a convex solid that contains its input, or parts "
       "whose union does");

@@ -63,8 +63,8 @@ TraceVerdict judge(const Solid& solid, const OrderFiles& files, const TraceOptio
 
 }  // namespace
 
-void add_trace_options(CLI::App& command, TraceOptions& options) {
-  CLI::Option* trace =
+void add_trace_options(Command& command, TraceOptions& options) {
+  Option trace =
       command.add_option("--trace", options.trace,
                          "judge a removal order: a trace, rows nx ny nz d, or rows of facet ids");
   add_choice(

@@ -23,7 +23,7 @@ struct TraceOptions {
 };
 
 /// Adds --trace, --cost, --tie-bits, --facets, --max-regret, --left-out and --keep.
-void add_trace_options(CLI::App& command, TraceOptions& options);
+void add_trace_options(Command& command, TraceOptions& options);
 
 /// Judges the order, prints the verdict and returns the exit code: 0 if nothing is violated, else 1
 /// (4 for an input without interior).

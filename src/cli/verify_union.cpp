@@ -26,7 +26,7 @@ std::string UnionOptions::foreign_to_one_solid() const {
                             : "";
 }
 
-void add_union_options(CLI::App& command, UnionOptions& options) {
+void add_union_options(Command& command, UnionOptions& options) {
   command.add_flag("--union", options.is_asked,
                    "judge the parts of CANDIDATE together: does their union hold INPUT? Also "
                    "without this option if CANDIDATE is a folder, or JSON with \"parts\", or if "

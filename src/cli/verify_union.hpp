@@ -22,7 +22,7 @@ struct UnionOptions {
 };
 
 /// Adds --union, --max-parts, --orient, --exact-volumes and --picture.
-void add_union_options(CLI::App& command, UnionOptions& options);
+void add_union_options(Command& command, UnionOptions& options);
 
 /// Whether a candidate can only be a decomposition: a folder, or JSON with "parts".
 [[nodiscard]] bool is_decomposition(const std::string& path);

@@ -7,9 +7,9 @@
 namespace convexact::cli {
 
 /// Each adds its subcommand to the program; the subcommand's exit code goes to `exit_code`.
-void add_compare_command(CLI::App& program, int& exit_code);
-void add_diff_command(CLI::App& program, int& exit_code);
-void add_report_command(CLI::App& program, int& exit_code);
-void add_stress_command(CLI::App& program, int& exit_code);
+void add_compare_command(Command& program, int& exit_code);
+void add_diff_command(Command& program, int& exit_code);
+void add_report_command(Command& program, int& exit_code);
+void add_stress_command(Command& program, int& exit_code);
 
 }  // namespace convexact::cli

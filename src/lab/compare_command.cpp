@@ -104,15 +104,14 @@ int run_compare(const CompareArguments& options) {
 
 }  // namespace
 
-void add_compare_command(CLI::App& program, int& exit_code) {
+void add_compare_command(Command& program, int& exit_code) {
   auto options = std::make_shared<CompareArguments>();
-  CLI::App& command = *program.add_subcommand(kCompareCommand.name, kCompareCommand.description);
+  Command& command = *program.add_subcommand(kCompareCommand.name, kCompareCommand.description);
   command.footer(kCompareFooter);
   command.add_option("INPUT", options->inputs, "meshes or halfspaces");
-  CLI::Option* faces =
-      add_faces(command, options->request.size, "planes of each solid, at least 4");
-  CLI::Option* inner = command.add_flag("--inner", options->request.inner,
-                                        "compare solids inside the inputs, of few vertices");
+  Option faces = add_faces(command, options->request.size, "planes of each solid, at least 4");
+  Option inner = command.add_flag("--inner", options->request.inner,
+                                  "compare solids inside the inputs, of few vertices");
   inner->excludes(faces);
   add_count(command, "--vertices", options->request.size, {4, std::uint64_t(1) << 32},
             "with --inner: vertices of each solid, at least 4")

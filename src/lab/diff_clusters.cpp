@@ -21,7 +21,7 @@ std::string ClusterDiffOptions::foreign_to_removals() const {
                      : "";
 }
 
-void add_cluster_diff_options(CLI::App& command, ClusterDiffOptions& options) {
+void add_cluster_diff_options(Command& command, ClusterDiffOptions& options) {
   command.add_flag("--clusters", options.is_asked,
                    "compare the merges of a decomposition instead: see decompose");
   command.add_option("--concavity", options.concavity,

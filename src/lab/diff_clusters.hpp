@@ -23,7 +23,7 @@ struct ClusterDiffOptions {
 };
 
 /// Adds --clusters, --concavity, --max-parts, --measure and --connect.
-void add_cluster_diff_options(CLI::App& command, ClusterDiffOptions& options);
+void add_cluster_diff_options(Command& command, ClusterDiffOptions& options);
 
 /// Compares the engines on the faces of each object, prints what was found, and returns the exit
 /// code.

@@ -115,9 +115,9 @@ int run_diff(const DiffArguments& options) {
 
 }  // namespace
 
-void add_diff_command(CLI::App& program, int& exit_code) {
+void add_diff_command(Command& program, int& exit_code) {
   auto options = std::make_shared<DiffArguments>();
-  CLI::App& command = *program.add_subcommand(kDiffCommand.name, kDiffCommand.description);
+  Command& command = *program.add_subcommand(kDiffCommand.name, kDiffCommand.description);
   command.footer(kDiffFooter);
   add_input_argument(command, options->inputs);
   add_faces(command, options->faces, "how many halfspaces to keep, at least 4");

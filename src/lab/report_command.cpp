@@ -128,9 +128,9 @@ int run_report(const ReportArguments& options) {
 
 }  // namespace
 
-void add_report_command(CLI::App& program, int& exit_code) {
+void add_report_command(Command& program, int& exit_code) {
   auto options = std::make_shared<ReportArguments>();
-  CLI::App& command = *program.add_subcommand(kReportCommand.name, kReportCommand.description);
+  Command& command = *program.add_subcommand(kReportCommand.name, kReportCommand.description);
   command.footer(kReportFooter);
   command.add_option("INPUT", options->inputs,
                      "meshes or halfspaces; without any, only the sections that need no input");
@@ -151,7 +151,7 @@ void add_report_command(CLI::App& program, int& exit_code) {
       .add_option(
           "--family", request.families,
           "family of shapes for the section stability; default: every one that can be swept")
-      ->check(CLI::IsMember(breakdown_families()));
+      ->one_of(breakdown_families());
   add_scene_options(command, options->scene);
   finish_command(command, options, exit_code, run_report);
 }

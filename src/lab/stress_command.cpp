@@ -138,13 +138,13 @@ int run_stress(const StressArguments& options) {
   return report.passes() ? 0 : 1;
 }
 
-void add_sweep_options(CLI::App& command, StressArguments& options) {
+void add_sweep_options(Command& command, StressArguments& options) {
   command.add_option("FAMILY", options.families,
                      "families by name, or mesh files to be scaled and moved (default: all)");
   command.add_flag("--list", options.list, "name every family, what is varied and its values");
   add_text(command, "--values", "values instead of the family's own, e.g. 1e3,1e17",
            [&options](const auto& option, const auto& text) {
-             for (const std::string& word : CLI::detail::split(text, ',')) {
+             for (const std::string& word : split(text, ',')) {
                options.sweep.values.push_back(parse_decimal(option, word));
              }
            });
@@ -157,7 +157,7 @@ void add_sweep_options(CLI::App& command, StressArguments& options) {
   command.add_flag("--cases", options.cases, "a line for each input, not for each family");
 }
 
-void add_run_options(CLI::App& command, StressArguments& options) {
+void add_run_options(Command& command, StressArguments& options) {
   command.add_option("--engines", options.engines, "engines to run")->capture_default_str();
   add_choice(command, "--cost", options.cost, kCostMeasureNames,
              "what each removal is to add the least to; every answer is judged by it");
@@ -174,9 +174,9 @@ void add_run_options(CLI::App& command, StressArguments& options) {
 
 }  // namespace
 
-void add_stress_command(CLI::App& program, int& exit_code) {
+void add_stress_command(Command& program, int& exit_code) {
   auto options = std::make_shared<StressArguments>();
-  CLI::App& command = *program.add_subcommand(kStressCommand.name, kStressCommand.description);
+  Command& command = *program.add_subcommand(kStressCommand.name, kStressCommand.description);
   command.footer(kStressFooter);
   add_sweep_options(command, *options);
   add_run_options(command, *options);
