@@ -11,6 +11,7 @@
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
 #include "convexact/mesh.hpp"
+#include "io/json_text.hpp"
 #include "number/text.hpp"
 
 namespace convexact::cli {
@@ -102,7 +103,13 @@ std::set<std::string> files_of_document(const fs::path& path) {
   std::set<std::string> names;
   std::error_code failed;
   if (!fs::is_regular_file(path, failed)) return names;
-  const auto document = nlohmann::json::parse(read_bytes(path.string()), nullptr, false);
+  const std::string bytes = read_bytes(path.string());
+  nlohmann::json document;
+  try {
+    document = parse_json(bytes);
+  } catch (const Error&) {
+    return names;
+  }
   if (!document.is_object() || !document.contains("decomposition")) return names;
   const auto parts = document.find("parts");
   if (parts == document.end() || !parts->is_array()) return names;

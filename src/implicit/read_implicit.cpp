@@ -23,7 +23,7 @@ struct JsonPlace {
     throw Error(ErrorCode::Malformed,
                 (pointer.empty() ? "the document" : pointer) + ": expected " + expected);
   }
-  std::string found() const { return ", found " + in_quotes(value.dump()); }
+  std::string found() const { return ", found " + in_quotes(dump_json(value)); }
 
   double number() const {
     if (!value.is_number()) refuse("a number" + found());

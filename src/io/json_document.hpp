@@ -24,7 +24,7 @@ class Halfspace;
 /// A value to be written as JSON; an object keeps the order of its keys. Constructed from braces as
 /// nlohmann::ordered_json is: a list of pairs whose first halves are strings is an object, any
 /// other list an array. Documents that are *read* are nlohmann::json, see json_text.hpp; this type
-/// has no templates of its own, so that sources which describe results compile quickly.
+/// has templates for sequences only, so that sources which describe results compile quickly.
 class Json {
  public:
   Json();  ///< null

@@ -97,6 +97,12 @@ bool JsonDocument::close_last() {
   return true;
 }
 
+void parse_json_events(std::string_view bytes, JsonDocument& events) {
+  parse_json_events<JsonDocument>(bytes, events);
+}
+
+std::string dump_json(const json& value) { return value.dump(); }
+
 json parse_json(std::string_view bytes) {
   JsonDocument reader;
   parse_json_events(bytes, reader);
@@ -158,7 +164,7 @@ std::vector<std::vector<std::uint32_t>> polygons_of_json(const json& rows, std::
     for (const json& corner : row) {
       if (!corner.is_number_unsigned() || corner.get<std::uint64_t>() >= points) {
         reject_row("the index of one of " + std::to_string(points) + " vertices, found " +
-                   in_quotes(corner.dump()));
+                   in_quotes(dump_json(corner)));
       }
       polygon.push_back(corner.get<std::uint32_t>());
     }

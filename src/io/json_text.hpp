@@ -120,8 +120,14 @@ class JsonDocument : public JsonEvents {
   std::string key_;  // of the next value, if the last container is an object
 };
 
+/// The same for documents, compiled once.
+void parse_json_events(std::string_view bytes, JsonDocument& events);
+
 /// The document of a JSON text. @throws Error as JsonDocument.
 [[nodiscard]] nlohmann::json parse_json(std::string_view bytes);
+
+/// The text of a value that was read, on one line, for errors that quote it.
+[[nodiscard]] std::string dump_json(const nlohmann::json& value);
 
 /// The text of a number below a spelled key of JsonDocument, or of a string; empty for any other
 /// value (and for the empty string).

@@ -33,7 +33,7 @@ std::int64_t to_integer(const json& number, std::int64_t least, std::int64_t mos
       (most < 0 || number.get<std::uint64_t>() > static_cast<std::uint64_t>(most));
   if (!number.is_number_integer() || is_beyond || number.get<std::int64_t>() < least) {
     fail("expected an integer from " + std::to_string(least) + " to " + std::to_string(most) +
-         ", found " + in_quotes(number.dump()));
+         ", found " + in_quotes(dump_json(number)));
   }
   return number.get<std::int64_t>();
 }

@@ -165,7 +165,7 @@ void StepReader::read(const json& document, RemovalOrder& order) {
     const json& removed = step["removed"];
     OrderedStep& ordered = order.steps.emplace_back();
     ordered.row = row;
-    ordered.text = "the id " + in_quotes(removed.dump());
+    ordered.text = "the id " + in_quotes(dump_json(removed));
     ordered.step.removed = facet(removed);
     read_claims(step, order.measure, ordered);
   }

@@ -70,7 +70,7 @@ std::vector<ClaimCode> claims(const json& names) {
   std::vector<ClaimCode> codes;
   for (const json& name : names) {
     const auto code = name.is_string() ? claim_of_name(name.get<std::string>()) : std::nullopt;
-    if (!code) reject_request("the name of a claim, found " + in_quotes(name.dump()));
+    if (!code) reject_request("the name of a claim, found " + in_quotes(dump_json(name)));
     codes.push_back(*code);
   }
   return codes;

@@ -72,7 +72,8 @@ std::vector<std::size_t> indices_of(const json& list, std::size_t number) {
 HullTreeNode node_of_json(const json& entry, std::size_t number, Decimal decimal) {
   if (!entry.is_object()) reject_entry(fmt::format("node {} as an object", number));
   if (index_of(entry, "node", number).value_or(number) != number) {
-    reject_entry(fmt::format("node {} in its place, found node {}", number, entry["node"].dump()));
+    reject_entry(
+        fmt::format("node {} in its place, found node {}", number, dump_json(entry["node"])));
   }
   HullTreeNode node{.parent = index_of(entry, "parent", number),
                     .children = {},

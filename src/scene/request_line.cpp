@@ -117,7 +117,7 @@ std::string id_text(const json& request) {
   if (!request.is_object() || !request.contains("id")) return {};
   const json& id = request["id"];
   if (id.is_structured()) return {};
-  return id.is_binary() ? std::string(spelling_of(id)) : id.dump();
+  return id.is_binary() ? std::string(spelling_of(id)) : dump_json(id);
 }
 
 std::string with_id(const json& request, const std::string& body) {

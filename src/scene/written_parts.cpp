@@ -67,7 +67,7 @@ std::string proven_parts_json(const Json& document, std::span<const WrittenPart>
                               const std::string& path) {
   std::string bytes = write_lines(document);
   require_parts(bytes, path, parts);
-  const nlohmann::json read = nlohmann::json::parse(bytes);
+  const nlohmann::json read = parse_json(bytes);
   for (std::size_t k = 0; k < parts.size(); ++k) {
     std::vector<Halfspace> halfspaces;
     for (const auto& halfspace : read.at("parts").at(k).at("halfspaces")) {

@@ -24,7 +24,7 @@ constexpr auto kOutcomeNames =
 template <class E, std::size_t N>
 E enumerator_in(const NameTable<E, N>& table, const nlohmann::json& read) {
   const std::optional<E> value = value_in(table, read.get_ref<const std::string&>());
-  if (!value) throw Error(ErrorCode::Malformed, "no name of an enumerator: " + read.dump());
+  if (!value) throw Error(ErrorCode::Malformed, "no name of an enumerator: " + dump_json(read));
   return *value;
 }
 
@@ -195,7 +195,7 @@ Json stress_json(const StressReport& report) {
 }
 
 std::vector<StressRun> stress_runs_in(std::string_view text) {
-  const nlohmann::json read = nlohmann::json::parse(text);
+  const nlohmann::json read = parse_json(text);
   std::vector<StressRun> runs;
   for (const nlohmann::json& run : read.at("runs")) runs.push_back(run_in(run));
   return runs;
@@ -245,7 +245,7 @@ Json answer_json(const EngineAnswer& answer) {
 }
 
 EngineAnswer answer_in(std::string_view text) {
-  const nlohmann::json read = nlohmann::json::parse(text);
+  const nlohmann::json read = parse_json(text);
   EngineAnswer answer;
   answer.engine = enumerator_in(kEngineNames, read.at("engine"));
   answer.end = enumerator_in(kStressEndNames, read.at("end"));

@@ -32,6 +32,8 @@ APART = {
 VERIFICATION = re.compile(r"src/simplify/(step_verification|inner_verification|plain_\w+|whole_dual|modular_volume)\.[hc]pp")
 VERIFIED = re.compile(r"simplify/(dual_surface|cap|ring_triangulation|exact_engine)\.hpp")
 INCLUDE = re.compile(r'#include "([^"]+)"')
+# The one header that includes all of nlohmann/json, which takes long to compile: for sources that read.
+READS_JSON = "src/io/json_text.hpp"
 
 
 def room_of(path, included):
@@ -48,6 +50,8 @@ def room_of(path, included):
 
 def offences(path, room):
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        if path.suffix == ".hpp" and "<nlohmann/json.hpp>" in line and str(path) != READS_JSON:
+            yield f"{path}:{number}: only {READS_JSON} includes nlohmann/json.hpp; write with io/json_document.hpp"
         match = INCLUDE.match(line)
         if not match:
             continue
