@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/parser.hpp"
 #include "convexact/implicit.hpp"
 #include "convexact/scene.hpp"
 #include "io/json_document.hpp"

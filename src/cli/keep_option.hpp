@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/parser.hpp"
 #include "convexact/keep.hpp"
 #include "convexact/scene.hpp"
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/parser.hpp"
 #include "convexact/conform.hpp"
 #include "convexact/verify.hpp"
 
