@@ -15,9 +15,9 @@ IntegerVector3 integer_direction(const RationalVector3& v) {
                     : primitive_direction(clear_denominators(v).n);
 }
 
-using Ray = std::pair<Rational, IntegerVector3>;  // its length in multiples of its direction
+using ScaledRay = std::pair<Rational, IntegerVector3>;  // its length in multiples of its direction
 
-Rational squared_length(const Ray& ray) {
+Rational squared_length(const ScaledRay& ray) {
   return ray.first * ray.first * Rational(ray.second.dot(ray.second));
 }
 
@@ -175,7 +175,7 @@ Concavity ExactConcavity::operator()(TriangleId triangle, const ConvexPart& hull
   }
   Concavity found{
       .triangle = triangle, .at = points[0], .leaves = points[0], .normal = IntegerVector3::Zero()};
-  const auto keep = [&](const RationalPoint& from, const Ray& ray, bool is_first) {
+  const auto keep = [&](const RationalPoint& from, const ScaledRay& ray, bool is_first) {
     Rational squared = squared_length(ray);
     if (!is_first && squared <= found.squared) return;
     found.squared = std::move(squared);

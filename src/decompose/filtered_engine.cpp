@@ -38,7 +38,7 @@ struct NearSum {
   double high() const { return value + error; }
 };
 
-struct MeshEdge {
+struct MeasuredEdge {
   PointId low, high;
   NearSum length;
 };
@@ -59,7 +59,7 @@ struct ExactCost {
 };
 
 // Two neighbouring clusters, first < second, and the data on their union.
-struct Candidate {
+struct CandidatePair {
   LengthBounds concavity;           // of the union; the lower bound holds also while it is stale
   LengthBounds key;                 // the number that the queue compares: the cost, or the
                                     // concavity
@@ -94,7 +94,7 @@ class FilteredEngine {
     for (const ClusterPair& pair : start.pairs) {
       clusters_.at(pair.first).neighbours.push_back(pair.second);
       clusters_.at(pair.second).neighbours.push_back(pair.first);
-      enter(pair, Candidate{});
+      enter(pair, CandidatePair{});
     }
   }
 
@@ -124,7 +124,7 @@ class FilteredEngine {
  private:
   // In the queue: by lower bound; of equal ones those of a class side by side.
   using Place = std::tuple<double, std::uint32_t, ClusterPair>;
-  static Place place(const ClusterPair& pair, const Candidate& candidate) {
+  static Place place(const ClusterPair& pair, const CandidatePair& candidate) {
     return {candidate.key.low, candidate.equals, pair};
   }
 
@@ -202,7 +202,7 @@ class FilteredEngine {
   }
 
   // Sets the key for the queue, and enters the candidate.
-  void enter(const ClusterPair& pair, Candidate candidate) {
+  void enter(const ClusterPair& pair, CandidatePair candidate) {
     candidate.key = candidate.concavity;
     if (!by_concavity_) {
       const LengthBounds shape = shape_of(clusters_.at(pair.first), clusters_.at(pair.second));
@@ -227,7 +227,7 @@ class FilteredEngine {
   void evaluate(const ClusterPair& pair) {
     ++made_.evaluations;
     report_progress();
-    Candidate candidate = std::move(candidates_.at(pair));
+    CandidatePair candidate = std::move(candidates_.at(pair));
     leave(pair);
     const Cluster& a = clusters_.at(pair.first);
     const Cluster& b = clusters_.at(pair.second);
@@ -241,7 +241,7 @@ class FilteredEngine {
     enter(pair, std::move(candidate));
   }
 
-  bool exceeds_limit(const ClusterPair& pair, Candidate& candidate) {
+  bool exceeds_limit(const ClusterPair& pair, CandidatePair& candidate) {
     if (is_float_) return candidate.concavity.high > limit_.high;
     if (candidate.concavity.low > limit_.high) return true;
     if (candidate.concavity.high <= limit_.low) return false;
@@ -255,7 +255,7 @@ class FilteredEngine {
   }
 
   // The cost in exact numbers. The bounds become as narrow as doubles allow.
-  const MergeCost& exact_cost(const ClusterPair& pair, Candidate& candidate) {
+  const MergeCost& exact_cost(const ClusterPair& pair, CandidatePair& candidate) {
     if (candidate.exact) return candidate.exact->cost;
     ++made_.exact_evaluations;
     const Cluster& a = clusters_.at(pair.first);
@@ -290,7 +290,7 @@ class FilteredEngine {
   // Computes a fresh candidate in exact numbers, and enters it again with the narrowest key. Those
   // of a class are equal, so they share bounds and key.
   void narrow(const ClusterPair& pair, std::uint32_t equals) {
-    Candidate candidate = std::move(candidates_.at(pair));
+    CandidatePair candidate = std::move(candidates_.at(pair));
     leave(pair);
     const MergeCost& cost = exact_cost(pair, candidate);
     Class own;
@@ -315,7 +315,7 @@ class FilteredEngine {
                                                         exact_cost(b, candidates_.at(b)));
   }
 
-  Ordering compare(const Candidate& a, const Candidate& b) const {
+  Ordering compare(const CandidatePair& a, const CandidatePair& b) const {
     if (const auto order = order_to_zero(*a.exact->bounds - *b.exact->bounds)) return {*order};
     if (!by_concavity_) return order_.compare(a.exact->cost, b.exact->cost, options_.watch);
     const Rational &x = a.exact->cost.squared_concavity, &y = b.exact->cost.squared_concavity;
@@ -344,7 +344,7 @@ class FilteredEngine {
     auto it = std::next(queue_.begin());
     while (it != queue_.end()) {
       const ClusterPair rival_pair = std::get<ClusterPair>(*it);
-      const Candidate &best = candidates_.at(best_pair), &rival = candidates_.at(rival_pair);
+      const CandidatePair &best = candidates_.at(best_pair), &rival = candidates_.at(rival_pair);
       if (rival.key.low > best.key.high) break;
       if (!rival.is_fresh) {
         evaluate(rival_pair);
@@ -394,7 +394,7 @@ class FilteredEngine {
     Merge merge{.kept = TriangleId(pair->first),
                 .gone = TriangleId(pair->second),
                 .beyond_limit = by_concavity_};
-    Candidate& winner = candidates_.at(*pair);
+    CandidatePair& winner = candidates_.at(*pair);
     if (winner.equals != kNoClass && classes_[winner.equals].members > 1) {
       merge.ties = classes_[winner.equals].members - 1;
       merge.tie_evidence = classes_[winner.equals].evidence;
@@ -419,13 +419,13 @@ class FilteredEngine {
     std::erase(a.neighbours, gone);
     std::erase(b.neighbours, kept);
     // The bounds of a union are lower bounds for a larger one.
-    std::map<std::uint32_t, Candidate> known;
+    std::map<std::uint32_t, CandidatePair> known;
     for (const auto& [name, beside] :
          {std::pair(kept, &a.neighbours), std::pair(gone, &b.neighbours)}) {
       for (const std::uint32_t other : *beside) {
         const ClusterPair old = std::minmax(name, other);
-        const Candidate& before = candidates_.at(old);
-        Candidate& after = known[other];
+        const CandidatePair& before = candidates_.at(old);
+        CandidatePair& after = known[other];
         after.concavity.low =
             std::max({after.concavity.low, before.concavity.low, near.concavity.low});
         after.is_beyond = after.is_beyond || before.is_beyond;
@@ -452,7 +452,7 @@ class FilteredEngine {
     by_concavity_ = true;
     auto before = std::exchange(candidates_, {});
     for (const auto& [pair, candidate] : before) {
-      Candidate stale;
+      CandidatePair stale;
       stale.concavity.low = candidate.concavity.low;
       enter(pair, std::move(stale));
     }
@@ -472,10 +472,10 @@ class FilteredEngine {
   CostOrder order_;
   NearConcavity near_;
   LengthBounds limit_, weight_;
-  std::vector<MeshEdge> edges_;
+  std::vector<MeasuredEdge> edges_;
   std::vector<std::optional<RootTerm>> areas_, lengths_;  // exact; by triangle, by edge
   std::map<std::uint32_t, Cluster> clusters_;             // by their lowest triangles
-  std::map<ClusterPair, Candidate> candidates_;
+  std::map<ClusterPair, CandidatePair> candidates_;
   std::set<Place> queue_;  // candidates that are not certain to exceed the limit
   std::vector<Class> classes_{1};
   Clustering made_;

@@ -9,10 +9,10 @@ namespace convexact {
 namespace {
 
 // A fraction p / r > 0 times a power of two, as another such fraction, not reduced.
-struct Fraction {
+struct ScaledFraction {
   Integer p, r;
 
-  Fraction(const Rational& q, long exponent) : p(numerator(q)), r(denominator(q)) {
+  ScaledFraction(const Rational& q, long exponent) : p(numerator(q)), r(denominator(q)) {
     (exponent > 0 ? p : r) <<= static_cast<unsigned long>(std::abs(exponent));
   }
 };
@@ -24,7 +24,7 @@ long floor_log2(const Rational& q) {
   const mpq_srcptr fraction = q.backend().data();
   const long guess = exponent_of(q) - 1;
   if (is_power_of_two(mpq_denref(fraction))) return guess;
-  const Fraction scaled(q, -guess);
+  const ScaledFraction scaled(q, -guess);
   return scaled.p < scaled.r ? guess - 1 : guess;
 }
 
@@ -36,7 +36,7 @@ Float round_magnitude(const Rational& magnitude, Rounding rounding, bool away) {
   constexpr long kLeastUnit = Limits::min_exponent - Limits::digits;  // 2^-1074 for binary64
   const long exponent = floor_log2(magnitude);
   const long unit = std::max(exponent - Limits::digits + 1, kLeastUnit);
-  const Fraction scaled(magnitude, -unit);
+  const ScaledFraction scaled(magnitude, -unit);
   Integer whole, rest;
   divide_qr(scaled.p, scaled.r, whole, rest);
   const Integer twice = rest * 2;

@@ -20,7 +20,7 @@
 namespace convexact {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 // A lower bound of the sum of `count` numbers, each 0 or more, that was computed as `sum`. Each
 // rounding, of a sum and of the product here, takes at most 2^-53 of it more, except for halves of
@@ -51,7 +51,7 @@ class BranchAndBound {
   struct Plane {
     bool is_removed = false;
     bool is_free = true;  // neither removed, nor kept in all sets being looked at
-    Interval<double> cost{0, kInfinite};
+    Interval<double> cost{0, kUnlimited};
     std::optional<Rational> exact_cost = {};  // if it was needed
     std::vector<Weight> weights = {};         // in the input: those that are surely above 0
   };
@@ -106,7 +106,7 @@ class BranchAndBound {
   HalfspaceIds kept_;
   std::vector<FormerCost> costs_;
   std::vector<double> open_;
-  double given_up_ = kInfinite;  // a bound of the states that were not looked at
+  double given_up_ = kUnlimited;  // a bound of the states that were not looked at
   std::size_t nodes_ = 0;
 };
 
@@ -153,7 +153,7 @@ void BranchAndBound::run() {
   if (to_go_ == 0) return;
   for (const HalfspaceId i : HalfspaceIds(free_)) {
     at(i).cost = surface_->cost(i);
-    if (at(i).cost.lower == kInfinite) keep(i);
+    if (at(i).cost.lower == kUnlimited) keep(i);
   }
   if (to_go_ > 1) {
     for (const HalfspaceId i : free_) weigh(i);
@@ -231,7 +231,7 @@ void BranchAndBound::branch(HalfspaceId i) {
     costs_.push_back({j, plane.cost, std::move(plane.exact_cost)});
     plane.exact_cost.reset();
     plane.cost = surface_->cost(j);
-    if (plane.cost.lower == kInfinite) keep(j);
+    if (plane.cost.lower == kUnlimited) keep(j);
   }
   explore();
   surface_->insert(i);
@@ -280,7 +280,7 @@ void BranchAndBound::undo_to(std::size_t kept, std::size_t costs) {
 // A lower bound of the volume that every choice of the removals to go adds, with those made. Fills
 // shares_.
 double BranchAndBound::bound() {
-  if (free_.size() < to_go_) return kInfinite;
+  if (free_.size() < to_go_) return kUnlimited;
   shares_.clear();
   for (const HalfspaceId i : free_) shares_.push_back({share(i), i});
   std::sort(shares_.begin(), shares_.end(),

@@ -6,7 +6,7 @@
 namespace convexact {
 namespace {
 
-__extension__ typedef unsigned __int128 Wide;
+__extension__ typedef unsigned __int128 Product;
 
 // A random prime in [2^60, 2^61).
 std::uint64_t random_prime(Random& random) {
@@ -42,7 +42,7 @@ std::uint64_t ModularVolume::difference(std::uint64_t a, std::uint64_t b) const 
   return (a + prime_ - b) % prime_;
 }
 std::uint64_t ModularVolume::product(std::uint64_t a, std::uint64_t b) const {
-  return static_cast<std::uint64_t>(Wide{a} * b % prime_);
+  return static_cast<std::uint64_t>(Product{a} * b % prime_);
 }
 
 std::uint64_t ModularVolume::inverse(std::uint64_t a) const {

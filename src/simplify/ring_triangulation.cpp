@@ -23,7 +23,7 @@ struct Piece {
 };
 
 // One side of a piece.
-struct Side {
+struct PieceSide {
   std::uint32_t piece = kOutside;
   std::uint32_t edge = 0;
 };
@@ -43,12 +43,12 @@ class PolygonTriangulation {
   // A directed edge that a new piece must take, and the piece on its other side.
   struct Gap {
     std::uint32_t from, to;
-    Side side;
+    PieceSide side;
   };
 
   const DualPoint& point(std::uint32_t position) const { return points_[ring_[position].index()]; }
   std::uint32_t add(std::uint32_t a, std::uint32_t b, std::uint32_t c);
-  void glue(Side a, Side b);
+  void glue(PieceSide a, PieceSide b);
   Gap gap_beyond(const Piece& piece, std::uint32_t edge) const;
   DualTriangle triangle(const Piece& piece) const {
     return {ring_[piece.corner[0]], ring_[piece.corner[1]], ring_[piece.corner[2]]};
@@ -59,7 +59,7 @@ class PolygonTriangulation {
   std::span<const HalfspaceId> ring_;
   RingObserver* observer_;
   std::vector<Piece> pieces_;
-  std::vector<Side> rim_;  // the side along the polygon's edge that starts at a corner
+  std::vector<PieceSide> rim_;  // the side along the polygon's edge that starts at a corner
   std::vector<Gap> open_;
   std::vector<DualTriangle> lost_;  // in the latest insertion, if it is observed
 };
@@ -70,7 +70,7 @@ std::uint32_t PolygonTriangulation::add(std::uint32_t a, std::uint32_t b, std::u
 }
 
 // Joins two sides; where b is outside, side a becomes part of the polygon's rim.
-void PolygonTriangulation::glue(Side a, Side b) {
+void PolygonTriangulation::glue(PieceSide a, PieceSide b) {
   pieces_[a.piece].across[a.edge] = b.piece;
   if (b.piece == kOutside) {
     rim_[pieces_[a.piece].corner[a.edge]] = a;
@@ -119,7 +119,7 @@ void PolygonTriangulation::insert(std::uint32_t p, std::uint32_t before, std::ui
     }
     const std::uint32_t piece = add(p, gap.from, gap.to);
     glue({piece, 1}, gap.side);
-    glue({piece, 0}, previous == kOutside ? Side{} : Side{previous, 2});
+    glue({piece, 0}, previous == kOutside ? PieceSide{} : PieceSide{previous, 2});
     previous = piece;
   }
   glue({previous, 2}, {});
