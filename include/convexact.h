@@ -97,13 +97,16 @@ typedef struct convexact_verdict convexact_verdict;
  * describes each claim. Budgets are not asked. CONVEXACT_NO_INTERIOR if the *points* lie in one
  * plane; any fault of the candidate is a violated claim.
  *
+ * asks: what the candidate was to be, "enclosure", "hull" or "inner"; NULL for an enclosure. A hull
+ * has the claim is-hull besides, an inner solid has inside-input in the place of contains-input.
+ *
  * tolerance: as the option of the program, "1e-6" for a length or "1e-9d" for a share of the
  * points' diameter, taken as spelled; NULL for none. Other text is CONVEXACT_INVALID_ARGUMENT. */
 
 /* The candidate is the intersection of halfspaces. */
 CONVEXACT_API convexact_status convexact_judge_planes(const double* points, size_t point_count,
                                                       const double* planes, size_t plane_count,
-                                                      const char* tolerance,
+                                                      const char* asks, const char* tolerance,
                                                       convexact_verdict** result);
 
 /* The candidate is a mesh. Face f has face_sizes[f] >= 3 corners, indices of vertices from 0,
@@ -114,7 +117,7 @@ CONVEXACT_API convexact_status convexact_judge_mesh(const double* points, size_t
                                                     const double* vertices, size_t vertex_count,
                                                     const uint32_t* corners,
                                                     const size_t* face_sizes, size_t face_count,
-                                                    const char* tolerance,
+                                                    const char* asks, const char* tolerance,
                                                     convexact_verdict** result);
 
 /* 1 if no claim is violated, else 0. */
@@ -122,7 +125,7 @@ CONVEXACT_API int convexact_verdict_holds(const convexact_verdict* result);
 CONVEXACT_API size_t convexact_verdict_claim_count(const convexact_verdict* result);
 /* Of claim i < claim count: its name, such as "contains-input"; */
 CONVEXACT_API const char* convexact_verdict_claim_name(const convexact_verdict* result, size_t i);
-/* "holds", "violated", "not-asked" or "not-applicable"; */
+/* "holds", "violated", "not-asked", "not-applicable" or "undecided"; */
 CONVEXACT_API const char* convexact_verdict_claim_status(const convexact_verdict* result, size_t i);
 /* and what was found, for people. Points, faces and rows in it count from 0. */
 CONVEXACT_API const char* convexact_verdict_claim_sentence(const convexact_verdict* result,

@@ -63,16 +63,6 @@ struct ProgramRun {
 [[nodiscard]] std::vector<std::string> fill_in(const std::vector<std::string>& words,
                                                const std::map<std::string, std::string>& values);
 
-/// The output that a program is asked for.
-enum class Asks {
-  Enclosure,  ///< A convex solid that contains the input.
-  Hull,       ///< The same, and each of its corners is a point of the input.
-  Inner,      ///< A convex solid inside the hull of the input.
-  Simplify,   ///< An enclosure with at most a given number of facets.
-};
-/// "enclosure" and the like.
-[[nodiscard]] const char* name_of(Asks asks);
-
 struct Promise {
   Asks asks = Asks::Simplify;
   /// The number format of inputs and outputs. Inputs are rounded to it before they are written; a
@@ -82,6 +72,9 @@ struct Promise {
   bool allow_flat = false;   ///< Inputs without volume may be accepted.
   std::optional<std::size_t> max_facets = {}, max_vertices = {}, max_facet_vertices = {};
 };
+
+/// What a promise asks of an output. A simplification to no known number of facets is an enclosure.
+[[nodiscard]] VerifyRequest request_of(const Promise& promise);
 
 /// A promise that is known by a name, such as that of an engine.
 struct Profile {
@@ -163,7 +156,7 @@ enum class Outcome {
   TooLoose,              ///< The output is larger than an enclosure of so many facets has to be.
   BrokenMesh,            ///< The output's surface has holes, or looks inward.
   NotConvex,             ///< The output's faces are not the surface of the hull of its points.
-  NotTheHull,            ///< The output, a hull by promise, has a corner that is no input point.
+  NotTheHull,            ///< The output, a hull by promise, reaches out of the input's hull.
   TooManyFacets,         ///< More facets than asked for or promised.
   TooManyVertices,       ///< More corners than promised.
   TooManyFacetVertices,  ///< A facet of more corners than promised.
@@ -291,7 +284,10 @@ struct ConformanceReport {
   std::map<NotRun, std::size_t> not_run = {};  ///< How many vectors were not run, and why.
 
   std::size_t passed() const;
-  /// Whether every required vector passed.
+  /// How many vectors have a usable input: who ends with an error on every input is asked nothing
+  /// by refusals alone.
+  std::size_t asked() const;
+  /// Whether something was asked, and every required vector passed.
   bool conforms() const;
 };
 

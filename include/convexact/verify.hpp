@@ -65,6 +65,7 @@ enum class ClaimCode {
   MaxVertices,        ///< At most so many vertices, those inside a facet or an edge not counted.
   MaxFacetVertices,   ///< No facet has more corners.
   InsideInput,        ///< Of an inner solid: no vertex lies outside of the input's hull.
+  IsHull,             ///< Of a hull: it is the input's hull, both distances within the tolerance.
   // Of a decomposition: see verify_parts.hpp.
   PartsReadable,         ///< Its bytes spell meshes.
   PartsFinite,           ///< No NaN, no infinity, no decimal beyond the largest double.
@@ -81,8 +82,8 @@ enum class ClaimCode {
   MaxPartFacetVertices,  ///< No facet of a part has more corners.
   TreeNested,            ///< The parts are the leaves of a tree of hulls that hold their children.
 };
-/// The claims about an enclosure. An inner solid has InsideInput besides; ContainsInput is asked of
-/// it by name only.
+/// The claims about an enclosure. A hull has IsHull besides; an inner solid has InsideInput
+/// besides, and ContainsInput is asked of it by name only.
 inline constexpr std::array kAllClaims = {
     ClaimCode::CandidateReadable, ClaimCode::CandidateFinite, ClaimCode::CandidateSolid,
     ClaimCode::CandidateBounded,  ClaimCode::MeshClosed,      ClaimCode::MeshOriented,
@@ -198,6 +199,16 @@ inline constexpr unsigned kRoundingUlps = 16;
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> planar_patches(const Polytope& polytope,
                                                                      const Slack& slack);
 
+/// What a program was asked for, and so what is asked of its output.
+enum class Asks {
+  Enclosure,  ///< A convex solid that contains the input.
+  Hull,       ///< The input's hull: the claim IsHull besides.
+  Inner,     ///< A convex solid inside the hull of the input: InsideInput instead of ContainsInput.
+  Simplify,  ///< An enclosure with at most a given number of facets, which the request must name.
+};
+/// "enclosure" and the like.
+[[nodiscard]] const char* name_of(Asks asks);
+
 struct VerifyRequest {
   /// The claims to decide; a budget is asked for by its number. Empty: all. Claims listed here and
   /// budgets must apply to the candidate for the verdict to hold.
@@ -208,8 +219,7 @@ struct VerifyRequest {
   std::optional<std::size_t> max_facets = {}, max_vertices = {}, max_facet_vertices = {};
   /// Whether `max_facets` is for the facets of a mesh as they are, not as they were meant.
   bool exact_facets = false;
-  /// Whether the candidate is meant to lie in the hull of the input, not around it.
-  bool inner = false;
+  Asks asks = Asks::Enclosure;  ///< Which claims are the usual ones.
   /// The facets as meant are also looked for with this Slack::ulps_of_largest, if it is not 0; the
   /// smaller number counts.
   unsigned slack_ulps = 0;
@@ -250,8 +260,8 @@ struct SmallestTolerance {
 };
 
 struct Verdict {
-  /// One for each of kAllClaims, in that order; then InsideInput, if the candidate is judged as an
-  /// inner solid.
+  /// One for each of kAllClaims, in that order; then InsideInput or IsHull, if an inner solid or
+  /// the hull was asked for.
   std::vector<Claim> claims;
   CandidateSize size;
   std::optional<Outside> outside;      ///< If containment was decided.
@@ -262,6 +272,7 @@ struct Verdict {
   std::vector<std::string> notes;  ///< Further facts for people; they decide nothing.
   std::vector<Stage> stages;       ///< Each with its time, or the reason why it was left out.
 
+  /// @throws std::out_of_range for a claim that is not among them.
   const Claim& operator[](ClaimCode code) const;
   /// Whether no claim is violated, and each that was named is decided.
   bool holds() const;
@@ -274,8 +285,9 @@ using VerifyOutcome = std::variant<Verdict, NotSolid>;
 /// input's hull each against the candidate's triangle in its direction, or by a linear program for
 /// each of its planes.
 /// @return NotSolid if the *input* has no volume. Any fault of the candidate is a violated claim.
-/// @throws Error InvalidArgument for a negative tolerance, and for a budget that `claims` names
-///               without a number; Internal if the two ways disagree or a certificate fails.
+/// @throws Error InvalidArgument for a negative tolerance, for a budget that `claims` names without
+///               a number, for a simplification without max_facets, and for a claim of another
+///               question; Internal if the two ways disagree or a certificate fails.
 /// @par Cost    Points times planes in doubles, the two hulls, and the measures asked for.
 [[nodiscard]] VerifyOutcome verify(const Shape& input, const Candidate& candidate,
                                    const VerifyRequest& request = {});

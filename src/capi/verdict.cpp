@@ -86,8 +86,18 @@ PartsRequest to_request(const convexact_parts_options& options) {
   return request;
 }
 
-convexact_verdict judge(const PointSet& points, const Candidate& candidate, const char* tolerance) {
+// Budgets are not asked, so there is no simplification to judge.
+Asks to_asks(std::string_view name) {
+  for (const Asks asks : {Asks::Enclosure, Asks::Hull, Asks::Inner}) {
+    if (name == name_of(asks)) return asks;
+  }
+  throw Error(ErrorCode::InvalidArgument, "no such question");
+}
+
+convexact_verdict judge(const PointSet& points, const Candidate& candidate, const char* asks,
+                        const char* tolerance) {
   VerifyRequest request;
+  if (asks != nullptr) request.asks = to_asks(asks);
   request.tightness = false;
   if (tolerance != nullptr) request.tolerance = parse_tolerance(tolerance);
   VerifyOutcome outcome = verify(points, candidate, request);
@@ -109,23 +119,23 @@ convexact_verdict judge_parts(const Mesh& mesh, const CandidateParts& parts,
 using namespace convexact::capi;
 
 convexact_status convexact_judge_planes(const double* points, size_t point_count,
-                                        const double* planes, size_t plane_count,
+                                        const double* planes, size_t plane_count, const char* asks,
                                         const char* tolerance, convexact_verdict** result) {
   return guarded(result, [&] {
-    return judge(to_points(points, point_count), to_list(planes, plane_count), tolerance);
+    return judge(to_points(points, point_count), to_list(planes, plane_count), asks, tolerance);
   });
 }
 
 convexact_status convexact_judge_mesh(const double* points, size_t point_count,
                                       const double* vertices, size_t vertex_count,
                                       const uint32_t* corners, const size_t* face_sizes,
-                                      size_t face_count, const char* tolerance,
+                                      size_t face_count, const char* asks, const char* tolerance,
                                       convexact_verdict** result) {
   return guarded(result, [&] {
     convexact::Mesh mesh;
     mesh.points = to_points(vertices, vertex_count);
     mesh.polygons = to_faces(corners, face_sizes, face_count, vertex_count);
-    return judge(to_points(points, point_count), mesh, tolerance);
+    return judge(to_points(points, point_count), mesh, asks, tolerance);
   });
 }
 

@@ -137,7 +137,9 @@ void add_conform_command(Command& program, int& exit_code) {
   add_count(command, "--level", options->level, {1, 3},
             "hardest level of vectors: 1 everyday, 2 hard, 3 cruel");
   command.add_option("--flag", options->flag, "vectors with this flag only, see docs/flags.md");
-  add_asking_options(command, options->promise);
+  add_asks_option(command, options->promise.asks, "simplify with {faces}, else enclosure");
+  command.add_flag("--allow-flat", options->promise.allow_flat,
+                   "accepting points without volume is not a failure");
   add_promise_options(command, options->promise);
   add_count(command, "--jobs", options->run.jobs, {1, 256}, "how many vectors at the same time");
   add_seconds(command, "--time-limit", options->run.limits.seconds, "time for each vector");

@@ -3,7 +3,7 @@
 
 #include "cli/command.hpp"
 #include "convexact/io.hpp"
-#include "oracle/conformance_report.hpp"
+#include "oracle/verdict_report.hpp"
 #include "simplify/run_names.hpp"
 
 namespace convexact::cli {
@@ -35,6 +35,9 @@ std::vector<ClaimCode> parse_claims(const std::string& text) {
       std::string names;
       for (const ClaimCode known : kAllClaims) {
         names += (names.empty() ? "" : ", ") + std::string(name_of(known));
+      }
+      for (const ClaimCode known : {ClaimCode::InsideInput, ClaimCode::IsHull}) {
+        names += ", " + std::string(name_of(known));
       }
       for (const ClaimCode known : kPartsClaims) names += ", " + std::string(name_of(known));
       names += ", " + std::string(name_of(ClaimCode::TreeNested));
@@ -78,12 +81,11 @@ void add_promise_options(Command& command, PromiseOptions& options) {
             "most corners of a facet");
 }
 
-void add_asking_options(Command& command, PromiseOptions& options) {
-  add_choice(command, "--asks", options.asks, kAsksNames,
-             "what the program writes: an enclosure, the hull, a solid inside it, or an "
-             "enclosure of {faces} facets (default: simplify with {faces}, else enclosure)");
-  command.add_flag("--allow-flat", options.allow_flat,
-                   "accepting points without volume is not a failure");
+void add_asks_option(Command& command, std::optional<Asks>& asks, const char* by_default) {
+  add_choice(command, "--asks", asks, kAsksNames,
+             std::string("what was to be written: an enclosure, the hull, a solid inside it, or an "
+                         "enclosure of so many facets (default: ") +
+                 by_default + ")");
 }
 
 }  // namespace convexact::cli

@@ -23,12 +23,14 @@ struct PromiseOptions {
   /// @param asks_by_default  Used if neither the options nor a profile says.
   /// @throws Error InvalidArgument for an unknown profile or a malformed tolerance.
   Promise promise(Asks asks_by_default) const;
+  /// Whether somebody chose the question, by --asks or by a profile.
+  bool is_asked() const { return asks || !profile.empty(); }
 };
 
 /// --profile, --tolerance, --numbers and the three caps.
 void add_promise_options(Command& command, PromiseOptions& options);
-/// --asks and --allow-flat.
-void add_asking_options(Command& command, PromiseOptions& options);
+/// --asks. @param by_default  What it is without the option, for the help.
+void add_asks_option(Command& command, std::optional<Asks>& asks, const char* by_default);
 
 /// The value of --claims: names, separated by commas.
 /// @throws Error InvalidArgument, listing the names, for any other word, even an empty one.

@@ -29,6 +29,7 @@ constexpr const char* kShrinkFooter =
     "  convexact shrink bad.obj -o minimal.off --faces 12 --fails-if verdict \\\n"
     "      --claims contains-input --tolerance 1e-9d -- ./my_hull {input} --faces {faces} -o "
     "{output}\n"
+    "  convexact shrink bad.obj -o minimal.obj --asks hull -- ./my_hull {input} {output}\n"
     "  convexact shrink planes.ine -o minimal.ine -- ./my_clipper {input} {output}\n"
     "\n"
     "PROGRAM is run directly, not by a shell. It fails if it does not exit with 0 in time, or\n"
@@ -41,6 +42,7 @@ struct ShrinkArguments {
   GlobalOptions global;
   std::string input, output, tolerance;
   std::optional<std::string> claims;
+  std::optional<Asks> asks;
   std::string output_format = "obj";
   bool allow_flat = false;
   ProgramCase program;
@@ -102,6 +104,13 @@ class Shrinking {
     program_.output_extension = "." + options.output_format;
     if (options.claims) program_.verify.claims = parse_claims(*options.claims);
     if (!options.tolerance.empty()) program_.verify.tolerance = parse_tolerance(options.tolerance);
+    program_.verify.asks = options.asks.value_or(Asks::Enclosure);
+    if (program_.verify.asks == Asks::Simplify) {
+      if (program_.faces == 0) {
+        throw Error(ErrorCode::InvalidArgument, "--asks simplify needs --faces");
+      }
+      program_.verify.max_facets = program_.faces;
+    }
     program_.verify.tightness = false;
     program_.verify.seed = options.global.seed;
   }
@@ -267,6 +276,7 @@ void add_shrink_command(Command& program, int& exit_code) {
       command, "--fails-if", options->program.fails_if,
       {{"either", FailsIf::Either}, {"exit", FailsIf::Exit}, {"verdict", FailsIf::Verdict}},
       "what counts as a failure: how the program ends, the verdict on {output}, or either of them");
+  add_asks_option(command, options->asks, "enclosure");
   command.add_option("--claims", options->claims,
                      "in the verdict, decide these claims only, separated by commas");
   command.add_option("--tolerance", options->tolerance,

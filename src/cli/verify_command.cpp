@@ -28,7 +28,8 @@ namespace {
 
 constexpr const char* kVerifyFooter =
     "Examples:\n"
-    "  convexact verify bunny.obj my_hull.obj\n"
+    "  convexact verify bunny.obj my_hull.obj --asks hull\n"
+    "  convexact verify bunny.obj my_enclosure.obj\n"
     "  convexact verify bunny.obj my_planes.json --max-facets 18 --json\n"
     "  convexact verify bunny.obj my_hull.stl --claims contains-input --tolerance 1e-9d\n"
     "  convexact verify room.obj proxies.obj --parts\n"
@@ -72,8 +73,12 @@ Decimal meaning_of_numbers(const Promise& promise, Decimal decimal) {
 
 // The promise of the profile; an enclosure without one.
 Promise promise_of(const VerifyArguments& options) {
-  const Promise promise = options.promise.promise(Asks::Enclosure);
-  if (promise.asks != Asks::Inner || options.inner) return promise;
+  Promise promise = options.promise.promise(Asks::Enclosure);
+  if (options.inner) promise.asks = Asks::Inner;
+  if (options.promise.asks == Asks::Simplify && !promise.max_facets) {
+    throw Error(ErrorCode::InvalidArgument, "--asks simplify needs --max-facets");
+  }
+  if (promise.asks != Asks::Inner || options.inner || options.promise.asks) return promise;
   throw Error(ErrorCode::InvalidArgument,
               "--profile " + options.promise.profile +
                   ": this program writes inner solids, which do not contain their input: add "
@@ -81,20 +86,28 @@ Promise promise_of(const VerifyArguments& options) {
 }
 
 VerifyRequest verify_request(const VerifyArguments& options, const Promise& promise) {
-  VerifyRequest request;
+  VerifyRequest request = request_of(promise);
   if (options.claims) request.claims = parse_claims(*options.claims);
-  request.tolerance = promise.tolerance;
-  request.max_facets = promise.max_facets;
   request.exact_facets = options.exact_facets;
   if (options.exact_facets && !request.max_facets) {
     throw Error(ErrorCode::InvalidArgument, "--exact-facets needs --max-facets");
   }
-  request.max_vertices = promise.max_vertices;
-  request.max_facet_vertices = promise.max_facet_vertices;
-  request.inner = options.inner;
   request.tightness = !options.no_tightness;
   request.seed = options.global.seed;
   return request;
+}
+
+const char* relation_of(Asks asks) {
+  switch (asks) {
+    case Asks::Inner:
+      return " inside of ";
+    case Asks::Hull:
+      return " as the hull of ";
+    case Asks::Enclosure:
+    case Asks::Simplify:
+      break;
+  }
+  return " as an enclosure of ";
 }
 
 // The parts of the candidate together.
@@ -196,8 +209,8 @@ int run_verify_candidate(const VerifyArguments& options) {
     document["stages"] = stages_json(log.stages());
     print(document);
   } else {
-    print(options.candidate + (options.inner ? " inside of " : " as an enclosure of ") +
-          input.name + "\n" + verdict_table(verdict) + "\n" +
+    print(options.candidate + relation_of(request.asks) + input.name + "\n" +
+          verdict_table(verdict, options.inner || options.promise.is_asked()) + "\n" +
           stage_text(log.stages(), options.global.stages));
   }
   return verdict.holds() ? 0 : 1;
@@ -218,7 +231,14 @@ int run_verify(const VerifyArguments& options) {
   if (!has_trace && options.input == "-" && options.candidate == "-") {
     throw Error(ErrorCode::InvalidArgument, "standard input, -, can be read only once");
   }
-  if (options.inner && (has_trace || options.parts)) {
+  const bool is_inner = options.inner || options.promise.asks == Asks::Inner;
+  if (options.inner && options.promise.asks.value_or(Asks::Inner) != Asks::Inner) {
+    throw Error(ErrorCode::InvalidArgument, "--inner is --asks inner: name one question");
+  }
+  if (has_trace && options.promise.asks) {
+    throw Error(ErrorCode::InvalidArgument, "--asks: a trace is judged step by step");
+  }
+  if (is_inner && (has_trace || options.parts)) {
     throw Error(ErrorCode::InvalidArgument, "--inner judges one CANDIDATE: no --trace, no --parts");
   }
   const bool is_union =
@@ -228,8 +248,9 @@ int run_verify(const VerifyArguments& options) {
     throw Error(ErrorCode::InvalidArgument,
                 "--parts judges parts one by one and --union all together: name one of them");
   }
-  if (is_union && options.inner) {
-    throw Error(ErrorCode::InvalidArgument, "--inner judges one CANDIDATE, not a union of parts");
+  if (is_union && (is_inner || options.promise.asks)) {
+    throw Error(ErrorCode::InvalidArgument, std::string(options.inner ? "--inner" : "--asks") +
+                                                " judges one CANDIDATE, not a union of parts");
   }
   if (is_union) return run_union(options);
   if (const std::string foreign = options.of_union.foreign_to_one_solid();
@@ -267,11 +288,13 @@ void add_verify_command(Command& program, int& exit_code) {
   command.add_flag("--parts", options->parts,
                    "judge each object of INPUT by the object of CANDIDATE with its name, and "
                    "whether the faces of INPUT lie in the solids of their parts: claim no-gaps");
+  add_asks_option(command, options->promise.asks, "as the profile says, else enclosure");
   add_promise_options(command, options->promise);
   command.add_flag("--exact-facets", options->exact_facets,
                    "let --max-facets merge exactly coplanar faces only");
   command.add_flag("--inner", options->inner,
-                   "judge an inner solid: whether it lies in the hull of INPUT, not around it");
+                   "judge an inner solid: whether it lies in the hull of INPUT, not around it (as "
+                   "--asks inner)");
   command.add_flag("--no-tightness", options->no_tightness,
                    "do not measure volume, area, mean width and distance");
   add_union_options(command, options->of_union);

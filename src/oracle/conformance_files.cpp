@@ -15,7 +15,7 @@
 #include "convexact/verify.hpp"
 #include "io/json_text.hpp"
 #include "number/text.hpp"
-#include "oracle/conformance_report.hpp"
+#include "oracle/verdict_report.hpp"
 #include "simplify/run_names.hpp"
 
 namespace convexact {

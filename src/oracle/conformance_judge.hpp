@@ -38,18 +38,17 @@ struct Case {
   }
 };
 
-/// Whether the largest distances of points beyond the planes of the output, one for each plane, are
-/// no larger than the rounding of its numbers explains.
+/// Whether the rounding of a mesh's corners explains a distance: if each coordinate of them moves
+/// by up to s, no point of their hull moves by more than the root of 3 times s. Of halfspaces: no.
+[[nodiscard]] bool is_moved_corner(const Case& c, const Rational& squared_distance);
+/// Whether rounding explains the points outside: of a mesh, by the distance of the worst one; of
+/// halfspaces, for each of them if its coefficients move. Precondition: contains-input is violated,
+/// by a distance.
 [[nodiscard]] bool leak_is_rounding(const Case& c);
 /// Whether the faces are the surface of the hull up to the rounding of its corners: it must
 /// explain, for each face, the corner that is farthest beyond it and the corners of the face; and
 /// the faces must enclose the hull once. Precondition: they are closed and oriented.
 [[nodiscard]] bool faces_are_rounded(const Case& c);
-
-/// For a hull by promise: each corner is a point of the input.
-void judge_corners(Case& c);
-/// For an inner solid by promise: it lies in the input's hull.
-void judge_inside(Case& c);
 
 /// Whether the distance of a point to the plane of a face is explained by these movements: each
 /// coordinate of a corner by up to `slack`, each of the point by up to `point_slack`.

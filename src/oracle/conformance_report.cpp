@@ -11,6 +11,7 @@
 
 #include "convexact/number.hpp"
 #include "io/json.hpp"
+#include "io/names.hpp"
 #include "simplify/run_names.hpp"
 
 namespace convexact {
@@ -28,11 +29,16 @@ struct Score {
 using ScoreRow = std::array<Score, kLevels + 1>;
 
 struct ScoreMatrix {
-  std::map<std::string, ScoreRow> flags;  // by name; a vector counts under each of its flags
+  // By name; a vector counts under each of its flags, one that is to be refused in rows of its own.
+  std::map<std::string, ScoreRow> flags;
   ScoreRow all;
 };
 
 bool is_pass(const ConformanceEntry& entry) { return entry.result.failures.empty(); }
+
+bool is_refusal(const ConformanceEntry& entry) {
+  return std::holds_alternative<RefuseQuestion>(entry.vector->question);
+}
 
 ScoreMatrix matrix_of(const ConformanceReport& report) {
   ScoreMatrix matrix;
@@ -43,7 +49,9 @@ ScoreMatrix matrix_of(const ConformanceReport& report) {
         row[column].passed += is_pass(entry) ? 1 : 0;
       }
     };
-    for (const std::string& flag : entry.vector->flags) add(matrix.flags[flag]);
+    for (const std::string& flag : entry.vector->flags) {
+      add(matrix.flags[is_refusal(entry) ? "refuse " + flag : flag]);
+    }
     add(matrix.all);
   }
   return matrix;
@@ -157,9 +165,11 @@ std::string excess_text(const ConformanceReport& report) {
 }
 
 std::string verdict_sentence(const ConformanceReport& report) {
-  return fmt::format("{} of {} passed; {}\n", report.passed(), report.entries.size(),
-                     report.conforms() ? "every required vector passed: the program conforms"
-                                       : "a required vector failed: the program does not conform");
+  return fmt::format(
+      "{} of {} passed; {}\n", report.passed(), report.entries.size(),
+      report.asked() == 0 ? "nothing was asked: no vector with a usable input is among them"
+      : report.conforms() ? "every required vector passed: the program conforms"
+                          : "a required vector failed: the program does not conform");
 }
 
 std::string not_run_sentence(const ConformanceReport& report) {
@@ -265,8 +275,6 @@ Json entry_json(const ConformanceEntry& entry) {
 
 }  // namespace
 
-const char* name_of(Asks asks) { return name_in(kAsksNames, asks); }
-
 const char* name_of(NotRun reason) {
   constexpr auto kNames = name_table<NotRun>({{NotRun::AsksOtherwise, "asks-otherwise"},
                                               {NotRun::OtherFormat, "other-format"},
@@ -305,17 +313,23 @@ std::size_t ConformanceReport::passed() const {
   return static_cast<std::size_t>(std::count_if(entries.begin(), entries.end(), is_pass));
 }
 
+std::size_t ConformanceReport::asked() const {
+  return static_cast<std::size_t>(std::count_if(
+      entries.begin(), entries.end(), [](const auto& entry) { return !is_refusal(entry); }));
+}
+
 bool ConformanceReport::conforms() const {
-  return std::all_of(entries.begin(), entries.end(), [](const ConformanceEntry& entry) {
-    return is_pass(entry) || !entry.vector->required;
-  });
+  return asked() > 0 &&
+         std::all_of(entries.begin(), entries.end(), [](const ConformanceEntry& entry) {
+           return is_pass(entry) || !entry.vector->required;
+         });
 }
 
 std::string conformance_text(const ConformanceReport& report) {
   constexpr std::size_t kListed = 5;  // of each kind; JSON has all
   std::string text;
   for (const TableRow& row : table_of(report, "", "all vectors")) {
-    text += fmt::format("{:<16}{:>10}{:>10}{:>10}{:>10}\n", row[0], row[1], row[2], row[3], row[4]);
+    text += fmt::format("{:<18}{:>10}{:>10}{:>10}{:>10}\n", row[0], row[1], row[2], row[3], row[4]);
   }
   for (const auto& [kind, entries] : failures_of(report)) {
     text += "\n" + title_of(kind, entries.size()) + "\n";
@@ -379,6 +393,7 @@ Json conformance_json(const ConformanceReport& report) {
   return {{"program", report.program},
           {"promise", promise_json(report)},
           {"conforms", report.conforms()},
+          {"asked", report.asked()},
           {"passed", report.passed()},
           {"total", report.entries.size()},
           {"not_run", not_run},

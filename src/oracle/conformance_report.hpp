@@ -5,14 +5,8 @@
 
 #include "convexact/conform.hpp"
 #include "io/json_document.hpp"
-#include "io/names.hpp"
 
 namespace convexact {
-
-inline constexpr auto kAsksNames = name_table<Asks>({{Asks::Enclosure, "enclosure"},
-                                                     {Asks::Hull, "hull"},
-                                                     {Asks::Inner, "inner"},
-                                                     {Asks::Simplify, "simplify"}});
 
 /// A matrix of passed/total by flag and level, the failures by kind with the worst first, how far
 /// points are outside, and how tight the outputs are.

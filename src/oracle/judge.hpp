@@ -112,6 +112,9 @@ class Trial : public ClaimSheet {
 [[nodiscard]] const std::optional<std::size_t>* budget_of(const VerifyRequest& request,
                                                           ClaimCode code);
 
+/// The claim that only this question has: of an inner solid or of a hull.
+[[nodiscard]] std::optional<ClaimCode> own_claim(Asks asks);
+
 // The parts, in their order. Each uses the results of those before it.
 
 /// Readable, finite: from the error of the reader. Returns whether there is anything to judge.
@@ -126,6 +129,8 @@ void find_facets_as_meant(Trial& trial);
 void judge_containment(Trial& trial);
 /// For an inner solid: no vertex lies outside of the input's hull.
 void judge_inside_input(Trial& trial);
+/// For a hull: how far the candidate and the input's hull reach out of each other.
+void judge_is_hull(Trial& trial);
 /// The three budgets.
 void judge_budgets(Trial& trial);
 /// How many facets are in a facet plane of the input's hull. Precondition: there is a polytope.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Whether a candidate contains the input, in two ways that share no predicate, and how far the
-// input reaches out of it; of an inner solid, whether the input's hull contains the candidate.
+// input reaches out of it; of an inner solid, whether the input's hull contains the candidate; of a
+// hull, both.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -130,14 +131,19 @@ Farthest farthest_of(const std::vector<PointId>& outside, const Trial& trial) {
   return std::move(*farthest);
 }
 
+// Finds the candidate's polytope, which earlier claims may not have needed.
+void find_polytope(Trial& trial) {
+  CandidateSet& set = trial.set;
+  if (set.hull && !set.polytope) set.polytope = to_polytope(*set.hull, trial.mesh()->points);
+  if (trial.list() != nullptr && !set.is_examined && !set.is_empty) (void)find_vertices(trial);
+}
+
 void judge_outside(const std::vector<PointId>& outside, Trial& trial) {
   const std::string count =
       fmt::format("{} outside, of {} tested", counted(outside.size(), "point", "points"),
                   with_separators(trial.input.points.size()));
-  CandidateSet& set = trial.set;  // earlier claims may not have needed its polytope
-  if (set.hull && !set.polytope) set.polytope = to_polytope(*set.hull, trial.mesh()->points);
-  if (trial.list() != nullptr && !set.is_examined) (void)find_vertices(trial);
-  if (!set.polytope) {
+  find_polytope(trial);
+  if (!trial.set.polytope) {
     Beyond worst = farthest_beyond(outside, trial);
     trial.violated(
         ContainsInput,
@@ -157,6 +163,38 @@ void judge_outside(const std::vector<PointId>& outside, Trial& trial) {
       fmt::format("{}; point {} is worst, {} from the candidate, beyond {}", count,
                   farthest.point.index(), trial.distance_text(squared), worst.plane_name),
       std::move(worst.witness));
+}
+
+// The vertices of a candidate that lie outside of the input's hull.
+struct VerticesOutside {
+  std::size_t count = 0;
+  std::optional<Farthest> worst;
+};
+
+VerticesOutside vertices_outside(const PointSet& vertices, const Trial& trial) {
+  const Polytope& hull = trial.input.hull;
+  const std::vector<PointId> outside =
+      trial.log.run("inside", [&] { return find_outside(hull.planes, vertices, trial.stop()); });
+  if (outside.empty()) return {};
+  std::optional<Farthest> farthest = trial.log.run(
+      "distance", [&] { return find_farthest(hull, vertices, outside, trial.stop()); });
+  if (!farthest) throw Error(ErrorCode::Internal, "vertices are outside, but none is far");
+  return {outside.size(), std::move(farthest)};
+}
+
+Witness witness_of(const Farthest& vertex, const PointSet& vertices, const Trial& trial) {
+  Witness witness;
+  if (trial.mesh() != nullptr) witness.vertices = {vertex.point.index()};
+  witness.point = vertices[vertex.point];
+  witness.nearest = vertex.nearest;
+  return witness;
+}
+
+// Why the candidate is no bounded solid; null if it is one, and then its polytope is known.
+const char* reason_of_no_solid(Trial& trial) {
+  if (trial.set.is_empty) return "the candidate is empty";
+  find_polytope(trial);
+  return trial.set.polytope ? nullptr : "the candidate is flat, or extends to infinity";
 }
 
 // The points whose hull the candidate is; none, with the claim decided, if it has no such points.
@@ -206,28 +244,64 @@ void judge_inside_input(Trial& trial) {
   const std::optional<PointSet> vertices = vertices_of_candidate(trial);
   if (!vertices) return;
   const Polytope& hull = trial.input.hull;
-  const std::vector<PointId> outside =
-      trial.log.run("inside", [&] { return find_outside(hull.planes, *vertices, trial.stop()); });
   const std::string tested = counted(vertices->size(), "vertex", "vertices") + " tested";
-  if (outside.empty())
+  const VerticesOutside outside = vertices_outside(*vertices, trial);
+  if (!outside.worst) {
     return trial.holds(InsideInput, tested + ", none outside of the input's hull");
-  const std::optional<Farthest> farthest = trial.log.run(
-      "distance", [&] { return find_farthest(hull, *vertices, outside, trial.stop()); });
-  if (!farthest) throw Error(ErrorCode::Internal, "vertices are outside, but none is far");
-  const PointId worst = farthest->point;
+  }
+  const PointId worst = outside.worst->point;
   const auto excess = find_excess(hull.planes, subset(*vertices, std::span(&worst, 1)));
   if (!excess) throw Error(ErrorCode::Internal, "a vertex is outside, but beyond no plane");
-  Witness witness;
-  if (trial.mesh() != nullptr) witness.vertices = {worst.index()};
-  witness.point = (*vertices)[worst];
-  witness.nearest = farthest->nearest;
+  Witness witness = witness_of(*outside.worst, *vertices, trial);
   witness.plane = hull.planes[excess->plane];
   trial.violated_by(
-      farthest->squared_distance, InsideInput,
+      outside.worst->squared_distance, InsideInput,
       fmt::format("{} outside of the input's hull, of {}; vertex {} is worst, {} from it, beyond "
                   "facet {}",
-                  counted(outside.size(), "vertex", "vertices"), tested, worst.index(),
-                  trial.distance_text(farthest->squared_distance), excess->plane),
+                  counted(outside.count, "vertex", "vertices"), tested, worst.index(),
+                  trial.distance_text(outside.worst->squared_distance), excess->plane),
+      std::move(witness));
+}
+
+// Two convex bodies are equal iff each holds the corners of the other, and the distance between
+// them is the largest one of a corner of one to the other: the distance to a convex set is convex.
+void judge_is_hull(Trial& trial) {
+  if (!trial.asks(IsHull)) return;
+  if (const char* reason = reason_of_no_solid(trial)) {
+    return trial.violated(IsHull,
+                          std::string(reason) + ", and the input's hull is a bounded solid");
+  }
+  const Polytope& solid = *trial.set.polytope;
+  const PointSet vertices(solid.vertices);
+  const VerticesOutside beyond = vertices_outside(vertices, trial);
+  const std::vector<PointId> missed = trial.log.run("input outside", [&] {
+    return find_outside(solid.planes, trial.input.points, trial.stop());
+  });
+  std::optional<Farthest> worst_missed;
+  if (!missed.empty()) {
+    worst_missed = trial.log.run("distance", [&] { return farthest_of(missed, trial); });
+  }
+  if (!beyond.worst && !worst_missed) {
+    return trial.holds(IsHull,
+                       fmt::format("it is the hull: {} and {} tested, none outside of the other",
+                                   counted(trial.input.points.size(), "point", "points"),
+                                   counted(vertices.size(), "vertex", "vertices")));
+  }
+  const bool is_too_large = beyond.worst && (!worst_missed || beyond.worst->squared_distance >=
+                                                                  worst_missed->squared_distance);
+  const Farthest& worst = is_too_large ? *beyond.worst : *worst_missed;
+  Witness witness;
+  witness.point = is_too_large ? vertices[worst.point] : trial.input.points[worst.point];
+  witness.nearest = worst.nearest;
+  if (!is_too_large) witness.input_point = worst.point.index();
+  trial.violated_by(
+      worst.squared_distance, IsHull,
+      fmt::format(
+          "it is not the hull: {} outside of it, and {} outside of the hull; worst is {}, "
+          "{} away",
+          counted(missed.size(), "point", "points"), counted(beyond.count, "vertex", "vertices"),
+          is_too_large ? "a vertex of the candidate" : fmt::format("point {}", worst.point.index()),
+          trial.distance_text(worst.squared_distance)),
       std::move(witness));
 }
 

@@ -174,6 +174,11 @@ void note_surplus(const Surplus& surplus, Trial& trial) {
   }
 }
 
+Mesh turned_over(Mesh mesh) {
+  for (std::vector<std::uint32_t>& polygon : mesh.polygons) std::ranges::reverse(polygon);
+  return mesh;
+}
+
 void judge_mesh(const Mesh& mesh, Trial& trial) {
   const MeshSurface surface(mesh);
   const Watch watch(trial.stop());
@@ -199,7 +204,14 @@ void judge_mesh(const Mesh& mesh, Trial& trial) {
   if (!trial.set.hull) {
     trial.not_applicable(MeshConvex, "there is no solid");
   } else if (trial.asks(MeshConvex)) {
-    judge_convex(surface, !open, crossed, trial);
+    // Faces that all look inward are one fault, and mesh-oriented names it.
+    const bool looks_inward = !open && !surface.twisted_edge() && surface.enclosed() < 0;
+    if (looks_inward) {
+      const Mesh turned = turned_over(mesh);
+      judge_convex(MeshSurface(turned), true, crossed, trial);
+    } else {
+      judge_convex(surface, !open, crossed, trial);
+    }
   }
 }
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The judgements of an output that verify() does not make: how far rounding explains a violation,
-// and the promises of a hull or an inner solid.
+// The judgement of an output that verify() does not make: how far rounding explains a violation.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
@@ -38,54 +36,6 @@ Rational slack_of(const Mesh& mesh, const Promise& promise) {
          unit_in_last_place(precision, bounding_box(mesh.points).largest_coordinate());
 }
 
-// The points of the input near the corners of a hull.
-class NearInput {
- public:
-  explicit NearInput(const Case& c) : c_(c) {
-    reach_ = to_double(c.promise.tolerance.value, Rounding::Up);
-    if (c.promise.tolerance.relative) {
-      reach_ *= std::sqrt(to_double(c.verdict.squared_diameter, Rounding::Up));
-    }
-    reach_ *= 1 + 0x1p-40;
-  }
-
-  /// Whether a point is within the tolerance, exactly: doubles only rule out those that are not.
-  bool holds(const RationalPoint& corner) const {
-    const Point about = rounded(corner);
-    for (std::uint32_t i = 0; i < points().size(); ++i) {
-      const Point p = points().doubles()[i];
-      const Point off = (p - about).cwiseAbs(), size = p.cwiseAbs() + about.cwiseAbs();
-      const auto is_far = [&](int k) { return off[k] > reach_ + 0x1p-50 * size[k] + 0x1p-1060; };
-      if (is_far(0) || is_far(1) || is_far(2)) continue;
-      if (c_.tolerates(squared_distance(i, corner))) return true;
-    }
-    return false;
-  }
-  /// The squared distance to the point that is nearest in doubles.
-  Rational nearest(const RationalPoint& corner) const {
-    const Point about = rounded(corner);
-    std::uint32_t best = 0;
-    for (std::uint32_t i = 1; i < points().size(); ++i) {
-      const auto distance = [&](std::uint32_t k) { return (points().doubles()[k] - about).norm(); };
-      if (distance(i) < distance(best)) best = i;
-    }
-    return squared_distance(best, corner);
-  }
-
- private:
-  static Point rounded(const RationalPoint& p) {
-    return Point(to_double(p[0], Rounding::Nearest), to_double(p[1], Rounding::Nearest),
-                 to_double(p[2], Rounding::Nearest));
-  }
-  const PointSet& points() const { return c_.given.points; }
-  Rational squared_distance(std::uint32_t i, const RationalPoint& corner) const {
-    return (points()[PointId(i)] - corner).squaredNorm();
-  }
-
-  const Case& c_;
-  double reach_;
-};
-
 }  // namespace
 
 bool is_explained(std::span<const RationalPoint> corners, const Rational& slack,
@@ -103,6 +53,13 @@ bool is_explained(std::span<const RationalPoint> corners, const Rational& slack,
   return abs(volume) <= explained;
 }
 
+bool is_moved_corner(const Case& c, const Rational& squared_distance) {
+  const auto* mesh = std::get_if<Mesh>(&c.output);
+  if (mesh == nullptr) return false;
+  const Rational slack = slack_of(*mesh, c.promise);
+  return squared_distance <= 3 * slack * slack;
+}
+
 bool leak_is_rounding(const Case& c) {
   if (const auto* list = std::get_if<HalfspaceList>(&c.output)) {
     const Rational unit =
@@ -117,17 +74,7 @@ bool leak_is_rounding(const Case& c) {
     }
     return true;
   }
-  const Rational slack = slack_of(std::get<Mesh>(c.output), c.promise);
-  for (std::size_t f = 0; f < c.solid->planes.size(); ++f) {
-    const auto worst = find_excess(std::span(&c.solid->planes[f], 1), c.given.points);
-    if (!worst) continue;
-    std::vector<RationalPoint> corners;
-    for (const std::uint32_t corner : c.solid->facets[f]) {
-      corners.push_back(c.solid->vertices[corner]);
-    }
-    if (!is_explained(corners, slack, c.given.points[worst->point], 0)) return false;
-  }
-  return true;
+  return is_moved_corner(c, c.verdict[ClaimCode::ContainsInput].witness.squared_distance.value());
 }
 
 bool faces_are_rounded(const Case& c) {
@@ -151,34 +98,6 @@ bool faces_are_rounded(const Case& c) {
   // Closed and oriented faces near the hull's surface enclose it a whole number of times.
   const Rational twice = MeshSurface(mesh).enclosed() / 3;
   return abs(Rational(twice - 2 * volume(*c.solid))) < volume(*c.solid);
-}
-
-// The hull of points has no other corners than these points. A convex solid that contains them, and
-// has corners among them only, is their hull; with a tolerance it may lack some.
-void judge_corners(Case& c) {
-  const NearInput input(c);
-  std::size_t strange = 0;
-  Rational worst = 0;
-  for (const RationalPoint& corner : c.solid->vertices) {
-    if (input.holds(corner)) continue;
-    ++strange;
-    worst = std::max(worst, input.nearest(corner));
-  }
-  if (strange == 0) return;
-  c.fail(Outcome::NotTheHull,
-         fmt::format("{} of {} corners are no points of the input; the worst is {} of the diameter "
-                     "from all of them",
-                     strange, c.solid->vertices.size(), decimal_of_root(c.relative(worst))),
-         c.relative(worst));
-}
-
-void judge_inside(Case& c) {
-  const Rational squared = hausdorff_distance(*c.solid, c.given.hull).squared;
-  if (c.tolerates(squared)) return;
-  c.fail(Outcome::NotInside,
-         fmt::format("it is outside of the input's hull by {} of the diameter",
-                     decimal_of_root(c.relative(squared))),
-         c.relative(squared));
 }
 
 }  // namespace convexact::oracle

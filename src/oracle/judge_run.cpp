@@ -22,6 +22,17 @@ bool is_graver(const Failure& a, const Failure& b) {
   return std::tie(a.is_rounding, a.outcome, b.size) < std::tie(b.is_rounding, b.outcome, a.size);
 }
 
+VerifyRequest request_of(const Promise& promise) {
+  VerifyRequest request;
+  const bool is_any_number = promise.asks == Asks::Simplify && !promise.max_facets;
+  request.asks = is_any_number ? Asks::Enclosure : promise.asks;
+  request.tolerance = promise.tolerance;
+  request.max_facets = promise.max_facets;
+  request.max_vertices = promise.max_vertices;
+  request.max_facet_vertices = promise.max_facet_vertices;
+  return request;
+}
+
 namespace {
 
 using namespace oracle;
@@ -54,6 +65,14 @@ void judge_claims(Case& c) {
   if (violated(ContainsInput) && c.solid) {
     c.fail(Outcome::NotEnclosing, sentence(ContainsInput), distance(ContainsInput),
            leak_is_rounding(c));
+  }
+  if (c.asks(Asks::Inner) && c.solid && violated(InsideInput)) {
+    c.fail(Outcome::NotInside, sentence(InsideInput), distance(InsideInput));
+  }
+  // Where a point of the input is worst, contains-input says so.
+  if (c.asks(Asks::Hull) && c.solid && violated(IsHull) && !verdict[IsHull].witness.input_point) {
+    c.fail(Outcome::NotTheHull, sentence(IsHull), distance(IsHull),
+           is_moved_corner(c, verdict[IsHull].witness.squared_distance.value()));
   }
   if (!c.solid || (!violated(MeshPlanar) && !violated(MeshConvex))) return;
   // A face that crosses itself, and faces that cover the hull twice, are faults without a distance.
@@ -195,21 +214,6 @@ std::optional<Polytope> solid_of(const Candidate& output) {
   return list == nullptr ? std::nullopt : solid_of(*list);
 }
 
-VerifyRequest request_of(const TestVector& vector, const Promise& promise) {
-  VerifyRequest request;
-  request.tolerance = promise.tolerance;
-  request.max_facets = most_facets(vector, promise);
-  request.slack_ulps = kRoundingUlps;
-  request.max_vertices = promise.max_vertices;
-  request.max_facet_vertices = promise.max_facet_vertices;
-  if (promise.asks == Asks::Inner) {
-    using enum ClaimCode;  // all but ContainsInput; budgets are asked for by their numbers
-    request.claims = {CandidateReadable, CandidateFinite, CandidateSolid, CandidateBounded,
-                      MeshClosed,        MeshOriented,    MeshPlanar,     MeshConvex};
-  }
-  return request;
-}
-
 const char* sentence_of_success(Asks asks) {
   switch (asks) {
     case Asks::Hull:
@@ -231,7 +235,10 @@ Conformance judge_output(const TestVector& vector, const Promise& promise, const
   const auto* points = std::get_if<PointSet>(&vector.input);
   const Shape input =
       points != nullptr ? Shape(*points) : Shape(std::get<HalfspaceList>(vector.input).halfspaces);
-  VerifyRequest request = request_of(vector, promise);
+  Promise promised = promise;
+  promised.max_facets = most_facets(vector, promise);
+  VerifyRequest request = request_of(promised);
+  request.slack_ulps = kRoundingUlps;
   request.watch.stop = stop;
   VerifyOutcome outcome = verify(input, output, request);
   Case c{.vector = vector,
@@ -246,8 +253,6 @@ Conformance judge_output(const TestVector& vector, const Promise& promise, const
   if (c.solid) {
     judge_volume(c);
     judge_facets(c);
-    if (c.asks(Asks::Hull)) judge_corners(c);
-    if (c.asks(Asks::Inner)) judge_inside(c);
     measure(c);
   }
   std::stable_sort(c.result.failures.begin(), c.result.failures.end(), is_graver);

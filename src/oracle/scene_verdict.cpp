@@ -179,7 +179,7 @@ Json scene_verdict_json(const SceneVerdict& verdict) {
 std::string scene_verdict_text(const SceneVerdict& verdict) {
   std::string text;
   for (const PartVerdict& part : verdict.parts) {
-    text += "part " + part.part + "\n" + verdict_table(part.verdict);
+    text += "part " + part.part + "\n" + verdict_table(part.verdict, true);
   }
   if (!verdict.gaps) return text;
   return text + fmt::format("all parts\n  {:<19} {:<15} {}\n", "no-gaps",

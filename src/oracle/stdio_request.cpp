@@ -79,7 +79,10 @@ std::vector<ClaimCode> claims(const json& names) {
 VerifyRequest questions(const json& request) {
   VerifyRequest asked;
   if (request.contains("claims")) asked.claims = claims(request["claims"]);
-  asked.inner = flag_in(request, "inner").value_or(false);
+  const bool is_inner = flag_in(request, "inner").value_or(false);
+  asked.asks =
+      choice_in(request, "asks", kAsksNames).value_or(is_inner ? Asks::Inner : Asks::Enclosure);
+  if (is_inner && asked.asks != Asks::Inner) reject_request("inner with asks inner only");
   asked.tightness = flag_in(request, "tightness").value_or(false);
   if (request.contains("tolerance")) {
     const json& tolerance = request["tolerance"];
@@ -99,7 +102,9 @@ VerifyRequest questions(const json& request) {
 // The same questions about parts, and how many parts there may be.
 PartsRequest questions_to_parts(const json& request) {
   const VerifyRequest each = questions(request);
-  if (each.inner) reject_request("inner with a single solid only");
+  for (const char* key : {"inner", "asks"}) {
+    if (request.contains(key)) reject_request(std::string(key) + " with a single solid only");
+  }
   PartsRequest asked = parts_request(each);
   asked.max_parts = count_in(request, "max_parts");
   asked.orient = choice_in(request, "orient", kOrientationNames).value_or(Orient::Auto);
@@ -125,11 +130,12 @@ Json answer_about_parts(const json& request, PointSet points, Decimal decimal,
 }
 
 Json answer(const json& request, std::optional<double> time_limit) {
-  require_known_keys(request,
-                     {"id", "points", "candidate", "claims", "tolerance", "tightness", "decimal",
-                      "numbers", "max_facets", "max_vertices", "max_facet_vertices", "exact_facets",
-                      "inner", "time_limit", "triangles", "max_parts", "orient", "exact_volumes"},
-                     "the request");
+  require_known_keys(
+      request,
+      {"id", "points", "candidate", "claims", "tolerance", "tightness", "decimal", "numbers",
+       "max_facets", "max_vertices", "max_facet_vertices", "exact_facets", "inner", "asks",
+       "time_limit", "triangles", "max_parts", "orient", "exact_volumes"},
+      "the request");
   if (!request.contains("points") || !request.contains("candidate")) {
     reject_request("a request with 'points' and 'candidate'");
   }

@@ -129,6 +129,16 @@ std::string tightness_lines(const Tightness& tightness, const Rational& squared_
                                                   kVerdictDigits)));
 }
 
+// An enclosure may be of any size, and who asks about a hull may not know that.
+std::string hull_not_asked_line(const std::optional<Tightness>& tightness) {
+  const Rational large(3, 2);
+  if (!tightness || tightness->volume_ratio.low() <= large) {
+    return verdict_line("not asked", "whether it is the hull: --asks hull");
+  }
+  return verdict_line("not asked", to_decimal(tightness->volume_ratio, 3).value_or("?") +
+                                       " times the hull: --asks hull asks whether it is the hull");
+}
+
 }  // namespace
 
 std::string verdict_line(const char* label, const std::string& text) {
@@ -206,11 +216,14 @@ Json verdict_json(const Verdict& verdict) {
   return json;
 }
 
-std::string verdict_table(const Verdict& verdict) {
+const char* name_of(Asks asks) { return name_in(kAsksNames, asks); }
+
+std::string verdict_table(const Verdict& verdict, bool is_asked) {
   std::string text = claims_text(verdict.claims);
   text += size_lines(verdict.size);
   if (verdict.tightness) text += tightness_lines(*verdict.tightness, verdict.squared_diameter);
   for (const std::string& note : verdict.notes) text += verdict_line("note", note);
+  if (!is_asked) text += hull_not_asked_line(verdict.tightness);
   return text + verdict_line(verdict.claims);
 }
 

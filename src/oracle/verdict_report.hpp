@@ -7,8 +7,14 @@
 
 #include "convexact/verify.hpp"
 #include "io/json_document.hpp"
+#include "io/names.hpp"
 
 namespace convexact {
+
+inline constexpr auto kAsksNames = name_table<Asks>({{Asks::Enclosure, "enclosure"},
+                                                     {Asks::Hull, "hull"},
+                                                     {Asks::Inner, "inner"},
+                                                     {Asks::Simplify, "simplify"}});
 
 /// {"verdict", "claims", "candidate", "outside", "tightness", "notes"}; numbers that are not
 /// doubles are strings, exact ones as fractions.
@@ -28,6 +34,7 @@ namespace convexact {
 [[nodiscard]] std::string verdict_line(const char* label, const std::string& text);
 
 /// A line for each claim that was asked, then how tight the candidate is, then the verdict.
-[[nodiscard]] std::string verdict_table(const Verdict& verdict);
+/// @param is_asked  Whether somebody chose the question; otherwise a line says what was not asked.
+[[nodiscard]] std::string verdict_table(const Verdict& verdict, bool is_asked);
 
 }  // namespace convexact

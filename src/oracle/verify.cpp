@@ -2,6 +2,8 @@
 // verify(): which claims are asked, the order in which they are decided, and the verdict.
 #include "convexact/verify.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "convexact/error.hpp"
@@ -28,6 +30,19 @@ const std::optional<std::size_t>* budget_of(const VerifyRequest& request, ClaimC
   }
 }
 
+std::optional<ClaimCode> own_claim(Asks asks) {
+  switch (asks) {
+    case Asks::Inner:
+      return ClaimCode::InsideInput;
+    case Asks::Hull:
+      return ClaimCode::IsHull;
+    case Asks::Enclosure:
+    case Asks::Simplify:
+      break;
+  }
+  return {};
+}
+
 Trial::Trial(const Input& given, const Candidate& judged, const VerifyRequest& asked,
              StageLog& stages)
     : ClaimSheet(asked.claims, asked.tolerance, given.squared_diameter),
@@ -36,9 +51,10 @@ Trial::Trial(const Input& given, const Candidate& judged, const VerifyRequest& a
       request(asked),
       log(stages) {
   for (const ClaimCode code : kAllClaims) {
-    add(code, budget_of(request, code), code != ClaimCode::ContainsInput || !request.inner);
+    add(code, budget_of(request, code),
+        code != ClaimCode::ContainsInput || request.asks != Asks::Inner);
   }
-  if (request.inner) add(ClaimCode::InsideInput, nullptr, true);
+  if (const auto own = own_claim(request.asks)) add(*own, nullptr, true);
 }
 
 }  // namespace oracle
@@ -130,6 +146,7 @@ void judge(Trial& trial) {
   find_facets_as_meant(trial);
   judge_containment(trial);
   judge_inside_input(trial);
+  judge_is_hull(trial);
   judge_budgets(trial);
   find_smallest_tolerance(trial);
   measure(trial);
@@ -149,6 +166,7 @@ constexpr auto kClaimNames =
                            {ClaimCode::MaxVertices, "max-vertices"},
                            {ClaimCode::MaxFacetVertices, "max-facet-vertices"},
                            {ClaimCode::InsideInput, "inside-input"},
+                           {ClaimCode::IsHull, "is-hull"},
                            {ClaimCode::PartsReadable, "parts-readable"},
                            {ClaimCode::PartsFinite, "parts-finite"},
                            {ClaimCode::PartsSolid, "parts-solid"},
@@ -163,8 +181,9 @@ constexpr auto kClaimNames =
                            {ClaimCode::MaxPartVertices, "max-part-vertices"},
                            {ClaimCode::MaxPartFacetVertices, "max-part-facet-vertices"},
                            {ClaimCode::TreeNested, "tree-nested"}});
-// In addition to those of every solid and every decomposition: inside-input and tree-nested.
-static_assert(kClaimNames.size() == kAllClaims.size() + 1 + kPartsClaims.size() + 1);
+// In addition to those of every solid and every decomposition: inside-input, is-hull and
+// tree-nested.
+static_assert(kClaimNames.size() == kAllClaims.size() + 2 + kPartsClaims.size() + 1);
 
 constexpr auto kStatusNames = name_table<Status>({{Status::Holds, "holds"},
                                                   {Status::Violated, "violated"},
@@ -180,12 +199,10 @@ std::optional<ClaimCode> claim_of_name(const std::string& name) {
 }
 const char* name_of(Status status) { return name_in(kStatusNames, status); }
 
-// Claims are found by their place.
-static_assert(kAllClaims.back() == ClaimCode(kAllClaims.size() - 1));
-static_assert(ClaimCode::InsideInput == ClaimCode(kAllClaims.size()));
-
 const Claim& Verdict::operator[](ClaimCode code) const {
-  return claims.at(static_cast<std::size_t>(code));
+  const auto found = std::find_if(claims.begin(), claims.end(),
+                                  [&](const Claim& claim) { return claim.code == code; });
+  return claims.at(static_cast<std::size_t>(found - claims.begin()));
 }
 
 bool Verdict::holds() const {
@@ -198,10 +215,16 @@ VerifyOutcome verify(const Shape& shape, const Candidate& candidate, const Verif
   if (request.tolerance.value < 0) {
     throw Error(ErrorCode::InvalidArgument, "a tolerance cannot be negative");
   }
+  if (request.asks == Asks::Simplify && !request.max_facets) {
+    throw Error(ErrorCode::InvalidArgument,
+                "asking simplify needs the number of facets that it allows: set max-facets");
+  }
   for (const ClaimCode code : request.claims) {
-    if (code == ClaimCode::InsideInput && !request.inner) {
+    for (const Asks asks : {Asks::Inner, Asks::Hull}) {
+      if (code != own_claim(asks) || request.asks == asks) continue;
       throw Error(ErrorCode::InvalidArgument,
-                  "the claim inside-input is of an inner solid: set inner as well");
+                  fmt::format("the claim {} needs the question {}: ask {}", name_of(code),
+                              name_of(asks), name_of(asks)));
     }
     if (is_of_parts(code)) {
       throw Error(ErrorCode::InvalidArgument, "the claim " + std::string(name_of(code)) +

@@ -172,11 +172,11 @@ Judged take(convexact_status status, convexact_verdict* result) {
   return judged;
 }
 
-Judged judge_planes(const Numbers& planes, const char* tolerance) {
+Judged judge_planes(const Numbers& planes, const char* tolerance, const char* asks = nullptr) {
   convexact_verdict* result = nullptr;
   const Numbers points = cube();
   const auto status = convexact_judge_planes(points.data(), 8, planes.data(), planes.size() / 4,
-                                             tolerance, &result);
+                                             asks, tolerance, &result);
   return take(status, result);
 }
 
@@ -186,7 +186,7 @@ Judged judge_mesh(const Numbers& points, const Numbers& vertices,
   convexact_verdict* result = nullptr;
   const auto status =
       convexact_judge_mesh(points.data(), points.size() / 3, vertices.data(), vertices.size() / 3,
-                           corners.data(), sizes.data(), sizes.size(), tolerance, &result);
+                           corners.data(), sizes.data(), sizes.size(), nullptr, tolerance, &result);
   return take(status, result);
 }
 
@@ -243,7 +243,7 @@ TEST_CASE("C interface: meshes that make no sense are a status (#13)") {
   const Numbers points = cube();
   convexact_verdict* result = nullptr;
   CHECK(take(convexact_judge_mesh(points.data(), 8, points.data(), 8, nullptr, sizes.data(), 6,
-                                  nullptr, &result),
+                                  nullptr, nullptr, &result),
              result)
             .status == CONVEXACT_INVALID_ARGUMENT);
   // What is wrong with a candidate is a claim: the vertices lie in one plane.

@@ -38,6 +38,10 @@ LRS = shutil.which("lrs")
 # One vector.
 
 
+# Why an input is refused.
+REFUSAL_FLAGS = ("flat", "malformed", "unbounded")
+
+
 class Collection:
     def __init__(self):
         self.vectors = []
@@ -47,6 +51,8 @@ class Collection:
         form = (question["ask"], form)
         assert form not in self.forms, f"{identifier} is a mere variant of {self.forms.get(form)}"
         self.forms[form] = identifier
+        if question["ask"] == "refuse":  # how hard the input would be, were it usable, is not asked
+            flags = [flag for flag in flags if flag in REFUSAL_FLAGS]
         assert all(v["id"] != identifier for v in self.vectors), f"{identifier} comes twice"
         self.vectors.append(
             {

@@ -111,7 +111,7 @@ TEST_CASE("vectors: both exact engines remove at the known costs, with the known
 TEST_CASE("vectors: candidates get the known verdict, with the exact distance") {
   for_each<VerifyQuestion>([](const TestVector& vector, const VerifyQuestion& question) {
     VerifyRequest request;
-    request.inner = question.inner;
+    request.asks = question.inner ? Asks::Inner : Asks::Enclosure;
     request.exact_facets = true;  // budgets are counted by definition
     request.max_facets = question.max_facets;
     request.max_vertices = question.max_vertices;
