@@ -371,10 +371,30 @@ class DecompositionProof {
     }
   }
 
+  // Whether some plane holds the points.
+  bool is_flat(const IdSet& ids) const {
+    Row plane;  // through the first point, the first other one, and the first off the line of both
+    const Row &first = points_[*ids.begin()], *second = nullptr;
+    for (const std::size_t id : ids) {
+      const Row& p = points_[id];
+      if (second == nullptr) {
+        if (p != first) second = &p;
+      } else if (!has_normal(plane)) {
+        plane = plane_of(first, *second, p);
+      } else if (dot(plane, p) != 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   // (10) The largest distance of a point of the cluster to the nearest facet of its hull, squared.
   // The points are inside, so that is the distance to the nearest of the facets' planes.
+  // Only a flat cluster, whose points are all on its boundary, has no facets.
   void read_depth(Cluster& cluster) {
     if (words_.take_if("depth")) cluster.concavity = words_.rational();
+    require(cluster.facets > 0 || is_flat(cluster.points),
+            "a cluster that is not flat has no facets");
     Rational deepest = 0;
     for (const std::size_t p : cluster.points) {
       std::vector<Rational> squared;

@@ -19,11 +19,12 @@
 namespace convexact::cli {
 
 std::string UnionOptions::foreign_to_one_solid() const {
-  return max_parts          ? "--max-parts"
-         : orient           ? "--orient"
-         : exact_volumes    ? "--exact-volumes"
-         : !picture.empty() ? "--picture"
-                            : "";
+  return max_parts           ? "--max-parts"
+         : max_part_vertices ? "--max-part-vertices"
+         : orient            ? "--orient"
+         : exact_volumes     ? "--exact-volumes"
+         : !picture.empty()  ? "--picture"
+                             : "";
 }
 
 void add_union_options(Command& command, UnionOptions& options) {
@@ -33,6 +34,9 @@ void add_union_options(Command& command, UnionOptions& options) {
                    "--claims names a claim of parts");
   add_count(command, "--max-parts", options.max_parts, {},
             "with --union: the largest number of parts; the other budgets apply to each part");
+  add_count(
+      command, "--max-part-vertices", options.max_part_vertices, {},
+      "with --union: the largest number of corners of a part; --max-vertices means the same there");
   add_choice(command, "--orient", options.orient, kOrientationNames,
              "with --union: turn faces of INPUT so that they bound its solid correctly, or keep "
              "them as they are (default: auto)");
@@ -56,6 +60,11 @@ int run_verify_union(const GlobalOptions& global, const std::string& input,
                      const UnionOptions& options) {
   if (!options.picture.empty()) require_other_files({options.picture}, {input, candidate});
   request.max_parts = options.max_parts;
+  if (options.max_part_vertices && request.max_vertices) {
+    throw Error(ErrorCode::InvalidArgument,
+                "--max-vertices is --max-part-vertices of a union: name one of them");
+  }
+  if (options.max_part_vertices) request.max_vertices = options.max_part_vertices;
   request.orient = options.orient.value_or(Orient::Auto);
   request.exact_volumes = options.exact_volumes;
   Progress progress;

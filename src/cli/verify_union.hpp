@@ -12,7 +12,7 @@ namespace convexact::cli {
 
 struct UnionOptions {
   bool is_asked = false;  ///< --union
-  std::optional<std::size_t> max_parts;
+  std::optional<std::size_t> max_parts, max_part_vertices;
   std::optional<Orient> orient;
   bool exact_volumes = false;
   std::string picture;
@@ -21,7 +21,7 @@ struct UnionOptions {
   std::string foreign_to_one_solid() const;
 };
 
-/// Adds --union, --max-parts, --orient, --exact-volumes and --picture.
+/// Adds --union, --max-parts, --max-part-vertices, --orient, --exact-volumes and --picture.
 void add_union_options(Command& command, UnionOptions& options);
 
 /// Whether a candidate can only be a decomposition: a folder, or JSON with "parts".

@@ -199,11 +199,11 @@ const char* reason_of_no_solid(Trial& trial) {
 
 // The points whose hull the candidate is; none, with the claim decided, if it has no such points.
 std::optional<PointSet> vertices_of_candidate(Trial& trial) {
-  if (const Mesh* mesh = trial.mesh()) return mesh->points;
   if (trial.set.is_empty) {
     trial.not_applicable(InsideInput, "the candidate is empty");
     return {};
   }
+  if (const Mesh* mesh = trial.mesh()) return mesh->points;
   if (trial.set.polytope) return PointSet(trial.set.polytope->vertices);
   const std::optional<NotSolid> reason = find_vertices(trial);
   if (!reason) return PointSet(trial.set.polytope->vertices);

@@ -79,7 +79,7 @@ std::string parts_text(const PartsVerdict& verdict) {
   if (verdict.parts.empty()) return {};
   std::size_t facets = 0, vertices = 0;
   for (std::size_t k = 0; k < verdict.parts.size(); ++k) {
-    facets = std::max(facets, verdict.parts[k].size.facets.value_or(0));
+    facets = std::max(facets, verdict.parts[k].size.facets.value());
     vertices = std::max(vertices, verdict.hulls[k].vertices.size());
   }
   std::string text = fmt::format("{}, at most {} facets and {} vertices each",

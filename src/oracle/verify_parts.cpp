@@ -66,8 +66,16 @@ VerifyRequest request_for_a_part(const PartsTrial& trial) {
   return request;
 }
 
+// What a flat part counts: a polygon has two sides, a segment two ends, a point itself.
+void count_flat(const ConvexPart& part, CandidateSize& size) {
+  const bool is_polygon = part.dimension == 2;
+  size.vertices = part.vertices.size();
+  size.facets = is_polygon ? 2 : 0;
+  size.most_facet_vertices = is_polygon ? part.vertices.size() : 0;
+}
+
 // The oracle's judgement of a solid, except for the claims about the input.
-JudgedPart judge_part(const NamedPart& part, const VerifyRequest& request,
+JudgedPart judge_part(const NamedPart& part, const ConvexPart& hull, const VerifyRequest& request,
                       const PartsTrial& trial) {
   const Input nothing{{}, {}, {}, trial.squared_diameter};
   const Candidate candidate = part.mesh;
@@ -77,6 +85,7 @@ JudgedPart judge_part(const NamedPart& part, const VerifyRequest& request,
   // The faces of a flat part bound nothing, in any position; that it is flat has been reported.
   if (own.set.hull) judge_faces(own);
   find_facets_as_meant(own);
+  if (hull.dimension < 3) count_flat(hull, own.verdict.size);
   judge_budgets(own);
   std::erase_if(own.claims, [](const Claim& claim) { return claim.status == Status::NotAsked; });
   return {part.name, own.verdict.size, std::move(own.claims)};
@@ -112,6 +121,7 @@ void judge_all(ClaimCode code, std::span<const ClaimCode> of_each, const std::st
 void judge_count_of_parts(PartsTrial& trial) {
   if (!trial.asks(MaxParts)) return;
   const std::size_t found = trial.verdict.parts.size(), most = *trial.request.max_parts;
+  if (found == 0) return trial.not_applicable(MaxParts, "there is no part");
   const std::string sentence = fmt::format("parts: {}, at most {} allowed", found, most);
   if (found <= most) return trial.holds(MaxParts, sentence);
   Witness witness;
@@ -122,6 +132,10 @@ void judge_count_of_parts(PartsTrial& trial) {
 void judge_each_budget(PartsTrial& trial) {
   for (const ClaimCode code : {MaxPartFacets, MaxPartVertices, MaxPartFacetVertices}) {
     if (!trial.asks(code)) continue;
+    if (trial.verdict.parts.empty()) {
+      trial.not_applicable(code, "there is no part");
+      continue;
+    }
     const ClaimCode own = of_one_part(code);
     std::size_t most = 0;
     for (const JudgedPart& part : trial.verdict.parts) {
@@ -131,7 +145,7 @@ void judge_each_budget(PartsTrial& trial) {
                                        : part.size.facets_as_meant)
                             : own == MaxVertices ? part.size.vertices
                                                  : part.size.most_facet_vertices;
-      most = std::max(most, counted.value_or(0));
+      most = std::max(most, counted.value());
     }
     judge_all(code, std::span(&own, 1),
               fmt::format("the most of a part: {}, at most {} allowed", most,
@@ -147,8 +161,8 @@ void judge_each_part(std::span<const NamedPart> parts, PartsTrial& trial) {
     const Watch watch = trial.watch("each part");
     for (const NamedPart& part : parts) {
       watch.at(trial.verdict.parts.size(), parts.size());
-      trial.verdict.parts.push_back(judge_part(part, request, trial));
       trial.verdict.hulls.push_back(convex_part(part.mesh.points, watch));
+      trial.verdict.parts.push_back(judge_part(part, trial.verdict.hulls.back(), request, trial));
     }
   });
   if (parts.empty()) {

@@ -220,6 +220,43 @@ TEST_CASE("verify_parts: budgets of the parts") {
   CHECK(verdict[MaxPartVertices].witness.count == std::size_t(8));
 }
 
+// Points (k, k^2, 0) are the corners of a polygon, each of them.
+TEST_CASE("verify_parts: budgets of flat parts count their polygon, segment or point") {
+  const auto judge_flat = [](const std::vector<Point>& points, std::size_t vertices,
+                             std::size_t facets, std::size_t corners) {
+    PartsRequest request;
+    request.claims = {MaxPartVertices, MaxPartFacets, MaxPartFacetVertices};
+    request.max_vertices = vertices;
+    request.max_facets = facets;
+    request.max_facet_vertices = corners;
+    return verify_parts(mesh_of_cells(l_cells()),
+                        std::vector<NamedPart>{{"flat", {PointSet(points), {}, {}}}}, request);
+  };
+  std::vector<Point> parabola;
+  for (int k = 0; k < 40; ++k) parabola.emplace_back(k, k * k, 0);
+  CHECK(judge_flat(parabola, 40, 2, 40).holds());
+  check_violated(judge_flat(parabola, 39, 1, 39),
+                 {MaxPartVertices, MaxPartFacets, MaxPartFacetVertices});
+  CHECK(judge_flat(parabola, 4, 2, 40)[MaxPartVertices].witness.count == std::size_t(40));
+  const std::vector<Point> segment{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}};
+  CHECK(judge_flat(segment, 2, 0, 0).holds());
+  check_violated(judge_flat(segment, 1, 0, 0), {MaxPartVertices});
+  CHECK(judge_flat({{1, 2, 3}, {1, 2, 3}}, 1, 0, 0).holds());
+  check_violated(judge_flat({{1, 2, 3}}, 0, 0, 0), {MaxPartVertices});
+}
+
+TEST_CASE("verify_parts: budgets say nothing where there is no part") {
+  PartsRequest request;
+  request.claims = {MaxParts, MaxPartVertices, MaxPartFacets, MaxPartFacetVertices};
+  request.max_parts = request.max_vertices = request.max_facets = request.max_facet_vertices = 9;
+  const PartsVerdict verdict =
+      verify_parts(mesh_of_cells(l_cells()), std::vector<NamedPart>{}, request);
+  CHECK_FALSE(verdict.holds());
+  for (const ClaimCode code : request.claims) {
+    CHECK(verdict[code].status == Status::NotApplicable);
+  }
+}
+
 TEST_CASE("verify_parts: an open surface bounds no solid") {
   Mesh open = box_mesh(box_of({0, 0, 0}));
   open.polygons.pop_back();

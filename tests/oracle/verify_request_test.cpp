@@ -215,3 +215,13 @@ TEST_CASE("SupportProgram: of vertices beyond doubles a linear program finds the
     }
   }
 }
+
+TEST_CASE("verify: an empty mesh is inside of nothing") {
+  VerifyRequest request;
+  request.asks = Asks::Inner;
+  request.claims = {InsideInput};
+  const Verdict verdict =
+      std::get<Verdict>(verify(PointSet(shapes::cube()), Mesh{PointSet(), {}, {}}, request));
+  CHECK(verdict[InsideInput].status == Status::NotApplicable);
+  CHECK_FALSE(verdict.holds());
+}
