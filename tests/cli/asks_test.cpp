@@ -26,7 +26,7 @@ std::string box(const std::string& top) {
   return text;
 }
 
-bool says(const Ran& ran, const std::string& text) { return ran.out.find(text) != ran.out.npos; }
+bool prints(const Ran& ran, const std::string& text) { return ran.out.find(text) != ran.out.npos; }
 
 }  // namespace
 
@@ -38,11 +38,11 @@ TEST_CASE(
   const std::string files = "verify " + data("bunny.obj") + " " + hull;
   const Ran enclosure = run_program(files);
   CHECK(enclosure.exit == 0);
-  CHECK(says(enclosure, "times the hull: --asks hull asks whether it is the hull"));
+  CHECK(prints(enclosure, "times the hull: --asks hull asks whether it is the hull"));
   const Ran asked = run_program(files + " --asks hull");
   CHECK(asked.exit == 1);
-  CHECK(says(asked, "is-hull             violated"));
-  CHECK_FALSE(says(asked, "--asks"));
+  CHECK(prints(asked, "is-hull             violated"));
+  CHECK_FALSE(prints(asked, "--asks"));
   CHECK(run_program("verify " + data("spot.obj") + " " + hull + " --asks hull").exit == 0);
   CHECK(run_program("verify " + data("spot.obj") + " " + hull + " --parts --asks hull").exit == 0);
 }
@@ -88,11 +88,11 @@ TEST_CASE("asks: what conform finds, shrink finds, too") {
   const std::string shrink = "shrink " + cube + " -o " + scratch.file("least.obj");
   const std::string program = " -- /bin/cp " + high + " {output} {input}";
   // The program is wrong, whatever its input: cp wants a folder after three names.
-  CHECK(says(run_program(shrink + " --asks hull" + program), "exit code 1"));
+  CHECK(prints(run_program(shrink + " --asks hull" + program), "exit code 1"));
   const std::string copies = " -- /bin/sh -c 'cp \"$1\" \"$2\"' sh " + high + " {output} {input}";
   const Ran hull = run_program(shrink + " --asks hull" + copies);
   CHECK(hull.exit == 0);
-  CHECK(says(hull, "violates is-hull"));
+  CHECK(prints(hull, "violates is-hull"));
   CHECK(run_program(shrink + copies).exit == 2);  // an enclosure it is
   CHECK(run_program(shrink + " --asks simplify" + copies).exit == 2);
 }
@@ -101,8 +101,8 @@ TEST_CASE("conform: who refuses everything was asked nothing") {
   const Ran refusals =
       run_program("conform --level 1 --flag malformed -- /bin/false {input} {output}");
   CHECK(refusals.exit == 1);
-  CHECK(says(refusals, "nothing was asked"));
-  CHECK(says(refusals, "refuse malformed"));
+  CHECK(prints(refusals, "nothing was asked"));
+  CHECK(prints(refusals, "refuse malformed"));
   CHECK(run_program("conform --asks hull --max-vertices 3 -- /bin/false {input} {output}").exit ==
         1);
 }
