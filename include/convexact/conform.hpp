@@ -25,6 +25,7 @@ namespace convexact {
 struct ProgramLimits {
   double seconds = 10;       ///< Wall time, more than 0; a program that takes longer is killed.
   std::uint64_t memory = 0;  ///< Bytes of address space of each of its processes; 0 for no limit.
+  std::uint64_t output = std::uint64_t(1) << 30;  ///< Bytes; a longer output is not read.
 };
 
 enum class ProgramEnd {

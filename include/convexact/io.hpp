@@ -106,6 +106,11 @@ class AtomicOutput {
   AtomicOutput(const AtomicOutput&) = delete;
   AtomicOutput& operator=(const AtomicOutput&) = delete;
 
+  /// Whether add() would find a place for the file, as far as one can tell before: so that nobody
+  /// learns after hours that the folder of an output does not exist.
+  /// @throws Error Unwritable, as add().
+  static void require_writable(const std::string& path);
+
   /// Writes `bytes` to the disk, for `path` to hold after commit(). A symbolic link stays one: the
   /// file that it points to is replaced. A file that exists keeps its permissions.
   /// After an error every file added so far is forgotten, and removed.

@@ -149,7 +149,7 @@ int run_bvh(const BvhArguments& options) {
     throw Error(ErrorCode::InvalidArgument,
                 "-o: expected a name that ends in .json, found " + in_quotes(options.output));
   }
-  require_other_files({options.output, options.picture}, {options.input, options.from});
+  require_outputs({options.output, options.picture}, {options.input, options.from});
   Progress progress;
   StageLog log(progress.watch());
   std::vector<SceneObject> scene =

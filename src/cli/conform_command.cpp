@@ -97,6 +97,7 @@ Promise promise_of(const ConformArguments& options) {
 
 int run_conform(const ConformArguments& options) {
   require_sensible(options);
+  require_outputs(options.reports, {});
   ConformRun run = options.run;
   run.promise = promise_of(options);
   const std::vector<TestVector> vectors = read_test_vectors(find_vectors(options.vectors));
@@ -145,6 +146,8 @@ void add_conform_command(Command& program, int& exit_code) {
   add_seconds(command, "--time-limit", options->run.limits.seconds, "time for each vector");
   add_bytes(command, "--memory-limit", options->run.limits.memory,
             "address space for each vector, e.g. 2GB; no limit by default");
+  add_bytes(command, "--output-limit", options->run.limits.output,
+            "size of an output that is read; a larger one is unreadable-output (default: 1GiB)");
   command.add_option("--input-format", options->run.input_format, "what the program reads")
       ->one_of({"obj", "off", "ply", "stl", "xyz", "json", "ine", "txt"})
       ->capture_default_str();

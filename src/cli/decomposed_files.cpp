@@ -178,7 +178,14 @@ void DecomposeFiles::require_sensible(const std::string& input,
                 "--tree-faces applies to a tree: name its file with --tree");
   }
   require_sensible_models(results, request);
-  require_other_files(all_paths(), {input});
+  require_outputs({tree, trace, proof, picture}, {input});
+  for (const std::string& path : results) {
+    if (is_folder(path)) {
+      require_folder(path);
+    } else {
+      require_outputs({path}, {input});
+    }
+  }
   require_other_names(*this, part_names, input);
 }
 

@@ -167,6 +167,7 @@ int run_generate(const GenerateArguments& options, const std::vector<std::string
                 fmt::format("there is no {} called '{}'; convexact generate --list names them",
                             is_option ? "parameter or option" : "family", unknown.front()));
   }
+  require_outputs({options.output}, {});
   if (options.work) return options.work();
   if (!options.list) throw Error(ErrorCode::InvalidArgument, "expected a family or --list");
   if (options.global.json) {

@@ -161,7 +161,7 @@ void require_inner(const InnerOnly& options) {
 int run_inner(const SimplifyArguments& options) {
   require_sensible(options);
   const InnerRequest wanted = inner_request(options);
-  require_other_files(options.output.all_paths(), options.inputs);
+  require_outputs(options.output.all_paths(), options.inputs);
   Progress progress;
   StageLog log(progress.watch());
   std::vector<SceneObject> scene =

@@ -144,6 +144,23 @@ void require_other_files(const std::vector<std::string>& outputs,
   }
 }
 
+void require_outputs(const std::vector<std::string>& outputs,
+                     const std::vector<std::string>& inputs) {
+  require_other_files(outputs, inputs);
+  for (const std::string& output : outputs) {
+    if (!output.empty()) AtomicOutput::require_writable(output);
+  }
+}
+
+void require_folder(const std::string& folder) {
+  std::error_code failed;
+  std::filesystem::path made = std::filesystem::absolute(folder, failed);
+  while (!std::filesystem::exists(made, failed) && made.has_relative_path()) {
+    made = made.parent_path();
+  }
+  AtomicOutput::require_writable((made / "file").string());
+}
+
 void add_input_argument(Command& command, std::vector<std::string>& inputs) {
   command
       .add_option("INPUT", inputs,

@@ -36,8 +36,14 @@ struct OutputOptions {
   void require_room_for(std::size_t objects) const;
 };
 
+/// Before the work that they are for: can the outputs be written? Empty names are none.
 /// @throws Error InvalidArgument if an output is one of the inputs, under any name: the input would
-/// be lost.
+/// be lost; Unwritable as AtomicOutput.
+void require_outputs(const std::vector<std::string>& outputs,
+                     const std::vector<std::string>& inputs);
+/// A folder that exists and can be written to, or can be made. @throws Error Unwritable.
+void require_folder(const std::string& folder);
+/// The first half of require_outputs(), for files in a folder that is yet to be made.
 void require_other_files(const std::vector<std::string>& outputs,
                          const std::vector<std::string>& inputs);
 
@@ -136,7 +142,7 @@ std::vector<SceneObject> read_objects(const Arguments& options, StageLog& log) {
 template <class Result, class Arguments, class Find, class Answer>
 int run_on_scene(const Arguments& options, Find&& find, Answer&& answer) {
   options.output.require_sensible();
-  require_other_files(options.output.all_paths(), options.inputs);
+  require_outputs(options.output.all_paths(), options.inputs);
   Progress progress;
   StageLog log(progress.watch());
   std::vector<SceneObject> scene = read_objects(options, log);

@@ -7,6 +7,18 @@
 #include "convexact/error.hpp"
 
 namespace convexact::cli {
+namespace {
+
+// No value of an option and no name of a file is empty: an empty text is a variable that a script
+// did not set.
+Option refusing_empty(CLI::Option* option) {
+  option->check([](const std::string& text) {
+    return text.empty() ? "expected a value, found an empty text" : "";
+  });
+  return Option(option);
+}
+
+}  // namespace
 
 // ---- Options
 
@@ -80,15 +92,17 @@ Command* Command::add_subcommand(const std::string& name, const std::string& des
 
 Option Command::add_option(const std::string& names, std::string& value,
                            const std::string& meaning) {
-  return Option(app_->add_option(names, value, meaning));
+  return refusing_empty(app_->add_option(names, value, meaning));
 }
 Option Command::add_option(const std::string& names, std::optional<std::string>& value,
                            const std::string& meaning) {
-  return Option(app_->add_option(names, value, meaning));
+  return refusing_empty(app_->add_option(names, value, meaning));
 }
 Option Command::add_option(const std::string& names, std::vector<std::string>& values,
                            const std::string& meaning) {
-  return Option(app_->add_option(names, values, meaning));
+  // Words without a name may be those of a program, which takes what it likes.
+  CLI::Option* const option = app_->add_option(names, values, meaning);
+  return option->get_positional() ? Option(option) : refusing_empty(option);
 }
 Option Command::add_option(const std::string& names, long& value, const std::string& meaning) {
   return Option(app_->add_option(names, value, meaning));
@@ -106,7 +120,7 @@ Option Command::add_option_function(const std::string& names,
       throw CLI::ValidationError(error.what());
     }
   };
-  return Option(app_->add_option_function<std::string>(names, take_or_refuse, meaning));
+  return refusing_empty(app_->add_option_function<std::string>(names, take_or_refuse, meaning));
 }
 
 Command* Command::footer(const std::string& text) {

@@ -4,17 +4,8 @@
 namespace convexact::cli {
 namespace {
 
-// An empty name is refused: a script has lost it, it was not left out. Every picture must be a
-// page.
-void check_file_names(Command& command) {
-  for (const char* const name :
-       {"--output", "--picture", "--trace", "--proof", "--tree", "--csv", "--from"}) {
-    std::optional<Option> option = command.find_option(name);
-    if (!option) continue;
-    option->check([](const std::string& text) {
-      return std::string(text.empty() ? "expected the name of a file, found ''" : "");
-    });
-  }
+// Every picture must be a page.
+void check_picture(Command& command) {
   if (std::optional<Option> picture = command.find_option("--picture")) {
     picture->check([](const std::string& text) {
       return std::string(text.ends_with(".html") ? "" : "expected a name that ends in .html");
@@ -33,7 +24,7 @@ int run_program(const Program& parts, int argc, char** argv) {
   program.require_subcommand(1);
   int exit_code = 0;
   for (const auto& add_to : parts.commands) add_to(program, exit_code);
-  for (const auto& command : program.subcommands()) check_file_names(*command);
+  for (const auto& command : program.subcommands()) check_picture(*command);
   const std::optional<NotRun> reason = program.parse(argc, argv);
   return reason ? end_of_parsing(program, *reason) : exit_code;
 }

@@ -7,6 +7,7 @@
 #include "cli/command.hpp"
 #include "convexact/error.hpp"
 #include "convexact/verify.hpp"
+#include "oracle/program_output.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -14,10 +15,12 @@ namespace {
 // The first claim that the output violates, if there is one.
 std::optional<std::string> violation_of(const ProgramCase& program, const Shape& input,
                                         const std::string& output) {
-  if (!std::filesystem::exists(output)) return "no output";
+  const std::optional<Candidate> candidate =
+      read_program_output(output, Decimal::Nearest, program.limits.output);
+  if (!candidate) return "no output";
   VerifyRequest request = program.verify;
   request.watch.stop = &interrupted();
-  const VerifyOutcome outcome = verify(input, read_candidate(output), request);
+  const VerifyOutcome outcome = verify(input, *candidate, request);
   const auto* verdict = std::get_if<Verdict>(&outcome);
   if (verdict == nullptr) return std::nullopt;  // flat: there is nothing to enclose
   for (const Claim& claim : verdict->claims) {

@@ -225,7 +225,7 @@ std::string Shrinking::summary() const {
 }
 
 int run_shrink(const ShrinkArguments& options) {
-  require_other_files({options.output}, {options.input});
+  require_outputs({options.output}, {options.input});
   const std::vector<SceneObject> scene = read_scene({options.input}, {.on_read = remember_input});
   Shrinking shrinking(options, scene.front());
   if (const auto reason = nothing_in(scene.front().shape)) {
@@ -292,6 +292,9 @@ void add_shrink_command(Command& program, int& exit_code) {
   add_seconds(command, "--time-limit", options->program.limits.seconds, "time for each run");
   add_bytes(command, "--memory-limit", options->program.limits.memory,
             "address space for each run, e.g. 2GB; no limit by default");
+  add_bytes(command, "--output-limit", options->program.limits.output,
+            "size of an output that is read; a larger one violates candidate-readable (default: "
+            "1GiB)");
   finish_command(command, options, exit_code, run_shrink);
 }
 

@@ -184,7 +184,7 @@ int run_together(const SimplifyArguments& options, const SimplifyRequest& each) 
 void require_plain(const SimplifyArguments& options) {
   options.implicit.require_complete(options.inputs);
   if (!options.implicit.is_given()) return;
-  require_other_files(options.output.all_paths(), {options.implicit.file});
+  require_outputs(options.output.all_paths(), {options.implicit.file});
   const char* option = options.only.inner    ? "--inner"
                        : options.scene.parts ? "--parts"
                        : options.total_faces ? "--total-faces"

@@ -38,7 +38,7 @@ struct TeachArguments {
   LessonRequest request;
 };
 
-void require_outputs(const TeachArguments& options) {
+void require_sensible(const TeachArguments& options) {
   if (options.outputs.empty() && !options.global.json) {
     throw Error(ErrorCode::InvalidArgument,
                 "teach needs a place for the lesson: add -o lesson.html (a page) or -o lesson.json "
@@ -50,7 +50,7 @@ void require_outputs(const TeachArguments& options) {
                   "-o: expected a name that ends in .html or .json, found " + in_quotes(path));
     }
   }
-  require_other_files(options.outputs, {options.input});
+  require_outputs(options.outputs, {options.input});
 }
 
 OutputFiles lesson_files(const std::vector<std::string>& paths, const Lesson& lesson) {
@@ -96,7 +96,7 @@ std::string summary_of(const Lesson& lesson, const OutputFiles& files) {
 }
 
 int run_teach(const TeachArguments& options) {
-  require_outputs(options);
+  require_sensible(options);
   LessonRequest request = options.request;
   request.center = parse_center(options.center);
   request.seed = options.global.seed;

@@ -58,7 +58,7 @@ bool is_decomposition(const std::string& path) {
 int run_verify_union(const GlobalOptions& global, const std::string& input,
                      const std::string& candidate, Decimal decimal, PartsRequest request,
                      const UnionOptions& options) {
-  if (!options.picture.empty()) require_other_files({options.picture}, {input, candidate});
+  if (!options.picture.empty()) require_outputs({options.picture}, {input, candidate});
   request.max_parts = options.max_parts;
   if (options.max_part_vertices && request.max_vertices) {
     throw Error(ErrorCode::InvalidArgument,

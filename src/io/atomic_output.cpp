@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
@@ -36,16 +37,29 @@ std::string resolve(const std::string& path) {
   for (int k = 0; k < kLongestChain && std::filesystem::is_symlink(absolute, failed); ++k) {
     absolute = absolute.parent_path() / std::filesystem::read_symlink(absolute, failed);
   }
+  if (std::filesystem::is_symlink(absolute, failed)) cannot_write(path, ELOOP);
   const auto resolved = std::filesystem::weakly_canonical(absolute, failed);
   return failed ? path : resolved.string();
 }
 
-// An unused name beside the target; `attempt` makes the next one different.
+// An unused name beside the target; `attempt` makes the next one different. It begins like the
+// target, whose name may be as long as names may be.
 std::string name_beside(const std::string& target, const char* suffix, int attempt) {
+  constexpr std::size_t kKept = 200;
   const std::filesystem::path path(target);
-  const std::string name = "." + path.filename().string() + "." + std::to_string(::getpid()) + "-" +
-                           std::to_string(attempt) + suffix;
+  const std::string name = "." + path.filename().string().substr(0, kKept) + "." +
+                           std::to_string(::getpid()) + "-" + std::to_string(attempt) + suffix;
   return (path.parent_path() / name).string();
+}
+
+// The mode of the file that will be replaced, if there is one.
+std::optional<mode_t> require_replaceable(const std::string& path, const std::string& target) {
+  struct stat status;
+  if (::stat(target.c_str(), &status) != 0) return std::nullopt;
+  if (S_ISDIR(status.st_mode)) cannot_write(path, EISDIR);
+  if (!S_ISREG(status.st_mode)) cannot_write(path, "Is not a regular file");
+  if (::access(target.c_str(), W_OK) != 0) cannot_write(path, errno);
+  return status.st_mode;
 }
 
 constexpr int kAttempts = 1000;  // files left by killed runs may have taken some names
@@ -99,16 +113,18 @@ void AtomicOutput::add(const std::string& path, std::string_view bytes) {
   }
 }
 
+void AtomicOutput::require_writable(const std::string& path) {
+  const std::string target = resolve(path);
+  require_replaceable(path, target);
+  if (::access(folder_of(target).c_str(), W_OK | X_OK) != 0) cannot_write(path, errno);
+}
+
 void AtomicOutput::write_temporary(File& file, std::string_view bytes) {
-  struct stat status;
-  const bool exists = ::stat(file.target.c_str(), &status) == 0;
-  if (exists && S_ISDIR(status.st_mode)) cannot_write(file.path, EISDIR);
-  if (exists && !S_ISREG(status.st_mode)) cannot_write(file.path, "Is not a regular file");
-  if (exists && ::access(file.target.c_str(), W_OK) != 0) cannot_write(file.path, errno);
+  const std::optional<mode_t> mode = require_replaceable(file.path, file.target);
   const int descriptor = create_beside(file.target, file.temporary);
   if (descriptor < 0) cannot_write(file.path, errno);
   int reason = write_all(descriptor, bytes);
-  if (exists && reason == 0 && ::fchmod(descriptor, status.st_mode & 07777) != 0) reason = errno;
+  if (mode && reason == 0 && ::fchmod(descriptor, *mode & 07777) != 0) reason = errno;
   if (::close(descriptor) != 0 && reason == 0) reason = errno;
   if (reason != 0) cannot_write(file.path, reason);
 }

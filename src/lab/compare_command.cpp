@@ -73,7 +73,7 @@ int run_compare(const CompareArguments& options) {
     return 0;
   }
   if (options.inputs.empty()) throw Error(ErrorCode::InvalidArgument, "INPUT is required");
-  if (!options.csv.empty()) require_other_files({options.csv}, options.inputs);
+  if (!options.csv.empty()) require_outputs({options.csv}, options.inputs);
   CompareRequest request = options.request;
   request.seed = options.global.seed;
   require_kind(request.methods, request.inner);

@@ -99,6 +99,7 @@ int run_report(const ReportArguments& options) {
   require_other_files({options.folder + "/report.html", options.folder + "/report.json",
                        options.folder + "/report.csv"},
                       options.inputs);
+  require_folder(options.folder);
   request.effort.seed = options.global.seed;
   request.effort.stop = &interrupted();
   Progress progress;

@@ -18,6 +18,7 @@
 #include "convexact/watch.hpp"
 #include "oracle/conformance_judge.hpp"
 #include "oracle/program.hpp"
+#include "oracle/program_output.hpp"
 
 namespace convexact {
 
@@ -174,16 +175,6 @@ std::size_t faces_of(const TestVector& vector) {
   return hull == nullptr ? kFacesOfRefusals : hull->facets;
 }
 
-// A file without bytes, or with blanks only, is no solid in every format; only some formats call it
-// malformed.
-std::optional<Candidate> candidate_in(const std::string& path, Precision numbers) {
-  if (!std::filesystem::is_regular_file(path)) return std::nullopt;
-  const std::string bytes = read_bytes(path);
-  if (bytes.find_first_not_of(" \t\r\n") == std::string::npos) return Mesh{};
-  return read_candidate_bytes(
-      bytes, path, numbers == Precision::Binary32 ? Decimal::Nearest32 : Decimal::Nearest);
-}
-
 RunResult run_vector(const TestVector& vector, const ConformRun& options) {
   const auto put = as_put(vector, options.promise);
   if (const auto* reason = std::get_if<NotRun>(&put)) return *reason;
@@ -202,7 +193,11 @@ RunResult run_vector(const TestVector& vector, const ConformRun& options) {
                 "the program '" + options.program.front() + "' cannot be started");
   }
   std::optional<Candidate> candidate;
-  if (run.succeeded()) candidate = candidate_in(output, options.promise.numbers);
+  if (run.succeeded()) {
+    const bool is_binary32 = options.promise.numbers == Precision::Binary32;
+    candidate = read_program_output(output, is_binary32 ? Decimal::Nearest32 : Decimal::Nearest,
+                                    options.limits.output);
+  }
   return ConformanceEntry{
       &vector,
       judge_run(given, options.promise, run, options.limits, candidate, options.watch.stop),

@@ -566,7 +566,7 @@ TEST_CASE("decompose: refusals, each with a sentence") {
            {"--concavity=-3%", 2, share},
            {"--concavity nan", 2, share},
            {"--concavity 3%%", 2, share},
-           {"--concavity ''", 2, share},
+           {"--concavity ''", 2, "found an empty text"},
            {"--method cut", 2, "--method"},
            {"--method acd --engine float", 2, "the engine applies to hacd only"},
            {"--method acd --measure vertices", 2, "the measure applies to hacd only"},

@@ -232,7 +232,7 @@ TEST_CASE("outputs: two spellings of one name, and empty names, are refused") {
     CAPTURE(option);
     const auto ran = run_program("simplify " + input + " --faces 4 " + option + " ''");
     CHECK(ran.exit == 2);
-    CHECK(includes(ran.err, "expected the name of a file"));
+    CHECK(includes(ran.err, "expected a value, found an empty text"));
   }
   CHECK(run_program("bvh " + input + " --from ''").exit == 2);
   const auto page = run_program("hull " + input + " --picture " + scratch.file("x.json"));
