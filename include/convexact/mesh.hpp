@@ -12,11 +12,15 @@
 namespace convexact {
 
 /// A named part of a file: the polygons [first, last) under one `o` or `g` line of an OBJ, or one
-/// `solid` of an STL. Other formats have a single part with an empty name.
+/// `solid` of an STL. Other formats have a single part with an empty name. A part is the points of
+/// its polygons and its loose points.
 struct MeshPart {
   std::string name;
   std::size_t first_polygon;
   std::size_t last_polygon;
+  /// Of an OBJ with `o` or `g`: the points under that line which no polygon of the file uses,
+  /// ascending. A part may have nothing else.
+  std::vector<std::uint32_t> loose = {};
 };
 
 /// Points and polygons as the file gives them; polygons index points from 0.

@@ -46,8 +46,8 @@ using CandidateParts = std::variant<std::vector<NamedPart>, HullTree, Error>;
 
 /// The parts in a file: in an OBJ the objects or groups that have faces, in an STL the solids; in
 /// JSON the entries of "parts", each with "vertices" and possibly "name" and "faces", and the tree
-/// under "hull_tree", if there is one; any other mesh is a single part. Points that no face uses
-/// belong to the part if there is only one, and to no part if there are several.
+/// under "hull_tree", if there is one; any other mesh is a single part. A part of several
+/// has the points of its faces and its loose points (MeshPart); a single one has all points.
 [[nodiscard]] CandidateParts read_parts_bytes(std::string_view bytes, const std::string& path,
                                               Decimal decimal = Decimal::Nearest);
 

@@ -156,7 +156,7 @@ int run_verify_parts(VerifyArguments options) {
                                       [&] { return read_candidate(options.candidate, decimal); });
   // Parts of one object can only be judged together.
   if (const auto* mesh = std::get_if<Mesh>(&candidate);
-      input.size() == 1 && mesh != nullptr && objects_with_faces(*mesh) > 1) {
+      input.size() == 1 && mesh != nullptr && objects_in(*mesh) > 1) {
     progress.clear();
     return run_union(given);
   }

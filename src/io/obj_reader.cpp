@@ -33,6 +33,7 @@ class ObjReader {
                   line_of_largest_);
     }
     end_part();
+    if (has_named_part_) find_loose_points();
     if (mesh_.parts.empty()) mesh_.parts.push_back({"", 0, 0});
     mesh_.points = points_.finish();
     return std::move(mesh_);
@@ -46,6 +47,7 @@ class ObjReader {
       read_face();
     } else if (keyword == "o" || keyword == "g") {
       end_part();
+      has_named_part_ = true;
       part_name_ = cursor_.rest();
     } else if (std::find(kPassedOver.begin(), kPassedOver.end(), keyword) == kPassedOver.end()) {
       cursor_.fail_expected("an OBJ statement such as v, f, o or g", keyword);
@@ -120,23 +122,54 @@ class ObjReader {
     cursor_.fail_expected("a corner such as 3, -1, 3/2, 3//4 or 3/2/4 with indices from 1", token);
   }
 
-  // Makes a part of the polygons since the last o or g, if there are any. The same name twice in a
-  // row is one part.
+  // Makes a part of the polygons and points since the last o or g, if there are any. The same name
+  // twice in a row is one part. Points before the first o or g belong to the first part.
   void end_part() {
-    const std::size_t last = mesh_.polygons.size();
+    const std::size_t last = mesh_.polygons.size(), last_point = points_.size();
     const std::size_t first = mesh_.parts.empty() ? 0 : mesh_.parts.back().last_polygon;
-    if (first == last) return;
+    const bool has_points = has_named_part_ && first_point_ < last_point;
+    if (first == last && !has_points) return;
     if (!mesh_.parts.empty() && mesh_.parts.back().name == part_name_) {
       mesh_.parts.back().last_polygon = last;
     } else {
       mesh_.parts.push_back({std::string(part_name_), first, last});
     }
+    part_of_point_.resize(last_point, mesh_.parts.size() - 1);
+    first_point_ = last_point;
+  }
+
+  // Only now it is known which points polygons use: they may use points of other parts.
+  void find_loose_points() {
+    std::vector<bool> is_used(points_.size(), false);
+    for (const auto& polygon : mesh_.polygons) {
+      for (const std::uint32_t corner : polygon) is_used[corner] = true;
+    }
+    for (std::uint32_t p = 0; p < part_of_point_.size(); ++p) {
+      if (!is_used[p]) mesh_.parts[part_of_point_[p]].loose.push_back(p);
+    }
+    std::erase_if(mesh_.parts, [](const MeshPart& part) {
+      return part.first_polygon == part.last_polygon && part.loose.empty();
+    });
+    // What stood between two parts of one name may be gone.
+    std::vector<MeshPart> parts;
+    for (MeshPart& part : mesh_.parts) {
+      if (parts.empty() || parts.back().name != part.name) {
+        parts.push_back(std::move(part));
+        continue;
+      }
+      parts.back().last_polygon = part.last_polygon;
+      parts.back().loose.insert(parts.back().loose.end(), part.loose.begin(), part.loose.end());
+    }
+    mesh_.parts = std::move(parts);
   }
 
   TextCursor cursor_;
   PointCollector points_;
   Mesh mesh_;
   std::string_view part_name_;
+  bool has_named_part_ = false;             // an o or g was read
+  std::size_t first_point_ = 0;             // of those that no part has yet
+  std::vector<std::size_t> part_of_point_;  // by point, under which part it was read
   std::vector<std::uint32_t> corners_;
   std::size_t largest_index_ = 0;
   std::size_t line_of_largest_ = 0;

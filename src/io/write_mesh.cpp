@@ -59,6 +59,8 @@ std::string write_obj(const Mesh& mesh) {
   for (const Point& p : mesh.points.doubles()) append_point(out.text("v "), p);
   const std::vector<MeshPart> parts = parts_of(mesh);
   for (const MeshPart& part : parts) {
+    // The format has all points first, so a part that is only points cannot say which are its own.
+    if (part.first_polygon == part.last_polygon) continue;
     if (parts.size() > 1 || !part.name.empty()) out.text("o ").text(part.name).text("\n");
     for (std::size_t f = part.first_polygon; f < part.last_polygon; ++f) {
       out.text("f");

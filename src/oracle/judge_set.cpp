@@ -189,7 +189,7 @@ bool judge_reading(Trial& trial) {
                     : "a mesh of " + counted(mesh->points.size(), "point", "points") + " and " +
                           counted(mesh->polygons.size(), "face", "faces"));
     trial.holds(CandidateFinite, "every number is finite");
-    if (const std::size_t objects = mesh == nullptr ? 0 : objects_with_faces(*mesh); objects > 1) {
+    if (const std::size_t objects = mesh == nullptr ? 0 : objects_in(*mesh); objects > 1) {
       trial.verdict.notes.push_back(
           "its " + std::to_string(objects) +
           " objects are judged as one solid, the hull of them all; --union judges their union");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <unordered_map>
 
 #include "convexact/error.hpp"
@@ -21,39 +22,42 @@ std::string stem_of(const std::string& path) {
   return first == stem.npos ? "" : stem.substr(first, last - first + 1);
 }
 
-// Two objects in a row with the same name would be one object in a file, and a name shared by two
-// files would not say which is meant. The later one gets a number.
+// Two objects with the same name would be one object in a file, or not say which is meant. The
+// later one gets a number.
 void make_names_distinct(std::vector<SceneObject>& objects, std::size_t first_of_file) {
-  const auto is_taken = [&](const std::string& name, std::size_t k) {
-    const bool is_repeated = k > first_of_file && objects[k - 1].part == name;
-    return is_repeated ||
-           std::any_of(objects.begin(), objects.begin() + long(first_of_file),
-                       [&](const SceneObject& object) { return object.part == name; });
-  };
+  std::set<std::string> names;
+  for (std::size_t k = 0; k < first_of_file; ++k) names.insert(objects[k].part);
   for (std::size_t k = first_of_file; k < objects.size(); ++k) {
     const std::string name = objects[k].part;
-    for (int number = 2; is_taken(objects[k].part, k); ++number) {
+    for (int number = 2; !names.insert(objects[k].part).second; ++number) {
       objects[k].part = name + "-" + std::to_string(number);
     }
   }
 }
 
-// The points that a part's polygons use, renumbered in the order of the file.
+bool is_object(const MeshPart& part) {
+  return part.first_polygon < part.last_polygon || !part.loose.empty();
+}
+
+// The points that a part's polygons use, renumbered in the order of the file; then its loose
+// points.
 SceneObject extract_part(const Mesh& mesh, const MeshPart& part, const std::string& file) {
   SceneObject object{file + ": " + part.name, part.name, {}, {}};
   std::unordered_map<std::uint32_t, std::uint32_t> renumbered;
   std::vector<Point> doubles;
   std::vector<RationalPoint> rationals;
+  const auto number_of = [&](std::uint32_t point) {
+    const auto [entry, is_new] =
+        renumbered.try_emplace(point, static_cast<std::uint32_t>(renumbered.size()));
+    if (is_new && mesh.points.is_binary()) doubles.push_back(mesh.points.doubles()[point]);
+    if (is_new && !mesh.points.is_binary()) rationals.push_back(mesh.points[PointId(point)]);
+    return entry->second;
+  };
   for (std::size_t k = part.first_polygon; k < part.last_polygon; ++k) {
     auto& polygon = object.polygons.emplace_back(mesh.polygons[k]);
-    for (std::uint32_t& corner : polygon) {
-      const auto [entry, is_new] =
-          renumbered.try_emplace(corner, static_cast<std::uint32_t>(renumbered.size()));
-      if (is_new && mesh.points.is_binary()) doubles.push_back(mesh.points.doubles()[corner]);
-      if (is_new && !mesh.points.is_binary()) rationals.push_back(mesh.points[PointId(corner)]);
-      corner = entry->second;
-    }
+    for (std::uint32_t& corner : polygon) corner = number_of(corner);
   }
+  for (const std::uint32_t point : part.loose) (void)number_of(point);
   object.groups = {{part.name, 0, object.polygons.size()}};
   object.shape =
       mesh.points.is_binary() ? PointSet(std::move(doubles)) : PointSet(std::move(rationals));
@@ -92,16 +96,14 @@ SceneObject halfspace_object(const std::string& path, HalfspaceList list) {
 
 }  // namespace
 
-std::size_t objects_with_faces(const Mesh& mesh) {
-  return static_cast<std::size_t>(
-      std::count_if(mesh.parts.begin(), mesh.parts.end(),
-                    [](const MeshPart& part) { return part.first_polygon < part.last_polygon; }));
+std::size_t objects_in(const Mesh& mesh) {
+  return static_cast<std::size_t>(std::count_if(mesh.parts.begin(), mesh.parts.end(), is_object));
 }
 
 std::vector<SceneObject> parts_of(const Mesh& mesh, const std::string& file) {
   std::vector<SceneObject> parts;
   for (const MeshPart& part : mesh.parts) {
-    if (part.first_polygon < part.last_polygon) parts.push_back(extract_part(mesh, part, file));
+    if (is_object(part)) parts.push_back(extract_part(mesh, part, file));
   }
   if (parts.empty()) {
     throw Error(ErrorCode::InvalidArgument, "the file has no faces, so no parts");

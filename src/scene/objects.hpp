@@ -10,10 +10,10 @@
 
 namespace convexact {
 
-/// How many parts of the mesh have faces.
-[[nodiscard]] std::size_t objects_with_faces(const Mesh& mesh);
+/// How many parts of the mesh have faces or loose points.
+[[nodiscard]] std::size_t objects_in(const Mesh& mesh);
 
-/// Each part that has faces, with the points that they use.
+/// Each of them: the points that its faces use, then its loose points.
 /// @throws Error InvalidArgument if there is none.
 [[nodiscard]] std::vector<SceneObject> parts_of(const Mesh& mesh, const std::string& file);
 

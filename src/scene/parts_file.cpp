@@ -39,7 +39,7 @@ CandidateParts parts_of_json(std::string_view bytes, Decimal decimal) {
 }
 
 std::vector<NamedPart> parts_of_mesh(Mesh mesh, const std::string& stem) {
-  if (objects_with_faces(mesh) < 2) {
+  if (objects_in(mesh) < 2) {
     if (mesh.points.size() == 0) return {};
     return {{stem, std::move(mesh)}};
   }

@@ -236,3 +236,52 @@ TEST_CASE("scene: verify --parts refuses parts that do not match") {
       scratch.write("flat.obj", two_cubes() + "o flat\nv 0 0 9\nv 1 0 9\nv 0 1 9\nf 21 22 23\n");
   CHECK(run_program("verify --parts " + flat + " " + flat).exit == 4);
 }
+
+// Expected by the definition: the hull of the second object is far from that of the first, and the
+// bar is longer than both boxes together.
+TEST_CASE("scene: objects that are only points are objects") {
+  const ScratchFolder scratch;
+  const std::string tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n",
+                    faces = "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  const std::string cloud = "v 100 100 100\nv 101 100 100\nv 100 101 100\nv 100 100 101\n";
+  const std::string loose = scratch.write("loose.obj",
+                                          "o a\n" + tetrahedron + faces + "o cloud\n" + cloud),
+                    alone = scratch.write("alone.obj", "o a\n" + tetrahedron + faces),
+                    out = scratch.file("out.obj");
+  const auto ran = run_program("simplify --parts --faces 4 " + loose + " -o " + out);
+  CHECK(ran.exit == 0);
+  CHECK(bytes_of(out).find("o cloud") != std::string::npos);
+  CHECK(run_program("verify --parts " + loose + " " + out).exit == 0);
+  CHECK(run_program("verify --parts " + loose + " " + alone).exit == 2);  // cloud has no partner
+
+  const auto box = [](const std::string& name, int from, int to) {
+    std::string text = "o " + name + "\n";
+    for (int k = 0; k < 8; ++k) {
+      text += "v " + std::to_string(k & 1 ? to : from) + (k & 2 ? " 1" : " 0") +
+              (k & 4 ? " 1\n" : " 0\n");
+    }
+    return text;
+  };
+  const std::string bar =
+                        scratch.write("bar.obj", box("bar", 0, 10) +
+                                                     "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\n"
+                                                     "f 1 5 7 3\nf 2 4 8 6\n"),
+                    ends = scratch.write("ends.obj", box("left", 0, 1) + box("right", 9, 10)),
+                    halves = scratch.write("halves.obj", box("left", 0, 5) + box("right", 5, 10));
+  CHECK(run_program("verify --union " + bar + " " + ends).exit == 1);
+  CHECK(run_program("verify --union " + bar + " " + halves).exit == 0);
+}
+
+TEST_CASE("scene: a name that comes again later gets a number") {
+  const ScratchFolder scratch;
+  std::string text;
+  for (const char* name : {"a", "b", "a"}) {
+    text +=
+        std::string("o ") + name +
+        "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -3 -2 -1\n";
+  }
+  const std::string scene = scratch.write("scene.obj", text), out = scratch.file("out.obj");
+  CHECK(run_program("simplify --parts --faces 4 " + scene + " -o " + out).exit == 0);
+  CHECK(bytes_of(out).find("o a-2") != std::string::npos);
+  CHECK(run_program("verify --parts " + scene + " " + out).exit == 0);
+}

@@ -152,3 +152,46 @@ TEST_CASE("read_mesh: what cannot be read is named") {
     CHECK(std::string(error.what()).starts_with(path + ": cannot be read: "));
   }
 }
+
+TEST_CASE("OBJ: an object is its points, those that no face uses as well") {
+  const std::string tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  const std::string faces = "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  using Points = std::vector<std::uint32_t>;
+  const auto parts_of = [](const std::string& bytes) {
+    return read_mesh_bytes(bytes, {.format = MeshFormat::Obj}).parts;
+  };
+  SUBCASE("one has no face") {
+    const auto parts = parts_of("o a\n" + tetrahedron + faces + "o cloud\n" + tetrahedron);
+    REQUIRE(parts.size() == 2);
+    CHECK(parts[0].loose.empty());
+    CHECK(parts[1].name == "cloud");
+    CHECK(parts[1].first_polygon == parts[1].last_polygon);
+    CHECK(parts[1].loose == Points{4, 5, 6, 7});
+  }
+  SUBCASE("none has a face") {
+    const auto parts = parts_of("o a\n" + tetrahedron + "o b\n" + tetrahedron);
+    REQUIRE(parts.size() == 2);
+    CHECK(parts[0].loose == Points{0, 1, 2, 3});
+    CHECK(parts[1].loose == Points{4, 5, 6, 7});
+  }
+  SUBCASE("points under one are the corners of another") {
+    const auto parts =
+        parts_of("o corners\n" + tetrahedron + "g a\nf 1 3 2\nf 1 2 4\ng b\nf 1 4 3\n");
+    REQUIRE(parts.size() == 2);
+    CHECK(parts[0].name == "a");
+    CHECK(parts[1].name == "b");
+  }
+  SUBCASE("what stands before the first belongs to it") {
+    const auto parts = parts_of("v 9 9 9\no a\n" + tetrahedron + "f 2 4 3\no b\nf 2 3 5\n");
+    REQUIRE(parts.size() == 2);
+    CHECK(parts[0].loose == Points{0});
+    CHECK(parts[1].loose.empty());
+  }
+  SUBCASE("one name twice in a row is one part, also if what stood between them is gone") {
+    const auto parts =
+        parts_of("o a\n" + tetrahedron + "f 1 3 2\no b\nv 2 2 2\no a\nf 1 2 5\nv 7 7 7\n");
+    REQUIRE(parts.size() == 1);
+    CHECK(parts[0].last_polygon == 2);
+    CHECK(parts[0].loose == Points{3, 5});
+  }
+}
