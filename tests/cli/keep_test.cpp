@@ -98,7 +98,7 @@ TEST_CASE("--keep: what is refused, by name") {
            {"normal:1e999999,0,1", "expected 3 numbers"},
            {"group:cut2", "no group of that name"},
            {"6", "expected id:N"},
-           {"''", "expected id:N"},
+           {"''", "found an empty text"},
            {"id:0,1,2,3,4", "5 facets are to be kept"},
            {"lid/id:6", "expected id:N"},
        }) {
