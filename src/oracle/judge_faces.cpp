@@ -198,7 +198,7 @@ void judge_mesh(const Mesh& mesh, Trial& trial) {
   if (trial.asks(MeshOriented)) judge_oriented(surface, !open, trial);
   watch.ask();
   const bool needs_polygons = trial.asks(MeshPlanar) || trial.asks(MeshConvex);
-  const auto crossed = needs_polygons ? surface.crossed_face() : std::nullopt;
+  const auto crossed = needs_polygons ? surface.crossed_face(watch) : std::nullopt;
   if (trial.asks(MeshPlanar)) judge_planar(surface, crossed, trial);
   watch.ask();
   if (!trial.set.hull) {

@@ -84,7 +84,8 @@ bool do_touch(Outline p, std::size_t i, std::size_t j) {
 // neighbours: the positions of their first corners, the lower one first; nothing if the polygon is
 // simple. At least three corners, of which no two neighbours are equal. Linear for convex polygons;
 // for others a sweep, in the worst case quadratic.
-std::optional<std::pair<std::size_t, std::size_t>> touching_edges(Outline corners) {
+std::optional<std::pair<std::size_t, std::size_t>> touching_edges(Outline corners,
+                                                                  const Watch& watch) {
   if (is_convex(corners)) return std::nullopt;
   const std::size_t n = corners.size();
   const auto first_x = [&](std::size_t e) -> const Rational& {
@@ -95,6 +96,7 @@ std::optional<std::pair<std::size_t, std::size_t>> touching_edges(Outline corner
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return first_x(a) < first_x(b); });
   for (std::size_t k = 0; k < n; ++k) {
+    watch.ask();
     const std::size_t e = order[k];
     const Rational& last_x = std::max(corners[e][0], corners[(e + 1) % n][0]);
     for (std::size_t l = k + 1; l < n && first_x(order[l]) <= last_x; ++l) {
@@ -235,7 +237,7 @@ bool MeshSurface::goes_to_and_fro(std::size_t face) const {
 }
 
 // For a face with corners that are not all on a line.
-std::optional<CrossedFace> MeshSurface::crossing_of(std::size_t face) const {
+std::optional<CrossedFace> MeshSurface::crossing_of(std::size_t face, const Watch& watch) const {
   const std::vector<std::uint32_t>& corners = faces_[face];
   const auto next = [&](std::size_t k) { return corners[(k + 1) % corners.size()]; };
   // A corner that occurs again: seen along the normal, a spike out of the plane may be hidden
@@ -261,13 +263,13 @@ std::optional<CrossedFace> MeshSurface::crossing_of(std::size_t face) const {
     const RationalPoint p = mesh_.points[PointId(c)];
     seen.push_back({p[(axis + 1) % 3], p[(axis + 2) % 3]});
   }
-  const auto edges = touching_edges(seen);
+  const auto edges = touching_edges(seen, watch);
   if (!edges) return {};
   const auto [i, j] = *edges;
   return CrossedFace{face, {corners[i], next(i), corners[j], next(j)}};
 }
 
-std::optional<CrossedFace> MeshSurface::crossed_face() const {
+std::optional<CrossedFace> MeshSurface::crossed_face(const Watch& watch) const {
   auto sliver = surplus_.slivers.begin();
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const bool is_sliver = sliver != surplus_.slivers.end() && *sliver == f;
@@ -275,7 +277,7 @@ std::optional<CrossedFace> MeshSurface::crossed_face() const {
     if (faces_[f].size() <= 3) continue;
     if (is_sliver && !goes_to_and_fro(f)) return CrossedFace{f, {}};
     if (is_sliver) continue;
-    if (auto crossed = crossing_of(f)) return crossed;
+    if (auto crossed = crossing_of(f, watch)) return crossed;
   }
   return {};
 }

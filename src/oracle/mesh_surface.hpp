@@ -8,6 +8,7 @@
 
 #include "convexact/hull.hpp"
 #include "convexact/mesh.hpp"
+#include "convexact/watch.hpp"
 
 namespace convexact {
 
@@ -60,8 +61,8 @@ class MeshSurface {
   /// An edge along which two faces run in the same direction, so that one of them is turned over.
   [[nodiscard]] std::optional<MeshEdge> twisted_edge() const;
   /// A face that crosses or touches itself, exactly; if the corners lie on a line, they must run
-  /// along it once to and fro.
-  [[nodiscard]] std::optional<CrossedFace> crossed_face() const;
+  /// along it once to and fro. @throws Error Stopped when the watch ends the call.
+  [[nodiscard]] std::optional<CrossedFace> crossed_face(const Watch& watch) const;
   /// The corner that is farthest from the plane of its face.
   [[nodiscard]] std::optional<PointOffFace> most_bent() const;
   /// Six times the volume that the faces enclose, positive if they look outward. Meaningful if
@@ -89,7 +90,7 @@ class MeshSurface {
   std::optional<MeshEdge> find_edge(const IsFault& is_fault) const;
   bool is_on_a_line(std::size_t face) const;
   bool goes_to_and_fro(std::size_t face) const;
-  std::optional<CrossedFace> crossing_of(std::size_t face) const;
+  std::optional<CrossedFace> crossing_of(std::size_t face, const Watch& watch) const;
   std::optional<PointOffFace> bend_of(std::size_t face) const;
   const Mesh& mesh_;
   std::vector<std::vector<std::uint32_t>> faces_;  // corners by the first point at their place
