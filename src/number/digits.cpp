@@ -131,4 +131,11 @@ std::string summary_line(const char* label, const std::string& text) {
   return fmt::format("  {:<12}{}\n", label, text);
 }
 
+std::string in_sentence(const Rational& x) {
+  constexpr std::size_t kLongest = 40;
+  constexpr int kDigits = 6;
+  const std::string exact = to_string(x);
+  return exact.size() <= kLongest ? exact : "about " + to_decimal(x, kDigits);
+}
+
 }  // namespace convexact

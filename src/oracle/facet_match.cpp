@@ -7,6 +7,7 @@
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
 #include "convexact/verify.hpp"
+#include "number/text.hpp"
 
 namespace convexact {
 namespace {
@@ -111,8 +112,8 @@ NearestFacet FacetMatcher::measure(const Halfspace& plane, HalfspaceId facet) co
 
 std::string plane_in_words(const Halfspace& plane) {
   std::string text = "the plane";
-  for (const Integer& n : plane.normal()) text += " " + to_string(n);
-  return text + " " + to_string(plane.offset());
+  for (const Integer& n : plane.normal()) text += " " + in_sentence(Rational(n));
+  return text + " " + in_sentence(Rational(plane.offset()));
 }
 
 std::string ids_text(std::span<const HalfspaceId> ids, const char* separator) {

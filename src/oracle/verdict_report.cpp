@@ -66,17 +66,13 @@ Json size_json(const CandidateSize& size) {
 // ---- Text
 
 constexpr int kVerdictDigits = 6;
-constexpr std::size_t kLongestFraction = 60;  // longer ones are only in --json
 
 std::string claim_lines(const Claim& claim) {
   std::string text = fmt::format("  {:<19} {:<15} {}\n", name_of(claim.code), name_of(claim.status),
                                  claim.sentence);
   if (claim.witness.squared_distance) {
-    const std::string exact = to_string(*claim.witness.squared_distance);
     text += fmt::format("  {:<35} the square of the distance is {}\n", "",
-                        exact.size() <= kLongestFraction
-                            ? exact
-                            : fmt::format("a fraction of {} characters, see --json", exact.size()));
+                        in_sentence(*claim.witness.squared_distance));
   }
   return text;
 }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "convexact/scene.hpp"
+#include "number/text.hpp"
 
 namespace convexact {
 namespace {
@@ -9,14 +10,14 @@ namespace {
 std::string list_rows(const std::vector<Multiplier>& multipliers) {
   std::string rows;
   for (const Multiplier& m : multipliers) {
-    rows += fmt::format("{}{} times halfspace {}", rows.empty() ? "" : " + ", to_string(m.value),
+    rows += fmt::format("{}{} times halfspace {}", rows.empty() ? "" : " + ", in_sentence(m.value),
                         m.row);
   }
   return rows;
 }
 
 std::string list(const RationalVector3& v) {
-  return fmt::format("({}, {}, {})", to_string(v[0]), to_string(v[1]), to_string(v[2]));
+  return fmt::format("({}, {}, {})", in_sentence(v[0]), in_sentence(v[1]), in_sentence(v[2]));
 }
 
 // "2 x - z + 5 = 0"
@@ -26,7 +27,8 @@ std::string list(const Halfspace& plane) {
     if (factor == 0) return;
     const Integer magnitude = abs(factor);
     sum += sum.empty() ? (factor < 0 ? "-" : "") : (factor < 0 ? " - " : " + ");
-    if (magnitude != 1 || name.empty()) sum += to_string(magnitude) + (name.empty() ? "" : " ");
+    if (magnitude != 1 || name.empty())
+      sum += in_sentence(Rational(magnitude)) + (name.empty() ? "" : " ");
     sum += name;
   };
   add(plane.normal()[0], "x");

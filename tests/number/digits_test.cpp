@@ -5,6 +5,7 @@
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "number/precision.hpp"
+#include "number/text.hpp"
 #include "property.hpp"
 #include "refine_decimal.hpp"
 using namespace convexact;
@@ -66,4 +67,13 @@ TEST_CASE("to_decimal: a short number behind an interval is found, with its zero
   CHECK(refine_decimal(three_halves, 10) == "1.500000000");
   const auto negative = [&](long precision) { return -three_halves(precision); };
   CHECK(refine_decimal(negative, 3) == "-1.50");
+}
+
+// 10^39 has 40 digits, and 2^200 = 1606938044258990275541962092341162602522202993782792835301376.
+TEST_CASE("in_sentence: exact up to 40 characters, then six digits") {
+  CHECK(in_sentence(Rational(-7, 3)) == "-7/3");
+  CHECK(in_sentence(parse_rational("1e39")) == "1" + std::string(39, '0'));
+  CHECK(in_sentence(parse_rational("1e40")) == "about 1e+40");
+  CHECK(in_sentence(scale_by_power_of_two(1, 200)) == "about 1.60694e+60");
+  CHECK(in_sentence(scale_by_power_of_two(1, -200)) == "about 6.22302e-61");
 }
