@@ -238,8 +238,9 @@ inline constexpr std::array kAllNotRun = {NotRun::AsksOtherwise, NotRun::OtherFo
 /// Other vectors are passed by an output for which every applicable claim of verify() and of the
 /// promise holds; docs/conform.md has the whole list. There are two exceptions. A face may be bent,
 /// or off the surface of the hull, as far as 16 units in the last place of the largest coordinate
-/// explain it (is_explained()). An output does not have too many facets if no facet can be removed
-/// without leaving it unbounded: the order of tied removals decides where a greedy run ends.
+/// explain it (is_explained()). An output does not have too many facets if its planes are facet
+/// planes of the input's hull, up to rounding, and none can be removed without leaving it
+/// unbounded: the order of tied removals decides where a greedy run ends.
 /// @param vector  As as_put() gives it.
 /// @param output  The program's output, if there is a file.
 /// @param stop    When it becomes true: Error Stopped.

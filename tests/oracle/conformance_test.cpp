@@ -148,6 +148,9 @@ TEST_CASE("judge_run: too many facets, unless none of them can go") {
   CHECK(judged(octahedron, kDone,
                rows({{1, 1, 1, -1}, {1, -1, -1, -1}, {-1, 1, -1, -1}, {-1, -1, 1, -1}})) ==
         Outcome::Passed);
+  // No side of the bounding box can go, but removals leave no planes that the input has not.
+  CHECK(judged(octahedron, kDone, box_mesh(1, 1, 1)) == Outcome::TooManyFacets);
+  CHECK(judged(simplify_vector(shapes::cube(), 4), kDone, box_mesh(1, 1, 1)) == Outcome::Passed);
   CHECK(judged(octahedron, kDone, rows({{1, 1, 1, -1}})) == Outcome::NoSolid);
   CHECK(judged(octahedron, kDone,
                rows({{4, 4, 4, -3}, {1, -1, -1, -1}, {-1, 1, -1, -1}, {-1, -1, 1, -1}})) ==
@@ -224,7 +227,8 @@ TEST_CASE("judge_run: an enclosure has a largest acceptable volume (#13)") {
   CHECK(outcomes_of(judged_as({}, cube, box_mesh(1, 1, more))) == std::vector{Outcome::TooLoose});
   // Nine times for 4 and 5 faces, and where any number of faces is allowed.
   const TestVector octahedron = simplify_vector(shapes::octahedron(), 5);
-  CHECK(judged_as({}, octahedron, box_mesh(1, 1, 9)).failures.empty());  // no side can go
+  CHECK(outcomes_of(judged_as({}, octahedron, box_mesh(1, 1, 9))) ==
+        std::vector{Outcome::TooManyFacets});
   CHECK(judged_as({}, octahedron, box_mesh(1, 1, 9.5)).outcome() == Outcome::TooLoose);
   CHECK(judged_as(asking(Asks::Enclosure), cube, box_mesh(1, 1, 9)).failures.empty());
   CHECK(judged_as(asking(Asks::Enclosure), cube, box_mesh(1, 1, 9.5)).outcome() ==
