@@ -123,11 +123,13 @@ class ObjReader {
   }
 
   // Makes a part of the polygons and points since the last o or g, if there are any. The same name
-  // twice in a row is one part. Points before the first o or g belong to the first part.
+  // twice in a row is one part. Points before the first o or g are for all parts, and of none: many
+  // write all points first.
   void end_part() {
     const std::size_t last = mesh_.polygons.size(), last_point = points_.size();
     const std::size_t first = mesh_.parts.empty() ? 0 : mesh_.parts.back().last_polygon;
-    const bool has_points = has_named_part_ && first_point_ < last_point;
+    const bool has_points = has_named_part_ && part_of_point_.size() < last_point;
+    if (!has_named_part_) part_of_point_.resize(last_point, kNoPart);
     if (first == last && !has_points) return;
     if (!mesh_.parts.empty() && mesh_.parts.back().name == part_name_) {
       mesh_.parts.back().last_polygon = last;
@@ -135,7 +137,6 @@ class ObjReader {
       mesh_.parts.push_back({std::string(part_name_), first, last});
     }
     part_of_point_.resize(last_point, mesh_.parts.size() - 1);
-    first_point_ = last_point;
   }
 
   // Only now it is known which points polygons use: they may use points of other parts.
@@ -145,7 +146,8 @@ class ObjReader {
       for (const std::uint32_t corner : polygon) is_used[corner] = true;
     }
     for (std::uint32_t p = 0; p < part_of_point_.size(); ++p) {
-      if (!is_used[p]) mesh_.parts[part_of_point_[p]].loose.push_back(p);
+      if (is_used[p] || part_of_point_[p] == kNoPart) continue;
+      mesh_.parts[part_of_point_[p]].loose.push_back(p);
     }
     std::erase_if(mesh_.parts, [](const MeshPart& part) {
       return part.first_polygon == part.last_polygon && part.loose.empty();
@@ -163,12 +165,12 @@ class ObjReader {
     mesh_.parts = std::move(parts);
   }
 
+  static constexpr std::size_t kNoPart = ~std::size_t{0};
   TextCursor cursor_;
   PointCollector points_;
   Mesh mesh_;
   std::string_view part_name_;
   bool has_named_part_ = false;             // an o or g was read
-  std::size_t first_point_ = 0;             // of those that no part has yet
   std::vector<std::size_t> part_of_point_;  // by point, under which part it was read
   std::vector<std::uint32_t> corners_;
   std::size_t largest_index_ = 0;

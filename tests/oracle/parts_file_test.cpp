@@ -37,7 +37,7 @@ TEST_CASE("read_parts: objects of an OBJ, with the points that they use and thos
   const auto parts = read_parts_bytes(kTetrahedra, "a.obj");
   REQUIRE(parts_in(parts).size() == 2);
   CHECK(parts_in(parts)[0].name == "first");
-  CHECK(parts_in(parts)[0].mesh.points.size() == 5);
+  CHECK(parts_in(parts)[0].mesh.points.size() == 4);
   CHECK(parts_in(parts)[0].mesh.polygons.size() == 4);
   CHECK(parts_in(parts)[1].name == "second");
   CHECK(parts_in(parts)[1].mesh.points.size() == 4);
