@@ -33,8 +33,8 @@ namespace convexact {
 /// A line of a summary: the text after its label, in a separate column.
 [[nodiscard]] std::string summary_line(const char* label, const std::string& text);
 
-/// A number in a sentence: exact, unless that has more than 40 characters, which --json has; then six
-/// digits, as "about 1.23457e+52".
+/// A number in a sentence: exact, unless that has more than 40 characters, which --json has; then
+/// six digits, as "about 1.23457e+52".
 [[nodiscard]] std::string in_sentence(const Rational& x);
 
 }  // namespace convexact
