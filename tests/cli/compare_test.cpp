@@ -13,8 +13,8 @@
 using nlohmann::json;
 using support::bytes_of;
 using support::data;
-using support::Ran;
 using support::program_json;
+using support::Ran;
 using support::run_program;
 using support::ScratchFolder;
 

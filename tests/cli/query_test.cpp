@@ -15,8 +15,8 @@ using convexact::parse_rational;
 using convexact::Rational;
 using nlohmann::json;
 using support::data;
-using support::Ran;
 using support::program_json;
+using support::Ran;
 using support::run_program;
 using support::ScratchFolder;
 
