@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // verdict_check.hpp - whether a verdict of the oracle is the one that the definitions give.
 #pragma once
+#include <algorithm>
 #include <string>
 
 #include "convexact/verify.hpp"
@@ -67,7 +68,18 @@ inline void check_containment(std::span<const Halfspace> planes, bool is_bounded
   }
 }
 
-inline void check_faces(const MeshByDefinition& truth, Disagreements& so_far) {
+// `outward`: the same faces, turned over if all of a closed mesh look inward.
+inline void check_convex(const MeshByDefinition& outward, Disagreements& so_far) {
+  if (!outward.no_point_beyond_a_face()) {
+    so_far.expect(ClaimCode::MeshConvex, Status::Violated);
+  } else if (!outward.is_closed() || outward.is_twisted()) {
+    so_far.expect(ClaimCode::MeshConvex, Status::NotApplicable);
+  } else if (outward.planes().size() <= 64) {
+    so_far.expect(ClaimCode::MeshConvex, outward.enclosed() == outward.hull_volume());
+  }
+}
+
+inline void check_faces(const Mesh& mesh, const MeshByDefinition& truth, Disagreements& so_far) {
   if (!truth.has_faces()) {
     so_far.expect(ClaimCode::MeshClosed, false);
     for (const ClaimCode code :
@@ -85,19 +97,16 @@ inline void check_faces(const MeshByDefinition& truth, Disagreements& so_far) {
     so_far.expect(ClaimCode::MeshOriented, Status::NotApplicable);
   }
   if (!truth.is_solid() || !truth.is_planar()) return;
-  if (!truth.no_point_beyond_a_face()) {
-    so_far.expect(ClaimCode::MeshConvex, Status::Violated);
-  } else if (!is_closed || is_twisted) {
-    so_far.expect(ClaimCode::MeshConvex, Status::NotApplicable);
-  } else if (truth.planes().size() <= 64) {
-    so_far.expect(ClaimCode::MeshConvex, truth.enclosed() == truth.hull_volume());
-  }
+  if (is_twisted || !is_closed || truth.enclosed() > 0) return check_convex(truth, so_far);
+  Mesh turned = mesh;
+  for (auto& polygon : turned.polygons) std::reverse(polygon.begin(), polygon.end());
+  check_convex(MeshByDefinition(turned), so_far);
 }
 
 inline void check_mesh(const Mesh& mesh, const PointSet& input, Disagreements& so_far) {
   const MeshByDefinition truth(mesh);
   so_far.expect(ClaimCode::CandidateSolid, truth.is_solid());
-  if (!mesh.polygons.empty()) check_faces(truth, so_far);
+  if (!mesh.polygons.empty()) check_faces(mesh, truth, so_far);
   if (truth.is_solid()) {
     check_containment(truth.planes(), true, input, so_far);
   } else {
