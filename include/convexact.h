@@ -93,20 +93,29 @@ CONVEXACT_API void convexact_containment_free(convexact_containment* result);
 
 typedef struct convexact_verdict convexact_verdict;
 
-/* What `convexact verify` decides, with its claims and its tolerance; docs/verdicts.md#CODE
- * describes each claim. Budgets are not asked. CONVEXACT_NO_INTERIOR if the *points* lie in one
- * plane; any fault of the candidate is a violated claim.
- *
- * asks: what the candidate was to be, "enclosure", "hull" or "inner"; NULL for an enclosure. A hull
- * has the claim is-hull besides, an inner solid has inside-input in the place of contains-input.
- *
- * tolerance: as the option of the program, "1e-6" for a length or "1e-9d" for a share of the
- * points' diameter, taken as spelled; NULL for none. Other text is CONVEXACT_INVALID_ARGUMENT. */
+/* What is asked; options may be NULL, and so may each of its pointers. Other texts than these are
+ * CONVEXACT_INVALID_ARGUMENT. */
+typedef struct convexact_judge_options {
+  size_t size;           /* sizeof(convexact_judge_options). */
+  const char* asks;      /* What the candidate was to be: "enclosure" (NULL), "hull", which has the
+                            claim is-hull besides, or "inner", which has inside-input in the place of
+                            contains-input. */
+  const char* tolerance; /* As the option of the program: "1e-6" for a length, "1e-9d" for a share of
+                            the points' diameter, taken as spelled. NULL for none. */
+  const uint32_t* triangles; /* Of the input: three indices of points from 0 for each. */
+  size_t triangle_count;     /* 0: the input has no faces, it is its points. */
+  const char* points; /* Which points of an input with faces are asked: "all" (NULL), or "used" for
+                         those that triangles use. */
+} convexact_judge_options;
+
+/* What `convexact verify` decides, with its claims; docs/verdicts.md#CODE describes each claim.
+ * Budgets are not asked. CONVEXACT_NO_INTERIOR if the *points* lie in one plane; any fault of the
+ * candidate is a violated claim. */
 
 /* The candidate is the intersection of halfspaces. */
 CONVEXACT_API convexact_status convexact_judge_planes(const double* points, size_t point_count,
                                                       const double* planes, size_t plane_count,
-                                                      const char* asks, const char* tolerance,
+                                                      const convexact_judge_options* options,
                                                       convexact_verdict** result);
 
 /* The candidate is a mesh. Face f has face_sizes[f] >= 3 corners, indices of vertices from 0,
@@ -117,7 +126,7 @@ CONVEXACT_API convexact_status convexact_judge_mesh(const double* points, size_t
                                                     const double* vertices, size_t vertex_count,
                                                     const uint32_t* corners,
                                                     const size_t* face_sizes, size_t face_count,
-                                                    const char* asks, const char* tolerance,
+                                                    const convexact_judge_options* options,
                                                     convexact_verdict** result);
 
 /* 1 if no claim is violated, else 0. */
@@ -334,11 +343,12 @@ typedef struct convexact_parts_options {
   size_t size;               /* sizeof(convexact_parts_options). */
   const char* claims;        /* The claims to decide, "covers-surface,parts-disjoint". NULL for all
                                 but covers-solid, parts-disjoint and parts-needed. */
-  const char* tolerance;     /* As in convexact_judge_mesh. */
+  const char* tolerance;     /* As in convexact_judge_options. */
   size_t max_parts;          /* 0: not asked. The limits below are for each part. */
   size_t max_facets;         /* As meant: coplanar up to rounding. 0: not asked. */
   size_t max_vertices;       /* 0: not asked. */
   size_t max_facet_vertices; /* 0: not asked. */
+  const char* points;        /* As in convexact_judge_options. */
 } convexact_parts_options;
 
 /* A mesh as convexact_decompose takes it; without triangles (triangle_count 0; triangles may be

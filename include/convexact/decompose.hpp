@@ -35,6 +35,12 @@ enum class FlatParts {
             ///< limit. Those without a neighbour are thickened.
 };
 
+/// The treatment of points that no face uses.
+enum class LoosePoints {
+  Part,    ///< Each goes to the part whose hull is nearest.
+  Refuse,  ///< They are an error.
+};
+
 struct DecomposeRequest {
   DecomposeMethod method = DecomposeMethod::Hacd;
   ConcavityLimit limit = {};
@@ -46,6 +52,7 @@ struct DecomposeRequest {
   Connect connect = Connect::Edge;
   Orient orient = Orient::Auto;
   FlatParts flat = FlatParts::Auto;
+  LoosePoints loose = LoosePoints::Part;
   bool keep_inner = false;           ///< Whether parts that lie in another part stay.
   Engine engine = Engine::Filtered;  ///< Of Hacd.
   /// Halfspaces to keep in each part, >= 4, or in all parts together, >= 4 for each part with a
@@ -73,12 +80,17 @@ enum class PartForm {
   Flat,        ///< A flat hull as it is.
 };
 
-/// A convex part. Its stored numbers, taken exactly, hold every triangle that it owns.
+/// A convex part. Its stored numbers, taken exactly, hold every triangle that it owns and its loose
+/// points.
 struct Part {
   std::vector<TriangleId> owns;     ///< Ascending. Every triangle has one owner.
-  std::vector<TriangleId> cluster;  ///< Of which `hull` is the hull: `owns` and perhaps fewer.
-  ConvexPart hull;
-  Concavity concavity;  ///< Of the cluster.
+  std::vector<TriangleId> cluster;  ///< That it was made of: `owns` and perhaps fewer.
+  /// Of `surface.unused`: they go where they are nearest to the clusters' hulls. Each point has one
+  /// part.
+  std::vector<PointId> loose;
+  bool is_widened = false;  ///< Whether some of these lay outside of the cluster's hull.
+  ConvexPart hull;          ///< Of the cluster and the loose points.
+  Concavity concavity;      ///< Of the cluster.
   bool is_within_limit = true;
   /// Of Acd: no association of points to facets gives a smaller squared concavity. None for a
   /// cluster that a flat one joined.
@@ -135,7 +147,8 @@ using DecomposeOutcome = std::variant<Decomposition, NotSolid>;
 
 /// Decomposes a mesh and proves on the stored numbers that every triangle lies in its owner.
 /// @return NotSolid if all points of faces lie in one plane, unless `flat` is Thicken or Keep.
-/// @throws Error NoInterior if the mesh has no face; InvalidArgument for what cluster(), split()
+/// @throws Error NoInterior if the mesh has no face; InvalidArgument for points that no face uses
+///               and LoosePoints::Refuse, for what cluster(), split()
 ///               and simplify() refuse, for an option of the other method, and for budgets that
 ///               cannot hold; Unrepresentable if the format cannot hold a part; Stopped; Internal
 ///               if a proof fails.

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,20 @@ struct Mesh {
   std::vector<std::vector<std::uint32_t>> polygons;
   std::vector<MeshPart> parts;
 };
+
+/// Which points of a mesh count.
+enum class MeshPoints {
+  All,
+  Used,  ///< Those that some polygon has as a corner. Without polygons, a mesh is its points.
+};
+
+/// For each of so many points, whether some polygon has it as a corner.
+[[nodiscard]] std::vector<bool> used_points(std::size_t count,
+                                            std::span<const std::vector<std::uint32_t>> polygons);
+
+/// Leaves out the points that no polygon uses, and numbers the others anew, in their order. A mesh
+/// without polygons stays as it is.
+void drop_unused_points(Mesh& mesh);
 
 enum class MeshFormat {
   Obj,

@@ -68,4 +68,7 @@ class PointSet {
 /// The points with these ids, in this order.
 [[nodiscard]] PointSet subset(const PointSet& points, std::span<const PointId> ids);
 
+/// The points of one set, then those of the other.
+[[nodiscard]] PointSet concatenated(const PointSet& first, const PointSet& second);
+
 }  // namespace convexact

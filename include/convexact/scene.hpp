@@ -80,6 +80,8 @@ struct SceneObject {
 struct SceneOptions {
   Decimal decimal = Decimal::Nearest;
   bool parts = false;  ///< Whether each object of a file is separate.
+  /// Of a file, or with `parts` of each of its objects.
+  MeshPoints points = MeshPoints::All;
   /// Called with the name and the bytes of each file before it is parsed.
   std::function<void(const std::string& name, const std::string& bytes)> on_read = {};
 };

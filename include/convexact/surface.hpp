@@ -60,7 +60,7 @@ struct Surface {
 
   // How it came about.
   std::size_t repeated_points = 0;  ///< Points of the mesh equal to an earlier one.
-  std::size_t unused_points = 0;    ///< Distinct points of the mesh that no face uses.
+  PointSet unused;                  ///< Distinct points of the mesh that no face uses.
   /// Faces of the mesh, from 0, that are not planar, or whose boundary crosses itself: cut as a fan
   /// from their lowest corner.
   std::vector<std::size_t> fans;

@@ -223,6 +223,9 @@ struct VerifyRequest {
   /// The facets as meant are also looked for with this Slack::ulps_of_largest, if it is not 0; the
   /// smaller number counts.
   unsigned slack_ulps = 0;
+  /// Of an input with faces, by point, whether a face uses it: used_points(). Empty: no faces.
+  std::vector<bool> used = {};
+  MeshPoints points = MeshPoints::All;  ///< Which points of an input with faces are asked.
   bool tightness = true;   ///< Whether to measure volume, area, mean width and distance.
   std::uint64_t seed = 1;  ///< Of every random order. The verdict does not depend on it.
   StageWatch watch = {};
@@ -232,6 +235,7 @@ struct VerifyRequest {
 struct Outside {
   std::size_t points = 0;  ///< How many.
   std::size_t tested = 0;  ///< Of how many.
+  std::size_t unused = 0;  ///< How many of those outside no face of the input uses.
   /// (squared distance of the worst one to the candidate) / (squared diameter); nothing if the
   /// candidate is no bounded solid.
   std::optional<Rational> relative_squared_distance;
@@ -284,6 +288,7 @@ using VerifyOutcome = std::variant<Verdict, NotSolid>;
 /// predicate: every input point against every plane (find_outside()), and the vertices of the
 /// input's hull each against the candidate's triangle in its direction, or by a linear program for
 /// each of its planes.
+/// Points of the input keep their numbers, whichever are asked.
 /// @return NotSolid if the *input* has no volume. Any fault of the candidate is a violated claim.
 /// @throws Error InvalidArgument for a negative tolerance, for a budget that `claims` names without
 ///               a number, for a simplification without max_facets, and for a claim of another

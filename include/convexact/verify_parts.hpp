@@ -26,6 +26,8 @@ struct PartsRequest {
   std::optional<std::size_t> max_parts = {};
   /// Of each part.
   std::optional<std::size_t> max_facets = {}, max_vertices = {}, max_facet_vertices = {};
+  /// Which points of an input with faces covers-points asks about.
+  MeshPoints points = MeshPoints::All;
   bool exact_facets = false;     ///< As VerifyRequest::exact_facets.
   Orient orient = Orient::Auto;  ///< Of the input's faces.
   bool measures = true;          ///< Whether to measure areas, volumes and distances.
@@ -62,9 +64,11 @@ struct PartsVerdict {
   std::vector<Claim> claims;
   Surface surface;  ///< Of the input.
   std::vector<JudgedPart> parts;
-  std::vector<ConvexPart> hulls;               ///< By part: what it stands for.
-  std::size_t points = 0, points_outside = 0;  ///< If covers-points was decided.
-  std::optional<SurfaceCoverage> coverage;     ///< If covers-surface or covers-solid was.
+  std::vector<ConvexPart> hulls;  ///< By part: what it stands for.
+  /// If covers-points was decided: how many were asked, how many of these lie in no part, and how
+  /// many of the latter no face of the input uses. Points at one place count once.
+  std::size_t points = 0, points_outside = 0, unused_outside = 0;
+  std::optional<SurfaceCoverage> coverage;  ///< If covers-surface or covers-solid was.
   /// The part nearest to the uncovered point that is farthest among those found.
   std::optional<std::size_t> worst_part;
   std::optional<PartsMeasures> measures;
@@ -79,8 +83,7 @@ struct PartsVerdict {
 
 /// Decides the claims about a decomposition exactly. Parts are closed sets: touching counts as
 /// inside. For flat parts the other claims are still decided.
-/// @param input  With faces, the points that they use are to be covered; without, all points, and
-///               there is no surface.
+/// @param input  Without faces there is no surface, and its points are to be covered.
 /// @throws Error NoInterior if the input has no point; InvalidArgument for a negative tolerance, a
 ///               tolerance together with covers-solid, a budget that `claims` names without a
 ///               number, and a claim of another kind; Stopped when the watch ends the call.

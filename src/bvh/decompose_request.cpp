@@ -45,6 +45,7 @@ DecomposeRequest decompose_request_of(const json& request) {
   choose("connect", kConnectNames, wanted.connect);
   choose("orient", kOrientationNames, wanted.orient);
   choose("flat", kFlatPartsNames, wanted.flat);
+  choose("loose", kLoosePointsNames, wanted.loose);
   choose("engine", kEngineNames, wanted.engine);
   if (request.contains("concavity")) {
     wanted.limit = parse_concavity("concavity", std::string(number_text(request["concavity"])));
@@ -90,13 +91,13 @@ std::string answer_of(Decomposition made, const DecomposeRequest& request,
 }
 
 std::string decompose_answer(const json& request, std::optional<double> time_limit) {
-  require_known_keys(request,
-                     {"id",          "points",    "triangles",   "decimal",   "numbers",
-                      "method",      "concavity", "max_parts",   "measure",   "bridge",
-                      "coplanar",    "faces",     "total_faces", "flat",      "keep_inner",
-                      "connect",     "orient",    "engine",      "precision", "exact_volumes",
-                      "no_measures", "seed",      "time_limit",  "tree",      "tree_faces"},
-                     "the request");
+  require_known_keys(
+      request, {"id",          "points",        "triangles",   "decimal", "numbers",    "method",
+                "concavity",   "max_parts",     "measure",     "bridge",  "coplanar",   "faces",
+                "total_faces", "flat",          "keep_inner",  "connect", "orient",     "engine",
+                "precision",   "exact_volumes", "no_measures", "seed",    "time_limit", "tree",
+                "tree_faces",  "loose"},
+      "the request");
   if (!request.contains("points") || !request.contains("triangles")) {
     reject_request("a request with 'points' and 'triangles'");
   }

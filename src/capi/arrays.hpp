@@ -73,15 +73,22 @@ inline std::vector<std::vector<std::uint32_t>> to_faces(const std::uint32_t* cor
   return faces;
 }
 
-/// A mesh of triangles, possibly none. @throws Error as to_points() and to_faces().
-inline Mesh to_mesh(const double* points, std::size_t point_count, const std::uint32_t* triangles,
-                    std::size_t triangle_count) {
-  if (triangle_count >= std::numeric_limits<std::uint32_t>::max()) {
+/// @throws Error InvalidArgument as to_faces(), and for too many.
+inline std::vector<std::vector<std::uint32_t>> to_triangles(const std::uint32_t* corners,
+                                                            std::size_t count,
+                                                            std::size_t vertices) {
+  if (count >= std::numeric_limits<std::uint32_t>::max()) {
     throw Error(ErrorCode::InvalidArgument, "there are too many triangles");
   }
-  const std::vector<std::size_t> sizes(triangle_count, 3);
+  const std::vector<std::size_t> sizes(count, 3);
+  return to_faces(corners, sizes.data(), count, vertices);
+}
+
+/// A mesh of triangles, possibly none. @throws Error as to_points() and to_triangles().
+inline Mesh to_mesh(const double* points, std::size_t point_count, const std::uint32_t* triangles,
+                    std::size_t triangle_count) {
   Mesh mesh{to_points(points, point_count), {}, {}};
-  mesh.polygons = to_faces(triangles, sizes.data(), triangle_count, point_count);
+  mesh.polygons = to_triangles(triangles, triangle_count, point_count);
   return mesh;
 }
 

@@ -6,6 +6,7 @@
 #include "capi/guarded.hpp"
 #include "convexact/verify.hpp"
 #include "convexact/verify_parts.hpp"
+#include "io/used_points.hpp"
 
 struct convexact_verdict {
   bool holds;
@@ -74,8 +75,15 @@ std::vector<ClaimCode> to_claims(const char* names) {
   return claims;
 }
 
+MeshPoints to_mesh_points(const char* name) {
+  if (name == nullptr) return MeshPoints::All;
+  if (const auto points = value_in(kMeshPointsNames, name)) return *points;
+  throw Error(ErrorCode::InvalidArgument, "no such points: all or used");
+}
+
 PartsRequest to_request(const convexact_parts_options& options) {
   PartsRequest request;
+  request.points = to_mesh_points(options.points);
   request.claims = to_claims(options.claims);
   if (options.tolerance != nullptr) request.tolerance = parse_tolerance(options.tolerance);
   request.max_parts = to_limit(options.max_parts);
@@ -94,13 +102,22 @@ Asks to_asks(std::string_view name) {
   throw Error(ErrorCode::InvalidArgument, "no such question");
 }
 
-convexact_verdict judge(const PointSet& points, const Candidate& candidate, const char* asks,
-                        const char* tolerance) {
+VerifyRequest to_request(const convexact_judge_options& options, std::size_t point_count) {
   VerifyRequest request;
-  if (asks != nullptr) request.asks = to_asks(asks);
+  if (options.asks != nullptr) request.asks = to_asks(options.asks);
   request.tightness = false;
-  if (tolerance != nullptr) request.tolerance = parse_tolerance(tolerance);
-  VerifyOutcome outcome = verify(points, candidate, request);
+  if (options.tolerance != nullptr) request.tolerance = parse_tolerance(options.tolerance);
+  request.points = to_mesh_points(options.points);
+  if (options.triangle_count > 0) {
+    request.used = used_points(
+        point_count, to_triangles(options.triangles, options.triangle_count, point_count));
+  }
+  return request;
+}
+
+convexact_verdict judge(const PointSet& points, const Candidate& candidate,
+                        const convexact_judge_options* options) {
+  VerifyOutcome outcome = verify(points, candidate, to_request(to_options(options), points.size()));
   if (auto* verdict = std::get_if<Verdict>(&outcome)) {
     return {verdict->holds(), std::move(verdict->claims)};
   }
@@ -119,23 +136,24 @@ convexact_verdict judge_parts(const Mesh& mesh, const CandidateParts& parts,
 using namespace convexact::capi;
 
 convexact_status convexact_judge_planes(const double* points, size_t point_count,
-                                        const double* planes, size_t plane_count, const char* asks,
-                                        const char* tolerance, convexact_verdict** result) {
+                                        const double* planes, size_t plane_count,
+                                        const convexact_judge_options* options,
+                                        convexact_verdict** result) {
   return guarded(result, [&] {
-    return judge(to_points(points, point_count), to_list(planes, plane_count), asks, tolerance);
+    return judge(to_points(points, point_count), to_list(planes, plane_count), options);
   });
 }
 
 convexact_status convexact_judge_mesh(const double* points, size_t point_count,
                                       const double* vertices, size_t vertex_count,
                                       const uint32_t* corners, const size_t* face_sizes,
-                                      size_t face_count, const char* asks, const char* tolerance,
+                                      size_t face_count, const convexact_judge_options* options,
                                       convexact_verdict** result) {
   return guarded(result, [&] {
     convexact::Mesh mesh;
     mesh.points = to_points(vertices, vertex_count);
     mesh.polygons = to_faces(corners, face_sizes, face_count, vertex_count);
-    return judge(to_points(points, point_count), mesh, asks, tolerance);
+    return judge(to_points(points, point_count), mesh, options);
   });
 }
 

@@ -49,6 +49,7 @@ struct BvhArguments {
   DecomposeMethod method = DecomposeMethod::Hacd;
   std::string concavity = "3%";
   std::optional<std::size_t> max_parts;
+  LoosePoints loose = LoosePoints::Part;
   JoinBy join = JoinBy::Method;
   TreeRequest tree;
 };
@@ -67,6 +68,7 @@ std::variant<TreeParts, NotSolid> decomposed_parts(const Mesh& mesh, const std::
   request.method = options.method;
   request.limit = parse_concavity("--concavity", options.concavity);
   request.max_parts = options.max_parts;
+  request.loose = options.loose;
   request.faces = options.tree.leaf_faces;
   request.precision = options.tree.precision;
   request.measures = false;
@@ -155,15 +157,14 @@ int run_bvh(const BvhArguments& options) {
   std::vector<SceneObject> scene =
       log.run("read", StageKind::Io, [&] { return read_scene({options.input}, options.scene); });
   const std::string name = scene.front().name;
-  const auto made = mesh_of(std::move(scene.front()));
+  auto made = mesh_of(std::move(scene.front()));
   if (const auto* reason = std::get_if<NotSolid>(&made)) {
     progress.clear();
     return report_not_solid(options.global, name, *reason);
   }
-  const Mesh& mesh = std::get<Mesh>(made);
-  if (mesh.polygons.empty()) {
-    throw Error(ErrorCode::NoInterior, "the input has no faces, so there is no surface")
-        .in_file(name);
+  const Mesh mesh = with_hulls_of_clouds(std::get<Mesh>(std::move(made)));
+  if (mesh.points.size() == 0) {
+    throw Error(ErrorCode::NoInterior, "the input has no point").in_file(name);
   }
   auto found = options.from.empty() ? decomposed_parts(mesh, name, options, log)
                                     : read_parts_of_tree(mesh, name, options, log);
@@ -215,6 +216,7 @@ void add_bvh_command(Command& program, int& exit_code) {
   add_count(command, "--max-parts", options->max_parts, {1},
             "for the decomposition: at least 1; may lead beyond the concavity allowed")
       ->excludes(from);
+  add_loose_option(command, options->loose);
   add_choice(
       command, "--join", options->join, kJoinByNames,
       "how to join parts: by the splits or the next merges of the method, or by the least volume "
@@ -232,6 +234,7 @@ void add_bvh_command(Command& program, int& exit_code) {
                         {{"64", Precision::Binary64}, {"32", Precision::Binary32}},
                         "the numbers of the hulls: binary64, or rounded outward to binary32");
   options->scene.on_read = remember_input;
+  add_points_option(command, options->scene.points);
   add_decimal_option(command, options->scene.decimal);
   finish_command(command, options, exit_code, run_bvh);
   add_stages_option(command, options->global);

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/command.hpp"
+#include "cli/outputs.hpp"
 #include "cli/program_case.hpp"
 #include "cli/progress.hpp"
 #include "cli/promise_options.hpp"
@@ -87,7 +88,7 @@ void require_sensible(const ConformArguments& options) {
 // All promises of the program.
 Promise promise_of(const ConformArguments& options) {
   const bool has_faces = mentions(options.run.program, "{faces}");
-  const Promise promise = options.promise.promise(has_faces ? Asks::Simplify : Asks::Enclosure);
+  Promise promise = options.promise.promise(has_faces ? Asks::Simplify : Asks::Enclosure);
   if (promise.asks == Asks::Simplify && !has_faces) {
     throw Error(ErrorCode::InvalidArgument,
                 "the program's arguments lack {faces}, and --asks simplify needs it");

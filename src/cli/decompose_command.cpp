@@ -39,8 +39,8 @@ constexpr const char* kDecomposeFooter =
     "what of the solid is in no part.\n"
     "The exit code is 0 even if --max-parts or --flat merge leads beyond the concavity allowed, or "
     "a\n"
-    "part of acd cannot be split; the summary and \"eps_holds\" say so. 4: INPUT has no face, or "
-    "all its faces lie in one plane.";
+    "part of acd cannot be split; the summary and \"eps_holds\" say so. 4: INPUT has no point, "
+    "or all its faces lie in one plane.";
 
 struct DecomposeArguments {
   GlobalOptions global;
@@ -134,11 +134,12 @@ int run_decompose(const DecomposeArguments& options) {
   for (SceneObject& object : scene) {
     const std::string name = object.name;
     object_names.push_back(object.part);
-    const auto made = mesh_of(std::move(object));
+    auto made = mesh_of(std::move(object));
     const auto* reason = std::get_if<NotSolid>(&made);
     std::optional<DecomposeOutcome> outcome;
     if (reason == nullptr) {
-      outcome = decompose_object(name, std::get<Mesh>(made), request);
+      const Mesh mesh = with_hulls_of_clouds(std::get<Mesh>(std::move(made)));
+      outcome = decompose_object(name, mesh, request);
       reason = std::get_if<NotSolid>(&*outcome);
     }
     if (reason != nullptr) {
@@ -210,6 +211,7 @@ void add_decompose_command(Command& program, int& exit_code) {
              "two components");
   add_choice(command, "--orient", options->request.orient, kOrientationNames,
              "turn faces so that they bound the solid correctly, or keep them as they are");
+  add_loose_option(command, options->request.loose);
   add_choice(command, "--engine", options->request.engine, kEngineNames,
              "hacd only: rationals everywhere; the same parts, faster; or doubles that choose, the "
              "parts still proven");

@@ -24,7 +24,7 @@ ImplicitBox parse_box(const std::string& option, const std::string& text) {
     reject_implicit(option + ": expected x0,y0,z0,edge, found " + in_quotes(text));
   }
   const auto number = [&](std::size_t k) { return parse_decimal(option, words[k]); };
-  const ImplicitBox box{{number(0), number(1), number(2)}, number(3)};
+  ImplicitBox box{{number(0), number(1), number(2)}, number(3)};
   if (!(box.edge > 0)) reject_implicit(option + ": expected an edge above 0, found " + words[3]);
   return box;
 }

@@ -9,7 +9,9 @@
 #include "convexact/io.hpp"
 #include "convexact/stored.hpp"
 #include "io/json.hpp"
+#include "io/used_points.hpp"
 #include "pages/picture.hpp"
+#include "scene/decompose_options.hpp"
 #include "scene/proof.hpp"
 #include "simplify/trace_json.hpp"
 
@@ -39,10 +41,7 @@ std::string file_of(const SceneObject& object) {
 // A scan has many points that no face uses; over its surface they would look like cracks.
 PictureLayer points_of_no_face(const PictureLayer& input) {
   PictureLayer loose{.name = "points that no face uses", .color = "#009e73", .shown = false};
-  std::vector<bool> is_used(input.points.size());
-  for (const auto& polygon : input.polygons) {
-    for (const std::uint32_t corner : polygon) is_used[corner] = true;
-  }
+  const std::vector<bool> is_used = used_points(input.points.size(), input.polygons);
   for (std::size_t k = 0; k < is_used.size(); ++k) {
     if (!is_used[k]) loose.points.push_back(input.points[k]);
   }
@@ -188,10 +187,22 @@ void add_decimal_option(Command& command, Decimal& decimal) {
                       "decimals in text mean the nearest double, or the number they spell");
 }
 
+void add_points_option(Command& command, MeshPoints& points) {
+  add_choice(command, "--points", points, kMeshPointsNames,
+             "of an INPUT with faces, all its points count, or only those that faces use; a file "
+             "without faces is its points");
+}
+
+void add_loose_option(Command& command, LoosePoints& loose) {
+  add_choice(command, "--loose", loose, kLoosePointsNames,
+             "points that no face uses go to the nearest part, or are refused");
+}
+
 void add_scene_options(Command& command, SceneOptions& options) {
   options.on_read = remember_input;
   command.add_flag("--parts", options.parts,
                    "treat each object (o or g line, STL solid) separately");
+  add_points_option(command, options.points);
   add_decimal_option(command, options.decimal);
 }
 

@@ -9,6 +9,7 @@
 #include "cli/command.hpp"
 #include "cli/implicit_input.hpp"
 #include "cli/progress.hpp"
+#include "convexact/decompose.hpp"
 #include "convexact/run.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/simplify.hpp"
@@ -95,6 +96,10 @@ void add_input_argument(Command& command, std::vector<std::string>& inputs);
 void add_output_options(Command& command, OutputOptions& options);
 /// --decimal: the meaning of decimals in text.
 void add_decimal_option(Command& command, Decimal& decimal);
+/// --points: which points of an input with faces count.
+void add_points_option(Command& command, MeshPoints& points);
+/// --loose: the treatment of points that no face uses, of a decomposition.
+void add_loose_option(Command& command, LoosePoints& loose);
 void add_scene_options(Command& command, SceneOptions& options);
 
 /// One object and the solid that encloses it.

@@ -193,6 +193,6 @@ std::vector<std::string> split(const std::string& text, char separator) {
 std::string join(const std::vector<std::string>& words, const std::string& separator) {
   return CLI::detail::join(words, separator);
 }
-std::string to_lower(std::string text) { return CLI::detail::to_lower(text); }
+std::string to_lower(std::string text) { return CLI::detail::to_lower(std::move(text)); }
 
 }  // namespace convexact::cli

@@ -19,6 +19,7 @@
 #include "convexact/shrink.hpp"
 #include "hull/hull_steps.hpp"
 #include "io/json.hpp"
+#include "scene/objects.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -43,6 +44,7 @@ struct ShrinkArguments {
   std::string input, output, tolerance;
   std::optional<std::string> claims;
   std::optional<Asks> asks;
+  MeshPoints points = MeshPoints::All;
   std::string output_format = "obj";
   bool allow_flat = false;
   ProgramCase program;
@@ -111,6 +113,7 @@ class Shrinking {
       }
       program_.verify.max_facets = program_.faces;
     }
+    program_.verify.points = options.points;
     program_.verify.tightness = false;
     program_.verify.seed = options.global.seed;
   }
@@ -179,13 +182,17 @@ void Shrinking::shrink_points(const PointSet& points) {
     throw Error(ErrorCode::InvalidArgument,
                 "-o " + options_.output + ": expected .obj, .off, .ply or .xyz");
   }
+  program_.verify.used = used_flags(input_);
   begin(write_mesh({points, input_.polygons, {}}, *format), size_of(points));
   const bool keeps_volume = !options_.allow_flat && is_solid(points);
   bool is_first = true;  // the original input, which has just been run
   (void)shrink(points, [&](const PointSet& fewer, std::span<const PointId> origin) {
     if (std::exchange(is_first, false)) return true;
     if (keeps_volume && !is_solid(fewer)) return false;
-    return still_fails(write_mesh(part_of(input_, fewer, origin), *format), fewer, size_of(fewer));
+    const Mesh part = part_of(input_, fewer, origin);
+    program_.verify.used = used_points(fewer.size(), part.polygons);
+    if (part.polygons.empty()) program_.verify.used.clear();
+    return still_fails(write_mesh(part, *format), fewer, size_of(fewer));
   });
 }
 
@@ -277,6 +284,7 @@ void add_shrink_command(Command& program, int& exit_code) {
       {{"either", FailsIf::Either}, {"exit", FailsIf::Exit}, {"verdict", FailsIf::Verdict}},
       "what counts as a failure: how the program ends, the verdict on {output}, or either of them");
   add_asks_option(command, options->asks, "enclosure");
+  add_points_option(command, options->points);
   command.add_option("--claims", options->claims,
                      "in the verdict, decide these claims only, separated by commas");
   command.add_option("--tolerance", options->tolerance,

@@ -54,6 +54,7 @@ struct VerifyArguments {
   std::string input, candidate;
   std::optional<std::string> claims;
   Decimal decimal = Decimal::Nearest;
+  MeshPoints points = MeshPoints::All;
   PromiseOptions promise;
   bool exact_facets = false, no_tightness = false, parts = false, inner = false;
   TraceOptions trace;
@@ -94,6 +95,7 @@ VerifyRequest verify_request(const VerifyArguments& options, const Promise& prom
   }
   request.tightness = !options.no_tightness;
   request.seed = options.global.seed;
+  request.points = options.points;
   return request;
 }
 
@@ -195,6 +197,7 @@ int run_verify_candidate(const VerifyArguments& options) {
   const Candidate candidate = log.run("read candidate", StageKind::Io,
                                       [&] { return read_candidate(options.candidate, decimal); });
   request.watch = progress.watch();
+  request.used = used_flags(input);
   const VerifyOutcome outcome = verify(input.shape, candidate, request);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
     progress.clear();
@@ -264,8 +267,10 @@ int run_verify(const VerifyArguments& options) {
     throw Error(ErrorCode::InvalidArgument, "--claims: no-gaps needs --parts");
   }
   if (!has_trace) return run_verify_candidate(options);
+  TraceOptions trace = options.trace;
+  trace.points = options.points;
   return run_verify_trace(options.global, options.input,
-                          meaning_of_numbers(promise_of(options), options.decimal), options.trace);
+                          meaning_of_numbers(promise_of(options), options.decimal), trace);
 }
 
 }  // namespace
@@ -298,6 +303,7 @@ void add_verify_command(Command& program, int& exit_code) {
   command.add_flag("--no-tightness", options->no_tightness,
                    "do not measure volume, area, mean width and distance");
   add_union_options(command, options->of_union);
+  add_points_option(command, options->points);
   add_decimal_option(command, options->decimal);
   add_trace_options(command, options->trace);
   add_stdio_options(command, options->stdio, "one verdict");

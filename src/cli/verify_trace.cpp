@@ -113,7 +113,8 @@ int run_verify_trace(const GlobalOptions& global, const std::string& input, Deci
   const OrderFiles files =
       log.run("read the trace", StageKind::Io, [&] { return read_files(options); });
   const std::vector<SceneObject> scene = log.run("read", StageKind::Io, [&] {
-    return read_scene({input}, {.decimal = decimal, .on_read = remember_input});
+    return read_scene({input},
+                      {.decimal = decimal, .points = options.points, .on_read = remember_input});
   });
   const SolidOutcome outcome = make_solid(scene[0].shape, global.seed, true, log);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {

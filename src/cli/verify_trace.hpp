@@ -16,7 +16,8 @@ struct TraceOptions {
   std::string trace;   ///< The file; empty without --trace.
   std::string facets;  ///< The file of the list that ids refer to; empty for canonical order.
   std::string max_regret = "0";
-  std::optional<CostMeasure> cost;  ///< None: the measure of the trace, or the volume.
+  MeshPoints points = MeshPoints::All;  ///< Of the input.
+  std::optional<CostMeasure> cost;      ///< None: the measure of the trace, or the volume.
   long tie_bits = CompareLimits{}.bits;
   std::vector<HalfspaceId> left_out;  ///< In canonical order of the input's facets.
   std::vector<std::string> keep;      ///< Selectors of facets that the order is to keep.

@@ -48,4 +48,17 @@ PointSet subset(const PointSet& points, std::span<const PointId> ids) {
   return PointSet(std::move(chosen));
 }
 
+PointSet concatenated(const PointSet& first, const PointSet& second) {
+  if (first.is_binary() && second.is_binary()) {
+    std::vector<Point> points(first.doubles().begin(), first.doubles().end());
+    points.insert(points.end(), second.doubles().begin(), second.doubles().end());
+    return PointSet(std::move(points));
+  }
+  std::vector<RationalPoint> points;
+  for (const PointSet* set : {&first, &second}) {
+    for (std::size_t p = 0; p < set->size(); ++p) points.push_back((*set)[PointId(p)]);
+  }
+  return PointSet(std::move(points));
+}
+
 }  // namespace convexact

@@ -141,10 +141,7 @@ class ObjReader {
 
   // Only now it is known which points polygons use: they may use points of other parts.
   void find_loose_points() {
-    std::vector<bool> is_used(points_.size(), false);
-    for (const auto& polygon : mesh_.polygons) {
-      for (const std::uint32_t corner : polygon) is_used[corner] = true;
-    }
+    const std::vector<bool> is_used = used_points(points_.size(), mesh_.polygons);
     for (std::uint32_t p = 0; p < part_of_point_.size(); ++p) {
       if (is_used[p] || part_of_point_[p] == kNoPart) continue;
       mesh_.parts[part_of_point_[p]].loose.push_back(p);

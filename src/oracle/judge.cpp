@@ -1,9 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "oracle/judge.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "number/text.hpp"
+
 namespace convexact::oracle {
+
+std::string unused_text(std::size_t unused) {
+  return counted(unused, "point of the input is", "points of the input are") +
+         " used by no face, and not asked about";
+}
+
+std::string unused_outside_text(std::size_t unused, std::size_t outside) {
+  return fmt::format("{} of the {} outside {} used by no face; --points used asks about the others",
+                     with_separators(unused), counted(outside, "point", "points"),
+                     unused == 1 ? "is" : "are");
+}
 
 void ClaimSheet::add(ClaimCode code, const std::optional<std::size_t>* budget, bool is_usual) {
   const bool is_in_list = std::find(named_.begin(), named_.end(), code) != named_.end();

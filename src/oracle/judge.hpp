@@ -64,6 +64,13 @@ class ClaimSheet {
   std::vector<ClaimCode> asked_;
 };
 
+// ---- Points that no face of the input uses
+
+/// Of those that are not asked about, for people.
+[[nodiscard]] std::string unused_text(std::size_t unused);
+/// How many of the points outside no face uses, for people.
+[[nodiscard]] std::string unused_outside_text(std::size_t unused, std::size_t outside);
+
 // ---- One solid
 
 /// The input, as far as the claims need it.
@@ -72,6 +79,12 @@ struct Input {
   std::vector<PointId> extreme;  ///< Of `points`: those whose hull holds the rest.
   Polytope hull;
   Rational squared_diameter;
+  /// By point, its number in the file; empty if these are the numbers of `points`.
+  std::vector<PointId> numbers = {};
+
+  std::size_t number_of(PointId p) const {
+    return numbers.empty() ? p.index() : numbers[p.index()].index();
+  }
 };
 
 /// The set that a readable candidate stands for.

@@ -103,7 +103,7 @@ Beyond farthest_beyond(std::span<const PointId> outside, const Trial& trial) {
   if (!worst) throw Error(ErrorCode::Internal, "a point is outside, but beyond no plane");
   const PointId point = outside[worst->point.index()];
   Beyond found{{}, "the plane that holds the candidate"};
-  found.witness.input_point = point.index();
+  found.witness.input_point = input.number_of(point);
   found.witness.point = input.points[point];
   found.witness.plane = set.planes[worst->plane];
   if (const HalfspaceList* list = trial.list()) {
@@ -138,6 +138,26 @@ void find_polytope(Trial& trial) {
   if (trial.list() != nullptr && !set.is_examined && !set.is_empty) (void)find_vertices(trial);
 }
 
+// How many of these points of the input no face of it uses.
+std::size_t count_unused(std::span<const PointId> points, const Trial& trial) {
+  const std::vector<bool>& used = trial.request.used;
+  if (used.empty()) return 0;
+  return static_cast<std::size_t>(std::count_if(
+      points.begin(), points.end(), [&](PointId p) { return !used[trial.input.number_of(p)]; }));
+}
+
+// Programs that read faces drop the points that no face uses.
+void note_points(Trial& trial) {
+  const auto& used = trial.request.used;
+  const auto unused = static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
+  const Outside& outside = *trial.verdict.outside;
+  if (!trial.input.numbers.empty() && unused > 0) {
+    trial.verdict.notes.push_back(unused_text(unused));
+  } else if (outside.unused > 0) {
+    trial.verdict.notes.push_back(unused_outside_text(outside.unused, outside.points));
+  }
+}
+
 void judge_outside(const std::vector<PointId>& outside, Trial& trial) {
   const std::string count =
       fmt::format("{} outside, of {} tested", counted(outside.size(), "point", "points"),
@@ -161,7 +181,7 @@ void judge_outside(const std::vector<PointId>& outside, Trial& trial) {
   trial.violated_by(
       squared, ContainsInput,
       fmt::format("{}; point {} is worst, {} from the candidate, beyond {}", count,
-                  farthest.point.index(), trial.distance_text(squared), worst.plane_name),
+                  *worst.witness.input_point, trial.distance_text(squared), worst.plane_name),
       std::move(worst.witness));
 }
 
@@ -223,9 +243,9 @@ void judge_containment(Trial& trial) {
   if (!trial.asks(ContainsInput)) return;
   const PointSet& points = trial.input.points;
   if (trial.set.is_empty) {
-    trial.verdict.outside = Outside{points.size(), points.size(), {}};
+    trial.verdict.outside = Outside{.points = points.size(), .tested = points.size()};
     Witness witness;
-    witness.input_point = 0;
+    witness.input_point = trial.input.number_of(PointId(0));
     witness.point = points[PointId(0)];
     return trial.violated(ContainsInput, "the candidate is empty, so every point is outside",
                           std::move(witness));
@@ -233,7 +253,9 @@ void judge_containment(Trial& trial) {
   const std::vector<PointId> outside = trial.log.run(
       "containment", [&] { return find_outside(trial.set.planes, points, trial.stop()); });
   trial.log.run("containment, second way", [&] { confirm(!outside.empty(), trial); });
-  trial.verdict.outside = Outside{outside.size(), points.size(), {}};
+  trial.verdict.outside = Outside{
+      .points = outside.size(), .tested = points.size(), .unused = count_unused(outside, trial)};
+  note_points(trial);
   if (!outside.empty()) return judge_outside(outside, trial);
   trial.holds(ContainsInput, counted(points.size(), "point", "points") + " tested, none outside");
 }
@@ -293,15 +315,16 @@ void judge_is_hull(Trial& trial) {
   Witness witness;
   witness.point = is_too_large ? vertices[worst.point] : trial.input.points[worst.point];
   witness.nearest = worst.nearest;
-  if (!is_too_large) witness.input_point = worst.point.index();
+  if (!is_too_large) witness.input_point = trial.input.number_of(worst.point);
   trial.violated_by(
       worst.squared_distance, IsHull,
-      fmt::format(
-          "it is not the hull: {} outside of it, and {} outside of the hull; worst is {}, "
-          "{} away",
-          counted(missed.size(), "point", "points"), counted(beyond.count, "vertex", "vertices"),
-          is_too_large ? "a vertex of the candidate" : fmt::format("point {}", worst.point.index()),
-          trial.distance_text(worst.squared_distance)),
+      fmt::format("it is not the hull: {} outside of it, and {} outside of the hull; worst is {}, "
+                  "{} away",
+                  counted(missed.size(), "point", "points"),
+                  counted(beyond.count, "vertex", "vertices"),
+                  is_too_large ? "a vertex of the candidate"
+                               : fmt::format("point {}", *witness.input_point),
+                  trial.distance_text(worst.squared_distance)),
       std::move(witness));
 }
 

@@ -52,12 +52,24 @@ std::size_t input_point(const PartsTrial& trial, const RationalPoint& point) {
   throw Error(ErrorCode::Internal, "a point of the surface is none of the input");
 }
 
+// The points that no face uses follow those of the surface.
+void note_unused(std::span<const PointId> outside, PartsTrial& trial) {
+  if (trial.input.polygons.empty()) return;
+  PartsVerdict& verdict = trial.verdict;
+  const PointId first_unused(verdict.surface.points.size());
+  verdict.unused_outside = static_cast<std::size_t>(
+      std::count_if(outside.begin(), outside.end(), [&](PointId p) { return p >= first_unused; }));
+  if (verdict.unused_outside == 0) return;
+  verdict.notes.push_back(unused_outside_text(verdict.unused_outside, outside.size()));
+}
+
 void judge_points(PartsTrial& trial) {
   PartsVerdict& verdict = trial.verdict;
   const Watch watch = trial.watch("covered points");
   const std::vector<PointId> outside = points_outside(trial, watch);
   verdict.points = trial.points.size();
   verdict.points_outside = outside.size();
+  note_unused(outside, trial);
   if (outside.empty()) {
     return trial.holds(CoversPoints,
                        "each of " + counted(verdict.points, "point", "points") + " lies in a part");

@@ -102,7 +102,9 @@ Json parts_verdict_json(const PartsVerdict& verdict) {
   if (verdict.worst_part) json["worst_part"] = *verdict.worst_part;
   if (!verdict.surface.triangles.empty()) json["surface"] = surface_json(verdict.surface);
   if (verdict.points > 0) {
-    json["outside"] = {{"points", verdict.points_outside}, {"tested", verdict.points}};
+    json["outside"] = {{"points", verdict.points_outside},
+                       {"tested", verdict.points},
+                       {"used_by_no_face", verdict.unused_outside}};
   }
   if (verdict.coverage) {
     json["uncovered"] = {{"pieces", verdict.coverage->uncovered.size()},

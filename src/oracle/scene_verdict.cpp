@@ -138,7 +138,9 @@ std::variant<SceneVerdict, NotSolidPart> verify_scene(const std::vector<SceneObj
       }
     }
     if (mesh != nullptr && !request.judges_parts) continue;
-    VerifyOutcome outcome = verify(input[k].shape, own, request.each);
+    VerifyRequest each = request.each;
+    each.used = used_flags(input[k]);
+    VerifyOutcome outcome = verify(input[k].shape, own, each);
     if (const auto* reason = std::get_if<NotSolid>(&outcome)) return NotSolidPart{k, *reason};
     verdict.parts.push_back({input[k].part, name, std::get<Verdict>(std::move(outcome))});
   }

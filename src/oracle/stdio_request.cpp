@@ -9,6 +9,7 @@
 #include "convexact/verify_parts.hpp"
 #include "io/json.hpp"
 #include "io/json_text.hpp"
+#include "io/used_points.hpp"
 #include "number/text.hpp"
 #include "oracle/parts_verdict.hpp"
 #include "oracle/verdict_report.hpp"
@@ -83,6 +84,7 @@ VerifyRequest questions(const json& request) {
   asked.asks =
       choice_in(request, "asks", kAsksNames).value_or(is_inner ? Asks::Inner : Asks::Enclosure);
   if (is_inner && asked.asks != Asks::Inner) reject_request("inner with asks inner only");
+  asked.points = choice_in(request, "judge_points", kMeshPointsNames).value_or(MeshPoints::All);
   asked.tightness = flag_in(request, "tightness").value_or(false);
   if (request.contains("tolerance")) {
     const json& tolerance = request["tolerance"];
@@ -130,12 +132,27 @@ Json answer_about_parts(const json& request, PointSet points, Decimal decimal,
 }
 
 Json answer(const json& request, std::optional<double> time_limit) {
-  require_known_keys(
-      request,
-      {"id", "points", "candidate", "claims", "tolerance", "tightness", "decimal", "numbers",
-       "max_facets", "max_vertices", "max_facet_vertices", "exact_facets", "inner", "asks",
-       "time_limit", "triangles", "max_parts", "orient", "exact_volumes"},
-      "the request");
+  require_known_keys(request, {"id",
+                               "points",
+                               "candidate",
+                               "claims",
+                               "tolerance",
+                               "tightness",
+                               "decimal",
+                               "numbers",
+                               "max_facets",
+                               "max_vertices",
+                               "max_facet_vertices",
+                               "exact_facets",
+                               "inner",
+                               "asks",
+                               "time_limit",
+                               "triangles",
+                               "judge_points",
+                               "max_parts",
+                               "orient",
+                               "exact_volumes"},
+                     "the request");
   if (!request.contains("points") || !request.contains("candidate")) {
     reject_request("a request with 'points' and 'candidate'");
   }
@@ -146,9 +163,12 @@ Json answer(const json& request, std::optional<double> time_limit) {
   if (request["candidate"].is_object() && request["candidate"].contains("parts")) {
     return answer_about_parts(request, std::move(input), decimal, seconds);
   }
-  for (const char* key : {"triangles", "max_parts", "orient", "exact_volumes"}) {
+  for (const char* key : {"max_parts", "orient", "exact_volumes"}) {
     if (request.contains(key))
       reject_request(std::string(key) + " with a candidate that has 'parts' only");
+  }
+  if (request.contains("triangles")) {
+    asked.used = used_points(input.size(), polygons_of_json(request["triangles"], input.size()));
   }
   const Candidate judged = candidate(request["candidate"], decimal);
   VerifyOutcome outcome = in_time(seconds, "verdict", [&](const std::atomic<bool>* stop) {

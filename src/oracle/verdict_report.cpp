@@ -193,7 +193,9 @@ Json verdict_json(const Verdict& verdict) {
   Json json = claims_json(verdict.claims, verdict.squared_diameter);
   json["candidate"] = size_json(verdict.size);
   if (const auto& outside = verdict.outside) {
-    json["outside"] = {{"points", outside->points}, {"tested", outside->tested}};
+    json["outside"] = {{"points", outside->points},
+                       {"tested", outside->tested},
+                       {"used_by_no_face", outside->unused}};
     if (const auto& worst = outside->relative_squared_distance) {
       json["outside"]["worst_relative"] = decimal_of_root(*worst, kDigits);
     }

@@ -63,7 +63,17 @@ namespace {
 
 using namespace oracle;
 
-std::variant<Input, NotSolid> input_of(const Shape& shape, std::uint64_t seed, StageLog& log) {
+// The points that faces use, by number; none if all points are asked.
+std::vector<PointId> asked_points(const VerifyRequest& request) {
+  std::vector<PointId> asked;
+  if (request.points == MeshPoints::All) return asked;
+  for (std::size_t p = 0; p < request.used.size(); ++p) {
+    if (request.used[p]) asked.emplace_back(p);
+  }
+  return asked;
+}
+
+std::variant<Input, NotSolid> whole_input(const Shape& shape, std::uint64_t seed, StageLog& log) {
   StageLog within(StageWatch{.stop = log.watch().stop});
   if (const auto* points = std::get_if<PointSet>(&shape)) {
     const auto outcome =
@@ -80,6 +90,20 @@ std::variant<Input, NotSolid> input_of(const Shape& shape, std::uint64_t seed, S
   const Rational squared = bounding_box(solid.points).squared_diameter();
   return Input{std::move(solid.points), std::move(solid.extreme), std::move(solid.polytope),
                squared};
+}
+
+std::variant<Input, NotSolid> input_of(const Shape& shape, const VerifyRequest& request,
+                                       StageLog& log) {
+  std::vector<PointId> asked = asked_points(request);
+  const auto* points = std::get_if<PointSet>(&shape);
+  if (points == nullptr || asked.empty()) return whole_input(shape, request.seed, log);
+  auto made = whole_input(subset(*points, asked), request.seed, log);
+  if (auto* input = std::get_if<Input>(&made)) {
+    input->numbers = std::move(asked);
+  } else if (auto* flat = std::get_if<FlatInput>(&std::get<NotSolid>(made))) {
+    for (PointId& p : flat->basis) p = asked[p.index()];
+  }
+  return made;
 }
 
 // A distance that rounding in a program explains.
@@ -236,8 +260,12 @@ VerifyOutcome verify(const Shape& shape, const Candidate& candidate, const Verif
     throw Error(ErrorCode::InvalidArgument,
                 "the claim " + name + " needs the number that it allows: set " + name);
   }
+  if (const auto* points = std::get_if<PointSet>(&shape);
+      points != nullptr && !request.used.empty() && request.used.size() != points->size()) {
+    throw Error(ErrorCode::InvalidArgument, "used: expected a flag for each point of the input");
+  }
   StageLog log(request.watch);
-  const auto made = input_of(shape, request.seed, log);
+  const auto made = input_of(shape, request, log);
   if (const auto* reason = std::get_if<NotSolid>(&made)) return *reason;
   Trial trial(std::get<Input>(made), candidate, request, log);
   judge(trial);

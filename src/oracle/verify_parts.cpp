@@ -222,8 +222,6 @@ void note_surface(const Surface& surface, std::vector<std::string>& notes) {
     turned += component.is_reversed ? 0 : component.turned;
     twisted += component.is_orientable ? 0 : 1;
   }
-  note(surface.unused_points, "point of the input is", "points of the input are",
-       " used by no face, and not asked about");
   note(reversed, "component of the input was", "components of the input were",
        " inside out, and turned");
   note(turned, "triangle of the input was", "triangles of the input were",
@@ -234,6 +232,17 @@ void note_surface(const Surface& surface, std::vector<std::string>& notes) {
        " bent or crossed, and cut as a fan from the lowest corner");
   note(surface.flat_triangles, "triangle of the input has", "triangles of the input have",
        " no area; its points are to be held all the same");
+}
+
+// Behind those of the surface.
+void add_unused_points(PartsTrial& trial) {
+  const PointSet& unused = trial.verdict.surface.unused;
+  if (unused.size() == 0) return;
+  if (trial.request.points == MeshPoints::Used) {
+    trial.verdict.notes.push_back(unused_text(unused.size()));
+  } else {
+    trial.points = concatenated(trial.points, unused);
+  }
 }
 
 void find_points(PartsTrial& trial) {
@@ -250,6 +259,7 @@ void find_points(PartsTrial& trial) {
     });
     trial.points = trial.verdict.surface.points;
     note_surface(trial.verdict.surface, trial.verdict.notes);
+    add_unused_points(trial);
   }
   trial.squared_diameter = bounding_box(trial.points).squared_diameter();
 }
@@ -289,6 +299,7 @@ PartsRequest parts_request(const VerifyRequest& request) {
           .max_facets = request.max_facets,
           .max_vertices = request.max_vertices,
           .max_facet_vertices = request.max_facet_vertices,
+          .points = request.points,
           .exact_facets = request.exact_facets,
           .measures = request.tightness,
           .seed = request.seed,

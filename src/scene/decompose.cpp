@@ -7,7 +7,9 @@
 #include <algorithm>
 
 #include "convexact/error.hpp"
+#include "convexact/union_distance.hpp"
 #include "decompose/near_concavity.hpp"
+#include "number/text.hpp"
 #include "scene/flat_part.hpp"
 #include "scene/part_volumes.hpp"
 #include "scene/stage_log.hpp"
@@ -116,6 +118,8 @@ class Decomposer {
     merge_flat_clusters();
     const std::vector<Concavity> concavities = measure_concavities();
     choose_parts(concavities);
+    take_in_loose_points();
+    drop_inner_hulls();
     std::vector<ConvexPart> stored =
         store_parts(made_.parts, made_.squared_diameter(), request_, log_);
     drop_inner_as_stored(stored);
@@ -220,7 +224,7 @@ class Decomposer {
     return measure_by_bridges(made_.surface, triangles, split_options(watch)).concavity;
   }
 
-  // Every cluster becomes a part, except those that lie in the hull of another one.
+  // Every cluster becomes a part, at first.
   void choose_parts(const std::vector<Concavity>& concavities) {
     for (std::size_t k = 0; k < clusters_.size(); ++k) {
       Part& part = made_.parts.emplace_back();
@@ -233,6 +237,50 @@ class Decomposer {
         part.is_unsplittable = leaf->status == LeafStatus::Unsplittable;
       }
     }
+  }
+
+  void take_in_loose_points() {
+    constexpr const char* kStage = "loose points";
+    const PointSet& points = made_.surface.unused;
+    if (points.size() == 0) return log_.skip(kStage, "a face uses each point");
+    log_.run(kStage, [&] {
+      const Watch watch = log_.watch(kStage);
+      const std::vector<PointId> outside = assign_points_inside(points, watch);
+      std::vector<ConvexPart> hulls;
+      for (const Part& part : made_.parts) hulls.push_back(part.hull);
+      const UnionDistance distance(hulls);
+      for (const PointId p : outside) {
+        watch.ask();
+        Part& part = made_.parts[distance(points[p]).part];
+        part.loose.push_back(p);
+        part.is_widened = true;
+      }
+      for (Part& part : made_.parts) {
+        if (!part.is_widened) continue;
+        const PointSet own(part.hull.vertices);
+        part.hull = convex_part(concatenated(own, subset(points, part.loose)), watch);
+      }
+    });
+  }
+
+  // To the first part that holds them. Returns the others.
+  std::vector<PointId> assign_points_inside(const PointSet& points, const Watch& watch) {
+    std::vector<PointId> left;
+    for (std::size_t p = 0; p < points.size(); ++p) left.emplace_back(p);
+    for (Part& part : made_.parts) {
+      watch.ask();
+      std::vector<PointId> outside;
+      for (const PointId p : find_outside(part.hull.halfspaces, subset(points, left))) {
+        outside.push_back(left[p.index()]);
+      }
+      std::set_difference(left.begin(), left.end(), outside.begin(), outside.end(),
+                          std::back_inserter(part.loose));
+      left = std::move(outside);
+    }
+    return left;
+  }
+
+  void drop_inner_hulls() {
     std::vector<const ConvexPart*> hulls;
     for (const Part& part : made_.parts) hulls.push_back(&part.hull);
     drop_inner(hulls);
@@ -271,8 +319,10 @@ class Decomposer {
         if (stays[k]) continue;
         const std::vector<TriangleId> owns = std::move(made_.parts[k].owns);
         made_.inner.push_back({made_.parts[k].cluster.front(), place[*holder[k]]});
-        auto& more = made_.parts[*holder[k]].owns;
-        more.insert(more.end(), owns.begin(), owns.end());
+        Part& other = made_.parts[*holder[k]];
+        other.owns.insert(other.owns.end(), owns.begin(), owns.end());
+        const std::vector<PointId> loose = std::move(made_.parts[k].loose);
+        other.loose.insert(other.loose.end(), loose.begin(), loose.end());
       }
       keep_those(stays, made_.parts);
       for (Part& part : made_.parts) std::sort(part.owns.begin(), part.owns.end());
@@ -293,19 +343,22 @@ class Decomposer {
     list.resize(next);
   }
 
-  // On the stored numbers: each corner of each triangle in all halfspaces of the triangle's owner.
+  // On the stored numbers: each corner of each triangle in all halfspaces of the triangle's owner,
+  // and each loose point in those of its part.
   void prove_coverage() {
     constexpr std::uint32_t kNone = ~0u;
+    std::size_t loose = 0;
     made_.owner.assign(made_.surface.triangles.size(), kNone);
     for (std::uint32_t k = 0; k < made_.parts.size(); ++k) {
       const Part& part = made_.parts[k];
       const auto corners = points_of(made_.surface, part.owns);
-      const std::size_t outside =
-          find_outside(part.halfspaces, subset(made_.surface.points, corners), request_.watch.stop)
-              .size();
+      const PointSet held = concatenated(subset(made_.surface.points, corners),
+                                         subset(made_.surface.unused, part.loose));
+      loose += part.loose.size();
+      const std::size_t outside = find_outside(part.halfspaces, held, request_.watch.stop).size();
       if (outside > 0) {
         throw Error(ErrorCode::Internal,
-                    fmt::format("{} corners of triangles lie outside of their part", outside));
+                    fmt::format("{} points of a part lie outside of it", outside));
       }
       for (const TriangleId t : part.owns) {
         if (made_.owner[t.index()] != kNone) {
@@ -317,6 +370,9 @@ class Decomposer {
     }
     if (made_.tested_triangles != made_.surface.triangles.size()) {
       throw Error(ErrorCode::Internal, "a triangle has no owner");
+    }
+    if (loose != made_.surface.unused.size()) {
+      throw Error(ErrorCode::Internal, "a loose point has no part");
     }
   }
 
@@ -350,6 +406,11 @@ DecomposeOutcome decompose(const Mesh& mesh, const DecomposeRequest& request) {
   Surface surface = log.run("surface", [&] {
     return make_surface(mesh, {.orient = request.orient}, log.watch("surface"));
   });
+  if (request.loose == LoosePoints::Refuse && surface.unused.size() > 0) {
+    throw Error(ErrorCode::InvalidArgument,
+                counted(surface.unused.size(), "point is", "points are") +
+                    " used by no face: let each go to the nearest part, or leave them out");
+  }
   if (request.flat == FlatParts::Thicken || request.flat == FlatParts::Keep) {
     log.skip("flat input", "flat parts are thickened or kept");
   } else {

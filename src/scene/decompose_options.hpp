@@ -32,6 +32,9 @@ inline constexpr auto kFlatPartsNames = name_table<FlatParts>({{FlatParts::Auto,
                                                                {FlatParts::Keep, "keep"},
                                                                {FlatParts::Merge, "merge"}});
 
+inline constexpr auto kLoosePointsNames =
+    name_table<LoosePoints>({{LoosePoints::Part, "part"}, {LoosePoints::Refuse, "refuse"}});
+
 /// "3%" and "0.03d" are shares of the diameter, "0.05" is a length; all exact.
 /// @param option  Its name, for the message.
 /// @throws Error InvalidArgument for anything else, for a share that is not from 0 to 1, and for a

@@ -124,6 +124,7 @@ Json part_entry(const Decomposition& decomposition, std::size_t number, const st
                {"form", name_in(kPartFormNames, part.form)},
                {"dimension", part.hull.dimension},
                {"triangles", part.owns.size()},
+               {"loose_points", part.loose.size()},
                {"corners", part.mesh.points.size()},
                {"facets", part.faces},
                {"status", status_name(part)},

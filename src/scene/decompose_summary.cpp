@@ -174,8 +174,8 @@ std::string surface_notes(const Surface& surface) {
        " triangles that cannot both look outward");
   note(surface.fans.size(), "face is", "faces are", " not planar: cut as a fan of triangles");
   note(surface.flat_triangles, "triangle has", "triangles have", " no area");
-  note(surface.unused_points, "point belongs", "points belong",
-       " to no face: nothing is promised of it");
+  note(surface.unused.size(), "point is", "points are",
+       " used by no face, and held by the nearest part; --points used leaves such points out");
   return text;
 }
 

@@ -8,6 +8,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
+#include "convexact/overlay.hpp"
 #include "convexact/scene.hpp"
 #include "scene/solid.hpp"
 
@@ -69,13 +70,20 @@ void read_mesh_objects(const std::string& path, const std::string& bytes,
   const std::string file = display_name(path);
   Mesh mesh =
       read_mesh_bytes(bytes, {.decimal = options.decimal, .format = mesh_format_of_path(path)});
+  const bool only_used = options.points == MeshPoints::Used;
   if (!options.parts) {
+    if (only_used) drop_unused_points(mesh);
     objects.push_back({.name = file,
                        .part = stem_of(path),
                        .shape = std::move(mesh.points),
                        .polygons = std::move(mesh.polygons),
                        .groups = std::move(mesh.parts)});
     return;
+  }
+  if (only_used) {
+    for (MeshPart& part : mesh.parts) {
+      if (part.first_polygon < part.last_polygon) part.loose.clear();
+    }
   }
   for (SceneObject& part : parts_of(mesh, file)) objects.push_back(std::move(part));
 }
@@ -111,6 +119,11 @@ std::vector<SceneObject> parts_of(const Mesh& mesh, const std::string& file) {
   return parts;
 }
 
+std::vector<bool> used_flags(const SceneObject& object) {
+  if (object.polygons.empty()) return {};
+  return used_points(std::get<PointSet>(object.shape).size(), object.polygons);
+}
+
 std::variant<Mesh, NotSolid> mesh_of(SceneObject object) {
   if (auto* points = std::get_if<PointSet>(&object.shape)) {
     return Mesh{std::move(*points), std::move(object.polygons), std::move(object.groups)};
@@ -120,6 +133,43 @@ std::variant<Mesh, NotSolid> mesh_of(SceneObject object) {
   if (auto* reason = std::get_if<NotSolid>(&made)) return of_typed_rows(*reason, object.rows);
   auto& solid = std::get<Polytope>(made);
   return Mesh{PointSet(std::move(solid.vertices)), std::move(solid.facets), {}};
+}
+
+namespace {
+
+// The points of each object that has nothing else.
+std::vector<PointSet> clouds_of(const Mesh& mesh) {
+  std::vector<PointSet> clouds;
+  for (const MeshPart& part : mesh.parts) {
+    if (part.first_polygon < part.last_polygon || part.loose.empty()) continue;
+    const std::vector<PointId> ids(part.loose.begin(), part.loose.end());
+    clouds.push_back(subset(mesh.points, ids));
+  }
+  const bool is_one = clouds.empty() && mesh.polygons.empty() && mesh.points.size() > 0;
+  if (is_one) clouds.push_back(mesh.points);
+  return clouds;
+}
+
+}  // namespace
+
+Mesh with_hulls_of_clouds(Mesh mesh) {
+  for (const PointSet& cloud : clouds_of(mesh)) {
+    const ConvexPart hull = convex_part(cloud);
+    const auto first = static_cast<std::uint32_t>(mesh.points.size());
+    const auto last = first + static_cast<std::uint32_t>(hull.vertices.size()) - 1;
+    mesh.points = concatenated(mesh.points, PointSet(hull.vertices));
+    if (hull.solid) {
+      for (std::vector<std::uint32_t> facet : hull.solid->facets) {
+        for (std::uint32_t& corner : facet) corner += first;
+        mesh.polygons.push_back(std::move(facet));
+      }
+      continue;
+    }
+    auto& polygon = mesh.polygons.emplace_back();
+    for (std::uint32_t corner = first; corner <= last; ++corner) polygon.push_back(corner);
+    while (polygon.size() < 3) polygon.push_back(last);
+  }
+  return mesh;
 }
 
 Mesh joined(std::span<const NamedMesh> objects) {

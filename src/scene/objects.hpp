@@ -17,8 +17,16 @@ namespace convexact {
 /// @throws Error InvalidArgument if there is none.
 [[nodiscard]] std::vector<SceneObject> parts_of(const Mesh& mesh, const std::string& file);
 
+/// By point of the object, whether a face uses it; empty if it has no faces.
+[[nodiscard]] std::vector<bool> used_flags(const SceneObject& object);
+
 /// The faces of an object: of halfspaces, the facets of their solid, or why they have none.
 [[nodiscard]] std::variant<Mesh, NotSolid> mesh_of(SceneObject object);
+
+/// The same with faces for each object that has only points: those of its hull, one polygon if it
+/// is flat, and a triangle with equal corners for a segment or a point. A mesh that has no parts
+/// and no faces is one such object.
+[[nodiscard]] Mesh with_hulls_of_clouds(Mesh mesh);
 
 /// An object to be written, under its name in the file.
 struct NamedMesh {

@@ -63,7 +63,7 @@ Json surface_json(const Surface& surface) {
           {"contradictions", surface.contradictions},
           {"flat_triangles", surface.flat_triangles},
           {"repeated_points", surface.repeated_points},
-          {"unused_points", surface.unused_points},
+          {"unused_points", surface.unused.size()},
           {"bent_faces", surface.fans.size()}};
 }
 

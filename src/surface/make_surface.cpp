@@ -16,9 +16,9 @@ namespace {
 // ---- Points
 
 struct Welded {
-  PointSet points;
+  PointSet points, unused;
   std::vector<PointId> id;  // by point of the mesh; arbitrary for points that no face uses
-  std::size_t repeated = 0, unused = 0;
+  std::size_t repeated = 0;
 };
 
 template <class P, class At>
@@ -29,19 +29,19 @@ Welded weld(std::size_t count, const std::vector<bool>& is_used, const At& at) {
             [&](std::uint32_t a, std::uint32_t b) { return precedes(at(a), at(b)); });
   Welded welded;
   welded.id.resize(count);
-  std::vector<P> kept;
+  std::vector<P> kept, unused;
   for (std::size_t first = 0; first < count;) {
     std::size_t last = first + 1;
     while (last < count && !precedes(at(order[first]), at(order[last]))) ++last;
     const bool used = std::any_of(order.begin() + long(first), order.begin() + long(last),
                                   [&](std::uint32_t p) { return is_used[p]; });
     for (std::size_t k = first; k < last; ++k) welded.id[order[k]] = PointId(kept.size());
-    if (used) kept.push_back(at(order[first]));
+    (used ? kept : unused).push_back(at(order[first]));
     welded.repeated += last - first - 1;
-    welded.unused += used ? 0 : 1;
     first = last;
   }
   welded.points = PointSet(std::move(kept));
+  welded.unused = PointSet(std::move(unused));
   return welded;
 }
 
@@ -262,7 +262,7 @@ Surface make_surface(const Mesh& mesh, const SurfaceOptions& options, const Watc
   Surface surface;
   surface.points = std::move(welded.points);
   surface.repeated_points = welded.repeated;
-  surface.unused_points = welded.unused;
+  surface.unused = std::move(welded.unused);
   cut_faces(mesh, welded, watch, surface);
   to_canonical_order(surface);
   find_components(EdgeTable(surface.triangles), surface);

@@ -175,8 +175,12 @@ Judged take(convexact_status status, convexact_verdict* result) {
 Judged judge_planes(const Numbers& planes, const char* tolerance, const char* asks = nullptr) {
   convexact_verdict* result = nullptr;
   const Numbers points = cube();
-  const auto status = convexact_judge_planes(points.data(), 8, planes.data(), planes.size() / 4,
-                                             asks, tolerance, &result);
+  convexact_judge_options options{};
+  options.size = sizeof options;
+  options.asks = asks;
+  options.tolerance = tolerance;
+  const auto status =
+      convexact_judge_planes(points.data(), 8, planes.data(), planes.size() / 4, &options, &result);
   return take(status, result);
 }
 
@@ -184,9 +188,12 @@ Judged judge_mesh(const Numbers& points, const Numbers& vertices,
                   const std::vector<std::uint32_t>& corners, const std::vector<std::size_t>& sizes,
                   const char* tolerance = nullptr) {
   convexact_verdict* result = nullptr;
+  convexact_judge_options options{};
+  options.size = sizeof options;
+  options.tolerance = tolerance;
   const auto status =
       convexact_judge_mesh(points.data(), points.size() / 3, vertices.data(), vertices.size() / 3,
-                           corners.data(), sizes.data(), sizes.size(), nullptr, tolerance, &result);
+                           corners.data(), sizes.data(), sizes.size(), &options, &result);
   return take(status, result);
 }
 
@@ -243,7 +250,7 @@ TEST_CASE("C interface: meshes that make no sense are a status (#13)") {
   const Numbers points = cube();
   convexact_verdict* result = nullptr;
   CHECK(take(convexact_judge_mesh(points.data(), 8, points.data(), 8, nullptr, sizes.data(), 6,
-                                  nullptr, nullptr, &result),
+                                  nullptr, &result),
              result)
             .status == CONVEXACT_INVALID_ARGUMENT);
   // What is wrong with a candidate is a claim: the vertices lie in one plane.
@@ -251,6 +258,30 @@ TEST_CASE("C interface: meshes that make no sense are a status (#13)") {
   CHECK(flat.status == CONVEXACT_OK);
   CHECK(flat.claims.at("candidate-solid") == "violated");
   convexact_verdict_free(nullptr);
+}
+
+TEST_CASE("C interface: points that no triangle uses are asked or not") {
+  // The cube of the other tests, and a point beside it: its own hull holds the used points only.
+  Numbers points = cube();
+  points.insert(points.end(), {9, 2, 2});
+  const std::vector<std::uint32_t> triangles{0, 1, 2, 3, 4, 5, 6, 7, 0};
+  const Numbers planes = cube_planes();
+  const auto judge = [&](const char* which) {
+    convexact_judge_options options{};
+    options.size = sizeof options;
+    options.asks = "hull";
+    options.triangles = triangles.data();
+    options.triangle_count = 3;
+    options.points = which;
+    convexact_verdict* result = nullptr;
+    const auto status = convexact_judge_planes(points.data(), 9, planes.data(), planes.size() / 4,
+                                               &options, &result);
+    return take(status, result);
+  };
+  CHECK(judge("used").holds);
+  CHECK(!judge("all").holds);
+  CHECK(!judge(nullptr).holds);
+  CHECK(judge("some").status == CONVEXACT_INVALID_ARGUMENT);
 }
 
 TEST_CASE("C interface: simplify encloses, in doubles and exactly") {

@@ -80,8 +80,11 @@ static int judge_box(void) {
                             2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6};
   const size_t sizes[] = {4, 4, 4, 4, 4, 4};
   convexact_verdict* verdict;
-  require(convexact_judge_mesh(&points[0][0], point_count, &box[0][0], 8, sides, sizes, 6, NULL,
-                               "0.25", &verdict));
+  convexact_judge_options options = {0};
+  options.size = sizeof options;
+  options.tolerance = "0.25";
+  require(convexact_judge_mesh(&points[0][0], point_count, &box[0][0], 8, sides, sizes, 6, &options,
+                               &verdict));
   printf("the same box as a mesh, with a tolerance of 0.25:\n");
   for (size_t i = 0; i < convexact_verdict_claim_count(verdict); ++i) {
     printf("  %-20s %-15s %s\n", convexact_verdict_claim_name(verdict, i),

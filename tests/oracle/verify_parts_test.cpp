@@ -297,17 +297,6 @@ TEST_CASE("verify_parts: distances are no share of a diameter where the input is
   CHECK(verdict[CoversPoints].status == Status::Holds);
 }
 
-TEST_CASE("verify_parts: a point that no face uses is not asked about") {
-  Mesh mesh = box_mesh(box_of({0, 0, 0}));
-  std::vector<Point> points(mesh.points.doubles().begin(), mesh.points.doubles().end());
-  points.emplace_back(7, 7, 7);
-  mesh.points = PointSet(points);
-  const PartsVerdict verdict = verify_parts(mesh, parts_of_boxes({box_of({0, 0, 0})}));
-  CHECK(verdict.holds());
-  REQUIRE(verdict.notes.size() == 1);
-  CHECK(verdict.notes[0].starts_with("1 point of the input is used by no face"));
-}
-
 TEST_CASE("verify_parts: no parts, no points, and requests without sense") {
   const Mesh cube = box_mesh(box_of({0, 0, 0}));
   const PartsVerdict none = verify_parts(cube, std::vector<NamedPart>{}, everything());

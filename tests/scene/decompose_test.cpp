@@ -855,3 +855,49 @@ TEST_CASE("decompose: only the stages that are needed run") {
   }
   for (const Stage& stage : d.stages) CHECK((stage.seconds > 0) == stage.skipped.empty());
 }
+
+TEST_CASE("decompose: a point that no face uses goes to the part that is nearest") {
+  // Two unit cubes at x in [0, 1] and [4, 5]. (3, .5, .5) is one from the second and two from the
+  // first: a pyramid of height 1 on a unit square, of volume 1/3, is added to it. (.5, .5, .5) lies
+  // in the first.
+  const std::set<Cell> cells{{0, 0, 0}, {4, 0, 0}};
+  Mesh mesh = mesh_of_cells(cells);
+  std::vector<Point> points(mesh.points.doubles().begin(), mesh.points.doubles().end());
+  points.insert(points.end(), {{3, 0.5, 0.5}, {0.5, 0.5, 0.5}});
+  mesh.points = PointSet(points);
+  const auto made = std::get<Decomposition>(decompose(mesh, with_fractions()));
+  check_owners(made);
+  REQUIRE(made.parts.size() == 2);
+  const std::size_t near = made.parts[0].is_widened ? 0 : 1;
+  const Part &widened = made.parts[near], &other = made.parts[1 - near];
+  CHECK(widened.is_widened);
+  CHECK(widened.loose.size() == 1);
+  CHECK(widened.mesh.points.size() == 9);
+  CHECK_FALSE(other.is_widened);
+  CHECK(other.loose.size() == 1);
+  CHECK(made.measures->union_volume.exact == Rational(7, 3));
+  DecomposeRequest request;
+  request.loose = LoosePoints::Refuse;
+  CHECK(error_of([&] { (void)decompose(mesh, request); }).code() == ErrorCode::InvalidArgument);
+}
+
+TEST_CASE("decompose: a part that a loose point widens may hold another one") {
+  // (-2, 2, 2) is 2 from the cube of edge 4 and farther from the small one, which lies in the
+  // pyramid that it adds: at x = -1/8 that reaches from 1/8 to 31/8.
+  Mesh mesh = box_mesh({{0, 0, 0}, {4, 4, 4}});
+  const Mesh small = box_mesh({{-0.125, 0.25, 0.25}, {-0.0625, 0.375, 0.375}});
+  std::vector<Point> points(mesh.points.doubles().begin(), mesh.points.doubles().end());
+  const auto first = static_cast<std::uint32_t>(points.size());
+  points.insert(points.end(), small.points.doubles().begin(), small.points.doubles().end());
+  for (auto polygon : small.polygons) {
+    for (std::uint32_t& corner : polygon) corner += first;
+    mesh.polygons.push_back(std::move(polygon));
+  }
+  points.emplace_back(-2, 2, 2);
+  mesh.points = PointSet(points);
+  const auto made = std::get<Decomposition>(decompose(mesh, with_fractions()));
+  check_owners(made);
+  REQUIRE(made.parts.size() == 1);
+  CHECK(made.inner.size() == 1);
+  CHECK(made.measures->union_volume.exact == Rational(64) + Rational(32, 3));
+}

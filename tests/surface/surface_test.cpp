@@ -116,7 +116,7 @@ TEST_CASE("make_surface: a cube, however it is written") {
   const Surface welded = make_surface(loose);
   CHECK(welded.triangles == surface.triangles);
   CHECK(welded.repeated_points == 17);
-  CHECK(welded.unused_points == 1);
+  CHECK(welded.unused.size() == 1);
 }
 
 TEST_CASE("make_surface: winding numbers of a cube") {
