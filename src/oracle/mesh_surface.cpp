@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numeric>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -80,31 +82,96 @@ bool do_touch(Outline p, std::size_t i, std::size_t j) {
   return do_meet(p[i], p[i + 1], p[j], p[(j + 1) % n]);
 }
 
+// Two edges of a closed polygon, by their first corners, the lower one first.
+using EdgePair = std::pair<std::size_t, std::size_t>;
+
+// A line that sweeps over a polygon from left to right, and the edges that it crosses, from below.
+// Before it gets to the leftmost point where two edges touch, two that touch there are neighbours
+// on it, so that only neighbours need to be tested [ShamosHoey1976]. Of corners one above the other
+// it passes the lower one first, as if it were tilted, so that no edge lies in it.
+class EdgeSweep {
+ public:
+  // Corners at different places.
+  explicit EdgeSweep(Outline corners)
+      : corners_(corners), crossed_(Below{*this}), place_(corners.size(), crossed_.end()) {}
+
+  std::optional<EdgePair> find_touching(const Watch& watch) {
+    const std::size_t n = corners_.size();
+    std::vector<std::size_t> order(n);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return corners_[a] < corners_[b]; });
+    for (const std::size_t corner : order) {
+      watch.ask();
+      const std::array edges{(corner + n - 1) % n, corner};
+      for (const std::size_t e : edges) {
+        if (right(e) == corner && ends(e)) return found_;
+      }
+      for (const std::size_t e : edges) {
+        if (left(e) == corner && begins(e)) return found_;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::size_t next(std::size_t k) const { return (k + 1) % corners_.size(); }
+  std::size_t left(std::size_t e) const { return corners_[e] < corners_[next(e)] ? e : next(e); }
+  std::size_t right(std::size_t e) const { return left(e) == e ? next(e) : e; }
+
+  // Where `late` begins, or if that is on `early`, where it leaves that: positive if above.
+  int side_of(std::size_t late, std::size_t early) const {
+    const PlanarPoint &a = corners_[left(early)], &b = corners_[right(early)];
+    const int side = turn(a, b, corners_[left(late)]);
+    return side != 0 ? side : turn(a, b, corners_[right(late)]);
+  }
+
+  // Of edges that the line crosses; equal are only edges that touch.
+  struct Below {
+    const EdgeSweep& sweep;
+    bool operator()(std::size_t a, std::size_t b) const {
+      const bool a_is_late = !(sweep.corners_[sweep.left(a)] < sweep.corners_[sweep.left(b)]);
+      return a_is_late ? sweep.side_of(a, b) < 0 : sweep.side_of(b, a) > 0;
+    }
+  };
+  using Crossed = std::set<std::size_t, Below>;
+
+  // These two return whether two edges were found that touch.
+  bool begins(std::size_t e) {
+    const auto [place, is_new] = crossed_.insert(e);
+    if (!is_new) return do_they_touch(e, *place);
+    place_[e] = place;
+    return (place != crossed_.begin() && do_they_touch(e, *std::prev(place))) ||
+           (std::next(place) != crossed_.end() && do_they_touch(e, *std::next(place)));
+  }
+  bool ends(std::size_t e) {
+    const auto above = crossed_.erase(place_[e]);
+    return above != crossed_.begin() && above != crossed_.end() &&
+           do_they_touch(*std::prev(above), *above);
+  }
+
+  bool do_they_touch(std::size_t a, std::size_t b) {
+    found_ = std::minmax(a, b);
+    return do_touch(corners_, found_.first, found_.second);
+  }
+
+  Outline corners_;
+  Crossed crossed_;
+  std::vector<Crossed::const_iterator> place_;  // by edge
+  EdgePair found_;
+};
+
 // Two edges of a closed polygon that have a point in common which is not the corner between
-// neighbours: the positions of their first corners, the lower one first; nothing if the polygon is
-// simple. At least three corners, of which no two neighbours are equal. Linear for convex polygons;
-// for others a sweep, in the worst case quadratic.
-std::optional<std::pair<std::size_t, std::size_t>> touching_edges(Outline corners,
-                                                                  const Watch& watch) {
+// neighbours; nothing if the polygon is simple. At least three corners, at different places.
+// O(n log n), linear for convex polygons.
+std::optional<EdgePair> touching_edges(Outline corners, const Watch& watch) {
   if (is_convex(corners)) return std::nullopt;
   const std::size_t n = corners.size();
-  const auto first_x = [&](std::size_t e) -> const Rational& {
-    return std::min(corners[e][0], corners[(e + 1) % n][0]);
-  };
-  std::vector<std::size_t> order(n);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return first_x(a) < first_x(b); });
   for (std::size_t k = 0; k < n; ++k) {
-    watch.ask();
-    const std::size_t e = order[k];
-    const Rational& last_x = std::max(corners[e][0], corners[(e + 1) % n][0]);
-    for (std::size_t l = k + 1; l < n && first_x(order[l]) <= last_x; ++l) {
-      const auto [i, j] = std::minmax(e, order[l]);
-      if (do_touch(corners, i, j)) return std::pair(i, j);
-    }
+    const EdgePair neighbours = std::minmax({k, (k + 1) % n});
+    if (do_touch(corners, neighbours.first, neighbours.second)) return neighbours;
   }
-  return std::nullopt;
+  return EdgeSweep(corners).find_touching(watch);
 }
 
 // ---- The faces of a mesh

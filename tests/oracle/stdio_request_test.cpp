@@ -409,23 +409,3 @@ TEST_CASE("stdio: parts under a tree of hulls") {
   const json malformed = request({{"parts", {{{"vertices", left}}}}, {"hull_tree", {3}}});
   CHECK(claim(ask(malformed), "parts-readable")["status"] == "violated");
 }
-
-// A comb, a simple polygon whose edges all overlap along the first axis: the search for edges that
-// meet takes long, and must end when the time is over. Right is: no verdict, but "stopped".
-TEST_CASE("stdio: the time limit ends the search for crossing edges of one face") {
-  constexpr int kTeeth = 6000;
-  json corners = json::array(), face = json::array();
-  for (int k = 0; k < kTeeth; ++k) {
-    corners.push_back({k % 2 == 0 ? 0.0 : 1000.1, k + k * k * 1e-9, 0});
-  }
-  corners.push_back({2000, kTeeth + 1, 0});
-  corners.push_back({2000, -1, 0});
-  for (std::size_t k = 0; k < corners.size(); ++k) face.push_back(k);
-  corners.push_back({500, kTeeth / 2, -5});
-  const json request = {{"points", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}}},
-                        {"candidate", {{"vertices", corners}, {"faces", {face}}}},
-                        {"claims", {"mesh-planar"}},
-                        {"time_limit", 0.2}};
-  const json answer = json::parse(answer_request(request.dump()));
-  CHECK(answer["error"]["code"] == "stopped");
-}
