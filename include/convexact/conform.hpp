@@ -161,16 +161,20 @@ enum class Outcome {
   TooManyFacets,         ///< More facets than asked for or promised.
   TooManyVertices,       ///< More corners than promised.
   TooManyFacetVertices,  ///< A facet of more corners than promised.
+  Undecided,             ///< The judge found nothing wrong, but did not come to an end.
   Passed,
 };
 inline constexpr std::array kAllOutcomes = {
-    Outcome::NotStarted,    Outcome::TimedOut,         Outcome::OutOfMemory,
-    Outcome::Crashed,       Outcome::AcceptedUnusable, Outcome::WrongExit,
-    Outcome::MissingOutput, Outcome::UnreadableOutput, Outcome::NoSolid,
-    Outcome::NotEnclosing,  Outcome::NotInside,        Outcome::TooLoose,
-    Outcome::BrokenMesh,    Outcome::NotConvex,        Outcome::NotTheHull,
-    Outcome::TooManyFacets, Outcome::TooManyVertices,  Outcome::TooManyFacetVertices,
-    Outcome::Passed};
+    Outcome::NotStarted,       Outcome::TimedOut,
+    Outcome::OutOfMemory,      Outcome::Crashed,
+    Outcome::AcceptedUnusable, Outcome::WrongExit,
+    Outcome::MissingOutput,    Outcome::UnreadableOutput,
+    Outcome::NoSolid,          Outcome::NotEnclosing,
+    Outcome::NotInside,        Outcome::TooLoose,
+    Outcome::BrokenMesh,       Outcome::NotConvex,
+    Outcome::NotTheHull,       Outcome::TooManyFacets,
+    Outcome::TooManyVertices,  Outcome::TooManyFacetVertices,
+    Outcome::Undecided,        Outcome::Passed};
 
 /// "timed-out" and the like: stable, in messages and in JSON.
 [[nodiscard]] const char* name_of(Outcome outcome);
@@ -296,6 +300,7 @@ struct ConformanceReport {
 struct ConformRun {
   std::vector<std::string> program;  ///< Its words, with {input}, {output} and perhaps {faces}.
   ProgramLimits limits{30, 0};
+  std::optional<double> judge_seconds = {};                 ///< For the verdict on each output.
   std::string input_format = "obj", output_format = "obj";  ///< Extensions.
   std::size_t jobs = 1;                                     ///< Vectors at the same time.
   Promise promise;

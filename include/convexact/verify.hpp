@@ -16,6 +16,7 @@
 #include "convexact/number.hpp"
 #include "convexact/polytope.hpp"
 #include "convexact/scene.hpp"
+#include "convexact/watch.hpp"
 
 namespace convexact {
 
@@ -196,8 +197,10 @@ inline constexpr unsigned kRoundingUlps = 16;
 /// facets.
 /// @par Cost  Doubles for each edge; for each that may lie inside a patch linear programs with the
 ///            patch's corners as rows.
+/// @throws Error Stopped when the watch ends the call.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> planar_patches(const Polytope& polytope,
-                                                                     const Slack& slack);
+                                                                     const Slack& slack,
+                                                                     const Watch& watch = {});
 
 /// What a program was asked for, and so what is asked of its output.
 enum class Asks {
@@ -250,9 +253,9 @@ struct CandidateSize {
   /// Of a mesh: the number of planar_patches() with this slack.
   std::optional<std::size_t> facets_as_meant;
   Slack slack;
-  /// How many of its facets (of a mesh: as meant) are in facet planes of the input's hull, up to
-  /// kRoundingUlps.
-  std::optional<std::size_t> planes_of_the_input;
+  /// For each of its facets (of a mesh: as meant) that is in a facet plane of the input's hull, up
+  /// to kRoundingUlps: that plane.
+  std::optional<std::vector<Halfspace>> planes_of_the_input;
 };
 
 /// The least tolerance with which a violated verdict holds.

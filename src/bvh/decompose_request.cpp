@@ -12,6 +12,7 @@
 #include "scene/decompose_options.hpp"
 #include "scene/decompose_report.hpp"
 #include "scene/request_line.hpp"
+#include "scene/time_limit.hpp"
 #include "scene/written_parts.hpp"
 #include "simplify/run_names.hpp"
 

@@ -145,6 +145,9 @@ void add_conform_command(Command& program, int& exit_code) {
   add_promise_options(command, options->promise);
   add_count(command, "--jobs", options->run.jobs, {1, 256}, "how many vectors at the same time");
   add_seconds(command, "--time-limit", options->run.limits.seconds, "time for each vector");
+  add_seconds(command, "--judge-time-limit", options->run.judge_seconds,
+              "time for the verdict on each output, after which it is undecided, which is no pass; "
+              "no limit by default");
   add_bytes(command, "--memory-limit", options->run.limits.memory,
             "address space for each vector, e.g. 2GB; no limit by default");
   add_bytes(command, "--output-limit", options->run.limits.output,

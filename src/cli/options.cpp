@@ -156,6 +156,14 @@ Option add_seconds(Command& command, const std::string& names, double& value,
       ->default_str(fmt::format("{}", value));
 }
 
+Option add_seconds(Command& command, const std::string& names, std::optional<double>& value,
+                   const std::string& meaning) {
+  return add_text(
+             command, names, meaning,
+             [&value](const auto& name, const auto& text) { value = parse_seconds(name, text); })
+      ->type_name("SECONDS");
+}
+
 Option add_center_option(Command& command, std::string& text) {
   return command
       .add_option(

@@ -113,6 +113,10 @@ Option add_bytes(Command& command, const std::string& names, std::uint64_t& valu
 Option add_seconds(Command& command, const std::string& names, double& value,
                    const std::string& meaning);
 
+/// The same without a default.
+Option add_seconds(Command& command, const std::string& names, std::optional<double>& value,
+                   const std::string& meaning);
+
 /// --tie-bits, the precision up to which mean widths are compared; the default is shown.
 Option add_tie_bits(Command& command, long& bits, const std::string& meaning);
 

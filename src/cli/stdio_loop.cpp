@@ -11,12 +11,8 @@ void add_stdio_options(Command& command, StdioOptions& options, const std::strin
   command.add_flag("--stdio", options.is_asked,
                    "answer requests on standard input, one JSON object per line, with " + answers +
                        " per line; takes no other option but --time-limit and --max-memory");
-  add_text(command, "--time-limit",
-           "with --stdio: time for each request; beyond it the answer is an error",
-           [&options](const auto& name, const auto& text) {
-             options.time_limit = parse_seconds(name, text);
-           })
-      ->type_name("SECONDS");
+  add_seconds(command, "--time-limit", options.time_limit,
+              "with --stdio: time for each request; beyond it the answer is an error");
 }
 
 void StdioOptions::require_sensible() const {

@@ -304,6 +304,7 @@ const char* name_of(Outcome outcome) {
                            {Outcome::TooManyFacets, "too-many-facets"},
                            {Outcome::TooManyVertices, "too-many-vertices"},
                            {Outcome::TooManyFacetVertices, "too-many-facet-vertices"},
+                           {Outcome::Undecided, "undecided"},
                            {Outcome::Passed, "passed"}});
   static_assert(kNames.size() == kAllOutcomes.size());
   return name_in(kNames, outcome);

@@ -146,7 +146,7 @@ void judge_inside_input(Trial& trial);
 void judge_is_hull(Trial& trial);
 /// The three budgets.
 void judge_budgets(Trial& trial);
-/// How many facets are in a facet plane of the input's hull. Precondition: there is a polytope.
+/// The facets that are in a facet plane of the input's hull. Precondition: there is a polytope.
 void count_planes_of_the_input(Trial& trial);
 
 /// Finds the polytope of a list of halfspaces, or returns why there is none.

@@ -13,7 +13,10 @@
 #include "convexact/number.hpp"
 #include "convexact/simplify.hpp"
 #include "convexact/verify.hpp"
+#include "convexact/watch.hpp"
+#include "number/text.hpp"
 #include "oracle/conformance_judge.hpp"
+#include "oracle/tied_removals.hpp"
 #include "scene/solid.hpp"
 
 namespace convexact {
@@ -97,14 +100,18 @@ int most_boxes(const Case& c) {
   return c.asks(Asks::Simplify) && question != nullptr && question->faces >= 6 ? 2 : 9;
 }
 
-// The volume of the exact greedy run: from the vector, or computed.
-Rational greedy_volume(const Case& c, std::size_t faces) {
-  if (const auto* question = c.simplification(); question->volume) return *question->volume;
+SimplifyResult greedy_run(const Case& c, std::size_t faces) {
   SimplifyRequest request;
   request.faces = faces;
   request.exact_volumes = true;
-  const SimplifyOutcome outcome = simplify(c.given.points, request);
-  return std::get<SimplifyResult>(outcome).output_volume.exact.value();
+  request.watch.stop = c.stop;
+  return std::get<SimplifyResult>(simplify(c.given.points, request));
+}
+
+// The volume of the exact greedy run: from the vector, or computed.
+Rational greedy_volume(const Case& c, std::size_t faces) {
+  if (const auto* question = c.simplification(); question->volume) return *question->volume;
+  return greedy_run(c, faces).output_volume.exact.value();
 }
 
 // For enclosures only: an inner solid may be of any size.
@@ -140,8 +147,9 @@ void judge_volume(Case& c) {
 }
 
 // Whether no facet can be removed: for each of them, the others bound an unbounded set.
-bool is_stuck(const std::vector<Halfspace>& planes) {
+bool is_stuck(const std::vector<Halfspace>& planes, const Watch& watch) {
   for (std::size_t gone = 0; gone < planes.size(); ++gone) {
+    watch.ask();
     std::vector<Halfspace> others = planes;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(gone));
     if (std::holds_alternative<BoundedProof>(find_recession(others))) return false;
@@ -159,26 +167,55 @@ std::optional<std::size_t> most_facets(const TestVector& vector, const Promise& 
   return most;
 }
 
-// Whether only planes of the input's hull are left, up to rounding: removals leave no others, so
-// another solid, such as the bounding box, is no end of a greedy run.
-bool keeps_input_planes(const CandidateSize& size) {
+// The facets of the input's hull that a solid keeps, if it has no others, up to rounding: removals
+// leave no others, so another solid, such as the bounding box, is no end of a greedy run.
+std::optional<std::vector<Halfspace>> kept_facets(const CandidateSize& size) {
   const std::optional<std::size_t> facets =
       size.facets_as_meant ? size.facets_as_meant : size.facets;
-  return facets && size.planes_of_the_input == facets;
+  if (!facets || !size.planes_of_the_input || size.planes_of_the_input->size() != *facets)
+    return {};
+  return size.planes_of_the_input;
 }
 
-// A simplification with too many facets is accepted if its planes are the input's and no facet can
-// be removed, unless it breaks the program's promise.
+constexpr std::size_t kMostTieStates = 10000;
+
+// Whether greedy removals end with this solid: no facet of it can be removed, and the exact run
+// ends with as many, or other choices among removals of the same cost lead to it.
+ByTies is_end_of_removals(Case& c, std::size_t found) {
+  const std::optional<std::vector<Halfspace>> kept = kept_facets(c.verdict.size);
+  if (!kept || !is_stuck(*kept, Watch(c.stop))) return ByTies::DoNotLead;
+  // Where the volume is known, so is the number of facets, and more of them are allowed already.
+  if (const auto* question = c.simplification(); question != nullptr && !question->volume) {
+    if (found <= greedy_run(c, question->faces).solid.exact.planes.size()) return ByTies::Lead;
+  }
+  StageLog log;
+  const auto solid = make_solid(Shape(c.given.points), kSeed, true, log);
+  return do_ties_lead(std::get<Solid>(solid), *kept, kMostTieStates, c.stop);
+}
+
+// A simplification with too many facets is accepted if it is an end of removals, unless it breaks
+// the program's promise.
 void judge_facets(Case& c) {
   const Claim& claim = c.verdict[ClaimCode::MaxFacets];
   if (claim.status != Status::Violated || !c.solid) return;
   const std::size_t found = claim.witness.count.value_or(0);
   const bool is_promised = !c.promise.max_facets || found <= *c.promise.max_facets;
-  if (c.asks(Asks::Simplify) && is_promised && keeps_input_planes(c.verdict.size) &&
-      is_stuck(c.solid->planes)) {
-    return;
+  const std::string sentence = std::string(name_of(claim.code)) + ": " + claim.sentence;
+  if (c.asks(Asks::Simplify) && is_promised) {
+    switch (is_end_of_removals(c, found)) {
+      case ByTies::Lead:
+        return;
+      case ByTies::Undecided:
+        return c.fail(
+            Outcome::Undecided,
+            fmt::format("{}; {} solids to which ties lead were compared, and this one may "
+                        "be a further one",
+                        sentence, with_separators(kMostTieStates)));
+      case ByTies::DoNotLead:
+        break;
+    }
   }
-  c.fail(Outcome::TooManyFacets, std::string(name_of(claim.code)) + ": " + claim.sentence, found);
+  c.fail(Outcome::TooManyFacets, sentence, found);
 }
 
 // The least k such that the root of the square is at most 10^k.
@@ -198,6 +235,7 @@ void measure(Case& c) {
   if (!c.result.outside || c.result.outside->points == 0) return;
   const NearestPoint nearest(*c.solid);
   for (const RationalPoint& corner : c.given.hull.vertices) {
+    Watch(c.stop).ask();
     const Rational squared = (nearest(corner) - corner).squaredNorm();
     if (squared != 0) ++c.result.outside_by_decade[decade_of(c.relative(squared))];
   }
@@ -258,6 +296,7 @@ Conformance judge_output(const TestVector& vector, const Promise& promise, const
          .given = std::move(*given),
          .verdict = std::get<Verdict>(std::move(outcome)),
          .solid = solid_of(output),
+         .stop = stop,
          .result = {}};
   c.result.notes = c.verdict.notes;
   judge_claims(c);

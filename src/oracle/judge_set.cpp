@@ -128,15 +128,16 @@ class PlanesOfTheInput {
     for (const Halfspace& h : planes_) near_planes_.emplace_back(h);
   }
 
-  bool have(const std::vector<std::uint32_t>& patch) const {
-    const auto is_exact = [&](std::uint32_t f) {
-      return std::binary_search(planes_.begin(), planes_.end(), polytope_.planes[f]);
-    };
-    if (std::any_of(patch.begin(), patch.end(), is_exact)) return true;
-    for (std::size_t i = 0; i < planes_.size(); ++i) {
-      if (may_be_near(i, polytope_.facets[patch[0]][0]) && is_near(i, patch)) return true;
+  // The plane that the patch is in; one that has it exactly first.
+  std::optional<Halfspace> of(const std::vector<std::uint32_t>& patch) const {
+    for (const std::uint32_t f : patch) {
+      const Halfspace& plane = polytope_.planes[f];
+      if (std::binary_search(planes_.begin(), planes_.end(), plane)) return plane;
     }
-    return false;
+    for (std::size_t i = 0; i < planes_.size(); ++i) {
+      if (may_be_near(i, polytope_.facets[patch[0]][0]) && is_near(i, patch)) return planes_[i];
+    }
+    return std::nullopt;
   }
 
  private:
@@ -224,10 +225,11 @@ void find_facets_as_meant(Trial& trial) {
   const Precision precision = precision_of(trial.mesh()->points);
   trial.log.run("facets as meant", [&] {
     size.slack = {precision, 0};
-    set.patches = planar_patches(*set.polytope, size.slack);
+    const Watch watch(trial.stop());
+    set.patches = planar_patches(*set.polytope, size.slack, watch);
     const Slack wide = {precision, trial.request.slack_ulps};
     if (wide.ulps_of_largest > 0) {
-      auto patches = planar_patches(*set.polytope, wide);
+      auto patches = planar_patches(*set.polytope, wide, watch);
       if (patches.size() < set.patches.size()) {
         set.patches = std::move(patches);
         size.slack = wide;
@@ -245,8 +247,12 @@ void count_planes_of_the_input(Trial& trial) {
   if (patches.empty()) {  // halfspaces: each facet is one
     for (std::uint32_t f = 0; f < polytope.facets.size(); ++f) patches.push_back({f});
   }
-  size.planes_of_the_input = static_cast<std::size_t>(
-      std::count_if(patches.begin(), patches.end(), [&](const auto& p) { return planes.have(p); }));
+  const Watch watch(trial.stop());
+  size.planes_of_the_input.emplace();
+  for (const auto& patch : patches) {
+    watch.ask();
+    if (auto plane = planes.of(patch)) size.planes_of_the_input->push_back(std::move(*plane));
+  }
 }
 
 void judge_budgets(Trial& trial) {

@@ -118,8 +118,9 @@ struct Plane {
 
 class PatchSearch {
  public:
-  PatchSearch(const Polytope& polytope, const Slack& slack)
+  PatchSearch(const Polytope& polytope, const Slack& slack, const Watch& watch)
       : polytope_(polytope),
+        watch_(watch),
         slack_(slack_of(polytope, slack)),
         around_(polytope.vertices.size()),
         member_of_(polytope.vertices.size()),
@@ -152,6 +153,7 @@ class PatchSearch {
   bool keeps_corners(Facet facet) const;
 
   const Polytope& polytope_;
+  const Watch& watch_;
   std::vector<RationalVector3> slack_;
   std::vector<std::vector<Facet>> soft_;    // neighbours that may be in the same patch
   std::vector<std::vector<Facet>> around_;  // by corner, its facets
@@ -216,6 +218,7 @@ std::vector<std::vector<Facet>> PatchSearch::find(const std::vector<Facet>& orde
   std::fill(member_of_.begin(), member_of_.end(), kNone);
   std::fill(refused_by_.begin(), refused_by_.end(), kNone);
   for (const Facet seed : order) {
+    watch_.ask();
     if (patch_of_[seed] == kNone) grow(seed);
   }
   std::vector<bool> is_broken(patch_count_, false);
@@ -315,6 +318,7 @@ bool PatchSearch::tilt_to(Facet facet) {
   all.insert(all.end(), polytope_.facets[facet].begin(), polytope_.facets[facet].end());
   std::vector<Corner> decisive = decisive_;
   for (Plane plane = plane_;;) {
+    watch_.ask();
     Rational worst = 0;
     std::optional<Corner> added;
     for (const Corner c : all) {
@@ -410,9 +414,9 @@ bool PatchSearch::is_thin_along_plane() const {
 
 }  // namespace
 
-std::vector<std::vector<std::uint32_t>> planar_patches(const Polytope& polytope,
-                                                       const Slack& slack) {
-  PatchSearch search(polytope, slack);
+std::vector<std::vector<std::uint32_t>> planar_patches(const Polytope& polytope, const Slack& slack,
+                                                       const Watch& watch) {
+  PatchSearch search(polytope, slack, watch);
   auto patches = search.from_largest();
   if (!search.has_thin_patch()) return patches;
   auto others = search.from_smallest();

@@ -19,6 +19,7 @@
 #include "oracle/conformance_judge.hpp"
 #include "oracle/program.hpp"
 #include "oracle/program_output.hpp"
+#include "scene/time_limit.hpp"
 
 namespace convexact {
 
@@ -175,6 +176,27 @@ std::size_t faces_of(const TestVector& vector) {
   return hull == nullptr ? kFacesOfRefusals : hull->facets;
 }
 
+// No verdict in time is no pass.
+Conformance judge_in_time(const TestVector& vector, const ProgramRun& run,
+                          const std::optional<Candidate>& candidate, const ConformRun& options) {
+  const std::atomic<bool>* interrupt = options.watch.stop;
+  try {
+    return in_time(
+        options.judge_seconds, "verdict",
+        [&](const std::atomic<bool>* stop) {
+          return judge_run(vector, options.promise, run, options.limits, candidate, stop);
+        },
+        interrupt);
+  } catch (const Error& error) {
+    const bool is_interrupted = interrupt != nullptr && interrupt->load();
+    if (error.code() != ErrorCode::Stopped || is_interrupted) throw;
+    Conformance undecided;
+    undecided.failures = {{Outcome::Undecided, error.what()}};
+    undecided.sentence = error.what();
+    return undecided;
+  }
+}
+
 RunResult run_vector(const TestVector& vector, const ConformRun& options) {
   const auto put = as_put(vector, options.promise);
   if (const auto* reason = std::get_if<NotRun>(&put)) return *reason;
@@ -198,10 +220,7 @@ RunResult run_vector(const TestVector& vector, const ConformRun& options) {
     candidate = read_program_output(output, is_binary32 ? Decimal::Nearest32 : Decimal::Nearest,
                                     options.limits.output);
   }
-  return ConformanceEntry{
-      &vector,
-      judge_run(given, options.promise, run, options.limits, candidate, options.watch.stop),
-      run.seconds};
+  return ConformanceEntry{&vector, judge_in_time(given, run, candidate, options), run.seconds};
 }
 
 // Calls work(i) for each i below count, in `jobs` threads, and finished(count) after each. The

@@ -16,6 +16,7 @@
 #include "scene/decompose_options.hpp"
 #include "scene/json_mesh.hpp"
 #include "scene/request_line.hpp"
+#include "scene/time_limit.hpp"
 
 namespace convexact {
 namespace {

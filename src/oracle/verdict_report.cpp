@@ -59,7 +59,7 @@ Json size_json(const CandidateSize& size) {
                  {"of", is_own ? "each" : "largest"},
                  {"numbers", name_in(kPrecisionNames, size.slack.precision)}};
   }
-  add("planes_of_the_input", size.planes_of_the_input);
+  if (size.planes_of_the_input) json["planes_of_the_input"] = size.planes_of_the_input->size();
   return json;
 }
 
@@ -104,7 +104,7 @@ std::string size_lines(const CandidateSize& size) {
   }
   if (size.planes_of_the_input) {
     text +=
-        verdict_line("", with_separators(*size.planes_of_the_input) +
+        verdict_line("", with_separators(size.planes_of_the_input->size()) +
                              " of its planes are facet planes of the input's hull, up to rounding");
   }
   return text;

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/request_line.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "io/json.hpp"
@@ -79,29 +76,6 @@ std::optional<double> time_limit_of(const json& request, std::optional<double> l
     reject_request("time_limit as a number of seconds, more than 0 and at most a million");
   }
   return std::min(seconds.get<double>(), limit.value_or(kLongest));
-}
-
-TimeLimit::TimeLimit(std::optional<double> seconds) {
-  if (!seconds) return;
-  waiter_ = std::thread([this, time = std::chrono::duration<double>(*seconds)] {
-    std::unique_lock lock(mutex_);
-    is_over_ = !ended_.wait_for(lock, time, [this] { return has_ended_; });
-  });
-}
-
-TimeLimit::~TimeLimit() {
-  if (!waiter_.joinable()) return;
-  {
-    const std::lock_guard lock(mutex_);
-    has_ended_ = true;
-  }
-  ended_.notify_one();
-  waiter_.join();
-}
-
-void report_time_limit(const char* sought, double seconds) {
-  throw Error(ErrorCode::Stopped,
-              fmt::format("no {} within the time limit of {} s", sought, seconds));
 }
 
 Json not_solid_answer(const NotSolid& reason) {

@@ -2,16 +2,12 @@
 // request_line.hpp - the common parts of the requests of `verify --stdio` and `decompose --stdio`:
 // their id, points, numbers and time limit, and the answers to faults.
 #pragma once
-#include <atomic>
-#include <condition_variable>
 #include <functional>
 #include <initializer_list>
-#include <mutex>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <thread>
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
@@ -64,41 +60,6 @@ std::optional<Value> choice_in(const nlohmann::json& request, const char* key,
 /// @throws Error Malformed.
 [[nodiscard]] std::optional<double> time_limit_of(const nlohmann::json& request,
                                                   std::optional<double> limit);
-
-/// Sets a flag after some seconds, unless it is destroyed before.
-class TimeLimit {
- public:
-  explicit TimeLimit(std::optional<double> seconds);
-  ~TimeLimit();
-  TimeLimit(const TimeLimit&) = delete;
-  TimeLimit& operator=(const TimeLimit&) = delete;
-
-  const std::atomic<bool>& is_over() const { return is_over_; }
-
- private:
-  std::mutex mutex_;  // of has_ended_
-  std::condition_variable ended_;
-  bool has_ended_ = false;
-  std::atomic<bool> is_over_ = false;
-  std::thread waiter_;
-};
-
-/// @throws Error Stopped: "no verdict within the time limit of 2 s".
-[[noreturn]] void report_time_limit(const char* sought, double seconds);
-
-/// The result of `find`, which is given the flag that stops it. @param sought  "verdict", for the
-/// error.
-/// @throws Error Stopped beyond the limit, and what `find` throws.
-template <class Find>
-auto in_time(std::optional<double> seconds, const char* sought, const Find& find) {
-  const TimeLimit limit(seconds);
-  try {
-    return find(&limit.is_over());
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::Stopped || !seconds) throw;
-    report_time_limit(sought, *seconds);
-  }
-}
 
 /// {"error": ...} with the proof that the input encloses no volume.
 [[nodiscard]] Json not_solid_answer(const NotSolid& reason);

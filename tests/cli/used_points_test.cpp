@@ -16,10 +16,11 @@ using support::ScratchFolder;
 
 namespace {
 
-const std::string kCorners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
-const std::string kFaces = "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+const std::string kAxisTetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+const std::string kItsSides = "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 // Of three loose points one is inside of the tetrahedron.
-const std::string kShape = kCorners + "v 0.5 0.5 0.1\nv 0.1 0.1 0.1\nv 2 2 2\n" + kFaces;
+const std::string kWithLoose =
+    kAxisTetrahedron + "v 0.5 0.5 0.1\nv 0.1 0.1 0.1\nv 2 2 2\n" + kItsSides;
 
 bool prints(const std::string& text, const std::string& what) {
   return text.find(what) != text.npos;
@@ -35,8 +36,8 @@ json answer(const std::string& arguments) {
 
 TEST_CASE("points: simplify and hull leave out those that no face uses") {
   const ScratchFolder scratch;
-  const std::string shape = scratch.write("shape.obj", kShape),
-                    cloud = scratch.write("cloud.obj", kCorners);
+  const std::string shape = scratch.write("shape.obj", kWithLoose),
+                    cloud = scratch.write("cloud.obj", kAxisTetrahedron);
   const json all = answer("hull " + shape + " --exact-values"),
              used = answer("hull " + shape + " --points used --exact-values");
   CHECK(all["volume"]["exact"] == "1");
@@ -52,8 +53,9 @@ TEST_CASE("points: simplify and hull leave out those that no face uses") {
 
 TEST_CASE("points: verify says how many of the points outside no face uses, of parts too") {
   const ScratchFolder scratch;
-  const std::string shape = scratch.write("shape.obj", "o a\n" + kShape),
-                    output = scratch.write("tetrahedron.obj", "o a\n" + kCorners + kFaces);
+  const std::string shape = scratch.write("shape.obj", "o a\n" + kWithLoose),
+                    output =
+                        scratch.write("tetrahedron.obj", "o a\n" + kAxisTetrahedron + kItsSides);
   const std::string verify = "verify " + shape + " " + output;
   for (const char* parts : {"", " --parts", " --union"}) {
     CAPTURE(parts);
@@ -66,7 +68,7 @@ TEST_CASE("points: verify says how many of the points outside no face uses, of p
 
 TEST_CASE("points: what a program drops is no failure to shrink, if it is not asked about") {
   const ScratchFolder scratch;
-  const std::string shape = scratch.write("shape.obj", kShape), minimal = scratch.file("m.obj");
+  const std::string shape = scratch.write("shape.obj", kWithLoose), minimal = scratch.file("m.obj");
   // Writes the corners that faces use, as a reader of faces does.
   const std::string program = scratch.write(
       "program",
@@ -82,8 +84,8 @@ TEST_CASE("points: what a program drops is no failure to shrink, if it is not as
 
 TEST_CASE("loose: decompose and bvh put them into the nearest part, or refuse them") {
   const ScratchFolder scratch;
-  const std::string shape = scratch.write("shape.obj", kShape), parts = scratch.file("parts.obj"),
-                    tree = scratch.file("tree.json");
+  const std::string shape = scratch.write("shape.obj", kWithLoose),
+                    parts = scratch.file("parts.obj"), tree = scratch.file("tree.json");
   const json made = answer("decompose " + shape + " --exact-volumes -o " + parts);
   REQUIRE(made["parts"].size() == 1);
   CHECK(made["parts"][0]["loose_points"] == 3);
@@ -107,7 +109,7 @@ TEST_CASE("loose: decompose and bvh put them into the nearest part, or refuse th
 TEST_CASE("loose: an object that is only points is one part, its hull") {
   const ScratchFolder scratch;
   const std::string two = scratch.write(
-      "two.obj", "o a\n" + kCorners + kFaces +
+      "two.obj", "o a\n" + kAxisTetrahedron + kItsSides +
                      "o cloud\nv 9 9 9\nv 10 9 9\nv 9 10 9\nv 9 9 10\nv 9.25 9.25 9.25\n");
   const std::string parts = scratch.file("parts.obj"), tree = scratch.file("tree.json");
   const json together = answer("decompose " + two + " --exact-volumes -o " + parts);

@@ -116,6 +116,7 @@ TEST_CASE("crossing edges: a comb is simple, and one with a bent tooth is not") 
 
 TEST_CASE("crossing edges: the watch ends the search") {
   std::atomic<bool> stop = true;
-  const MeshSurface surface(face_through(comb(50)));
+  const Mesh mesh = face_through(comb(50));
+  const MeshSurface surface(mesh);
   CHECK(error_of([&] { return surface.crossed_face(Watch(&stop)); }).code() == ErrorCode::Stopped);
 }

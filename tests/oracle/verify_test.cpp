@@ -57,7 +57,7 @@ TEST_CASE("verify: the input's own hull passes, and nothing is left between them
   CHECK(verdict.holds());
   CHECK(verdict.squared_diameter == 12);
   CHECK(verdict.outside->tested == 8);
-  CHECK(verdict.size.planes_of_the_input == 6);
+  CHECK(verdict.size.planes_of_the_input->size() == 6);
   CHECK(verdict.tightness->squared_hausdorff == 0);
   CHECK(verdict.tightness->volume_ratio.contains(1));
 }
@@ -65,7 +65,7 @@ TEST_CASE("verify: the input's own hull passes, and nothing is left between them
 TEST_CASE("verify: twice the cube, in numbers") {
   const Verdict verdict = judge_obj(corners("2") + kQuads);
   CHECK(verdict.holds());
-  CHECK(verdict.size.planes_of_the_input == 0);
+  CHECK(verdict.size.planes_of_the_input->empty());
   CHECK(verdict.tightness->squared_hausdorff == 3);  // from (2, 2, 2) to (1, 1, 1)
   CHECK(verdict.tightness->volume_ratio.contains(8));
   CHECK(verdict.tightness->area_ratio.contains(4));
