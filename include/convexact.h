@@ -100,8 +100,8 @@ typedef struct convexact_judge_options {
   const char* asks;      /* What the candidate was to be: "enclosure" (NULL), "hull", which has the
                             claim is-hull besides, or "inner", which has inside-input in the place of
                             contains-input. */
-  const char* tolerance; /* As the option of the program: "1e-6" for a length, "1e-9d" for a share of
-                            the points' diameter, taken as spelled. NULL for none. */
+  const char* tolerance; /* As the option of the program: "1e-6" for a length, "1e-9d" for a share
+                            of the points' diameter, taken as spelled. NULL for none. */
   const uint32_t* triangles; /* Of the input: three indices of points from 0 for each. */
   size_t triangle_count;     /* 0: the input has no faces, it is its points. */
   const char* points; /* Which points of an input with faces are asked: "all" (NULL), or "used" for
@@ -256,7 +256,8 @@ typedef struct convexact_decomposition convexact_decomposition;
 /* Triangle t has the corners triangles[3 t] to [3 t + 2], indices of points from 0, counter-
  * clockwise from outside; triangles are turned where the solid needs it. Every triangle gets an
  * owner, a part that holds it: proven on the numbers of the part as they are. So the parts cover
- * the surface, but need not cover the solid. CONVEXACT_NO_INTERIOR if all triangles lie in one
+ * the surface, but need not cover the solid. A point that no triangle uses goes to the part that is
+ * nearest to it. CONVEXACT_NO_INTERIOR if all triangles lie in one
  * plane, unless `flat` is thicken or keep; CONVEXACT_UNREPRESENTABLE if the precision cannot hold a
  * part. */
 CONVEXACT_API convexact_status convexact_decompose(const double* points, size_t point_count,

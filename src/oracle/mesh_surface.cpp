@@ -161,9 +161,27 @@ class EdgeSweep {
   EdgePair found_;
 };
 
+// Two edges that begin at one place, or if these are neighbours, end and begin there.
+std::optional<EdgePair> edges_at_one_place(Outline corners) {
+  const std::size_t n = corners.size();
+  std::vector<std::size_t> order(n);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return corners[a] < corners[b]; });
+  const auto twice =
+      std::adjacent_find(order.begin(), order.end(),
+                         [&](std::size_t a, std::size_t b) { return corners[a] == corners[b]; });
+  if (twice == order.end()) return std::nullopt;
+  const std::size_t first = *twice, second = *std::next(twice);
+  const auto follows = [&](std::size_t a, std::size_t b) { return b == (a + 1) % n; };
+  if (follows(first, second)) return std::minmax({(first + n - 1) % n, second});
+  if (follows(second, first)) return std::minmax({(second + n - 1) % n, first});
+  return EdgePair{first, second};
+}
+
 // Two edges of a closed polygon that have a point in common which is not the corner between
-// neighbours; nothing if the polygon is simple. At least three corners, at different places.
-// O(n log n), linear for convex polygons.
+// neighbours; nothing if the polygon is simple. At least four corners. O(n log n), linear for
+// convex polygons.
 std::optional<EdgePair> touching_edges(Outline corners, const Watch& watch) {
   if (is_convex(corners)) return std::nullopt;
   const std::size_t n = corners.size();
@@ -171,6 +189,7 @@ std::optional<EdgePair> touching_edges(Outline corners, const Watch& watch) {
     const EdgePair neighbours = std::minmax({k, (k + 1) % n});
     if (do_touch(corners, neighbours.first, neighbours.second)) return neighbours;
   }
+  if (const auto edges = edges_at_one_place(corners)) return edges;
   return EdgeSweep(corners).find_touching(watch);
 }
 

@@ -52,11 +52,16 @@ Triangles l_shape() {
   return mesh;
 }
 
-// The floor of the L.
+// A part of the floor of the L, and no other point.
 Triangles flat_shape() {
-  Triangles mesh = l_shape();
-  mesh.corners = {0, 4, 2, 0, 6, 4};
-  return mesh;
+  const Triangles mesh = l_shape();
+  Triangles flat;
+  for (const std::size_t corner : {0, 4, 2, 6}) {
+    const auto first = mesh.points.begin() + static_cast<std::ptrdiff_t>(3 * corner);
+    flat.points.insert(flat.points.end(), first, first + 3);
+  }
+  flat.corners = {0, 1, 2, 0, 3, 1};
+  return flat;
 }
 
 using Decomposition =

@@ -212,7 +212,7 @@ TEST_CASE("verify --stdio: candidates with parts") {
   CHECK(answers[1]["verdict"] == "violated");
   CHECK(answers[1]["outside"]["points"] == 1);
   CHECK(answers[1].contains("measures"));
-  CHECK(answers[2]["error"]["exit"] == 3);
+  CHECK(answers[2]["error"]["exit"] == 4);  // one point
   CHECK(answers[3]["error"]["exit"] == 4);
   CHECK(answers[4]["claims"][0]["code"] == "parts-readable");
   CHECK(answers[4]["claims"][0]["status"] == "violated");
