@@ -7,7 +7,8 @@ from fractions import Fraction
 from judge import decide_convex, judge_files, squared_tolerance
 
 # Of these claims a tolerance forgives distances; the figure that decides is beside each.
-MEASURED = {"contains-input": "squared_distance", "mesh-planar": "squared_bend", "mesh-convex": "squared_concavity"}
+MEASURED = {"contains-input": "squared_distance", "mesh-planar": "squared_bend", "mesh-convex": "squared_concavity",
+            "is-hull": "squared_hausdorff"}
 COUNTS = ("facets", "vertices", "most_facet_vertices")
 
 
@@ -49,6 +50,8 @@ def expected_claims(verdict, diameter, tolerance):
     allowed = squared_tolerance(tolerance, diameter)
     if allowed and "squared_distance" in figures:
         claims["contains-input"] = figures["squared_distance"] <= allowed
+    if allowed and "squared_hausdorff" in figures:
+        claims["is-hull"] = figures["squared_hausdorff"] <= allowed
     if allowed and claims["mesh-planar"] is False:
         claims["mesh-planar"] = not figures["not_simple"] and figures["squared_bend"] <= allowed
     if allowed and claims["mesh-convex"] is False:
@@ -94,7 +97,7 @@ def compare_figures(verdict, given, answer, said, differences):
 
 def compare(convexact, given, source, target, numbers="binary64", tolerance=None, seconds=60, verdict=None):
     """Differences of the two on one output, verify's exit code and its answer; `given` is the judge's Input."""
-    options = ["--tolerance", tolerance] if tolerance else []
+    options = ["--asks", "hull", *(["--tolerance", tolerance] if tolerance else [])]
     options += {"binary64": [], "binary32": ["--numbers", "binary32"], "exact": ["--decimal", "exact"]}[numbers]
     status, answer = ask_convexact(convexact, source, target, options, seconds)
     differences = Differences()
@@ -106,7 +109,7 @@ def compare(convexact, given, source, target, numbers="binary64", tolerance=None
         message = answer.get("error", {}).get("message", "") if answer else ""
         differences.add("other exit", "", f"exit {status} {message}")
         return differences, status, answer
-    verdict = verdict or judge_files(given, target, numbers)
+    verdict = verdict or judge_files(given, target, numbers, asks_hull=True)
     said = {claim["code"]: claim for claim in answer["claims"]}
     claims = expected_claims(verdict, given.squared_diameter(), tolerance or "0")
     compare_claims(claims, said, differences)

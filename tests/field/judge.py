@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""An independent judge of enclosures: judge.py INPUT CANDIDATE [--numbers binary32|exact] [--tolerance T].
+"""An independent judge of enclosures: judge.py INPUT CANDIDATE [--numbers binary32|exact] [--tolerance T] [--asks hull].
 
 Decides the claims of `convexact verify` by their definitions in integers and fractions, with Python's
 standard library and no line of convexact. Prints one JSON object. A claim is true, false, or null where
@@ -82,6 +82,20 @@ def measure_distance(verdict, outside, hull, scale):
     verdict.figures["squared_distance"] = Fraction(distance, 1) / scale ** 2
 
 
+def judge_is_hull(verdict, given, corners, scale, tolerance):
+    """Whether the solid with these corners, in the unit 1/scale, is the input's hull: both directed distances."""
+    factor = scale // given.scale
+    beyond = Fraction(0)
+    for corner in corners:
+        point = tuple(Fraction(x, factor) for x in corner)
+        facets = given.hull.beyond(point)
+        if facets:
+            beyond = max(beyond, given.hull.squared_distance(point, facets))
+    figures = verdict.figures
+    figures["squared_hausdorff"] = max(beyond / given.scale ** 2, figures["squared_distance"])
+    verdict.claims["is-hull"] = figures["squared_hausdorff"] <= tolerance
+
+
 def judge_hull(verdict, hull, scale):
     verdict.figures.update(facets=len(hull.facets), vertices=len(hull.vertices),
                            most_facet_vertices=max(len(facet.corners) for facet in hull.facets),
@@ -109,7 +123,10 @@ def decide_convex(claims, figures, tolerance):
 
 
 def judge_faces(verdict, surface, hull, scale, tolerance):
-    """The claims about a surface; a tolerance forgives distances to planes, never a hole."""
+    """The claims about a surface; a tolerance forgives distances to planes, never a hole.
+
+    Faces that all look inward are one fault, of mesh-oriented; for the others they are turned.
+    """
     claims = verdict.claims
     verdict.figures.update(without_area=surface.without_area(), not_simple=surface.not_simple(),
                            consistent=surface.is_consistent())
@@ -123,13 +140,15 @@ def judge_faces(verdict, surface, hull, scale, tolerance):
     claims["mesh-planar"] = not verdict.figures["not_simple"] and bend / scale ** 2 <= tolerance
     if hull is None:
         return
+    if claims["mesh-closed"] and claims["mesh-oriented"] is False and verdict.figures["consistent"]:
+        surface = surface.turned_over()
     off, worst = surface.off_hull(hull)
     verdict.figures.update(faces_off=off, squared_concavity=worst / scale ** 2)
     measure_cover(verdict, surface, hull, scale)
     claims["mesh-convex"] = decide_convex(claims, verdict.figures, tolerance)
 
 
-def judge_mesh(verdict, given, mesh, tolerance):
+def judge_mesh(verdict, given, mesh, tolerance, asks_hull):
     claims = verdict.claims
     (points, tested), scale = integers(mesh.points, given.points)
     try:
@@ -143,9 +162,13 @@ def judge_mesh(verdict, given, mesh, tolerance):
         outside = count_outside(verdict, tested, [(f.normal, f.offset) for f in hull.facets], hull.inner, scale)
         measure_distance(verdict, outside, hull, scale)
         claims["contains-input"] = verdict.figures["squared_distance"] <= tolerance
+        if asks_hull:
+            judge_is_hull(verdict, given, [hull.points[v] for v in hull.vertices], scale, tolerance)
     else:
         # Without a solid there is no distance that a tolerance could forgive.
         claims["contains-input"] = False
+        if asks_hull:
+            claims["is-hull"] = False
     if mesh.faces:
         surface = Surface(points, mesh.faces)
         verdict.figures["dropped_faces"] = surface.dropped
@@ -154,7 +177,7 @@ def judge_mesh(verdict, given, mesh, tolerance):
             judge_faces(verdict, surface, hull, scale, tolerance)
 
 
-def judge_rows(verdict, given, rows, tolerance):
+def judge_rows(verdict, given, rows, tolerance, asks_hull):
     claims = verdict.claims
     solid = Intersection(rows.rows)
     claims["candidate-solid"] = solid.state in ("solid", "unbounded")
@@ -167,20 +190,24 @@ def judge_rows(verdict, given, rows, tolerance):
         judge_hull(verdict, hull, scale)
         measure_distance(verdict, outside, hull, scale)
         claims["contains-input"] = verdict.figures["squared_distance"] <= tolerance
+        if asks_hull:
+            judge_is_hull(verdict, given, vertices, scale, tolerance)
     else:
+        if asks_hull:
+            claims["is-hull"] = False
         claims["contains-input"] = not outside and solid.state != "empty"
 
 
-def judge(given, candidate, tolerance="0"):
-    """The verdict on a Mesh or Rows as candidate for the points of an Input."""
+def judge(given, candidate, tolerance="0", asks_hull=False):
+    """The verdict on a Mesh or Rows as candidate for the points of an Input; `asks_hull` as `verify --asks hull`."""
     verdict = Verdict()
     verdict.claims.update({"candidate-readable": True, "candidate-finite": True})
     allowed = squared_tolerance(tolerance, given.squared_diameter())
-    (judge_mesh if isinstance(candidate, Mesh) else judge_rows)(verdict, given, candidate, allowed)
+    (judge_mesh if isinstance(candidate, Mesh) else judge_rows)(verdict, given, candidate, allowed, asks_hull)
     return verdict
 
 
-def judge_files(given, path, numbers="binary64", tolerance="0"):
+def judge_files(given, path, numbers="binary64", tolerance="0", asks_hull=False):
     """As judge(), of a file that may be unreadable."""
     verdict = Verdict()
     try:
@@ -193,7 +220,7 @@ def judge_files(given, path, numbers="binary64", tolerance="0"):
         verdict.claims["candidate-finite"] = False
         verdict.figures["reason"] = str(fault)
         return verdict
-    return judge(given, candidate, tolerance)
+    return judge(given, candidate, tolerance, asks_hull)
 
 
 def main():
@@ -202,9 +229,10 @@ def main():
     parser.add_argument("candidate")
     parser.add_argument("--numbers", choices=("binary64", "binary32", "exact"), default="binary64")
     parser.add_argument("--tolerance", default="0")
+    parser.add_argument("--asks", choices=("enclosure", "hull"), default="enclosure")
     options = parser.parse_args()
     given = Input(read(options.input, options.numbers).points)
-    verdict = judge_files(given, options.candidate, options.numbers, options.tolerance)
+    verdict = judge_files(given, options.candidate, options.numbers, options.tolerance, options.asks == "hull")
     json.dump(verdict.as_json(), sys.stdout, indent=1)
     print()
     return 1 if False in verdict.claims.values() else 0

@@ -123,11 +123,22 @@ class Surfaces(unittest.TestCase):
         self.assertEqual(self.claims(CORNER, CORNER_FACES[1:], "closed", "oriented"), [False, None])
         self.assertEqual(self.claims(CORNER, CORNER_FACES * 2, "closed", "oriented"), [False, False])
 
+    def test_a_hull_is_as_far_as_the_worse_of_both_distances(self):
+        given = Input(CUBE)
+        high = Mesh([(x, y, 2 * z) for x, y, z in CUBE], QUADS)
+        low = Mesh([(x, y, z / 4) for x, y, z in CUBE], QUADS)
+        for mesh, squared in ((Mesh(CUBE, QUADS), 0), (high, 1), (low, Fraction(9, 16))):
+            verdict = judge(given, mesh, asks_hull=True)
+            self.assertEqual(verdict.figures["squared_hausdorff"], squared)
+            self.assertEqual(verdict.claims["is-hull"], squared == 0)
+        self.assertTrue(judge(given, high, "1", asks_hull=True).claims["is-hull"])
+        self.assertNotIn("is-hull", judge(given, high).claims)
+
     def test_a_turned_face_and_an_inward_surface_are_not_oriented(self):
         turned = [CORNER_FACES[0][::-1]] + CORNER_FACES[1:]
         self.assertEqual(self.claims(CORNER, turned, "closed", "oriented"), [True, False])
         inward = [face[::-1] for face in CORNER_FACES]
-        self.assertEqual(self.claims(CORNER, inward, "closed", "oriented", "convex"), [True, False, False])
+        self.assertEqual(self.claims(CORNER, inward, "closed", "oriented", "convex"), [True, False, True])
 
     def test_a_dent_is_not_convex(self):
         points = CORNER + [(0.25, 0.25, 0.25)]

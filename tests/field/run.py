@@ -97,12 +97,12 @@ class Case:
         if given.hull:
             try:
                 if len(getattr(read(target, numbers), "points", ())) > self.options.most:
-                    _, answer = ask_convexact(self.options.convexact, self.source, target, number_options(numbers),
-                                              self.options.verify_limit)
+                    _, answer = ask_convexact(self.options.convexact, self.source, target,
+                                              ["--asks", "hull", *number_options(numbers)], self.options.verify_limit)
                     return [self.record(program, target, "too large for the judge", [], found=found_in(answer))]
             except (Malformed, NotFinite):
                 pass
-            verdict = judge_files(given, target, numbers)
+            verdict = judge_files(given, target, numbers, asks_hull=True)
         records = []
         for tolerance in tolerances:
             differences, status, answer = compare(self.options.convexact, given, self.source, target, numbers, tolerance,
@@ -138,9 +138,10 @@ class Case:
         found["mesh"] = self.name in MESHES
         if program.promise:
             _, answer = ask_convexact(self.options.convexact, self.source, target,
-                                      ["--tolerance", program.promise, *number_options(numbers)], self.options.verify_limit)
+                                      ["--asks", "hull", "--tolerance", program.promise, *number_options(numbers)], self.options.verify_limit)
             again = found_in(answer)
             found["keeps_promise"] = bool(again and again["contains"])
+            found["is_promised_hull"] = bool(again and again["is_hull"])
 
     def run_mutants(self, targets):
         """Damages an output with faces in every way, and writes it in one of three formats."""

@@ -88,6 +88,14 @@ class Surface:
             total = tuple(x + y for x, y in zip(total, part))
         return total
 
+    def turned_over(self):
+        """The same faces, each the other way round."""
+        turned = Surface([], [])
+        turned.faces = [face[::-1] for face in self.faces]
+        turned.areas = [tuple(-x for x in area) for area in self.areas]
+        turned.edges = self.edges
+        return turned
+
     def is_closed(self):
         """Each edge belongs to exactly two faces, and those are not one."""
         return all(len(uses) == 2 and uses[0][0] != uses[1][0] for uses in self.edges.values())

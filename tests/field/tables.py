@@ -33,6 +33,7 @@ def found_in(answer):
     return {"solid": holds.get("candidate-solid", False), "contains": holds.get("contains-input", False),
             "planar": holds.get("mesh-planar"), "facets": answer.get("candidate", {}).get("facets"),
             "convex": all(holds.get(name) for name in ("mesh-closed", "mesh-oriented", "mesh-convex")),
+            "is_hull": claims.get("is-hull", {}).get("status") == "holds",
             "outside": answer.get("outside", {}).get("points"), "relative": distance.get("relative")}
 
 
@@ -67,9 +68,12 @@ def hull_row(program, found):
     promise = "" if not program.promise else \
         f"{program.promise.removesuffix('d')}{' D' if program.promise.endswith('d') else ''}: " \
         f"{said(sum(bool(f.get('keeps_promise')) for f in solid), len(solid))}"
+    hulls = said(sum(bool(f["is_hull"]) for f in found), len(found))
+    if program.promise:
+        hulls += f"; within its promise {said(sum(bool(f.get('is_promised_hull')) for f in found), len(found))}"
     small_times = [f["seconds"] for f in found if f["seconds"] is not None and not f["mesh"]]
     return [f"`{program.name}`", str(len(found)), said(len(solid), len(found)),
-            said(len(solid) - len(missing), len(solid)) if solid else "-", small(worst), promise,
+            said(len(solid) - len(missing), len(solid)) if solid else "-", small(worst), promise, hulls,
             said(sum(bool(f["convex"]) for f in found), len(found)) if planar else "-",
             said(sum(planar), len(planar)) if planar else "-", short_time(statistics.median(small_times) if small_times else None),
             shown_times or "-", facets or "-"]
@@ -80,7 +84,7 @@ def hull_table(records, programs, inputs):
     for record in records:
         if record["found"] and "seconds" in record["found"]:
             by_name.setdefault(record["program"], []).append({"case": record["case"], **record["found"]})
-    head = ["program", "outputs", "solid", "hold the input", "farthest outside, D", "within its promise", "convex", "planar",
+    head = ["program", "outputs", "solid", "hold the input", "farthest outside, D", "within its promise", "are the hull", "convex", "planar",
             "median time", "time: bunny, spot, teapot", "facets"]
     rows = [hull_row(program, by_name[program.name]) for program in programs if program.name in by_name]
     versions = sorted({program.version for program in programs if program.version})
