@@ -69,6 +69,23 @@ TEST_CASE("odd outputs: an option sets the largest size that is read") {
   CHECK(program_json(conform + program, "conformance", 0)["outcomes"]["unreadable-output"] == 0);
 }
 
+TEST_CASE("odd outputs: a verdict that takes too long is undecided, which is no pass") {
+  // One face, a comb of 60,001 corners: its verdict takes a second or more.
+  const ScratchFolder scratch;
+  std::string comb, face = "f";
+  for (int k = 0; k < 60000; ++k) {
+    comb += "v " + std::to_string(k) + (k % 2 == 0 ? " 0 0\n" : " 1000 0\n");
+    face += " " + std::to_string(k + 1);
+  }
+  comb += "v 60000 2000 0\n";
+  const std::string output = scratch.write("comb.obj", comb + face + " 60001\n");
+  const json report =
+      program_json("conform --level 1 --flag valence --asks enclosure --judge-time-limit 0.01 " +
+                       program_of("cp " + output + " \"$1\""),
+                   "conformance", 1);
+  for (const json& entry : report["vectors"]) CHECK(entry["outcome"] == "undecided");
+}
+
 TEST_CASE("places of outputs: every command finds out before the work") {
   const ScratchFolder scratch;
   const std::string spot = data("spot.obj"), nowhere = scratch.file("nowhere") + "/file",
