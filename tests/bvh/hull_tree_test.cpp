@@ -7,13 +7,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <random>
 #include <set>
 
 #include "assembled_meshes.hpp"
 #include "cells.hpp"
+#include "convexact/io.hpp"
 #include "convexact/measure.hpp"
 #include "expect_error.hpp"
+#include "scene/objects.hpp"
 #include "supporting_planes.hpp"
 #include "sweep.hpp"
 
@@ -392,6 +395,34 @@ TEST_CASE("build_tree: the greedy choice is that of its definition" * sweep) {
     const auto parts = parts_of_boxes(boxes);
     CHECK(parts_below(build_tree(parts, {}).tree) == greedy_by_definition(parts));
   }
+}
+
+TEST_CASE("build_tree: the greedy choice is that of its definition, also in flat layers") {
+  // More than nine parts, so that not all are neighbours; flat along each axis in turn, so that
+  // each term of the surface of a common box decides.
+  std::mt19937_64 random(9);
+  for (int run = 0; run < 9; ++run) {
+    std::vector<Box> boxes(12);
+    for (Box& box : boxes) {
+      for (int k = 0; k < 3; ++k) {
+        box.low[k] = k == run % 3 ? 0 : double(random() % 30);
+        box.high[k] = box.low[k] + 1;
+      }
+    }
+    const auto parts = parts_of_boxes(boxes);
+    CAPTURE(run);
+    CHECK(parts_below(build_tree(parts, {}).tree) == greedy_by_definition(parts));
+  }
+  const char* folder = std::getenv("CONVEXACT_TEST_DATA");
+  REQUIRE(folder != nullptr);
+  std::vector<NamedPart> parts;
+  const Mesh mesh = read_mesh(std::string(folder) + "/faults/m9c.obj");
+  for (const SceneObject& object : parts_of(mesh, "m9c.obj")) {
+    parts.push_back({object.part, {std::get<PointSet>(object.shape), object.polygons, {}}});
+  }
+  const std::set<Nodes> below = parts_below(build_tree(parts, {}).tree);
+  CHECK(below.contains(Nodes{0, 9}));
+  CHECK(below == greedy_by_definition(parts));
 }
 
 // ---- What can be wrong

@@ -184,6 +184,24 @@ TEST_CASE("check: a claim of a tree that is not true, or not proven, is refused"
     c.parts = {0, 1};
   });
   refused([](TreeRayAnswer& c) { c.visited[0].first = 77; });
+  // A first hit before every hull is a hit of nothing.
+  refused([](TreeRayAnswer& c) {
+    c.first = Rational(1, 2);
+    c.parts.clear();
+  });
+  refused([&](TreeRayAnswer& c) {
+    c.first = Rational(1, 2);
+    c.parts.clear();
+    c.visited.resize(1);
+  });
+  const HullTree one = build_tree(parts_of_boxes({{{-1, -1, -1}, {1, 1, 1}}}), {}).tree;
+  const SearchTree alone(one);
+  const Ray from_left{{-3, 0, 0}, {1, 0, 0}};
+  TreeRayAnswer hit = cast_ray(alone, from_left);
+  REQUIRE(hit.first == Rational(2));
+  hit.first = Rational(1);
+  hit.parts.clear();
+  CHECK_FALSE(check(alone, from_left, hit));
 
   const Polytope beside = solid_of(box_mesh({{1.5, 0, 0}, {2.5, 1, 1}}));
   const TreeOverlap met = find_overlap(tree, beside);

@@ -245,3 +245,36 @@ TEST_CASE("collapsed meshes: few faces, and no more than asked for") {
     }
   }
 }
+
+TEST_CASE(
+    "collapse: a way that leaves a triangle without area is not taken while there is another") {
+  // First to the middle of an edge beside: with it, the triangle over that edge has no area.
+  class ToAnEdge : public ShortestFirst {
+   public:
+    std::vector<Contraction> contractions(const CollapsingMesh& mesh, MeshCorner a,
+                                          MeshCorner b) const override {
+      std::vector<Contraction> ways;
+      for (const MeshTriangle& t : mesh.triangles()) {
+        const auto others =
+            std::count_if(t.begin(), t.end(), [&](MeshCorner v) { return v != a && v != b; });
+        if (others != 2) continue;
+        Point middle = Point::Zero();
+        for (const MeshCorner v : t) {
+          if (v != a && v != b) middle += mesh.at(v) / 2;
+        }
+        ways.push_back({0, middle});
+      }
+      for (const Contraction& way : ShortestFirst::contractions(mesh, a, b)) ways.push_back(way);
+      return ways;
+    }
+  };
+  const ComparedHull compared(shapes::octahedron());
+  ToAnEdge rule;
+  CollapsingMesh mesh(compared.hull.vertices, compared.hull.triangles, rule);
+  mesh.reduce_to(5);
+  CHECK(mesh.corners().size() == 5);
+  for (const MeshTriangle& t : mesh.triangles()) {
+    const Point ab = mesh.at(t[1]) - mesh.at(t[0]), ac = mesh.at(t[2]) - mesh.at(t[0]);
+    CHECK(ab.cross(ac).squaredNorm() > 0);
+  }
+}

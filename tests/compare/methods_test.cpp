@@ -157,6 +157,8 @@ TEST_CASE("mck: with room for every vertex it is the hull") {
   for (const auto& points : {shapes::octahedron(), shapes::fibonacci_sphere(40)}) {
     const ComparedHull hull(points);
     CHECK(refit_of(hull, "mck", 2 * points.size()).volume_ratio == 1);
+    // Triangles all: 2 n - 4 of them, and not one more is needed.
+    CHECK(refit_of(hull, "mck", 2 * points.size() - 4).volume_ratio == 1);
   }
 }
 

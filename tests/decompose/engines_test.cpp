@@ -2,6 +2,7 @@
 // The engines make the same merges: the exact one by the definitions, the filtered one by bounds.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstdlib>
 
 #include "convexact/cluster.hpp"
@@ -176,4 +177,32 @@ TEST_CASE("costs that doubles cannot tell apart are told apart") {
     CHECK(made.merges[0].kept == TriangleId(2));
     CHECK(made.merges[0].ties == 0);
   }
+}
+
+TEST_CASE("the filtered engine merges as the exact one does, on needles") {
+  const char* folder = std::getenv("CONVEXACT_TEST_DATA");
+  REQUIRE(folder != nullptr);
+  Compared all;
+  ClusterOptions options;
+  options.limit.value = 0;
+  options.max_parts = 2;
+  compare_engines(make_surface(read_mesh(std::string(folder) + "/faults/m6.obj")), options, all);
+  // Terrains on a line, so thin that the normals of hulls in doubles are mostly rounding.
+  std::mt19937 random(6);
+  const Point along(-0.43, 0.4835, -0.0301);
+  for (int exponent = -50; exponent <= -30; exponent += 2) {
+    const Mesh wide = terrain(3, 2, 3, 0, random);
+    std::vector<Point> points;
+    for (const Point& p : wide.points.doubles()) {
+      points.emplace_back((p[0] + 4 * p[1]) * along + std::ldexp(1.0, exponent) * p);
+    }
+    const Surface surface = make_surface({PointSet(points), wide.polygons, {}});
+    for (const auto measure : {ConcavityMeasure::Surface, ConcavityMeasure::Vertices}) {
+      options.measure = measure;
+      options.max_parts =
+          std::max<std::size_t>(2, count_groups(surface, neighbours(surface, options.connect)));
+      compare_engines(surface, options, all);
+    }
+  }
+  CHECK(all.merges > 100);
 }

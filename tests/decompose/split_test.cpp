@@ -340,3 +340,40 @@ TEST_CASE("split: the trees of pieces of shipped meshes are those of the definit
   }
   CHECK(splits > 5);
 }
+
+// The notch of the U is 1 deep: between x = 1 and x = 2 it reaches from z = 2 down to z = 1.
+TEST_CASE("split: a part that is as concave as the limit allows stays whole") {
+  const Mesh u{PointSet(std::vector<Point>{{0, 0, 0},
+                                           {3, 0, 0},
+                                           {3, 0, 2},
+                                           {2, 0, 2},
+                                           {2, 0, 1},
+                                           {1, 0, 1},
+                                           {1, 0, 2},
+                                           {0, 0, 2},
+                                           {0, 1, 0},
+                                           {3, 1, 0},
+                                           {3, 1, 2},
+                                           {2, 1, 2},
+                                           {2, 1, 1},
+                                           {1, 1, 1},
+                                           {1, 1, 2},
+                                           {0, 1, 2}}),
+               {{0, 1, 2, 3, 4, 5, 6, 7},
+                {15, 14, 13, 12, 11, 10, 9, 8},
+                {1, 0, 8, 9},
+                {2, 1, 9, 10},
+                {3, 2, 10, 11},
+                {4, 3, 11, 12},
+                {5, 4, 12, 13},
+                {6, 5, 13, 14},
+                {7, 6, 14, 15},
+                {0, 7, 15, 8}},
+               {}};
+  const Surface surface = make_surface(u);
+  SplitOptions options;
+  options.limit = {Rational(1), false};
+  CHECK(split(surface, options).leaves.size() == 1);
+  options.limit.value -= Rational(1, 1000000000);
+  CHECK(split(surface, options).leaves.size() > 1);
+}

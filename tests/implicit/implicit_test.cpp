@@ -295,6 +295,11 @@ TEST_CASE("kept_cells: what is refused" * sweep) {
   // The last bit of 0.1 is 2^-56, and 4.4 with that bit has more than 53.
   CHECK(refusal(ball, {{-0.1, -2, -2}, 4.5}, 3).code() == ErrorCode::InvalidArgument);
   CHECK(refusal(ball, {{-2, -2, -2}, 0x1p-1070}, 5).code() == ErrorCode::InvalidArgument);
+  // From 2^52 on, doubles are whole: at depth 3 the centers of cells are, at depth 4 they are not.
+  const ImplicitShape far(implicit::Sphere{{0x1p52 + 8, 8, 8}, 3});
+  const ImplicitBox far_box{{0x1p52, 0, 0}, 16};
+  CHECK(kept_cells(far, far_box, 3).corners.size() > 0);
+  CHECK(refusal(far, far_box, 4).code() == ErrorCode::InvalidArgument);
   // About 4^depth / 2 leaves.
   const Error many = refusal(ball, kBox, 12);
   CHECK(many.code() == ErrorCode::InvalidArgument);

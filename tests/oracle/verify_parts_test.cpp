@@ -327,3 +327,50 @@ TEST_CASE("verify_parts: faces that look inward are turned, or kept") {
   check_violated(verify_parts(cube, parts, request), {});
   CHECK(verify_parts(cube, parts, request).measures->solid_volume->exact == Rational(1));
 }
+
+TEST_CASE("verify_parts: with exact facets, faces that only rounding bent count each") {
+  // The cube with one corner too high by a bit: its top is two triangles, and five sides stay.
+  Mesh bent = box_mesh(box_of({0, 0, 0}));
+  std::vector<Point> corners(bent.points.doubles().begin(), bent.points.doubles().end());
+  const auto top = std::find(corners.begin(), corners.end(), Point(1, 1, 1));
+  REQUIRE(top != corners.end());
+  top->z() = 1 + 0x1p-52;
+  const Mesh points{PointSet(corners), {}, {}};
+  PartsRequest request;
+  request.claims = {MaxPartFacets};
+  request.max_facets = 6;
+  const std::vector<NamedPart> parts{{"bent", points}};
+  CHECK(verify_parts(box_mesh(box_of({0, 0, 0})), parts, request).holds());
+  request.exact_facets = true;
+  const PartsVerdict exact = verify_parts(box_mesh(box_of({0, 0, 0})), parts, request);
+  CHECK(exact[MaxPartFacets].status == Status::Violated);
+  CHECK(*exact.parts[0].size.facets > 6);
+}
+
+TEST_CASE("verify_parts: the pieces of a face that is cut in two are added up") {
+  // A slab through the cube leaves two faces, and three quarters of the other four, in two pieces.
+  const PartsVerdict verdict = judged({{0, 0, 0}}, {{{0.25, -1, -1}, {0.5, 2, 2}}});
+  REQUIRE(verdict.measures);
+  CHECK(verdict.measures->uncovered_area.contains(5));
+  CHECK(verdict.measures->uncovered_area.high() - verdict.measures->uncovered_area.low() <
+        Rational(1, 1000000));
+  CHECK(verdict.measures->surface_area.contains(6));
+}
+
+TEST_CASE("verify_parts: a flat part in a face of a solid one is not needed, in each of the six") {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double at : {0.0, 1.0}) {
+      Box flat{{0.25, 0.25, 0.25}, {0.75, 0.75, 0.75}};
+      flat.low[axis] = flat.high[axis] = at;
+      CAPTURE(axis);
+      CAPTURE(at);
+      for (const bool is_first : {true, false}) {
+        std::vector<Box> boxes = {box_of({0, 0, 0}), flat};
+        if (is_first) std::swap(boxes[0], boxes[1]);
+        const PartsVerdict verdict = judged({{0, 0, 0}}, boxes);
+        CHECK(verdict[PartsNeeded].status == Status::Violated);
+        CHECK(verdict[PartsNeeded].witness.parts.front() == (is_first ? 0 : 1));
+      }
+    }
+  }
+}

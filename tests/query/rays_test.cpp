@@ -211,3 +211,32 @@ TEST_CASE("rays: a zero direction is refused; a claim that is not true fails its
     a.line.reset();
   });
 }
+
+TEST_CASE("rays: a miss is not proven by facets whose planes the ray touches at one point") {
+  const Polytope cube = cube_of(1);
+  const struct {
+    Ray ray;
+    std::vector<IntegerVector3> entries, exits;  // at t = 1
+  } touching[] = {
+      {{{0, 2, 0}, {1, -1, 0}}, {{0, 1, 0}}, {{1, 0, 0}}},                   // an edge
+      {{{2, 0, 0}, {-1, 0, 1}}, {{1, 0, 0}}, {{0, 0, 1}}},                   // another one
+      {{{0, 2, 2}, {1, -1, -1}}, {{0, 1, 0}, {0, 0, 1}}, {{1, 0, 0}}},       // a vertex
+      {{{-2, -2, 0}, {1, 1, -1}}, {{-1, 0, 0}, {0, -1, 0}}, {{0, 0, -1}}}};  // another one
+  for (const auto& [ray, entries, exits] : touching) {
+    const RayAnswer right = checked(cube, ray);
+    CHECK(right.is_hit());
+    CHECK(right.first() == 1);
+    for (const HalfspaceId entry : facets_of(cube, entries)) {
+      for (const HalfspaceId exit : facets_of(cube, exits)) {
+        for (const Ids& missed : {Ids{entry, exit}, Ids{exit, entry}, Ids{entry}, Ids{exit}}) {
+          CHECK_FALSE(check(cube, ray, {{}, missed}));
+          CHECK_FALSE(check(cube, ray, {right.line, missed}));
+        }
+      }
+    }
+    // The same two facets prove the miss of a ray beside.
+    Ray beside = ray;
+    beside.origin *= Rational(1001, 1000);
+    CHECK_FALSE(checked(cube, beside).is_hit());
+  }
+}

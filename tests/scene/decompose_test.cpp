@@ -7,10 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <random>
 
 #include "assembled_meshes.hpp"
 #include "cells.hpp"
+#include "convexact/io.hpp"
 #include "convexact/verify_parts.hpp"
 #include "expect_error.hpp"
 #include "supporting_planes.hpp"
@@ -52,6 +54,11 @@ bool is_in_flat(const std::vector<RationalPoint>& corners, const RationalPoint& 
 // every halfspace that three of these span and that holds all of them.
 void check_owners(const Decomposition& d) {
   REQUIRE(d.owner.size() == d.surface.triangles.size());
+  // A cluster that became no part belongs to the part that it names.
+  for (const InnerCluster& inner : d.inner) {
+    REQUIRE(inner.part < d.parts.size());
+    CHECK(d.owner[inner.lowest.index()] == inner.part);
+  }
   CHECK(d.tested_triangles == d.surface.triangles.size());
   std::vector<std::size_t> times(d.owner.size(), 0);
   for (std::size_t k = 0; k < d.parts.size(); ++k) {
@@ -527,6 +534,36 @@ TEST_CASE("decompose: of two equal parts one stays") {
                             mesh_of(box_corners(kUnit), {{1, 5, 6, 2}})});
   const Decomposition d = decomposed(mesh);
   CHECK(d.parts.size() == 1);
+}
+
+TEST_CASE("decompose: parts that lie in others, of which some are dropped after them") {
+  const char* folder = std::getenv("CONVEXACT_TEST_DATA");
+  REQUIRE(folder != nullptr);
+  for (const char* file : {"sliver.obj", "tiny.obj"}) {
+    const Mesh mesh = read_mesh(std::string(folder) + "/faults/" + file);
+    for (const Precision precision : {Precision::Binary64, Precision::Binary32}) {
+      for (const Rational& limit : {Rational(0), Rational(3, 100)}) {
+        DecomposeRequest request;
+        request.precision = precision;
+        request.limit.value = limit;
+        check_owners(decomposed(mesh, request));
+      }
+    }
+  }
+}
+
+TEST_CASE("decompose: of two parts that are equal as stored the first one stays") {
+  // Two tetrahedra that binary32 can hold in the same box only.
+  const char* folder = std::getenv("CONVEXACT_TEST_DATA");
+  REQUIRE(folder != nullptr);
+  DecomposeRequest request;
+  request.precision = Precision::Binary32;
+  const Decomposition d = decomposed(read_mesh(std::string(folder) + "/faults/tiny.obj"), request);
+  check_owners(d);
+  REQUIRE(d.parts.size() == 1);
+  CHECK(d.parts[0].cluster.front().index() == 0);
+  REQUIRE(d.inner.size() == 1);
+  CHECK(d.inner[0].lowest.index() == 4);
 }
 
 // ---- Formats

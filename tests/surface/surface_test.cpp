@@ -5,11 +5,15 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <random>
 
 #include "cells.hpp"
+#include "convexact/io.hpp"
 #include "expect_error.hpp"
+#include "surface/common_point.hpp"
 
 using namespace convexact;
 using namespace support;
@@ -399,4 +403,90 @@ TEST_CASE("make_surface: points that are no doubles, T-junctions") {
                     {{0, 2, 3, 1}, {2, 4, 5, 3}},
                     {}};
   CHECK_FALSE(make_surface(joined(halved, halves)).is_closed);
+}
+
+// ---- Triangles in one plane, needles, and edges with any number of triangles
+
+TEST_CASE("common points: a triangle strictly inside another one, in any plane, from any corner") {
+  const std::vector<RationalPoint> flat = {at(0, 0, 0), at(8, 0, 0), at(0, 8, 0),
+                                           at(1, 1, 0), at(2, 1, 0), at(1, 2, 0)};
+  // The plane of z = 0, and planes that are parallel to no axis.
+  for (const RationalVector3& lift :
+       {RationalVector3(0, 0, 0), RationalVector3(1, 0, 0), RationalVector3(1, 3, 0)}) {
+    for (int turn = 0; turn < 3; ++turn) {
+      std::vector<RationalPoint> points;
+      for (const RationalPoint& p : flat) {
+        const RationalPoint q(p[0], p[1], lift[0] * p[0] + lift[1] * p[1]);
+        points.push_back(at(q[turn], q[(turn + 1) % 3], q[(turn + 2) % 3]));
+      }
+      const PointSet set(points);
+      std::array<std::uint32_t, 3> small{3, 4, 5};
+      do {
+        const Triangle s{PointId(small[0]), PointId(small[1]), PointId(small[2])};
+        for (std::uint32_t k = 0; k < 3; ++k) {
+          const Triangle big{PointId(k), PointId((k + 1) % 3), PointId((k + 2) % 3)};
+          CHECK(have_common_point(set, s, big));
+          CHECK(have_common_point(set, big, s));
+          CHECK(cross(set, s, big));
+          CHECK(cross(set, big, s));
+        }
+      } while (std::next_permutation(small.begin(), small.end()));
+    }
+  }
+}
+
+TEST_CASE(
+    "solid_volume: a shell whose face lies in one triangle of another shell is not within it") {
+  // 8^3, whatever lies in it: the small box touches the large one from inside, so that it is no
+  // cavity. x + y < 8 and x > y on its top, which lies in one triangle, however the square is cut.
+  const Mesh box = box_mesh({{5, 1, 7}, {6, 1.5, 8}});
+  for (const Mesh& inner : {box, reversed(box)}) {
+    CHECK(volume_of(joined(cube(0, 8), inner)) == 512);
+    CHECK(volume_of(joined(inner, cube(0, 8))) == 512);
+  }
+  // Apart from it, and inside out, the small box is a cavity.
+  CHECK(volume_of(joined(cube(0, 8), reversed(box_mesh({{5, 1, 6}, {6, 1.5, 7}})))) ==
+        512 - Rational(1, 2));
+}
+
+TEST_CASE("make_surface: the sign of the volume of needles is the exact one") {
+  const auto is_reversed = [](const Mesh& mesh) {
+    return make_surface(mesh).components[0].is_reversed;
+  };
+  const char* folder = std::getenv("CONVEXACT_TEST_DATA");
+  REQUIRE(folder != nullptr);
+  CHECK_FALSE(is_reversed(read_mesh(std::string(folder) + "/faults/m43.obj")));
+  std::mt19937_64 random(43);
+  const auto draw = [&] { return std::ldexp(double(random() >> 11), -52) - 1; };
+  std::size_t reversed_ones = 0;
+  for (int run = 0; run < 3000; ++run) {
+    const Point along(draw(), draw(), draw());
+    const double width = std::ldexp(1.0, -40 - run % 14);
+    std::vector<Point> p;
+    for (int k = 0; k < 4; ++k) {
+      p.emplace_back(draw() * along + width * Point(draw(), draw(), draw()));
+    }
+    const Mesh mesh{PointSet(p), {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}, {}};
+    const RationalPoint o = to_rational(p[0]);
+    const Rational six = RationalVector3(to_rational(p[1]) - o)
+                             .dot(RationalVector3(to_rational(p[2]) - o)
+                                      .cross(RationalVector3(to_rational(p[3]) - o)));
+    if (six == 0) continue;
+    CAPTURE(run);
+    CHECK(is_reversed(mesh) == (six < 0));
+    reversed_ones += six < 0;
+  }
+  CHECK(reversed_ones > 1000);
+}
+
+TEST_CASE("make_surface: an edge with one triangle is a border, one with three or more branches") {
+  const std::vector<Point> points = {{0, 0, 0}, {0, 0, 1},  {1, 0, 0},
+                                     {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  for (std::uint32_t triangles = 1; triangles <= 4; ++triangles) {
+    Mesh fan{PointSet(points), {}, {}};
+    for (std::uint32_t k = 0; k < triangles; ++k) fan.polygons.push_back({0, 1, 2 + k});
+    const SurfaceComponent component = make_surface(fan).components.at(0);
+    CHECK(component.border_edges == 2 * triangles + (triangles == 1 ? 1 : 0));
+    CHECK(component.branching_edges == (triangles > 2 ? 1 : 0));
+  }
 }
