@@ -248,33 +248,36 @@ TEST_CASE("collapsed meshes: few faces, and no more than asked for") {
 
 TEST_CASE(
     "collapse: a way that leaves a triangle without area is not taken while there is another") {
-  // First to the middle of an edge beside: with it, the triangle over that edge has no area.
-  class ToAnEdge : public ShortestFirst {
+  // A ridge from 0 to 1 over a square, and a corner below. If the ridge becomes the middle of a
+  // side of the square, the triangle over that side has no area, and no other one turns over.
+  const std::vector<Point> corners = {{-0.5, 0, 1}, {0.5, 0, 1}, {2, 0, 0}, {0, 2, 0},
+                                      {-2, 0, 0},   {0, -2, 0},  {0, 0, -2}};
+  const std::vector<MeshTriangle> triangles = {{0, 1, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1},
+                                               {1, 5, 2}, {1, 2, 3}, {6, 3, 2}, {6, 2, 5},
+                                               {6, 5, 4}, {6, 4, 3}};
+  class OfTheRidge : public CollapseRule {
    public:
-    std::vector<Contraction> contractions(const CollapsingMesh& mesh, MeshCorner a,
+    std::vector<Contraction> contractions(const CollapsingMesh&, MeshCorner a,
                                           MeshCorner b) const override {
-      std::vector<Contraction> ways;
-      for (const MeshTriangle& t : mesh.triangles()) {
-        const auto others =
-            std::count_if(t.begin(), t.end(), [&](MeshCorner v) { return v != a && v != b; });
-        if (others != 2) continue;
-        Point middle = Point::Zero();
-        for (const MeshCorner v : t) {
-          if (v != a && v != b) middle += mesh.at(v) / 2;
-        }
-        ways.push_back({0, middle});
-      }
-      for (const Contraction& way : ShortestFirst::contractions(mesh, a, b)) ways.push_back(way);
-      return ways;
+      if (a + b != 1) return {};
+      return {{0, side}, {0, Point(0, 0, 1)}};
     }
+    void merged(MeshCorner, MeshCorner) override {}
+
+    Point side;
   };
-  const ComparedHull compared(shapes::octahedron());
-  ToAnEdge rule;
-  CollapsingMesh mesh(compared.hull.vertices, compared.hull.triangles, rule);
-  mesh.reduce_to(5);
-  CHECK(mesh.corners().size() == 5);
-  for (const MeshTriangle& t : mesh.triangles()) {
-    const Point ab = mesh.at(t[1]) - mesh.at(t[0]), ac = mesh.at(t[2]) - mesh.at(t[0]);
-    CHECK(ab.cross(ac).squaredNorm() > 0);
+  for (const Point& side : {Point(1, 1, 0), Point(-1, 1, 0), Point(-1, -1, 0), Point(1, -1, 0)}) {
+    OfTheRidge rule;
+    rule.side = side;
+    CollapsingMesh mesh(corners, triangles, rule);
+    mesh.reduce_to(6);
+    check_closed_sphere(mesh);
+    REQUIRE(mesh.corners().size() == 6);
+    CHECK(mesh.at(0) == Point(0, 0, 1));
+    // A little inside of the side it is taken.
+    rule.side = side * 0.9375;
+    CollapsingMesh other(corners, triangles, rule);
+    other.reduce_to(6);
+    CHECK(other.at(0) == rule.side);
   }
 }
