@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <limits>
@@ -16,6 +17,8 @@
 #include "convexact/error.hpp"
 #include "json_schema.hpp"
 #include "process.hpp"
+#include "scene/solid.hpp"
+#include "stress/judge.hpp"
 #include "stress/stress_report.hpp"
 #include "sweep.hpp"
 
@@ -156,6 +159,42 @@ TEST_CASE("stress: a tie broken the wrong way, or listed wrongly, is a fault") {
       },
       tied_input());
   check_caught_of_both([](EngineAnswer& a) { a.run.steps[0].tie.pop_back(); }, tied_input());
+}
+
+// What one judge sees another one often sees, too: each of them alone must.
+TEST_CASE("stress: each judge of ties sees by itself that one is listed wrongly" * sweep) {
+  const StressInput input = tied_input().front();
+  const Shape shape = input.make();
+  StageLog log;
+  const Solid solid = std::get<Solid>(make_solid(shape, 1, true, log));
+  const CenteredDual centered{solid.dual, interior_point_of(solid)};
+  const EngineAnswer honest = answer_of(shape, {.engine = Engine::Exact});
+  REQUIRE(honest.run.steps[0].tie.size() == 4);
+  const auto judges = [&](const EngineAnswer& answer) {
+    return std::array{!faults_of_order(answer, follow(centered, answer)).empty(),
+                      !faults_by_definition(centered, answer).empty()};
+  };
+  CHECK(judges(honest) == std::array{false, false});
+  const auto check_seen = [&](const auto& change) {
+    EngineAnswer answer = honest;
+    change(answer.run.steps[0]);
+    const auto [by_order, by_definition] = judges(answer);
+    CHECK(by_order);
+    CHECK(by_definition);
+  };
+  check_seen([](Step& step) { step.tie.pop_back(); });
+  check_seen([](Step& step) { step.tie.erase(step.tie.begin() + 1); });
+  check_seen([](Step& step) { step.tie.clear(); });
+  check_seen([&](Step& step) {
+    // A halfspace that costs more: a side of the cube.
+    for (std::size_t i = 0; i < solid.dual.halfspaces.size(); ++i) {
+      const HalfspaceId id(i);
+      if (std::find(step.tie.begin(), step.tie.end(), id) == step.tie.end()) {
+        step.tie.push_back(id);
+        return;
+      }
+    }
+  });
 }
 
 TEST_CASE("stress: engines that promise the same and differ are at fault") {
