@@ -126,13 +126,14 @@ class EdgeSweep {
     return side != 0 ? side : turn(a, b, corners_[right(late)]);
   }
 
-  // Of edges that the line crosses; equal are only edges that touch.
+  // Of edges that the line crosses; neither of two is below the other only if they touch.
+  bool is_below(std::size_t a, std::size_t b) const {
+    const bool a_is_late = !(corners_[left(a)] < corners_[left(b)]);
+    return a_is_late ? side_of(a, b) < 0 : side_of(b, a) > 0;
+  }
   struct Below {
     const EdgeSweep& sweep;
-    bool operator()(std::size_t a, std::size_t b) const {
-      const bool a_is_late = !(sweep.corners_[sweep.left(a)] < sweep.corners_[sweep.left(b)]);
-      return a_is_late ? sweep.side_of(a, b) < 0 : sweep.side_of(b, a) > 0;
-    }
+    bool operator()(std::size_t a, std::size_t b) const { return sweep.is_below(a, b); }
   };
   using Crossed = std::set<std::size_t, Below>;
 

@@ -105,6 +105,20 @@ TEST_CASE("crossing edges: the two edges of the witness touch") {
   }
 }
 
+TEST_CASE(
+    "crossing edges: of a corner that hides another one, the edges that meet there are named") {
+  // Seen along z the last corner hides the first one: the edges before and behind both meet.
+  const std::vector<Point> corners = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 1}};
+  for (std::uint32_t turn = 0; turn < 5; ++turn) {
+    Mesh mesh{PointSet(corners), {{}}, {}};
+    for (std::uint32_t k = 0; k < 5; ++k) mesh.polygons[0].push_back((k + turn) % 5);
+    const auto crossed = MeshSurface(mesh).crossed_face({});
+    REQUIRE(crossed);
+    CHECK(std::set(crossed->corners.begin(), crossed->corners.end()) ==
+          std::set<std::uint32_t>{0, 1, 3, 4});
+  }
+}
+
 TEST_CASE("crossing edges: a comb is simple, and one with a bent tooth is not") {
   // All pairs of 12,000 edges would take minutes.
   std::vector<std::array<int, 2>> places = comb(6000);

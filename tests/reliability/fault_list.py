@@ -4,6 +4,7 @@ run in order)."""
 
 CONSTANT, FORGOTTEN, TIE, SIGN = 'constant / 16', 'underflow forgotten', 'tie rule dropped', 'sign flipped'
 PUSH, SKIP, STALE = 'push too small', 'verification skipped', 'stale value trusted'
+LIMIT, LOST = 'limit counted wrongly', 'something left out'
 
 _AUDIT = 'fast_plane_filter fast_audit'
 _CAPS = 'fast_cap_bounds fast_audit'
@@ -307,4 +308,34 @@ FAULTS = [
     (TIE, 'scene/best_of', 'least + kNearly * std::abs(least)', 'least - kNearly * least', 'search'),
     (TIE, 'oracle/find_move_fault', '} else if (change != Order::Less) {', '} else if (change == Order::Greater) {', 'oracle'),
     (SKIP, 'oracle/put', 'if (is_there_[id->index()] == there) {', 'if (false) {', 'oracle'),
+
+    # Each of these passed all tests once.
+    (LOST, 'surface/segment_meets', 'view.is_in(t, p) || view.meet(p, q, a, b)', 'view.meet(p, q, a, b)', 'surface'),
+    (CONSTANT, 'surface/sign_of_volume', """ +
+              2 * p.cwiseAbs().maxCoeff() * q.cwiseAbs().maxCoeff() * r.cwiseAbs().maxCoeff();""", ';', 'surface'),
+    (LIMIT, 'surface/count_edges', 'uses.size() > 2 ?', 'uses.size() > 3 ?', 'surface'),
+    (CONSTANT, 'decompose/near_facets', '7 * radius * normal.error + ', '', 'decompose'),
+    (LIMIT, 'decompose/add_node', 'node.concavity.squared > made_.squared_limit', 'node.concavity.squared >= made_.squared_limit', 'decompose'),
+    (LOST, 'bvh/common_box', ' + size.z() * size.x();', ';', 'bvh'),
+    (SKIP, 'bvh/check', 'parts.empty() == claim.first.has_value()', '(!parts.empty() && !claim.first)', 'bvh'),
+    (TIE, 'query/exclude_ray', 'most && *most < least', 'most && *most <= least', 'query'),
+    (LIMIT, 'implicit/require_exact_box', 'static_cast<int>(depth) - 1;', 'static_cast<int>(depth);', 'implicit'),
+    (TIE, 'compare/turns_over', '> 0)) return true;', '>= 0)) return true;', 'compare'),
+    (LIMIT, 'compare/propose_mck', 'if (grown.size() > faces) break;', 'if (grown.size() >= faces) break;', 'compare'),
+    (STALE, 'scene/drop_inner', 'inner.part = place[holder[inner.part].value_or(inner.part)];', '', 'scene'),
+    (TIE, 'scene/find_holders', 'if (j < k || !lies_in', 'if (j > k || !lies_in', 'scene'),
+    (LOST, 'oracle/request_for_a_part', 'request.exact_facets = asked.exact_facets;', '', 'oracle'),
+    (LOST, 'oracle/measure_parts', 'shares[piece.triangle.index()] += piece.share;', 'shares[piece.triangle.index()] = piece.share;', 'oracle'),
+    (TIE, 'oracle/for_pairs', 'a.low[axis] <= b.high[axis] &&', 'a.low[axis] < b.high[axis] &&', 'oracle'),
+    (TIE, 'oracle/for_pairs', '&& b.low[axis] <= a.high[axis]', '&& b.low[axis] < a.high[axis]', 'oracle'),
+
+    # In the code for edges that touch, points that no face uses, and ties behind a solid.
+    (TIE, 'oracle/edges_at_one_place', 'return b == (a + 1) % n;', 'return b == a + 1;', 'oracle'),
+    (SIGN, 'oracle/is_below', 'side_of(b, a) > 0', 'side_of(b, a) < 0', 'oracle'),
+    (LOST, 'oracle/ends', 'do_they_touch(*std::prev(above), *above)', 'false', 'oracle'),
+    (LOST, 'oracle/count_unused', 'return !used[trial.input.number_of(p)];', 'return !used[p.index()];', 'oracle'),
+    (LOST, 'oracle/follow', 'std::erase_if(next, [&](HalfspaceId i) { return stays_[i.index()]; });', '', 'oracle'),
+    (LOST, 'scene/take_in_loose_points', 'part.is_widened = true;', '', 'scene'),
+    (SIGN, 'scene/assign_points_inside', 'left = std::move(outside);', '', 'scene'),
+    (LOST, 'oracle/judge_is_hull', 'if (!beyond.worst && !worst_missed) {', 'if (!beyond.worst) {', 'oracle'),
 ]
