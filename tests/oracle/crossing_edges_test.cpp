@@ -108,14 +108,15 @@ TEST_CASE("crossing edges: the two edges of the witness touch") {
 TEST_CASE(
     "crossing edges: of a corner that hides another one, the edges that meet there are named") {
   // Seen along z the last corner hides the first one: the edges before and behind both meet.
-  const std::vector<Point> corners = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 1}};
-  for (std::uint32_t turn = 0; turn < 5; ++turn) {
+  const std::vector<Point> corners = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0},
+                                      {2, 1, 0}, {0, 4, 0}, {0, 0, 1}};
+  for (std::uint32_t turn = 0; turn < 6; ++turn) {
     Mesh mesh{PointSet(corners), {{}}, {}};
-    for (std::uint32_t k = 0; k < 5; ++k) mesh.polygons[0].push_back((k + turn) % 5);
+    for (std::uint32_t k = 0; k < 6; ++k) mesh.polygons[0].push_back((k + turn) % 6);
     const auto crossed = MeshSurface(mesh).crossed_face({});
     REQUIRE(crossed);
     CHECK(std::set(crossed->corners.begin(), crossed->corners.end()) ==
-          std::set<std::uint32_t>{0, 1, 3, 4});
+          std::set<std::uint32_t>{0, 1, 4, 5});
   }
 }
 
