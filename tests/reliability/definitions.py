@@ -11,7 +11,7 @@ _NO_FUNCTION = re.compile(r'\s*(?:template\s*<[^{]*>\s*)?(?:namespace|class|stru
 _CONSTANT = re.compile(r'\b(k[A-Z]\w*)\b[^;(){}]*=')
 
 
-def _blank(text):
+def blank(text):
     """The text with comments and quoted text blanked out, so that only braces of code remain."""
     def blank(match):
         return re.sub(r'[^\n]', ' ', match.group(0))
@@ -69,7 +69,7 @@ def _inside(code, start, end, scope):
 
 def definitions(path):
     """(name, start, end) of each function in a file, then of each constant k... with its statement."""
-    code = _blank(path.read_text(encoding='utf-8'))
+    code = blank(path.read_text(encoding='utf-8'))
     yield from _inside(code, 0, len(code), [])
     for match in _CONSTANT.finditer(code):
         yield match.group(1), code.rfind('\n', 0, match.start()) + 1, code.find(';', match.end()) + 1

@@ -52,11 +52,30 @@ UNITS = {
 }
 
 
+LIBRARY = re.compile(r'src/libconvexact_(kernel|solids|rim|lab)\.a\.p/')
+
+
 class Outcome:
     """How a test program ended: 'passed', 'failed', 'crashed' or 'timeout', and the cases that failed."""
 
     def __init__(self, how, cases=(), output=''):
         self.how, self.cases, self.output = how, list(cases), output
+
+
+def copy_tree(target, instead=()):
+    """Brings a copy of the sources up to date, some files with another text; files that are the same keep their time
+    of change."""
+    listed = subprocess.run(['git', 'ls-files', '-co', '--exclude-standard'], cwd=ROOT, check=True, capture_output=True, text=True)
+    for name in listed.stdout.split('\n'):
+        source, copy = ROOT / name, target / name
+        if not source.is_file():
+            continue
+        data = instead[name].encode() if name in instead else source.read_bytes()
+        if copy.exists() and copy.read_bytes() == data:
+            continue
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.write_bytes(data)
+        shutil.copymode(source, copy)
 
 
 class Scratch:
@@ -67,7 +86,7 @@ class Scratch:
         self.lean = pathlib.Path(tempfile.mkdtemp(prefix='lean', dir=self.tree.parent))
         atexit.register(shutil.rmtree, self.lean)
         self.changed, self.compiled, self.links = {}, {}, {}
-        self._copy()
+        copy_tree(self.tree)
         if not (self.build_folder / 'build.ninja').exists():
             subprocess.run(['meson', 'setup', self.build_folder, self.tree, *options], check=True,
                            stdout=subprocess.DEVNULL)
@@ -83,16 +102,6 @@ class Scratch:
     def _said(self, *command, folder=ROOT):
         return subprocess.run(command, cwd=folder, check=True, capture_output=True, text=True).stdout
 
-    def _copy(self):
-        """Brings the copy up to date; files that are the same keep their time of change."""
-        for name in self._said('git', 'ls-files', '-co', '--exclude-standard').split('\n'):
-            source, target = ROOT / name, self.tree / name
-            if not source.is_file() or (target.exists() and target.read_bytes() == source.read_bytes()):
-                continue
-            target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(source, target)
-            shutil.copymode(source, target)
-
     def build(self, test):
         """Builds a test as it is, if that has not been done."""
         if test in self.links:
@@ -106,8 +115,8 @@ class Scratch:
         """Compiles what makes `output` into `target`, without optimisation: what the compiler said if it failed.
         For the library the header that all sources include is compiled first, in the same way."""
         command, _ = self.commands[output]
-        drop = {'ccache', '-fpch-preprocess', '-Winvalid-pch', '-MD', '-g1', '-Isrc/libconvexact.a.p'}
-        words = [word for word in shlex.split(command) if word not in drop]
+        drop = {'ccache', '-fpch-preprocess', '-Winvalid-pch', '-MD', '-g1'}
+        words = [word for word in shlex.split(command) if word not in drop and not word.startswith('-Isrc/libconvexact')]
         for option in ('-MF', '-MQ'):
             del words[words.index(option):words.index(option) + 2]
         words += ['-O0', '-w', '-fdiagnostics-color=never', *more]
@@ -146,7 +155,7 @@ class Scratch:
         linked = set(self.links[test])
         for unit in UNITS.get(name, [name]):
             for output, (_, source) in self.commands.items():
-                in_library = output.startswith('src/libconvexact.a.p/')
+                in_library = LIBRARY.match(output)
                 if source == self.tree / unit and (in_library and not of_test or output in linked and of_test):
                     yield output
 

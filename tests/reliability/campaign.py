@@ -1,0 +1,199 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""All faults of fault_list.py in one build, each behind a switch, and the tests that catch each.
+
+  campaign.py                   all faults that a switch can hold, in build/campaign
+  campaign.py --only surface    those whose kind, place or text holds this
+  campaign.py --markdown FILE   a table by room, too
+
+The tests run once to find which test cases get to the place of which fault; then, for each fault, those cases
+alone, the quickest first. What cannot stand behind a switch, such as constants of the compiler, is named at the
+end: faults.py compiles these one at a time. Exit 1 if a fault is caught by no test."""
+import argparse
+import collections
+import json
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+
+from fault_list import FAULTS
+from faults import place_of
+from scratch import ROOT, copy_tree
+from switch import HEADER, LISTENER, switched
+
+OPTIONS = ['-Dassertions=true', '-Dbuildtype=plain', '-Db_ndebug=false', '-Doptimization=1', '-Dunity=on', '-Dunity_size=6',
+           '-Dthird_party=false', '-Dcpp_args=-w']
+LIMIT = 240  # seconds for the cases of one fault
+ROUNDS = 6   # of builds, until every switch that is left compiles
+
+
+class Campaign:
+    def __init__(self, folder, numbers):
+        self.folder, self.tree = folder, folder / 'tree'
+        self.build_folder = self.tree / 'build'
+        self.numbers, self.alone = list(numbers), {}
+        self.tree.mkdir(parents=True, exist_ok=True)
+
+    def write_sources(self):
+        """The tree with the switches of all faults that are left."""
+        texts, places = {}, collections.defaultdict(list)
+        for number in self.numbers:
+            name, at = place_of(FAULTS[number])
+            places[name].append((at, number))
+        for name, found in places.items():
+            text = (ROOT / name).read_text()
+            for at, number in sorted(found, reverse=True):
+                _, _, old, new, _ = FAULTS[number]
+                changed = switched(text, at, old, new, number)
+                if changed is None:
+                    self.alone[number] = 'it is no condition, value or statement'
+                else:
+                    text = changed
+            texts[name] = f'#include "{self.tree}/fault_switch.hpp"\n' + text
+        main = 'tests/support/test_main.cpp'
+        texts[main] = (ROOT / main).read_text() + f'\n#include "{self.tree}/fault_switch.hpp"\n' + LISTENER
+        self.numbers = [number for number in self.numbers if number not in self.alone]
+        copy_tree(self.tree, texts)
+        header = self.tree / 'fault_switch.hpp'
+        if not header.exists() or header.read_text() != HEADER:
+            header.write_text(HEADER)
+
+    def build(self):
+        """Builds the tests; a switch that does not compile is taken out."""
+        if not (self.build_folder / 'build.ninja').exists():
+            subprocess.run(['meson', 'setup', self.build_folder, self.tree, *OPTIONS], check=True, stdout=subprocess.DEVNULL)
+        for _ in range(ROUNDS):
+            self.write_sources()
+            ran = subprocess.run(['ninja', '-k', '0', '-C', self.build_folder, 'tests-of-a-change'], capture_output=True, text=True)
+            if ran.returncode == 0:
+                return
+            blamed = self.blamed(ran.stdout + ran.stderr)
+            if not blamed:
+                sys.exit(f'the campaign does not build:\n{ran.stdout[-3000:]}')
+            print(f'{len(blamed)} switches do not compile', file=sys.stderr)
+            self.alone.update(dict.fromkeys(blamed, 'it does not compile behind a switch'))
+            self.numbers = [number for number in self.numbers if number not in self.alone]
+        sys.exit('switches that do not compile are left')
+
+    def blamed(self, said):
+        """The faults whose switches are in the lines that the compiler complains about, or next to them."""
+        found = set()
+        for path, line in re.findall(r'^(\S+?):(\d+):\d+: (?:fatal )?error:', said, re.M):
+            file = (self.build_folder / path).resolve()
+            if not file.is_file():
+                continue
+            lines, at = file.read_text().split('\n'), int(line) - 1
+            for reach in range(40):
+                near = '\n'.join(lines[max(0, at - reach):at + 1])
+                numbers = re.findall(r'campaign::(?:is|condition|value<[^>]*>)\((\d+)', near)
+                if numbers:
+                    found.update(map(int, numbers))
+                    break
+        return found & set(self.numbers)
+
+    def tests(self):
+        """By name: the words that start it, and its environment."""
+        said = subprocess.run(['meson', 'introspect', '--tests', self.build_folder], check=True, capture_output=True, text=True).stdout
+        return {test['name']: (test['cmd'], test['env']) for test in json.loads(said)}
+
+    def run(self, words, environment, limit):
+        """(exit code, output); None instead of a code beyond the time limit."""
+        process = subprocess.Popen(words, text=True, errors='replace', start_new_session=True, cwd=self.build_folder,
+                                   env={**os.environ, **environment}, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        try:
+            output, _ = process.communicate(timeout=limit)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)  # the session that was started above
+            process.communicate()
+            return None, ''
+        return process.returncode, output
+
+    def cases_of(self, name, test):
+        """[(seconds, case, places)] of a test that passes without a fault, the quickest first."""
+        words, environment = test
+        log = self.folder / 'cases.txt'
+        log.unlink(missing_ok=True)
+        code, output = self.run(words, {**environment, 'CONVEXACT_FAULT_CASES': str(log)}, 10 * LIMIT)
+        if code != 0:
+            sys.exit(f'{name} fails without a fault:\n{output[-2000:]}')
+        cases = []
+        for line in log.read_text().split('\n') if log.exists() else []:
+            if line.count('\t') >= 2:
+                case, seconds, places = line.rsplit('\t', 2)
+                cases.append((float(seconds), case, {int(place.split(':')[0]) for place in places.split()}))
+        return sorted(cases, key=lambda found: found[0])
+
+    def judge(self, number, name, test, cases):
+        """(how, case): 'caught', 'differed', 'equal', 'unreached' by one test."""
+        reached = [case for _, case, places in cases if number in places]
+        if not reached:
+            return 'unreached', ''
+        words, environment = test
+        seen = self.folder / 'seen.txt'
+        seen.unlink(missing_ok=True)
+        wanted = ','.join(case.replace('\\', '\\\\').replace(',', '\\,') for case in reached)
+        code, output = self.run([*words, '--abort-after=1', f'--test-case={wanted}'],
+                                {**environment, 'CONVEXACT_FAULT': str(number), 'CONVEXACT_FAULT_SEEN': str(seen)}, LIMIT)
+        if code != 0:
+            case = re.findall(r'^TEST CASE:\s+(.*\S)', output, re.M)
+            return 'caught', 'no end in time' if code is None else f'{name}: {case[-1] if case else "a crash"}'
+        differed = seen.exists() and re.search(rf'\b{number}:3\b', seen.read_text())
+        return ('differed' if differed else 'equal'), f'{len(reached)} cases'
+
+
+def table(rows):
+    """By room: injected, caught, reached and different yet passed, reached only, never reached."""
+    rooms = collections.defaultdict(collections.Counter)
+    for row in rows:
+        rooms[row['place'].split('/')[0]][row['how']] += 1
+    lines = ['| room | injected | caught | other values, yet passed | reached, not told apart | never reached |',
+             '|---|---:|---:|---:|---:|---:|']
+    for room, found in sorted(rooms.items()):
+        lines.append(f'| {room} | {sum(found.values())} | {found["caught"]} | {found["differed"]} | {found["equal"]} | {found["unreached"]} |')
+    return '\n'.join(lines) + '\n'
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument('--folder', default=ROOT / 'build' / 'campaign', type=pathlib.Path)
+    parser.add_argument('--only', default='')
+    parser.add_argument('--json', type=pathlib.Path, help='also write a row for each fault here')
+    parser.add_argument('--markdown', type=pathlib.Path, help='also write the table by room here')
+    arguments = parser.parse_args()
+    chosen = [k for k, fault in enumerate(FAULTS) if any(arguments.only in part for part in fault)]
+    campaign = Campaign(arguments.folder.resolve(), range(len(FAULTS)))  # all, so that another choice needs no build
+    campaign.build()
+    tests, known, rows = campaign.tests(), {}, []
+    for number in chosen:
+        if number in campaign.alone:
+            continue
+        kind, anchor, _, new, names = FAULTS[number]
+        how, said = 'unreached', ''
+        for name in names.split():
+            if name not in known:
+                known[name] = campaign.cases_of(name, tests[name])
+            found = campaign.judge(number, name, tests[name], known[name])
+            if ['unreached', 'equal', 'differed', 'caught'].index(found[0]) > ['unreached', 'equal', 'differed', 'caught'].index(how):
+                how, said = found
+            if how == 'caught':
+                break
+        rows.append({'number': number, 'kind': kind, 'place': anchor, 'to': new, 'how': how, 'said': said})
+        print(f'{len(rows)}/{len(chosen)} {anchor} | {" ".join(new.split())[:60]} | {how} {said}', flush=True)
+        if arguments.json:
+            arguments.json.write_text(json.dumps(rows, indent=1))
+    print(table(rows), end='')
+    if arguments.markdown:
+        arguments.markdown.write_text(table(rows))
+    for number in sorted(set(campaign.alone) & set(chosen)):
+        print(f'not behind a switch, see faults.py: {FAULTS[number][1]}, as {campaign.alone[number]}')
+    missed = sum(row['how'] != 'caught' for row in rows)
+    print(f'{len(rows)} faults behind a switch: {len(rows) - missed} caught, {missed} not; '
+          f'{len(set(campaign.alone) & set(chosen))} need a build of their own')
+    return 1 if missed else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
