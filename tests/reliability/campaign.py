@@ -63,10 +63,10 @@ class Campaign:
 
     def build(self):
         """Builds the tests; a switch that does not compile is taken out."""
+        self.write_sources()
         if not (self.build_folder / 'build.ninja').exists():
             subprocess.run(['meson', 'setup', self.build_folder, self.tree, *OPTIONS], check=True, stdout=subprocess.DEVNULL)
         for _ in range(ROUNDS):
-            self.write_sources()
             ran = subprocess.run(['ninja', '-k', '0', '-C', self.build_folder, 'tests-of-a-change'], capture_output=True, text=True)
             if ran.returncode == 0:
                 return
@@ -76,6 +76,7 @@ class Campaign:
             print(f'{len(blamed)} switches do not compile', file=sys.stderr)
             self.alone.update(dict.fromkeys(blamed, 'it does not compile behind a switch'))
             self.numbers = [number for number in self.numbers if number not in self.alone]
+            self.write_sources()
         sys.exit('switches that do not compile are left')
 
     def blamed(self, said):
