@@ -43,9 +43,8 @@ std::string proof_of_some_decomposition(FuzzInput& in) {
   if (in.below(4) == 0) request.precision = Precision::Binary32;
   if (in.below(8) == 0) request.connect = Connect::Touching;
   request.measures = false;
-  Mesh mesh = triangles_of(in);
+  const Mesh mesh = triangles_of(in);
   if (mesh.polygons.empty()) return "";
-  drop_unused_points(mesh);  // a proof is about triangles
   const DecomposeOutcome outcome = decompose(mesh, request);
   const auto* made = std::get_if<Decomposition>(&outcome);
   return made == nullptr ? "" : write_decomposition_proof(*made, request);

@@ -61,23 +61,12 @@ class DecompositionWriter {
   ProofLines out_;
 };
 
-// The proof is about triangles only.
-void require_triangles_only(const Decomposition& made) {
-  const auto widened = std::count_if(made.parts.begin(), made.parts.end(),
-                                     [](const Part& part) { return part.is_widened; });
-  if (widened == 0) return;
-  throw Error(ErrorCode::InvalidArgument,
-              "a proof is about faces, and points that no face uses lie outside of the hulls of "
-              "these: leave such points out");
-}
-
 DecompositionWriter::DecompositionWriter(const Decomposition& made, const DecomposeRequest& request)
     : made_(made),
       request_(request),
       surface_(made.surface),
       concavity_(made.surface, request.measure),
       near_(made.surface, request.measure, false) {
-  require_triangles_only(made);
   find_clusters();
 }
 
