@@ -45,12 +45,16 @@ class Campaign:
             places[name].append((at, number))
         for name, found in places.items():
             text = (ROOT / name).read_text()
+            unchanged = len(text)  # up to here
             for at, number in sorted(found, reverse=True):
                 _, _, old, new, _ = FAULTS[number]
                 changed = switched(text, at, old, new, number)
                 if changed is None:
                     self.alone[number] = 'it is no condition, value or statement'
+                elif at + len(old) > unchanged:
+                    self.alone[number] = 'another fault is in this statement'
                 else:
+                    unchanged = len(os.path.commonprefix([text, changed]))
                     text = changed
             texts[name] = f'#include "{self.tree}/fault_switch.hpp"\n' + text
         main = 'tests/support/test_main.cpp'
