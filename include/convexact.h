@@ -257,9 +257,8 @@ typedef struct convexact_decomposition convexact_decomposition;
  * clockwise from outside; triangles are turned where the solid needs it. Every triangle gets an
  * owner, a part that holds it: proven on the numbers of the part as they are. So the parts cover
  * the surface, but need not cover the solid. A point that no triangle uses goes to the part that is
- * nearest to it. CONVEXACT_NO_INTERIOR if all triangles lie in one
- * plane, unless `flat` is thicken or keep; CONVEXACT_UNREPRESENTABLE if the precision cannot hold a
- * part. */
+ * nearest to it. CONVEXACT_NO_INTERIOR if all triangles lie in one plane, unless `flat` is thicken
+ * or keep; CONVEXACT_UNREPRESENTABLE if the precision cannot hold a part. */
 CONVEXACT_API convexact_status convexact_decompose(const double* points, size_t point_count,
                                                    const uint32_t* triangles, size_t triangle_count,
                                                    const convexact_decompose_options* options,

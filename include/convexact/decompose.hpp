@@ -148,10 +148,10 @@ using DecomposeOutcome = std::variant<Decomposition, NotSolid>;
 /// Decomposes a mesh and proves on the stored numbers that every triangle lies in its owner.
 /// @return NotSolid if all points of faces lie in one plane, unless `flat` is Thicken or Keep.
 /// @throws Error NoInterior if the mesh has no face; InvalidArgument for points that no face uses
-///               and LoosePoints::Refuse, for what cluster(), split()
-///               and simplify() refuse, for an option of the other method, and for budgets that
-///               cannot hold; Unrepresentable if the format cannot hold a part; Stopped; Internal
-///               if a proof fails.
+/// if
+///               these are refused, for what cluster(), split() and simplify() refuse, for an
+///               option of the other method, and for budgets that cannot hold; Unrepresentable if
+///               the format cannot hold a part; Stopped; Internal if a proof fails.
 [[nodiscard]] DecomposeOutcome decompose(const Mesh& mesh, const DecomposeRequest& request = {});
 
 }  // namespace convexact

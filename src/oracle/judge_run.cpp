@@ -188,7 +188,7 @@ ByTies is_end_of_removals(Case& c, std::size_t found) {
   if (const auto* question = c.simplification(); question != nullptr && !question->volume) {
     if (found <= greedy_run(c, question->faces).solid.exact.planes.size()) return ByTies::Lead;
   }
-  StageLog log;
+  StageLog log(StageWatch{.stop = c.stop});
   const auto solid = make_solid(Shape(c.given.points), kSeed, true, log);
   return do_ties_lead(std::get<Solid>(solid), *kept, kMostTieStates, c.stop);
 }
