@@ -101,7 +101,7 @@ constexpr double kArcSine = 4;
 // product (alpha / sin alpha) (cos - cos cos), whose second factor is at most 1.5, is off by
 // 155u * 1.5 + 2.42 (42u * 3 + 4u) < 550u; theta sin theta, theta <= 2.1, by
 // (48u + 26u) + 2.1 * 52u < 200u.
-constexpr double kOfFar = 2 * 550 + 200, kFarExcessError = 2048;
+constexpr double kOfFar = 2 * 550 + 200, kFarExcessError = 1344;
 static_assert(kOfFar < kFarExcessError);
 static_assert(123 + 2.42 * (2 * kArcSine + 4) < 155 && 2.1 * (2 * kArcSine + 4) < 26);
 
@@ -112,7 +112,7 @@ static_assert(123 + 2.42 * (2 * kArcSine + 4) < 155 && 2.1 * (2 * kArcSine + 4) 
 // by 65u / h + pi 28u / h.
 constexpr double kPi = 3.15;  // not less
 constexpr double kOfWide = 2 * (2 * (24 * kPi + 40) + kPi * (3 * 56 + 4)) + 65 + 28 * kPi;
-constexpr double kWideExcessError = 2048, kLeastSquaredHalf = 0x1p-10;
+constexpr double kWideExcessError = 1728, kLeastSquaredHalf = 0x1p-10;
 static_assert(kOfWide < kWideExcessError);
 
 double far_excess(double a, double b, double c) {

@@ -8,28 +8,10 @@
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
 #include "number/arithmetic.hpp"
-#include "number/roundoff.hpp"
+#include "query/probe_errors.hpp"
 
 namespace convexact {
 namespace {
-
-// Error of the value of a plane at a point, |y_k| <= 1, or at a vertex, whose coordinates are
-// rounded as well, with u = kUnitRoundoff. The normal's components are at most 1, each off by at
-// most u/2; the offset is below 2, because the plane meets the frame's ball, so off by at most u:
-// together 5u/2. The vertex's coordinates are off by u/2 each: 3u/2. Three products of at most 1
-// are off by u/2 each: 3u/2. The sums are at most 2, 3 and 5, so off by at most u, 2u and 4u. All
-// of it is 25u/2. Values themselves are at most 5. For a ProbePlane at a vertex the same terms are
-// smaller.
-constexpr double kPlaneError = 16 * kUnitRoundoff;
-
-// Of the difference w of two such values, at most 10: twice that, and its rounding, 8u.
-constexpr double kSlopeError = 3 * kPlaneError;
-
-// Of v + t w for |t| <= 4: kPlaneError + 4 kSlopeError, and roundings of a product and a sum of at
-// most 45, 64u, so below 17 kPlaneError. Of v_i w_j - w_i v_j: two products of values of at most 5
-// and slopes of at most 10, each off by 5 kSlopeError + 10 kPlaneError, and by products of errors
-// below kPlaneError; and the roundings of numbers of at most 100, 64u each: below 64 kPlaneError.
-constexpr double kLineError = 64 * kPlaneError;
 
 Point nearest(const RationalPoint& x) {
   return {to_double(x[0], Rounding::Nearest), to_double(x[1], Rounding::Nearest),
@@ -115,26 +97,25 @@ bool ProbedSolid::is_hit(const Point& point) const {
 // with two positive factors, is the same for every t, and would be <= 0 on a hit.
 bool ProbedSolid::is_hit(const ProbeLine& line) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  constexpr double kMostT = 4;
   double low = -kInfinity, high = kInfinity;
-  TwoTerms entry{}, exit{};  // v and w of the facets that give the ends
+  LineValues entry{}, exit{};  // of the facets that give the ends
   for (const DoubleHalfspace& plane : planes_) {
-    const double v = plane(line.first), w = plane(line.second) - v;
-    if (w < -kSlopeError && -v / w > low) {
-      low = -v / w;
-      entry = {v, w};
-    } else if (w > kSlopeError && -v / w < high) {
-      high = -v / w;
-      exit = {v, w};
+    const LineValues values(plane, line.first, line.second);
+    const double zero = -values.at_first / values.slope;
+    if (values.slope < -kSlopeError && zero > low) {
+      low = zero;
+      entry = values;
+    } else if (values.slope > kSlopeError && zero < high) {
+      high = zero;
+      exit = values;
     }
   }
   if (low > -kInfinity && high < kInfinity) {
-    if (entry.high * exit.low - entry.low * exit.high > kLineError) return false;
+    if (entry.gap_before(exit) > kLineError) return false;
     const double t = low + (high - low) / 2;
     if (std::abs(t) <= kMostT &&
         std::all_of(planes_.begin(), planes_.end(), [&](const DoubleHalfspace& plane) {
-          const double v = plane(line.first), w = plane(line.second) - v;
-          return v + t * w < -kLineError;
+          return LineValues(plane, line.first, line.second).at(t) < -kLineError;
         })) {
       return true;
     }

@@ -208,7 +208,7 @@ TEST_CASE("metric costs: the bound of the angles holds for the worst found, and 
     for (const double size : {2.0, 4.0, 16.0}) wide = std::max(wide, most_used({size, flat}));
   }
   CHECK(near > 1.0 / 16);
-  CHECK(far > 1.0 / 64);
-  CHECK(wide > 1.0 / 64);
+  CHECK(far > 1.0 / 16);
+  CHECK(wide > 1.0 / 16);
   MESSAGE("near " << near << ", far " << far << ", wide " << wide);
 }

@@ -4,6 +4,7 @@
 
   campaign.py                   all faults that a switch can hold, in build/campaign
   campaign.py --only surface    those whose kind, place or text holds this
+  campaign.py --drawn 8         and 8 mutants of each room that has fewer than ten faults in the list, by lot
   campaign.py --markdown FILE   a table by room, too
 
 The tests run once to find which test cases get to the place of which fault; then, for each fault, those cases
@@ -14,44 +15,87 @@ import collections
 import json
 import os
 import pathlib
+import random
 import re
 import signal
 import subprocess
 import sys
 
+import mutants
+from definitions import sources
 from fault_list import FAULTS
 from faults import place_of
 from scratch import ROOT, copy_tree
 from switch import HEADER, LISTENER, switched
 
+Fault = collections.namedtuple('Fault', 'kind place file at old new tests')  # tests: names, in order
+
 OPTIONS = ['-Dassertions=true', '-Dbuildtype=plain', '-Db_ndebug=false', '-Doptimization=1', '-Dunity=on', '-Dunity_size=6',
            '-Dthird_party=false', '-Dcpp_args=-w']
 LIMIT = 240  # seconds for the cases of one fault
 ROUNDS = 6   # of builds, until every switch that is left compiles
+FEW = 10     # faults in the list; rooms with fewer get some by lot
+# The tests that are asked about a fault drawn by lot, by its room; not in the table: the room's own.
+TESTS = {
+    'check': ['check', 'check_mutated'], 'cli': ['cli', 'cli of decompositions'], 'diff': ['oracle_programs', 'conform'],
+    'dual': ['dual', 'simplify'], 'io': ['io', 'cli', 'io_broken_files'], 'lab': ['report', 'stress', 'teach', 'compare'],
+    'measure': ['measure', 'simplify'], 'number': ['number', 'geometry', 'measure', 'fast'], 'pages': ['report', 'teach'],
+    'query': ['query', 'hull_trees', 'cli'], 'report': ['report', 'cli'], 'shapes': ['shapes', 'hull', 'cli'],
+    'stress': ['stress', 'cli'], 'capi': ['capi'], 'search': ['search', 'search_property', 'hull_trees'],
+}
+
+
+def listed():
+    """The faults of fault_list.py."""
+    for kind, place, old, new, tests in FAULTS:
+        file, at = place_of((kind, place, old, new, tests))
+        yield Fault(kind, place, file, at, old, new, tests.split())
+
+
+def drawn(count, seed):
+    """Mutants by lot, `count` in each room that has few faults in the list."""
+    have = collections.Counter(fault[1].split('/')[0] for fault in FAULTS)
+    rooms = collections.defaultdict(list)
+    for path in sources(('src',)):
+        rooms[path.parent.relative_to(ROOT / 'src').as_posix()].append(path)
+    for room, paths in sorted(rooms.items()):
+        if have[room] >= FEW or room in ('.', 'pch'):
+            continue
+        found = []
+        for path in paths:
+            text = path.read_text()
+            starts = [0]
+            for line in text.split('\n'):
+                starts.append(starts[-1] + len(line) + 1)
+            for line, column, old, new in mutants.mutants_of(text):
+                at = starts[line - 1] + column
+                if text.startswith(old, at) and switched(text, at, old, new, 0) is not None:
+                    found.append(Fault('drawn', f'{room}/{path.name}:{line}', str(path.relative_to(ROOT)), at, old, new,
+                                       TESTS.get(room, [room])))
+        yield from random.Random(f'{room} {seed}').sample(found, min(count, len(found)))
 
 
 class Campaign:
-    def __init__(self, folder, numbers):
+    def __init__(self, folder, faults):
         self.folder, self.tree = folder, folder / 'tree'
         self.build_folder = self.tree / 'build'
-        self.numbers, self.alone = list(numbers), {}
+        self.faults, self.numbers, self.alone = faults, list(range(len(faults))), {}
         self.tree.mkdir(parents=True, exist_ok=True)
 
     def write_sources(self):
         """The tree with the switches of all faults that are left."""
         texts, places = {}, collections.defaultdict(list)
         for number in self.numbers:
-            name, at = place_of(FAULTS[number])
-            places[name].append((at, number))
+            places[self.faults[number].file].append((self.faults[number].at, number))
         for name, found in places.items():
             text = (ROOT / name).read_text()
             unchanged = len(text)  # up to here
             for at, number in sorted(found, reverse=True):
-                _, _, old, new, _ = FAULTS[number]
-                changed = switched(text, at, old, new, number)
+                fault = self.faults[number]
+                changed = switched(text, at, fault.old, fault.new, number)
                 if changed is None:
                     self.alone[number] = 'it is no condition, value or statement'
-                elif at + len(old) > unchanged:
+                elif at + len(fault.old) > unchanged:
                     self.alone[number] = 'another fault is in this statement'
                 else:
                     unchanged = len(os.path.commonprefix([text, changed]))
@@ -86,9 +130,9 @@ class Campaign:
     def blamed(self, said):
         """The faults whose switches are in the lines that the compiler complains about, or next to them."""
         found = set()
-        for path, line in re.findall(r'^(\S+?):(\d+):\d+: (?:fatal )?error:', said, re.M):
+        for path, line in re.findall(r'^(\S+?):(\d+):\d+:\s+(?:(?:fatal )?error:|required from)', said, re.M):
             file = (self.build_folder / path).resolve()
-            if not file.is_file():
+            if not file.is_file() or self.tree not in file.parents:
                 continue
             lines, at = file.read_text().split('\n'), int(line) - 1
             for reach in range(40):
@@ -119,9 +163,11 @@ class Campaign:
     def cases_of(self, name, test):
         """[(seconds, case, places)] of a test that passes without a fault, the quickest first."""
         words, environment = test
-        log = self.folder / 'cases.txt'
+        log, started = self.folder / 'cases.txt', self.folder / 'started.txt'
         log.unlink(missing_ok=True)
-        code, output = self.run(words, {**environment, 'CONVEXACT_FAULT_CASES': str(log)}, 10 * LIMIT)
+        started.unlink(missing_ok=True)
+        code, output = self.run(words, {**environment, 'CONVEXACT_FAULT_CASES': str(log),
+                                        'CONVEXACT_FAULT_SEEN': str(started)}, 10 * LIMIT)
         if code != 0:
             sys.exit(f'{name} fails without a fault:\n{output[-2000:]}')
         cases = []
@@ -167,33 +213,39 @@ def main():
     parser.add_argument('--only', default='')
     parser.add_argument('--json', type=pathlib.Path, help='also write a row for each fault here')
     parser.add_argument('--markdown', type=pathlib.Path, help='also write the table by room here')
+    parser.add_argument('--drawn', type=int, default=0, metavar='N')
+    parser.add_argument('--seed', type=int, default=1, help='of those drawn')
     arguments = parser.parse_args()
-    chosen = [k for k, fault in enumerate(FAULTS) if any(arguments.only in part for part in fault)]
-    campaign = Campaign(arguments.folder.resolve(), range(len(FAULTS)))  # all, so that another choice needs no build
+    # All are built, so that another choice needs no build.
+    campaign = Campaign(arguments.folder.resolve(), [*listed(), *drawn(arguments.drawn, arguments.seed)])
+    chosen = [k for k, fault in enumerate(campaign.faults)
+              if any(arguments.only in part for part in (fault.kind, fault.place, fault.old, fault.new))]
     campaign.build()
     tests, known, rows = campaign.tests(), {}, []
+    order = ['unreached', 'equal', 'differed', 'caught']
     for number in chosen:
         if number in campaign.alone:
             continue
-        kind, anchor, _, new, names = FAULTS[number]
+        fault = campaign.faults[number]
         how, said = 'unreached', ''
-        for name in names.split():
+        for name in fault.tests:
             if name not in known:
                 known[name] = campaign.cases_of(name, tests[name])
             found = campaign.judge(number, name, tests[name], known[name])
-            if ['unreached', 'equal', 'differed', 'caught'].index(found[0]) > ['unreached', 'equal', 'differed', 'caught'].index(how):
+            if order.index(found[0]) > order.index(how):
                 how, said = found
             if how == 'caught':
                 break
-        rows.append({'number': number, 'kind': kind, 'place': anchor, 'to': new, 'how': how, 'said': said})
-        print(f'{len(rows)}/{len(chosen)} {anchor} | {" ".join(new.split())[:60]} | {how} {said}', flush=True)
+        rows.append({'number': number, **fault._asdict(), 'how': how, 'said': said})
+        print(f'{len(rows)}/{len(chosen)} {fault.place} | {" ".join(fault.old.split())[:40]} -> '
+              f'{" ".join(fault.new.split())[:40]} | {how} {said}', flush=True)
         if arguments.json:
             arguments.json.write_text(json.dumps(rows, indent=1))
     print(table(rows), end='')
     if arguments.markdown:
         arguments.markdown.write_text(table(rows))
     for number in sorted(set(campaign.alone) & set(chosen)):
-        print(f'not behind a switch, see faults.py: {FAULTS[number][1]}, as {campaign.alone[number]}')
+        print(f'not behind a switch, see faults.py: {campaign.faults[number].place}, as {campaign.alone[number]}')
     missed = sum(row['how'] != 'caught' for row in rows)
     print(f'{len(rows)} faults behind a switch: {len(rows) - missed} caught, {missed} not; '
           f'{len(set(campaign.alone) & set(chosen))} need a build of their own')

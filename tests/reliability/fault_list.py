@@ -46,6 +46,7 @@ FAULTS = [
     (CONSTANT, 'number/kUnit', 'kUnit = 0x1p-102', 'kUnit = 0x1p-106', 'number ' + _AUDIT),
     (CONSTANT, 'number/split', '0x8000001p0 * x', '0x800001p0 * x', 'number geometry ' + _AUDIT),
     (CONSTANT, 'query/kPlaneError', 'kPlaneError = 16 * kUnitRoundoff', 'kPlaneError = kUnitRoundoff', 'query'),
+    (CONSTANT, 'query/kLineError', 'kLineError = 64 * kPlaneError', 'kLineError = 4 * kPlaneError', 'query'),
 
     # Tie rules.
     (TIE, 'query/satisfies_all', 'return facet(x) <= 0;', 'return facet(x) < 0;', 'query'),
@@ -179,12 +180,12 @@ FAULTS = [
     (STALE, 'fast/forget_terms_of', 'return t.x == removed || t.y == removed;', 'return t.x == removed;', 'fast_metric_cost'),
     (STALE, 'fast/remove', 'if (metric_ && errors_) errors_->lower(r, lasting);', '', 'fast_float_bound'),
     (STALE, 'fast/remove', 'queue_.update(r, Scalar(lasting));', '', 'fast_float_bound'),
-    (CONSTANT, 'fast/kWideExcessError', 'kWideExcessError = 2048,', 'kWideExcessError = 128,', 'fast_metric_cost'),
+    (CONSTANT, 'fast/kWideExcessError', 'kWideExcessError = 1728,', 'kWideExcessError = 108,', 'fast_metric_cost'),
     (SIGN, 'fast/in_callers_frame', 'return {p.x * axis_weight_[0], p.y * axis_weight_[1], p.z * axis_weight_[2]};', 'return p;', 'fast_metric_cost'),
     (SIGN, 'simplify/edges_times_angles', '} else if (ends[0] < ends[1]) {', '} else {', 'metric_runs'),
     (SIGN, 'fast/exact_mean_width', 'roof.base_edge(q, of), -1)', 'roof.base_edge(q, of), 1)', 'fast_metric_cost'),
     (CONSTANT, 'fast/kFromDirections', 'kNearExcessError = 72;', 'kNearExcessError = 4.5;', 'fast_metric_cost'),
-    (CONSTANT, 'fast/kOfFar', 'kFarExcessError = 2048;', 'kFarExcessError = 128;', 'fast_metric_cost'),
+    (CONSTANT, 'fast/kOfFar', 'kFarExcessError = 1344;', 'kFarExcessError = 84;', 'fast_metric_cost'),
     (CONSTANT, 'fast/kOfChord', 'kChordError = 24;', 'kChordError = 1.5;', 'fast_metric_cost'),
     (STALE, 'fast/grown_with', 'next_above(grown_.upper + cost.upper)', 'next_above(cost.upper)', 'fast_agreement_sample'),
     (STALE, 'check/replace', '      removals_[a].fresh = false;\n', '', 'check check_mutated'),

@@ -31,6 +31,7 @@ UNITS = {
     'src/check/text.hpp': ['tests/check/checker.cpp'],
     'src/check/exact.hpp': ['tests/check/checker.cpp'],
     'src/check/root_sum.hpp': ['tests/check/checker.cpp'],
+    'src/query/probe_errors.hpp': ['src/query/probed_solid.cpp', 'tests/query/probe_errors_test.cpp'],
     'src/geometry/near_plane.hpp': ['src/stored/containment.cpp', 'src/stored/stored_planes.cpp',
                                     'src/stored/acceptance.cpp', 'tests/stored/containment_test.cpp'],
     'src/number/roundoff.hpp': [*_EXPANSION, 'tests/number/double_double_test.cpp', *_AUDIT],

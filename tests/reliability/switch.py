@@ -42,6 +42,19 @@ inline void write_seen(const char* variable, const char* head) {
   std::fputs("\n", file);
   std::fclose(file);
 }
+// What other programs, such as those that a test starts, have seen.
+inline void read_seen(const char* variable) {
+  const char* path = std::getenv(variable);
+  std::FILE* file = path == nullptr ? nullptr : std::fopen(path, "r");
+  if (file == nullptr) return;
+  char word[64];
+  while (std::fscanf(file, "%63s", word) == 1) {
+    int id = 0, bits = 0;
+    if (std::sscanf(word, "%d:%d", &id, &bits) == 2 && id >= 0 && id < kMost) seen[id] |= static_cast<unsigned char>(bits);
+  }
+  std::fclose(file);
+  std::remove(path);
+}
 struct AtExit {
   ~AtExit() { write_seen("CONVEXACT_FAULT_SEEN", "exit"); }
 };
@@ -91,6 +104,7 @@ struct PlacesOfCases : doctest::IReporter {
   void test_case_reenter(const doctest::TestCaseData&) override {}
   void test_case_end(const doctest::CurrentTestCaseStats&) override {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begun;
+    if (std::getenv("CONVEXACT_FAULT_CASES") != nullptr) campaign::read_seen("CONVEXACT_FAULT_SEEN");
     campaign::write_seen("CONVEXACT_FAULT_CASES", (name + "\t" + std::to_string(seconds.count()) + "\t").c_str());
   }
   void test_case_exception(const doctest::TestCaseException&) override {}
