@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -233,6 +234,14 @@ inline constexpr std::array kAllNotRun = {NotRun::AsksOtherwise, NotRun::OtherFo
 [[nodiscard]] std::variant<TestVector, NotRun> as_put(const TestVector& vector,
                                                       const Promise& promise);
 
+/// The input as a program receives it: points with the facets of their hull, for programs that need
+/// a closed surface as well as for those that read points only; halfspaces; or the bytes of a file.
+/// Nothing if the format cannot hold it.
+/// @param format  An extension without a dot.
+[[nodiscard]] std::optional<std::string> input_bytes(const TestVector& vector,
+                                                     const std::string& format,
+                                                     Precision numbers = Precision::Binary64);
+
 /// Judges a run.
 ///
 /// A vector that asks `refuse` is passed by ending in time with an exit code other than 0. If only
@@ -279,7 +288,8 @@ inline constexpr std::array kAllNotRun = {NotRun::AsksOtherwise, NotRun::OtherFo
 struct ConformanceEntry {
   const TestVector* vector;
   Conformance result;
-  double seconds;  ///< Of the program.
+  double seconds;            ///< Of the program.
+  std::string printed = {};  ///< As ProgramRun::printed.
 };
 
 struct ConformanceReport {
@@ -288,13 +298,27 @@ struct ConformanceReport {
   Promise promise;
   std::vector<ConformanceEntry> entries;       ///< In the order of the vectors.
   std::map<NotRun, std::size_t> not_run = {};  ///< How many vectors were not run, and why.
+  /// The ids of the vectors that are known to fail, if there is such a list.
+  std::optional<std::set<std::string>> known_failures = {};
 
   std::size_t passed() const;
   /// How many vectors have a usable input: who ends with an error on every input is asked nothing
   /// by refusals alone.
   std::size_t asked() const;
-  /// Whether something was asked, and every required vector passed.
+  bool is_known_failure(const TestVector& vector) const;
+  /// Whether something was asked, and every required vector passed; with a list of known failures,
+  /// whether every vector passed that is not in the list.
   bool conforms() const;
+};
+
+/// What is at hand when a program has failed on a vector.
+struct FailedRun {
+  const TestVector& vector;        ///< As the program received it.
+  const std::string& input;        ///< Its bytes, in the program's format.
+  std::size_t faces;               ///< The value of {faces}.
+  const std::string& output_path;  ///< Where the program's output is, if it wrote one.
+  const ProgramRun& run;
+  const ConformanceEntry& entry;
 };
 
 struct ConformRun {
@@ -304,6 +328,8 @@ struct ConformRun {
   std::string input_format = "obj", output_format = "obj";  ///< Extensions.
   std::size_t jobs = 1;                                     ///< Vectors at the same time.
   Promise promise;
+  /// Called for each failure, possibly by several threads at the same time.
+  std::function<void(const FailedRun&)> on_failure = {};
   StageWatch watch = {};  ///< Reports vectors as the progress of "running vectors".
 };
 

@@ -37,6 +37,16 @@ struct Family {
 /// @throws Error InvalidArgument if there is none of that name.
 [[nodiscard]] const Family& family(std::string_view name);
 
+/// A family and a value for each of its parameters.
+struct AnyFamily {
+  const Family* family;
+  std::vector<double> values;
+};
+
+/// A random family with random parameters, of at most some thousand points: the same for the same
+/// seed, on every platform. Some spans no volume.
+[[nodiscard]] AnyFamily any_family(std::uint64_t seed);
+
 /// The usual value of each parameter.
 [[nodiscard]] std::vector<double> usual_values(const Family& family);
 

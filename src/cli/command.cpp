@@ -84,8 +84,14 @@ std::vector<std::string> own_words() {
   return {all.begin() + 1, std::find(all.begin() + 1, all.end(), "--")};
 }
 
-// The first word that looks like an option but is no option of its subcommand. The parser's message
-// would also name the words after it.
+std::string unknown_word(const std::string& kind, const std::string& word,
+                         const std::vector<std::string>& known, const std::string& hint) {
+  const std::string meant = did_you_mean(word, known);
+  return "there is no " + kind + " " + in_quotes(word) + (meant.empty() ? ";" : meant) + " " + hint;
+}
+
+// Says which is the first word that looks like an option but is no option of its subcommand. The
+// parser's message would also name the words after it.
 std::optional<std::string> unknown_option(const Command& program,
                                           const std::vector<std::string>& words) {
   std::vector<const Command*> commands;
@@ -100,19 +106,26 @@ std::optional<std::string> unknown_option(const Command& program,
     const bool is_known =
         std::any_of(commands.begin(), commands.end(),
                     [&](const Command* command) { return command->find_option(name).has_value(); });
-    if (!is_known) return name;
+    if (is_known) continue;
+    std::vector<std::string> names;
+    for (const Command* command : commands) {
+      for (const Option& option : command->options()) names.push_back(option.name());
+    }
+    return unknown_word("option", name, names, "--help names the options");
   }
   return std::nullopt;
 }
 
-// The first word, if it is in the place of a subcommand but is none.
+// Says that the first word is in the place of a subcommand but is none.
 std::optional<std::string> unknown_subcommand(const Command& program,
                                               const std::vector<std::string>& words) {
   if (words.empty() || words[0].starts_with('-')) return std::nullopt;
-  const bool is_known =
-      std::any_of(program.subcommands().begin(), program.subcommands().end(),
-                  [&](const auto& command) { return command->is_called(words[0]); });
-  return is_known ? std::nullopt : std::optional(words[0]);
+  std::vector<std::string> names;
+  for (const auto& command : program.subcommands()) {
+    if (command->is_called(words[0])) return std::nullopt;
+    names.push_back(command->name());
+  }
+  return unknown_word("subcommand", words[0], names, "--help names them");
 }
 
 }  // namespace
@@ -134,6 +147,8 @@ void remember_command_line(int argc, char** argv) {
   reproducer().command_line.assign(argv, argv + argc);
 }
 
+const std::string& called_as() { return reproducer().command_line.front(); }
+
 void remember_input(const std::string& name, const std::string& bytes) {
   reproducer().inputs.emplace_back(name, bytes);
 }
@@ -151,10 +166,8 @@ int end_of_parsing(const Command& program, const NotRun& reason) {
   std::string what = reason.text;
   const auto subcommand = unknown_subcommand(program, words);
   const auto option = unknown_option(program, words);
-  if (subcommand) {
-    what = "there is no subcommand " + in_quotes(*subcommand) + "; --help names them";
-  } else if (option) {
-    what = "there is no option " + in_quotes(*option) + "; --help names the options";
+  if (subcommand || option) {
+    what = subcommand ? *subcommand : *option;
   } else if (!reason.is_of_value) {
     what += "; --help names the options";
   }

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <iostream>
 #include <memory>
 
 #include "cli/command.hpp"
 #include "cli/outputs.hpp"
+#include "cli/shipped_vectors.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/io.hpp"
 #include "convexact/shapes.hpp"
@@ -14,6 +16,8 @@
 
 namespace convexact::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 using shapes::Family;
 using shapes::MalformedFile;
@@ -25,6 +29,8 @@ constexpr const char* kGenerateFooter =
     "  convexact generate needle --points 100 --aspect 1e300 --seed 7 -o needle.obj\n"
     "  convexact generate cospherical --squared-radius 89 --facets -o sphere.ply\n"
     "  convexact generate malformed-off-count-too-large -o broken.off\n"
+    "  convexact generate --any --seed 12345 -o any.obj\n"
+    "  convexact generate --vector prism-five-hull -o prism.obj\n"
     "\n"
     "The same family, seed and values give the same bytes on every machine. Coordinates are\n"
     "written so that the same doubles are read back. convexact generate FAMILY --help shows the\n"
@@ -35,6 +41,8 @@ struct GenerateArguments {
   std::string output;
   bool list = false;
   bool facets = false;
+  bool any = false;
+  std::string vector, vectors;
   std::function<int()> work;  ///< Of the family that was named.
 };
 
@@ -146,8 +154,52 @@ int run_family(const GenerateArguments& options, const Family& family,
   return 0;
 }
 
+// The command that makes the same again.
+std::string command_of(const Family& family, const std::vector<double>& values,
+                       std::uint64_t seed) {
+  std::string text = fmt::format("convexact generate {}", family.name);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Parameter& p = family.parameters[i];
+    text += p.whole ? fmt::format(" --{} {:.0f}", p.name, values[i])
+                    : fmt::format(" --{} {}", p.name, values[i]);
+  }
+  return text + fmt::format(" --seed {}\n", seed);
+}
+
+int run_any(const GenerateArguments& options) {
+  const auto [family, values] = shapes::any_family(options.global.seed);
+  const int exit_code = run_family(options, *family, values);
+  // Standard output has the points, or the document with the parameters.
+  if (!options.global.json) std::cerr << command_of(*family, values, options.global.seed);
+  return exit_code;
+}
+
+// The input of a conformance vector, as conform gives it to a program.
+int run_vector(const GenerateArguments& options) {
+  const std::vector<TestVector> vectors = read_vectors(options.vectors);
+  const TestVector& vector = vector_of_id(vectors, options.vector);
+  std::string format = fs::path(options.output).extension().string();
+  if (!format.empty()) format.erase(0, 1);
+  if (options.output.empty()) {
+    const auto* file = std::get_if<RawFile>(&vector.input);
+    const bool is_mesh = std::holds_alternative<PointSet>(vector.input);
+    format = is_mesh ? "obj" : file != nullptr ? file->extension : "json";
+  }
+  std::optional<std::string> bytes;
+  if (mesh_format_of_path("." + format) || halfspace_format_of_path("." + format)) {
+    bytes = input_bytes(vector, format);
+  }
+  if (!bytes) {
+    throw Error(ErrorCode::InvalidArgument, "-o " + options.output +
+                                                ": no format that holds the vector " + vector.id +
+                                                ", " + vector.title);
+  }
+  write(options, *bytes, "");
+  return 0;
+}
+
 int run_malformed(const GenerateArguments& options, const MalformedFile& file) {
-  const std::string extension = std::filesystem::path(options.output).extension().string();
+  const std::string extension = fs::path(options.output).extension().string();
   if (!options.output.empty() && extension != "." + std::string(file.extension())) {
     throw Error(ErrorCode::InvalidArgument, file.name + ": -o takes a file with the extension ." +
                                                 std::string(file.extension()) + ", found '" +
@@ -160,16 +212,27 @@ int run_malformed(const GenerateArguments& options, const MalformedFile& file) {
   return 0;
 }
 
-int run_generate(const GenerateArguments& options, const std::vector<std::string>& unknown) {
+// @param names  Of families and files, or of the options of the family that was named.
+int run_generate(const GenerateArguments& options, const std::vector<std::string>& unknown,
+                 const std::vector<std::string>& names) {
   if (!unknown.empty()) {
     const bool is_option = unknown.front().starts_with("-");
+    const std::string meant = did_you_mean(unknown.front(), names);
     throw Error(ErrorCode::InvalidArgument,
-                fmt::format("there is no {} called '{}'; convexact generate --list names them",
-                            is_option ? "parameter or option" : "family", unknown.front()));
+                fmt::format("there is no {} called '{}'{} convexact generate --list names them",
+                            is_option ? "parameter or option" : "family", unknown.front(),
+                            meant.empty() ? ";" : meant));
   }
   require_outputs({options.output}, {});
+  const int asked = (options.work ? 1 : 0) + (options.any ? 1 : 0) +
+                    (options.vector.empty() ? 0 : 1) + (options.list ? 1 : 0);
+  if (asked != 1) {
+    throw Error(ErrorCode::InvalidArgument,
+                "expected a family, or one of --any, --vector ID and --list");
+  }
   if (options.work) return options.work();
-  if (!options.list) throw Error(ErrorCode::InvalidArgument, "expected a family or --list");
+  if (options.any) return run_any(options);
+  if (!options.vector.empty()) return run_vector(options);
   if (options.global.json) {
     print_list_json();
   } else {
@@ -216,6 +279,21 @@ void add_malformed(Command& command, const MalformedFile& file, GenerateArgument
   });
 }
 
+// What a word that nothing takes may have been meant to be.
+std::vector<std::string> names_in(const Command& command) {
+  std::vector<std::string> names;
+  const auto add_options = [&](const Command& of) {
+    for (const Option& option : of.options()) names.push_back(option.name());
+  };
+  add_options(command);
+  if (const Command* family = command.parsed_subcommand()) {
+    add_options(*family);
+  } else {
+    for (const auto& family : command.subcommands()) names.push_back(family->name());
+  }
+  return names;
+}
+
 }  // namespace
 
 void add_generate_command(Command& program, int& exit_code) {
@@ -232,6 +310,13 @@ void add_generate_command(Command& program, int& exit_code) {
       "output");
   command.add_flag("--facets", options->facets,
                    "write the facets of the exact hull too, for programs that need a closed mesh");
+  command.add_flag("--any", options->any,
+                   "a random family with random parameters, by --seed; what it is goes to standard "
+                   "error");
+  command.add_option("--vector", options->vector,
+                     "the input of the conformance vector with this id, as conform gives it");
+  command.add_option("--vectors", options->vectors,
+                     "a folder of vectors (default: the shipped ones)");
   add_global_options(command, options->global);
   command.get_option("--seed")->description("seed of the random families");
   for (const Family& family : shapes::families()) add_family(command, family, *options);
@@ -239,8 +324,9 @@ void add_generate_command(Command& program, int& exit_code) {
     add_malformed(command, file, *options);
   }
   command.callback([&command, options, &exit_code] {
-    exit_code =
-        run_guarded(options->global, [&] { return run_generate(*options, command.remaining()); });
+    exit_code = run_guarded(options->global, [&] {
+      return run_generate(*options, command.remaining(), names_in(command));
+    });
   });
 }
 

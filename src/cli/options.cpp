@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <utility>
 
 namespace convexact::cli {
 namespace {
@@ -21,6 +22,25 @@ bool is_digits(std::string_view text) {
                            const std::string& found) {
   throw Error(ErrorCode::InvalidArgument,
               option + ": expected " + what + ", found " + in_quotes(found));
+}
+
+// The fewest letters to leave out, add, change, or swap with their neighbour, each at most once:
+// row by row over the prefixes of `a`, with the two rows before.
+std::size_t changes_between(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> above_last, last(b.size() + 1), row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    above_last = std::exchange(last, row);
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      row[j] =
+          std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        row[j] = std::min(row[j], above_last[j - 2] + 1);
+      }
+    }
+  }
+  return row[b.size()];
 }
 
 // Digits, or digits, a point and digits.
@@ -96,6 +116,25 @@ Rational parse_share(const std::string& option, const std::string& text) {
   } catch (const Error&) {  // told below
   }
   expected(option, "a share such as 5% or 0.05", text);
+}
+
+std::string trimmed(const std::string& text) {
+  constexpr const char* kBlanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
+  const std::string* nearest = nullptr;
+  std::size_t least = word.size() / 3 + 1;
+  for (const std::string& other : known) {
+    const std::size_t changes = changes_between(word, other);
+    if (changes >= least) continue;
+    least = changes;
+    nearest = &other;
+  }
+  return nearest == nullptr ? "" : "; did you mean " + in_quotes(*nearest) + "?";
 }
 
 std::vector<std::string> words_of(const std::string& text) {

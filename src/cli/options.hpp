@@ -41,6 +41,15 @@ struct CountRange {
 /// A share, 0 or more: "5%", "0.05" or "1/20". @throws Error InvalidArgument.
 [[nodiscard]] Rational parse_share(const std::string& option, const std::string& text);
 
+/// Without blanks and ends of lines around it.
+[[nodiscard]] std::string trimmed(const std::string& text);
+
+/// "; did you mean 'icosahedron'?" with the word nearest to a mistyped one, the first of several;
+/// empty if none is near: a third of its letters may be left out, added, changed or swapped with
+/// their neighbour.
+[[nodiscard]] std::string did_you_mean(const std::string& word,
+                                       const std::vector<std::string>& known);
+
 /// The words between commas; an empty last one counts, too, so that "1," is no list of numbers.
 [[nodiscard]] std::vector<std::string> words_of(const std::string& text);
 

@@ -168,6 +168,7 @@ const Command* Command::parsed_subcommand() const {
   }
   return nullptr;
 }
+std::string Command::name() const { return app_->get_name(); }
 bool Command::is_called(const std::string& name) const { return app_->check_name(name); }
 std::vector<std::string> Command::remaining() const { return app_->remaining(); }
 

@@ -91,6 +91,7 @@ class Command {
   std::vector<Option> options() const;
   const std::vector<std::unique_ptr<Command>>& subcommands() const { return subcommands_; }
   const Command* parsed_subcommand() const;  ///< nullptr if the command line names none.
+  std::string name() const;
   bool is_called(const std::string& name) const;
   std::vector<std::string> remaining() const;
 

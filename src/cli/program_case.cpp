@@ -15,8 +15,9 @@ namespace {
 // The first claim that the output violates, if there is one.
 std::optional<std::string> violation_of(const ProgramCase& program, const Shape& input,
                                         const std::string& output) {
-  const std::optional<Candidate> candidate =
-      read_program_output(output, Decimal::Nearest, program.limits.output);
+  const bool is_binary32 = program.numbers == Precision::Binary32;
+  const std::optional<Candidate> candidate = read_program_output(
+      output, is_binary32 ? Decimal::Nearest32 : Decimal::Nearest, program.limits.output);
   if (!candidate) return "no output";
   VerifyRequest request = program.verify;
   request.watch.stop = &interrupted();
@@ -37,11 +38,25 @@ bool mentions(const std::vector<std::string>& words, const std::string& placehol
   });
 }
 
+// The path of the input is an argument of the shell, so that blanks in it do no harm.
+void ProgramCase::become_predicate(const std::string& command) {
+  if (!words.empty()) {
+    throw Error(ErrorCode::InvalidArgument,
+                "--interesting takes the place of the program after --");
+  }
+  const std::string filled = fill_in({command}, {{"input", "\"$1\""}}).front();
+  words = {"sh", "-c", filled == command ? command + " \"$1\"" : filled, "sh", "{input}"};
+  fails_if = FailsIf::Success;
+}
+
 void ProgramCase::require_sensible() const {
   const auto reject = [](const std::string& what) {
     throw Error(ErrorCode::InvalidArgument, what);
   };
-  if (words.empty()) reject("name the program after --, with {input} where its input goes");
+  if (words.empty()) {
+    reject(
+        "name the program after --, with {input} where its input goes; or --interesting COMMAND");
+  }
   if (!mentions(words, "{input}")) reject("the program needs {input} among its arguments");
   if (mentions(words, "{faces}") && faces == 0) reject("{faces} needs --faces");
   if (fails_if == FailsIf::Verdict && !mentions(words, "{output}")) {
@@ -66,6 +81,9 @@ std::optional<std::string> failure_of(const ProgramCase& program, const std::str
   if (run.end == ProgramEnd::NotStarted) {
     throw Error(ErrorCode::InvalidArgument,
                 "the program '" + program.words[0] + "' cannot be started");
+  }
+  if (program.fails_if == FailsIf::Success) {
+    return run.succeeded() ? std::optional<std::string>("interesting") : std::nullopt;
   }
   if (!run.succeeded()) {
     if (program.fails_if == FailsIf::Verdict) return std::nullopt;

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "cli/command.hpp"
 
@@ -18,16 +17,6 @@ constexpr std::chrono::milliseconds kPause{200};
 // Not through stdio: a process that is forked meanwhile must not find a lock taken.
 void write_to_terminal(const std::string& text) {
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
-}
-
-// The time for `left` steps if `done` steps took `seconds`: "about 12 s left", in minutes from two
-// minutes on; empty as long as it is unknown.
-std::string time_left(double seconds, std::size_t done, std::size_t left) {
-  constexpr double kTooSoon = 0.5, kMinute = 60;
-  if (done == 0 || seconds < kTooSoon) return {};
-  const double estimate = seconds * static_cast<double>(left) / static_cast<double>(done);
-  if (estimate < 2 * kMinute) return fmt::format("about {:.0f} s left", std::ceil(estimate));
-  return fmt::format("about {:.0f} min left", std::ceil(estimate / kMinute));
 }
 
 }  // namespace
@@ -70,6 +59,7 @@ void Progress::begin(const std::string& what) {
   const std::lock_guard lock(mutex_);
   what_ = what;
   began_ = Clock::now();
+  time_left_ = {};
   done_ = 0;
   total_ = 0;
 }
@@ -87,11 +77,11 @@ void Progress::paint() {
 }
 
 // Precondition: the lock is held.
-std::string Progress::line() const {
+std::string Progress::line() {
   const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
   const std::size_t total = total_, done = std::min<std::size_t>(done_, total);
   if (total == 0) return fmt::format("{}: {:.0f} s", what_, seconds);
-  const std::string left = time_left(seconds, done, total - done);
+  const std::string left = time_left_.text(seconds, done, total);
   return fmt::format("{}: {} of {} ({:.0f}%){}{}", what_, done, total,
                      100 * static_cast<double>(done) / static_cast<double>(total),
                      left.empty() ? "" : ", ", left);

@@ -8,6 +8,7 @@
 #include <string>
 #include <thread>
 
+#include "cli/time_left.hpp"
 #include "convexact/scene.hpp"
 
 namespace convexact::cli {
@@ -33,14 +34,15 @@ class Progress {
 
   void begin(const std::string& what);
   void paint();
-  std::string line() const;
+  std::string line();
 
   bool is_shown_;
-  std::mutex mutex_;  // of the four below
+  std::mutex mutex_;  // of the five below
   std::condition_variable changed_;
   bool is_over_ = false;
   std::string what_;
   Clock::time_point began_ = Clock::now();
+  TimeLeft time_left_;
   std::atomic<std::size_t> done_ = 0, total_ = 0;  // set far more often than they are read
   std::thread painter_;
 };

@@ -63,6 +63,24 @@ Promise PromiseOptions::promise(Asks asks_by_default) const {
   return result;
 }
 
+std::vector<std::string> PromiseOptions::words() const {
+  std::vector<std::string> words;
+  const auto add = [&](const char* option, const std::string& value) {
+    words.insert(words.end(), {option, value});
+  };
+  const auto add_count = [&](const char* option, const std::optional<std::size_t>& count) {
+    if (count) add(option, std::to_string(*count));
+  };
+  if (!profile.empty()) add("--profile", profile);
+  if (asks) add("--asks", name_of(*asks));
+  if (numbers) add("--numbers", name_in(kPrecisionNames, *numbers));
+  if (!tolerance.empty()) add("--tolerance", tolerance);
+  add_count("--max-facets", max_facets);
+  add_count("--max-vertices", max_vertices);
+  add_count("--max-facet-vertices", max_facet_vertices);
+  return words;
+}
+
 void add_promise_options(Command& command, PromiseOptions& options) {
   command.add_option("--profile", options.profile,
                      "the promises of a known engine, by its name: docs/conform.md has the list; "

@@ -23,6 +23,8 @@ struct PromiseOptions {
   /// @param asks_by_default  Used if neither the options nor a profile says.
   /// @throws Error InvalidArgument for an unknown profile or a malformed tolerance.
   Promise promise(Asks asks_by_default) const;
+  /// The options that were given, as words of a command line.
+  std::vector<std::string> words() const;
   /// Whether somebody chose the question, by --asks or by a profile.
   bool is_asked() const { return asks || !profile.empty(); }
 };

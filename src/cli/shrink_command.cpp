@@ -2,6 +2,7 @@
 // convexact shrink: reduces a failing input to a minimal one.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -32,18 +33,21 @@ constexpr const char* kShrinkFooter =
     "{output}\n"
     "  convexact shrink bad.obj -o minimal.obj --asks hull -- ./my_hull {input} {output}\n"
     "  convexact shrink planes.ine -o minimal.ine -- ./my_clipper {input} {output}\n"
+    "  convexact shrink bad.obj -o minimal.obj --interesting './my_hull {input} | grep -q NaN'\n"
     "\n"
     "PROGRAM is run directly, not by a shell. It fails if it does not exit with 0 in time, or\n"
     "if it exits with 0 and its {output} violates a claim (docs/verdicts.md). On the result it\n"
     "fails in the same way: with the same exit code, signal or first violated claim. An input\n"
-    "with a volume keeps one unless --allow-flat is given. Ctrl-C ends with exit code 6, and\n"
+    "with a volume keeps one unless --allow-flat is given. With --interesting anything can be\n"
+    "kept: a warning, a slow run, a difference between two programs. Ctrl-C ends with exit code 6, "
+    "and\n"
     "leaves the smallest failing input so far in the output file.";
 
 struct ShrinkArguments {
   GlobalOptions global;
-  std::string input, output, tolerance;
+  std::string input, output, interesting;
   std::optional<std::string> claims;
-  std::optional<Asks> asks;
+  PromiseOptions promise;
   MeshPoints points = MeshPoints::All;
   std::string output_format = "obj";
   bool allow_flat = false;
@@ -77,6 +81,12 @@ std::optional<NotSolid> nothing_in(const Shape& shape) {
   return std::get<RecessionRay>(find_recession(halfspaces));
 }
 
+bool is_binary32(const PointSet& points) {
+  return points.is_binary() &&
+         std::all_of(points.doubles().begin(), points.doubles().end(),
+                     [](const Point& p) { return p.cast<float>().cast<double>() == p; });
+}
+
 // A mesh with some of its points, moved: the polygons that keep all their corners.
 Mesh part_of(const SceneObject& mesh, const PointSet& points, std::span<const PointId> origin) {
   constexpr std::uint32_t kGone = 0xffffffff;
@@ -101,21 +111,29 @@ class Shrinking {
  public:
   Shrinking(const ShrinkArguments& options, const SceneObject& input)
       : options_(options), input_(input), program_(options.program) {
+    if (!options.interesting.empty()) program_.become_predicate(options.interesting);
     program_.require_sensible();
     program_.input_extension = std::filesystem::path(options.output).extension().string();
     program_.output_extension = "." + options.output_format;
+    const Promise promised = promise();
+    program_.numbers = promised.numbers;
+    program_.verify = request_of(promised);
     if (options.claims) program_.verify.claims = parse_claims(*options.claims);
-    if (!options.tolerance.empty()) program_.verify.tolerance = parse_tolerance(options.tolerance);
-    program_.verify.asks = options.asks.value_or(Asks::Enclosure);
-    if (program_.verify.asks == Asks::Simplify) {
-      if (program_.faces == 0) {
-        throw Error(ErrorCode::InvalidArgument, "--asks simplify needs --faces");
-      }
-      program_.verify.max_facets = program_.faces;
-    }
     program_.verify.points = options.points;
     program_.verify.tightness = false;
     program_.verify.seed = options.global.seed;
+  }
+
+  // All that the program promises. Asked for so many facets, it promises no more.
+  Promise promise() const {
+    Promise promise = options_.promise.promise(Asks::Enclosure);
+    if (promise.asks == Asks::Simplify) {
+      if (program_.faces == 0) {
+        throw Error(ErrorCode::InvalidArgument, "--asks simplify needs --faces");
+      }
+      promise.max_facets = std::min(promise.max_facets.value_or(program_.faces), program_.faces);
+    }
+    return promise;
   }
 
   // Leaves the smallest one in smallest_. @throws Error Stopped among others.
@@ -160,7 +178,10 @@ void Shrinking::begin(const std::string& bytes, const Size& size) {
   const auto failure = failure_of(program_, bytes, input_.shape, folder_);
   runs_ = 1;
   if (!failure) {
-    throw Error(ErrorCode::InvalidArgument, "the program does not fail on " + options_.input);
+    const bool is_predicate = program_.fails_if == FailsIf::Success;
+    throw Error(ErrorCode::InvalidArgument, (is_predicate ? "the command does not end with 0 on "
+                                                          : "the program does not fail on ") +
+                                                options_.input);
   }
   failure_ = *failure;
   before_ = size_ = size;
@@ -172,7 +193,8 @@ bool Shrinking::still_fails(const std::string& bytes, const Shape& shape, const 
   if (failure_of(program_, bytes, shape, folder_) != failure_) return false;
   smallest_ = bytes;
   size_ = size;
-  (*progress_)("shrinking; rows gone", before_.rows - size.rows, before_.rows);
+  (*progress_)(std::string("shrinking; ") + rows_name() + " gone", before_.rows - size.rows,
+               before_.rows);
   return true;
 }
 
@@ -183,16 +205,18 @@ void Shrinking::shrink_points(const PointSet& points) {
                 "-o " + options_.output + ": expected .obj, .off, .ply or .xyz");
   }
   program_.verify.used = used_flags(input_);
-  begin(write_mesh({points, input_.polygons, {}}, *format), size_of(points));
+  const MeshWriteOptions numbers{.precision = program_.numbers};
+  begin(write_mesh({points, input_.polygons, {}}, *format, numbers), size_of(points));
   const bool keeps_volume = !options_.allow_flat && is_solid(points);
   bool is_first = true;  // the original input, which has just been run
   (void)shrink(points, [&](const PointSet& fewer, std::span<const PointId> origin) {
     if (std::exchange(is_first, false)) return true;
+    if (program_.numbers == Precision::Binary32 && !is_binary32(fewer)) return false;
     if (keeps_volume && !is_solid(fewer)) return false;
     const Mesh part = part_of(input_, fewer, origin);
     program_.verify.used = used_points(fewer.size(), part.polygons);
     if (part.polygons.empty()) program_.verify.used.clear();
-    return still_fails(write_mesh(part, *format), fewer, size_of(fewer));
+    return still_fails(write_mesh(part, *format, numbers), fewer, size_of(fewer));
   });
 }
 
@@ -233,7 +257,11 @@ std::string Shrinking::summary() const {
 
 int run_shrink(const ShrinkArguments& options) {
   require_outputs({options.output}, {options.input});
-  const std::vector<SceneObject> scene = read_scene({options.input}, {.on_read = remember_input});
+  // A decimal of binary32 may be no more than nine digits.
+  const bool is_binary32 = options.promise.promise(Asks::Enclosure).numbers == Precision::Binary32;
+  const std::vector<SceneObject> scene = read_scene(
+      {options.input},
+      {.decimal = is_binary32 ? Decimal::Nearest32 : Decimal::Nearest, .on_read = remember_input});
   Shrinking shrinking(options, scene.front());
   if (const auto reason = nothing_in(scene.front().shape)) {
     return report_not_solid(options.global, scene.front().name, *reason);
@@ -272,7 +300,7 @@ void add_shrink_command(Command& program, int& exit_code) {
   command
       .add_option("PROGRAM", options->program.words,
                   "after --: the program and its arguments, with {input}, {output}, {faces}")
-      ->required();
+      ->expected(-1);
   command
       .add_option("-o,--output", options->output,
                   "the minimal input: .obj, .off, .ply or .xyz, of halfspaces .json, .ine or .txt; "
@@ -283,13 +311,15 @@ void add_shrink_command(Command& program, int& exit_code) {
       command, "--fails-if", options->program.fails_if,
       {{"either", FailsIf::Either}, {"exit", FailsIf::Exit}, {"verdict", FailsIf::Verdict}},
       "what counts as a failure: how the program ends, the verdict on {output}, or either of them");
-  add_asks_option(command, options->asks, "enclosure");
+  command.add_option(
+      "--interesting", options->interesting,
+      "in the place of PROGRAM: a command for the shell that ends with 0 for as long "
+      "as an input is interesting; {input} in it, or its last word, is the input");
+  add_asks_option(command, options->promise.asks, "enclosure");
   add_points_option(command, options->points);
   command.add_option("--claims", options->claims,
                      "in the verdict, decide these claims only, separated by commas");
-  command.add_option("--tolerance", options->tolerance,
-                     "in the verdict, let violations up to this distance pass: 1e-6, or 1e-9d of "
-                     "the diameter");
+  add_promise_options(command, options->promise);
   command.add_flag("--allow-flat", options->allow_flat,
                    "allow an input with a volume to be reduced to one without");
   command

@@ -118,6 +118,27 @@ std::string failure_text(const ConformanceEntry& entry) {
   return entry.result.sentence + others;
 }
 
+// Known failures that failed again, and those that passed.
+std::string known_sentence(const ConformanceReport& report) {
+  if (!report.known_failures) return "";
+  std::size_t failed = 0;
+  std::vector<std::string> passed;
+  for (const ConformanceEntry& entry : report.entries) {
+    if (!report.is_known_failure(*entry.vector)) continue;
+    if (is_pass(entry)) {
+      passed.push_back(entry.vector->id);
+    } else {
+      ++failed;
+    }
+  }
+  std::string text = fmt::format("Known failures: {} failed again", failed);
+  const std::size_t other = report.known_failures->size() - failed - passed.size();
+  if (other > 0) text += fmt::format(", {} not run", other);
+  if (passed.empty()) return text + "\n";
+  return text + fmt::format("; {} pass now and can leave the list: {}\n", passed.size(),
+                            fmt::join(passed, ", "));
+}
+
 std::string bound_text(const ConformanceReport& report) {
   switch (report.promise.asks) {
     case Asks::Simplify:
@@ -165,11 +186,15 @@ std::string excess_text(const ConformanceReport& report) {
 }
 
 std::string verdict_sentence(const ConformanceReport& report) {
-  return fmt::format(
-      "{} of {} passed; {}\n", report.passed(), report.entries.size(),
-      report.asked() == 0 ? "nothing was asked: no vector with a usable input is among them"
-      : report.conforms() ? "every required vector passed: the program conforms"
-                          : "a required vector failed: the program does not conform");
+  const char* verdict = "nothing was asked: no vector with a usable input is among them";
+  if (report.asked() > 0 && report.known_failures) {
+    verdict = report.conforms() ? "no other than known failures"
+                                : "a vector failed that is not in the list of known failures";
+  } else if (report.asked() > 0) {
+    verdict = report.conforms() ? "every required vector passed: the program conforms"
+                                : "a required vector failed: the program does not conform";
+  }
+  return fmt::format("{} of {} passed; {}\n", report.passed(), report.entries.size(), verdict);
 }
 
 std::string not_run_sentence(const ConformanceReport& report) {
@@ -247,7 +272,19 @@ Json histogram_json(const std::map<int, std::size_t>& decades) {
   return list;
 }
 
-Json entry_json(const ConformanceEntry& entry) {
+// The lists by what became of the known failures.
+Json known_json(const ConformanceReport& report) {
+  Json failed = Json::array(), passed = Json::array();
+  for (const ConformanceEntry& entry : report.entries) {
+    if (!report.is_known_failure(*entry.vector)) continue;
+    (is_pass(entry) ? passed : failed).push_back(entry.vector->id);
+  }
+  return {{"failed", failed}, {"passed", passed}};
+}
+
+}  // namespace
+
+Json conformance_entry_json(const ConformanceEntry& entry) {
   const Conformance& result = entry.result;
   Json failures = Json::array();
   for (const Failure& failure : result.failures) {
@@ -270,10 +307,28 @@ Json entry_json(const ConformanceEntry& entry) {
     found["hausdorff"] = decimal_of_root(*result.relative_squared_hausdorff);
   }
   if (result.tightness) found["tightness"] = to_decimal(*result.tightness, 6);
+  if (!is_pass(entry) && !entry.printed.empty()) found["printed"] = last_line(entry.printed);
   return found;
 }
 
-}  // namespace
+std::string last_line(const std::string& printed) {
+  constexpr std::size_t kMost = 200;
+  const std::size_t end = printed.find_last_not_of(" \t\r\n");
+  if (end == std::string::npos) return "";
+  const std::size_t before = printed.find_last_of("\r\n", end);
+  const std::size_t start = before == std::string::npos ? 0 : before + 1;
+  std::string line = printed.substr(start, end + 1 - start);
+  if (line.size() > kMost) line = line.substr(0, kMost) + "...";
+  return as_utf8(line);
+}
+
+std::string failed_ids(const ConformanceReport& report) {
+  std::string text;
+  for (const ConformanceEntry& entry : report.entries) {
+    if (!is_pass(entry)) text += entry.vector->id + "\n";
+  }
+  return text;
+}
 
 const char* name_of(NotRun reason) {
   constexpr auto kNames = name_table<NotRun>({{NotRun::AsksOtherwise, "asks-otherwise"},
@@ -319,10 +374,15 @@ std::size_t ConformanceReport::asked() const {
       entries.begin(), entries.end(), [](const auto& entry) { return !is_refusal(entry); }));
 }
 
+bool ConformanceReport::is_known_failure(const TestVector& vector) const {
+  return known_failures && known_failures->contains(vector.id);
+}
+
 bool ConformanceReport::conforms() const {
-  return asked() > 0 &&
-         std::all_of(entries.begin(), entries.end(), [](const ConformanceEntry& entry) {
-           return is_pass(entry) || !entry.vector->required;
+  return asked() > 0 && std::all_of(entries.begin(), entries.end(), [&](const auto& entry) {
+           const bool may_fail =
+               known_failures ? is_known_failure(*entry.vector) : !entry.vector->required;
+           return is_pass(entry) || may_fail;
          });
 }
 
@@ -336,17 +396,20 @@ std::string conformance_text(const ConformanceReport& report) {
     text += "\n" + title_of(kind, entries.size()) + "\n";
     for (std::size_t i = 0; i < std::min(entries.size(), kListed); ++i) {
       text += fmt::format("  {}: {}\n", entries[i]->vector->id, failure_text(*entries[i]));
+      const std::string said = last_line(entries[i]->printed);
+      if (i == 0 && !said.empty()) text += fmt::format("    it printed: {}\n", said);
     }
     if (entries.size() > kListed) text += fmt::format("  and {} more\n", entries.size() - kListed);
   }
   return text + "\n" + excess_text(report) + tightness_sentence(report) + not_run_sentence(report) +
-         verdict_sentence(report);
+         known_sentence(report) + verdict_sentence(report);
 }
 
 std::string conformance_markdown(const ConformanceReport& report) {
   std::string text = fmt::format("# Conformance of `{}`\n\n", as_utf8(report.program));
-  for (const std::string& paragraph : {verdict_sentence(report), excess_text(report),
-                                       tightness_sentence(report), not_run_sentence(report)}) {
+  for (const std::string& paragraph :
+       {verdict_sentence(report), excess_text(report), tightness_sentence(report),
+        not_run_sentence(report), known_sentence(report)}) {
     if (!paragraph.empty()) text += paragraph + "\n";
   }
   const std::vector<TableRow> table = table_of(report, "flag", "**all vectors**");
@@ -359,6 +422,10 @@ std::string conformance_markdown(const ConformanceReport& report) {
     for (const ConformanceEntry* entry : entries) {
       text += fmt::format("- `{}` (level {}{}): {}\n", entry->vector->id, entry->vector->level,
                           entry->vector->required ? "" : ", not required", failure_text(*entry));
+      const std::string said = last_line(entry->printed);
+      if (entry == entries.front() && !said.empty()) {
+        text += fmt::format("\n  It printed: `{}`\n", said);
+      }
     }
   }
   return text;
@@ -383,7 +450,7 @@ Json conformance_json(const ConformanceReport& report) {
   for (const ConformanceEntry& entry : report.entries) {
     Json& count = outcomes[name_of(entry.result.outcome())];
     count = count.count() + 1;
-    entries.push_back(entry_json(entry));
+    entries.push_back(conformance_entry_json(entry));
   }
   std::size_t not_run = 0;
   for (const auto& [reason, count] : report.not_run) {
@@ -391,19 +458,22 @@ Json conformance_json(const ConformanceReport& report) {
     not_run += count;
   }
   const ExcessHistogram histogram = excess_histogram(report);
-  return {{"program", report.program},
-          {"promise", promise_json(report)},
-          {"conforms", report.conforms()},
-          {"asked", report.asked()},
-          {"passed", report.passed()},
-          {"total", report.entries.size()},
-          {"not_run", not_run},
-          {"not_run_reasons", reasons},
-          {"outcomes", outcomes},
-          {"excess", {{"none", histogram.none}, {"vectors", histogram_json(histogram.by_decade)}}},
-          {"flags", flags},
-          {"all", row_json(matrix.all)},
-          {"vectors", entries}};
+  Json document = {
+      {"program", report.program},
+      {"promise", promise_json(report)},
+      {"conforms", report.conforms()},
+      {"asked", report.asked()},
+      {"passed", report.passed()},
+      {"total", report.entries.size()},
+      {"not_run", not_run},
+      {"not_run_reasons", reasons},
+      {"outcomes", outcomes},
+      {"excess", {{"none", histogram.none}, {"vectors", histogram_json(histogram.by_decade)}}},
+      {"flags", flags},
+      {"all", row_json(matrix.all)},
+      {"vectors", entries}};
+  if (report.known_failures) document["known_failures"] = known_json(report);
+  return document;
 }
 
 }  // namespace convexact

@@ -135,10 +135,6 @@ std::variant<TestVector, NotRun> as_put(const TestVector& vector, const Promise&
 
 namespace {
 
-using RunResult = std::variant<ConformanceEntry, NotRun>;
-
-// The points and the facets of their hull, for programs that need a closed surface as well as for
-// those that read points only; nothing if the format cannot hold them.
 std::optional<std::string> mesh_bytes(const PointSet& points, MeshFormat format,
                                       Precision precision) {
   Mesh mesh;
@@ -152,12 +148,14 @@ std::optional<std::string> mesh_bytes(const PointSet& points, MeshFormat format,
   return write_mesh(mesh, format, {.precision = precision});
 }
 
-// The input as the program receives it; nothing if the format cannot hold it.
-std::optional<std::string> input_bytes(const TestVector& vector, const ConformRun& options) {
-  const std::string name = "input." + options.input_format;
+}  // namespace
+
+std::optional<std::string> input_bytes(const TestVector& vector, const std::string& format,
+                                       Precision numbers) {
+  const std::string name = "input." + format;
   const auto mesh_format = mesh_format_of_path(name);
   if (const auto* file = std::get_if<RawFile>(&vector.input)) {
-    if (file->extension != options.input_format) return std::nullopt;
+    if (file->extension != format) return std::nullopt;
     return file->bytes;
   }
   if (const auto* list = std::get_if<HalfspaceList>(&vector.input)) {
@@ -165,8 +163,12 @@ std::optional<std::string> input_bytes(const TestVector& vector, const ConformRu
     return write_halfspaces(list->halfspaces, *halfspace_format_of_path(name));
   }
   if (!mesh_format) return std::nullopt;
-  return mesh_bytes(std::get<PointSet>(vector.input), *mesh_format, options.promise.numbers);
+  return mesh_bytes(std::get<PointSet>(vector.input), *mesh_format, numbers);
 }
+
+namespace {
+
+using RunResult = std::variant<ConformanceEntry, NotRun>;
 
 std::size_t faces_of(const TestVector& vector) {
   if (const auto* question = std::get_if<SimplifyQuestion>(&vector.question)) {
@@ -201,14 +203,15 @@ RunResult run_vector(const TestVector& vector, const ConformRun& options) {
   const auto put = as_put(vector, options.promise);
   if (const auto* reason = std::get_if<NotRun>(&put)) return *reason;
   const auto& given = std::get<TestVector>(put);
-  const std::optional<std::string> bytes = input_bytes(given, options);
+  const std::optional<std::string> bytes =
+      input_bytes(given, options.input_format, options.promise.numbers);
   if (!bytes) return NotRun::OtherFormat;
   const ScratchFolder scratch;
   const std::string input = scratch.write("input." + options.input_format, *bytes);
   const std::string output = scratch.file("output." + options.output_format);
-  const std::vector<std::string> words =
-      fill_in(options.program,
-              {{"input", input}, {"faces", std::to_string(faces_of(given))}, {"output", output}});
+  const std::size_t faces = faces_of(given);
+  const std::vector<std::string> words = fill_in(
+      options.program, {{"input", input}, {"faces", std::to_string(faces)}, {"output", output}});
   const ProgramRun run = run_program(words, options.limits, options.watch.stop);
   if (run.end == ProgramEnd::NotStarted) {
     throw Error(ErrorCode::InvalidArgument,
@@ -220,7 +223,12 @@ RunResult run_vector(const TestVector& vector, const ConformRun& options) {
     candidate = read_program_output(output, is_binary32 ? Decimal::Nearest32 : Decimal::Nearest,
                                     options.limits.output);
   }
-  return ConformanceEntry{&vector, judge_in_time(given, run, candidate, options), run.seconds};
+  ConformanceEntry entry{&vector, judge_in_time(given, run, candidate, options), run.seconds,
+                         run.printed};
+  if (!entry.result.failures.empty() && options.on_failure) {
+    options.on_failure({given, *bytes, faces, output, run, entry});
+  }
+  return entry;
 }
 
 // Calls work(i) for each i below count, in `jobs` threads, and finished(count) after each. The

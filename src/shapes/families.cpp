@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/shapes.hpp"
+#include "number/random.hpp"
 #include "shapes/makers.hpp"
 
 namespace convexact::shapes {
@@ -189,6 +191,59 @@ const Family& family(std::string_view name) {
       std::find_if(all.begin(), all.end(), [&](const Family& f) { return f.name == name; });
   if (found == all.end()) reject("there is no family of shapes called '" + std::string(name) + "'");
   return *found;
+}
+
+namespace {
+
+// Parameters that say how many points there are: a few times the usual number at most.
+bool is_count(const Parameter& p) {
+  constexpr std::array<std::string_view, 8> kCounts = {"points",   "k", "rings",   "copies",
+                                                       "segments", "n", "corners", "parts"};
+  return std::find(kCounts.begin(), kCounts.end(), p.name) != kCounts.end();
+}
+
+// A size of any order of magnitude between two positive numbers: exponents are equally likely.
+double any_magnitude(double least, double most, Random& random) {
+  const int low = std::ilogb(least), high = std::ilogb(most);
+  const auto exponents = static_cast<std::uint64_t>(high - low + 1);
+  const int exponent = low + static_cast<int>(uniform_below(random, exponents));
+  return std::clamp(std::ldexp(1 + uniform_unit(random), exponent), least, most);
+}
+
+// Often the usual value or an end of the range, where programs break.
+double any_value(const Parameter& p, Random& random) {
+  constexpr double kTimesUsual = 4;
+  const double most = is_count(p) ? std::min(p.most, kTimesUsual * p.usual) : p.most;
+  const std::uint64_t kind = uniform_below(random, 8);
+  if (kind == 0) return p.usual;
+  if (kind == 1) return p.least;
+  if (kind == 2 && !is_count(p)) return p.most;
+  double value = 0;
+  if (p.least > 0) {
+    value = any_magnitude(p.least, most, random);
+  } else if (p.least == 0) {
+    value = any_magnitude(p.whole ? 1 : 0x1p-60, most, random);
+  } else {
+    value = any_magnitude(p.whole ? 1 : 0x1p-60, most, random);
+    if (uniform_below(random, 2) == 0) value = std::max(-value, p.least);
+  }
+  return p.whole ? std::floor(value) : value;
+}
+
+}  // namespace
+
+AnyFamily any_family(std::uint64_t seed) {
+  Random random(seed);
+  for (;;) {
+    const Family& family = families()[uniform_below(random, families().size())];
+    std::vector<double> values;
+    for (const Parameter& p : family.parameters) values.push_back(any_value(p, random));
+    try {
+      (void)family.make(values, seed);
+      return {&family, std::move(values)};
+    } catch (const Error&) {  // some values do not go together
+    }
+  }
 }
 
 std::vector<double> usual_values(const Family& family) {

@@ -324,6 +324,110 @@ TEST_CASE("conform: the shipped vectors are found without being named") {
   CHECK(run_program("conform --level 1 --flag ties -- false {input} {faces} {output}").exit == 1);
 }
 
+TEST_CASE("conform: what is left without the vectors of a flag") {
+  const json all = conform_wrong("cut-off", "--level 1", 1);
+  const json left = conform_wrong("cut-off", "--level 1 --skip-flag ties --skip-flag valence", 1);
+  std::size_t expected = 0;
+  for (const json& entry : all["vectors"]) {
+    const auto flags = entry["flags"].get<Set>();
+    expected += flags.contains("ties") || flags.contains("valence") ? 0 : 1;
+  }
+  CHECK(left["total"] == expected);
+  CHECK(expected < all["total"].get<std::size_t>());
+}
+
+TEST_CASE("conform: a failure is kept, and its command makes a minimal input") {
+  const ScratchFolder scratch;
+  const std::string kept = scratch.file("failing");
+  const std::string program = std::string(" -- '") + std::getenv("CONVEXACT_WRONG_PROGRAM") +
+                              "' cut-off {input} {faces} {output}";
+  const std::string base = "conform --level 1 --flag ties" + vectors() + "--keep-failing " + kept;
+  const auto ran = run_program(base + program);
+  CHECK(ran.exit == 1);
+  CHECK(ran.out.find("Kept: " + kept) != std::string::npos);
+  const std::string place = kept + "/icosahedron-simplify/";
+  const json verdict = json::parse(bytes_of(place + "verdict.json"));
+  CHECK(verdict["outcome"] == "too-many-facets");
+  CHECK(bytes_of(place + "input.obj").find("v ") == 0);
+  CHECK(bytes_of(place + "output.obj").find("v ") == 0);
+  const auto shrunk = support::run_shell("sh " + place + "shrink.sh");
+  REQUIRE_MESSAGE(shrunk.exit == 0, shrunk.err);
+  CHECK(shrunk.out.find("failure     violates max-facets") != std::string::npos);
+  // Fewer than the twelve points of the icosahedron.
+  const std::string minimal = bytes_of(place + "minimal.obj");
+  CHECK(std::count(minimal.begin(), minimal.end(), 'v') < 12);
+  const auto again = run_program(base + program);
+  CHECK(again.exit == 2);
+  CHECK(again.err.find("not empty") != std::string::npos);
+}
+
+TEST_CASE("conform: known failures may fail, others not, and those that pass are named") {
+  const ScratchFolder scratch;
+  const std::string program = std::string(" -- '") + std::getenv("CONVEXACT_WRONG_PROGRAM") +
+                              "' cut-off {input} {faces} {output}";
+  const std::string base = "conform --level 1 --flag ties" + vectors(),
+                    list = scratch.file("known.txt");
+  CHECK(run_program(base + "-o " + list + program).exit == 1);
+  const std::string ids = bytes_of(list);
+  const auto known = run_program(base + "--json --known-failures " + list + program);
+  CHECK(known.exit == 0);
+  const json report = json::parse(known.out);
+  CHECK(schema_complaint("conformance", report) == "");
+  CHECK(report["conforms"] == true);
+  CHECK(report["known_failures"]["failed"].size() == report["total"]);
+  CHECK(report["known_failures"]["passed"].empty());
+
+  // One that is not in the list; the others with a comment.
+  const std::size_t end = ids.find('\n');
+  const std::string fewer =
+      scratch.write("fewer.txt", "# all but " + ids.substr(0, end) + "\n" + ids.substr(end + 1));
+  const auto other = run_program(base + "--known-failures " + fewer + program);
+  CHECK(other.exit == 1);
+  CHECK(other.out.find("not in the list of known failures") != std::string::npos);
+
+  // A program that is right passes them.
+  const auto right = run_program(base + "--known-failures " + list + " -- " + ourselves() +
+                                 " simplify {input} --faces {faces} -o {output}");
+  CHECK(right.exit == 0);
+  CHECK(right.out.find(" pass now and can leave the list: ") != std::string::npos);
+
+  const std::string wrong = scratch.write("wrong.txt", "\nicosahedron-simplfy\n");
+  const auto refused = run_program(base + "--known-failures " + wrong + program);
+  CHECK(refused.exit == 2);
+  CHECK(refused.err.find("line 2: there is no vector 'icosahedron-simplfy'; did you mean "
+                         "'icosahedron-simplify'?") != std::string::npos);
+}
+
+TEST_CASE("conform: JUnit, and the last line that a program printed") {
+  const ScratchFolder scratch;
+  const std::string script = scratch.write(
+      "program", "#!/bin/sh\necho starting\necho 'Error: <no module> & no \"path\"' >&2\nexit 1\n");
+  const std::string xml = scratch.file("result.xml"), list = scratch.file("known.txt");
+  const std::string program = " -- sh " + script + " {input} {faces} {output}";
+  const std::string base = "conform --level 1 --flag ties" + vectors() + "-o " + xml;
+  const auto ran = run_program(base + " -o " + list + program);
+  CHECK(ran.exit == 1);
+  const std::string line = "it printed: Error: <no module> & no \"path\"";
+  const std::size_t first = ran.out.find(line);
+  REQUIRE(first != std::string::npos);
+  CHECK(ran.out.find(line, first + 1) == std::string::npos);  // once for each kind
+  const std::string text = bytes_of(xml);
+  const auto count = [&text](const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
+    return found;
+  };
+  CHECK(text.find("<?xml version=\"1.0\"") == 0);
+  CHECK(count("<testcase ") == 29);
+  CHECK(count("<failure type=\"wrong-exit\"") == 29);
+  CHECK(count("failures=\"29\" errors=\"0\" skipped=\"0\"") == 1);
+  CHECK(count("Error: &lt;no module&gt; &amp; no &quot;path&quot;") == 29);
+  CHECK(run_program(base + " --known-failures " + list + program).exit == 0);
+  const std::string known = bytes_of(xml);
+  CHECK(known.find("failures=\"0\" errors=\"0\" skipped=\"29\"") != std::string::npos);
+  CHECK(known.find("<skipped message=\"known failure: ") != std::string::npos);
+}
+
 TEST_CASE("conform: wrong usage") {
   const ScratchFolder scratch;
   for (const std::string arguments :
@@ -335,7 +439,9 @@ TEST_CASE("conform: wrong usage") {
         "conform --level 4 -- false {input} {faces} {output}",
         "conform --time-limit 0 -- false {input} {faces} {output}",
         "conform --flag no-such-flag -- false {input} {faces} {output}",
-        "conform -o report.txt -- false {input} {faces} {output}"}) {
+        "conform --flag tise -- false {input} {faces} {output}",
+        "conform --skip-flag tise -- false {input} {faces} {output}",
+        "conform -o report.csv -- false {input} {faces} {output}"}) {
     CAPTURE(arguments);
     CHECK(run_program(arguments).exit == 2);
   }

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "affine_dimension.hpp"
+#include "cli/time_left.hpp"
 #include "convexact/io.hpp"
 #include "convexact/shapes.hpp"
 #include "process.hpp"
@@ -45,6 +47,70 @@ TEST_CASE("generate: each family, from its usual values, has its dimension and i
     CHECK(points == shapes::generate(f, shapes::usual_values(f)));
     CHECK(affine_dimension(points) == f.dimension);
   }
+}
+
+TEST_CASE("generate: any family, as the command that it names makes it again") {
+  const ScratchFolder scratch;
+  std::set<std::string> families;
+  for (int seed = 1; seed <= 24; ++seed) {
+    const std::string any = scratch.file("any.obj"), again = scratch.file("again.obj");
+    const auto ran = run_program("generate --any --seed " + std::to_string(seed) + " -o " + any);
+    REQUIRE_MESSAGE(ran.exit == 0, ran.err);
+    const std::string start = "convexact generate ";
+    REQUIRE(ran.err.find(start) == 0);
+    const std::string command = ran.err.substr(start.size(), ran.err.find('\n') - start.size());
+    families.insert(command.substr(0, command.find(' ')));
+    REQUIRE(run_program("generate " + command + " -o " + again).exit == 0);
+    CHECK(bytes_of(any) == bytes_of(again));
+  }
+  CHECK(families.size() > 10);
+}
+
+TEST_CASE("generate: the input of a vector") {
+  const ScratchFolder scratch;
+  const std::string vectors = std::string(" --vectors ") + std::getenv("CONVEXACT_VECTORS") + " ";
+  const std::string out = scratch.file("cube.obj");
+  REQUIRE(run_program("generate --vector cube-hull -o " + out + vectors).exit == 0);
+  CHECK(points_of(out).size() == 8);
+  CHECK(bytes_of(out).find("\nf ") != std::string::npos);
+  const auto nan = run_program("generate --vector malformed-obj-nan" + vectors);
+  CHECK(nan.exit == 0);
+  CHECK(nan.out.find("NaN") != std::string::npos);
+  CHECK(run_program("generate --vector malformed-obj-nan -o " + scratch.file("a.off") + vectors)
+            .exit == 2);
+  const auto mistyped = run_program("generate --vector cube-hul" + vectors);
+  CHECK(mistyped.exit == 2);
+  CHECK(mistyped.err.find("did you mean 'cube-hull'?") != std::string::npos);
+  CHECK(run_program("generate --any cube").exit == 2);
+}
+
+TEST_CASE("command line: words that are spelt nearly so are named") {
+  struct Case {
+    const char* words;
+    const char* meant;
+  };
+  for (const auto& [words, meant] :
+       {Case{"simplfy a.obj", "'simplify'"}, Case{"simplify a.obj --fcaes 3", "'--faces'"},
+        Case{"generate cospherial", "'cospherical'"},
+        Case{"generate needle --pionts 3", "'--points'"}}) {
+    CAPTURE(words);
+    const auto ran = run_program(words);
+    CHECK(ran.exit == 2);
+    CHECK(ran.err.find("; did you mean " + std::string(meant) + "?") != std::string::npos);
+  }
+  CHECK(run_program("frobnicate").err.find("did you mean") == std::string::npos);
+}
+
+TEST_CASE("progress: the time left never grows while the share stands still") {
+  cli::TimeLeft left;
+  CHECK(left.text(0.1, 1, 4) == "");
+  CHECK(left.text(10, 1, 4) == "");  // the share has not changed since it was too soon to say
+  CHECK(left.text(20, 2, 4) == "about 20 s left");
+  CHECK(left.text(25, 2, 4) == "about 15 s left");
+  CHECK(left.text(39.5, 2, 4) == "about 1 s left");
+  CHECK(left.text(41, 2, 4) == "");
+  CHECK(left.text(60, 3, 4) == "about 20 s left");
+  CHECK(cli::TimeLeft().text(600, 1, 11) == "about 100 min left");
 }
 
 TEST_CASE("generate: every format keeps the doubles, also the smallest and the largest") {

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "process.hpp"
@@ -44,6 +45,48 @@ TEST_CASE("shrink command: an exit code") {
   CHECK(bytes_of(test.output) == "v 5 0 0\n");
   CHECK(ran.out.find("failure     exit code 3\n  points      1 of 12\n  bits        3 of ") !=
         std::string::npos);
+}
+
+TEST_CASE("shrink command: any predicate") {
+  // Interesting: some x is above 2, as in the case above; and the file's name has blanks.
+  const ShrinkCase test;
+  const std::string folder = test.scratch.file("with 'a blank");
+  std::filesystem::create_directory(folder);
+  const std::string script = test.scratch.write(
+      "predicate", "#!/bin/sh\nawk '$1 == \"v\" && $2 > 2 {f = 1} END {exit !f}' \"$1\"\n");
+  for (const std::string command :
+       {"sh " + script, "sh " + script + " {input} | cat; sh " + script + " {input}"}) {
+    const auto ran = support::run_shell(
+        "TMPDIR=\"" + folder + "\" '" + std::getenv("CONVEXACT_PROGRAM") + "' shrink " +
+        test.input + " -o " + test.output + " --allow-flat --interesting '" + command + "'");
+    REQUIRE_MESSAGE(ran.exit == 0, ran.err);
+    CHECK(bytes_of(test.output) == "v 5 0 0\n");
+    CHECK(ran.out.find("failure     interesting\n  points      1 of 12\n") != std::string::npos);
+  }
+  const std::string base = "shrink " + test.input + " -o " + test.output + " --interesting ";
+  const auto dull = run_program(base + "false");
+  CHECK(dull.exit == 2);
+  CHECK(dull.err.find("the command does not end with 0 on ") != std::string::npos);
+  CHECK(run_program(base + "true -- cat {input}").exit == 2);
+}
+
+TEST_CASE("shrink command: the caps of a promise, and numbers in binary32") {
+  // A program that copies: 11 corners, promised are 6. The fewest points that break the promise
+  // are 7, and a third is no binary32 number.
+  const ShrinkCase test;
+  const std::string input = test.scratch.write("ball.obj", [] {
+    std::string text;
+    for (int k = 0; k < 11; ++k) {
+      text += "v " + std::to_string(k) + " " + std::to_string(k * k) + " " +
+              std::to_string(k * k * k + 1.0 / 3) + "\n";
+    }
+    return text;
+  }());
+  const auto ran = run_program("shrink " + input + " -o " + test.output +
+                               " --numbers binary32 --max-vertices 6 --claims max-vertices -- cp "
+                               "{input} {output}");
+  REQUIRE_MESSAGE(ran.exit == 0, ran.err);
+  CHECK(ran.out.find("violates max-vertices\n  points      7 of 11") != std::string::npos);
 }
 
 TEST_CASE("shrink command: a crash that needs two points, and fails otherwise with fewer") {

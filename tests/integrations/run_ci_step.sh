@@ -17,11 +17,17 @@ program() {
   chmod +x "$1"
 }
 program encloses '"$CONVEXACT" simplify "$1" --faces 8 -o "$2" >log'
+program writes_hulls '"$CONVEXACT" hull "$1" -o "$2" >log'
 program misses 'sed "1,3d" "$1" | grep "^v" >"$2"'
 program fails 'exit 3'
 program writes_nothing ': >"$2"'
 
-"$step" ./encloses first.obj second.obj | grep -c ': enclosed$' | grep -qx 2
+"$step" ./encloses first.obj second.obj | grep -c ': holds$' | grep -qx 2
+ASKS=hull "$step" ./writes_hulls first.obj second.obj | grep -c ': holds$' | grep -qx 2
+if ASKS=hull "$step" ./encloses first.obj; then
+  echo "the step accepted a program that writes no hull"
+  exit 1
+fi
 for name in misses fails writes_nothing; do
   if "$step" "./$name" first.obj second.obj; then
     echo "the step accepted a program that $name"

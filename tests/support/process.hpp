@@ -57,17 +57,21 @@ struct Ran {
   std::string out, err;
 };
 
-/// Runs the program under test (CONVEXACT_PROGRAM) with shell-quoted arguments; `after` is what the
-/// shell goes on with.
-inline Ran run_program(const std::string& arguments, const std::string& after = "") {
-  const char* program = std::getenv("CONVEXACT_PROGRAM");
-  if (program == nullptr) throw std::runtime_error("CONVEXACT_PROGRAM is not set");
+/// Runs a command of the shell; `after` is what the shell goes on with.
+inline Ran run_shell(const std::string& words, const std::string& after = "") {
   const ScratchFolder scratch;
-  const std::string command = std::string("'") + program + "' " + arguments + " >" +
-                              scratch.file("out") + " 2>" + scratch.file("err") + after;
+  const std::string command =
+      words + " >" + scratch.file("out") + " 2>" + scratch.file("err") + after;
   const int status = std::system(command.c_str());
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return {code, bytes_of(scratch.file("out")), bytes_of(scratch.file("err"))};
+}
+
+/// Runs the program under test (CONVEXACT_PROGRAM) with shell-quoted arguments.
+inline Ran run_program(const std::string& arguments, const std::string& after = "") {
+  const char* program = std::getenv("CONVEXACT_PROGRAM");
+  if (program == nullptr) throw std::runtime_error("CONVEXACT_PROGRAM is not set");
+  return run_shell(std::string("'") + program + "' " + arguments, after);
 }
 
 /// Runs the program and sends it `signal` (INT or TERM) when it has worked for `seconds`: the time
