@@ -5,6 +5,7 @@
 // a triangle differ by the triangles that lie on it.
 #include <map>
 
+#include "convexact/overlay.hpp"
 #include "convexact/surface.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"

@@ -105,10 +105,4 @@ class Winding {
   std::unique_ptr<const Search> search_;
 };
 
-/// The volume of the solid of a closed surface, in cubed length units: of {winding number != 0},
-/// each point counted once, however often the surface winds about it or crosses itself.
-/// @par Cost  Linear if no two triangles cross; else each triangle is cut where others meet it.
-[[nodiscard]] Measured solid_volume(const Surface& surface, long precision, bool exact,
-                                    const Watch& watch = {});
-
 }  // namespace convexact

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "overlay/solid_boundary.hpp"
 
+#include "surface/patches.hpp"
+
 namespace convexact {
 namespace {
 
@@ -10,6 +12,8 @@ class Walk {
        long exponent, const std::function<bool(const SolidPiece&)>& visit, const Watch& watch)
       : surface_(surface, exponent),
         winding_(winding),
+        patches_(find_patches(surface, watch)),
+        beside_(surface.triangles.size()),
         union_(parts, exponent),
         holders_(union_.holders(surface_.points(), watch)),
         visit_(visit),
@@ -44,24 +48,42 @@ class Walk {
   // (1)
   bool triangle(std::size_t t) {
     const auto corners = surface_.corners(t);
+    if (patches_.repeats_last[t]) return true;  // its pieces count for the first of them
     if (holders_.any_holds(corners)) return true;
     const LaidSurface::Walls* walls = surface_.walls(t);
     if (walls == nullptr) return true;
     auto rest = union_.rest_of(surface_.points(), corners);
     if (!rest) return true;
+    if (!patches_.is_crossed[t]) return plain_triangle(t, *walls, *rest);
     const auto related = surface_.relate(walls->plane, surface_.box(t), corners, t);
     surface_.cut(rest->arrangement, rest->pieces, related, t);
-    // Where nothing crosses the triangle, the winding numbers are the same on all of it.
-    const bool is_plain = related.crossing.empty() && related.coplanar.empty();
-    std::optional<std::pair<long, long>> beside;
     for (const ConvexPiece<3>& piece : rest->pieces) {
       watch_.ask();
       std::optional<std::size_t> inside;
       const RationalPoint x = clear_point(rest->arrangement, piece, related, inside);
-      if (!is_plain || !beside) beside = winding_.beside(TriangleId(t), x);
-      const bool before = beside->first != 0, behind = beside->second != 0;
-      if (before == behind) continue;
-      if (!visit_({rest->arrangement, piece, walls->plane, x, behind})) return false;
+      const auto [before, behind] = winding_.beside(TriangleId(t), x);
+      if (!is_boundary(before, behind)) continue;
+      if (!visit_({rest->arrangement, piece, walls->plane, x, behind != 0})) return false;
+    }
+    return true;
+  }
+
+  static bool is_boundary(long before, long behind) { return (before == 0) != (behind == 0); }
+
+  // Nothing crosses the triangle: its patch has the same winding numbers everywhere.
+  bool plain_triangle(std::size_t t, const LaidSurface::Walls& walls, PlanePieces& rest) {
+    const auto inside_of = [&](const ConvexPiece<3>& piece) {
+      return rest.arrangement.point(interior_of(rest.arrangement, piece, 0));
+    };
+    std::optional<std::pair<long, long>>& beside = beside_[patches_.patch[t]];
+    if (!beside) beside = winding_.beside(TriangleId(t), inside_of(rest.pieces.front()));
+    const auto [before, behind] = *beside;
+    if (!is_boundary(before, behind)) return true;
+    for (const ConvexPiece<3>& piece : rest.pieces) {
+      watch_.ask();
+      if (!visit_({rest.arrangement, piece, walls.plane, inside_of(piece), behind != 0})) {
+        return false;
+      }
     }
     return true;
   }
@@ -101,6 +123,8 @@ class Walk {
 
   LaidSurface surface_;
   const Winding& winding_;
+  Patches patches_;
+  std::vector<std::optional<std::pair<long, long>>> beside_;  // by patch, once it is known
   UnionBoundary union_;
   Holders holders_;
   const std::function<bool(const SolidPiece&)>& visit_;

@@ -120,4 +120,9 @@ Measured uncovered_volume(const Surface& surface, const Winding& winding,
   return measure_inside(bounding_box(surface.points).middle(), precision, exact, add_boundary);
 }
 
+// The rest of the solid outside of no part.
+Measured solid_volume(const Surface& surface, long precision, bool exact, const Watch& watch) {
+  return uncovered_volume(surface, Winding(surface), {}, precision, exact, watch);
+}
+
 }  // namespace convexact

@@ -46,25 +46,4 @@ void BoxTree::build(std::uint32_t first, std::uint32_t last) {
   build(middle, last);
 }
 
-void BoxTree::find(const NearBox& box, std::vector<std::uint32_t>& found) const {
-  found.clear();
-  if (nodes_.empty()) return;
-  std::vector<std::uint32_t> open{0};
-  while (!open.empty()) {
-    const std::uint32_t n = open.back();
-    open.pop_back();
-    const Node& node = nodes_[n];
-    if (!node.box.meets(box)) continue;
-    if (node.second_child != 0) {
-      open.push_back(n + 1);
-      open.push_back(node.second_child);
-      continue;
-    }
-    for (std::uint32_t i = node.first; i < node.last; ++i) {
-      if (boxes_[order_[i]].meets(box)) found.push_back(order_[i]);
-    }
-  }
-  std::sort(found.begin(), found.end());
-}
-
 }  // namespace convexact

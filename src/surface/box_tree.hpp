@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // box_tree.hpp - boxes of doubles, and a tree that finds those that meet a box.
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -44,7 +45,14 @@ class BoxTree {
   explicit BoxTree(std::vector<NearBox> boxes);
 
   /// The indices of the boxes that meet `box`, ascending.
-  void find(const NearBox& box, std::vector<std::uint32_t>& found) const;
+  void find(const NearBox& box, std::vector<std::uint32_t>& found) const {
+    find_if(
+        box, [](const NearBox&) { return true; }, found);
+  }
+  /// Those of them that `may_hold` does not rule out, alone or by a box that holds them.
+  template <class MayHold>
+  void find_if(const NearBox& box, const MayHold& may_hold,
+               std::vector<std::uint32_t>& found) const;
   const NearBox& box(std::size_t index) const { return boxes_[index]; }
   std::size_t size() const { return boxes_.size(); }
 
@@ -60,5 +68,28 @@ class BoxTree {
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;
 };
+
+template <class MayHold>
+void BoxTree::find_if(const NearBox& box, const MayHold& may_hold,
+                      std::vector<std::uint32_t>& found) const {
+  found.clear();
+  if (nodes_.empty()) return;
+  std::vector<std::uint32_t> open{0};
+  while (!open.empty()) {
+    const std::uint32_t n = open.back();
+    open.pop_back();
+    const Node& node = nodes_[n];
+    if (!node.box.meets(box) || !may_hold(node.box)) continue;
+    if (node.second_child != 0) {
+      open.push_back(n + 1);
+      open.push_back(node.second_child);
+      continue;
+    }
+    for (std::uint32_t i = node.first; i < node.last; ++i) {
+      if (boxes_[order_[i]].meets(box) && may_hold(boxes_[order_[i]])) found.push_back(order_[i]);
+    }
+  }
+  std::sort(found.begin(), found.end());
+}
 
 }  // namespace convexact

@@ -2,6 +2,8 @@
 #include "surface/common_point.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "convexact/predicates.hpp"
 
@@ -46,6 +48,31 @@ bool an_edge_meets(const PointSet& points, const Triangle& s, const Triangle& t)
   return false;
 }
 
+// On which side of t's plane, or in it, all of s lies; Zero also if t has no area. Nothing if s has
+// corners on two sides, or on one and in the plane.
+std::optional<Sign> side_of(const PointSet& points, const Triangle& s, const Triangle& t) {
+  const auto at = [&](PointId p) { return orient(points, t[0], t[1], t[2], p); };
+  const Sign side = at(s[0]);
+  if (side != at(s[1]) || side != at(s[2])) return std::nullopt;
+  return side;
+}
+
+// Whether an edge of one of two triangles in a plane has the other one strictly beyond it: if the
+// triangles have no common point, one has. Precondition: both have an area.
+bool are_apart(const PlaneView& view, const Triangle& s, const Triangle& t) {
+  const auto separates = [&](const Triangle& own, const Triangle& other) {
+    const Sign inner = view.turn(own[0], own[1], own[2]);
+    for (int k = 0; k < 3; ++k) {
+      const auto is_beyond = [&](PointId p) {
+        return view.turn(own[k], own[(k + 1) % 3], p) * inner == Sign::Negative;
+      };
+      if (std::all_of(other.begin(), other.end(), is_beyond)) return true;
+    }
+    return false;
+  };
+  return separates(t, s) || separates(s, t);
+}
+
 }  // namespace
 
 Sign orient(const PointSet& points, PointId a, PointId b, PointId c, PointId d) {
@@ -60,28 +87,35 @@ Sign orient(const PointSet& points, PointId a, PointId b, PointId c, PointId d) 
 }
 
 bool have_common_point(const PointSet& points, const Triangle& s, const Triangle& t) {
+  const std::optional<Sign> s_at_t = side_of(points, s, t), t_at_s = side_of(points, t, s);
+  for (const auto& side : {s_at_t, t_at_s}) {
+    if (side && *side != Sign::Zero) return false;
+  }
+  if (s_at_t && t_at_s && !has_no_area(points, s) && !has_no_area(points, t)) {
+    return !are_apart(PlaneView(points, seen_along(points, t)), s, t);
+  }
   return an_edge_meets(points, s, t) || an_edge_meets(points, t, s);
 }
 
 bool cross(const PointSet& points, const Triangle& s, const Triangle& t) {
-  std::vector<PointId> shared, of_s, of_t;
-  for (const PointId p : s) {
-    const bool is_shared = std::find(t.begin(), t.end(), p) != t.end();
-    (is_shared ? shared : of_s).push_back(p);
-  }
-  for (const PointId p : t) {
-    if (std::find(s.begin(), s.end(), p) == s.end()) of_t.push_back(p);
-  }
-  switch (shared.size()) {
+  // The corners that both have come first in each.
+  const auto shared_first = [](Triangle own, const Triangle& other) {
+    const auto end = std::stable_partition(own.begin(), own.end(), [&](PointId p) {
+      return std::find(other.begin(), other.end(), p) != other.end();
+    });
+    return std::pair(own, end - own.begin());
+  };
+  const auto [a, shared] = shared_first(s, t);
+  const Triangle b = shared_first(t, s).first;
+  switch (shared) {
     case 0:
       return have_common_point(points, s, t);
     case 1:  // The common set is convex, and leaves one of them through the opposite edge.
-      return segment_meets(points, of_s[0], of_s[1], t) ||
-             segment_meets(points, of_t[0], of_t[1], s);
+      return segment_meets(points, a[1], a[2], t) || segment_meets(points, b[1], b[2], s);
     case 2: {  // In one plane, and on the same side of the edge.
-      if (orient(points, shared[0], shared[1], of_s[0], of_t[0]) != Sign::Zero) return false;
+      if (orient(points, a[0], a[1], a[2], b[2]) != Sign::Zero) return false;
       const PlaneView view(points, seen_along(points, s));
-      return view.turn(shared[0], shared[1], of_s[0]) == view.turn(shared[0], shared[1], of_t[0]);
+      return view.turn(a[0], a[1], a[2]) == view.turn(a[0], a[1], b[2]);
     }
     default:
       return true;

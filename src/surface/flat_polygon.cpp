@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "convexact/error.hpp"
+#include "convexact/predicates.hpp"
 
 namespace convexact {
 namespace {
@@ -64,6 +65,9 @@ Sign PlaneView::turn(PointId a, PointId b, PointId c) const {
     const double right = (x[v_] - z[v_]) * (y[u_] - z[u_]);
     const double value = left - right, size = std::abs(left) + std::abs(right);
     if (size > 0x1p-900 && std::abs(value) > 0x1p-51 * size) return sign_of(value);
+    // As a determinant of space: its third point lies straight below c.
+    const auto flat = [&](const Point& q, double height) { return Point(q[u_], q[v_], height); };
+    return orient3d(flat(x, 0), flat(y, 0), flat(z, 0), flat(z, -1));
   }
   const RationalPoint x = points_[a], y = points_[b], z = points_[c];
   return sign_of(Rational((x[u_] - z[u_]) * (y[v_] - z[v_]) - (x[v_] - z[v_]) * (y[u_] - z[u_])));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Winding numbers: from a ray upwards, which starts at the point after an infinitesimal shift.
+#include <array>
 #include <cmath>
 
 #include "convexact/error.hpp"
@@ -15,17 +16,20 @@ namespace {
 // A query point: exact, and rounded to nearest doubles with the bound of their errors.
 struct Query {
   explicit Query(const RationalPoint& x) : exact(x), cleared(clear_denominators(x)) {
+    is_binary = true;
     for (int k = 0; k < 3; ++k) {
       near[k] = to_double(x[k], Rounding::Nearest);
-      low[k] = to_double(x[k], Rounding::Down);
-      high[k] = to_double(x[k], Rounding::Up);
+      low[k] = high[k] = near[k];
+      if (std::isfinite(near[k]) && to_rational(near[k]) == x[k]) continue;
+      is_binary = false;
+      low[k] = std::nextafter(near[k], -HUGE_VAL);
+      high[k] = std::nextafter(near[k], HUGE_VAL);
     }
-    is_binary = low == high;
   }
 
   const RationalPoint& exact;
   HomogeneousPoint cleared;
-  Point near, low, high;
+  Point near, low, high;  // low <= x <= high
   bool is_binary = false;
 };
 
@@ -68,7 +72,10 @@ std::vector<NearBox> boxes_of(const Surface& surface) {
 
 class Winding::Search {
  public:
-  explicit Search(const Surface& surface) : surface_(surface), tree_(boxes_of(surface)) {}
+  explicit Search(const Surface& surface) : surface_(surface), tree_(boxes_of(surface)) {
+    const PlaneView from_above(surface.points, 2);
+    for (const auto& [a, b, c] : surface.triangles) up_.push_back(from_above.turn(a, b, c));
+  }
 
   std::optional<long> at(const RationalPoint& x) const {
     const Query query(x);
@@ -76,15 +83,30 @@ class Winding::Search {
     for (const std::uint32_t t : near) {
       if (is_on(t, query)) return std::nullopt;
     }
-    return count(near, query, {});
+    long sum = 0;
+    for (const std::uint32_t t : near) {
+      if (const std::optional<Sides> sides = sides_of(t, query)) sum += counted(t, *sides, {});
+    }
+    return sum;
   }
 
-  long at_shifted(const RationalPoint& x, const RationalVector3& direction) const {
+  // Just before and just behind a triangle that has x strictly inside.
+  std::pair<long, long> beside(std::uint32_t own, const RationalPoint& x) const {
     const Query query(x);
-    return count(find_near(query), query, {&direction});
+    const RationalVector3 front = area_vector(surface_.points, surface_.triangles[own]),
+                          back = -front;
+    long before = 0, behind = 0;
+    for (const std::uint32_t t : find_near(query)) {
+      if (t == own) {  // it is above the one of the two points that is below it
+        before -= up_[t] == Sign::Negative ? 1 : 0;
+        behind += up_[t] == Sign::Positive ? 1 : 0;
+      } else if (const std::optional<Sides> sides = sides_of(t, query)) {
+        before += counted(t, *sides, {&front});
+        behind += counted(t, *sides, {&back});
+      }
+    }
+    return {before, behind};
   }
-
-  const Surface& surface() const { return surface_; }
 
  private:
   // The triangles whose boxes lie above or below the point.
@@ -96,35 +118,42 @@ class Winding::Search {
     return found;
   }
 
-  // Of these triangles: +1 for each that lies above and faces up, -1 for each that faces
-  // down.
-  long count(const std::vector<std::uint32_t>& near, const Query& query, const Shift& shift) const {
-    long sum = 0;
-    for (const std::uint32_t t : near) {
-      const Triangle& triangle = surface_.triangles[t];
-      const Sign up = PlaneView(surface_.points, 2).turn(triangle[0], triangle[1], triangle[2]);
-      if (up == Sign::Zero || !is_over(triangle, up, query, shift)) continue;
-      // orient3d is positive where the corners look clockwise from the point: for triangles that
-      // face up, below them.
-      const Sign beside = shift.sign(orient(triangle, query), [&] {
-        return RationalVector3(-area_vector(surface_.points, triangle));
-      });
-      if (beside * up == Sign::Positive) sum += up == Sign::Positive ? 1 : -1;
+  // On which sides of a triangle's edges, seen from above, and of its plane the query point lies.
+  struct Sides {
+    std::array<Sign, 3> edges;
+    Sign plane;
+  };
+  // Nothing if the triangle is not above the point, wherever an infinitesimal shift moves it.
+  std::optional<Sides> sides_of(std::uint32_t t, const Query& query) const {
+    const Triangle& triangle = surface_.triangles[t];
+    const Sign up = up_[t];
+    if (up == Sign::Zero) return std::nullopt;
+    Sides sides;
+    for (int k = 0; k < 3; ++k) {
+      sides.edges[k] = turn(triangle[k], triangle[(k + 1) % 3], query, 2);
+      if (sides.edges[k] * up == Sign::Negative) return std::nullopt;
     }
-    return sum;
+    // orient3d is positive where the corners look clockwise from the point: for triangles that
+    // face up, below them.
+    sides.plane = orient(triangle, query);
+    if (sides.plane * up == Sign::Negative) return std::nullopt;
+    return sides;
   }
 
-  // Whether the line upwards through the moved point meets the triangle.
-  bool is_over(const Triangle& t, Sign up, const Query& query, const Shift& shift) const {
+  // +1 if the triangle lies above the moved point and faces up, -1 if it faces down, else 0.
+  long counted(std::uint32_t t, const Sides& sides, const Shift& shift) const {
+    const Triangle& triangle = surface_.triangles[t];
     for (int k = 0; k < 3; ++k) {
-      const PointId a = t[k], b = t[(k + 1) % 3];
-      const Sign side = shift.sign(turn(a, b, query, 2), [&] {
-        const RationalVector3 edge = surface_.points[b] - surface_.points[a];
+      const Sign side = shift.sign(sides.edges[k], [&] {
+        const RationalVector3 edge =
+            surface_.points[triangle[(k + 1) % 3]] - surface_.points[triangle[k]];
         return RationalVector3(-edge[1], edge[0], 0);
       });
-      if (side != up) return false;
+      if (side != up_[t]) return 0;
     }
-    return true;
+    const Sign below = shift.sign(
+        sides.plane, [&] { return RationalVector3(-area_vector(surface_.points, triangle)); });
+    return below != up_[t] ? 0 : below == Sign::Positive ? 1 : -1;
   }
 
   // The sign of the area of a, b, x, seen along an axis.
@@ -208,6 +237,7 @@ class Winding::Search {
 
   const Surface& surface_;
   BoxTree tree_;
+  std::vector<Sign> up_;  // by triangle: whether it faces up
 };
 
 Winding::Winding(const Surface& surface) {
@@ -222,9 +252,7 @@ Winding::~Winding() = default;
 std::optional<long> Winding::operator()(const RationalPoint& x) const { return search_->at(x); }
 
 std::pair<long, long> Winding::beside(TriangleId triangle, const RationalPoint& x) const {
-  const Surface& surface = search_->surface();
-  const RationalVector3 normal = area_vector(surface.points, surface.triangles[triangle.index()]);
-  return {search_->at_shifted(x, normal), search_->at_shifted(x, RationalVector3(-normal))};
+  return search_->beside(triangle.value, x);
 }
 
 }  // namespace convexact

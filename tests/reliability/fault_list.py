@@ -248,7 +248,11 @@ FAULTS = [
 
     # Surfaces.
     (TIE, 'surface/sign', '      if (g[k] != 0) return sign_of(g[k]);\n', '', 'surface'),
-    (TIE, 'surface/for_each', 'if (is_counted_before(t, at)) continue;', '', 'surface'),
+    (LIMIT, 'surface/find_patches', 'if (uses.size() != 2 ||', 'if (uses.size() < 2 ||', 'surface'),
+    (TIE, 'surface/may_meet_plane', 'if (here == Sign::Zero || (side', 'if ((side', 'surface'),
+    (TIE, 'surface/are_apart', '* inner == Sign::Negative', '* inner != Sign::Positive', 'surface'),
+    (SIGN, 'surface/beside', 'before -= up_[t]', 'before += up_[t]', 'surface'),
+    (LOST, 'surface/for_each_pair', 'if (level < own || k > i)', 'if (k > i)', 'surface'),
     (SIGN, 'surface/find_inside_out', 'shells[outermost]->triangles()', 'shells[i]->triangles()', 'surface'),
     (SKIP, 'surface/clip_ears', '  if (!is_simple(view, corners)) return std::nullopt;\n', '', 'surface'),
     (SKIP, 'surface/clip_ears', 'area[axis] == 0 || !is_planar(points, corners, area)', 'area[axis] == 0', 'surface'),
@@ -265,7 +269,8 @@ FAULTS = [
     (TIE, 'overlay/rest', 'if (looks_alike && s > f.part) continue;', 'if (looks_alike) continue;', 'overlay'),
     (STALE, 'overlay/split', 'halves.inside.corners.push_back({corner.at, leaves ? row : corner.side});',
      'halves.inside.corners.push_back({corner.at, corner.side});', 'overlay'),
-    (STALE, 'overlay/triangle', 'if (!is_plain || !beside) beside', 'if (!beside) beside', 'overlay'),
+    (STALE, 'overlay/plain_triangle', 'beside_[patches_.patch[t]]', 'beside_[0]', 'overlay'),
+    (STALE, 'overlay/triangle', 'if (!patches_.is_crossed[t]) return plain', 'if (t > 0) return plain', 'overlay'),
     (SKIP, 'overlay/near', '      if (is_held(y)) continue;\n', '', 'overlay'),
     (TIE, 'overlay/operator', 'squared < best->squared)', 'squared <= best->squared)', 'overlay'),
     (PUSH, 'overlay/add_cell', '      dropped_ = std::max(dropped_, cell.upper);\n', '', 'overlay'),

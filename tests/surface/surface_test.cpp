@@ -12,6 +12,7 @@
 
 #include "cells.hpp"
 #include "convexact/io.hpp"
+#include "convexact/overlay.hpp"
 #include "expect_error.hpp"
 #include "surface/common_point.hpp"
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The volume of {winding number != 0}. Its boundary is where just one of the two winding numbers
-// beside a triangle is zero; signed cones over it add up to the volume. Triangles that others cross
-// are cut into pieces beside which the winding numbers do not change.
+// defined_solid_volume.hpp - the volume of a closed surface's solid in another way than the
+// library's: every triangle is cut along the whole plane of every one that crosses it, in rational
+// barycentric coordinates, and each piece asks for its winding numbers.
+#pragma once
 #include <algorithm>
+#include <vector>
 
 #include "convexact/surface.hpp"
-#include "number/groups.hpp"
-#include "surface/box_tree.hpp"
 #include "surface/common_point.hpp"
-#include "surface/edges.hpp"
 
-namespace convexact {
-namespace {
+namespace support {
+
+using namespace convexact;
 
 // A line in a triangle's plane: its values at the three corners, in proportion. A point: its
 // barycentric coordinates, in proportion, with a positive sum.
@@ -25,19 +25,19 @@ struct Piece {
   std::vector<Line> edges;  // edges[k] leads from corners[k] to the next
 };
 
-Piece whole() {
+inline Piece whole() {
   const At a(1, 0, 0), b(0, 1, 0), c(0, 0, 1);
   return {{a, b, c}, {c, a, b}};  // the line ab is where the third coordinate is 0
 }
 
-At meet(const Line& a, const Line& b) {
+inline At meet(const Line& a, const Line& b) {
   At at = a.cross(b);
   const Rational sum = at.sum();
   return at / sum;
 }
 
 // The part of the piece on the positive side of the line.
-Piece part_beyond(const Piece& piece, const Line& line) {
+inline Piece part_beyond(const Piece& piece, const Line& line) {
   Piece part;
   const std::size_t n = piece.corners.size();
   for (std::size_t k = 0; k < n; ++k) {
@@ -56,10 +56,10 @@ Piece part_beyond(const Piece& piece, const Line& line) {
   return part;
 }
 
-bool has_area(const Piece& piece) { return piece.corners.size() >= 3; }
+inline bool has_area(const Piece& piece) { return piece.corners.size() >= 3; }
 
 // Cuts the pieces that have interior points on both sides.
-void cut(std::vector<Piece>& pieces, const Line& line) {
+inline void cut(std::vector<Piece>& pieces, const Line& line) {
   std::vector<Piece> all;
   for (Piece& piece : pieces) {
     bool has_positive = false, has_negative = false;
@@ -81,7 +81,7 @@ void cut(std::vector<Piece>& pieces, const Line& line) {
 }
 
 // The share of the triangle's area.
-Rational share_of(const Piece& piece) {
+inline Rational share_of(const Piece& piece) {
   Rational sum = 0;
   for (std::size_t k = 1; k + 1 < piece.corners.size(); ++k) {
     sum += piece.corners[0].dot(piece.corners[k].cross(piece.corners[k + 1]));
@@ -89,86 +89,46 @@ Rational share_of(const Piece& piece) {
   return sum;
 }
 
-At centroid_of(const Piece& piece) {
+inline At centroid_of(const Piece& piece) {
   At sum = At::Zero();
   for (const At& corner : piece.corners) sum += corner;
   return sum / Rational(piece.corners.size());
 }
 
-// ---- Crossings
-
-// By triangle: those that it meets elsewhere than at common corners and edges. None for triangles
-// without area.
-std::vector<std::vector<std::uint32_t>> find_crossings(const Surface& surface,
-                                                       const std::vector<bool>& has_area,
-                                                       const Watch& watch) {
-  std::vector<NearBox> boxes;
-  for (const Triangle& t : surface.triangles) boxes.push_back(box_of(surface.points, t));
-  const BoxTree tree(boxes);
-  std::vector<std::vector<std::uint32_t>> crossings(surface.triangles.size());
-  std::vector<std::uint32_t> found;
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-    watch.at(t, surface.triangles.size());
-    if (!has_area[t]) continue;
-    tree.find(boxes[t], found);
-    for (const std::uint32_t s : found) {
-      if (s <= t || !has_area[s]) continue;
-      if (!cross(surface.points, surface.triangles[t], surface.triangles[s])) continue;
-      crossings[t].push_back(s);
-      crossings[s].push_back(t);
-    }
-  }
-  return crossings;
-}
-
-class SolidBoundary {
+class DefinedSolid {
  public:
-  SolidBoundary(const Surface& surface, const Watch& watch) : surface_(surface), winding_(surface) {
-    for (const Triangle& t : surface.triangles) {
-      has_area_.push_back(!has_no_area(surface.points, t));
+  explicit DefinedSolid(const Surface& surface)
+      : surface_(surface), winding_(surface), crossings_(surface.triangles.size()) {
+    const auto count = static_cast<std::uint32_t>(surface.triangles.size());
+    for (std::uint32_t t = 0; t < count; ++t) {
+      for (std::uint32_t s = t + 1; s < count; ++s) {
+        const Triangle &a = surface.triangles[t], &b = surface.triangles[s];
+        if (has_no_area(surface.points, a) || has_no_area(surface.points, b)) continue;
+        if (!cross(surface.points, a, b)) continue;
+        crossings_[t].push_back(s);
+        crossings_[s].push_back(t);
+      }
     }
-    crossings_ = find_crossings(surface, has_area_, watch);
   }
 
-  // Calls take(triangle, share), share > 0 where the triangle looks out of the solid and < 0 where
-  // it looks in.
-  template <class Take>
-  void for_each(const Watch& watch, const Take& take) const {
-    const std::vector<std::uint32_t> patches = find_patches();
-    std::vector<std::optional<int>> side_of(surface_.triangles.size());  // by patch
+  Rational volume() const {
+    const RationalPoint o = surface_.points[PointId(0)];
+    Rational total = 0;
     for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
-      watch.at(t, surface_.triangles.size());
-      if (!has_area_[t]) continue;
-      if (crossings_[t].empty()) {
-        std::optional<int>& side = side_of[patches[t]];
-        if (!side) side = side_at(t, At::Constant(Rational(1, 3)));
-        if (*side != 0) take(t, Rational(*side));
-        continue;
-      }
+      const auto& [a, b, c] = surface_.triangles[t];
+      if (has_no_area(surface_.points, surface_.triangles[t])) continue;
+      const Rational cone = RationalVector3(surface_.points[a] - o)
+                                .dot(RationalVector3(surface_.points[b] - o)
+                                         .cross(RationalVector3(surface_.points[c] - o)));
       for (const Piece& piece : pieces_of(t)) {
         const At at = centroid_of(piece);
-        if (is_counted_before(t, at)) continue;
-        const int side = side_at(t, at);
-        if (side != 0) take(t, Rational(side * share_of(piece)));
+        if (!is_counted_before(t, at)) total += side_at(t, at) * share_of(piece) * cone / 6;
       }
     }
+    return total;
   }
 
  private:
-  // Triangles without crossings that are neighbours along edges with two triangles have the same
-  // winding numbers beside them.
-  std::vector<std::uint32_t> find_patches() const {
-    Groups patches(surface_.triangles.size());
-    EdgeTable(surface_.triangles).for_each([&](std::span<const EdgeUse> uses) {
-      if (uses.size() != 2) return;
-      const std::uint32_t s = uses[0].triangle, t = uses[1].triangle;
-      const bool joins = has_area_[s] && has_area_[t] && crossings_[s].empty() &&
-                         crossings_[t].empty() && uses[0].is_forward != uses[1].is_forward;
-      if (joins) patches.join(s, t);
-    });
-    return patches.roots();
-  }
-
   RationalPoint point_at(std::uint32_t t, const At& at) const {
     const auto& [a, b, c] = surface_.triangles[t];
     return surface_.points[a] * at[0] + surface_.points[b] * at[1] + surface_.points[c] * at[2];
@@ -232,34 +192,11 @@ class SolidBoundary {
 
   const Surface& surface_;
   Winding winding_;
-  std::vector<bool> has_area_;
   std::vector<std::vector<std::uint32_t>> crossings_;
 };
 
-}  // namespace
-
-Measured solid_volume(const Surface& surface, long precision, bool exact, const Watch& watch) {
-  const SolidBoundary boundary(surface, watch);
-  const RationalPoint o = surface.points[PointId(0)];
-  // One more bit for every doubling of the number of terms.
-  long guard = 8;
-  for (std::size_t n = surface.triangles.size(); n > 0; n /= 2) ++guard;
-  Enclosure sum(precision + guard);
-  Rational total = 0;
-  boundary.for_each(watch, [&](std::uint32_t t, const Rational& share) {
-    const auto& [a, b, c] = surface.triangles[t];
-    const Rational cone = share / 6 *
-                          RationalVector3(surface.points[a] - o)
-                              .dot(RationalVector3(surface.points[b] - o)
-                                       .cross(RationalVector3(surface.points[c] - o)));
-    if (exact) {
-      total += cone;
-    } else {
-      sum += Enclosure(cone, sum.precision());
-    }
-  });
-  if (exact) return {Enclosure(total, precision), total};
-  return {sum, std::nullopt};
+inline Rational defined_solid_volume(const Surface& surface) {
+  return DefinedSolid(surface).volume();
 }
 
-}  // namespace convexact
+}  // namespace support
