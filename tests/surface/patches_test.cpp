@@ -144,37 +144,42 @@ TEST_CASE("patches: in a mesh without crossings, a single patch for each compone
 }
 
 TEST_CASE("patches: they end at edges with more than two triangles") {
-  // Two cubes with a common edge, of which one is inside out: the winding numbers beside their
-  // triangles differ.
-  for (const std::size_t reversed : {0u, 1u}) {
-    for (int axis = 0; axis < 3; ++axis) {
-      support::Box first{{0, 0, 0}, {1, 1, 1}}, second = first;
-      for (int k = 0; k < 3; ++k) {
-        if (k != axis) second.low[k] = 1, second.high[k] = 2;
+  // Tetrahedra around a common edge, some inside out: the winding numbers beside their triangles
+  // differ. Their other corners are at different distances, so that neighbours in the order of
+  // triangles are none around the edge.
+  Random random(10);
+  for (int round = 0; round < 60; ++round) {
+    Mesh mesh;
+    std::vector<Point> points{{0, 0, 0}, {0, 0, 1}};
+    std::size_t tetrahedra = 0;
+    const double kDirections[6][2] = {{4, 1}, {1, 4}, {-2, 3}, {-4, -1}, {-1, -4}, {3, -3}};
+    for (std::uint32_t k = 0; k < 6; k += 2) {
+      const auto first = static_cast<std::uint32_t>(points.size());
+      for (std::uint32_t j = k; j < k + 2; ++j) {
+        const double far = 1 + static_cast<double>(uniform_below(random, 8));
+        points.emplace_back(far * kDirections[j][0], far * kDirections[j][1], 0.5);
       }
-      Mesh mesh;
-      std::vector<Point> points;
-      for (const support::Box& box : {first, second}) {
-        const auto start = static_cast<std::uint32_t>(points.size());
-        for (const Point& corner : support::box_corners(box)) points.push_back(corner);
-        for (std::vector<std::uint32_t> face : support::box_faces()) {
-          for (std::uint32_t& corner : face) corner += start;
-          if ((start > 0) == (reversed > 0)) std::reverse(face.begin(), face.end());
-          mesh.polygons.push_back(std::move(face));
-        }
+      std::vector<std::vector<std::uint32_t>> faces = {
+          {0, 1, first}, {1, 0, first + 1}, {0, first, first + 1}, {1, first + 1, first}};
+      const bool is_reversed = uniform_below(random, 2) == 0;
+      for (std::vector<std::uint32_t>& face : faces) {
+        if (is_reversed) std::reverse(face.begin(), face.end());
+        mesh.polygons.push_back(std::move(face));
       }
-      mesh.points = PointSet(points);
-      const Surface surface = make_surface(mesh, {.orient = Orient::Keep});
-      CHECK(*solid_volume(surface, 64, true).exact == 2);
-      const Patches patches = find_patches(surface);
-      const Winding winding(surface);
-      std::map<std::uint32_t, std::pair<long, long>> beside;
-      for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-        RationalPoint middle = RationalPoint::Zero();
-        for (const PointId p : surface.triangles[t]) middle += surface.points[p] / Rational(3);
-        const auto found = winding.beside(TriangleId(t), middle);
-        CHECK(beside.try_emplace(patches.patch[t], found).first->second == found);
-      }
+      ++tetrahedra;
     }
+    mesh.points = PointSet(points);
+    const Surface surface = make_surface(mesh, {.orient = Orient::Keep});
+    REQUIRE(surface.is_closed);
+    const Patches patches = find_patches(surface);
+    const Winding winding(surface);
+    std::map<std::uint32_t, std::pair<long, long>> beside;
+    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+      RationalPoint middle = RationalPoint::Zero();
+      for (const PointId p : surface.triangles[t]) middle += surface.points[p] / Rational(3);
+      const auto found = winding.beside(TriangleId(t), middle);
+      CHECK(beside.try_emplace(patches.patch[t], found).first->second == found);
+    }
+    CHECK(beside.size() == tetrahedra);
   }
 }
