@@ -11,6 +11,7 @@
 #include "overlay/union_distance_flat.hpp"
 #include "overlay/union_distance_near.hpp"
 #include "overlay/union_distance_triangles.hpp"
+#include "surface/patches.hpp"
 
 namespace convexact {
 namespace {
@@ -205,6 +206,20 @@ void add_part(CellSearch& search, const NearFrame& frame, const ConvexPart& part
 
 constexpr long kCellDistanceBits = 64;
 
+// The surface without triangles inside of its solid, such as walls between parts: they are near
+// nothing that is outside, and cells would be cut until they miss them.
+Surface seen_from_outside(const Surface& surface, const Winding* winding, const Watch& watch) {
+  Surface seen;
+  seen.points = surface.points;
+  seen.triangles = surface.triangles;
+  if (winding == nullptr) return seen;
+  const std::vector<std::uint32_t> ids = without_inner_triangles(surface, *winding, watch);
+  if (ids.empty()) return seen;
+  seen.triangles.clear();
+  for (const std::uint32_t t : ids) seen.triangles.push_back(surface.triangles[t]);
+  return seen;
+}
+
 }  // namespace
 
 DirectedDistance union_to_surface(std::span<const ConvexPart> parts, const Surface& surface,
@@ -216,7 +231,7 @@ DirectedDistance union_to_surface(std::span<const ConvexPart> parts, const Surfa
   std::vector<BoundingBox> boxes{bounding_box(surface.points)};
   for (const ConvexPart& part : parts) boxes.push_back(part.box);
   const NearFrame frame = frame_around(boxes);
-  const NearTriangles triangles(surface, frame);
+  const NearTriangles triangles(seen_from_outside(surface, winding, watch), frame);
   // A little less, for the roundings of the bounds.
   const double gap = frame.root_down(squared_diameter) * (1 - 0x1p-10) / kDistanceSteps;
   CellSearch search(triangles, frame, winding, gap);

@@ -131,4 +131,26 @@ Patches find_patches(const Surface& surface, const Watch& watch) {
   return found;
 }
 
+std::vector<std::uint32_t> without_inner_triangles(const Surface& surface, const Winding& winding,
+                                                   const Watch& watch) {
+  const Patches patches = find_patches(surface, watch);
+  std::vector<std::optional<bool>> is_inner(surface.triangles.size());  // by patch
+  std::vector<std::uint32_t> ids;
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+    const Triangle& triangle = surface.triangles[t];
+    if (!patches.is_crossed[t] && !has_no_area(surface.points, triangle)) {
+      std::optional<bool>& is_known = is_inner[patches.patch[t]];
+      if (!is_known) {
+        RationalPoint middle = RationalPoint::Zero();
+        for (const PointId p : triangle) middle += surface.points[p] / Rational(3);
+        const auto [before, behind] = winding.beside(TriangleId(t), middle);
+        is_known = before != 0 && behind != 0;
+      }
+      if (*is_known) continue;
+    }
+    ids.push_back(t);
+  }
+  return ids;
+}
+
 }  // namespace convexact

@@ -24,4 +24,11 @@ struct Patches {
 /// @par Cost  O(n log n), and one exact test for each two triangles whose boxes meet.
 [[nodiscard]] Patches find_patches(const Surface& surface, const Watch& watch = {});
 
+/// The triangles of a closed surface without those that lie in the interior of its solid,
+/// ascending: surface and solid have the same points without them. Crossed triangles all stay.
+/// @throws Error Stopped when the watch ends the call.
+[[nodiscard]] std::vector<std::uint32_t> without_inner_triangles(const Surface& surface,
+                                                                 const Winding& winding,
+                                                                 const Watch& watch = {});
+
 }  // namespace convexact

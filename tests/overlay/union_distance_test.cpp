@@ -580,6 +580,30 @@ TEST_CASE("union_to_surface: closed solids, and parts inside, equal, sticking ou
   CHECK(union_to_surface(middle, cube, nullptr, 12).bounds.contains(1));
 }
 
+TEST_CASE("union_to_surface: cubes inside of cubes, as solid and as parts; one part sticks out") {
+  Mesh mesh;
+  std::vector<Point> points;
+  std::vector<ConvexPart> parts;
+  for (const double half : {1.0, 2.0, 3.0, 4.0}) {
+    const Surface cube = box_surface({-half, -half, -half}, {half, half, half});
+    const auto first = static_cast<std::uint32_t>(points.size());
+    for (const Point& p : cube.points.doubles()) points.push_back(p);
+    for (const auto& [i, j, k] : cube.triangles) {
+      mesh.polygons.push_back({first + i.value, first + j.value, first + k.value});
+    }
+    parts.push_back(part_of_box({-half, -half, -half}, {half, half, half}));
+  }
+  mesh.points = PointSet(points);
+  const Surface nested = make_surface(mesh, {.orient = Orient::Keep});
+  const Winding winding(nested);
+  const Rational diameter = 192;  // squared
+  const DirectedDistance none = union_to_surface(parts, nested, &winding, diameter);
+  CHECK(holds_root_of(none.bounds, 0));
+  CHECK(is_close(none, diameter));
+  parts.push_back(part_of_box({-1, -1, -1}, {7, 1, 1}));  // 3 beyond x = 4
+  CHECK(holds_root_of(union_to_surface(parts, nested, &winding, diameter).bounds, 9));
+}
+
 TEST_CASE("union_to_surface: a hull closes the hole of a ring, at any scale") {
   for (const int exponent : {-300, 0, 300}) {
     const double unit = std::ldexp(1.0, exponent);

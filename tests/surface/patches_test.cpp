@@ -143,6 +143,44 @@ TEST_CASE("patches: in a mesh without crossings, a single patch for each compone
   CHECK(std::count(patches.is_crossed.begin(), patches.is_crossed.end(), true) == 0);
 }
 
+TEST_CASE(
+    "without_inner_triangles: of cubes around one center the outermost is left, sheets stay") {
+  Mesh mesh;
+  std::vector<Point> points;
+  const auto add = [&](const support::Box& box) {
+    const auto first = static_cast<std::uint32_t>(points.size());
+    for (const Point& corner : support::box_corners(box)) points.push_back(corner);
+    for (std::vector<std::uint32_t> face : support::box_faces()) {
+      for (std::uint32_t& corner : face) corner += first;
+      mesh.polygons.push_back(std::move(face));
+    }
+    mesh.points = PointSet(points);
+  };
+  for (const double half : {1.0, 2.0, 3.0}) add({{-half, -half, -half}, {half, half, half}});
+  const Surface nested = make_surface(mesh, {.orient = Orient::Keep});
+  const std::vector<std::uint32_t> left = without_inner_triangles(nested, Winding(nested));
+  CHECK(left.size() == 12);
+  for (const std::uint32_t t : left) {
+    for (const PointId p : nested.triangles[t]) {
+      CHECK(nested.points.doubles()[p.index()].cwiseAbs() == Point(3, 3, 3));
+    }
+  }
+  // A cavity bounds the solid, too; a sheet that the surface passes there and back bounds nothing,
+  // and is not inside.
+  for (std::size_t f = 0; f < 6; ++f)
+    std::reverse(mesh.polygons[f].begin(), mesh.polygons[f].end());
+  for (std::size_t f = 6; f < 12; ++f)
+    std::reverse(mesh.polygons[f].begin(), mesh.polygons[f].end());
+  points.insert(points.end(), {{5, 0, 0}, {6, 0, 0}, {5, 1, 0}});
+  mesh.points = PointSet(points);
+  mesh.polygons.push_back({24, 25, 26});
+  mesh.polygons.push_back({26, 25, 24});
+  const Surface hollow = make_surface(mesh, {.orient = Orient::Keep});
+  REQUIRE(hollow.is_closed);
+  // Winding numbers from outside: 1, 0, -1. Nothing is inside of the solid.
+  CHECK(without_inner_triangles(hollow, Winding(hollow)).size() == hollow.triangles.size());
+}
+
 TEST_CASE("patches: they end at edges with more than two triangles") {
   // Tetrahedra around a common edge, some inside out: the winding numbers beside their triangles
   // differ. Their other corners are at different distances, so that neighbours in the order of
