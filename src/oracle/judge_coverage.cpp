@@ -11,25 +11,51 @@
 #include "number/text.hpp"
 #include "oracle/judge.hpp"
 #include "scene/part_volumes.hpp"
+#include "surface/box_tree.hpp"
 
 namespace convexact::oracle {
 namespace {
 
 using enum ClaimCode;
 
-// The points that no part holds, by the definition: every point against every plane of a part.
+// Doubles around the box of a part.
+NearBox box_around(const BoundingBox& box) {
+  NearBox near;
+  for (int k = 0; k < 3; ++k) {
+    near.low[k] = to_double(box.low[k], Rounding::Down);
+    near.high[k] = to_double(box.high[k], Rounding::Up);
+  }
+  return near;
+}
+
+// The points that no part holds, by the definition: every point in the box of a part against every
+// plane of it.
 std::vector<PointId> points_outside(const PartsTrial& trial, const Watch& watch) {
-  std::vector<PointId> left;
-  for (std::size_t p = 0; p < trial.points.size(); ++p) left.emplace_back(p);
+  std::vector<NearBox> boxes;
+  for (std::uint32_t p = 0; p < trial.points.size(); ++p) {
+    const PointId id(p);
+    boxes.push_back(box_of(trial.points, {id, id, id}));
+  }
+  const BoxTree tree(std::move(boxes));
+  std::vector<bool> is_held(trial.points.size(), false);
+  std::vector<std::uint32_t> near;
   const std::vector<ConvexPart>& parts = trial.verdict.hulls;
-  for (std::size_t k = 0; k < parts.size() && !left.empty(); ++k) {
+  for (std::size_t k = 0; k < parts.size(); ++k) {
     watch.at(k, parts.size());
-    const PointSet asked = subset(trial.points, left);
-    std::vector<PointId> outside;
-    for (const PointId p : find_outside(parts[k].halfspaces, asked, trial.log.watch().stop)) {
-      outside.push_back(left[p.index()]);
+    tree.find(box_around(parts[k].box), near);
+    std::vector<PointId> asked;
+    for (const std::uint32_t p : near) {
+      if (!is_held[p]) asked.emplace_back(p);
     }
-    left = std::move(outside);
+    for (const PointId p : asked) is_held[p.index()] = true;
+    for (const PointId p :
+         find_outside(parts[k].halfspaces, subset(trial.points, asked), trial.log.watch().stop)) {
+      is_held[asked[p.index()].index()] = false;
+    }
+  }
+  std::vector<PointId> left;
+  for (std::size_t p = 0; p < is_held.size(); ++p) {
+    if (!is_held[p]) left.emplace_back(p);
   }
   return left;
 }

@@ -16,12 +16,11 @@ namespace {
 // A query point: exact, and rounded to nearest doubles with the bound of their errors.
 struct Query {
   explicit Query(const RationalPoint& x) : exact(x), cleared(clear_denominators(x)) {
-    is_binary = true;
     for (int k = 0; k < 3; ++k) {
       near[k] = to_double(x[k], Rounding::Nearest);
       low[k] = high[k] = near[k];
-      if (std::isfinite(near[k]) && to_rational(near[k]) == x[k]) continue;
-      is_binary = false;
+      is_double[k] = std::isfinite(near[k]) && to_rational(near[k]) == x[k];
+      if (is_double[k]) continue;
       low[k] = std::nextafter(near[k], -HUGE_VAL);
       high[k] = std::nextafter(near[k], HUGE_VAL);
     }
@@ -30,7 +29,8 @@ struct Query {
   const RationalPoint& exact;
   HomogeneousPoint cleared;
   Point near, low, high;  // low <= x <= high
-  bool is_binary = false;
+  std::array<bool, 3> is_double{};
+  bool is_binary() const { return is_double[0] && is_double[1] && is_double[2]; }
 };
 
 // The infinitesimal shift of a query point: first along `first`, if there is one, then by far less
@@ -164,7 +164,8 @@ class Winding::Search {
                   &q = surface_.points.doubles()[b.index()], &x = query.near;
       // Differences to x are off by a relative 2^-53 of themselves and by half a unit of x; the
       // other roundings are as in PlaneView::turn(). 2^-50 covers all of them.
-      const double x_error = query.is_binary ? 0 : kUnitRoundoff;
+      const bool is_exact = query.is_double[u] && query.is_double[v];
+      const double x_error = is_exact ? 0 : kUnitRoundoff;
       const double left = (p[u] - x[u]) * (q[v] - x[v]), right = (p[v] - x[v]) * (q[u] - x[u]);
       const double value = left - right;
       const double own = std::abs(x[u]) * (std::abs(q[v] - x[v]) + std::abs(p[v] - x[v])) +
@@ -176,6 +177,10 @@ class Winding::Search {
       const double error = 0x1p-50 * (std::abs(left) + std::abs(right)) + 2 * x_error * own +
                            0x1p-1000 * size + 0x1p-900;
       if (std::abs(value) > error) return sign_of(value);
+      // Edges along an axis through x, as boxes have them.
+      for (const int k : {u, v}) {
+        if (query.is_double[k] && p[k] == x[k] && q[k] == x[k]) return Sign::Zero;
+      }
     }
     const IntegerVector3 p = from(query, a), q = from(query, b);
     return sign_of(Integer(p[u] * q[v] - p[v] * q[u]));
@@ -201,7 +206,7 @@ class Winding::Search {
       // 2^-46 m^3; the term below 2^-1000 is for underflow.
       const double m =
           std::max({p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff(), r.cwiseAbs().maxCoeff()});
-      const double s = query.is_binary ? 0 : query.near.cwiseAbs().maxCoeff();
+      const double s = query.is_binary() ? 0 : query.near.cwiseAbs().maxCoeff();
       const double e = 2 * kUnitRoundoff * (s + m) + 0x1p-1000;
       const double value = p.dot(q.cross(r));
       const double error = 0x1p-46 * m * m * m + 32 * e * (m + e) * (m + e) + 0x1p-900;
