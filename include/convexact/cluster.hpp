@@ -108,6 +108,10 @@ struct ClusterOptions {
   ConcavityMeasure measure = ConcavityMeasure::Surface;
   Connect connect = Connect::Edge;
   Engine engine = Engine::Filtered;
+  /// Make each merge. Otherwise, with the filtered engine, a group of neighbours that is certain to
+  /// be within the limit as a whole is one cluster at once: the merges would end there, as
+  /// concavity never falls when a cluster grows.
+  bool every_merge = true;
   /// Fill in the concavity and the cost of each merge.
   bool costs = false;
   /// Fill in Clustering::further_merges, for a tree.
@@ -150,6 +154,7 @@ struct Clustering {
   /// neighbours is one cluster.
   std::vector<Merge> further_merges;
   bool stopped_by_count = false;  ///< Whether `max_parts` ended the run, not the limit.
+  std::size_t whole_groups = 0;   ///< Within the limit as a whole, without their merges.
   Rational squared_limit, squared_diameter;
   /// How often the concavity of a pair was bounded or computed, and how often in exact numbers.
   std::size_t evaluations = 0, exact_evaluations = 0;

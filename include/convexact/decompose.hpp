@@ -62,6 +62,8 @@ struct DecomposeRequest {
   Precision precision = Precision::Binary64;
   bool measures = true;        ///< Volumes of solid, union, excess, uncovered and overlap.
   bool exact_volumes = false;  ///< Also as fractions.
+  /// Of Hacd: as ClusterOptions. Without, `merges` of the result are not all.
+  bool every_merge = true;
   /// Fill in the data of a trace: concavity and cost of each merge, associations of each node.
   bool for_trace = false;
   /// For Hacd: find the further merges of the clusters, for joins_of().

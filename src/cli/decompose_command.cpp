@@ -68,6 +68,7 @@ DecomposeRequest decompose_request(const DecomposeArguments& options) {
   request.measures = !options.no_measures;
   request.for_trace = !options.files.trace.empty();
   request.for_tree = !options.files.tree.empty();
+  request.every_merge = options.global.json || options.files.show_merges();
   request.seed = options.global.seed;
   return request;
 }

@@ -167,6 +167,12 @@ std::vector<std::string> DecomposeFiles::all_paths() const {
   return paths;
 }
 
+bool DecomposeFiles::show_merges() const {
+  return !trace.empty() || !picture.empty() ||
+         std::any_of(results.begin(), results.end(),
+                     [](const std::string& path) { return path.ends_with(".json"); });
+}
+
 void DecomposeFiles::require_sensible(const std::string& input,
                                       const DecomposeRequest& request) const {
   const PartNames part_names(names);

@@ -7,6 +7,8 @@
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
 #include "decompose/cluster_engines.hpp"
+#include "decompose/near_concavity.hpp"
+#include "number/groups.hpp"
 #include "surface/edges.hpp"
 
 namespace convexact {
@@ -153,10 +155,47 @@ std::vector<std::vector<TriangleId>> clusters_of(const std::vector<std::uint32_t
   return clusters;
 }
 
+namespace {
+
+// Makes each group of neighbours that is within the limit as a whole one cluster; returns how many.
+std::size_t join_whole_groups(const Surface& surface, const ClusterOptions& options,
+                              ClusterStart& start) {
+  constexpr std::size_t kFewest = 3;  // clusters: two are one merge
+  const auto count = static_cast<std::uint32_t>(surface.triangles.size());
+  Groups groups(count);
+  for (std::uint32_t t = 0; t < count; ++t) groups.join(t, start.lowest[t]);
+  for (const auto& [a, b] : start.pairs) groups.join(a, b);
+  std::map<std::uint32_t, std::vector<TriangleId>> members;
+  for (std::uint32_t t = 0; t < count; ++t) members[groups.root(t)].push_back(TriangleId(t));
+  const NearConcavity near(surface, options.measure, false);
+  const LengthBounds limit = near.root_bounds(start.squared_limit);
+  std::vector<bool> is_whole(count, false);  // by lowest triangle of a group
+  std::size_t whole = 0;
+  for (const auto& [lowest, triangles] : members) {
+    options.watch.ask();
+    const auto is_first = [&](TriangleId t) { return start.lowest[t.index()] == t.value; };
+    const auto clusters = std::count_if(triangles.begin(), triangles.end(), is_first);
+    if (static_cast<std::size_t>(clusters) < kFewest || !near.is_within(triangles, limit)) continue;
+    is_whole[lowest] = true;
+    ++whole;
+    for (const TriangleId t : triangles) start.lowest[t.index()] = lowest;
+  }
+  std::erase_if(start.pairs,
+                [&](const ClusterPair& pair) { return is_whole[groups.root(pair.first)]; });
+  return whole;
+}
+
+}  // namespace
+
 Clustering cluster(const Surface& surface, const ClusterOptions& options) {
   ClusterStart start = start_clusters(surface, options);
+  std::size_t whole_groups = 0;
+  if (!options.every_merge && options.engine == Engine::Filtered) {
+    whole_groups = join_whole_groups(surface, options, start);
+  }
   Clustering made = options.engine == Engine::Exact ? cluster_exact(surface, options, start)
                                                     : cluster_filtered(surface, options, start);
+  made.whole_groups = whole_groups;
   made.united = std::move(start.united);
   made.squared_limit = std::move(start.squared_limit);
   made.squared_diameter = std::move(start.squared_diameter);

@@ -83,8 +83,7 @@ class FilteredEngine {
         near_(surface, options.measure, is_float_) {
     // Bounds of the limit and of weight / 20 pi in the units of `near_`.
     const Rational unit = scale_by_power_of_two(Rational(1), -2 * near_.exponent());
-    const Enclosure limit = sqrt(Enclosure(Rational(start.squared_limit * unit), 64));
-    limit_ = {limit.low_double(), limit.high_double()};
+    limit_ = near_.root_bounds(start.squared_limit);
     Enclosure weight = sqrt(Enclosure(Rational(start.squared_weight * unit), 64));
     weight /= Enclosure(Rational(20), 64) * Enclosure::pi(64);
     weight_ = {weight.low_double(), weight.high_double()};
@@ -139,6 +138,8 @@ class FilteredEngine {
       }
       edges_.push_back({uses[0].low, uses[0].high, {length, error(8 * kUnitRoundoff * length)}});
     });
+    std::vector<bool> has_neighbours(surface_.triangles.size(), false);
+    for (const auto& [a, b] : start_.pairs) has_neighbours[a] = has_neighbours[b] = true;
     for (auto& triangles : clusters_of(start_.lowest)) {
       Cluster cluster;
       for (const TriangleId t : triangles) {
@@ -151,8 +152,8 @@ class FilteredEngine {
         cluster.boundary = not_in_both(cluster.boundary, edges_of[t.index()]);
       }
       measure_boundary(cluster);
-      cluster.near = near_.cluster(triangles);
       const std::uint32_t name = triangles.front().value;
+      if (has_neighbours[name]) cluster.near = near_.cluster(triangles);
       cluster.triangles = std::move(triangles);
       clusters_.emplace(name, std::move(cluster));
     }

@@ -15,8 +15,29 @@ namespace {
 
 /// Below this share of the largest coordinate, whether a ray has length 0 is asked exactly.
 constexpr double kMaybeZero = 0x1p-30;
+/// Below this one an upper bound is as good as the errors of doubles allow: no search makes the
+/// lower bound positive.
+constexpr double kAsRounding = 0x1p-46;
 
 }  // namespace
+
+FacetsAtPoints::FacetsAtPoints(const NearFacets& facets) {
+  std::vector<std::pair<PointId, std::int32_t>> pairs;
+  for (std::size_t h = 0; h < facets.corners.size(); ++h) {
+    for (const PointId p : facets.corners[h]) pairs.emplace_back(p, static_cast<std::int32_t>(h));
+  }
+  std::sort(pairs.begin(), pairs.end());
+  for (const auto& [point, facet] : pairs) {
+    points_.push_back(point);
+    facets_.push_back(facet);
+  }
+}
+
+std::span<const std::int32_t> FacetsAtPoints::at(PointId point) const {
+  const auto [first, last] = std::equal_range(points_.begin(), points_.end(), point);
+  return std::span(facets_).subspan(static_cast<std::size_t>(first - points_.begin()),
+                                    static_cast<std::size_t>(last - first));
+}
 
 NearConcavity::NearConcavity(const Surface& surface, ConcavityMeasure measure, bool is_float)
     : surface_(&surface),
@@ -82,6 +103,30 @@ std::vector<PointId> NearConcavity::corners_of(std::uint32_t item) const {
 }
 
 NearCluster NearConcavity::cluster(std::span<const TriangleId> triangles) const {
+  NearCluster cluster = without_bounds(triangles);
+  bound_rays(cluster, kNoBound);
+  return cluster;
+}
+
+bool NearConcavity::is_within(std::span<const TriangleId> triangles,
+                              const LengthBounds& limit) const {
+  constexpr std::size_t kSome = 64;
+  NearCluster cluster = without_bounds(triangles);
+  NearCluster some{
+      .extreme = cluster.extreme, .facets = cluster.facets, .rays = {}, .concavity = {}};
+  const std::size_t stride = cluster.rays.size() / kSome + 1;
+  for (std::size_t k = 0; k < cluster.rays.size(); k += stride) {
+    some.rays.push_back(cluster.rays[k]);
+  }
+  bound_rays(some, limit.high);
+  if (some.concavity.low > limit.high) return false;
+  cluster.concavity.low = some.concavity.low;
+  bound_rays(cluster, limit.high);
+  return cluster.concavity.high <= limit.low;
+}
+
+// Hull and rays.
+NearCluster NearConcavity::without_bounds(std::span<const TriangleId> triangles) const {
   NearCluster cluster;
   const std::vector<PointId> points = convexact::points_of(*surface_, triangles);
   const auto add = [&](std::uint32_t item) {
@@ -94,7 +139,6 @@ NearCluster NearConcavity::cluster(std::span<const TriangleId> triangles) const 
   }
   std::tie(cluster.extreme, cluster.facets) =
       near_hull_of(surface_->points, points, points_, is_float_);
-  bound_rays(cluster, kNoBound);
   return cluster;
 }
 
@@ -124,9 +168,10 @@ NearCluster NearConcavity::unite(const NearCluster& a, const NearCluster& b, dou
   return both;
 }
 
-// A plane of the hull that holds the corners of a ray's item, so that the ray leaves at once: first
-// of all the one that bounds it.
-void NearConcavity::look_for_plane_of(const NearFacets& facets, RayBound& ray) const {
+// A plane of the hull that holds the corners of a ray's item, so that the ray leaves at once: the
+// one that bounds it, or one at a corner.
+void NearConcavity::look_for_plane_of(const NearFacets& facets, const FacetsAtPoints& at_points,
+                                      RayBound& ray) const {
   const auto points = surface_->points.doubles();
   const std::vector<PointId> corners = corners_of(ray.item);
   const Direction& direction = directions_[ray.item];
@@ -141,13 +186,17 @@ void NearConcavity::look_for_plane_of(const NearFacets& facets, RayBound& ray) c
                       points[p.index()]) == Sign::Zero;
     });
   };
-  const auto planes = static_cast<std::int32_t>(facets.planes.size());
-  std::int32_t found = ray.planes[0];
-  if (!holds(found)) {
-    for (found = 0; found < planes && !holds(found); ++found) {
+  const auto take = [&](std::int32_t h) {
+    if (!holds(h)) return false;
+    ray = {.item = ray.item, .planes = {h, -1, -1}, .high = 0};
+    return true;
+  };
+  if (take(ray.planes[0])) return;
+  for (const PointId p : corners) {
+    for (const std::int32_t h : at_points.at(p)) {
+      if (take(h)) return;
     }
   }
-  if (found < planes) ray = {.item = ray.item, .planes = {found, -1, -1}, .high = 0};
 }
 
 // A ray leaves a flat hull at once, unless it runs along it.
@@ -179,13 +228,17 @@ void NearConcavity::bound_rays(NearCluster& cluster, double limit) const {
     const Direction& direction = directions_[ray.item];
     return NearRays(cluster.facets, corners, direction.unit, direction.error);
   };
+  const FacetsAtPoints at_points(cluster.facets);
   std::vector<std::uint32_t> longer;  // rays that may be longer than the known bound
   LengthBounds& found = cluster.concavity;
   for (std::uint32_t k = 0; k < cluster.rays.size(); ++k) {
     RayBound& ray = cluster.rays[k];
     if (std::isinf(ray.high)) {
-      rays_of(ray).bound_quickly(ray);
-      if (ray.high <= kMaybeZero && !is_float_) look_for_plane_of(cluster.facets, ray);
+      // In a nearly convex cluster rays leave beside their own points.
+      NearRays rays = rays_of(ray);
+      for (const PointId p : corners_of(ray.item)) rays.bound_by(at_points.at(p), ray);
+      if (ray.high > kAsRounding || is_float_) rays.bound_quickly(ray);
+      if (ray.high <= kMaybeZero && !is_float_) look_for_plane_of(cluster.facets, at_points, ray);
     }
     if (ray.high > found.low) longer.push_back(k);
   }
@@ -195,7 +248,7 @@ void NearConcavity::bound_rays(NearCluster& cluster, double limit) const {
   std::sort(longer.begin(), longer.end(), by_bound);
   for (const std::uint32_t k : longer) {
     RayBound& ray = cluster.rays[k];
-    if (ray.high <= found.low) break;
+    if (ray.high <= found.low || (ray.high <= kAsRounding && !is_float_)) break;
     const double low = rays_of(ray).bound_tightly(ray, found.low);
     found.low = std::max(found.low, is_float_ ? ray.high : low);
     if (found.low > limit) return;

@@ -3,9 +3,11 @@
 //
 // docs/design/clustering.md derives the bounds.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "convexact/cluster.hpp"
@@ -21,6 +23,17 @@ struct NearCluster {
   LengthBounds concavity;
 };
 
+/// The facets at a point, as far as the planes were computed from it.
+class FacetsAtPoints {
+ public:
+  explicit FacetsAtPoints(const NearFacets& facets);
+  [[nodiscard]] std::span<const std::int32_t> at(PointId point) const;
+
+ private:
+  std::vector<PointId> points_;       // ascending, each once for each of its facets
+  std::vector<std::int32_t> facets_;  // by index into points_
+};
+
 /// Bounds concavities of clusters of one surface. Where the doubles are not enough, a bound may be
 /// as weak as [0, infinity].
 class NearConcavity {
@@ -34,8 +47,16 @@ class NearConcavity {
   /// the surface's points are fractions.
   [[nodiscard]] std::span<const Point> points() const { return points_; }
 
+  /// Bounds, in these units, of the root of a square in units of the surface.
+  [[nodiscard]] LengthBounds root_bounds(const Rational& squared) const;
+
   /// A cluster of some triangles.
   [[nodiscard]] NearCluster cluster(std::span<const TriangleId> triangles) const;
+
+  /// Whether a cluster of these triangles is certain to be no more concave than this length.
+  /// @par Cost  Some rays first, which most concave clusters fail at.
+  [[nodiscard]] bool is_within(std::span<const TriangleId> triangles,
+                               const LengthBounds& limit) const;
 
   /// The union of two. If it is certain to be more concave than `limit`, its upper bound may be
   /// infinite.
@@ -67,16 +88,17 @@ class NearConcavity {
   void add_directions(const Surface& surface);
   [[nodiscard]] Direction direction_of(const Point& normal, double error, bool exists) const;
   [[nodiscard]] std::vector<PointId> corners_of(std::uint32_t item) const;
+  [[nodiscard]] NearCluster without_bounds(std::span<const TriangleId> triangles) const;
   void bound_rays(NearCluster& cluster, double limit) const;
   void bound_flat_rays(NearCluster& cluster) const;
   [[nodiscard]] std::optional<Concavity> exact(const NearFacets& facets, TriangleId triangle,
                                                std::span<RayBound* const> rays,
                                                const std::optional<Concavity>& longest) const;
-  [[nodiscard]] LengthBounds root_bounds(const Rational& squared) const;
   [[nodiscard]] std::optional<std::int32_t> plane_behind(const NearFacets& facets,
                                                          const RationalPoint& x) const;
   [[nodiscard]] Halfspace exact_plane(const NearFacets& facets, std::int32_t plane) const;
-  void look_for_plane_of(const NearFacets& facets, RayBound& ray) const;
+  void look_for_plane_of(const NearFacets& facets, const FacetsAtPoints& at_points,
+                         RayBound& ray) const;
 
   const Surface* surface_;
   ConcavityMeasure measure_;

@@ -95,6 +95,13 @@ void NearRays::bound_quickly(RayBound& ray) {
   if (add_cut(plane_ahead({1.0 / 3, 1.0 / 3, 1.0 / 3}))) tighten(ray);
 }
 
+void NearRays::bound_by(std::span<const std::int32_t> planes, RayBound& ray) {
+  for (const std::int32_t plane : planes) {
+    cuts_.clear();
+    if (add_cut(plane)) tighten(ray);
+  }
+}
+
 // Where the least of the cuts is highest: at a corner, where two cuts meet on an edge, or where
 // three meet.
 NearRays::Weights NearRays::highest_point() const {

@@ -46,6 +46,8 @@ class NearRays {
 
   /// An upper bound by one plane: the one where the ray from the middle leaves.
   void bound_quickly(RayBound& ray);
+  /// The least of the upper bounds by each of these planes, if one bounds the rays at all.
+  void bound_by(std::span<const std::int32_t> planes, RayBound& ray);
   /// Makes the upper bound as tight as three planes allow, unless it is found to be below `enough`;
   /// returns a lower bound of the longest ray.
   double bound_tightly(RayBound& ray, double enough);

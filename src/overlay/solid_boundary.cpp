@@ -70,14 +70,21 @@ class Walk {
 
   static bool is_boundary(long before, long behind) { return (before == 0) != (behind == 0); }
 
+  // The winding numbers beside a point strictly inside a triangle: those of its patch, if nothing
+  // crosses it.
+  std::pair<long, long> beside(std::size_t t, const RationalPoint& x) {
+    if (patches_.is_crossed[t]) return winding_.beside(TriangleId(t), x);
+    std::optional<std::pair<long, long>>& known = beside_[patches_.patch[t]];
+    if (!known) known = winding_.beside(TriangleId(t), x);
+    return *known;
+  }
+
   // Nothing crosses the triangle: its patch has the same winding numbers everywhere.
   bool plain_triangle(std::size_t t, const LaidSurface::Walls& walls, PlanePieces& rest) {
     const auto inside_of = [&](const ConvexPiece<3>& piece) {
       return rest.arrangement.point(interior_of(rest.arrangement, piece, 0));
     };
-    std::optional<std::pair<long, long>>& beside = beside_[patches_.patch[t]];
-    if (!beside) beside = winding_.beside(TriangleId(t), inside_of(rest.pieces.front()));
-    const auto [before, behind] = *beside;
+    const auto [before, behind] = beside(t, inside_of(rest.pieces.front()));
     if (!is_boundary(before, behind)) return true;
     for (const ConvexPiece<3>& piece : rest.pieces) {
       watch_.ask();
@@ -110,15 +117,15 @@ class Walk {
 
   // The winding number on the side that the plane faces.
   long winding_before(const Halfspace& plane, const RationalPoint& x,
-                      std::optional<std::size_t> coplanar) const {
+                      std::optional<std::size_t> coplanar) {
     if (!coplanar) {
       const std::optional<long> number = winding_(x);
       if (!number) throw Error(ErrorCode::Internal, "a point off the surface lies on it");
       return *number;
     }
-    const auto beside = winding_.beside(TriangleId(*coplanar), x);
+    const auto [before, behind] = beside(*coplanar, x);
     const bool looks_alike = dot(surface_.walls(*coplanar)->plane.normal(), plane.normal()) > 0;
-    return looks_alike ? beside.first : beside.second;
+    return looks_alike ? before : behind;
   }
 
   LaidSurface surface_;

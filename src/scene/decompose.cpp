@@ -143,6 +143,7 @@ class Decomposer {
                                              .measure = request_.measure,
                                              .connect = request_.connect,
                                              .engine = request_.engine,
+                                             .every_merge = request_.every_merge,
                                              .costs = request_.for_trace,
                                              .further = request_.for_tree,
                                              .watch = watch});

@@ -98,6 +98,10 @@ std::string concavity_line(const Decomposition& decomposition, std::span<const s
 
 std::string merges_line(const Clustering& clustering) {
   std::string text = with_separators(clustering.merges.size()) + " of two neighbours";
+  if (clustering.whole_groups > 0) {
+    text += fmt::format("; {} within the limit as a whole, without merges",
+                        counted(clustering.whole_groups, "component", "components"));
+  }
   const TieTally ties = ties_of(clustering);
   if (const std::size_t tied = tie_count(ties)) {
     text += fmt::format("; in {} several pairs cost the same ({}), and the first goes",

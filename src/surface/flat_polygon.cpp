@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "convexact/error.hpp"
 #include "convexact/predicates.hpp"
@@ -90,7 +92,15 @@ bool PlaneView::meet(PointId a, PointId b, PointId c, PointId d) const {
          turn(c, d, a) * turn(c, d, b) != Sign::Positive;
 }
 
+bool PlaneView::is_beside(int axis, const Triangle& t, PointId p) const {
+  if (!points_.is_binary()) return false;
+  const auto x = [&](PointId q) { return points_.doubles()[q.index()][axis]; };
+  const double a = x(t[0]), b = x(t[1]), c = x(t[2]), at = x(p);
+  return (at < a && at < b && at < c) || (at > a && at > b && at > c);
+}
+
 bool PlaneView::is_in(const Triangle& t, PointId p) const {
+  if (is_beside(u_, t, p) || is_beside(v_, t, p)) return false;
   const Sign inward = turn(t[0], t[1], t[2]);
   for (int k = 0; k < 3; ++k) {
     if (turn(t[k], t[(k + 1) % 3], p) == -inward) return false;
@@ -116,37 +126,90 @@ RationalVector3 area_vector(const PointSet& points, const Triangle& t) {
   return RationalVector3(points[t[1]] - a).cross(RationalVector3(points[t[2]] - a));
 }
 
+namespace {
+
+// The corners of a polygon that are left while its ears are cut off. A triangle of three corners in
+// a row is an ear if it turns as the polygon does and holds no other corner. When an ear is cut
+// off, only the corners beside its tip may become ears or cease to be some: the diagonal of any
+// other triangle is inside of the rest iff it was inside before, since near the tip, which is
+// convex, nothing else of the polygon is left; and two ears that are not neighbours do not overlap.
+class Ears {
+ public:
+  Ears(const PlaneView& view, Sign inward, const PolygonCorners& corners)
+      : view_(view),
+        inward_(inward),
+        corners_(corners),
+        before_(corners.size()),
+        after_(corners.size()) {
+    const std::size_t n = corners.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      before_[k] = (k + n - 1) % n;
+      after_[k] = (k + 1) % n;
+      left_.push_back(k);
+    }
+    for (std::size_t k = 0; k < n; ++k) test(k);
+  }
+
+  // The ear with the lowest tip: it does not depend on where the polygon begins.
+  Triangle cut_lowest() {
+    if (tips_.empty()) throw Error(ErrorCode::Internal, "a simple polygon without an ear");
+    const std::size_t tip = tips_.begin()->second;
+    const Triangle ear = triangle(tip);
+    tips_.erase(tips_.begin());
+    std::erase(left_, tip);
+    const std::size_t a = before_[tip], b = after_[tip];
+    after_[a] = b;
+    before_[b] = a;
+    test(a);
+    test(b);
+    return ear;
+  }
+  std::size_t size() const { return left_.size(); }
+  Triangle last() const { return triangle(left_.front()); }
+
+ private:
+  Triangle triangle(std::size_t k) const {
+    return {corners_[before_[k]], corners_[k], corners_[after_[k]]};
+  }
+  bool is_ear(std::size_t k) const {
+    const Triangle ear = triangle(k);
+    if (view_.turn(ear[0], ear[1], ear[2]) != inward_) return false;
+    return std::none_of(left_.begin(), left_.end(), [&](std::size_t other) {
+      const PointId p = corners_[other];
+      return p != ear[0] && p != ear[1] && p != ear[2] && view_.is_in(ear, p);
+    });
+  }
+  void test(std::size_t k) {
+    if (is_ear(k)) {
+      tips_.emplace(corners_[k], k);
+    } else {
+      tips_.erase({corners_[k], k});
+    }
+  }
+
+  const PlaneView& view_;
+  Sign inward_;
+  const PolygonCorners& corners_;
+  std::vector<std::size_t> before_, after_;         // by corner
+  std::vector<std::size_t> left_;                   // ascending
+  std::set<std::pair<PointId, std::size_t>> tips_;  // of ears
+};
+
+}  // namespace
+
 std::optional<std::vector<Triangle>> clip_ears(const PointSet& points,
                                                std::span<const PointId> given) {
-  PolygonCorners corners(given.begin(), given.end());
+  const PolygonCorners corners(given.begin(), given.end());
   const RationalVector3 area = area_of(points, corners);
   const int axis = longest_axis(area);
   if (area[axis] == 0 || !is_planar(points, corners, area)) return std::nullopt;
   const PlaneView view(points, axis);
   if (!is_simple(view, corners)) return std::nullopt;
-  const Sign inward = sign_of(area[axis]);
-  // The ear with the lowest tip first: it does not depend on where the polygon begins.
-  const auto is_ear = [&](std::size_t k) {
-    const std::size_t n = corners.size();
-    const Triangle ear = {corners[(k + n - 1) % n], corners[k], corners[(k + 1) % n]};
-    if (view.turn(ear[0], ear[1], ear[2]) != inward) return false;
-    return std::none_of(corners.begin(), corners.end(), [&](PointId p) {
-      return p != ear[0] && p != ear[1] && p != ear[2] && view.is_in(ear, p);
-    });
-  };
+  Ears ears(view, sign_of(area[axis]), corners);
   std::vector<Triangle> triangles;
-  while (corners.size() > 3) {
-    std::optional<std::size_t> tip;
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      if ((!tip || corners[k] < corners[*tip]) && is_ear(k)) tip = k;
-    }
-    if (!tip) throw Error(ErrorCode::Internal, "a simple polygon without an ear");
-    const std::size_t n = corners.size();
-    triangles.push_back({corners[(*tip + n - 1) % n], corners[*tip], corners[(*tip + 1) % n]});
-    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(*tip));
-  }
+  while (ears.size() > 3) triangles.push_back(ears.cut_lowest());
   // The last three do not lie on a line: the cut beside such a corner would have passed through it.
-  triangles.push_back({corners[0], corners[1], corners[2]});
+  triangles.push_back(ears.last());
   return triangles;
 }
 

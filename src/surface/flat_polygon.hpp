@@ -25,6 +25,8 @@ class PlaneView {
   bool is_in(const std::array<PointId, 3>& triangle, PointId p) const;
 
  private:
+  // Whether a coordinate of p is less, or more, than all of the triangle's.
+  bool is_beside(int axis, const std::array<PointId, 3>& triangle, PointId p) const;
   bool overlap(int axis, PointId a, PointId b, PointId c, PointId d) const;
 
   const PointSet& points_;

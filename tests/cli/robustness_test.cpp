@@ -21,12 +21,8 @@ const std::string kSmallTetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 std::string program() { return std::string("'") + std::getenv("CONVEXACT_PROGRAM") + "'"; }
 
 // The exit code of a shell's command line, and what it said.
-support::Ran run_shell(const std::string& command) {
-  const ScratchFolder scratch;
-  const int status = std::system(
-      ("(" + command + ") >" + scratch.file("out") + " 2>" + scratch.file("err")).c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-          support::bytes_of(scratch.file("out")), support::bytes_of(scratch.file("err"))};
+support::Ran run_commands(const std::string& commands) {
+  return support::run_shell("(" + commands + ")");
 }
 
 bool has(const std::string& text, const std::string& part) {
@@ -85,9 +81,9 @@ TEST_CASE("--max-memory: JSON values that are half made end cleanly") {
 
 TEST_CASE("--max-memory: temporary files go, too") {
   const ScratchFolder scratch;
-  const auto ran = run_shell("TMPDIR=" + scratch.file("") + " " + program() + " shrink " +
-                             support::data("spot.obj") + " -o " + scratch.file("s.obj") +
-                             " --max-memory 1MB -- false {input}");
+  const auto ran = run_commands("TMPDIR=" + scratch.file("") + " " + program() + " shrink " +
+                                support::data("spot.obj") + " -o " + scratch.file("s.obj") +
+                                " --max-memory 1MB -- false {input}");
   CAPTURE(ran.err);
   CHECK(ran.exit == 6);
   CHECK(scratch.count() == 0);
@@ -97,8 +93,8 @@ TEST_CASE("a full disk: exit 5, and no part of a file") {
   const ScratchFolder scratch;
   // Files may grow to one block of 512 or 1024 bytes; the mesh is larger.
   const auto ran =
-      run_shell("ulimit -f 1; exec " + program() + " simplify " + support::data("spot.obj") +
-                " --faces 100 -o " + scratch.file("b.obj"));
+      run_commands("ulimit -f 1; exec " + program() + " simplify " + support::data("spot.obj") +
+                   " --faces 100 -o " + scratch.file("b.obj"));
   CHECK(ran.exit == 5);
   CHECK(scratch.count() == 0);
   CHECK(run_program("simplify " + support::data("spot.obj") + " --faces 18 >/dev/full #").exit ==
@@ -108,8 +104,8 @@ TEST_CASE("a full disk: exit 5, and no part of a file") {
 TEST_CASE("a closed pipe: exit 6") {
   const ScratchFolder scratch;
   const std::string code = scratch.file("code");
-  run_shell("(" + program() + " hull " + support::data("spot.obj") + " --json; echo $? >" + code +
-            ") | true");
+  run_commands("(" + program() + " hull " + support::data("spot.obj") + " --json; echo $? >" +
+               code + ") | true");
   CHECK(support::bytes_of(code) == "6\n");
 }
 
@@ -196,14 +192,15 @@ TEST_CASE("progress: on a terminal only, with an estimate") {
   const std::string input = scratch.file("a.xyz"), typescript = scratch.file("typescript");
   REQUIRE(run_program("generate fibonacci-sphere --points 3000 -o " + input).exit == 0);
   // Ended once the estimate has been shown, however long that takes on a busy machine.
-  run_shell("script -qefc \"" + program() + " simplify " + input + " --engine exact --faces 4\" " +
-            typescript + " & for i in $(seq 900); do grep -q ' left' " + typescript +
-            " && break; sleep 0.1; done; kill $!");
+  run_commands("script -qefc \"" + program() + " simplify " + input +
+               " --engine exact --faces 4\" " + typescript +
+               " & for i in $(seq 900); do grep -q ' left' " + typescript +
+               " && break; sleep 0.1; done; kill $!");
   const std::string shown = support::bytes_of(typescript);
   CHECK(has(shown, "\r\033[K"));
   CHECK(has(shown, "simplify: "));
   CHECK(has(shown, " left"));
-  const auto quiet = run_shell("timeout --foreground -s INT 2 " + program() + " simplify " + input +
-                               " --engine exact --faces 4");
+  const auto quiet = run_commands("timeout --foreground -s INT 2 " + program() + " simplify " +
+                                  input + " --engine exact --faces 4");
   CHECK_FALSE(has(quiet.err, "simplify: "));
 }

@@ -204,7 +204,7 @@ FAULTS = [
     (CONSTANT, 'fast/kOfProduct', 'kProductFactor = 64;', 'kProductFactor = 4;', 'fast_inner_agreement'),
     (SKIP, 'simplify/check_whole', 'determinants_.volume(six_volumes_) - step.cost->rational() == determinants_.volume(after)', 'true', 'inner'),
     (SKIP, 'simplify/check_signs', 'require(!is_beyond(t, r), ', 'require(true, ', 'inner'),
-    (SKIP, 'oracle/judge_inside_input', 'if (!outside.worst)', 'if (true)', 'cli'),
+    (SKIP, 'oracle/judge_inside_input', 'if (!outside.worst)', 'if (true)', 'oracle cli'),
     (SKIP, 'check/evaluate', 'require(removal.cost == Cost(stated),', 'require(true,', 'check check_mutated'),
     # Splits.
     (SKIP, 'decompose/Patch', '  find_loops(std::move(border));\n}', '}', 'split split_defined'),
@@ -321,7 +321,7 @@ FAULTS = [
               2 * p.cwiseAbs().maxCoeff() * q.cwiseAbs().maxCoeff() * r.cwiseAbs().maxCoeff();""", ';', 'surface'),
     (LIMIT, 'surface/count_edges', 'uses.size() > 2 ?', 'uses.size() > 3 ?', 'surface'),
     (CONSTANT, 'decompose/near_facets', '7 * radius * normal.error + ', '', 'decompose'),
-    (LIMIT, 'decompose/add_node', 'node.concavity.squared > made_.squared_limit', 'node.concavity.squared >= made_.squared_limit', 'decompose'),
+    (LIMIT, 'decompose/add_node', 'node.concavity.squared > made_.squared_limit', 'node.concavity.squared >= made_.squared_limit', 'split split_defined'),
     (LOST, 'bvh/common_box', ' + size.z() * size.x();', ';', 'hull_trees'),
     (SKIP, 'bvh/check', 'parts.empty() == claim.first.has_value()', '(!parts.empty() && !claim.first)', 'hull_trees'),
     (TIE, 'query/exclude_ray', 'most && *most < least', 'most && *most <= least', 'query'),
