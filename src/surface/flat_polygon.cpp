@@ -165,7 +165,7 @@ class Ears {
     return ear;
   }
   std::size_t size() const { return left_.size(); }
-  Triangle last() const { return triangle(left_.front()); }
+  Triangle last() const { return {corners_[left_[0]], corners_[left_[1]], corners_[left_[2]]}; }
 
  private:
   Triangle triangle(std::size_t k) const {

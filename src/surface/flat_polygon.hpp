@@ -38,6 +38,7 @@ using Triangle = std::array<PointId, 3>;
 /// The triangles of a planar simple polygon by ear clipping: all turn as the polygon does, none
 /// lacks an area, and they use each of its edges. Nothing if the polygon is bent, or if its
 /// boundary meets itself. The triangles depend neither on the first corner nor on the direction.
+/// @param points   In lexicographic order, as in a surface.
 /// @param corners  At least 4 distinct points' ids, no two in a row the same.
 [[nodiscard]] std::optional<std::vector<Triangle>> clip_ears(const PointSet& points,
                                                              std::span<const PointId> corners);

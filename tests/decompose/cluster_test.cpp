@@ -32,6 +32,9 @@ Rational concavity_of(const Surface& surface, const std::vector<TriangleId>& tri
 // The laws of a clustering that the limit ended.
 void check_laws(const Surface& surface, const ClusterOptions& options) {
   const Clustering made = cluster(surface, options);
+  ClusterOptions without_merges = options;
+  without_merges.every_merge = false;
+  CHECK(cluster(surface, without_merges).clusters == made.clusters);
   std::vector<std::uint32_t> of(surface.triangles.size(), UINT32_MAX);
   std::uint32_t last_name = 0;
   for (std::uint32_t k = 0; k < made.clusters.size(); ++k) {
@@ -214,6 +217,83 @@ TEST_CASE("convex shapes are one part at every limit, and its hull is theirs") {
       }
     }
   }
+}
+
+TEST_CASE("without every merge: the same clusters, also for a number of parts and a tree") {
+  Mesh mesh = mesh_of_cells({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});  // an L
+  const auto add_box = [&](double x) {
+    const auto first = static_cast<std::uint32_t>(mesh.points.size());
+    std::vector<Point> points(mesh.points.doubles().begin(), mesh.points.doubles().end());
+    for (const Point& p : box_corners({{x, 0, 0}, {x + 2, 1, 1}})) points.push_back(p);
+    mesh.points = PointSet(points);
+    for (std::vector<std::uint32_t> face : box_faces()) {
+      for (std::uint32_t& corner : face) corner += first;
+      mesh.polygons.push_back(std::move(face));
+    }
+  };
+  add_box(5);
+  add_box(9);
+  const Surface surface = make_surface(mesh);
+  const Rational l_concavity = concavity_of(
+      surface,
+      [&] {
+        std::vector<TriangleId> triangles;
+        for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+          if (surface.component[t] == surface.component[0]) triangles.push_back(TriangleId(t));
+        }
+        return triangles;
+      }(),
+      ConcavityMeasure::Surface);
+  CHECK(l_concavity == 1);  // from the inner faces of the L to the plane that closes it
+  const Rational below_one = 1 - scale_by_power_of_two(Rational(1), -200);  // not in doubles
+  for (const Rational& limit :
+       {Rational(0), Rational(999, 1000), below_one, Rational(1), Rational(1001, 1000)}) {
+    for (const std::optional<std::size_t> most :
+         {std::optional<std::size_t>(), std::optional<std::size_t>(3)}) {
+      ClusterOptions options;
+      options.limit = {.value = limit, .is_share = false};
+      options.max_parts = most;
+      options.further = true;
+      const Clustering all = cluster(surface, options);
+      options.every_merge = false;
+      const Clustering some = cluster(surface, options);
+      CHECK(some.clusters == all.clusters);
+      CHECK(some.further_merges == all.further_merges);
+      CHECK(some.stopped_by_count == all.stopped_by_count);
+      CHECK(some.whole_groups >= (limit > 1 ? 3 : 2));  // the boxes; the L beyond its concavity
+      CHECK(some.whole_groups <= (limit < 1 ? 2 : 3));
+      CHECK(all.whole_groups == 0);
+    }
+  }
+}
+
+TEST_CASE("without every merge: a single dent in many triangles is seen") {
+  Mesh ball;
+  add_ball({0, 0, 0}, 12, 16, ball);
+  std::size_t seen = 0;
+  for (std::size_t dented = 20; dented < 60; dented += 3) {
+    // A corner in the middle of one face, pushed inwards by a third.
+    Mesh mesh = ball;
+    const std::vector<std::uint32_t> face = mesh.polygons[dented];
+    std::vector<Point> points(mesh.points.doubles().begin(), mesh.points.doubles().end());
+    Point middle = Point::Zero();
+    for (const std::uint32_t corner : face) middle += points[corner] / double(face.size());
+    points.push_back(middle * 2 / 3);
+    mesh.points = PointSet(points);
+    mesh.polygons.erase(mesh.polygons.begin() + static_cast<std::ptrdiff_t>(dented));
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      mesh.polygons.push_back(
+          {face[k], face[(k + 1) % face.size()], static_cast<std::uint32_t>(points.size() - 1)});
+    }
+    const Surface surface = make_surface(mesh);
+    ClusterOptions options;
+    options.limit.value = Rational(1, 100);
+    options.every_merge = false;
+    const Clustering some = cluster(surface, options);
+    CHECK(some.whole_groups == 0);
+    seen += some.clusters.size() > 1;
+  }
+  CHECK(seen == 14);
 }
 
 TEST_CASE("four balls are four parts, joined at no limit below their distance" * sweep) {

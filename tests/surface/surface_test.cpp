@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
+#include <optional>
 #include <random>
 
 #include "cells.hpp"
@@ -15,6 +17,7 @@
 #include "convexact/overlay.hpp"
 #include "expect_error.hpp"
 #include "surface/common_point.hpp"
+#include "surface/flat_polygon.hpp"
 
 using namespace convexact;
 using namespace support;
@@ -282,6 +285,71 @@ TEST_CASE("make_surface: polygons are cut into triangles with their area") {
        {{0, 2, 4, 1, 3}},
        {}});
   CHECK(pentagram.fans == std::vector<std::size_t>{0});
+}
+
+// The ear with the lowest tip first, by the definition: every corner is asked again after each cut.
+std::vector<std::array<PointId, 3>> ears_by_definition(const PointSet& points,
+                                                       std::vector<PointId> corners) {
+  const PlaneView view(points, 2);
+  const auto ear_at = [&](std::size_t k) {
+    const std::size_t n = corners.size();
+    return std::array<PointId, 3>{corners[(k + n - 1) % n], corners[k], corners[(k + 1) % n]};
+  };
+  const auto is_ear = [&](std::size_t k) {
+    const auto ear = ear_at(k);
+    return view.turn(ear[0], ear[1], ear[2]) == Sign::Positive &&
+           std::none_of(corners.begin(), corners.end(), [&](PointId p) {
+             return std::find(ear.begin(), ear.end(), p) == ear.end() && view.is_in(ear, p);
+           });
+  };
+  std::vector<std::array<PointId, 3>> triangles;
+  while (corners.size() > 3) {
+    std::optional<std::size_t> tip;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      if (is_ear(k) && (!tip || corners[k] < corners[*tip])) tip = k;
+    }
+    REQUIRE(tip);
+    triangles.push_back(ear_at(*tip));
+    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(*tip));
+  }
+  triangles.push_back({corners[0], corners[1], corners[2]});
+  return triangles;
+}
+
+TEST_CASE("clip_ears: the lowest ear first, by the definition, on polygons around a point") {
+  std::mt19937 random(17);
+  for (int round = 0; round < 60; ++round) {
+    // Directions in order, at any distances: the polygon is simple. Multiples of them are integers.
+    std::vector<std::array<int, 2>> directions;
+    for (int x = -5; x <= 5; ++x) {
+      for (int y = -5; y <= 5; ++y) {
+        if (std::gcd(x, y) == 1 && random() % 3 != 0) directions.push_back({x, y});
+      }
+    }
+    std::sort(directions.begin(), directions.end(), [](const auto& a, const auto& b) {
+      return std::atan2(a[1], a[0]) < std::atan2(b[1], b[0]);
+    });
+    std::vector<Point> at;
+    std::vector<PointId> corners;
+    for (const auto& [x, y] : directions) {
+      const double far = 1 + random() % 9;
+      at.emplace_back(far * x, far * y, 0);
+    }
+    // As in a surface, ids are in the order of the points.
+    std::vector<Point> points = at;
+    const auto comes_before = [](const Point& a, const Point& b) {
+      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+    };
+    std::sort(points.begin(), points.end(), comes_before);
+    for (const Point& p : at) {
+      const auto found = std::lower_bound(points.begin(), points.end(), p, comes_before);
+      corners.emplace_back(static_cast<std::size_t>(found - points.begin()));
+    }
+    const PointSet set(points);
+    const auto clipped = clip_ears(set, corners);
+    REQUIRE(clipped);
+    CHECK(*clipped == ears_by_definition(set, corners));
+  }
 }
 
 TEST_CASE("make_surface: faces that are none") {
