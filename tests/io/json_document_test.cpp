@@ -115,6 +115,12 @@ TEST_CASE("json_document: exact numbers are strings, ids numbers, a plane its fo
   CHECK(write_json(std::vector<Halfspace>{plane}) == R"([["1","0","-3","6"]])");
 }
 
+TEST_CASE("json_document: a number is read as a double, however it was written") {
+  CHECK(Json(-3).number() == -3);
+  CHECK(Json(3u).number() == 3);
+  CHECK(Json(2.5).number() == 2.5);
+}
+
 TEST_CASE("json_document: integers at their limits") {
   using std::numeric_limits;
   CHECK(write_json({numeric_limits<std::int64_t>::min(), numeric_limits<std::int64_t>::max(),

@@ -2,6 +2,7 @@
 // Conversions into Rational. Expected values are written out by hand.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <limits>
 
 #include "convexact/error.hpp"
@@ -65,6 +66,17 @@ TEST_CASE("gcd and bit_length: zero and sign") {
   CHECK(gcd(-12, 18) == 6);
   CHECK(bit_length(0) == 0);
   CHECK(bit_length(-8) == 4);
+}
+
+TEST_CASE(
+    "make_primitive of fractions: the least integers in proportion, also by a factor of two") {
+  const std::array<Rational, 3> values{Rational(2, 3), Rational(4, 3), Rational(2)};
+  std::array<Integer, 3> integers;
+  make_primitive(values, integers);
+  CHECK(integers == std::array<Integer, 3>{1, 2, 3});
+  const std::array<Rational, 3> with_zero{Rational(0), Rational(-5, 2), Rational(15)};
+  make_primitive(with_zero, integers);
+  CHECK(integers == std::array<Integer, 3>{0, -1, 6});
 }
 
 TEST_CASE("make_primitive: divides by what all four share, and by nothing else") {
