@@ -84,7 +84,8 @@ struct UncoveredSolid {
 /// The volume of the solid of a closed surface, in cubed length units, as union_volume() gives it:
 /// of {winding number != 0}, each point counted once, however often the surface winds about it or
 /// crosses itself.
-/// @throws Error InvalidArgument unless the surface is closed; Stopped when the watch ends the call.
+/// @throws Error InvalidArgument unless the surface is closed; Stopped when the watch ends the
+/// call.
 /// @par Cost  O(n log n) if no two triangles cross; else each triangle is cut where others meet it.
 [[nodiscard]] Measured solid_volume(const Surface& surface, long precision, bool exact,
                                     const Watch& watch = {});

@@ -217,6 +217,11 @@ TEST_CASE("extreme shapes: as thin, far, small and large as they say") {
       CHECK(to_rational(scaled[i][k]) == scale_by_power_of_two(to_rational(ball[i][k]), -300));
     }
   }
+  const std::vector<Point> integers = lattice(30, 100, 1);
+  for (std::size_t k = 0; k < integers.size(); ++k) {
+    CHECK(to_rational(subnormal(30, 100, 1)[k]) ==
+          RationalPoint(to_rational(integers[k]) * scale_by_power_of_two(Rational(1), -1074)));
+  }
   for (const Point& p : subnormal(30, 100, 1)) {
     CHECK(p.cwiseAbs().maxCoeff() < std::numeric_limits<double>::min());
   }
