@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   register_overlay_bench(bench_meshes());
   register_cluster_bench(bench_meshes());
   register_split_bench(bench_meshes());
+  register_growth_bench();
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -40,3 +40,6 @@ void register_cluster_bench(const std::vector<std::string>& meshes);
 /// clusters-of-MESH/acd, /acd-paths: the triangles split at notches until 3%, and of that run the
 /// searches for shortest paths alone.
 void register_split_bench(const std::vector<std::string>& meshes);
+/// growth/WHAT/SIZE, each with a size and with four times it: volumes of solids of many boxes,
+/// clusters of a cylinder, a polygon of many corners, the distance of nested parts to their solid.
+void register_growth_bench();

@@ -6,6 +6,7 @@ Usage: ratios.py build/bench.json
 Each time is the median of its repetitions, in milliseconds; a dash where a benchmark did not run.
 """
 import json
+import math
 import sys
 
 COLUMNS = [("hull", "cgal"), ("hull", "qhull"), ("filtered", "cgal"), ("float", "cgal"), ("exact", "filtered"),
@@ -39,6 +40,27 @@ def cell(times, above, below):
     return f"{times[above] / times[below]:.2f}"
 
 
+def growth(path):
+    """{what: {size: milliseconds}} of the runs named growth/WHAT/SIZE."""
+    with open(path, encoding="utf-8") as file:
+        runs = json.load(file)["benchmarks"]
+    repeated = any(run.get("aggregate_name") == "median" for run in runs)
+    found = {}
+    for run in runs:
+        parts = run["run_name"].split("/")
+        if parts[0] == "growth" and (not repeated or run.get("aggregate_name") == "median"):
+            found.setdefault(parts[1], {})[int(parts[2])] = run["real_time"]
+    return found
+
+
+def print_growth(found):
+    print("\n| growth | size | ms | size | ms | exponent |\n|---|---:|---:|---:|---:|---:|")
+    for what, times in found.items():
+        (n, fast), (m, slow) = sorted(times.items())[0], sorted(times.items())[-1]
+        exponent = math.log(slow / fast) / math.log(m / n) if m > n else float("nan")
+        print(f"| {what} | {n} | {fast:.1f} | {m} | {slow:.1f} | {exponent:.2f} |")
+
+
 def main():
     print("| input | CGAL ms | hull ms | filtered ms | float ms | " +
           " | ".join(f"{a} / {b}" for a, b in COLUMNS) + " | bytes / facet |")
@@ -47,6 +69,8 @@ def main():
         shown = [f"{times[what]:.2f}" if what in times else "-" for what in ("cgal", "hull", "filtered", "float")]
         memory = [f"{times['bytes']:.0f}" if "bytes" in times else "-"]
         print(f"| {name} | " + " | ".join(shown + [cell(times, a, b) for a, b in COLUMNS] + memory) + " |")
+    if found := growth(sys.argv[1]):
+        print_growth(found)
 
 
 if __name__ == "__main__":
