@@ -89,14 +89,14 @@ TEST_CASE("command line: words that are spelt nearly so are named") {
     const char* words;
     const char* meant;
   };
-  for (const auto& [words, meant] :
+  for (const Case& c :
        {Case{"simplfy a.obj", "'simplify'"}, Case{"simplify a.obj --fcaes 3", "'--faces'"},
         Case{"generate cospherial", "'cospherical'"},
         Case{"generate needle --pionts 3", "'--points'"}}) {
-    CAPTURE(words);
-    const auto ran = run_program(words);
+    CAPTURE(c.words);
+    const auto ran = run_program(c.words);
     CHECK(ran.exit == 2);
-    CHECK(ran.err.find("; did you mean " + std::string(meant) + "?") != std::string::npos);
+    CHECK(ran.err.find("; did you mean " + std::string(c.meant) + "?") != std::string::npos);
   }
   CHECK(run_program("frobnicate").err.find("did you mean") == std::string::npos);
 }

@@ -54,7 +54,7 @@ TEST_CASE("shrink command: any predicate") {
   std::filesystem::create_directory(folder);
   const std::string script = test.scratch.write(
       "predicate", "#!/bin/sh\nawk '$1 == \"v\" && $2 > 2 {f = 1} END {exit !f}' \"$1\"\n");
-  for (const std::string command :
+  for (const std::string& command :
        {"sh " + script, "sh " + script + " {input} | cat; sh " + script + " {input}"}) {
     const auto ran = support::run_shell(
         "TMPDIR=\"" + folder + "\" '" + std::getenv("CONVEXACT_PROGRAM") + "' shrink " +
