@@ -125,8 +125,6 @@ KeptFailures::KeptFailures(std::string folder, const ConformRun& run, const Prom
                     ": the folder is not empty; name another, so that failures of two runs are not "
                     "mixed");
   }
-  fs::create_directories(folder_, failed);
-  if (failed) throw Error(ErrorCode::Unwritable, folder_ + ": " + failed.message());
 }
 
 void KeptFailures::operator()(const FailedRun& failed) const {

@@ -8,7 +8,8 @@
 
 namespace convexact::cli {
 
-/// A folder with a folder for each vector on which a program fails, named by its id:
+/// A folder, made with the first failure, with a folder for each vector on which a program fails,
+/// named by its id:
 ///   input.obj       the input, as the program received it; input.EXT where that is no mesh
 ///   output.EXT      what the program wrote, if it did
 ///   printed.txt     the end of what it printed

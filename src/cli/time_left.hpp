@@ -26,7 +26,7 @@ class TimeLeft {
     const double estimate =
         seconds_ * static_cast<double>(total - done_) / static_cast<double>(done_);
     const double left = estimate - (seconds - seconds_);
-    if (left <= 0) return {};  // nobody knows
+    if (left <= 0) return {};  // longer than expected
     if (left < 2 * kMinute) return fmt::format("about {:.0f} s left", std::ceil(left));
     return fmt::format("about {:.0f} min left", std::ceil(left / kMinute));
   }

@@ -17,15 +17,17 @@ COLUMNS = [("hull", "cgal"), ("hull", "qhull"), ("filtered", "cgal"), ("float", 
            ("obb", "cgal-obb")]
 
 
-def medians(path):
-    """{input: {what: milliseconds}} of the runs named INPUT/WHAT, and {"bytes": peak per facet} of the filtered one."""
+def runs_of(path):
+    """The medians, or all runs if there were no repetitions."""
     with open(path, encoding="utf-8") as file:
         runs = json.load(file)["benchmarks"]
-    repeated = any(run.get("aggregate_name") == "median" for run in runs)
+    return [run for run in runs if run.get("aggregate_name") == "median"] or runs
+
+
+def medians(path):
+    """{input: {what: milliseconds}} of the runs named INPUT/WHAT, and {"bytes": peak per facet} of the filtered one."""
     times = {}
-    for run in runs:
-        if repeated and run.get("aggregate_name") != "median":
-            continue
+    for run in runs_of(path):
         parts = run["run_name"].removeprefix("overlay/").split("/")
         if len(parts) == 2 and not parts[1].isdigit():
             times.setdefault(parts[0], {})[parts[1]] = run["real_time"]
@@ -42,13 +44,10 @@ def cell(times, above, below):
 
 def growth(path):
     """{what: {size: milliseconds}} of the runs named growth/WHAT/SIZE."""
-    with open(path, encoding="utf-8") as file:
-        runs = json.load(file)["benchmarks"]
-    repeated = any(run.get("aggregate_name") == "median" for run in runs)
     found = {}
-    for run in runs:
+    for run in runs_of(path):
         parts = run["run_name"].split("/")
-        if parts[0] == "growth" and (not repeated or run.get("aggregate_name") == "median"):
+        if parts[0] == "growth":
             found.setdefault(parts[1], {})[int(parts[2])] = run["real_time"]
     return found
 
