@@ -57,12 +57,17 @@ class PointSet {
   bool is_binary() const { return rationals_.empty(); }
   /// The doubles: exact if is_binary(), otherwise each rational rounded to nearest.
   std::span<const Point> doubles() const { return points_; }
+  /// Of points that are not binary, by point: itself less its double, rounded to nearest.
+  std::span<const Point> remainders() const { return remainders_; }
   /// The point itself, exactly.
   RationalPoint operator[](PointId id) const;
+
+  friend PointSet subset(const PointSet& points, std::span<const PointId> ids);
 
  private:
   std::vector<Point> points_;
   std::vector<RationalPoint> rationals_;  // empty, or as long as points_
+  std::vector<Point> remainders_;         // as long as rationals_
 };
 
 /// The points with these ids, in this order.

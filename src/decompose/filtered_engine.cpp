@@ -136,7 +136,9 @@ class FilteredEngine {
       for (const EdgeUse& use : uses) {
         edges_of[use.triangle].push_back(static_cast<std::uint32_t>(edges_.size()));
       }
-      edges_.push_back({uses[0].low, uses[0].high, {length, error(8 * kUnitRoundoff * length)}});
+      edges_.push_back({uses[0].low,
+                        uses[0].high,
+                        {length, error(8 * kUnitRoundoff * length + 4 * near_.off())}});
     });
     std::vector<bool> has_neighbours(surface_.triangles.size(), false);
     for (const auto& [a, b] : start_.pairs) has_neighbours[a] = has_neighbours[b] = true;
@@ -146,9 +148,10 @@ class FilteredEngine {
         const auto& [a, b, c] = surface_.triangles[t.index()];
         const Point e = points[b.index()] - points[a.index()];
         const Point f = points[c.index()] - points[a.index()];
+        const double size_e = e.cwiseAbs().maxCoeff(), size_f = f.cwiseAbs().maxCoeff();
         cluster.doubled_area +=
-            {e.cross(f).norm(),
-             error(40 * kUnitRoundoff * e.cwiseAbs().maxCoeff() * f.cwiseAbs().maxCoeff())};
+            {e.cross(f).norm(), error(40 * kUnitRoundoff * size_e * size_f +
+                                      near_.off() * (10 * (size_e + size_f) + 20 * near_.off()))};
         cluster.boundary = not_in_both(cluster.boundary, edges_of[t.index()]);
       }
       measure_boundary(cluster);
@@ -159,12 +162,8 @@ class FilteredEngine {
     }
   }
 
-  // Rationals are within half an ulp of the doubles, so sums of these bound nothing; and numbers
-  // that are too small for doubles are lost.
-  double error(double rounding) const {
-    if (is_float_) return 0;
-    return surface_.points.is_binary() ? rounding + 0x1p-960 : kNoBound;
-  }
+  // Numbers that are too small for doubles are lost.
+  double error(double rounding) const { return is_float_ ? 0 : rounding + 0x1p-960; }
 
   static std::vector<std::uint32_t> not_in_both(const std::vector<std::uint32_t>& a,
                                                 const std::vector<std::uint32_t>& b) {

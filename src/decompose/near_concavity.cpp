@@ -15,9 +15,22 @@ namespace {
 
 /// Below this share of the largest coordinate, whether a ray has length 0 is asked exactly.
 constexpr double kMaybeZero = 0x1p-30;
+/// Fractions below this exponent lose digits as doubles: nothing is bounded then. Coordinates are
+/// below 1 here, so that such an error says nothing of them.
+constexpr long kLeastExponent = -900;
+constexpr double kAnywhere = 2;
 /// Below this one an upper bound is as good as the errors of doubles allow: no search makes the
 /// lower bound positive.
 constexpr double kAsRounding = 0x1p-46;
+
+bool are_coplanar(const PointSet& points, const std::array<PointId, 4>& p) {
+  if (!points.is_binary()) {
+    const RationalPoint a = points[p[0]], b = points[p[1]], c = points[p[2]];
+    return Halfspace::through(a, b, c)(points[p[3]]) == 0;
+  }
+  const auto at = [&](std::size_t k) { return points.doubles()[p[k].index()]; };
+  return orient3d(at(0), at(1), at(2), at(3)) == Sign::Zero;
+}
 
 }  // namespace
 
@@ -40,14 +53,13 @@ std::span<const std::int32_t> FacetsAtPoints::at(PointId point) const {
 }
 
 NearConcavity::NearConcavity(const Surface& surface, ConcavityMeasure measure, bool is_float)
-    : surface_(&surface),
-      measure_(measure),
-      is_float_(is_float),
-      is_exact_input_(surface.points.is_binary()),
-      exact_(surface, measure) {
+    : surface_(&surface), measure_(measure), is_float_(is_float), exact_(surface, measure) {
   double most = 0;
   for (const Point& p : surface.points.doubles()) most = std::max(most, p.cwiseAbs().maxCoeff());
   exponent_ = exponent_of(most);
+  if (!surface.points.is_binary()) {
+    off_ = exponent_ < kLeastExponent ? kAnywhere : kUnitRoundoff;
+  }
   for (const Point& p : surface.points.doubles()) {
     points_.push_back(
         p.unaryExpr([&](double x) { return std::ldexp(x, static_cast<int>(-exponent_)); }));
@@ -73,7 +85,7 @@ void NearConcavity::add_directions(const Surface& surface) {
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& [a, b, c] = surface.triangles[t];
     const NearNormal normal =
-        near_normal(points_[a.index()], points_[b.index()], points_[c.index()]);
+        near_normal(points_[a.index()], points_[b.index()], points_[c.index()], off_);
     if (!at_points) {
       directions_.push_back(
           direction_of(normal.value, normal.error, !exact_.direction(TriangleId(t), 0).isZero()));
@@ -138,7 +150,7 @@ NearCluster NearConcavity::without_bounds(std::span<const TriangleId> triangles)
     for (const TriangleId t : triangles) add(t.value);
   }
   std::tie(cluster.extreme, cluster.facets) =
-      near_hull_of(surface_->points, points, points_, is_float_);
+      near_hull_of(surface_->points, points, points_, off_, is_float_);
   return cluster;
 }
 
@@ -147,7 +159,8 @@ NearCluster NearConcavity::unite(const NearCluster& a, const NearCluster& b, dou
   std::vector<PointId> points;
   std::set_union(a.extreme.begin(), a.extreme.end(), b.extreme.begin(), b.extreme.end(),
                  std::back_inserter(points));
-  std::tie(both.extreme, both.facets) = near_hull_of(surface_->points, points, points_, is_float_);
+  std::tie(both.extreme, both.facets) =
+      near_hull_of(surface_->points, points, points_, off_, is_float_);
   const auto same_a = same_planes(a.facets, both.facets);
   const auto same_b = same_planes(b.facets, both.facets);
   both.rays.reserve(a.rays.size() + b.rays.size());
@@ -172,7 +185,6 @@ NearCluster NearConcavity::unite(const NearCluster& a, const NearCluster& b, dou
 // one that bounds it, or one at a corner.
 void NearConcavity::look_for_plane_of(const NearFacets& facets, const FacetsAtPoints& at_points,
                                       RayBound& ray) const {
-  const auto points = surface_->points.doubles();
   const std::vector<PointId> corners = corners_of(ray.item);
   const Direction& direction = directions_[ray.item];
   const auto holds = [&](std::int32_t h) {
@@ -182,8 +194,7 @@ void NearConcavity::look_for_plane_of(const NearFacets& facets, const FacetsAtPo
     return std::all_of(corners.begin(), corners.end(), [&](PointId p) {
       if (p == of[0] || p == of[1] || p == of[2]) return true;
       return plane.depth(points_[p.index()] - facets.origin) <= plane.depth_error &&
-             orient3d(points[of[0].index()], points[of[1].index()], points[of[2].index()],
-                      points[p.index()]) == Sign::Zero;
+             are_coplanar(surface_->points, {of[0], of[1], of[2], p});
     });
   };
   const auto take = [&](std::int32_t h) {
@@ -204,7 +215,7 @@ void NearConcavity::bound_flat_rays(NearCluster& cluster) const {
   const std::size_t n = cluster.extreme.size();
   const auto corner = [&](std::size_t k) { return points_[cluster.extreme[k * n / 3].index()]; };
   const NearNormal normal =
-      n < 3 ? NearNormal{Point::Zero(), 1} : near_normal(corner(0), corner(1), corner(2));
+      n < 3 ? NearNormal{Point::Zero(), 1} : near_normal(corner(0), corner(1), corner(2), off_);
   double high = 0;
   for (RayBound& ray : cluster.rays) {
     const Direction& direction = directions_[ray.item];
@@ -219,7 +230,6 @@ void NearConcavity::bound_flat_rays(NearCluster& cluster) const {
 }
 
 void NearConcavity::bound_rays(NearCluster& cluster, double limit) const {
-  if (!is_exact_input_) return;
   if (cluster.facets.planes.empty()) return bound_flat_rays(cluster);
   std::vector<Point> corners;
   const auto rays_of = [&](const RayBound& ray) {
@@ -342,7 +352,7 @@ Concavity NearConcavity::exact(NearCluster& cluster, std::span<const TriangleId>
   for (const TriangleId t : triangles) {
     watch.ask();
     rays.clear();
-    bool may_be_longest = false, is_bounded = is_exact_input_;
+    bool may_be_longest = false, is_bounded = true;
     const auto add = [&](std::uint32_t item) {
       const auto ray = std::lower_bound(
           cluster.rays.begin(), cluster.rays.end(), item,

@@ -43,9 +43,11 @@ class NearConcavity {
 
   /// 2^exponent() times a length here is that length in units of the surface.
   [[nodiscard]] long exponent() const { return exponent_; }
-  /// The points, in these units: exact, except for parts below 2^-1074 in these units, and unless
-  /// the surface's points are fractions.
+  /// The points, in these units: exact but for parts below 2^-1074 in these units, if the surface's
+  /// points are doubles.
   [[nodiscard]] std::span<const Point> points() const { return points_; }
+  /// How far each coordinate of points() is from the true one, beyond such parts: 0 for doubles.
+  [[nodiscard]] double off() const { return off_; }
 
   /// Bounds, in these units, of the root of a square in units of the surface.
   [[nodiscard]] LengthBounds root_bounds(const Rational& squared) const;
@@ -102,9 +104,10 @@ class NearConcavity {
 
   const Surface* surface_;
   ConcavityMeasure measure_;
-  bool is_float_, is_exact_input_;
+  bool is_float_;
   ExactConcavity exact_;
   long exponent_ = 0;
+  double off_ = 0;
   std::vector<Point> points_;
   std::vector<Direction> directions_;  // by triangle, or by point
 };

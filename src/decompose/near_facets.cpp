@@ -68,23 +68,25 @@ std::vector<std::array<PointId, 3>> corners_of_tetrahedron(const std::vector<Poi
 // The planes of facets, about the lowest point of the cluster.
 NearFacets near_facets(std::vector<std::array<PointId, 3>> corners,
                        const std::vector<PointId>& extreme, std::span<const Point> points,
-                       bool is_float) {
+                       double off, bool is_float) {
   NearFacets near;
   near.origin = points[extreme.front().index()];
-  double radius = 0;
+  double radius = 0;  // of the true points, too
   for (const PointId v : extreme) {
     radius = std::max(radius, (points[v.index()] - near.origin).cwiseAbs().maxCoeff());
   }
+  radius += 2 * off;
   near.planes.reserve(corners.size());
   for (const auto& [a, b, c] : corners) {
-    const NearNormal normal = near_normal(points[a.index()], points[b.index()], points[c.index()]);
+    const NearNormal normal =
+        near_normal(points[a.index()], points[b.index()], points[c.index()], off);
     const Point local = points[a.index()] - near.origin;
     const double size = normal.value.cwiseAbs().sum();
     // n.(a - x) for coordinates up to `radius`: 2 * 3 * radius * error from the normal; each of
-    // both points is within 10u radius, and the two products and their difference are rounded, 8u
-    // each.
-    const double depth_error =
-        7 * radius * normal.error + 40 * kUnitRoundoff * size * radius + kLostToUnderflow;
+    // both points is within 10u radius and `off`, and the two products and their difference are
+    // rounded, 8u each.
+    const double depth_error = 7 * radius * normal.error +
+                               size * (40 * kUnitRoundoff * radius + 3 * off) + kLostToUnderflow;
     near.planes.push_back({.x = normal.value[0],
                            .y = normal.value[1],
                            .z = normal.value[2],
@@ -101,16 +103,18 @@ NearFacets near_facets(std::vector<std::array<PointId, 3>> corners,
 
 // (b - a) x (c - a). An edge's component has a relative error of u, a product of two of them 3u,
 // and the difference of two products is rounded once more: 2 * 3u + 2u times the largest
-// components.
-NearNormal near_normal(const Point& a, const Point& b, const Point& c) {
+// components. Both ends of an edge are off: by g = 2 off, which two products change by
+// 2g (E + F) + 2g^2, E and F the largest components.
+NearNormal near_normal(const Point& a, const Point& b, const Point& c, double off) {
   const Point e = b - a, f = c - a;
-  return {e.cross(f), 10 * kUnitRoundoff * e.cwiseAbs().maxCoeff() * f.cwiseAbs().maxCoeff() +
-                          kLostToUnderflow};
+  const double size_e = e.cwiseAbs().maxCoeff(), size_f = f.cwiseAbs().maxCoeff();
+  return {e.cross(f), 10 * kUnitRoundoff * size_e * size_f + 5 * off * (size_e + size_f) +
+                          10 * off * off + kLostToUnderflow};
 }
 
 std::pair<std::vector<PointId>, NearFacets> near_hull_of(const PointSet& points,
                                                          const std::vector<PointId>& ids,
-                                                         std::span<const Point> near,
+                                                         std::span<const Point> near, double off,
                                                          bool is_float) {
   if (ids.size() <= 2) return {ids, {}};
   if (ids.size() == 3) {
@@ -123,7 +127,7 @@ std::pair<std::vector<PointId>, NearFacets> near_hull_of(const PointSet& points,
     const Sign side =
         orient3d(at[ids[0].index()], at[ids[1].index()], at[ids[2].index()], at[ids[3].index()]);
     if (side != Sign::Zero) {
-      return {ids, near_facets(corners_of_tetrahedron(ids, side == Sign::Negative), ids, near,
+      return {ids, near_facets(corners_of_tetrahedron(ids, side == Sign::Negative), ids, near, off,
                                is_float)};
     }
   }
@@ -132,7 +136,7 @@ std::pair<std::vector<PointId>, NearFacets> near_hull_of(const PointSet& points,
   if (solid == nullptr) return {flat_extreme(points, ids, std::get<FlatInput>(hull)), {}};
   std::vector<PointId> extreme;
   for (const PointId v : solid->vertices) extreme.push_back(ids[v.index()]);
-  NearFacets facets = near_facets(corners_of_facets(*solid, ids), extreme, near, is_float);
+  NearFacets facets = near_facets(corners_of_facets(*solid, ids), extreme, near, off, is_float);
   return {std::move(extreme), std::move(facets)};
 }
 

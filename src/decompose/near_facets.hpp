@@ -22,8 +22,8 @@ struct NearNormal {
   double error;
 };
 
-/// (b - a) x (c - a).
-[[nodiscard]] NearNormal near_normal(const Point& a, const Point& b, const Point& c);
+/// (b - a) x (c - a). @param off  How far each coordinate is from the true point's.
+[[nodiscard]] NearNormal near_normal(const Point& a, const Point& b, const Point& c, double off);
 
 /// The hull of a cluster in doubles: per facet the plane n.x = d about a local origin.
 struct NearFacets {
@@ -52,10 +52,11 @@ struct NearFacets {
 /// flat.
 /// @param ids       At least one, ascending.
 /// @param near      All points of the surface in doubles, over a power of two.
+/// @param off       How far each of their coordinates is from the true one.
 /// @param is_float  Errors count as zero.
 [[nodiscard]] std::pair<std::vector<PointId>, NearFacets> near_hull_of(
     const PointSet& points, const std::vector<PointId>& ids, std::span<const Point> near,
-    bool is_float);
+    double off, bool is_float);
 
 /// By plane of a hull: which plane of another one is the same, or -1.
 [[nodiscard]] std::vector<std::int32_t> same_planes(const NearFacets& from, const NearFacets& to);

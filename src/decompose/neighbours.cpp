@@ -37,7 +37,7 @@ std::vector<SharedEdge> shared_edges(const Surface& surface) {
 bool are_collinear(const PointSet& points, PointId a, PointId b, PointId c) {
   if (points.is_binary()) {
     const auto near = points.doubles();
-    const NearNormal normal = near_normal(near[a.index()], near[b.index()], near[c.index()]);
+    const NearNormal normal = near_normal(near[a.index()], near[b.index()], near[c.index()], 0);
     if (normal.value.cwiseAbs().maxCoeff() > normal.error && std::isfinite(normal.error)) {
       return false;
     }

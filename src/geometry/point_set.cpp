@@ -7,6 +7,15 @@
 #include "convexact/number.hpp"
 
 namespace convexact {
+namespace {
+
+Point nearest(const RationalPoint& p) {
+  Point rounded;
+  for (int k = 0; k < 3; ++k) rounded[k] = to_double(p[k], Rounding::Nearest);
+  return rounded;
+}
+
+}  // namespace
 
 PointSet::PointSet(std::vector<Point> points) : points_(std::move(points)) {
   const auto bad =
@@ -21,8 +30,7 @@ PointSet::PointSet(std::vector<Point> points) : points_(std::move(points)) {
 PointSet::PointSet(std::vector<RationalPoint> points) {
   bool binary = true;
   for (const RationalPoint& p : points) {
-    Point rounded;
-    for (int k = 0; k < 3; ++k) rounded[k] = to_double(p[k], Rounding::Nearest);
+    Point rounded = nearest(p);
     if (!rounded.allFinite()) {
       throw Error(ErrorCode::NotFinite, "point " + std::to_string(points_.size()) +
                                             " (counting from 0) is beyond the largest double");
@@ -30,7 +38,11 @@ PointSet::PointSet(std::vector<RationalPoint> points) {
     binary = binary && to_rational(rounded) == p;
     points_.push_back(rounded);
   }
-  if (!binary) rationals_ = std::move(points);
+  if (binary) return;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    remainders_.push_back(nearest(points[i] - to_rational(points_[i])));
+  }
+  rationals_ = std::move(points);
 }
 
 RationalPoint PointSet::operator[](PointId id) const {
@@ -38,14 +50,18 @@ RationalPoint PointSet::operator[](PointId id) const {
 }
 
 PointSet subset(const PointSet& points, std::span<const PointId> ids) {
-  if (!points.is_binary()) {
-    std::vector<RationalPoint> chosen;
-    for (const PointId id : ids) chosen.push_back(points[id]);
-    return PointSet(std::move(chosen));
+  PointSet chosen;
+  for (const PointId id : ids) chosen.points_.push_back(points.points_[id.index()]);
+  const auto is_double = [&](PointId id) {
+    return points.remainders_[id.index()].isZero(0) &&
+           to_rational(points.points_[id.index()]) == points.rationals_[id.index()];
+  };
+  if (points.is_binary() || std::all_of(ids.begin(), ids.end(), is_double)) return chosen;
+  for (const PointId id : ids) {
+    chosen.rationals_.push_back(points.rationals_[id.index()]);
+    chosen.remainders_.push_back(points.remainders_[id.index()]);
   }
-  std::vector<Point> chosen;
-  for (const PointId id : ids) chosen.push_back(points.doubles()[id.index()]);
-  return PointSet(std::move(chosen));
+  return chosen;
 }
 
 PointSet concatenated(const PointSet& first, const PointSet& second) {

@@ -184,11 +184,7 @@ class HullCheck {
 
 bool check_hull(const Hull& hull, const PointSet& points) {
   if (points.is_binary()) return HullCheck(hull, DoublePoints(points.doubles())).passes();
-  std::vector<HomogeneousPoint> homogeneous;
-  homogeneous.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    homogeneous.push_back(clear_denominators(points[PointId(i)]));
-  return check_hull(hull, homogeneous);
+  return HullCheck(hull, HomogeneousPoints(points)).passes();
 }
 
 bool check_hull(const Hull& hull, std::span<const HomogeneousPoint> points) {

@@ -13,6 +13,15 @@ namespace {
 
 double& coordinate(NearPoint& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
+Point nearest(const RationalPoint& p) {
+  return {to_double(p[0], Rounding::Nearest), to_double(p[1], Rounding::Nearest),
+          to_double(p[2], Rounding::Nearest)};
+}
+
+bool is_between(const Point& low, const Point& x, const Point& high) {
+  return (low.array() < x.array()).all() && (x.array() < high.array()).all();
+}
+
 }  // namespace
 
 DoublePoints::DoublePoints(std::span<const Point> points) : points_(points), near_(points.size()) {
@@ -88,17 +97,38 @@ Sign determinant_sign(const HomogeneousPoint& a, const HomogeneousPoint& b,
 
 HomogeneousPoints::HomogeneousPoints(std::span<const HomogeneousPoint> points)
     : points_(points), near_(points.size()) {
-  if (points.empty()) return;
   for (const HomogeneousPoint& p : points) {
     if (p.w <= 0) throw Error(ErrorCode::InvalidArgument, "a homogeneous point needs w > 0");
   }
+  find_box();
+}
+
+HomogeneousPoints::HomogeneousPoints(const PointSet& points)
+    : set_(&points), of_set_(points.size()), near_(points.size()) {
+  find_box();
+}
+
+const HomogeneousPoint& HomogeneousPoints::at(PointId p) const {
+  if (set_ == nullptr) return points_[p.index()];
+  std::optional<HomogeneousPoint>& made = of_set_[p.index()];
+  if (!made) made = clear_denominators((*set_)[p]);
+  return *made;
+}
+
+void HomogeneousPoints::find_box() {
+  if (size() == 0) return;
   low_ = high_ = rational(PointId(0));
+  Point near_low = nearest(low_), near_high = near_low;
   for (std::size_t i = 1; i < size(); ++i) {
-    const RationalPoint p = rational(PointId(i));
+    // Rounding is monotone: a double strictly between those of the box is of a point within.
+    if (set_ != nullptr && is_between(near_low, set_->doubles()[i], near_high)) continue;
+    const RationalPoint exact = rational(PointId(i));
     for (int k = 0; k < 3; ++k) {
-      if (p[k] < low_[k]) low_[k] = p[k];
-      if (p[k] > high_[k]) high_[k] = p[k];
+      if (exact[k] < low_[k]) low_[k] = exact[k];
+      if (exact[k] > high_[k]) high_[k] = exact[k];
     }
+    near_low = nearest(low_);
+    near_high = nearest(high_);
   }
   compute_near((low_ + high_) / Rational(2));
 }
@@ -112,17 +142,37 @@ void HomogeneousPoints::center_at(const std::array<PointId, 4>& simplex) {
 }
 
 void HomogeneousPoints::compute_near(const RationalPoint& center) {
-  std::array<long, 3> exponent;
-  for (int k = 0; k < 3; ++k) {
-    exponent[k] = high_[k] == low_[k] ? 0 : exponent_of(Rational(high_[k] - low_[k]));
+  for (int axis = 0; axis < 3; ++axis) {
+    if (compute_near_in_doubles(axis, center[axis])) continue;
+    const bool is_flat = high_[axis] == low_[axis];
+    const long exponent = is_flat ? 0 : exponent_of(Rational(high_[axis] - low_[axis]));
+    for (std::size_t i = 0; i < size(); ++i) {
+      const Rational shifted = rational(PointId(i))[axis] - center[axis];
+      coordinate(near_[i], axis) =
+          to_double(scale_by_power_of_two(shifted, -exponent), Rounding::Nearest);
+    }
   }
+}
+
+// Of a set of common sizes, from its doubles and their remainders: false for others.
+bool HomogeneousPoints::compute_near_in_doubles(int axis, const Rational& center) {
+  constexpr double kSmallest = 0x1p-800, kLargest = 0x1p+800, kLeastShare = 0x1p-40;
+  if (set_ == nullptr) return false;
+  const double extent = to_double(high_[axis] - low_[axis], Rounding::Up);
+  const double largest = to_double(std::max(high_[axis], Rational(-low_[axis])), Rounding::Up);
+  if (!(extent >= kSmallest && largest <= kLargest && extent >= kLeastShare * largest))
+    return false;
+  // The remainder and the lower part of the center are rounded, each by u^2 of the largest
+  // coordinate, and so is the center's upper part's remainder: together below u 2^-10 of the
+  // extent. Each of the three operations rounds by u of it; it is at most 1 after scaling.
+  const double scale = std::ldexp(1.0, -exponent_of(extent));
+  const double high = to_double(center, Rounding::Nearest);
+  const double low = to_double(center - to_rational(high), Rounding::Nearest);
+  const auto doubles = set_->doubles(), remainders = set_->remainders();
   for (std::size_t i = 0; i < size(); ++i) {
-    const RationalVector3 shifted = rational(PointId(i)) - center;
-    const auto near = [&](int k) {
-      return to_double(scale_by_power_of_two(shifted[k], -exponent[k]), Rounding::Nearest);
-    };
-    near_[i] = {near(0), near(1), near(2)};
+    coordinate(near_[i], axis) = (((doubles[i][axis] - high) - low) + remainders[i][axis]) * scale;
   }
+  return true;
 }
 
 Sign HomogeneousPoints::side(PointId a, PointId b, PointId c, PointId p) const {
@@ -144,6 +194,7 @@ bool HomogeneousPoints::collinear(PointId a, PointId b, PointId c) const {
 }
 
 RationalPoint HomogeneousPoints::rational(PointId p) const {
+  if (set_ != nullptr) return (*set_)[p];
   const HomogeneousPoint& h = at(p);
   return {Rational(h.n[0], h.w), Rational(h.n[1], h.w), Rational(h.n[2], h.w)};
 }

@@ -4,6 +4,7 @@
 #pragma once
 #include <array>
 #include <concepts>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -100,16 +101,19 @@ class DoublePoints {
 };
 static_assert(ExactPoints<DoublePoints>);
 
-/// ExactPoints over homogeneous integers; keeps a reference to them. Until center_at() the near
-/// points are about the middle of the box and center_side() must not be called.
+/// ExactPoints over fractions, as homogeneous integers or as a set, to which a reference is kept.
+/// Until center_at() the near points are about the middle of the box and center_side() must not be
+/// called.
 class HomogeneousPoints {
  public:
   /// @throws Error InvalidArgument if some w <= 0.
   explicit HomogeneousPoints(std::span<const HomogeneousPoint> points);
+  /// Integers are computed for the points that a sign needs. Precondition: it is not binary.
+  explicit HomogeneousPoints(const PointSet& points);
   /// The center becomes the centroid of four points that span a volume.
   void center_at(const std::array<PointId, 4>& simplex);
 
-  std::size_t size() const { return points_.size(); }
+  std::size_t size() const { return near_.size(); }
   std::span<const NearPoint> near() const { return near_; }
   Sign side(PointId a, PointId b, PointId c, PointId p) const;
   Sign center_side(PointId a, PointId b, PointId p) const;
@@ -118,10 +122,14 @@ class HomogeneousPoints {
   RationalPoint rational(PointId p) const;
 
  private:
-  const HomogeneousPoint& at(PointId p) const { return points_[p.index()]; }
+  const HomogeneousPoint& at(PointId p) const;
+  void find_box();
   void compute_near(const RationalPoint& center);
+  [[nodiscard]] bool compute_near_in_doubles(int axis, const Rational& center);
 
   std::span<const HomogeneousPoint> points_;
+  const PointSet* set_ = nullptr;                                // or these,
+  mutable std::vector<std::optional<HomogeneousPoint>> of_set_;  // as far as they were needed
   std::vector<NearPoint> near_;
   RationalPoint low_, high_;  // the box
   HomogeneousPoint center_;

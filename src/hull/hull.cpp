@@ -60,11 +60,7 @@ HullOutcome hull_of(Points points, const HullOptions& options) {
 
 HullOutcome convex_hull(const PointSet& points, const HullOptions& options) {
   if (points.is_binary()) return hull_of(DoublePoints(points.doubles()), options);
-  std::vector<HomogeneousPoint> homogeneous;
-  homogeneous.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    homogeneous.push_back(clear_denominators(points[PointId(i)]));
-  return hull_of(HomogeneousPoints(homogeneous), options);
+  return hull_of(HomogeneousPoints(points), options);
 }
 
 HullOutcome convex_hull(std::span<const HomogeneousPoint> points, const HullOptions& options) {

@@ -7,6 +7,7 @@
 
 #include "convexact/cluster.hpp"
 #include "decompose/near_concavity.hpp"
+#include "fractions.hpp"
 #include "small_surfaces.hpp"
 #include "sweep.hpp"
 
@@ -202,6 +203,64 @@ TEST_CASE("unions are bounded by what their halves know") {
     tight += bounded.concavity.high - bounded.concavity.low <= 1e-6 * bounded.concavity.high;
   }
   CHECK(tight > all * 9 / 10);  // bounds that say nothing would hold, too
+}
+
+TEST_CASE("bounds hold where rounding moves the points, and are not vacuous") {
+  std::mt19937 random(12);
+  for (const Fractions kind : kFractions) {
+    CAPTURE(static_cast<int>(kind));
+    std::size_t tight = 0, all = 0;
+    for (unsigned round = 0; round < 24; ++round) {
+      Mesh mesh = terrain(5, 3, 1 + round % 5, 0, random);
+      mesh.points = as_fractions(mesh.points, kind);
+      const Surface surface = make_surface(mesh);
+      const auto measure = round % 2 == 0 ? ConcavityMeasure::Surface : ConcavityMeasure::Vertices;
+      const ExactConcavity exact(surface, measure);
+      const NearConcavity near(surface, measure, false);
+      std::vector<TriangleId> some;
+      const std::size_t first = random() % 8, count = 6 + random() % 16;
+      for (std::size_t t = first; t < first + count; ++t) some.emplace_back(t);
+      const Concavity found =
+          exact(some, convex_part(subset(surface.points, points_of(surface, some))));
+      NearCluster bounded = near.cluster(some);
+      CHECK(bounds_hold(bounded.concavity, found.squared, near.exponent()));
+      ++all;
+      tight += bounded.concavity.high - bounded.concavity.low <= 1e-2 * bounded.concavity.high;
+      const Concavity again = near.exact(bounded, some);
+      CHECK(again.squared == found.squared);
+      CHECK(again.at == found.at);
+    }
+    // A needle as thin as rounding, and points below normal doubles, are left to exact numbers.
+    const bool is_hopeless = kind == Fractions::Needle || kind == Fractions::Tiny;
+    if (!is_hopeless) CHECK(tight > all / 2);
+  }
+}
+
+TEST_CASE("normals are within their errors, wherever the true points are") {
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> spread(-1, 1);
+  double most = 0;
+  for (int round = 0; round < 4000; ++round) {
+    // Edges from 1 down to the sizes of rounding.
+    const double size = std::ldexp(1, -int(random() % 54)), off = kUnitRoundoff;
+    std::array<Point, 3> near;
+    std::array<RationalPoint, 3> exact;
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (int axis = 0; axis < 3; ++axis) {
+        near[k][axis] = 0.5 + (k == 0 ? 0 : size * spread(random) / 2);
+        const double corner = random() % 2 == 0 ? off : -off;
+        exact[k][axis] = to_rational(near[k][axis]) + to_rational(corner);
+      }
+    }
+    const NearNormal normal = near_normal(near[0], near[1], near[2], off);
+    const RationalVector3 e = exact[1] - exact[0], f = exact[2] - exact[0], true_one = e.cross(f);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Rational error = abs(Rational(true_one[axis] - to_rational(normal.value[axis])));
+      CHECK(error <= to_rational(normal.error));
+      most = std::max(most, to_double(error / to_rational(normal.error), Rounding::Nearest));
+    }
+  }
+  CHECK(most > 0.4);
 }
 
 TEST_CASE("a closed form: the notch of an L") {

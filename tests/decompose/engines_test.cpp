@@ -7,6 +7,7 @@
 
 #include "convexact/cluster.hpp"
 #include "convexact/io.hpp"
+#include "fractions.hpp"
 #include "small_surfaces.hpp"
 #include "sweep.hpp"
 
@@ -111,6 +112,22 @@ TEST_CASE("points that are fractions are clustered as their multiples are") {
     CHECK(whole.merges == scaled.merges);
     CHECK(whole.clusters == scaled.clusters);
   }
+}
+
+TEST_CASE("the filtered engine merges as the exact one does, where rounding moves the points") {
+  std::mt19937 random(44);
+  Compared all;
+  for (unsigned round = 0; round < 60; ++round) {
+    CAPTURE(round);
+    Mesh mesh = terrain(3, 1 + round % 3, round % 4, round % 2, random);
+    mesh.points = as_fractions(mesh.points, kFractions[round % std::size(kFractions)]);
+    REQUIRE_FALSE(mesh.points.is_binary());
+    ClusterOptions options = options_of(round);
+    options.max_parts.reset();
+    compare_engines(make_surface(mesh), options, all);
+  }
+  CHECK(all.merges > 200);
+  CHECK(all.several > 5);
 }
 
 TEST_CASE("the float engine is classified, not trusted: on meshes without ties it agrees here") {

@@ -49,3 +49,27 @@ TEST_CASE("PointSet: NaN, infinite and beyond the largest double are refused, wi
           std::string::npos);
   }
 }
+
+TEST_CASE("PointSet: remainders are what rounding left, and subsets are sets of their own") {
+  const Rational third(1, 3), tiny = scale_by_power_of_two(Rational(1, 3), -1200);
+  const PointSet set(std::vector{RationalPoint(1, 2, 3), RationalPoint(third, 1, -third),
+                                 RationalPoint(1, 1, 1 + tiny)});
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const Rational left = set[PointId(i)][k] - to_rational(set.doubles()[i][k]);
+      CHECK(set.remainders()[i][k] == to_double(left, Rounding::Nearest));
+    }
+  }
+  const auto of = [&](std::vector<PointId> ids) { return subset(set, ids); };
+  CHECK(of({PointId(0), PointId(0)}).is_binary());
+  CHECK(of({PointId(0), PointId(0)}).remainders().empty());
+  CHECK(of({}).is_binary());
+  const PointSet both = of({PointId(1), PointId(0)});
+  CHECK(both[PointId(0)] == set[PointId(1)]);
+  CHECK(both[PointId(1)] == set[PointId(0)]);
+  CHECK(both.remainders()[0] == set.remainders()[1]);
+  // Its remainder is too small for a double, and yet it is none.
+  CHECK(set.remainders()[2].isZero(0));
+  CHECK_FALSE(of({PointId(2)}).is_binary());
+  CHECK(of({PointId(2)})[PointId(0)] == set[PointId(2)]);
+}

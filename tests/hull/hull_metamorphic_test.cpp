@@ -8,6 +8,9 @@
 #include "checked_hull.hpp"
 #include "convexact/error.hpp"
 #include "convexact/hull.hpp"
+#include "fractions.hpp"
+#include "hull/exact_points.hpp"
+#include "number/arithmetic.hpp"
 #include "number/random.hpp"
 #include "shapes/makers.hpp"
 
@@ -95,4 +98,56 @@ TEST_CASE("convex_hull: the same points as homogeneous integers, each with its o
   }
   std::vector<HomogeneousPoint> bad(1, {IntegerVector3(1, 0, 0), Integer(0)});
   CHECK_THROWS_AS((void)convex_hull(bad), Error);
+}
+
+TEST_CASE("convex_hull: a set of fractions and its homogeneous integers") {
+  for (const std::vector<Point>& list : samples()) {
+    for (const support::Fractions kind : support::kFractions) {
+      CAPTURE(static_cast<int>(kind));
+      const PointSet set = support::as_fractions(PointSet(list), kind);
+      REQUIRE_FALSE(set.is_binary());
+      std::vector<HomogeneousPoint> points;
+      for (std::size_t i = 0; i < set.size(); ++i) {
+        points.push_back(clear_denominators(set[PointId(i)]));
+      }
+      const Hull hull = checked_hull(set);
+      const HullOutcome outcome = convex_hull(points);
+      CHECK(check_hull(hull, points));
+      CHECK(hull.vertices == std::get<Hull>(outcome).vertices);
+      CHECK(hull.facets == std::get<Hull>(outcome).facets);
+    }
+  }
+}
+
+TEST_CASE("HomogeneousPoints: near points of a set are near") {
+  for (const support::Fractions kind : support::kFractions) {
+    CAPTURE(static_cast<int>(kind));
+    const PointSet set = support::as_fractions(PointSet(shapes::in_ball(40, 5)), kind);
+    HomogeneousPoints points(set);
+    points.center_at({PointId(0), PointId(1), PointId(2), PointId(3)});
+    RationalPoint center = set[PointId(0)];
+    for (std::size_t k = 1; k < 4; ++k) center += set[PointId(k)];
+    center /= Rational(4);
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto near = [&](std::size_t i) {
+        const NearPoint& p = points.near()[i];
+        return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+      };
+      const auto shifted = [&](std::size_t i) {
+        return Rational(set[PointId(i)][axis] - center[axis]);
+      };
+      std::size_t farthest = 0;
+      for (std::size_t i = 0; i < set.size(); ++i) {
+        if (std::abs(near(i)) > std::abs(near(farthest))) farthest = i;
+      }
+      const Rational ratio = shifted(farthest) / to_rational(near(farthest));
+      long exponent = exponent_of(ratio) - 2;  // ratio is a power of two, but for rounding
+      while (scale_by_power_of_two(ratio, -exponent) > Rational(3, 2)) ++exponent;
+      for (std::size_t i = 0; i < set.size(); ++i) {
+        const Rational exact = scale_by_power_of_two(shifted(i), -exponent);
+        CHECK(abs(exact) <= 1);
+        CHECK(abs(Rational(exact - to_rational(near(i)))) <= to_rational(kNearError));
+      }
+    }
+  }
 }
