@@ -79,7 +79,7 @@ void decompose_few(FuzzInput& in) {
   for (const Part& part : made->parts) parts.push_back({"part", part.mesh});
   PartsRequest asked;
   asked.claims = {ClaimCode::CoversPoints, ClaimCode::CoversSurface};
-  asked.measures = false;
+  asked.measures = PartMeasures::None;
   FUZZ_CHECK(verify_parts(mesh, parts, asked).holds());
 }
 

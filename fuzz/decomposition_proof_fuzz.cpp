@@ -42,7 +42,7 @@ std::string proof_of_some_decomposition(FuzzInput& in) {
   if (in.below(4) == 0) request.faces = 4 + in.below(3);
   if (in.below(4) == 0) request.precision = Precision::Binary32;
   if (in.below(8) == 0) request.connect = Connect::Touching;
-  request.measures = false;
+  request.measures = PartMeasures::None;
   const Mesh mesh = triangles_of(in);
   if (mesh.polygons.empty()) return "";
   const DecomposeOutcome outcome = decompose(mesh, request);

@@ -47,7 +47,7 @@ void hold_parts(FuzzInput& in) {
   PartsRequest request;
   request.claims = {PartsSolid,  PartsConvex,   CoversPoints, CoversSurface,
                     CoversSolid, PartsDisjoint, PartsNeeded};
-  request.measures = in.below(4) == 0;
+  request.measures = in.below(4) == 0 ? PartMeasures::All : PartMeasures::None;
   request.exact_volumes = true;
   const PartsVerdict verdict =
       verify_parts(sheared(mesh_of_cells(cells), how), parts_of(boxes, how), request);
@@ -64,12 +64,12 @@ void hold_parts(FuzzInput& in) {
   agrees(PartsNeeded, expected.needed);
   FUZZ_CHECK(verdict.holds() == (expected.points && expected.surface && expected.solid &&
                                  expected.disjoint && expected.needed));
-  if (!request.measures) return;
+  if (request.measures == PartMeasures::None) return;
   const FineVolumes found = volumes(cells, boxes);
   const Rational fine(1, kFine * kFine * kFine);
   const PartsMeasures& m = *verdict.measures;
   FUZZ_CHECK(*m.solid_volume->exact == Rational(cells.size()));
-  FUZZ_CHECK(*m.union_volume.exact == Rational(found.in_union * fine));
+  FUZZ_CHECK(*m.union_volume->exact == Rational(found.in_union * fine));
   FUZZ_CHECK(*m.uncovered_volume->exact == Rational(cells.size() - found.covered * fine));
   FUZZ_CHECK(*m.excess_volume->exact == Rational((found.in_union - found.covered) * fine));
 }
@@ -99,7 +99,7 @@ void hold_parts_file(FuzzInput& in) {
     }
     if (points > kMostPoints) return;
   }
-  const PartsVerdict verdict = verify_parts(cube, parts, {.measures = false});
+  const PartsVerdict verdict = verify_parts(cube, parts, {.measures = PartMeasures::None});
   const bool is_readable = verdict[PartsReadable].status == Status::Holds &&
                            verdict[PartsFinite].status == Status::Holds;
   FUZZ_CHECK(is_readable == (read != nullptr));

@@ -60,8 +60,8 @@ struct DecomposeRequest {
   /// A part keeps more if every removal is unbounded, as from a box.
   std::optional<std::size_t> faces = {}, total_faces = {};
   Precision precision = Precision::Binary64;
-  bool measures = true;        ///< Volumes of solid, union, excess, uncovered and overlap.
-  bool exact_volumes = false;  ///< Also as fractions.
+  PartMeasures measures = PartMeasures::All;
+  bool exact_volumes = false;  ///< Volumes also as fractions.
   /// Of Hacd: as ClusterOptions. Without, `merges` of the result are not all.
   bool every_merge = true;
   /// Fill in the data of a trace: concavity and cost of each merge, associations of each node.

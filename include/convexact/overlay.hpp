@@ -114,13 +114,21 @@ struct UncoveredSolid {
 [[nodiscard]] std::optional<RationalPoint> common_interior(const ConvexPart& a,
                                                            const ConvexPart& b);
 
+/// The numbers to measure beside what is proven of a decomposition.
+enum class PartMeasures {
+  None,
+  Uncovered,  ///< What the parts leave out of the surface and of its solid.
+  All,        ///< Also union, excess and overlap, and how far the parts lie from the input.
+};
+
 /// The volumes of parts and of the solid that a surface encloses.
 struct DecompositionMeasures {
   std::optional<Measured> solid_volume;      ///< Of the surface; none if it encloses none.
   std::optional<Measured> uncovered_volume;  ///< Of the solid outside of the union.
-  std::optional<Measured> excess_volume;     ///< Of the union outside of the solid.
-  Measured union_volume;
-  Measured overlap_volume;  ///< What the parts' volumes add up to, less the union's.
+  // Of PartMeasures::All only:
+  std::optional<Measured> excess_volume;  ///< Of the union outside of the solid.
+  std::optional<Measured> union_volume;
+  std::optional<Measured> overlap_volume;  ///< What the parts' volumes add up to, less the union's.
 };
 
 }  // namespace convexact

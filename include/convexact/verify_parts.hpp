@@ -30,14 +30,14 @@ struct PartsRequest {
   MeshPoints points = MeshPoints::All;
   bool exact_facets = false;     ///< As VerifyRequest::exact_facets.
   Orient orient = Orient::Auto;  ///< Of the input's faces.
-  bool measures = true;          ///< Whether to measure areas, volumes and distances.
+  PartMeasures measures = PartMeasures::All;
   bool exact_volumes = false;    ///< Whether volumes are fractions, too.
   std::uint64_t seed = 1;        ///< Of every random order. The verdict does not depend on it.
   StageWatch watch = {};
 };
 
 /// The same questions about a decomposition: each budget is one of every part, and `tightness` asks
-/// for measures. `inner` and `slack_ulps` have no meaning there.
+/// for all measures. `inner` and `slack_ulps` have no meaning there.
 [[nodiscard]] PartsRequest parts_request(const VerifyRequest& request);
 
 /// A part on its own.
@@ -52,10 +52,11 @@ struct JudgedPart {
 /// Numbers beside the claims. Volumes and distances of the solid where the input encloses one.
 struct PartsMeasures : DecompositionMeasures {
   Enclosure surface_area, uncovered_area;
-  /// Largest distance of a point of the input's surface to the union, and of a point of the union
-  /// to the input's solid, or to its surface if it encloses none. The larger one is the Hausdorff
-  /// distance.
-  Enclosure surface_to_union, union_to_input;
+  /// Largest distance of a point of the input's surface to the union.
+  Enclosure surface_to_union;
+  /// Of PartMeasures::All: the largest distance of a point of the union to the input's solid, or to
+  /// its surface if it encloses none. The larger one of both is the Hausdorff distance.
+  std::optional<Enclosure> union_to_input;
 };
 
 struct PartsVerdict {

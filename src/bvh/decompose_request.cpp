@@ -60,8 +60,8 @@ DecomposeRequest decompose_request_of(const json& request) {
   wanted.keep_inner = flag_in(request, "keep_inner").value_or(false);
   wanted.for_tree = flag_in(request, "tree").value_or(false);
   wanted.exact_volumes = flag_in(request, "exact_volumes").value_or(false);
-  wanted.measures = !flag_in(request, "no_measures").value_or(false);
-  if (wanted.exact_volumes && !wanted.measures) {
+  if (flag_in(request, "no_measures").value_or(false)) wanted.measures = PartMeasures::None;
+  if (wanted.exact_volumes && wanted.measures == PartMeasures::None) {
     reject_request("exact_volumes or no_measures, not both");
   }
   wanted.precision = precision_in(request);

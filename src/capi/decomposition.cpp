@@ -31,7 +31,7 @@ DecomposeRequest to_request(const convexact_decompose_options& options) {
   if (options.no_volumes != 0 && options.exact_volumes != 0) {
     throw Error(ErrorCode::InvalidArgument, "exact volumes, and none");
   }
-  request.measures = options.no_volumes == 0;
+  request.measures = options.no_volumes == 0 ? PartMeasures::All : PartMeasures::None;
   request.exact_volumes = options.exact_volumes != 0;
   request.for_tree = options.for_tree != 0;
   request.seed = options.seed;
@@ -69,9 +69,9 @@ std::array<VolumeNumbers, 5> volumes_of(const DecompositionMeasures& measures) {
   const auto if_any = [](const std::optional<Measured>& x) {
     return x ? numbers_of(*x) : VolumeNumbers();
   };
-  return {if_any(measures.solid_volume), numbers_of(measures.union_volume),
+  return {if_any(measures.solid_volume), if_any(measures.union_volume),
           if_any(measures.uncovered_volume), if_any(measures.excess_volume),
-          numbers_of(measures.overlap_volume)};
+          if_any(measures.overlap_volume)};
 }
 
 convexact_decomposition decompose_mesh(const Mesh& mesh, const DecomposeRequest& request) {

@@ -90,7 +90,7 @@ PartsRequest to_request(const convexact_parts_options& options) {
   request.max_facets = to_limit(options.max_facets);
   request.max_vertices = to_limit(options.max_vertices);
   request.max_facet_vertices = to_limit(options.max_facet_vertices);
-  request.measures = false;
+  request.measures = PartMeasures::None;
   return request;
 }
 

@@ -71,7 +71,7 @@ std::variant<TreeParts, NotSolid> decomposed_parts(const Mesh& mesh, const std::
   request.loose = options.loose;
   request.faces = options.tree.leaf_faces;
   request.precision = options.tree.precision;
-  request.measures = false;
+  request.measures = PartMeasures::None;
   request.for_tree = options.join == JoinBy::Method;
   request.seed = options.global.seed;
   request.watch = log.watch();

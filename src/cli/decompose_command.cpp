@@ -4,6 +4,7 @@
 
 #include "bvh/decompose_request.hpp"
 #include "cli/decomposed_files.hpp"
+#include "cli/measures_options.hpp"
 #include "cli/outputs.hpp"
 #include "cli/part_files.hpp"
 #include "cli/stdio_loop.hpp"
@@ -36,7 +37,7 @@ constexpr const char* kDecomposeFooter =
     "tested\n"
     "on the written numbers. That covers the surface and need not cover the solid: the summary "
     "says\n"
-    "what of the solid is in no part.\n"
+    "what of the solid is in no part; --measures all also says what of the parts is outside.\n"
     "The exit code is 0 even if --max-parts or --flat merge leads beyond the concavity allowed, or "
     "a\n"
     "part of acd cannot be split; the summary and \"eps_holds\" say so. 4: INPUT has no point, "
@@ -49,7 +50,7 @@ struct DecomposeArguments {
   DecomposeFiles files;
   DecomposeRequest request;
   std::string concavity = "3%", coplanar = "0.99";  // of the request, as text
-  bool no_measures = false;
+  MeasuresOptions measures;
   StdioOptions stdio;
 };
 
@@ -59,13 +60,11 @@ DecomposeRequest decompose_request(const DecomposeArguments& options) {
     throw Error(ErrorCode::InvalidArgument,
                 "--total-faces is for all parts together and --faces for each: name one");
   }
-  if (request.exact_volumes && options.no_measures) {
-    throw Error(ErrorCode::InvalidArgument,
-                "--exact-volumes asks for volumes and --no-measures for none: name one");
-  }
+  request.measures =
+      options.measures.to_print(options.global.json || options.files.have_document());
+  request.exact_volumes = options.measures.exact_volumes;
   request.limit = parse_concavity("--concavity", options.concavity);
   request.coplanar = parse_cosine("--coplanar", options.coplanar);
-  request.measures = !options.no_measures;
   request.for_trace = !options.files.trace.empty();
   request.for_tree = !options.files.tree.empty();
   request.every_merge = options.global.json || options.files.show_merges();
@@ -220,9 +219,7 @@ void add_decompose_command(Command& program, int& exit_code) {
   add_choice<Precision>(command, "--precision", options->request.precision,
                         {{"64", Precision::Binary64}, {"32", Precision::Binary32}},
                         "the numbers of the parts: binary64, or rounded outward to binary32");
-  command.add_flag("--exact-volumes", options->request.exact_volumes,
-                   "volumes in JSON as fractions, too, which may be very long");
-  command.add_flag("--no-measures", options->no_measures, "do not measure volumes");
+  add_measures_options(command, options->measures, "");
   add_scene_options(command, options->scene);
   add_stdio_options(command, options->stdio, "one decomposition");
   finish_command(command, options, exit_code, run_decompose);

@@ -167,10 +167,13 @@ std::vector<std::string> DecomposeFiles::all_paths() const {
   return paths;
 }
 
-bool DecomposeFiles::show_merges() const {
-  return !trace.empty() || !picture.empty() ||
-         std::any_of(results.begin(), results.end(),
+bool DecomposeFiles::have_document() const {
+  return std::any_of(results.begin(), results.end(),
                      [](const std::string& path) { return path.ends_with(".json"); });
+}
+
+bool DecomposeFiles::show_merges() const {
+  return !trace.empty() || !picture.empty() || have_document();
 }
 
 void DecomposeFiles::require_sensible(const std::string& input,

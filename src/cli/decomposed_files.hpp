@@ -24,6 +24,8 @@ struct DecomposeFiles {
   std::string picture;                    ///< A page.
 
   std::vector<std::string> all_paths() const;
+  /// Whether one of the results is JSON.
+  bool have_document() const;
   /// Whether one of the files tells of single merges: a trace, a picture, or JSON.
   bool show_merges() const;
   /// @throws Error InvalidArgument for names and extensions that cannot be, for models of parts

@@ -19,12 +19,13 @@
 namespace convexact::cli {
 
 std::string UnionOptions::foreign_to_one_solid() const {
-  return max_parts           ? "--max-parts"
-         : max_part_vertices ? "--max-part-vertices"
-         : orient            ? "--orient"
-         : exact_volumes     ? "--exact-volumes"
-         : !picture.empty()  ? "--picture"
-                             : "";
+  return max_parts                ? "--max-parts"
+         : max_part_vertices      ? "--max-part-vertices"
+         : orient                 ? "--orient"
+         : measures.wanted        ? "--measures"
+         : measures.exact_volumes ? "--exact-volumes"
+         : !picture.empty()       ? "--picture"
+                                  : "";
 }
 
 void add_union_options(Command& command, UnionOptions& options) {
@@ -40,8 +41,7 @@ void add_union_options(Command& command, UnionOptions& options) {
   add_choice(command, "--orient", options.orient, kOrientationNames,
              "with --union: turn faces of INPUT so that they bound its solid correctly, or keep "
              "them as they are (default: auto)");
-  command.add_flag("--exact-volumes", options.exact_volumes,
-                   "with --union: volumes in --json as fractions, too, which may be very long");
+  add_measures_options(command, options.measures, "with --union: ");
   command.add_option("--picture", options.picture,
                      "with --union: a page (.html) that shows the parts, and in red the pieces of "
                      "INPUT that lie in no part");
@@ -66,7 +66,13 @@ int run_verify_union(const GlobalOptions& global, const std::string& input,
   }
   if (options.max_part_vertices) request.max_vertices = options.max_part_vertices;
   request.orient = options.orient.value_or(Orient::Auto);
-  request.exact_volumes = options.exact_volumes;
+  if (request.measures != PartMeasures::None) {
+    request.measures = options.measures.to_print(global.json);
+  } else if (options.measures.wanted || options.measures.exact_volumes) {
+    throw Error(ErrorCode::InvalidArgument,
+                "--no-tightness is --measures none of a union: name no others");
+  }
+  request.exact_volumes = options.measures.exact_volumes;
   Progress progress;
   StageLog log(progress.watch());
   SceneObject object = log.run("read input", StageKind::Io, [&] {

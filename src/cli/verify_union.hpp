@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/command.hpp"
+#include "cli/measures_options.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/verify_parts.hpp"
 
@@ -14,14 +15,15 @@ struct UnionOptions {
   bool is_asked = false;  ///< --union
   std::optional<std::size_t> max_parts, max_part_vertices;
   std::optional<Orient> orient;
-  bool exact_volumes = false;
+  MeasuresOptions measures;
   std::string picture;
 
   /// An option that has no meaning for a single solid; empty if none is given.
   std::string foreign_to_one_solid() const;
 };
 
-/// Adds --union, --max-parts, --max-part-vertices, --orient, --exact-volumes and --picture.
+/// Adds --union, --max-parts, --max-part-vertices, --orient, --measures, --exact-volumes and
+/// --picture.
 void add_union_options(Command& command, UnionOptions& options);
 
 /// Whether a candidate can only be a decomposition: a folder, or JSON with "parts".

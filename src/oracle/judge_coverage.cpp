@@ -229,8 +229,9 @@ void judge_coverage(PartsTrial& trial) {
   const bool has_faces = !surface.triangles.empty();
   if (!has_faces) trial.not_applicable(CoversSurface, "the input has no faces");
   if (!surface.is_closed) trial.not_applicable(CoversSolid, no_solid_text(surface));
+  const bool measures = trial.request.measures != PartMeasures::None;
   const bool needs_solid = trial.asks(CoversSolid) && surface.is_closed;
-  if (!has_faces || !(trial.asks(CoversSurface) || needs_solid || trial.request.measures)) {
+  if (!has_faces || !(trial.asks(CoversSurface) || needs_solid || measures)) {
     trial.log.skip("covered surface", has_faces ? "not requested" : "the input has no faces");
     return;
   }
@@ -265,7 +266,8 @@ Enclosure area(const Surface& surface, const Share& share_of) {
 void measure_parts(PartsTrial& trial) {
   PartsVerdict& verdict = trial.verdict;
   const Surface& surface = verdict.surface;
-  if (!trial.request.measures) return trial.log.skip("measures", "not requested");
+  const PartMeasures wanted = trial.request.measures;
+  if (wanted == PartMeasures::None) return trial.log.skip("measures", "not requested");
   if (verdict.hulls.empty()) return trial.log.skip("measures", "there is no part");
   if (surface.triangles.empty()) return trial.log.skip("measures", "the input has no faces");
   if (trial.squared_diameter == 0) return trial.log.skip("measures", "the input is a point");
@@ -276,17 +278,19 @@ void measure_parts(PartsTrial& trial) {
   for (const UncoveredPiece& piece : verdict.coverage->uncovered) {
     shares[piece.triangle.index()] += piece.share;
   }
-  PartsMeasures found{measure_volumes(surface, parts, exact, log),
+  PartsMeasures found{measure_volumes(surface, parts, wanted, exact, log),
                       area(surface, [](std::size_t) { return Rational(1); }),
                       area(surface, [&](std::size_t t) { return shares[t]; }),
-                      Enclosure(kMeasureBits), Enclosure(kMeasureBits)};
-  std::optional<Winding> winding;
-  if (surface.is_closed) winding.emplace(surface);
+                      Enclosure(kMeasureBits),
+                      {}};
   log.run("distances", [&] {
     const Watch watch = trial.watch("distances");
     found.surface_to_union = surface_to_union(verdict.coverage->uncovered, UnionDistance(parts),
                                               trial.squared_diameter, watch)
                                  .bounds;
+    if (wanted != PartMeasures::All) return;
+    std::optional<Winding> winding;
+    if (surface.is_closed) winding.emplace(surface);
     found.union_to_input = union_to_surface(parts, surface, winding ? &*winding : nullptr,
                                             trial.squared_diameter, watch)
                                .bounds;

@@ -26,19 +26,20 @@ Json part_json(const JudgedPart& part, const ConvexPart& hull, const Rational& s
 
 Json measures_json(const PartsMeasures& measures) {
   Json json = {{"surface_area", interval_json(measures.surface_area)},
-               {"uncovered_area", interval_json(measures.uncovered_area)},
-               {"union_volume", interval_json(measures.union_volume)},
-               {"overlap_volume", interval_json(measures.overlap_volume)}};
+               {"uncovered_area", interval_json(measures.uncovered_area)}};
   if (measures.surface_area.low() > 0) {
     json["uncovered_area_share"] = interval_json(measures.uncovered_area / measures.surface_area);
   }
-  if (measures.solid_volume) {
-    json["solid_volume"] = interval_json(*measures.solid_volume);
-    json["uncovered_volume"] = interval_json(*measures.uncovered_volume);
-    json["excess_volume"] = interval_json(*measures.excess_volume);
-  }
+  const auto put = [&](const char* name, const auto& measured) {
+    if (measured) json[name] = interval_json(*measured);
+  };
+  put("union_volume", measures.union_volume);
+  put("overlap_volume", measures.overlap_volume);
+  put("solid_volume", measures.solid_volume);
+  put("uncovered_volume", measures.uncovered_volume);
+  put("excess_volume", measures.excess_volume);
   json["surface_to_union"] = interval_json(measures.surface_to_union);
-  json["union_to_input"] = interval_json(measures.union_to_input);
+  put("union_to_input", measures.union_to_input);
   return json;
 }
 
@@ -54,13 +55,17 @@ std::string measures_text(const PartsMeasures& m, const Rational& squared_diamet
     text += verdict_line("", fmt::format("volume {} of {}{}", interval_text(*m.uncovered_volume),
                                          interval_text(*m.solid_volume),
                                          share_text(m.uncovered_volume->bounds, solid)));
-    text += verdict_line("excess", fmt::format("volume {}{} of the union outside of the solid",
-                                               interval_text(*m.excess_volume),
-                                               share_text(m.excess_volume->bounds, solid)));
+    if (m.excess_volume) {
+      text += verdict_line("excess", fmt::format("volume {}{} of the union outside of the solid",
+                                                 interval_text(*m.excess_volume),
+                                                 share_text(m.excess_volume->bounds, solid)));
+    }
   }
-  text += verdict_line("union",
-                       fmt::format("volume {}, parts overlap by {}", interval_text(m.union_volume),
-                                   interval_text(m.overlap_volume)));
+  if (m.union_volume) {
+    text += verdict_line(
+        "union", fmt::format("volume {}, parts overlap by {}", interval_text(*m.union_volume),
+                             interval_text(*m.overlap_volume)));
+  }
   const Enclosure diameter = sqrt(Enclosure(squared_diameter, m.surface_area.precision()));
   const auto distance = [&](const Enclosure& x) {
     return fmt::format(
@@ -68,11 +73,15 @@ std::string measures_text(const PartsMeasures& m, const Rational& squared_diamet
         x.high() > 0 ? fmt::format(" ({:.3g}% of the diameter)", 100 * (x / diameter).high_double())
                      : "");
   };
-  return text +
-         verdict_line("farthest", "the surface from the union: " + distance(m.surface_to_union)) +
-         verdict_line("", std::string("the union from the ") +
-                              (m.solid_volume ? "solid: " : "surface: ") +
-                              distance(m.union_to_input));
+  text += verdict_line("farthest", "the surface from the union: " + distance(m.surface_to_union));
+  if (!m.union_to_input) {
+    return text + verdict_line("left out",
+                               "volumes of the union, excess and overlap, and the union's distance "
+                               "from the input: --measures all");
+  }
+  return text + verdict_line("", std::string("the union from the ") +
+                                     (m.solid_volume ? "solid: " : "surface: ") +
+                                     distance(*m.union_to_input));
 }
 
 std::string parts_text(const PartsVerdict& verdict) {

@@ -112,7 +112,8 @@ PartsRequest questions_to_parts(const json& request) {
   asked.max_parts = count_in(request, "max_parts");
   asked.orient = choice_in(request, "orient", kOrientationNames).value_or(Orient::Auto);
   asked.exact_volumes = flag_in(request, "exact_volumes").value_or(false);
-  if (asked.exact_volumes && !asked.measures) reject_request("exact_volumes with tightness only");
+  if (asked.exact_volumes && asked.measures == PartMeasures::None)
+    reject_request("exact_volumes with tightness only");
   return asked;
 }
 

@@ -301,7 +301,7 @@ PartsRequest parts_request(const VerifyRequest& request) {
           .max_facet_vertices = request.max_facet_vertices,
           .points = request.points,
           .exact_facets = request.exact_facets,
-          .measures = request.tightness,
+          .measures = request.tightness ? PartMeasures::All : PartMeasures::None,
           .seed = request.seed,
           .watch = request.watch};
 }

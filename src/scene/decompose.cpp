@@ -124,8 +124,9 @@ class Decomposer {
         store_parts(made_.parts, made_.squared_diameter(), request_, log_);
     drop_inner_as_stored(stored);
     log_.run("coverage by owners", [&] { prove_coverage(); });
-    if (request_.measures) {
-      made_.measures = measure_volumes(made_.surface, stored, request_.exact_volumes, log_);
+    if (request_.measures != PartMeasures::None) {
+      made_.measures =
+          measure_volumes(made_.surface, stored, request_.measures, request_.exact_volumes, log_);
     } else {
       log_.skip("union's volume", "not requested");
       log_.skip("solid's volumes", "not requested");

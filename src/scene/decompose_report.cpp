@@ -250,9 +250,11 @@ Json decomposition_json(const Decomposition& decomposition, const DecomposeReque
   if (const auto& measures = decomposition.measures) {
     json["solid"] = measured_or_null(measures->solid_volume);
     json["uncovered"] = measured_or_null(measures->uncovered_volume);
-    json["excess"] = measured_or_null(measures->excess_volume);
-    json["union"] = interval_json(measures->union_volume);
-    json["overlap"] = interval_json(measures->overlap_volume);
+    if (measures->union_volume) {
+      json["excess"] = measured_or_null(measures->excess_volume);
+      json["union"] = interval_json(*measures->union_volume);
+      json["overlap"] = interval_json(*measures->overlap_volume);
+    }
   }
   Json inner = Json::array();
   for (const InnerCluster& cluster : decomposition.inner) {

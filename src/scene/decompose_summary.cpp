@@ -129,13 +129,28 @@ std::string measures_lines(const DecompositionMeasures& measures) {
                                      interval_text(*measures.uncovered_volume),
                                      interval_text(*measures.solid_volume),
                                      share_text(measures.uncovered_volume->bounds, solid)));
-    text += summary_line("excess", fmt::format("volume {}{} of the parts is outside of the solid",
-                                               interval_text(*measures.excess_volume),
-                                               share_text(measures.excess_volume->bounds, solid)));
+    if (measures.excess_volume) {
+      text +=
+          summary_line("excess", fmt::format("volume {}{} of the parts is outside of the solid",
+                                             interval_text(*measures.excess_volume),
+                                             share_text(measures.excess_volume->bounds, solid)));
+    }
   }
+  if (!measures.union_volume) return text;
   return text + summary_line("union", fmt::format("volume {}; the parts overlap by {}",
-                                                  interval_text(measures.union_volume),
-                                                  interval_text(measures.overlap_volume)));
+                                                  interval_text(*measures.union_volume),
+                                                  interval_text(*measures.overlap_volume)));
+}
+
+std::string left_out_line(const Decomposition& decomposition, PartMeasures wanted) {
+  if (wanted == PartMeasures::All) return "";
+  if (!decomposition.surface.is_closed) {
+    return summary_line("left out", "volume and overlap of the parts: --measures all");
+  }
+  return wanted == PartMeasures::Uncovered
+             ? summary_line("left out",
+                            "excess, and volume and overlap of the parts: --measures all")
+             : summary_line("left out", "all volumes: --measures uncovered, --measures all");
 }
 
 std::string stored_line(const Decomposition& decomposition, Precision precision) {
@@ -204,6 +219,7 @@ std::string summary(const Decomposition& decomposition, const DecomposeRequest& 
       "covers", fmt::format("surface: each of {} lies in the part that owns it, tested exactly",
                             counted(decomposition.tested_triangles, "triangle", "triangles")));
   if (decomposition.measures) text += measures_lines(*decomposition.measures);
+  text += left_out_line(decomposition, request.measures);
   return text + stored_line(decomposition, request.precision);
 }
 

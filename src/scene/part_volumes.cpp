@@ -30,19 +30,19 @@ Measured volume_of_parts(const std::vector<ConvexPart>& parts, bool exact) {
 }  // namespace
 
 DecompositionMeasures measure_volumes(const Surface& surface, const std::vector<ConvexPart>& parts,
-                                      bool exact, StageLog& log) {
-  DecompositionMeasures found{
-      .solid_volume = {},
-      .uncovered_volume = {},
-      .excess_volume = {},
-      .union_volume = log.run(
-          "union's volume",
-          [&] { return union_volume(parts, kMeasureBits, exact, log.watch("union's volume")); }),
-      .overlap_volume = {Enclosure(kMeasureBits), {}}};
-  const auto solids = std::count_if(parts.begin(), parts.end(),
-                                    [](const ConvexPart& part) { return part.solid.has_value(); });
-  found.overlap_volume = combine(volume_of_parts(parts, exact), -1, found.union_volume);
-  if (solids < 2) found.overlap_volume.bounds = Enclosure(kMeasureBits);  // 0
+                                      PartMeasures wanted, bool exact, StageLog& log) {
+  DecompositionMeasures found;
+  if (wanted == PartMeasures::All) {
+    found.union_volume = log.run("union's volume", [&] {
+      return union_volume(parts, kMeasureBits, exact, log.watch("union's volume"));
+    });
+    found.overlap_volume = combine(volume_of_parts(parts, exact), -1, *found.union_volume);
+    const auto solids = std::count_if(
+        parts.begin(), parts.end(), [](const ConvexPart& part) { return part.solid.has_value(); });
+    if (solids < 2) found.overlap_volume->bounds = Enclosure(kMeasureBits);  // 0
+  } else {
+    log.skip("union's volume", "not requested");
+  }
   if (!surface.is_closed) {
     log.skip("solid's volumes", "the faces of the input do not close");
     return found;
@@ -53,8 +53,10 @@ DecompositionMeasures measure_volumes(const Surface& surface, const std::vector<
     found.uncovered_volume =
         uncovered_volume(surface, Winding(surface), parts, kMeasureBits, exact, watch);
   });
-  found.excess_volume =
-      combine(combine(found.union_volume, -1, *found.solid_volume), 1, *found.uncovered_volume);
+  if (found.union_volume) {
+    found.excess_volume =
+        combine(combine(*found.union_volume, -1, *found.solid_volume), 1, *found.uncovered_volume);
+  }
   return found;
 }
 

@@ -9,9 +9,10 @@
 namespace convexact {
 
 /// Solid, uncovered and excess volume only of a closed surface.
-/// @param exact  Fractions, too.
+/// @param wanted  Not None.
+/// @param exact   Fractions, too.
 [[nodiscard]] DecompositionMeasures measure_volumes(const Surface& surface,
                                                     const std::vector<ConvexPart>& parts,
-                                                    bool exact, StageLog& log);
+                                                    PartMeasures wanted, bool exact, StageLog& log);
 
 }  // namespace convexact

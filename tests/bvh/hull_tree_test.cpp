@@ -79,7 +79,7 @@ bool is_float(const PointSet& points) {
 
 Decomposition decomposed(const Mesh& mesh, DecomposeRequest request) {
   request.for_tree = true;
-  request.measures = false;
+  request.measures = PartMeasures::None;
   return std::get<Decomposition>(decompose(mesh, request));
 }
 

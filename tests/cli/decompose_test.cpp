@@ -304,6 +304,23 @@ TEST_CASE("decompose: a budget that leads beyond the concavity allowed is said")
   CHECK(decomposed(input + " --concavity 100%")["parts"].size() == 1);
 }
 
+TEST_CASE("decompose: JSON measures everything, unless it is told not to") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("l.obj", obj_of_cells(support::l_cells()));
+  const std::string file = scratch.file("parts.json");
+  REQUIRE(run_program("decompose " + input + " -o " + file).exit == 0);
+  for (const json& document : std::array{decomposed(input), json::parse(bytes_of(file))}) {
+    for (const char* name : {"solid", "uncovered", "excess", "union", "overlap"}) {
+      CAPTURE(name);
+      CHECK(document.contains(name));
+    }
+  }
+  const json some = decomposed(input + " --measures uncovered");
+  CHECK(some.contains("uncovered"));
+  CHECK_FALSE(some.contains("excess"));
+  CHECK_FALSE(decomposed(input + " --measures none").contains("uncovered"));
+}
+
 TEST_CASE("decompose: the text for people") {
   const ScratchFolder scratch;
   const std::string input = scratch.write("l.obj", obj_of_cells(support::l_cells()));
@@ -313,15 +330,20 @@ TEST_CASE("decompose: the text for people") {
        {"28 triangles on 16 points, 1 component, closed: it bounds a solid", "parts       2, of at",
         "limit       holds: no cluster is more concave than 3% of the diameter, a length of 0.09",
         "covers      surface: each of 28 triangles lies in the part that owns it, tested exactly",
-        "of the solid is in no part", "of the parts is outside of the solid",
+        "of the solid is in no part", "left out    excess, and volume and overlap of the parts",
         "2 with corners of the input, bit by bit", "nothing; -o parts.obj keeps the parts"}) {
     CAPTURE(text);
     CHECK(ran.out.find(text) != std::string::npos);
   }
   CHECK(ran.out.find("contain") == std::string::npos);
-  const auto length = run_program("decompose --no-measures --concavity 0.3 " + input);
+  const auto length = run_program("decompose --measures none --concavity 0.3 " + input);
   CHECK(length.out.find("a length of 0.3, 10% of the diameter") != std::string::npos);
-  CHECK(length.out.find("uncovered") == std::string::npos);
+  CHECK(length.out.find("is in no part") == std::string::npos);
+  CHECK(length.out.find("left out    all volumes") != std::string::npos);
+  const auto all = run_program("decompose --measures all " + input);
+  CHECK(all.out.find("of the parts is outside of the solid") != std::string::npos);
+  CHECK(all.out.find("the parts overlap by") != std::string::npos);
+  CHECK(all.out.find("left out") == std::string::npos);
   // An open surface encloses nothing that could be uncovered.
   const std::string open =
       scratch.write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\n");
@@ -375,7 +397,7 @@ TEST_CASE("decompose: fewer faces, fewer bits: the parts hold what they own" * s
   const ScratchFolder scratch;
   const std::string input = support::data("spot.obj"), out = scratch.file("out.obj"),
                     list = scratch.file("out.json");
-  const std::string few = "--concavity 20% --no-measures " + input + " -o " + out + " -o " + list;
+  const std::string few = "--concavity 20% --measures none " + input + " -o " + out + " -o " + list;
   for (const char* options : {"--faces 8", "--total-faces 60", "--precision 32"}) {
     CAPTURE(options);
     const json answer = decomposed(std::string(options) + " " + few);
@@ -541,7 +563,7 @@ TEST_CASE("decompose: names of parts") {
   const ScratchFolder scratch;
   const std::string input = scratch.write("l.obj", obj_of_cells(support::l_cells()));
   const auto names = [&](const std::string& pattern) {
-    return decomposed(input + " --no-measures --names '" + pattern + "'")["parts"][1]["name"];
+    return decomposed(input + " --measures none --names '" + pattern + "'")["parts"][1]["name"];
   };
   CHECK(names("UCX_bunny_%02d") == "UCX_bunny_01");
   CHECK(names("%d") == "1");
@@ -576,7 +598,7 @@ TEST_CASE("decompose: refusals, each with a sentence") {
            {"--max-parts 0", 2, "--max-parts: expected a whole number"},
            {"--faces 3", 2, "--faces: expected a whole number from 4"},
            {"--faces 8 --total-faces 8", 2, "name one"},
-           {"--exact-volumes --no-measures", 2, "name one"},
+           {"--exact-volumes --measures none", 2, "name one"},
            {"--precision 16", 2, "--precision"},
            {"-o x.stl", 2, "expected an extension .obj"},
            {"-o x", 2, "or a folder (a name that ends in /)"},

@@ -119,10 +119,24 @@ TEST_CASE("verify --union: the text for people") {
   for (const char* text :
        {"as parts of", "covers-points       violated", "4 of 16 points in no part",
         "not asked           covers-solid, parts-disjoint, parts-needed",
-        "closed: it bounds a solid", "volume 1.000 of 3.000 (33.3%)", "2 claims are violated"}) {
+        "closed: it bounds a solid", "volume 1.000 of 3.000 (33.3%)", "left out",
+        "the surface from the union", "2 claims are violated"}) {
     CAPTURE(text);
     CHECK(ran.out.find(text) != std::string::npos);
   }
+  CHECK(ran.out.find("overlap by") == std::string::npos);
+  const auto all = run_program(files.arguments(files.bad, "--union --measures all"));
+  CHECK(all.out.find("parts overlap by") != std::string::npos);
+  CHECK(all.out.find("the union from the solid") != std::string::npos);
+  CHECK(all.out.find("left out") == std::string::npos);
+  // JSON measures everything, unless it is told not to.
+  const auto measures = [&](const std::string& options) {
+    return judge_union(files, files.bad, "--union " + options).document.value("measures", json());
+  };
+  CHECK(measures("").contains("union_to_input"));
+  CHECK(measures("--measures uncovered").contains("surface_to_union"));
+  CHECK_FALSE(measures("--measures uncovered").contains("union_to_input"));
+  CHECK(measures("--measures none").is_null());
 }
 
 TEST_CASE("verify --union: usage, and files that are not there") {
@@ -151,6 +165,16 @@ TEST_CASE("verify --union: usage, and files that are not there") {
   }
   CHECK(run_program(files.arguments(files.good, "--union --profile physx --max-vertices 7")).exit ==
         1);
+}
+
+TEST_CASE("verify: options about measures that contradict each other") {
+  const LFiles files;
+  for (const char* options :
+       {"--union --no-tightness --measures all", "--union --no-tightness --exact-volumes",
+        "--union --measures none --exact-volumes", "--union --measures some"}) {
+    CAPTURE(std::string(options));
+    CHECK(run_program(files.arguments(files.good, options)).exit == 2);
+  }
 }
 
 TEST_CASE("verify --union: an input without points, and a flat one") {

@@ -97,7 +97,7 @@ def main():
         folder = BUILD / "models" / mesh.stem
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
-        ran = run(arguments.convexact, "decompose", mesh, "--precision", "32", "--no-measures", "-o", f"{folder}/parts/",
+        ran = run(arguments.convexact, "decompose", mesh, "--precision", "32", "--measures", "none", "-o", f"{folder}/parts/",
                   *(word for name in ("model.mjcf.xml", "model.urdf", "parts/model.urdf", "model.usda")
                     for word in ("-o", folder / name)))
         if ran.returncode != 0:

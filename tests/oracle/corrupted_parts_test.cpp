@@ -87,7 +87,7 @@ void check_case(std::size_t seed) {
   const int how = below(random, 8);
   PartsRequest request;
   request.claims = {CoversPoints, CoversSurface, CoversSolid, PartsDisjoint, PartsNeeded};
-  request.measures = seed % 8 == 0;
+  request.measures = seed % 8 == 0 ? PartMeasures::All : PartMeasures::None;
   request.exact_volumes = true;
   const Mesh mesh = sheared(mesh_of_cells(cells), how);
   const PartsVerdict verdict = verify_parts(mesh, parts_of(boxes, how), request);
@@ -103,12 +103,12 @@ void check_case(std::size_t seed) {
   agrees(CoversSolid, expected.solid);
   agrees(PartsDisjoint, expected.disjoint);
   agrees(PartsNeeded, expected.needed);
-  if (!request.measures) return;
+  if (request.measures == PartMeasures::None) return;
   const FineVolumes expected_volumes = volumes(cells, boxes);
   const std::size_t in_union = expected_volumes.in_union, covered = expected_volumes.covered;
   const PartsMeasures& m = *verdict.measures;
   CHECK(m.solid_volume->exact == Rational(cells.size()));
-  CHECK(m.union_volume.exact == Rational(in_union, 64));
+  CHECK(m.union_volume->exact == Rational(in_union, 64));
   CHECK(m.uncovered_volume->exact == Rational(Rational(cells.size()) - Rational(covered, 64)));
   CHECK(m.excess_volume->exact == Rational(in_union - covered, 64));
 }

@@ -25,7 +25,7 @@ std::vector<NamedPart> parts_of(const Decomposition& d) {
 }
 
 Decomposition decomposed(const Mesh& mesh, DecomposeRequest request) {
-  request.measures = false;
+  request.measures = PartMeasures::None;
   return std::get<Decomposition>(decompose(mesh, request));
 }
 
@@ -34,7 +34,7 @@ void check_accepted(const Mesh& mesh, const Decomposition& d, PartsRequest reque
                     CoversPoints,  CoversSurface, PartsNeeded, MaxParts};
   if (request.max_facets) request.claims.push_back(MaxPartFacets);
   request.max_parts = d.parts.size();
-  request.measures = false;
+  request.measures = PartMeasures::None;
   const PartsVerdict verdict = verify_parts(mesh, parts_of(d), request);
   for (const Claim& claim : verdict.claims) {
     const std::string sentence = claim.sentence;
@@ -72,7 +72,7 @@ TEST_CASE("verify_parts: a corner of a part moved inward by units in the last pl
   check_accepted(mesh, d, {});
   PartsRequest request;
   request.claims = {CoversPoints, CoversSurface};
-  request.measures = false;
+  request.measures = PartMeasures::None;
   for (std::size_t k = 0; k < d.parts.size(); ++k) {
     const auto corners = d.parts[k].mesh.points.doubles();
     for (std::size_t v = 0; v < corners.size(); ++v) {

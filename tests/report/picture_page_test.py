@@ -515,7 +515,7 @@ def main():
                        check=True, stdout=subprocess.DEVNULL)
         for method, limit in (("hacd", "3%"), ("acd", "10%")):
             subprocess.run([program, "decompose", data / "spot.obj", "--method", method, "--concavity", limit,
-                            "--no-measures", "--picture", f"{method}.html", "-o", f"{method}.json"], check=True, stdout=subprocess.DEVNULL)
+                            "--measures", "none", "--picture", f"{method}.html", "-o", f"{method}.json"], check=True, stdout=subprocess.DEVNULL)
         check_convex("sphere.html")
         check_picking("cube")
         check_keys("spot.html", json.loads(solid)["output"]["planes"])

@@ -52,7 +52,7 @@ def hulls(program, shape, mesh, shares, published):
         for bridge in BRIDGES:
             before = processor_seconds()
             result = decompose(program, mesh, '--method', 'acd', '--concavity', share, '--bridge', bridge,
-                               '--no-measures')
+                               '--measures', 'none')
             row[bridge] = {'parts': len(result['parts']), 'seconds': round(processor_seconds() - before, 2),
                            'unsplittable': sum(part['status'] == 'unsplittable' for part in result['parts'])}
         rows.append(row)
@@ -94,7 +94,7 @@ def curve(program, mesh, share, scratch):
     totals = {}
     for bridge in BRIDGES:
         trace = pathlib.Path(scratch) / 'splits.json'
-        decompose(program, mesh, '--method', 'acd', '--concavity', share, '--bridge', bridge, '--no-measures',
+        decompose(program, mesh, '--method', 'acd', '--concavity', share, '--bridge', bridge, '--measures', 'none',
                   '--trace', str(trace))
         totals[bridge] = total_concavities(json.loads(trace.read_text(encoding='utf-8')))
     return totals

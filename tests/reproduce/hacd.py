@@ -46,7 +46,7 @@ def spheres(rings=8, sectors=12):
 
 def decompose(program, mesh, concavity, measure):
     ran = subprocess.run([program, 'decompose', mesh, '--concavity', concavity, '--measure', measure,
-                          '--no-measures', '--keep-inner', '--json'], capture_output=True, text=True, check=True)
+                          '--measures', 'none', '--keep-inner', '--json'], capture_output=True, text=True, check=True)
     return json.loads(ran.stdout)
 
 
