@@ -31,8 +31,8 @@ struct PartsRequest {
   bool exact_facets = false;     ///< As VerifyRequest::exact_facets.
   Orient orient = Orient::Auto;  ///< Of the input's faces.
   PartMeasures measures = PartMeasures::All;
-  bool exact_volumes = false;    ///< Whether volumes are fractions, too.
-  std::uint64_t seed = 1;        ///< Of every random order. The verdict does not depend on it.
+  bool exact_volumes = false;  ///< Whether volumes are fractions, too.
+  std::uint64_t seed = 1;      ///< Of every random order. The verdict does not depend on it.
   StageWatch watch = {};
 };
 
