@@ -19,8 +19,7 @@ constexpr double kMaybeZero = 0x1p-30;
 /// below 1 here, so that such an error says nothing of them.
 constexpr long kLeastExponent = -900;
 constexpr double kAnywhere = 2;
-/// Below this one an upper bound is as good as the errors of doubles allow: no search makes the
-/// lower bound positive.
+/// Below this one an upper bound is as good as the errors of doubles allow, whatever its planes.
 constexpr double kAsRounding = 0x1p-46;
 
 bool are_coplanar(const PointSet& points, const std::array<PointId, 4>& p) {
@@ -229,6 +228,11 @@ void NearConcavity::bound_flat_rays(NearCluster& cluster) const {
   cluster.concavity.high = high;
 }
 
+// No search makes the lower bound positive, nor the upper one much smaller.
+bool NearConcavity::is_as_good_as_errors(const RayBound& ray) const {
+  return !is_float_ && (ray.high <= kAsRounding || (ray.is_rounding && ray.high <= kMaybeZero));
+}
+
 void NearConcavity::bound_rays(NearCluster& cluster, double limit) const {
   if (cluster.facets.planes.empty()) return bound_flat_rays(cluster);
   std::vector<Point> corners;
@@ -247,7 +251,7 @@ void NearConcavity::bound_rays(NearCluster& cluster, double limit) const {
       // In a nearly convex cluster rays leave beside their own points.
       NearRays rays = rays_of(ray);
       for (const PointId p : corners_of(ray.item)) rays.bound_by(at_points.at(p), ray);
-      if (ray.high > kAsRounding || is_float_) rays.bound_quickly(ray);
+      if (!is_as_good_as_errors(ray)) rays.bound_quickly(ray);
       if (ray.high <= kMaybeZero && !is_float_) look_for_plane_of(cluster.facets, at_points, ray);
     }
     if (ray.high > found.low) longer.push_back(k);
@@ -258,7 +262,8 @@ void NearConcavity::bound_rays(NearCluster& cluster, double limit) const {
   std::sort(longer.begin(), longer.end(), by_bound);
   for (const std::uint32_t k : longer) {
     RayBound& ray = cluster.rays[k];
-    if (ray.high <= found.low || (ray.high <= kAsRounding && !is_float_)) break;
+    if (ray.high <= found.low) break;
+    if (is_as_good_as_errors(ray)) continue;
     const double low = rays_of(ray).bound_tightly(ray, found.low);
     found.low = std::max(found.low, is_float_ ? ray.high : low);
     if (found.low > limit) return;

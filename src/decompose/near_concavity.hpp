@@ -91,6 +91,7 @@ class NearConcavity {
   [[nodiscard]] Direction direction_of(const Point& normal, double error, bool exists) const;
   [[nodiscard]] std::vector<PointId> corners_of(std::uint32_t item) const;
   [[nodiscard]] NearCluster without_bounds(std::span<const TriangleId> triangles) const;
+  [[nodiscard]] bool is_as_good_as_errors(const RayBound& ray) const;
   void bound_rays(NearCluster& cluster, double limit) const;
   void bound_flat_rays(NearCluster& cluster) const;
   [[nodiscard]] std::optional<Concavity> exact(const NearFacets& facets, TriangleId triangle,

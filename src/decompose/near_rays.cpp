@@ -82,9 +82,11 @@ bool NearRays::add_cut(std::int32_t plane) {
   const NearValue along = h.along(unit_, error_);
   const double least = along.value - along.error;
   if (!(least > 0)) return false;
-  Cut cut{plane, {}};
+  Cut cut{plane, {}, true};
   for (std::size_t k = 0; k < 3; ++k) {
-    cut.high[k] = (std::max(0.0, h.depth(corners_[k])) + h.depth_error) / least * kUp;
+    const double depth = h.depth(corners_[k]);
+    cut.high[k] = (std::max(0.0, depth) + h.depth_error) / least * kUp;
+    cut.is_rounding = cut.is_rounding && depth <= h.depth_error;
   }
   cuts_.push_back(cut);
   return true;
@@ -156,6 +158,7 @@ NearRays::Weights NearRays::highest_point() const {
 // The weighted mean of up to three cuts whose largest corner is lowest. Any weights give an upper
 // bound, so how they were found does not matter.
 void NearRays::tighten(RayBound& ray) const {
+  for (const Cut& cut : cuts_) ray.is_rounding = ray.is_rounding || cut.is_rounding;
   const auto look = [&](std::array<std::size_t, 3> used, Weights weights) {
     double sum = 0;
     std::array<double, 3> corner{};

@@ -30,6 +30,9 @@ struct RayBound {
   std::uint32_t item = 0;                          ///< The triangle, or the point.
   std::array<std::int32_t, 3> planes{-1, -1, -1};  ///< Into NearFacets::planes.
   double high = kNoBound;
+  /// Whether the item lies in a plane of the hull, up to the plane's error: then no search makes
+  /// the lower bound positive.
+  bool is_rounding = false;
 };
 
 /// The bound of the same ray in a larger hull: it still holds if its planes are planes of that one.
@@ -56,6 +59,7 @@ class NearRays {
   struct Cut {
     std::int32_t plane;
     std::array<double, 3> high;  // f at the corners, or more
+    bool is_rounding;            // as of RayBound
   };
   using Weights = std::array<double, 3>;  // of the corners; they add up to 1
 

@@ -13,13 +13,14 @@ enum class Fractions {
   Scaled,     ///< By other factors along each axis.
   Far,        ///< Thirds, 2^20 from the origin: rounding moves them by 2^-34 of their distances.
   Needle,     ///< Thirds, so thin along z that rounding moves points by its thickness.
+  Hair,       ///< So thin that not even the remainders of rounding tell its points apart well.
   Tiny,       ///< Below the smallest normal double.
   NearTies,   ///< As far in x and y, and moved there by less than rounding moves them.
   WithATiny,  ///< One coordinate of 10^-19 among decimals, as programs write a zero.
 };
-inline constexpr Fractions kFractions[] = {Fractions::Scaled,   Fractions::Far,
-                                           Fractions::Needle,   Fractions::Tiny,
-                                           Fractions::NearTies, Fractions::WithATiny};
+inline constexpr Fractions kFractions[] = {
+    Fractions::Scaled, Fractions::Far,      Fractions::Needle,   Fractions::Hair,
+    Fractions::Tiny,   Fractions::NearTies, Fractions::WithATiny};
 
 inline convexact::PointSet as_fractions(const convexact::PointSet& points, Fractions kind) {
   using convexact::Rational;
@@ -34,8 +35,10 @@ inline convexact::PointSet as_fractions(const convexact::PointSet& points, Fract
         for (int k = 0; k < 3; ++k) p[k] = p[k] / 3 + Rational(convexact::Integer(1) << 20);
         break;
       case Fractions::Needle:
+      case Fractions::Hair:
         p = {p[0] / 3, p[1] / 3,
-             p[2] / Rational(3 * (convexact::Integer(1) << 52)) + Rational(1, 7)};
+             p[2] / Rational(3 * (convexact::Integer(1) << (kind == Fractions::Hair ? 70 : 52))) +
+                 Rational(1, 7)};
         break;
       case Fractions::Tiny:
         for (int k = 0; k < 3; ++k) p[k] /= Rational(3 * (convexact::Integer(1) << 1040));
