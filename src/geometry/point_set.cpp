@@ -5,17 +5,9 @@
 
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
+#include "number/arithmetic.hpp"
 
 namespace convexact {
-namespace {
-
-Point nearest(const RationalPoint& p) {
-  Point rounded;
-  for (int k = 0; k < 3; ++k) rounded[k] = to_double(p[k], Rounding::Nearest);
-  return rounded;
-}
-
-}  // namespace
 
 PointSet::PointSet(std::vector<Point> points) : points_(std::move(points)) {
   const auto bad =

@@ -13,11 +13,6 @@ namespace {
 
 double& coordinate(NearPoint& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
-Point nearest(const RationalPoint& p) {
-  return {to_double(p[0], Rounding::Nearest), to_double(p[1], Rounding::Nearest),
-          to_double(p[2], Rounding::Nearest)};
-}
-
 bool is_between(const Point& low, const Point& x, const Point& high) {
   return (low.array() < x.array()).all() && (x.array() < high.array()).all();
 }

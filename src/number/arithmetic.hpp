@@ -45,6 +45,12 @@ template <class Coordinates>
 /// integer is below 2^53. Precondition: x is finite.
 [[nodiscard]] inline int unit_exponent(double x) { return std::max(exponent_of(x) - 53, -1074); }
 
+/// Each component rounded to nearest.
+[[nodiscard]] inline Vector3<double> nearest(const RationalVector3& x) {
+  return {to_double(x[0], Rounding::Nearest), to_double(x[1], Rounding::Nearest),
+          to_double(x[2], Rounding::Nearest)};
+}
+
 /// An e with 2^(e-2) < |x| < 2^e, from the lengths of x alone. Precondition: x != 0.
 [[nodiscard]] long exponent_of(const Rational& x);
 

@@ -13,11 +13,6 @@
 namespace convexact {
 namespace {
 
-Point nearest(const RationalPoint& x) {
-  return {to_double(x[0], Rounding::Nearest), to_double(x[1], Rounding::Nearest),
-          to_double(x[2], Rounding::Nearest)};
-}
-
 // Whether the vertices, as values of one function, lie on both sides of 0 or on it.
 class Sides {
  public:

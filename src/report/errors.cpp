@@ -12,15 +12,6 @@
 namespace convexact {
 namespace {
 
-using Doubles3 = std::array<double, 3>;
-
-Doubles3 nearest(const RationalVector3& x) {
-  return {to_double(x[0], Rounding::Nearest), to_double(x[1], Rounding::Nearest),
-          to_double(x[2], Rounding::Nearest)};
-}
-
-double dot(const Doubles3& a, const Doubles3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 // The vertices as seen from the center, each axis scaled to at most one by a power of two.
 class ScaledVertices {
  public:
@@ -43,15 +34,15 @@ class ScaledVertices {
   Rational support(const RationalVector3& point) const {
     RationalVector3 scaled;
     for (int k = 0; k < 3; ++k) scaled[k] = scale_by_power_of_two(point[k], -down_[k]);
-    const Doubles3 p = nearest(scaled);
+    const Vector3<double> p = nearest(scaled);
     const double size = std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]);
     const double error =
         size < 0x1p60 ? 0x1p-50 * size + 0x1p-1000 : std::numeric_limits<double>::infinity();
     double best = -std::numeric_limits<double>::infinity();
-    for (const Doubles3& v : near_) best = std::max(best, dot(p, v));
+    for (const Vector3<double>& v : near_) best = std::max(best, p.dot(v));
     Rational largest = scaled.dot(exact_.front());
     for (std::size_t i = 0; i < near_.size(); ++i) {
-      if (dot(p, near_[i]) < best - 2 * error) continue;
+      if (p.dot(near_[i]) < best - 2 * error) continue;
       largest = std::max<Rational>(largest, scaled.dot(exact_[i]));
     }
     return largest;
@@ -59,7 +50,7 @@ class ScaledVertices {
 
  private:
   std::vector<RationalVector3> exact_;
-  std::vector<Doubles3> near_;
+  std::vector<Vector3<double>> near_;
   std::array<long, 3> down_{};
 };
 
