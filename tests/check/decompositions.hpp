@@ -13,7 +13,7 @@
 
 inline convexact::Decomposition decomposed(const convexact::Mesh& mesh,
                                            convexact::DecomposeRequest request) {
-  request.measures = false;
+  request.measures = convexact::PartMeasures::None;
   convexact::DecomposeOutcome outcome = convexact::decompose(mesh, request);
   REQUIRE(std::holds_alternative<convexact::Decomposition>(outcome));
   return std::get<convexact::Decomposition>(std::move(outcome));
