@@ -143,6 +143,12 @@ void add_stages_option(Command& command, GlobalOptions& options) {
                    "list every stage with its time, or why it was not needed (--json always does)");
 }
 
+void add_verbose_option(Command& command, GlobalOptions& options) {
+  add_stages_option(command, options);
+  command.add_flag("--verbose", options.verbose,
+                   "every stage, how steps were proven, and what rounding added");
+}
+
 void remember_command_line(int argc, char** argv) {
   reproducer().command_line.assign(argv, argv + argc);
 }

@@ -23,6 +23,7 @@ struct GlobalOptions {
   std::uint64_t seed = 1;        ///< Of every random order; no answer depends on it.
   std::uint64_t max_memory = 0;  ///< Bytes of heap; 0 for no limit.
   bool stages = false;           ///< List every stage in the text for people.
+  bool verbose = false;          ///< And what else few people ask for.
 };
 
 /// Adds --json, --seed and --max-memory to a subcommand.
@@ -30,6 +31,8 @@ void add_global_options(Command& command, GlobalOptions& options);
 
 /// Adds --stages to a subcommand whose summary ends with the time of its stages.
 void add_stages_option(Command& command, GlobalOptions& options);
+/// Adds --verbose, too, for a summary that has more to say.
+void add_verbose_option(Command& command, GlobalOptions& options);
 
 /// Each adds its subcommand to the program; the subcommand's exit code goes to `exit_code`.
 void add_conform_command(Command& program, int& exit_code);

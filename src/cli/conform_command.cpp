@@ -224,6 +224,9 @@ void add_conform_command(Command& program, int& exit_code) {
       ->allow_extra_args(false);  // otherwise it removes the --
 
   finish_command(command, options, exit_code, run_conform);
+  command.show_first({"--level", "--flag", "--skip-flag", "--known-failures", "--keep-failing",
+                      "--asks", "--profile", "--tolerance", "--output-format", "--jobs",
+                      "--time-limit", "--output", "--json"});
 }
 
 }  // namespace convexact::cli

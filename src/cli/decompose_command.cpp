@@ -224,6 +224,9 @@ void add_decompose_command(Command& program, int& exit_code) {
   add_stdio_options(command, options->stdio, "one decomposition");
   finish_command(command, options, exit_code, run_decompose);
   add_stages_option(command, options->global);
+  command.show_first({"--method", "--concavity", "--max-parts", "--faces", "--total-faces",
+                      "--output", "--names", "--picture", "--proof", "--precision", "--measures",
+                      "--parts", "--json"});
 }
 
 }  // namespace convexact::cli

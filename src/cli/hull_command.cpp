@@ -38,8 +38,10 @@ std::string answer_of(const std::vector<FoundObject<HullResult>>& objects,
     return write_json(objects.size() == 1 ? list[0] : Json{{"objects", list}}, 2) + "\n";
   }
   std::string text;
-  for (const auto& [source, result] : objects) text += source.name + "\n" + summary(result, digits);
-  return text + written_lines(options.output) + stage_text(stages, options.global.stages);
+  for (const auto& [source, result] : objects)
+    text += source.name + "\n" + summary(result, digits, options.global.verbose);
+  return text + written_lines(options.output) +
+         stage_text(stages, options.global.stages || options.global.verbose);
 }
 
 // "volume,area" and the like, or none.
@@ -87,7 +89,7 @@ void add_hull_command(Command& program, int& exit_code) {
   command.add_flag("--exact-values", options->request.exact_volume,
                    "with --json: the volume as a fraction too");
   finish_command(command, options, exit_code, run_hull);
-  add_stages_option(command, options->global);
+  add_verbose_option(command, options->global);
 }
 
 }  // namespace convexact::cli

@@ -2,6 +2,7 @@
 #include "cli/parser.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <sstream>
 
 #include "convexact/error.hpp"
@@ -17,6 +18,28 @@ Option refusing_empty(CLI::Option* option) {
   });
   return Option(option);
 }
+
+constexpr const char* kFurther = "Further options";
+
+// Options that few runs need are shown on request only.
+class Help : public CLI::Formatter {
+ public:
+  std::string make_help(const CLI::App* app, std::string name,
+                        CLI::AppFormatMode mode) const override {
+    shows_all_ = mode == CLI::AppFormatMode::All;
+    std::string text = CLI::Formatter::make_help(app, std::move(name), mode);
+    const std::size_t gap = text.find("\n\n\n");  // where a group is left out
+    return gap == text.npos ? text : text.erase(gap, 1);
+  }
+  std::string make_group(std::string group, bool is_positional,
+                         std::vector<const CLI::Option*> options) const override {
+    if (group == kFurther && !shows_all_) return "";
+    return CLI::Formatter::make_group(std::move(group), is_positional, std::move(options));
+  }
+
+ private:
+  mutable bool shows_all_ = false;
+};
 
 }  // namespace
 
@@ -80,7 +103,9 @@ bool Option::is_given() const { return option_->count() > 0; }
 // ---- Commands
 
 Command::Command(const std::string& description, const std::string& name)
-    : own_(std::make_unique<CLI::App>(description, name)), app_(own_.get()) {}
+    : own_(std::make_unique<CLI::App>(description, name)), app_(own_.get()) {
+  app_->formatter(std::make_shared<Help>());  // of its subcommands, too
+}
 Command::Command(CLI::App* app) : app_(app) {}
 Command::~Command() = default;
 
@@ -126,6 +151,18 @@ Option Command::add_option_function(const std::string& names,
 Command* Command::footer(const std::string& text) {
   app_->footer(text);
   return this;
+}
+void Command::show_first(std::initializer_list<const char*> names) {
+  const std::vector<std::string> first(names.begin(), names.end());
+  std::size_t further = 0;
+  for (CLI::Option* const option : app_->get_options()) {
+    if (option->get_positional() || option == app_->get_help_ptr()) continue;
+    if (std::find(first.begin(), first.end(), option->get_name()) != first.end()) continue;
+    option->group(kFurther);
+    ++further;
+  }
+  app_->set_help_all_flag("--help-all",
+                          "show the " + std::to_string(further) + " further options, too");
 }
 Command* Command::group(const std::string& title) {
   app_->group(title);

@@ -78,6 +78,9 @@ class Command {
                              const std::string& meaning);
 
   Command* footer(const std::string& text);
+  /// Call it when all options are there: --help shows these, --help-all shows the others, too.
+  /// @param names  As "--faces".
+  void show_first(std::initializer_list<const char*> names);
   Command* group(const std::string& title);  ///< Its heading in the help of its parent.
   Command* callback(const std::function<void()>& run);
   Command* fallthrough();   ///< Options of the parent may follow, too.

@@ -334,6 +334,8 @@ void add_shrink_command(Command& program, int& exit_code) {
             "size of an output that is read; a larger one violates candidate-readable (default: "
             "1GiB)");
   finish_command(command, options, exit_code, run_shrink);
+  command.show_first({"--output", "--faces", "--fails-if", "--interesting", "--asks", "--claims",
+                      "--tolerance", "--output-format", "--time-limit", "--json"});
 }
 
 }  // namespace convexact::cli

@@ -111,14 +111,15 @@ std::string answer_of(const FoundSolids& objects, const std::optional<FoundTotal
     return write_json(document, 2) + "\n";
   }
   std::string text;
-  for (const auto& [source, result] : objects) text += source.name + "\n" + summary(result);
+  for (const auto& [source, result] : objects)
+    text += source.name + "\n" + summary(result, options.global.verbose);
   if (options.implicit.is_given()) text += implicit_summary(*options.implicit.found);
   if (together) text += summary(together->totals, together->gaps);
   text += written_lines(options.output);
   if (options.output.all_paths().empty()) {
     text += "  written     nothing; -o proxy.obj keeps the solid, --picture proxy.html shows it\n";
   }
-  return text + stage_text(stages, options.global.stages);
+  return text + stage_text(stages, options.global.stages || options.global.verbose);
 }
 
 int run_each(const SimplifyArguments& options, const SimplifyRequest& request) {
@@ -255,7 +256,10 @@ void add_simplify_command(Command& program, int& exit_code) {
   add_inner_options(command, options->only);
   add_implicit_options(command, options->implicit);
   finish_command(command, options, exit_code, run_simplify);
-  add_stages_option(command, options->global);
+  add_verbose_option(command, options->global);
+  command.show_first({"--faces", "--max-growth", "--cost", "--keep", "--output", "--picture",
+                      "--precision", "--parts", "--engine", "--search", "--inner", "--vertices",
+                      "--json"});
 }
 
 }  // namespace convexact::cli

@@ -309,6 +309,9 @@ void add_verify_command(Command& program, int& exit_code) {
   add_stdio_options(command, options->stdio, "one verdict");
   finish_command(command, options, exit_code, run_verify);
   add_stages_option(command, options->global);
+  command.show_first({"--asks", "--claims", "--profile", "--tolerance", "--max-facets",
+                      "--max-vertices", "--parts", "--union", "--measures", "--trace", "--picture",
+                      "--inner", "--json"});
 }
 
 }  // namespace convexact::cli

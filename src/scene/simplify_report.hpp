@@ -24,10 +24,11 @@ inline constexpr auto kSearchKindNames = name_table<SearchKind>({{SearchKind::No
 [[nodiscard]] Json hull_json(const HullResult& result, int digits);
 
 /// A few lines: what was found, how tight it is, what was verified, how far it was pushed.
-[[nodiscard]] std::string summary(const SimplifyResult& result);
+/// @param verbose  Also how steps were proven, and what rounding added.
+[[nodiscard]] std::string summary(const SimplifyResult& result, bool verbose);
 /// The same of all parts of a scene together.
 [[nodiscard]] std::string summary(const SceneTotals& totals, const Gaps& gaps);
 /// Counts, box, and each measure with `digits` certain digits.
-[[nodiscard]] std::string summary(const HullResult& result, int digits);
+[[nodiscard]] std::string summary(const HullResult& result, int digits, bool verbose);
 
 }  // namespace convexact

@@ -68,13 +68,16 @@ std::string growth_line(const Enclosure& before, const Enclosure& after, std::si
   return text + ", +" + certain(hundred * (after - before) / before, 4) + "%";
 }
 
-std::string verified_line(const SimplifyResult& result) {
+std::string verified_line(const SimplifyResult& result, bool verbose) {
   if (result.verified == VerifyLevel::None) return "nothing, as requested";
   const std::string points = counted(result.tested_points, "point", "points") +
                              " tested exactly against every halfspace: none outside";
   if (result.engine == Engine::Float) return points + "; the steps are those of doubles";
-  return fmt::format("{} proven again, exactly ({}); {}", counted(result.steps, "step", "steps"),
-                     result.verified == VerifyLevel::Local ? "local" : "full", points);
+  const char* const level = !verbose                                ? ""
+                            : result.verified == VerifyLevel::Local ? " (local)"
+                                                                    : " (full)";
+  return fmt::format("{} proven again, exactly{}; {}", counted(result.steps, "step", "steps"),
+                     level, points);
 }
 
 // What a proof claims, and what it leaves out.
@@ -99,10 +102,12 @@ std::string proof_text(const Run& run) {
   return fmt::format("{}: {}", name_in(kProofClaimNames, claim), meaning_of(claim));
 }
 
-std::string push_text(const Growth& growth) {
+std::string push_text(const Growth& growth, bool verbose) {
   if (growth.push == 0) return "without any change";
-  return fmt::format("within {:.2g} of the diameter, volume times at most 1 + {:.2g}", growth.push,
-                     std::max(0.0, growth.volume_ratio - 1));
+  const std::string push = fmt::format("within {:.2g} of the diameter", growth.push);
+  if (!verbose) return push;
+  return push +
+         fmt::format(", volume times at most 1 + {:.2g}", std::max(0.0, growth.volume_ratio - 1));
 }
 
 // In how many steps there was a choice, and why the costs are equal.
@@ -183,24 +188,24 @@ std::string search_lines(const SearchResult& search, const Enclosure& input) {
   return search.optimality ? text + optimum_line(search) : text;
 }
 
-std::string stored_lines(const Stored& solid) {
+std::string stored_lines(const Stored& solid, bool verbose) {
   std::string text;
   if (const auto& planes = solid.planes) {
     text += summary_line("stored", fmt::format("planes in {}, {}; no point outside",
                                                name_in(kPrecisionNames, planes->precision),
-                                               push_text(planes->growth)));
+                                               push_text(planes->growth, verbose)));
   }
   if (const auto& mesh = solid.mesh) {
-    text += summary_line(
-        "stored", fmt::format("mesh in {}, {}; no point outside",
-                              name_in(kPrecisionNames, mesh->precision), push_text(mesh->growth)));
+    text += summary_line("stored", fmt::format("mesh in {}, {}; no point outside",
+                                               name_in(kPrecisionNames, mesh->precision),
+                                               push_text(mesh->growth, verbose)));
   }
   return text;
 }
 
 }  // namespace
 
-std::string summary(const SimplifyResult& result) {
+std::string summary(const SimplifyResult& result, bool verbose) {
   std::string text =
       summary_line("input", input_line(result.input_points, result.hull_vertices,
                                        result.input_halfspaces, result.redundant.size()));
@@ -223,9 +228,9 @@ std::string summary(const SimplifyResult& result) {
   }
   text += ties_text(result.ties, result.steps, "several removals", "the first in order");
   if (result.float_bound) text += float_lines(result) + tie_line(result);
-  text += summary_line("verified", verified_line(result));
+  text += summary_line("verified", verified_line(result, verbose));
   if (result.start && result.run) text += summary_line("proof", proof_text(*result.run));
-  return text + stored_lines(result.solid);
+  return text + stored_lines(result.solid, verbose);
 }
 
 std::string summary(const SceneTotals& totals, const Gaps& gaps) {
@@ -262,7 +267,7 @@ std::string summary(const SceneTotals& totals, const Gaps& gaps) {
                                                  counted(gaps.faces, "face is", "faces are")));
 }
 
-std::string summary(const HullResult& result, int digits) {
+std::string summary(const HullResult& result, int digits, bool verbose) {
   const Polytope& hull = result.solid.exact;
   std::string text = summary_line("input", input_line(result.input_points, hull.vertices.size(),
                                                       hull.planes.size(), result.redundant.size()));
@@ -279,7 +284,7 @@ std::string summary(const HullResult& result, int digits) {
   add("volume", result.volume);
   add("area", result.area);
   add("mean width", result.mean_width);
-  return text + stored_lines(result.solid);
+  return text + stored_lines(result.solid, verbose);
 }
 
 }  // namespace convexact

@@ -31,7 +31,6 @@ std::string stage_text(const std::vector<Stage>& stages, bool list_all) {
     if (stage.skipped.empty()) ran.push_back(stage);
     seconds += stage.seconds;
   }
-  const std::size_t skipped = stages.size() - ran.size();
   std::string text;
   if (list_all) {
     for (const Stage& stage : ran) {
@@ -52,7 +51,6 @@ std::string stage_text(const std::vector<Stage>& stages, bool list_all) {
     longest.push_back(fmt::format("{} {:.2f}", stage.name, stage.seconds));
   }
   text = fmt::format("{:.2f} s ({}); ", seconds, fmt::join(longest, ", "));
-  if (skipped > 0) text += counted(skipped, "stage", "stages") + " not needed; ";
   return summary_line("time", text + "--stages lists all");
 }
 

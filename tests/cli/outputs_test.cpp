@@ -250,3 +250,28 @@ TEST_CASE("outputs: a link to a file that does not exist yet stays a link") {
   CHECK(std::filesystem::is_symlink(link));
   CHECK(std::filesystem::is_regular_file(target));
 }
+
+TEST_CASE("outputs: what few people ask for is behind --verbose and --help-all") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("t.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n");
+  const std::string command = "simplify " + input + " --faces 4 -o " + scratch.file("t.obj");
+  const std::string brief = run_program(command).out;
+  for (const char* text : {"(local)", "at most 1 +", "not needed"}) {
+    CAPTURE(text);
+    CHECK_FALSE(includes(brief, text));
+  }
+  const std::string verbose = run_program(command + " --verbose").out;
+  CHECK(includes(verbose, "proven again, exactly (local)"));
+  CHECK(includes(verbose, "not needed: "));
+  for (const char* name : {"simplify", "decompose", "verify", "conform", "shrink"}) {
+    CAPTURE(name);
+    const std::string help = run_program(std::string(name) + " --help").out;
+    const std::string all = run_program(std::string(name) + " --help-all").out;
+    CHECK(includes(help, "--help-all"));
+    CHECK_FALSE(includes(help, "--max-memory"));
+    CHECK(includes(all, "--max-memory"));
+    CHECK(includes(all, "Further options"));
+    // Each option is in the help for all, those of the short help at the same place.
+    CHECK(all.starts_with(help.substr(0, help.find("Examples:") - 1)));
+  }
+}
