@@ -219,54 +219,88 @@ int run_verify_candidate(const VerifyArguments& options) {
   return verdict.holds() ? 0 : 1;
 }
 
+// What a command line asks about.
+enum class Mode {
+  Candidate,  // one solid
+  EachPart,   // each part of INPUT by its own solid
+  Union,      // the union of the parts of CANDIDATE
+  Order,      // a removal order
+};
+
+Mode mode_of(const VerifyArguments& options) {
+  if (!options.trace.trace.empty()) return Mode::Order;
+  if (options.of_union.is_asked || names_a_claim_of_parts(options) ||
+      is_decomposition(options.candidate)) {
+    return Mode::Union;
+  }
+  return options.parts ? Mode::EachPart : Mode::Candidate;
+}
+
+// Options that say nothing in some mode are refused there. Of several, the first sentence is told.
+void require_meaning(const VerifyArguments& options, Mode mode) {
+  using enum Mode;
+  const bool asks_inner = options.inner || options.promise.asks == Asks::Inner;
+  const std::string of_union = options.of_union.foreign_to_one_solid();
+  const std::vector<std::string> claims = words_of(options.claims.value_or(""));
+  const struct {
+    bool is_given;
+    std::vector<Mode> not_in;
+    std::string sentence;
+  } rules[] = {
+      {options.parts, {Order}, "--parts: a trace describes one object"},
+      {options.inner && options.promise.asks.value_or(Asks::Inner) != Asks::Inner,
+       {Candidate, EachPart, Union, Order},
+       "--inner is --asks inner: name one question"},
+      {options.promise.asks.has_value(), {Order}, "--asks: a trace is judged step by step"},
+      {asks_inner, {Order}, "--inner judges one CANDIDATE: no --trace, no --parts"},
+      {asks_inner && options.parts,
+       {EachPart, Union},
+       "--inner judges one CANDIDATE: no --trace, no --parts"},
+      {options.parts && options.of_union.is_asked,
+       {Union},
+       "--parts judges parts one by one and --union all together: name one of them"},
+      {options.inner, {Union}, "--inner judges one CANDIDATE, not a union of parts"},
+      {options.promise.asks.has_value(),
+       {Union},
+       "--asks judges one CANDIDATE, not a union of parts"},
+      {options.of_union.is_asked || !of_union.empty(),
+       {Order},
+       "--trace judges a removal order, not parts"},
+      {!of_union.empty(), {Candidate, EachPart}, of_union + " needs --union"},
+      {std::count(claims.begin(), claims.end(), kNoGaps) > 0,
+       {Candidate, Order},
+       "--claims: no-gaps needs --parts"},
+  };
+  for (const auto& [is_given, not_in, sentence] : rules) {
+    if (is_given && std::count(not_in.begin(), not_in.end(), mode) > 0) {
+      throw Error(ErrorCode::InvalidArgument, sentence);
+    }
+  }
+}
+
 int run_verify(const VerifyArguments& options) {
   options.stdio.require_sensible();
   if (options.stdio.is_asked) return answer_lines(options.stdio, answer_request);
-  const bool has_input = !options.input.empty(), has_candidate = !options.candidate.empty(),
-             has_trace = !options.trace.trace.empty();
-  if (!has_input || has_candidate == has_trace) {
+  const bool has_candidate = !options.candidate.empty(), has_trace = !options.trace.trace.empty();
+  if (options.input.empty() || has_candidate == has_trace) {
     throw Error(ErrorCode::InvalidArgument,
                 "name an INPUT, and a CANDIDATE or a --trace, but not both; or --stdio");
   }
-  if (has_trace && options.parts) {
-    throw Error(ErrorCode::InvalidArgument, "--parts: a trace describes one object");
-  }
-  if (!has_trace && options.input == "-" && options.candidate == "-") {
+  if (options.input == "-" && options.candidate == "-") {
     throw Error(ErrorCode::InvalidArgument, "standard input, -, can be read only once");
   }
-  const bool is_inner = options.inner || options.promise.asks == Asks::Inner;
-  if (options.inner && options.promise.asks.value_or(Asks::Inner) != Asks::Inner) {
-    throw Error(ErrorCode::InvalidArgument, "--inner is --asks inner: name one question");
+  const Mode mode = mode_of(options);
+  require_meaning(options, mode);
+  switch (mode) {
+    case Mode::Union:
+      return run_union(options);
+    case Mode::EachPart:
+      return run_verify_parts(options);
+    case Mode::Candidate:
+      return run_verify_candidate(options);
+    case Mode::Order:
+      break;
   }
-  if (has_trace && options.promise.asks) {
-    throw Error(ErrorCode::InvalidArgument, "--asks: a trace is judged step by step");
-  }
-  if (is_inner && (has_trace || options.parts)) {
-    throw Error(ErrorCode::InvalidArgument, "--inner judges one CANDIDATE: no --trace, no --parts");
-  }
-  const bool is_union =
-      has_candidate && (options.of_union.is_asked || names_a_claim_of_parts(options) ||
-                        is_decomposition(options.candidate));
-  if (is_union && options.parts && options.of_union.is_asked) {
-    throw Error(ErrorCode::InvalidArgument,
-                "--parts judges parts one by one and --union all together: name one of them");
-  }
-  if (is_union && (is_inner || options.promise.asks)) {
-    throw Error(ErrorCode::InvalidArgument, std::string(options.inner ? "--inner" : "--asks") +
-                                                " judges one CANDIDATE, not a union of parts");
-  }
-  if (is_union) return run_union(options);
-  if (const std::string foreign = options.of_union.foreign_to_one_solid();
-      !foreign.empty() || (has_trace && options.of_union.is_asked)) {
-    throw Error(ErrorCode::InvalidArgument, has_trace ? "--trace judges a removal order, not parts"
-                                                      : foreign + " needs --union");
-  }
-  if (options.parts) return run_verify_parts(options);
-  const std::vector<std::string> claims = words_of(options.claims.value_or(""));
-  if (std::count(claims.begin(), claims.end(), kNoGaps) > 0) {
-    throw Error(ErrorCode::InvalidArgument, "--claims: no-gaps needs --parts");
-  }
-  if (!has_trace) return run_verify_candidate(options);
   TraceOptions trace = options.trace;
   trace.points = options.points;
   return run_verify_trace(options.global, options.input,
