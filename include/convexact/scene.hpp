@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -49,6 +50,14 @@ using NotSolid = std::variant<FlatInput, EmptyProof, FlatProof, RecessionRay>;
 /// One sentence for people: the kind of the input, and its proof. Points and halfspaces
 /// count from 0.
 [[nodiscard]] std::string describe(const NotSolid& reason);
+
+/// What was found of a solid, for callers to whom any other input is an error.
+/// @throws Error NoInterior, saying what describe() says.
+template <class Result>
+[[nodiscard]] Result require_solid(std::variant<Result, NotSolid> outcome) {
+  if (auto* result = std::get_if<Result>(&outcome)) return std::move(*result);
+  throw Error(ErrorCode::NoInterior, describe(std::get<NotSolid>(outcome)));
+}
 
 /// A shape to be enclosed: the hull of points, or an intersection of halfspaces.
 using Shape = std::variant<PointSet, std::vector<Halfspace>>;

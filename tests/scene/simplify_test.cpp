@@ -288,6 +288,16 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("require_solid: the result, or the proof as an error") {
+  const auto hull_of = [](std::vector<Point> points) {
+    return require_solid(measure_hull(PointSet(std::move(points))));
+  };
+  CHECK(hull_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}).edges == 6);
+  const Error error = error_of([&] { return hull_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).edges; });
+  CHECK(error.code() == ErrorCode::NoInterior);
+  CHECK(std::string(error.what()).find("they lie in one plane") != std::string::npos);
+}
+
 TEST_CASE("measure_hull: a box, by closed form, with as many digits as asked for") {
   const PointSet box(shapes::box({1, 2, 3}));
   HullRequest request;
