@@ -452,3 +452,11 @@ TEST_CASE("conform: wrong usage") {
   CHECK(run_program("conform --vectors " + scratch.file("") + " -- false {input} {faces} {output}")
             .exit == 3);
 }
+
+TEST_CASE("conform: an output that cannot be read is called {output}, not a file that is gone") {
+  const auto ran =
+      run_program("conform --level 1 --flag malformed --asks hull -- cp {input} {output}");
+  CHECK(ran.exit == 1);
+  CHECK(ran.out.find("candidate-readable: {output}:5: expected") != std::string::npos);
+  CHECK(ran.out.find("output.obj") == std::string::npos);
+}
