@@ -103,27 +103,6 @@ class ClusterJudge {
   CostOrder order_;
 };
 
-ClusterComparison compare_runs(const ClusterDiff& diff, std::size_t k, const ClusterJudge& judge) {
-  const Clustering &reference = diff.runs[0], &other = diff.runs[k];
-  ClusterComparison result;
-  result.reference = diff.engines[0];
-  result.other = diff.engines[k];
-  const bool is_float = result.reference == Engine::Float || result.other == Engine::Float;
-  const auto same = [&](const Merge& a, const Merge& b) {
-    // The float engine does not count ties.
-    return a.kept == b.kept && a.gone == b.gone && a.beyond_limit == b.beyond_limit &&
-           (is_float || a.ties == b.ties);
-  };
-  const auto [a, b] = std::mismatch(reference.merges.begin(), reference.merges.end(),
-                                    other.merges.begin(), other.merges.end(), same);
-  if (a == reference.merges.end() && b == other.merges.end()) return result;
-  result.divergence = judge.judge(reference, other, std::size_t(a - reference.merges.begin()));
-  const MergeDifference kind = result.divergence->kind;
-  result.explained =
-      is_float && kind != MergeDifference::WrongMerge && kind != MergeDifference::WrongRecord;
-  return result;
-}
-
 Json merge_json(const std::optional<Merge>& merge, const std::optional<Enclosure>& cost) {
   if (!merge) return nullptr;
   Json json = {{"kept", merge->kept.value},
@@ -147,6 +126,28 @@ bool ClusterDiff::holds() const {
                      [](const ClusterComparison& each) { return each.explained; });
 }
 
+ClusterComparison compare_runs(const Surface& surface, const ClusterOptions& options,
+                               const ClusterRun& reference, const ClusterRun& other) {
+  ClusterComparison result;
+  result.reference = reference.engine;
+  result.other = other.engine;
+  const bool is_float = result.reference == Engine::Float || result.other == Engine::Float;
+  const auto same = [&](const Merge& a, const Merge& b) {
+    // The float engine does not count ties.
+    return a.kept == b.kept && a.gone == b.gone && a.beyond_limit == b.beyond_limit &&
+           (is_float || a.ties == b.ties);
+  };
+  const std::vector<Merge>&x = reference.made.merges, &y = other.made.merges;
+  const auto [a, b] = std::mismatch(x.begin(), x.end(), y.begin(), y.end(), same);
+  if (a == x.end() && b == y.end()) return result;
+  result.divergence =
+      ClusterJudge(surface, options).judge(reference.made, other.made, std::size_t(a - x.begin()));
+  const MergeDifference kind = result.divergence->kind;
+  result.explained =
+      is_float && kind != MergeDifference::WrongMerge && kind != MergeDifference::WrongRecord;
+  return result;
+}
+
 ClusterDiff diff_clusters(const Surface& surface, const ClusterOptions& options,
                           const std::vector<Engine>& engines, const StageWatch& watch) {
   require_engines(engines);
@@ -161,10 +162,10 @@ ClusterDiff diff_clusters(const Surface& surface, const ClusterOptions& options,
     wanted.watch = log.watch(stage);
     diff.runs.push_back(log.run(stage, [&] { return cluster(surface, wanted); }));
   }
-  const ClusterJudge judge(surface, options);
   for (std::size_t k = 1; k < engines.size(); ++k) {
-    diff.comparisons.push_back(
-        log.run("judge differences", [&] { return compare_runs(diff, k, judge); }));
+    diff.comparisons.push_back(log.run("judge differences", [&] {
+      return compare_runs(surface, options, {engines[0], diff.runs[0]}, {engines[k], diff.runs[k]});
+    }));
   }
   diff.stages = log.stages();
   return diff;

@@ -58,6 +58,16 @@ struct ClusterDiff {
   bool holds() const;
 };
 
+/// What an engine made of a surface.
+struct ClusterRun {
+  Engine engine = Engine::Exact;
+  const Clustering& made;
+};
+
+/// Where two runs first differ, and why. @param options  Of both runs.
+[[nodiscard]] ClusterComparison compare_runs(const Surface& surface, const ClusterOptions& options,
+                                             const ClusterRun& reference, const ClusterRun& other);
+
 /// Runs the engines, at least two and all different, and compares them with the first.
 /// @param options  Of every run; its engine and watch are not used.
 /// @throws Error InvalidArgument for what cluster() refuses, and for an invalid list of engines;
