@@ -20,10 +20,13 @@ std::string list(const RationalVector3& v) {
   return fmt::format("({}, {}, {})", in_sentence(v[0]), in_sentence(v[1]), in_sentence(v[2]));
 }
 
-// "2 x - z + 5 = 0"
+// "2 x - z + 5 = 0": of both signs of an equation, the one that begins without a minus.
 std::string list(const Halfspace& plane) {
   std::string sum;
-  const auto add = [&](const Integer& factor, const std::string& name) {
+  const IntegerVector3& n = plane.normal();
+  const bool is_turned = (n[0] != 0 ? n[0] : n[1] != 0 ? n[1] : n[2]) < 0;
+  const auto add = [&](const Integer& of_plane, const std::string& name) {
+    const Integer factor = is_turned ? Integer(-of_plane) : of_plane;
     if (factor == 0) return;
     const Integer magnitude = abs(factor);
     sum += sum.empty() ? (factor < 0 ? "-" : "") : (factor < 0 ? " - " : " + ");
@@ -31,9 +34,9 @@ std::string list(const Halfspace& plane) {
       sum += in_sentence(Rational(magnitude)) + (name.empty() ? "" : " ");
     sum += name;
   };
-  add(plane.normal()[0], "x");
-  add(plane.normal()[1], "y");
-  add(plane.normal()[2], "z");
+  add(n[0], "x");
+  add(n[1], "y");
+  add(n[2], "z");
   add(plane.offset(), "");
   return sum + " = 0";
 }
