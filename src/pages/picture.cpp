@@ -434,6 +434,27 @@ std::vector<Point> drawn_corners(const Polytope& solid) {
 
 void PictureLayer::add(const Polytope& solid) { add(drawn_corners(solid), solid.facets); }
 
+namespace {
+
+// The numbers that people read: n.x + d <= 0 with |n| = 1; and the exact ones, unless these are the
+// same.
+std::string plane_text(const Halfspace& plane) {
+  const IntegerVector3& n = plane.normal();
+  const std::string exact = fmt::format("({}, {}, {}, {})", to_string(n[0]), to_string(n[1]),
+                                        to_string(n[2]), to_string(plane.offset()));
+  if (n.squaredNorm() == 1) return exact;
+  const long scale = -static_cast<long>(bit_length(n));
+  const auto near = [&](const Integer& x) {
+    return to_double(scale_by_power_of_two(Rational(x), scale), Rounding::Nearest);
+  };
+  const Point normal(near(n[0]), near(n[1]), near(n[2]));
+  const Point unit = normal / normal.norm();
+  return fmt::format("({:.6g}, {:.6g}, {:.6g}, {:.6g}), exactly {}", unit[0], unit[1], unit[2],
+                     near(plane.offset()) / normal.norm(), exact);
+}
+
+}  // namespace
+
 void PictureLayer::add_to_pick(const Polytope& solid, std::string solid_name) {
   add_to_pick(drawn_corners(solid), solid.facets, solid.planes, std::move(solid_name));
 }
@@ -445,11 +466,7 @@ void PictureLayer::add_to_pick(std::span<const Point> corners,
   add(corners, facets);
   PictureSolid& solid = solids.emplace_back();
   solid.name = std::move(solid_name);
-  for (const Halfspace& plane : planes) {
-    const auto& n = plane.normal();
-    solid.planes.push_back(fmt::format("({}, {}, {}, {})", to_string(n[0]), to_string(n[1]),
-                                       to_string(n[2]), to_string(plane.offset())));
-  }
+  for (const Halfspace& plane : planes) solid.planes.push_back(plane_text(plane));
 }
 
 void PictureLayer::add_facet(const Polytope& solid, std::size_t facet) {

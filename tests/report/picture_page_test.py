@@ -326,7 +326,12 @@ def check_keys(path, planes):
         for k, plane in enumerate(planes):
             press(page, "n")
             told = page.evaluate(TOLD)
-            assert told.startswith(f"Facet {k} of enclosing solid: ") and told.endswith(f" Plane ({', '.join(plane)})."), told
+            assert told.startswith(f"Facet {k} of enclosing solid: ") and told.endswith(f", exactly ({', '.join(plane)})."), told
+            # Before them doubles, with a normal of length 1.
+            *normal, offset = map(float, told.split(" Plane (")[1].split(")")[0].split(", "))
+            length = math.sqrt(sum(int(x) ** 2 for x in plane[:3]))
+            for double, exact in zip((*normal, offset), plane):
+                assert math.isclose(double, int(exact) / length, rel_tol=1e-5, abs_tol=1e-12), told
             assert page.evaluate('document.getElementById("facet").value') == str(k)
         keep(page, "keys")
         press(page, "p")
@@ -376,7 +381,7 @@ def check_parts(path, parts):
             document.getElementById("facet").onchange();
             return document.getElementById("told").innerText;
         })""")
-        expected = [(k, f"part {number}", f"Plane ({', '.join(plane)}).") for number, part in enumerate(parts)
+        expected = [(k, f"part {number}", f"({', '.join(plane)}).") for number, part in enumerate(parts)
                     for k, plane in enumerate(part["halfspaces"])]
         assert len(told) == len(expected) > 100, (len(told), len(expected))
         for line, (k, name, plane) in zip(told, expected):
