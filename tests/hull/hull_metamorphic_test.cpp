@@ -115,6 +115,11 @@ TEST_CASE("convex_hull: a set of fractions and its homogeneous integers") {
       CHECK(check_hull(hull, points));
       CHECK(hull.vertices == std::get<Hull>(outcome).vertices);
       CHECK(hull.facets == std::get<Hull>(outcome).facets);
+      // With a point that lies outside of it, it is no hull of the set.
+      std::vector<RationalPoint> more;
+      for (std::size_t i = 0; i < set.size(); ++i) more.push_back(set[PointId(i)]);
+      more.push_back(more.front() + RationalPoint(Rational(100000, 3), 0, 0));
+      CHECK_FALSE(check_hull(hull, PointSet(std::move(more))));
     }
   }
 }
