@@ -9,7 +9,7 @@
 #include "definitional_decomposition.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
-#include "scene/decomposition_proof.hpp"
+#include "proof/decomposition_proof.hpp"
 
 using namespace convexact;
 

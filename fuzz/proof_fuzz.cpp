@@ -9,7 +9,7 @@
 #include "definitional_proof.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
-#include "scene/proof.hpp"
+#include "proof/proof.hpp"
 
 using namespace convexact;
 

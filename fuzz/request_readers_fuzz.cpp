@@ -6,11 +6,11 @@
 // test_vectors: every text is read, or refused with an Error of exit code 3.
 #include <nlohmann/json.hpp>
 
-#include "bvh/decompose_request.hpp"
 #include "convexact/conform.hpp"
 #include "fuzz_target.hpp"
-#include "oracle/stdio_request.hpp"
 #include "unless_refused.hpp"
+#include "wire/decompose_request.hpp"
+#include "wire/stdio_request.hpp"
 
 using namespace convexact;
 using nlohmann::json;

@@ -2,8 +2,8 @@
 // Property of removal_order: the reader takes any bytes, a trace or rows, and either reads them or
 // refuses them with an Error of exit code 3. The rows of an order ascend.
 #include "fuzz_target.hpp"
-#include "oracle/removal_order_file.hpp"
 #include "unless_refused.hpp"
+#include "wire/removal_order_file.hpp"
 
 using namespace convexact;
 

@@ -11,7 +11,7 @@
 #include "convexact/measure.hpp"
 #include "number/arithmetic.hpp"
 #include "number/precision.hpp"
-#include "scene/stored_part.hpp"
+#include "parts/stored_part.hpp"
 
 namespace convexact {
 namespace {

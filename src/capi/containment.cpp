@@ -9,7 +9,7 @@
 #include "convexact/stored.hpp"
 #include "number/precision.hpp"
 #include "oracle/excess.hpp"
-#include "scene/solid.hpp"
+#include "solid/solid.hpp"
 
 struct convexact_containment {
   std::size_t outside = 0, point = 0, plane = 0;

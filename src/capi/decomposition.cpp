@@ -8,7 +8,7 @@
 #include "convexact/overlay.hpp"
 #include "convexact/stored.hpp"
 #include "number/precision.hpp"
-#include "scene/decompose_options.hpp"
+#include "wire/decompose_options.hpp"
 
 namespace convexact::capi {
 namespace {

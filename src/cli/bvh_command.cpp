@@ -5,17 +5,17 @@
 #include <filesystem>
 #include <memory>
 
-#include "bvh/tree_report.hpp"
 #include "cli/outputs.hpp"
 #include "cli/part_files.hpp"
 #include "convexact/hull_tree.hpp"
 #include "convexact/io.hpp"
 #include "io/json.hpp"
 #include "pages/parts_picture.hpp"
-#include "scene/decompose_options.hpp"
-#include "scene/decompose_report.hpp"
 #include "scene/objects.hpp"
-#include "scene/stage_report.hpp"
+#include "wire/decompose_options.hpp"
+#include "wire/decompose_report.hpp"
+#include "wire/stage_report.hpp"
+#include "wire/tree_report.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -12,10 +12,10 @@
 #include <new>
 
 #include "cli/reproducer.hpp"
+#include "conform/program.hpp"
 #include "io/json.hpp"
 #include "number/text.hpp"
-#include "oracle/program.hpp"
-#include "scene/stage_report.hpp"
+#include "wire/stage_report.hpp"
 
 namespace convexact::cli {
 namespace {

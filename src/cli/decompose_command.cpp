@@ -2,7 +2,6 @@
 // convexact decompose: a mesh as few convex parts.
 #include <memory>
 
-#include "bvh/decompose_request.hpp"
 #include "cli/decomposed_files.hpp"
 #include "cli/measures_options.hpp"
 #include "cli/outputs.hpp"
@@ -10,12 +9,13 @@
 #include "cli/stdio_loop.hpp"
 #include "convexact/decompose.hpp"
 #include "io/json.hpp"
-#include "scene/decompose_options.hpp"
-#include "scene/decompose_report.hpp"
 #include "scene/objects.hpp"
-#include "scene/stage_report.hpp"
-#include "scene/written_parts.hpp"
 #include "simplify/run_names.hpp"
+#include "wire/decompose_options.hpp"
+#include "wire/decompose_report.hpp"
+#include "wire/decompose_request.hpp"
+#include "wire/stage_report.hpp"
+#include "wire/written_parts.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -7,14 +7,14 @@
 #include <filesystem>
 #include <set>
 
-#include "bvh/tree_report.hpp"
 #include "cli/part_files.hpp"
 #include "convexact/error.hpp"
 #include "io/json_document.hpp"
 #include "pages/parts_picture.hpp"
-#include "scene/decomposition_proof.hpp"
-#include "scene/part_models.hpp"
-#include "scene/written_parts.hpp"
+#include "proof/decomposition_proof.hpp"
+#include "wire/part_models.hpp"
+#include "wire/tree_report.hpp"
+#include "wire/written_parts.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "cli/outputs.hpp"
 #include "convexact/decompose.hpp"
-#include "scene/decompose_report.hpp"
+#include "wire/decompose_report.hpp"
 
 namespace convexact::cli {
 

@@ -5,8 +5,8 @@
 #include "cli/outputs.hpp"
 #include "convexact/scene.hpp"
 #include "io/json.hpp"
-#include "scene/simplify_report.hpp"
-#include "scene/stage_report.hpp"
+#include "wire/simplify_report.hpp"
+#include "wire/stage_report.hpp"
 
 namespace convexact::cli {
 namespace {

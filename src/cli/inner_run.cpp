@@ -5,8 +5,8 @@
 #include "convexact/io.hpp"
 #include "io/json.hpp"
 #include "pages/picture.hpp"
-#include "scene/inner_report.hpp"
-#include "simplify/trace_json.hpp"
+#include "wire/inner_report.hpp"
+#include "wire/trace_json.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
 #include "io/json.hpp"
-#include "oracle/conformance_report.hpp"
+#include "wire/conformance_report.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -11,9 +11,9 @@
 #include "io/json.hpp"
 #include "io/used_points.hpp"
 #include "pages/picture.hpp"
-#include "scene/decompose_options.hpp"
-#include "scene/proof.hpp"
-#include "simplify/trace_json.hpp"
+#include "proof/proof.hpp"
+#include "wire/decompose_options.hpp"
+#include "wire/trace_json.hpp"
 
 namespace convexact::cli {
 namespace {

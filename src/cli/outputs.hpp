@@ -14,8 +14,8 @@
 #include "convexact/scene.hpp"
 #include "convexact/simplify.hpp"
 #include "io/json_document.hpp"
-#include "scene/stage_log.hpp"
-#include "scene/stage_report.hpp"
+#include "solid/stage_log.hpp"
+#include "wire/stage_report.hpp"
 
 namespace convexact::cli {
 

@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "cli/command.hpp"
+#include "conform/program_output.hpp"
 #include "convexact/error.hpp"
 #include "convexact/verify.hpp"
-#include "oracle/program_output.hpp"
 
 namespace convexact::cli {
 namespace {

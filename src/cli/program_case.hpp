@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "conform/program.hpp"
 #include "convexact/conform.hpp"
 #include "convexact/verify.hpp"
-#include "oracle/program.hpp"
 
 namespace convexact::cli {
 

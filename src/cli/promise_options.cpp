@@ -3,8 +3,8 @@
 
 #include "cli/command.hpp"
 #include "convexact/io.hpp"
-#include "oracle/verdict_report.hpp"
 #include "simplify/run_names.hpp"
+#include "wire/verdict_report.hpp"
 
 namespace convexact::cli {
 namespace {

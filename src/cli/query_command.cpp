@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 
-#include "bvh/tree_report.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "convexact/hull_tree.hpp"
@@ -12,9 +11,10 @@
 #include "convexact/query.hpp"
 #include "convexact/scene.hpp"
 #include "io/json.hpp"
-#include "query/query_report.hpp"
-#include "scene/solid.hpp"
-#include "scene/stage_report.hpp"
+#include "solid/solid.hpp"
+#include "wire/query_report.hpp"
+#include "wire/stage_report.hpp"
+#include "wire/tree_report.hpp"
 
 namespace convexact::cli {
 namespace {

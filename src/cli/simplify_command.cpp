@@ -10,9 +10,9 @@
 #include "convexact/scene.hpp"
 #include "convexact/simplify_scene.hpp"
 #include "io/json.hpp"
-#include "scene/simplify_report.hpp"
-#include "scene/stage_report.hpp"
 #include "simplify/run_names.hpp"
+#include "wire/simplify_report.hpp"
+#include "wire/stage_report.hpp"
 
 namespace convexact::cli {
 namespace {

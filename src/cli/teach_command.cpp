@@ -6,10 +6,10 @@
 
 #include "cli/outputs.hpp"
 #include "io/json.hpp"
-#include "scene/stage_report.hpp"
 #include "simplify/run_names.hpp"
 #include "teach/lesson.hpp"
 #include "teach/lesson_page.hpp"
+#include "wire/stage_report.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -17,11 +17,12 @@
 #include "convexact/verify.hpp"
 #include "io/json_document.hpp"
 #include "oracle/scene_verdict.hpp"
-#include "oracle/stdio_request.hpp"
-#include "oracle/verdict_report.hpp"
 #include "scene/objects.hpp"
-#include "scene/stage_log.hpp"
-#include "scene/stage_report.hpp"
+#include "solid/stage_log.hpp"
+#include "wire/scene_report.hpp"
+#include "wire/stage_report.hpp"
+#include "wire/stdio_request.hpp"
+#include "wire/verdict_report.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -7,11 +7,11 @@
 #include "convexact/scene.hpp"
 #include "convexact/verify_run.hpp"
 #include "io/json_document.hpp"
-#include "oracle/removal_order_file.hpp"
-#include "oracle/trace_verdict.hpp"
-#include "scene/solid.hpp"
-#include "scene/stage_report.hpp"
 #include "simplify/run_names.hpp"
+#include "solid/solid.hpp"
+#include "wire/removal_order_file.hpp"
+#include "wire/stage_report.hpp"
+#include "wire/trace_verdict.hpp"
 
 namespace convexact::cli {
 namespace {

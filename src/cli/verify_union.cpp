@@ -8,13 +8,13 @@
 #include "convexact/io.hpp"
 #include "convexact/scene.hpp"
 #include "io/json.hpp"
-#include "oracle/parts_verdict.hpp"
 #include "pages/parts_picture.hpp"
-#include "scene/decompose_options.hpp"
-#include "scene/decompose_report.hpp"
 #include "scene/objects.hpp"
-#include "scene/stage_log.hpp"
-#include "scene/stage_report.hpp"
+#include "solid/stage_log.hpp"
+#include "wire/decompose_options.hpp"
+#include "wire/decompose_report.hpp"
+#include "wire/parts_verdict.hpp"
+#include "wire/stage_report.hpp"
 
 namespace convexact::cli {
 

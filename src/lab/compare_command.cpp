@@ -7,10 +7,10 @@
 
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
-#include "compare/compare.hpp"
 #include "convexact/scene.hpp"
 #include "io/json.hpp"
 #include "lab/commands.hpp"
+#include "lab/compare/compare.hpp"
 
 namespace convexact::cli {
 namespace {

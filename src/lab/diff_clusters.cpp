@@ -3,13 +3,13 @@
 
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
-#include "diff/cluster_diff.hpp"
 #include "io/json_document.hpp"
-#include "scene/decompose_options.hpp"
-#include "scene/decompose_report.hpp"
+#include "lab/diff/cluster_diff.hpp"
 #include "scene/objects.hpp"
-#include "scene/stage_log.hpp"
-#include "scene/stage_report.hpp"
+#include "solid/stage_log.hpp"
+#include "wire/decompose_options.hpp"
+#include "wire/decompose_report.hpp"
+#include "wire/stage_report.hpp"
 
 namespace convexact::cli {
 

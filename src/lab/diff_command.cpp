@@ -8,13 +8,13 @@
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "convexact/scene.hpp"
-#include "diff/diff.hpp"
 #include "io/json_document.hpp"
 #include "lab/commands.hpp"
+#include "lab/diff/diff.hpp"
 #include "lab/diff_clusters.hpp"
-#include "scene/stage_log.hpp"
-#include "scene/stage_report.hpp"
 #include "simplify/run_names.hpp"
+#include "solid/stage_log.hpp"
+#include "wire/stage_report.hpp"
 
 namespace convexact::cli {
 namespace {

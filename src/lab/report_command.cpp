@@ -11,7 +11,7 @@
 #include "convexact/scene.hpp"
 #include "io/json.hpp"
 #include "lab/commands.hpp"
-#include "report/report.hpp"
+#include "lab/report/report.hpp"
 #include "simplify/run_names.hpp"
 
 namespace convexact::cli {

@@ -10,10 +10,10 @@
 #include "convexact/mesh.hpp"
 #include "io/json_document.hpp"
 #include "lab/commands.hpp"
-#include "scene/simplify_report.hpp"
+#include "lab/stress/stress.hpp"
+#include "lab/stress/stress_report.hpp"
 #include "simplify/run_names.hpp"
-#include "stress/stress.hpp"
-#include "stress/stress_report.hpp"
+#include "wire/simplify_report.hpp"
 
 namespace convexact::cli {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "convexact/verify.hpp"
 #include "convexact/verify_parts.hpp"
-#include "scene/stage_log.hpp"
+#include "solid/stage_log.hpp"
 
 namespace convexact::oracle {
 

@@ -16,7 +16,7 @@
 #include "oracle/excess.hpp"
 #include "oracle/judge.hpp"
 #include "oracle/second_way.hpp"
-#include "scene/solid.hpp"
+#include "solid/solid.hpp"
 
 namespace convexact::oracle {
 namespace {

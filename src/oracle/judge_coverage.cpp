@@ -10,7 +10,7 @@
 #include "number/precision.hpp"
 #include "number/text.hpp"
 #include "oracle/judge.hpp"
-#include "scene/part_volumes.hpp"
+#include "parts/part_volumes.hpp"
 #include "surface/box_tree.hpp"
 
 namespace convexact::oracle {

@@ -8,7 +8,7 @@
 #include "number/text.hpp"
 #include "oracle/judge.hpp"
 #include "scene/objects.hpp"
-#include "scene/solid.hpp"
+#include "solid/solid.hpp"
 
 namespace convexact::oracle {
 namespace {

@@ -9,13 +9,9 @@
 
 #include "convexact/error.hpp"
 #include "convexact/hull.hpp"
-#include "io/json.hpp"
 #include "number/text.hpp"
-#include "oracle/verdict_report.hpp"
 #include "scene/objects.hpp"
-#include "scene/simplify_report.hpp"
-#include "scene/solid.hpp"
-#include "scene/stage_report.hpp"
+#include "solid/solid.hpp"
 
 namespace convexact {
 namespace {
@@ -148,44 +144,6 @@ std::variant<SceneVerdict, NotSolidPart> verify_scene(const std::vector<SceneObj
     verdict.gaps = judge_gaps(input, solids, request.each.watch.stop);
   }
   return verdict;
-}
-
-Json scene_verdict_json(const SceneVerdict& verdict) {
-  Json parts = Json::array();
-  bool violated = verdict.gaps && verdict.gaps->witness;
-  for (const PartVerdict& part : verdict.parts) {
-    Json json = {{"part", part.part}, {"candidate_part", part.candidate}};
-    json.update(verdict_json(part.verdict));
-    json["stages"] = stages_json(part.verdict.stages);
-    violated = violated || is_violated(part.verdict.claims);
-    parts.push_back(std::move(json));
-  }
-  Json document = {{"verdict", verdict.holds() ? "holds"
-                               : violated      ? "violated"
-                                               : "undecided"},
-                   {"parts", std::move(parts)}};
-  if (!verdict.gaps) return document;
-  const auto& [gaps, sentence, witness] = *verdict.gaps;
-  Json& json = document["gaps"] = {
-      {"code", "no-gaps"}, {"status", witness ? "violated" : "holds"}, {"sentence", sentence}};
-  json.update(gaps_json(gaps));
-  if (witness) {
-    json["witness"] = {{"part", witness->part},
-                       {"face", witness->face.face},
-                       {"point", vector_json(witness->point)}};
-    if (witness->plane) json["witness"]["plane"] = plane_json(*witness->plane);
-  }
-  return document;
-}
-
-std::string scene_verdict_text(const SceneVerdict& verdict) {
-  std::string text;
-  for (const PartVerdict& part : verdict.parts) {
-    text += "part " + part.part + "\n" + verdict_table(part.verdict, true);
-  }
-  if (!verdict.gaps) return text;
-  return text + fmt::format("all parts\n  {:<19} {:<15} {}\n", "no-gaps",
-                            verdict.gaps->witness ? "violated" : "holds", verdict.gaps->sentence);
 }
 
 }  // namespace convexact

@@ -8,7 +8,6 @@
 
 #include "convexact/simplify_scene.hpp"
 #include "convexact/verify.hpp"
-#include "io/json_document.hpp"
 
 namespace convexact {
 
@@ -60,8 +59,5 @@ struct SceneVerifyRequest {
 [[nodiscard]] std::variant<SceneVerdict, NotSolidPart> verify_scene(
     const std::vector<SceneObject>& input, const Candidate& candidate,
     const SceneVerifyRequest& request);
-
-[[nodiscard]] Json scene_verdict_json(const SceneVerdict& verdict);
-[[nodiscard]] std::string scene_verdict_text(const SceneVerdict& verdict);
 
 }  // namespace convexact

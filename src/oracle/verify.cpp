@@ -12,7 +12,7 @@
 #include "io/names.hpp"
 #include "number/text.hpp"
 #include "oracle/judge.hpp"
-#include "scene/solid.hpp"
+#include "solid/solid.hpp"
 
 namespace convexact {
 namespace oracle {

@@ -5,7 +5,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/query.hpp"
-#include "scene/solid.hpp"
+#include "solid/solid.hpp"
 
 namespace convexact {
 namespace {

@@ -4,7 +4,7 @@
 #include "convexact/number.hpp"
 #include "convexact/simplify.hpp"
 #include "number/precision.hpp"
-#include "scene/solid.hpp"
+#include "solid/solid.hpp"
 
 namespace convexact {
 namespace {

@@ -10,7 +10,7 @@
 #include "convexact/io.hpp"
 #include "convexact/overlay.hpp"
 #include "convexact/scene.hpp"
-#include "scene/solid.hpp"
+#include "solid/solid.hpp"
 
 namespace convexact {
 namespace {

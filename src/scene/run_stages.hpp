@@ -10,8 +10,8 @@
 #include "convexact/hull.hpp"
 #include "convexact/simplify.hpp"
 #include "fast/engines.hpp"
-#include "scene/solid.hpp"
-#include "scene/stage_log.hpp"
+#include "solid/solid.hpp"
+#include "solid/stage_log.hpp"
 
 namespace convexact {
 

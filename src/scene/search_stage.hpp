@@ -3,7 +3,7 @@
 #pragma once
 #include "convexact/simplify.hpp"
 #include "scene/run_stages.hpp"
-#include "scene/stage_log.hpp"
+#include "solid/stage_log.hpp"
 
 namespace convexact {
 

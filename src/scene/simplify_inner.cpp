@@ -7,8 +7,8 @@
 #include "fast/filtered_inner.hpp"
 #include "number/arithmetic.hpp"
 #include "number/precision.hpp"
-#include "scene/solid.hpp"
 #include "simplify/exact_inner.hpp"
+#include "solid/solid.hpp"
 
 namespace convexact {
 namespace {

@@ -12,8 +12,8 @@
 #include "convexact/linear_program.hpp"
 #include "convexact/stored.hpp"
 #include "io/json_document.hpp"
-#include "scene/solid.hpp"
 #include "simplify/exact_engine.hpp"
+#include "solid/solid.hpp"
 #include "teach/frame.hpp"
 #include "teach/lesson.hpp"
 

@@ -9,8 +9,8 @@
 #include "convexact/error.hpp"
 #include "io/json.hpp"
 #include "lp/interior_point.hpp"
-#include "scene/stage_log.hpp"
 #include "simplify/run_names.hpp"
+#include "solid/stage_log.hpp"
 #include "teach/chapters.hpp"
 
 namespace convexact {

@@ -5,8 +5,8 @@
 #include "io/json.hpp"
 #include "simplify/cap.hpp"
 #include "simplify/run_names.hpp"
-#include "simplify/trace_json.hpp"
 #include "teach/chapters.hpp"
+#include "wire/trace_json.hpp"
 
 namespace convexact {
 Json dual_point_json(const DualPoint& point) {

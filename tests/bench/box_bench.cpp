@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "benches.hpp"
-#include "compare/method.hpp"
+#include "lab/compare/method.hpp"
 #ifdef CONVEXACT_HAVE_CGAL
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/optimal_bounding_box.h>

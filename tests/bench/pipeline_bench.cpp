@@ -7,7 +7,7 @@
 #include "benches.hpp"
 #include "convexact/simplify.hpp"
 #include "peak_memory.hpp"
-#include "scene/stage_log.hpp"
+#include "solid/stage_log.hpp"
 
 using namespace convexact;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Requests and answers of decompose --stdio, on shapes of unit cells; both against
 // docs/schema/decompose_request.schema.json, and the answers against decompose.schema.json.
-#include "bvh/decompose_request.hpp"
+#include "wire/decompose_request.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,8 +10,8 @@
 #include "cells.hpp"
 #include "json_schema.hpp"
 #include "number/random.hpp"
-#include "oracle/stdio_request.hpp"
-#include "scene/decompose_options.hpp"
+#include "wire/decompose_options.hpp"
+#include "wire/stdio_request.hpp"
 
 using namespace convexact;
 using nlohmann::json;

@@ -9,7 +9,7 @@
 
 #include "cells.hpp"
 #include "convexact/decompose.hpp"
-#include "scene/decomposition_proof.hpp"
+#include "proof/decomposition_proof.hpp"
 
 inline convexact::Decomposition decomposed(const convexact::Mesh& mesh,
                                            convexact::DecomposeRequest request) {

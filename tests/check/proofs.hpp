@@ -10,8 +10,8 @@
 
 #include "checker.hpp"
 #include "convexact/simplify.hpp"
+#include "proof/proof.hpp"
 #include "proof_text.hpp"
-#include "scene/proof.hpp"
 
 /// A run on a solid shape with what its proof needs. Precondition: the request says to record it.
 inline convexact::SimplifyResult recorded(const convexact::Shape& shape,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Meshes that lose edges: closed at every step, whatever the rule; and the three methods on solids
 // whose answer is known.
-#include "compare/collapse.hpp"
+#include "lab/compare/collapse.hpp"
 
 #include <doctest/doctest.h>
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "compare/refit.hpp"
 #include "convexact/point_set.hpp"
+#include "lab/compare/refit.hpp"
 
 namespace support {
 

@@ -9,8 +9,8 @@
 #include "expect_error.hpp"
 #include "integer_halfspace.hpp"
 #include "io/halfspace_formats.hpp"
-#include "oracle/removal_order_file.hpp"
 #include "property.hpp"
+#include "wire/removal_order_file.hpp"
 
 using namespace convexact;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Engines of a decomposition compared: the exact and the filtered one agree; the float engine
 // differs at ties, which are known by construction, and elsewhere not at all.
-#include "diff/cluster_diff.hpp"
+#include "lab/diff/cluster_diff.hpp"
 
 #include <doctest/doctest.h>
 

@@ -9,9 +9,9 @@
 #include "oracle/judge.hpp"
 #include "oracle/removal_cost.hpp"
 #include "polytope_by_definition.hpp"
-#include "scene/stage_log.hpp"
 #include "shapes/makers.hpp"
 #include "simplify_points.hpp"
+#include "solid/stage_log.hpp"
 
 using namespace convexact;
 

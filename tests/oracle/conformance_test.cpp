@@ -9,8 +9,8 @@
 #include <set>
 #include <string>
 
+#include "conform/conformance_judge.hpp"
 #include "convexact/conform.hpp"
-#include "oracle/conformance_judge.hpp"
 #include "shapes/makers.hpp"
 using namespace convexact;
 

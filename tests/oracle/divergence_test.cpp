@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Runs doctored by hand on a cube with cut corners: where they differ, and which is at fault. A cut
 // of depth t costs t^3 / 6, which gives every regret in closed form.
-#include "diff/divergence.hpp"
+#include "lab/diff/divergence.hpp"
 
 #include <doctest/doctest.h>
 
 #include "cut_box.hpp"
-#include "diff/diff.hpp"
+#include "lab/diff/diff.hpp"
 #include "shapes/makers.hpp"
 
 using namespace convexact;

@@ -8,10 +8,10 @@
 
 #include "convexact/number.hpp"
 #include "fast/engines.hpp"
-#include "oracle/trace_verdict.hpp"
 #include "removal_orders.hpp"
 #include "shapes/makers.hpp"
 #include "sweep.hpp"
+#include "wire/trace_verdict.hpp"
 
 using namespace convexact;
 

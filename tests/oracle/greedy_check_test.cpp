@@ -4,8 +4,8 @@
 #include <doctest/doctest.h>
 
 #include "cut_box.hpp"
-#include "diff/diff.hpp"
-#include "diff/divergence.hpp"
+#include "lab/diff/diff.hpp"
+#include "lab/diff/divergence.hpp"
 #include "shapes/makers.hpp"
 
 using namespace convexact;

@@ -5,10 +5,10 @@
 
 #include "convexact/error.hpp"
 #include "definitional_greedy.hpp"
-#include "diff/diff.hpp"
-#include "diff/divergence.hpp"
 #include "expect_error.hpp"
 #include "integer_halfspace.hpp"
+#include "lab/diff/diff.hpp"
+#include "lab/diff/divergence.hpp"
 #include "removal_orders.hpp"
 #include "shapes/makers.hpp"
 #include "sweep.hpp"

@@ -5,10 +5,10 @@
 
 #include "convexact/error.hpp"
 #include "cut_box.hpp"
-#include "diff/diff.hpp"
-#include "diff/divergence.hpp"
 #include "expect_error.hpp"
 #include "fast/engines.hpp"
+#include "lab/diff/diff.hpp"
+#include "lab/diff/divergence.hpp"
 #include "shapes/makers.hpp"
 #include "simplify/exact_engine.hpp"
 

@@ -9,12 +9,12 @@
 #include "expect_error.hpp"
 #include "fast/engines.hpp"
 #include "oracle/removal_cost.hpp"
-#include "oracle/removal_order_file.hpp"
-#include "oracle/trace_verdict.hpp"
 #include "removal_orders.hpp"
 #include "shapes/makers.hpp"
-#include "simplify/trace_json.hpp"
 #include "sweep.hpp"
+#include "wire/removal_order_file.hpp"
+#include "wire/trace_json.hpp"
+#include "wire/trace_verdict.hpp"
 
 using namespace convexact;
 

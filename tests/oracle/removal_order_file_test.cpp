@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Removal orders as files: three kinds, and errors in each with their place.
-#include "oracle/removal_order_file.hpp"
+#include "wire/removal_order_file.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,9 +9,9 @@
 #include "expect_error.hpp"
 #include "number/random.hpp"
 #include "shapes/makers.hpp"
-#include "simplify/trace_json.hpp"
 #include "simplify_points.hpp"
 #include "sweep.hpp"
+#include "wire/trace_json.hpp"
 
 using namespace convexact;
 

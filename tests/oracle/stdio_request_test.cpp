@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Requests and answers of verify --stdio, on a cube, where every distance has a closed form; both
 // against docs/schema/stdio_request.schema.json by valijson.
-#include "oracle/stdio_request.hpp"
+#include "wire/stdio_request.hpp"
 
 #include <doctest/doctest.h>
 

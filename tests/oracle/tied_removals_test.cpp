@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Solids to which ties lead: a cube whose eight corners are cut alike, where each cut removed costs
 // the same as long as cuts do not meet, and each side costs more than all cuts.
-#include "oracle/tied_removals.hpp"
+#include "conform/tied_removals.hpp"
 
 #include <doctest/doctest.h>
 

@@ -10,7 +10,7 @@
 #include "convexact/verify.hpp"
 #include "convexact/verify_parts.hpp"
 #include "expect_error.hpp"
-#include "oracle/stdio_request.hpp"
+#include "wire/stdio_request.hpp"
 
 using namespace convexact;
 using namespace support;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a report measures on small inputs: errors by their definitions, and the files' formats.
-#include "report/report.hpp"
+#include "lab/report/report.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,8 +13,8 @@
 #include "convexact/number.hpp"
 #include "convexact/shapes.hpp"
 #include "json_schema.hpp"
-#include "scene/solid.hpp"
 #include "shapes/makers.hpp"
+#include "solid/solid.hpp"
 #include "sweep.hpp"
 
 using namespace convexact;

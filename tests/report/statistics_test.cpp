@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "report/errors.hpp"
-#include "report/tightness_curve.hpp"
-#include "report/timing.hpp"
+#include "lab/report/errors.hpp"
+#include "lab/report/tightness_curve.hpp"
+#include "lab/report/timing.hpp"
 
 using namespace convexact;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Models of parts for simulators: names, numbers, and what the proof of USD notices.
-#include "scene/part_models.hpp"
+#include "wire/part_models.hpp"
 
 #include <doctest/doctest.h>
 

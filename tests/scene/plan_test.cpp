@@ -12,8 +12,8 @@
 #include "convexact/simplify.hpp"
 #include "convexact/verify.hpp"
 #include "fast/engines.hpp"
-#include "scene/solid.hpp"
 #include "shapes/makers.hpp"
+#include "solid/solid.hpp"
 
 using namespace convexact;
 

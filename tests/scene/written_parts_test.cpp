@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The files of parts, their document, and what the proof of their bytes notices.
-#include "scene/written_parts.hpp"
+#include "wire/written_parts.hpp"
 
 #include <doctest/doctest.h>
 
@@ -11,7 +11,7 @@
 #include "convexact/verify_parts.hpp"
 #include "expect_error.hpp"
 #include "io/json_document.hpp"
-#include "scene/decompose_report.hpp"
+#include "wire/decompose_report.hpp"
 
 using namespace convexact;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Traces as JSON: there and back, and against the schema that the documents promise.
-#include "simplify/trace_json.hpp"
+#include "wire/trace_json.hpp"
 
 #include <doctest/doctest.h>
 

@@ -9,8 +9,8 @@
 #include "convexact/stored.hpp"
 #include "expect_error.hpp"
 #include "property.hpp"
-#include "scene/solid.hpp"
 #include "shapes/makers.hpp"
+#include "solid/solid.hpp"
 #include "stored_cases.hpp"
 
 using namespace convexact;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The sweep and its judge. Correct engines pass on inputs of every kind. A run with one error,
 // injected here, is reported as a fault of that run, for every kind of error.
-#include "stress/stress.hpp"
+#include "lab/stress/stress.hpp"
 
 #include <doctest/doctest.h>
 
@@ -16,10 +16,10 @@
 
 #include "convexact/error.hpp"
 #include "json_schema.hpp"
+#include "lab/stress/judge.hpp"
+#include "lab/stress/stress_report.hpp"
 #include "process.hpp"
-#include "scene/solid.hpp"
-#include "stress/judge.hpp"
-#include "stress/stress_report.hpp"
+#include "solid/solid.hpp"
 #include "sweep.hpp"
 
 using namespace convexact;

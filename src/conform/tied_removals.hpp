@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// tied_removals.hpp - whether another choice among removals of the same cost leads to a solid.
+#pragma once
+#include <atomic>
+#include <cstddef>
+#include <span>
+
+#include "convexact/halfspace.hpp"
+#include "solid/solid.hpp"
+
+namespace convexact::oracle {
+
+enum class ByTies { Lead, DoNotLead, Undecided };
+
+/// Whether some order of removals leaves just these facets of the solid, where each removal is
+/// proven to be one of those that add the least volume. Orders that lead to the same solid count
+/// once.
+/// @param most_states  Undecided beyond so many solids on the way.
+/// @throws Error Stopped if `stop` becomes true.
+/// @par Cost  A filtered run for each branch.
+[[nodiscard]] ByTies do_ties_lead(const Solid& solid, std::span<const Halfspace> to,
+                                  std::size_t most_states, const std::atomic<bool>* stop);
+
+}  // namespace convexact::oracle

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// stress.hpp - a sweep: every engine on every input, each in a separate process, all judged.
+#pragma once
+#include <atomic>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "lab/stress/judge.hpp"
+
+namespace convexact {
+
+/// The limits of each process: one engine on one input, or the judge of their answers.
+struct StressLimits {
+  /// Of processor time, more than 0; an integer. A process that only waits gets 20 times as long.
+  double seconds = 120;
+  std::uint64_t memory = 0;  ///< Bytes of address space; 0 for no limit.
+};
+
+struct StressRequest {
+  std::vector<Engine> engines = {Engine::Exact, Engine::Filtered, Engine::Float};
+  CostMeasure cost = CostMeasure::Volume;  ///< The measure that the runs keep small.
+  /// After the removals of the exact and the filtered engine, where few halfspaces are left.
+  SearchRequest search = {};
+  StressLimits limits;
+  std::size_t processes = 1;  ///< At the same time, >= 1.
+  /// The engines under test; replaced in tests of the judge itself.
+  std::function<EngineAnswer(const Shape&, const Question&)> answer = answer_of;
+  /// Called when inputs are done, with their number and the number of all.
+  std::function<void(std::size_t done, std::size_t total)> progress;
+  const std::atomic<bool>* stop = nullptr;  ///< When it becomes true: Error Stopped.
+};
+
+/// The runs in the order of the inputs and, of each, of the engines. Every failure of an engine or
+/// of the judge becomes a run with a fault. Forks: a child process has no other thread of the
+/// caller, and must not need one.
+/// @throws Error InvalidArgument for an invalid request; Stopped.
+[[nodiscard]] StressReport stress(std::span<const StressInput> inputs,
+                                  const StressRequest& request);
+
+}  // namespace convexact

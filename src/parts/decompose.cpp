@@ -1,0 +1,425 @@
+// SPDX-License-Identifier: MIT
+// decompose(): the stages from a mesh to its parts, and the proof that they hold it.
+#include "convexact/decompose.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "convexact/error.hpp"
+#include "convexact/union_distance.hpp"
+#include "decompose/near_concavity.hpp"
+#include "number/text.hpp"
+#include "parts/flat_part.hpp"
+#include "parts/part_volumes.hpp"
+#include "parts/stored_part.hpp"
+#include "solid/stage_log.hpp"
+
+namespace convexact {
+namespace {
+
+[[noreturn]] void refuse_request(const std::string& message) {
+  throw Error(ErrorCode::InvalidArgument, message);
+}
+
+void require_sensible(const DecomposeRequest& request) {
+  if (request.max_parts && *request.max_parts == 0) refuse_request("at least one part is needed");
+  const DecomposeRequest plain;
+  if (request.method == DecomposeMethod::Acd) {
+    if (request.measure != plain.measure) {
+      refuse_request("the measure applies to hacd only: acd measures concavity to bridges");
+    }
+    if (request.engine != plain.engine) {
+      refuse_request(
+          "the engine applies to hacd only: acd has one, which decides as exact numbers do");
+    }
+  } else if (request.bridge != plain.bridge || request.coplanar != plain.coplanar) {
+    refuse_request("bridges and the cosine of coplanar facets apply to acd only");
+  }
+  if (request.faces && request.total_faces) {
+    refuse_request("give the faces of each part or the faces of all parts, not both");
+  }
+  if (request.faces && *request.faces < 4) {
+    refuse_request("no bounded part has fewer than 4 faces: allow at least 4 for each");
+  }
+  if (request.total_faces && *request.total_faces < 4) {
+    refuse_request("no bounded part has fewer than 4 faces: allow at least 4 in all");
+  }
+}
+
+// The proof that all points of faces lie in one plane, if they do, in terms of the mesh's points.
+std::optional<FlatInput> find_flat(const Mesh& mesh, const Watch& watch) {
+  std::vector<PointId> used;
+  for (const auto& polygon : mesh.polygons) {
+    for (const std::uint32_t corner : polygon) used.emplace_back(corner);
+  }
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  watch.ask();
+  const PointSet points = subset(mesh.points, used);
+  HullOutcome outcome = convex_hull(points);
+  auto* flat = std::get_if<FlatInput>(&outcome);
+  if (flat == nullptr) return {};
+  if (!check_flat(*flat, points)) {
+    throw Error(ErrorCode::Internal, "the certificate fails: every point lies on these planes");
+  }
+  for (PointId& id : flat->basis) id = used[id.index()];
+  return std::move(*flat);
+}
+
+// The box of a part, rounded to nearest: rounding is monotone, so that the rounded boxes of two
+// parts hold each other if the parts do.
+struct RoundedBox {
+  explicit RoundedBox(const BoundingBox& box) {
+    for (int k = 0; k < 3; ++k) {
+      low[k] = to_double(box.low[k], Rounding::Nearest);
+      high[k] = to_double(box.high[k], Rounding::Nearest);
+    }
+  }
+  bool may_hold(const RoundedBox& other) const {
+    return (low.array() <= other.low.array()).all() && (high.array() >= other.high.array()).all();
+  }
+  Point low, high;
+};
+
+// By part: the first of those that it lies in and that lie in no other one themselves. Nothing for
+// those that stay; of equal parts the first one does.
+std::vector<std::optional<std::size_t>> find_holders(std::span<const ConvexPart* const> parts,
+                                                     const Watch& watch) {
+  std::vector<RoundedBox> boxes;
+  for (const ConvexPart* part : parts) boxes.emplace_back(part->box);
+  std::vector<std::vector<std::size_t>> holders(parts.size());  // but for later equal ones
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    watch.at(k, parts.size());
+    for (std::size_t j = 0; j < parts.size(); ++j) {
+      if (j == k || !boxes[j].may_hold(boxes[k]) || !lies_in(*parts[k], *parts[j])) continue;
+      if (j < k || !lies_in(*parts[j], *parts[k])) holders[k].push_back(j);
+    }
+  }
+  // This relation is transitive and has no circle, so that one of the holders has none of its own.
+  std::vector<std::optional<std::size_t>> first(parts.size());
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    for (const std::size_t j : holders[k]) {
+      if (!first[k] && holders[j].empty()) first[k] = j;
+    }
+  }
+  return first;
+}
+
+class Decomposer {
+ public:
+  Decomposer(const DecomposeRequest& request, StageLog& log) : request_(request), log_(log) {}
+
+  Decomposition run(Surface surface) {
+    made_.surface = std::move(surface);
+    log_.run("clusters", [&] { find_clusters(); });
+    hull_clusters();
+    concavity_.emplace(made_.surface, request_.measure);
+    merge_flat_clusters();
+    const std::vector<Concavity> concavities = measure_concavities();
+    choose_parts(concavities);
+    take_in_loose_points();
+    drop_inner_hulls();
+    std::vector<ConvexPart> stored =
+        store_parts(made_.parts, made_.squared_diameter(), request_, log_);
+    drop_inner_as_stored(stored);
+    log_.run("coverage by owners", [&] { prove_coverage(); });
+    if (request_.measures != PartMeasures::None) {
+      made_.measures =
+          measure_volumes(made_.surface, stored, request_.measures, request_.exact_volumes, log_);
+    } else {
+      log_.skip("union's volume", "not requested");
+      log_.skip("solid's volumes", "not requested");
+    }
+    made_.stages = log_.stages();
+    return std::move(made_);
+  }
+
+ private:
+  void find_clusters() {
+    const Watch watch = log_.watch("clusters");
+    if (request_.method == DecomposeMethod::Hacd) {
+      made_.origin = cluster(made_.surface, {.limit = request_.limit,
+                                             .max_parts = request_.max_parts,
+                                             .measure = request_.measure,
+                                             .connect = request_.connect,
+                                             .engine = request_.engine,
+                                             .every_merge = request_.every_merge,
+                                             .costs = request_.for_trace,
+                                             .further = request_.for_tree,
+                                             .watch = watch});
+    } else {
+      made_.origin = split(made_.surface, split_options(watch));
+    }
+  }
+
+  SplitOptions split_options(const Watch& watch) const {
+    return {.limit = request_.limit,
+            .max_parts = request_.max_parts,
+            .bridge = request_.bridge,
+            .coplanar = request_.coplanar,
+            .connect = request_.connect,
+            .associations = request_.for_trace,
+            .watch = watch};
+  }
+
+  void hull_clusters() {
+    log_.run("hulls", [&] {
+      const Watch watch = log_.watch("hulls");
+      const auto clusters = made_.clusters();
+      for (const auto triangles : clusters) {
+        watch.at(clusters_.size(), clusters.size());
+        const PointSet points = subset(made_.surface.points, points_of(made_.surface, triangles));
+        clusters_.push_back({{triangles.begin(), triangles.end()}, convex_part(points, watch)});
+      }
+    });
+  }
+
+  void merge_flat_clusters() {
+    constexpr const char* kStage = "flat clusters";
+    if (request_.flat != FlatParts::Merge) {
+      return log_.skip(kStage, "they need not join their neighbours");
+    }
+    log_.run(kStage, [&] {
+      made_.flat_merged = merge_flat(made_.surface, request_.connect, *concavity_,
+                                     !request_.keep_inner, clusters_, log_.watch(kStage));
+    });
+  }
+
+  // By the definition, for every engine: the other ways only leave out triangles with shorter rays.
+  std::vector<Concavity> measure_concavities() {
+    return log_.run("concavities", [&] {
+      const Watch watch = log_.watch("concavities");
+      const NearConcavity near(made_.surface, request_.measure, false);
+      std::vector<Concavity> concavities;
+      for (const HulledCluster& cluster : clusters_) {
+        watch.at(concavities.size(), clusters_.size());
+        concavities.push_back(request_.method == DecomposeMethod::Acd
+                                  ? by_bridges(cluster.triangles, watch)
+                              : request_.engine == Engine::Exact
+                                  ? (*concavity_)(cluster.triangles, cluster.hull, watch)
+                                  : near.exact(cluster.triangles, watch));
+        made_.limit_holds = made_.limit_holds && is_within_limit(concavities.back());
+      }
+      return concavities;
+    });
+  }
+
+  bool is_within_limit(const Concavity& concavity) const {
+    return concavity.squared <= made_.squared_limit();
+  }
+
+  // The leaf of a tree with these triangles, unless others joined them.
+  const SplitLeaf* leaf_of(const std::vector<TriangleId>& triangles) const {
+    const auto* tree = std::get_if<SplitTree>(&made_.origin);
+    if (tree == nullptr) return nullptr;
+    const auto leaf =
+        std::lower_bound(tree->leaves.begin(), tree->leaves.end(), triangles.front(),
+                         [](const SplitLeaf& x, TriangleId t) { return x.triangles.front() < t; });
+    return leaf != tree->leaves.end() && leaf->triangles == triangles ? &*leaf : nullptr;
+  }
+
+  Concavity by_bridges(const std::vector<TriangleId>& triangles, const Watch& watch) const {
+    if (const SplitLeaf* leaf = leaf_of(triangles)) {
+      return std::get<SplitTree>(made_.origin).nodes[leaf->node].concavity;
+    }
+    return measure_by_bridges(made_.surface, triangles, split_options(watch)).concavity;
+  }
+
+  // Every cluster becomes a part, at first.
+  void choose_parts(const std::vector<Concavity>& concavities) {
+    for (std::size_t k = 0; k < clusters_.size(); ++k) {
+      Part& part = made_.parts.emplace_back();
+      part.owns = part.cluster = std::move(clusters_[k].triangles);
+      part.hull = std::move(clusters_[k].hull);
+      part.concavity = concavities[k];
+      part.is_within_limit = is_within_limit(part.concavity);
+      if (const SplitLeaf* leaf = leaf_of(part.cluster)) {
+        part.least_squared_concavity = leaf->least_squared_concavity;
+        part.is_unsplittable = leaf->status == LeafStatus::Unsplittable;
+      }
+    }
+  }
+
+  void take_in_loose_points() {
+    constexpr const char* kStage = "loose points";
+    const PointSet& points = made_.surface.unused;
+    if (points.size() == 0) return log_.skip(kStage, "a face uses each point");
+    log_.run(kStage, [&] {
+      const Watch watch = log_.watch(kStage);
+      const std::vector<PointId> outside = assign_points_inside(points, watch);
+      std::vector<ConvexPart> hulls;
+      for (const Part& part : made_.parts) hulls.push_back(part.hull);
+      const UnionDistance distance(hulls);
+      for (const PointId p : outside) {
+        watch.ask();
+        Part& part = made_.parts[distance(points[p]).part];
+        part.loose.push_back(p);
+        part.is_widened = true;
+      }
+      for (Part& part : made_.parts) {
+        if (!part.is_widened) continue;
+        const PointSet own(part.hull.vertices);
+        part.hull = convex_part(concatenated(own, subset(points, part.loose)), watch);
+      }
+    });
+  }
+
+  // To the first part that holds them. Returns the others.
+  std::vector<PointId> assign_points_inside(const PointSet& points, const Watch& watch) {
+    std::vector<PointId> left;
+    for (std::size_t p = 0; p < points.size(); ++p) left.emplace_back(p);
+    for (Part& part : made_.parts) {
+      watch.ask();
+      std::vector<PointId> outside;
+      for (const PointId p : find_outside(part.hull.halfspaces, subset(points, left))) {
+        outside.push_back(left[p.index()]);
+      }
+      std::set_difference(left.begin(), left.end(), outside.begin(), outside.end(),
+                          std::back_inserter(part.loose));
+      left = std::move(outside);
+    }
+    return left;
+  }
+
+  void drop_inner_hulls() {
+    std::vector<const ConvexPart*> hulls;
+    for (const Part& part : made_.parts) hulls.push_back(&part.hull);
+    drop_inner(hulls);
+  }
+
+  // The stored parts may be larger than the hulls, and may then hold other parts.
+  void drop_inner_as_stored(std::vector<ConvexPart>& stored) {
+    const bool is_larger = std::any_of(made_.parts.begin(), made_.parts.end(), [](const Part& p) {
+      return p.form != PartForm::Hull && p.form != PartForm::Flat;
+    });
+    if (!is_larger || request_.keep_inner) return;
+    std::vector<const ConvexPart*> solids;
+    for (const ConvexPart& solid : stored) solids.push_back(&solid);
+    keep_those(drop_inner(solids), stored);
+  }
+
+  // Triangles of parts that lie in another one change owner. Returns which parts stay.
+  std::vector<bool> drop_inner(const std::vector<const ConvexPart*>& solids) {
+    constexpr const char* kStage = "inner parts";
+    std::vector<bool> stays(solids.size(), true);
+    if (request_.keep_inner) {
+      log_.skip(kStage, "they are kept");
+      return stays;
+    }
+    log_.run(kStage, [&] {
+      const auto holder = find_holders(solids, log_.watch(kStage));
+      std::vector<std::size_t> place(solids.size(), 0);  // of those that stay
+      for (std::size_t k = 0, next = 0; k < solids.size(); ++k) {
+        stays[k] = !holder[k];
+        if (stays[k]) place[k] = next++;
+      }
+      for (InnerCluster& inner : made_.inner) {
+        inner.part = place[holder[inner.part].value_or(inner.part)];
+      }
+      for (std::size_t k = 0; k < solids.size(); ++k) {
+        if (stays[k]) continue;
+        const std::vector<TriangleId> owns = std::move(made_.parts[k].owns);
+        made_.inner.push_back({made_.parts[k].cluster.front(), place[*holder[k]]});
+        Part& other = made_.parts[*holder[k]];
+        other.owns.insert(other.owns.end(), owns.begin(), owns.end());
+        const std::vector<PointId> loose = std::move(made_.parts[k].loose);
+        other.loose.insert(other.loose.end(), loose.begin(), loose.end());
+      }
+      keep_those(stays, made_.parts);
+      for (Part& part : made_.parts) std::sort(part.owns.begin(), part.owns.end());
+      std::sort(made_.inner.begin(), made_.inner.end(),
+                [](const InnerCluster& a, const InnerCluster& b) { return a.lowest < b.lowest; });
+    });
+    return stays;
+  }
+
+  template <class T>
+  static void keep_those(const std::vector<bool>& stays, std::vector<T>& list) {
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      if (!stays[k]) continue;
+      if (next != k) list[next] = std::move(list[k]);
+      ++next;
+    }
+    list.resize(next);
+  }
+
+  // On the stored numbers: each corner of each triangle in all halfspaces of the triangle's owner,
+  // and each loose point in those of its part.
+  void prove_coverage() {
+    constexpr std::uint32_t kNone = ~0u;
+    std::size_t loose = 0;
+    made_.owner.assign(made_.surface.triangles.size(), kNone);
+    for (std::uint32_t k = 0; k < made_.parts.size(); ++k) {
+      const Part& part = made_.parts[k];
+      const auto corners = points_of(made_.surface, part.owns);
+      const PointSet held = concatenated(subset(made_.surface.points, corners),
+                                         subset(made_.surface.unused, part.loose));
+      loose += part.loose.size();
+      const std::size_t outside = find_outside(part.halfspaces, held, request_.watch.stop).size();
+      if (outside > 0) {
+        throw Error(ErrorCode::Internal,
+                    fmt::format("{} points of a part lie outside of it", outside));
+      }
+      for (const TriangleId t : part.owns) {
+        if (made_.owner[t.index()] != kNone) {
+          throw Error(ErrorCode::Internal, "a triangle has two owners");
+        }
+        made_.owner[t.index()] = k;
+        ++made_.tested_triangles;
+      }
+    }
+    if (made_.tested_triangles != made_.surface.triangles.size()) {
+      throw Error(ErrorCode::Internal, "a triangle has no owner");
+    }
+    if (loose != made_.surface.unused.size()) {
+      throw Error(ErrorCode::Internal, "a loose point has no part");
+    }
+  }
+
+  const DecomposeRequest& request_;
+  StageLog& log_;
+  Decomposition made_;
+  std::optional<ExactConcavity> concavity_;
+  std::vector<HulledCluster> clusters_;
+};
+
+}  // namespace
+
+std::vector<std::span<const TriangleId>> Decomposition::clusters() const {
+  std::vector<std::span<const TriangleId>> list;
+  if (const auto* clustering = std::get_if<Clustering>(&origin)) {
+    for (const auto& triangles : clustering->clusters) list.emplace_back(triangles);
+  } else {
+    for (const SplitLeaf& leaf : std::get<SplitTree>(origin).leaves) {
+      list.emplace_back(leaf.triangles);
+    }
+  }
+  return list;
+}
+
+DecomposeOutcome decompose(const Mesh& mesh, const DecomposeRequest& request) {
+  require_sensible(request);
+  if (mesh.polygons.empty()) {
+    throw Error(ErrorCode::NoInterior, "the input has no faces, so there is no surface");
+  }
+  StageLog log(request.watch);
+  Surface surface = log.run("surface", [&] {
+    return make_surface(mesh, {.orient = request.orient}, log.watch("surface"));
+  });
+  if (request.loose == LoosePoints::Refuse && surface.unused.size() > 0) {
+    throw Error(ErrorCode::InvalidArgument,
+                counted(surface.unused.size(), "point is", "points are") +
+                    " used by no face: let each go to the nearest part, or leave them out");
+  }
+  if (request.flat == FlatParts::Thicken || request.flat == FlatParts::Keep) {
+    log.skip("flat input", "flat parts are thickened or kept");
+  } else {
+    auto flat = log.run("flat input", [&] { return find_flat(mesh, log.watch("flat input")); });
+    if (flat) return NotSolid(std::move(*flat));
+  }
+  return Decomposer(request, log).run(std::move(surface));
+}
+
+}  // namespace convexact

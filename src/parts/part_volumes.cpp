@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "parts/part_volumes.hpp"
+
+#include <algorithm>
+
+#include "convexact/measure.hpp"
+#include "number/precision.hpp"
+
+namespace convexact {
+namespace {
+
+Measured combine(const Measured& a, int sign, const Measured& b) {
+  std::optional<Rational> exact;
+  if (a.exact && b.exact) exact = *a.exact + Rational(sign) * *b.exact;
+  if (exact) return {Enclosure(*exact, kMeasureBits), exact};
+  return {sign > 0 ? a.bounds + b.bounds : a.bounds - b.bounds, std::nullopt};
+}
+
+Measured volume_of_parts(const std::vector<ConvexPart>& parts, bool exact) {
+  Measured total{Enclosure(kMeasureBits), exact ? std::optional<Rational>(0) : std::nullopt};
+  for (const ConvexPart& part : parts) {
+    if (!part.solid) continue;
+    Measured own{enclose_volume(*part.solid, kMeasureBits), std::nullopt};
+    if (exact) own.exact = volume(*part.solid);
+    total = combine(total, 1, own);
+  }
+  return total;
+}
+
+}  // namespace
+
+DecompositionMeasures measure_volumes(const Surface& surface, const std::vector<ConvexPart>& parts,
+                                      PartMeasures wanted, bool exact, StageLog& log) {
+  DecompositionMeasures found;
+  if (wanted == PartMeasures::All) {
+    found.union_volume = log.run("union's volume", [&] {
+      return union_volume(parts, kMeasureBits, exact, log.watch("union's volume"));
+    });
+    found.overlap_volume = combine(volume_of_parts(parts, exact), -1, *found.union_volume);
+    const auto solids = std::count_if(
+        parts.begin(), parts.end(), [](const ConvexPart& part) { return part.solid.has_value(); });
+    if (solids < 2) found.overlap_volume->bounds = Enclosure(kMeasureBits);  // 0
+  } else {
+    log.skip("union's volume", "not requested");
+  }
+  if (!surface.is_closed) {
+    log.skip("solid's volumes", "the faces of the input do not close");
+    return found;
+  }
+  log.run("solid's volumes", [&] {
+    const Watch watch = log.watch("solid's volumes");
+    found.solid_volume = solid_volume(surface, kMeasureBits, exact, watch);
+    found.uncovered_volume =
+        uncovered_volume(surface, Winding(surface), parts, kMeasureBits, exact, watch);
+  });
+  if (found.union_volume) {
+    found.excess_volume =
+        combine(combine(*found.union_volume, -1, *found.solid_volume), 1, *found.uncovered_volume);
+  }
+  return found;
+}
+
+}  // namespace convexact

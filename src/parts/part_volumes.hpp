@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// part_volumes.hpp - the volumes of a surface's solid and of convex parts laid over it.
+#pragma once
+#include <vector>
+
+#include "convexact/decompose.hpp"
+#include "solid/stage_log.hpp"
+
+namespace convexact {
+
+/// Solid, uncovered and excess volume only of a closed surface.
+/// @param wanted  Not None.
+/// @param exact   Fractions, too.
+[[nodiscard]] DecompositionMeasures measure_volumes(const Surface& surface,
+                                                    const std::vector<ConvexPart>& parts,
+                                                    PartMeasures wanted, bool exact, StageLog& log);
+
+}  // namespace convexact

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// The summary of a decomposition for people.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "number/precision.hpp"
+#include "number/text.hpp"
+#include "simplify/run_names.hpp"
+#include "wire/decompose_report.hpp"
+#include "wire/surface_report.hpp"
+#include "wire/tie_report.hpp"
+
+namespace convexact {
+namespace {
+
+std::string percent_text(const Rational& percent) { return to_decimal(percent, 6) + "%"; }
+
+// A share with its length, or the other way round.
+std::string limit_text(const ConcavityLimit& limit, const Decomposition& decomposition) {
+  const Enclosure length = enclosed_root_of(decomposition.squared_limit());
+  if (limit.is_share) {
+    return fmt::format("{} of the diameter, a length of {}", percent_text(limit.value * 100),
+                       interval_text(length));
+  }
+  return fmt::format("a length of {}, {} of the diameter", to_decimal(limit.value, 6),
+                     percent_text(percent_of(length, decomposition.squared_diameter())));
+}
+
+// Why some cluster is beyond the limit.
+std::string cause_text(const Decomposition& decomposition, const DecomposeRequest& request) {
+  std::vector<std::string> causes;
+  if (const auto* clustering = std::get_if<Clustering>(&decomposition.origin)) {
+    const std::size_t beyond = merges_beyond(*clustering);
+    if (beyond > 0 && request.max_parts) {
+      causes.push_back(fmt::format("--max-parts {} asked for {} beyond it", *request.max_parts,
+                                   counted(beyond, "merge", "merges")));
+    }
+  } else {
+    const auto& tree = std::get<SplitTree>(decomposition.origin);
+    if (tree.stopped_by_count && request.max_parts) {
+      causes.push_back(fmt::format("--max-parts {} allows no more splits", *request.max_parts));
+    }
+    if (const std::size_t stuck = count_leaves(tree, LeafStatus::Unsplittable)) {
+      causes.push_back(counted(stuck, "part", "parts") +
+                       " cannot be split: each plane at the deepest notch leaves all on one side");
+    }
+  }
+  if (!decomposition.flat_merged.empty()) {
+    causes.push_back(
+        fmt::format("{} joined a neighbour",
+                    counted(decomposition.flat_merged.size(), "flat cluster", "flat clusters")));
+  }
+  return fmt::format("{}", fmt::join(causes, "; "));
+}
+
+std::string limit_line(const Decomposition& decomposition, const DecomposeRequest& request) {
+  const std::string limit = limit_text(request.limit, decomposition);
+  if (decomposition.limit_holds) {
+    return summary_line("limit", "holds: no cluster is more concave than " + limit);
+  }
+  const auto beyond = static_cast<std::size_t>(
+      std::count_if(decomposition.parts.begin(), decomposition.parts.end(),
+                    [](const Part& part) { return !part.is_within_limit; }));
+  return summary_line("limit", fmt::format("not held: {} of {} {} more concave than {}", beyond,
+                                           counted(decomposition.parts.size(), "part", "parts"),
+                                           beyond == 1 ? "is" : "are", limit)) +
+         summary_line("", cause_text(decomposition, request));
+}
+
+std::string parts_line(const std::vector<Part>& parts) {
+  std::size_t facets = 0, corners = 0;
+  for (const Part& part : parts) {
+    facets = std::max(facets, part.faces);
+    corners = std::max(corners, part.mesh.points.size());
+  }
+  return summary_line(
+      "parts",
+      fmt::format("{}, of at most {} and {}", with_separators(parts.size()),
+                  counted(facets, "facet", "facets"), counted(corners, "corner", "corners")));
+}
+
+std::string concavity_line(const Decomposition& decomposition, std::span<const std::string> names) {
+  const auto& parts = decomposition.parts;
+  const auto worst = std::max_element(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+    return a.concavity.squared < b.concavity.squared;
+  });
+  if (worst == parts.end()) return "";
+  if (worst->concavity.squared == 0) return summary_line("concavity", "0 in every part");
+  const Enclosure length = enclosed_root_of(worst->concavity.squared);
+  return summary_line(
+      "concavity",
+      fmt::format("at most {} ({} of the diameter), in {} at triangle {}", interval_text(length),
+                  percent_text(percent_of(length, decomposition.squared_diameter())),
+                  names[static_cast<std::size_t>(worst - parts.begin())],
+                  worst->concavity.triangle.value));
+}
+
+std::string merges_line(const Clustering& clustering) {
+  std::string text = with_separators(clustering.merges.size()) + " of two neighbours";
+  if (clustering.whole_groups > 0) {
+    text += fmt::format("; {} within the limit as a whole, without merges",
+                        counted(clustering.whole_groups, "component", "components"));
+  }
+  const TieTally ties = ties_of(clustering);
+  if (const std::size_t tied = tie_count(ties)) {
+    text += fmt::format("; in {} several pairs cost the same ({}), and the first goes",
+                        with_separators(tied), tie_proofs_text(ties));
+  }
+  return summary_line("merges", text);
+}
+
+std::string splits_line(const SplitTree& tree) {
+  std::string text = with_separators(tree.splits.size()) + " by planes through the deepest notch";
+  if (tree.roots > 1) text += fmt::format(", from {} components", with_separators(tree.roots));
+  if (const std::size_t islands = island_count(tree)) {
+    text += fmt::format("; {} went along as islands", counted(islands, "triangle", "triangles"));
+  }
+  return summary_line("splits", text);
+}
+
+// The volumes are of the stored parts. That the surface is covered says nothing about them.
+std::string measures_lines(const DecompositionMeasures& measures) {
+  std::string text;
+  if (measures.solid_volume) {
+    const Enclosure& solid = measures.solid_volume->bounds;
+    text += summary_line("uncovered",
+                         fmt::format("volume {} of {}{} of the solid is in no part",
+                                     interval_text(*measures.uncovered_volume),
+                                     interval_text(*measures.solid_volume),
+                                     share_text(measures.uncovered_volume->bounds, solid)));
+    if (measures.excess_volume) {
+      text +=
+          summary_line("excess", fmt::format("volume {}{} of the parts is outside of the solid",
+                                             interval_text(*measures.excess_volume),
+                                             share_text(measures.excess_volume->bounds, solid)));
+    }
+  }
+  if (!measures.union_volume) return text;
+  return text + summary_line("union", fmt::format("volume {}; the parts overlap by {}",
+                                                  interval_text(*measures.union_volume),
+                                                  interval_text(*measures.overlap_volume)));
+}
+
+std::string left_out_line(const Decomposition& decomposition, PartMeasures wanted) {
+  if (wanted == PartMeasures::All) return "";
+  if (!decomposition.surface.is_closed) {
+    return summary_line("left out", "volume and overlap of the parts: --measures all");
+  }
+  return wanted == PartMeasures::Uncovered
+             ? summary_line("left out",
+                            "excess, and volume and overlap of the parts: --measures all")
+             : summary_line("left out", "all volumes: --measures uncovered, --measures all");
+}
+
+std::string stored_line(const Decomposition& decomposition, Precision precision) {
+  const auto count = [&](PartForm form) {
+    return static_cast<std::size_t>(
+        std::count_if(decomposition.parts.begin(), decomposition.parts.end(),
+                      [&](const Part& part) { return part.form == form; }));
+  };
+  constexpr std::pair<PartForm, const char*> kSaid[] = {
+      {PartForm::Hull, "with corners of the input, bit by bit"},
+      {PartForm::Rounded, "rounded outward"},
+      {PartForm::Simplified, "simplified"},
+      {PartForm::Thickened, "flat, and thickened"},
+      {PartForm::Flat, "flat, and left so"}};
+  std::vector<std::string> forms;
+  for (const auto& [form, said] : kSaid) {
+    if (const std::size_t parts = count(form)) {
+      forms.push_back(fmt::format("{} {}", with_separators(parts), said));
+    }
+  }
+  return summary_line("stored", fmt::format("in {}: {}", name_in(kPrecisionNames, precision),
+                                            fmt::join(forms, ", ")));
+}
+
+// The changes to the surface, and its properties that may be unexpected.
+std::string surface_notes(const Surface& surface) {
+  std::size_t turned = 0, reversed = 0;
+  for (const SurfaceComponent& component : surface.components) {
+    turned += component.turned;
+    reversed += component.is_reversed ? 1 : 0;
+  }
+  std::string text;
+  const auto note = [&](std::size_t count, const char* one, const char* many,
+                        const std::string& what) {
+    if (count > 0) text += summary_line("note", counted(count, one, many) + what);
+  };
+  note(turned, "triangle was", "triangles were", " turned; --orient keep turns none");
+  note(reversed, "component was", "components were", " inside out");
+  note(surface.contradictions, "edge joins", "edges join",
+       " triangles that cannot both look outward");
+  note(surface.fans.size(), "face is", "faces are", " not planar: cut as a fan of triangles");
+  note(surface.flat_triangles, "triangle has", "triangles have", " no area");
+  note(surface.unused.size(), "point is", "points are",
+       " used by no face, and held by the nearest part; --points used leaves such points out");
+  return text;
+}
+
+}  // namespace
+
+std::string summary(const Decomposition& decomposition, const DecomposeRequest& request,
+                    std::span<const std::string> names) {
+  std::string text = summary_line("input", surface_text(decomposition.surface));
+  text += surface_notes(decomposition.surface);
+  text += parts_line(decomposition.parts);
+  if (const std::size_t inner = decomposition.inner.size()) {
+    text += summary_line("", counted(inner, "cluster", "clusters") +
+                                 " inside of other parts left out; --keep-inner keeps such parts");
+  }
+  text += concavity_line(decomposition, names) + limit_line(decomposition, request);
+  if (const auto* clustering = std::get_if<Clustering>(&decomposition.origin)) {
+    text += merges_line(*clustering);
+  } else {
+    text += splits_line(std::get<SplitTree>(decomposition.origin));
+  }
+  text += summary_line(
+      "covers", fmt::format("surface: each of {} lies in the part that owns it, tested exactly",
+                            counted(decomposition.tested_triangles, "triangle", "triangles")));
+  if (decomposition.measures) text += measures_lines(*decomposition.measures);
+  text += left_out_line(decomposition, request.measures);
+  return text + stored_line(decomposition, request.precision);
+}
+
+}  // namespace convexact

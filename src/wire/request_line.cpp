@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "wire/request_line.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "io/json.hpp"
+#include "io/json_text.hpp"
+#include "wire/json_mesh.hpp"
+#include "wire/stage_report.hpp"
+
+namespace convexact {
+
+using nlohmann::json;
+
+void reject_request(const std::string& expected) {
+  throw Error(ErrorCode::Malformed, "expected " + expected);
+}
+
+void require_known_keys(const json& object, std::initializer_list<const char*> known,
+                        const char* what) {
+  if (!object.is_object()) reject_request(std::string(what) + " as an object");
+  for (const auto& [key, value] : object.items()) {
+    if (std::find(known.begin(), known.end(), key) == known.end()) {
+      reject_request(std::string("only known keys in ") + what + ", found '" + key + "'");
+    }
+  }
+}
+
+std::optional<std::size_t> count_in(const json& request, const char* key) {
+  if (!request.contains(key)) return std::nullopt;
+  if (!request[key].is_number_unsigned()) reject_request(std::string(key) + " as a count");
+  return request[key].get<std::size_t>();
+}
+
+std::optional<bool> flag_in(const json& request, const char* key) {
+  if (!request.contains(key)) return std::nullopt;
+  if (!request[key].is_boolean()) reject_request(std::string(key) + " as true or false");
+  return request[key].get<bool>();
+}
+
+std::optional<std::string> word_in(const json& request, const char* key) {
+  if (!request.contains(key)) return std::nullopt;
+  if (!request[key].is_string()) reject_request(std::string(key) + " as a string");
+  return request[key].get<std::string>();
+}
+
+std::string_view number_text(const json& value) {
+  const std::string_view text = spelling_of(value);
+  if (text.empty()) reject_request("a number, or a string that holds one");
+  return text;
+}
+
+Decimal decimal_of(const json& request) {
+  const json name = request.value("decimal", json("nearest"));
+  if (name != "nearest" && name != "exact") reject_request("decimal as nearest or exact");
+  const json numbers = request.value("numbers", json("binary64"));
+  if (numbers != "binary64" && numbers != "binary32") {
+    reject_request("numbers as binary64 or binary32");
+  }
+  if (numbers == "binary64") return name == "exact" ? Decimal::Exact : Decimal::Nearest;
+  if (name == "exact") reject_request("decimals as nearest with numbers in binary32");
+  return Decimal::Nearest32;
+}
+
+PointSet points_of_request(const json& request, Decimal decimal) {
+  return points_of_json(request["points"], "point",
+                        [&](const json& x) { return coordinate_of_json(x, decimal); });
+}
+
+std::optional<double> time_limit_of(const json& request, std::optional<double> limit) {
+  constexpr double kLongest = 1e6;
+  if (!request.contains("time_limit")) return limit;
+  const json& seconds = request["time_limit"];
+  if (!seconds.is_number() || !(seconds > 0) || seconds > kLongest) {
+    reject_request("time_limit as a number of seconds, more than 0 and at most a million");
+  }
+  return std::min(seconds.get<double>(), limit.value_or(kLongest));
+}
+
+Json not_solid_answer(const NotSolid& reason) {
+  Json error = error_json(Error(ErrorCode::NoInterior, describe(reason)));
+  error["proof"] = proof_json(reason);
+  return {{"error", error}};
+}
+
+namespace {
+
+// The id of a request as it goes into the answer: a number as spelled, and empty if there is none.
+std::string id_text(const json& request) {
+  if (!request.is_object() || !request.contains("id")) return {};
+  const json& id = request["id"];
+  if (id.is_structured()) return {};
+  return id.is_binary() ? std::string(spelling_of(id)) : dump_json(id);
+}
+
+std::string with_id(const json& request, const std::string& body) {
+  const std::string id = id_text(request);
+  return id.empty() ? body : "{\"id\":" + id + "," + body.substr(1);
+}
+
+// Invalid UTF-8 in a message is replaced, so that a line is always JSON.
+std::string failure_text(const Error& error) {
+  return write_json(Json{{"error", error_json(error)}});
+}
+
+void require_simple_id(const json& request) {
+  if (request.is_object() && request.contains("id") && request["id"].is_structured()) {
+    reject_request("an id that is a number, a string, true, false or null");
+  }
+}
+
+}  // namespace
+
+std::string answer_line(std::string_view line, std::initializer_list<std::string_view> spelled,
+                        const std::function<std::string(const json& request)>& answer) {
+  JsonDocument reader(spelled);
+  try {
+    parse_json_events(line, reader);
+  } catch (const Error& error) {
+    return with_id(
+        reader.document,
+        failure_text(Error(error.code(), std::string("not a request: ") + error.what())));
+  }
+  try {
+    require_simple_id(reader.document);
+    return with_id(reader.document, answer(reader.document));
+  } catch (const Error& error) {
+    return with_id(reader.document, failure_text(error));
+  }
+}
+
+}  // namespace convexact
