@@ -65,14 +65,13 @@ struct ProgramRun {
 [[nodiscard]] std::vector<std::string> fill_in(const std::vector<std::string>& words,
                                                const std::map<std::string, std::string>& values);
 
-struct Promise {
+struct Promise : Budgets {
   Asks asks = Asks::Simplify;
   /// The number format of inputs and outputs. Inputs are rounded to it before they are written; a
   /// decimal in an output means the nearest number of the format.
   Precision numbers = Precision::Binary64;
   Tolerance tolerance = {};  ///< Violations up to this distance pass.
   bool allow_flat = false;   ///< Inputs without volume may be accepted.
-  std::optional<std::size_t> max_facets = {}, max_vertices = {}, max_facet_vertices = {};
 };
 
 /// What a promise asks of an output. A simplification to no known number of facets is an enclosure.
@@ -108,9 +107,8 @@ struct SimplifyQuestion {
 };
 
 /// The question: which claims hold of a candidate?
-struct VerifyQuestion {
+struct VerifyQuestion : Budgets {
   Candidate candidate;
-  std::optional<std::size_t> max_facets, max_vertices, max_facet_vertices;
   std::vector<std::pair<ClaimCode, Status>> claims;  ///< Those whose status is known.
   struct Outside {
     std::size_t points;

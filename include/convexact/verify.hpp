@@ -212,14 +212,18 @@ enum class Asks {
 /// "enclosure" and the like.
 [[nodiscard]] const char* name_of(Asks asks);
 
-struct VerifyRequest {
+/// Counts that a solid must not exceed; each one given is a claim.
+struct Budgets {
+  std::optional<std::size_t> max_facets = {}, max_vertices = {}, max_facet_vertices = {};
+};
+
+struct VerifyRequest : Budgets {
   /// The claims to decide; a budget is asked for by its number. Empty: all. Claims listed here and
   /// budgets must apply to the candidate for the verdict to hold.
   std::vector<ClaimCode> claims = {};
   /// Violations of planarity and convexity up to this distance from a plane, and of containment up
   /// to this distance from the candidate, pass; they are still reported.
   Tolerance tolerance = {};
-  std::optional<std::size_t> max_facets = {}, max_vertices = {}, max_facet_vertices = {};
   /// Whether `max_facets` is for the facets of a mesh as they are, not as they were meant.
   bool exact_facets = false;
   Asks asks = Asks::Enclosure;  ///< Which claims are the usual ones.

@@ -15,7 +15,8 @@
 
 namespace convexact {
 
-struct PartsRequest {
+/// The budgets are those of each part.
+struct PartsRequest : Budgets {
   /// The claims to decide; a budget is asked for by its number. Empty: all but covers-solid,
   /// parts-disjoint and parts-needed; tree-nested if there is a tree. Claims listed here must apply
   /// for the verdict to hold.
@@ -24,8 +25,6 @@ struct PartsRequest {
   /// (covers-points, covers-surface), that pass. Relative ones refer to the input's diameter.
   Tolerance tolerance = {};
   std::optional<std::size_t> max_parts = {};
-  /// Of each part.
-  std::optional<std::size_t> max_facets = {}, max_vertices = {}, max_facet_vertices = {};
   /// Which points of an input with faces covers-points asks about.
   MeshPoints points = MeshPoints::All;
   bool exact_facets = false;     ///< As VerifyRequest::exact_facets.

@@ -46,10 +46,7 @@ struct BvhArguments {
   GlobalOptions global;
   std::string input, from, output, picture;
   SceneOptions scene;
-  DecomposeMethod method = DecomposeMethod::Hacd;
-  std::string concavity = "3%";
-  std::optional<std::size_t> max_parts;
-  LoosePoints loose = LoosePoints::Part;
+  DecomposeRequest decomposition;
   JoinBy join = JoinBy::Method;
   TreeRequest tree;
 };
@@ -64,11 +61,7 @@ struct TreeParts {
 
 std::variant<TreeParts, NotSolid> decomposed_parts(const Mesh& mesh, const std::string& name,
                                                    const BvhArguments& options, StageLog& log) {
-  DecomposeRequest request;
-  request.method = options.method;
-  request.limit = parse_concavity("--concavity", options.concavity);
-  request.max_parts = options.max_parts;
-  request.loose = options.loose;
+  DecomposeRequest request = options.decomposition;
   request.faces = options.tree.leaf_faces;
   request.precision = options.tree.precision;
   request.measures = PartMeasures::None;
@@ -82,7 +75,7 @@ std::variant<TreeParts, NotSolid> decomposed_parts(const Mesh& mesh, const std::
   TreeParts made{.parts = {},
                  .joins = {},
                  .surface = {},
-                 .origin = {name, options.method, decomposition.surface.points.is_binary(), 0}};
+                 .origin = {name, request.method, decomposition.surface.points.is_binary(), 0}};
   if (options.join == JoinBy::Method) made.joins = joins_of(decomposition);
   const PartNames names("part_%03d");
   for (Part& part : decomposition.parts) {
@@ -204,19 +197,10 @@ void add_bvh_command(Command& program, int& exit_code) {
       "--from", options->from,
       "parts to build on, instead of decomposing INPUT: objects of an OBJ, a folder of meshes, or "
       "JSON with \"parts\"");
-  add_choice(command, "--method", options->method, kDecomposeMethodNames,
-             "for the decomposition: hacd merges triangles, acd splits at notches")
-      ->excludes(from);
-  command
-      .add_option("--concavity", options->concavity,
-                  "for the decomposition: how deep a cluster may lie in its hull: a share of the "
-                  "diameter, 3% or 0.03d, or a length, 0.05")
-      ->capture_default_str()
-      ->excludes(from);
-  add_count(command, "--max-parts", options->max_parts, {1},
-            "for the decomposition: at least 1; may lead beyond the concavity allowed")
-      ->excludes(from);
-  add_loose_option(command, options->loose);
+  for (const BoundField& field : bound_fields(decompose_fields(), options->decomposition,
+                                              {"method", "concavity", "max_parts", "loose"})) {
+    add_field(command, field)->excludes(from);
+  }
   add_choice(
       command, "--join", options->join, kJoinByNames,
       "how to join parts: by the splits or the next merges of the method, or by the least volume "

@@ -196,10 +196,7 @@ void add_conform_command(Command& program, int& exit_code) {
   command.add_option("--keep-failing", options->keep_failing,
                      "a new folder for the input, the output and the verdict of each failure, and "
                      "the command that shrinks it");
-  add_asks_option(command, options->promise.asks, "simplify with {faces}, else enclosure");
-  command.add_flag("--allow-flat", options->promise.allow_flat,
-                   "accepting points without volume is not a failure");
-  add_promise_options(command, options->promise);
+  add_promise_options(command, options->promise, "simplify with {faces}, else enclosure", true);
   add_count(command, "--jobs", options->run.jobs, {1, 256}, "how many vectors at the same time");
   add_seconds(command, "--time-limit", options->run.limits.seconds, "time for each vector");
   add_seconds(command, "--judge-time-limit", options->run.judge_seconds,

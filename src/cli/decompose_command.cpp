@@ -10,7 +10,6 @@
 #include "convexact/decompose.hpp"
 #include "io/json.hpp"
 #include "scene/objects.hpp"
-#include "simplify/run_names.hpp"
 #include "wire/decompose_options.hpp"
 #include "wire/decompose_report.hpp"
 #include "wire/decompose_request.hpp"
@@ -49,7 +48,6 @@ struct DecomposeArguments {
   SceneOptions scene;
   DecomposeFiles files;
   DecomposeRequest request;
-  std::string concavity = "3%", coplanar = "0.99";  // of the request, as text
   MeasuresOptions measures;
   StdioOptions stdio;
 };
@@ -63,8 +61,6 @@ DecomposeRequest decompose_request(const DecomposeArguments& options) {
   request.measures =
       options.measures.to_print(options.global.json || options.files.have_document());
   request.exact_volumes = options.measures.exact_volumes;
-  request.limit = parse_concavity("--concavity", options.concavity);
-  request.coplanar = parse_cosine("--coplanar", options.coplanar);
   request.for_trace = !options.files.trace.empty();
   request.for_tree = !options.files.tree.empty();
   request.every_merge = options.global.json || options.files.show_merges();
@@ -159,33 +155,6 @@ int run_decompose(const DecomposeArguments& options) {
   return 0;
 }
 
-// Where the clusters come from, and how many there are.
-void add_cluster_options(Command& command, DecomposeArguments& options) {
-  add_choice(
-      command, "--method", options.request.method, kDecomposeMethodNames,
-      "hacd merges neighbouring triangles, then clusters, by concavity and shape; acd splits "
-      "the most concave part at its deepest notch, again and again");
-  command
-      .add_option("--concavity", options.concavity,
-                  "how deep a cluster may lie in its hull: a share of the diameter, 3% or 0.03d, "
-                  "or a length, 0.05")
-      ->capture_default_str();
-  add_count(command, "--max-parts", options.request.max_parts, {1},
-            "at least 1: hacd keeps merging beyond the concavity allowed until this many parts are "
-            "left; acd stops splitting at this many");
-  add_choice(command, "--measure", options.request.measure, kConcavityMeasureNames,
-             "hacd only: concavity at every point of the triangles, or at their corners only, as "
-             "published, which sees no notch whose corners all lie on the hull");
-  add_choice(command, "--bridge", options.request.bridge, kBridgeChoiceNames,
-             "acd only: concavity is the distance to a bridge, facets of the hull over the nearest "
-             "path; to the farther of its bridges, to that of the whole region, or to the nearer");
-  command
-      .add_option("--coplanar", options.coplanar,
-                  "acd only: facets are one bridge where the cosine of the angle between their "
-                  "normals is larger; above 0, at most 1")
-      ->capture_default_str();
-}
-
 }  // namespace
 
 void add_decompose_command(Command& program, int& exit_code) {
@@ -196,29 +165,8 @@ void add_decompose_command(Command& program, int& exit_code) {
   command.add_option("INPUT", options->input,
                      "a mesh (OBJ, OFF, PLY, STL), or halfspaces (JSON, .ine, rows); - is standard "
                      "input");
-  add_cluster_options(command, *options);
-  add_faces(command, options->request.faces,
-            "how many halfspaces to keep of each part, at least 4");
-  add_count(command, "--total-faces", options->request.total_faces, {4, std::uint64_t(1) << 32},
-            "how many halfspaces to keep in all parts together, at least 4 for each");
-  add_choice(command, "--flat", options->request.flat, kFlatPartsNames,
-             "how to treat clusters in a plane: thicken them, keep polygons, or merge them with a "
-             "neighbour; auto thickens, and refuses an input that is entirely flat");
-  command.add_flag("--keep-inner", options->request.keep_inner,
-                   "keep parts that lie in another part");
-  add_choice(command, "--connect", options->request.connect, kConnectNames,
-             "neighbours have a common edge; or also edges that overlap; or also a common point of "
-             "two components");
-  add_choice(command, "--orient", options->request.orient, kOrientationNames,
-             "turn faces so that they bound the solid correctly, or keep them as they are");
-  add_loose_option(command, options->request.loose);
-  add_choice(command, "--engine", options->request.engine, kEngineNames,
-             "hacd only: rationals everywhere; the same parts, faster; or doubles that choose, the "
-             "parts still proven");
+  add_fields(command, bound_fields(decompose_fields(), options->request));
   add_decompose_files(command, options->files);
-  add_choice<Precision>(command, "--precision", options->request.precision,
-                        {{"64", Precision::Binary64}, {"32", Precision::Binary32}},
-                        "the numbers of the parts: binary64, or rounded outward to binary32");
   add_measures_options(command, options->measures, "");
   add_scene_options(command, options->scene);
   add_stdio_options(command, options->stdio, "one decomposition");

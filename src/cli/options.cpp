@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <utility>
 
 namespace convexact::cli {
@@ -79,18 +78,6 @@ std::uint64_t parse_bytes(const std::string& option, const std::string& text) {
 
 }  // namespace
 
-std::uint64_t parse_count(const std::string& option, const std::string& text,
-                          const CountRange& range) {
-  std::uint64_t count = 0;
-  // from_chars accepts neither blanks nor octal numbers, but it accepts a minus sign.
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (!is_digits(text) || failure != std::errc() || end != text.data() + text.size() ||
-      count < range.least || count > range.most) {
-    expected(option, fmt::format("a whole number from {} to {}", range.least, range.most), text);
-  }
-  return count;
-}
-
 double parse_decimal(const std::string& option, const std::string& text) {
   try {
     return nearest_double(text);
@@ -157,6 +144,47 @@ Option add_text(
   const std::string name = names.substr(names.rfind(',') + 1);
   return command.add_option_function(
       names, [name, take](const std::string& text) { take(name, text); }, meaning);
+}
+
+namespace {
+
+// The words of a choice in the help, the default with an asterisk.
+std::string marked(const FieldInfo& field, const std::string& present) {
+  std::string text;
+  for (const std::string& word : field.words) {
+    text += (text.empty() ? "" : "|") + word + (word == present ? "*" : "");
+  }
+  return text;
+}
+
+}  // namespace
+
+Option add_field(Command& command, const BoundField& field, const std::string& note) {
+  const auto& [info, read, present] = field;
+  const std::string option = option_of(*info);
+  const std::string names =
+      info->letter != 0 ? std::string("-") + info->letter + "," + option : option;
+  const std::string meaning = info->meaning + note;
+  switch (info->kind) {
+    case FieldKind::Flag:
+      return command.add_flag_function(
+          names, [read = read, option] { read(option, "true"); }, meaning);
+    case FieldKind::Count: {
+      const auto usual = present.empty() ? std::nullopt : std::optional(std::stoull(present));
+      return add_count(
+          command, names, info->range, meaning, usual,
+          [read = read, option](std::uint64_t count) { read(option, std::to_string(count)); });
+    }
+    case FieldKind::Choice:
+      return add_text(
+                 command, names, meaning + (present.empty() ? "" : " (* is the default)"),
+                 [read = read](const auto& name, const auto& text) { read(name, to_lower(text)); })
+          ->type_name(marked(*info, present));
+    case FieldKind::Text:
+      break;
+  }
+  Option added = add_text(command, names, meaning, read);
+  return present.empty() ? added : added->default_str(present);
 }
 
 Option add_count(Command& command, const std::string& names, const CountRange& range,

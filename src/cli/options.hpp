@@ -4,7 +4,6 @@
 #pragma once
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,21 +15,9 @@
 #include "convexact/point_set.hpp"
 #include "io/names.hpp"
 #include "number/text.hpp"
+#include "wire/field.hpp"
 
 namespace convexact::cli {
-
-/// Inclusive.
-struct CountRange {
-  std::uint64_t least = 0;
-  std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
-};
-
-/// A whole number as the command line spells it: decimal digits and nothing else, so `010` is ten.
-/// @param option  Its name, for the message.
-/// @throws Error InvalidArgument for a sign, a blank, a fraction, an exponent, and a number outside
-///               of the range, however long.
-[[nodiscard]] std::uint64_t parse_count(const std::string& option, const std::string& text,
-                                        const CountRange& range);
 
 /// Seconds: a decimal, more than 0 and at most a million. @throws Error InvalidArgument.
 [[nodiscard]] double parse_seconds(const std::string& option, const std::string& text);
@@ -77,6 +64,14 @@ template <class Value, std::size_t N>
     values.push_back(*value);
   }
   return values;
+}
+
+/// An option of a request, as its table says; an Error of its reader is wrong usage. The help shows
+/// the value that the request has now.
+/// @param note  Follows the meaning in the help.
+Option add_field(Command& command, const BoundField& field, const std::string& note = {});
+inline void add_fields(Command& command, const BoundFields& fields) {
+  for (const BoundField& field : fields) add_field(command, field);
 }
 
 /// An option whose text goes to `take`, with the option's name. An Error of `take` is wrong usage.

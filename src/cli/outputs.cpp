@@ -193,11 +193,6 @@ void add_points_option(Command& command, MeshPoints& points) {
              "without faces is its points");
 }
 
-void add_loose_option(Command& command, LoosePoints& loose) {
-  add_choice(command, "--loose", loose, kLoosePointsNames,
-             "points that no face uses go to the nearest part, or are refused");
-}
-
 void add_scene_options(Command& command, SceneOptions& options) {
   options.on_read = remember_input;
   command.add_flag("--parts", options.parts,

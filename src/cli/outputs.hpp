@@ -98,8 +98,6 @@ void add_output_options(Command& command, OutputOptions& options);
 void add_decimal_option(Command& command, Decimal& decimal);
 /// --points: which points of an input with faces count.
 void add_points_option(Command& command, MeshPoints& points);
-/// --loose: the treatment of points that no face uses, of a decomposition.
-void add_loose_option(Command& command, LoosePoints& loose);
 void add_scene_options(Command& command, SceneOptions& options);
 
 /// One object and the solid that encloses it.

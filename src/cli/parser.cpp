@@ -135,6 +135,10 @@ Option Command::add_option(const std::string& names, long& value, const std::str
 Option Command::add_flag(const std::string& names, bool& value, const std::string& meaning) {
   return Option(app_->add_flag(names, value, meaning));
 }
+Option Command::add_flag_function(const std::string& names, const std::function<void()>& take,
+                                  const std::string& meaning) {
+  return Option(app_->add_flag_callback(names, take, meaning));
+}
 Option Command::add_option_function(const std::string& names,
                                     const std::function<void(const std::string& text)>& take,
                                     const std::string& meaning) {

@@ -72,6 +72,8 @@ class Command {
                     const std::string& meaning);
   Option add_option(const std::string& names, long& value, const std::string& meaning);
   Option add_flag(const std::string& names, bool& value, const std::string& meaning);
+  Option add_flag_function(const std::string& names, const std::function<void()>& take,
+                           const std::string& meaning);
   /// An option whose text goes to `take`. An Error that it throws is wrong usage.
   Option add_option_function(const std::string& names,
                              const std::function<void(const std::string& text)>& take,

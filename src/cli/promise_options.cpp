@@ -3,7 +3,6 @@
 
 #include "cli/command.hpp"
 #include "convexact/io.hpp"
-#include "simplify/run_names.hpp"
 #include "wire/verdict_report.hpp"
 
 namespace convexact::cli {
@@ -18,11 +17,6 @@ Profile find_profile(const std::string& name) {
     if (error.code() != ErrorCode::Malformed) throw;
     throw error.in_file(*path);
   }
-}
-
-template <class Value>
-void override_by(Value& value, const auto& given) {
-  if (given) value = *given;
 }
 
 }  // namespace
@@ -53,57 +47,38 @@ Promise PromiseOptions::promise(Asks asks_by_default) const {
   Promise result;
   result.asks = asks_by_default;
   if (!profile.empty()) result = find_profile(profile).promise;
-  override_by(result.asks, asks);
-  override_by(result.numbers, numbers);
-  override_by(result.max_facets, max_facets);
-  override_by(result.max_vertices, max_vertices);
-  override_by(result.max_facet_vertices, max_facet_vertices);
-  if (!tolerance.empty()) result.tolerance = parse_tolerance(tolerance);
-  result.allow_flat = result.allow_flat || allow_flat;
+  given.apply_to(result, promise_fields());
   return result;
+}
+
+std::optional<Asks> PromiseOptions::asks() const {
+  if (!given.has("asks")) return std::nullopt;
+  Promise promise;
+  given.apply_to(promise, promise_fields());
+  return promise.asks;
 }
 
 std::vector<std::string> PromiseOptions::words() const {
   std::vector<std::string> words;
-  const auto add = [&](const char* option, const std::string& value) {
-    words.insert(words.end(), {option, value});
-  };
-  const auto add_count = [&](const char* option, const std::optional<std::size_t>& count) {
-    if (count) add(option, std::to_string(*count));
-  };
-  if (!profile.empty()) add("--profile", profile);
-  if (asks) add("--asks", name_of(*asks));
-  if (numbers) add("--numbers", name_in(kPrecisionNames, *numbers));
-  if (!tolerance.empty()) add("--tolerance", tolerance);
-  add_count("--max-facets", max_facets);
-  add_count("--max-vertices", max_vertices);
-  add_count("--max-facet-vertices", max_facet_vertices);
+  if (!profile.empty()) words = {"--profile", profile};
+  for (const auto& [field, text] : given.all()) {
+    if (field->kind != FieldKind::Flag) words.insert(words.end(), {option_of(*field), text});
+  }
   return words;
 }
 
-void add_promise_options(Command& command, PromiseOptions& options) {
-  command.add_option("--profile", options.profile,
-                     "the promises of a known engine, by its name: docs/conform.md has the list; "
-                     "other options override it");
-  command.add_option("--tolerance", options.tolerance,
-                     "let violations up to this distance pass: 1e-6, or 1e-9d of the diameter");
-  add_choice(
-      command, "--numbers", options.numbers, kPrecisionNames,
-      "the numbers of input and output are doubles, or each is rounded to the nearest binary32 "
-      "(default: binary64)");
-  add_count(
-      command, "--max-facets", options.max_facets, {},
-      "most facets; coplanar faces count as one, in a mesh also faces that only rounding bent");
-  add_count(command, "--max-vertices", options.max_vertices, {}, "most corners of the solid");
-  add_count(command, "--max-facet-vertices", options.max_facet_vertices, {},
-            "most corners of a facet");
-}
-
-void add_asks_option(Command& command, std::optional<Asks>& asks, const char* by_default) {
-  add_choice(command, "--asks", asks, kAsksNames,
-             std::string("what was to be written: an enclosure, the hull, a solid inside it, or an "
-                         "enclosure of so many facets (default: ") +
-                 by_default + ")");
+void add_promise_options(Command& command, PromiseOptions& options, const char* asks_by_default,
+                         bool may_be_flat) {
+  for (const BoundField& field : options.given.bound(promise_fields())) {
+    const std::string& name = field.info->name;
+    if (name == "allow_flat" && !may_be_flat) continue;
+    add_field(command, field,
+              name == "asks" ? std::string(" (default: ") + asks_by_default + ")" : "");
+    if (name != "asks") continue;
+    command.add_option("--profile", options.profile,
+                       "the promises of a known engine, by its name: docs/conform.md has the list; "
+                       "other options override it");
+  }
 }
 
 }  // namespace convexact::cli

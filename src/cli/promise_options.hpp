@@ -9,30 +9,31 @@
 #include "cli/parser.hpp"
 #include "convexact/conform.hpp"
 #include "convexact/verify.hpp"
+#include "wire/judge_fields.hpp"
 
 namespace convexact::cli {
 
 /// Options as they were given; missing ones come from the profile, or are as in Promise.
 struct PromiseOptions {
-  std::string profile, tolerance;
-  std::optional<Asks> asks;
-  std::optional<Precision> numbers;
-  bool allow_flat = false;
-  std::optional<std::size_t> max_facets, max_vertices, max_facet_vertices;
+  std::string profile;
+  GivenFields given;  ///< Of promise_fields().
 
   /// @param asks_by_default  Used if neither the options nor a profile says.
-  /// @throws Error InvalidArgument for an unknown profile or a malformed tolerance.
+  /// @throws Error InvalidArgument for an unknown profile.
   Promise promise(Asks asks_by_default) const;
-  /// The options that were given, as words of a command line.
+  /// The options with values that were given, as words of a command line.
   std::vector<std::string> words() const;
+  /// The value of --asks.
+  std::optional<Asks> asks() const;
   /// Whether somebody chose the question, by --asks or by a profile.
-  bool is_asked() const { return asks || !profile.empty(); }
+  bool is_asked() const { return given.has("asks") || !profile.empty(); }
 };
 
-/// --profile, --tolerance, --numbers and the three caps.
-void add_promise_options(Command& command, PromiseOptions& options);
-/// --asks. @param by_default  What it is without the option, for the help.
-void add_asks_option(Command& command, std::optional<Asks>& asks, const char* by_default);
+/// --asks, --profile, --tolerance, --numbers and the three caps.
+/// @param asks_by_default  What --asks is without the option, for the help.
+/// @param may_be_flat      Whether there is --allow-flat.
+void add_promise_options(Command& command, PromiseOptions& options, const char* asks_by_default,
+                         bool may_be_flat = false);
 
 /// The value of --claims: names, separated by commas.
 /// @throws Error InvalidArgument, listing the names, for any other word, even an empty one.

@@ -315,11 +315,10 @@ void add_shrink_command(Command& program, int& exit_code) {
       "--interesting", options->interesting,
       "in the place of PROGRAM: a command for the shell that ends with 0 for as long "
       "as an input is interesting; {input} in it, or its last word, is the input");
-  add_asks_option(command, options->promise.asks, "enclosure");
   add_points_option(command, options->points);
   command.add_option("--claims", options->claims,
                      "in the verdict, decide these claims only, separated by commas");
-  add_promise_options(command, options->promise);
+  add_promise_options(command, options->promise, "enclosure");
   command.add_flag("--allow-flat", options->allow_flat,
                    "allow an input with a volume to be reduced to one without");
   command

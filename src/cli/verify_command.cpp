@@ -57,7 +57,8 @@ struct VerifyArguments {
   Decimal decimal = Decimal::Nearest;
   MeshPoints points = MeshPoints::All;
   PromiseOptions promise;
-  bool exact_facets = false, no_tightness = false, parts = false, inner = false;
+  VerifyRequest request;  // what of it has options of its own
+  bool no_tightness = false, parts = false, inner = false;
   TraceOptions trace;
   UnionOptions of_union;
   StdioOptions stdio;
@@ -77,10 +78,10 @@ Decimal meaning_of_numbers(const Promise& promise, Decimal decimal) {
 Promise promise_of(const VerifyArguments& options) {
   Promise promise = options.promise.promise(Asks::Enclosure);
   if (options.inner) promise.asks = Asks::Inner;
-  if (options.promise.asks == Asks::Simplify && !promise.max_facets) {
+  if (options.promise.asks() == Asks::Simplify && !promise.max_facets) {
     throw Error(ErrorCode::InvalidArgument, "--asks simplify needs --max-facets");
   }
-  if (promise.asks != Asks::Inner || options.inner || options.promise.asks) return promise;
+  if (promise.asks != Asks::Inner || options.inner || options.promise.asks()) return promise;
   throw Error(ErrorCode::InvalidArgument,
               "--profile " + options.promise.profile +
                   ": this program writes inner solids, which do not contain their input: add "
@@ -90,8 +91,8 @@ Promise promise_of(const VerifyArguments& options) {
 VerifyRequest verify_request(const VerifyArguments& options, const Promise& promise) {
   VerifyRequest request = request_of(promise);
   if (options.claims) request.claims = parse_claims(*options.claims);
-  request.exact_facets = options.exact_facets;
-  if (options.exact_facets && !request.max_facets) {
+  request.exact_facets = options.request.exact_facets;
+  if (request.exact_facets && !request.max_facets) {
     throw Error(ErrorCode::InvalidArgument, "--exact-facets needs --max-facets");
   }
   request.tightness = !options.no_tightness;
@@ -240,7 +241,7 @@ Mode mode_of(const VerifyArguments& options) {
 // Options that say nothing in some mode are refused there. Of several, the first sentence is told.
 void require_meaning(const VerifyArguments& options, Mode mode) {
   using enum Mode;
-  const bool asks_inner = options.inner || options.promise.asks == Asks::Inner;
+  const bool asks_inner = options.inner || options.promise.asks() == Asks::Inner;
   const std::string of_union = options.of_union.foreign_to_one_solid();
   const std::vector<std::string> claims = words_of(options.claims.value_or(""));
   const struct {
@@ -249,10 +250,10 @@ void require_meaning(const VerifyArguments& options, Mode mode) {
     std::string sentence;
   } rules[] = {
       {options.parts, {Order}, "--parts: a trace describes one object"},
-      {options.inner && options.promise.asks.value_or(Asks::Inner) != Asks::Inner,
+      {options.inner && options.promise.asks().value_or(Asks::Inner) != Asks::Inner,
        {Candidate, EachPart, Union, Order},
        "--inner is --asks inner: name one question"},
-      {options.promise.asks.has_value(), {Order}, "--asks: a trace is judged step by step"},
+      {options.promise.given.has("asks"), {Order}, "--asks: a trace is judged step by step"},
       {asks_inner, {Order}, "--inner judges one CANDIDATE: no --trace, no --parts"},
       {asks_inner && options.parts,
        {EachPart, Union},
@@ -261,7 +262,7 @@ void require_meaning(const VerifyArguments& options, Mode mode) {
        {Union},
        "--parts judges parts one by one and --union all together: name one of them"},
       {options.inner, {Union}, "--inner judges one CANDIDATE, not a union of parts"},
-      {options.promise.asks.has_value(),
+      {options.promise.given.has("asks"),
        {Union},
        "--asks judges one CANDIDATE, not a union of parts"},
       {options.of_union.is_asked || !of_union.empty(),
@@ -328,10 +329,8 @@ void add_verify_command(Command& program, int& exit_code) {
   command.add_flag("--parts", options->parts,
                    "judge each object of INPUT by the object of CANDIDATE with its name, and "
                    "whether the faces of INPUT lie in the solids of their parts: claim no-gaps");
-  add_asks_option(command, options->promise.asks, "as the profile says, else enclosure");
-  add_promise_options(command, options->promise);
-  command.add_flag("--exact-facets", options->exact_facets,
-                   "let --max-facets merge exactly coplanar faces only");
+  add_promise_options(command, options->promise, "as the profile says, else enclosure");
+  add_fields(command, bound_fields(verify_fields(), options->request, {"exact_facets"}));
   command.add_flag("--inner", options->inner,
                    "judge an inner solid: whether it lies in the hull of INPUT, not around it (as "
                    "--asks inner)");

@@ -11,7 +11,6 @@
 #include "pages/parts_picture.hpp"
 #include "scene/objects.hpp"
 #include "solid/stage_log.hpp"
-#include "wire/decompose_options.hpp"
 #include "wire/decompose_report.hpp"
 #include "wire/parts_verdict.hpp"
 #include "wire/stage_report.hpp"
@@ -19,9 +18,8 @@
 namespace convexact::cli {
 
 std::string UnionOptions::foreign_to_one_solid() const {
-  return max_parts                ? "--max-parts"
+  return !given.all().empty()     ? option_of(*given.all().front().first)
          : max_part_vertices      ? "--max-part-vertices"
-         : orient                 ? "--orient"
          : measures.wanted        ? "--measures"
          : measures.exact_volumes ? "--exact-volumes"
          : !picture.empty()       ? "--picture"
@@ -33,14 +31,16 @@ void add_union_options(Command& command, UnionOptions& options) {
                    "judge the parts of CANDIDATE together: does their union hold INPUT? Also "
                    "without this option if CANDIDATE is a folder, or JSON with \"parts\", or if "
                    "--claims names a claim of parts");
-  add_count(command, "--max-parts", options.max_parts, {},
-            "with --union: the largest number of parts; the other budgets apply to each part");
+  for (BoundField field : options.given.bound(parts_fields())) {
+    if (field.info->name == "exact_volumes") continue;
+    FieldInfo info = *field.info;
+    info.meaning = "with --union: " + info.meaning;
+    field.info = &info;
+    add_field(command, field);
+  }
   add_count(
       command, "--max-part-vertices", options.max_part_vertices, {},
       "with --union: the largest number of corners of a part; --max-vertices means the same there");
-  add_choice(command, "--orient", options.orient, kOrientationNames,
-             "with --union: turn faces of INPUT so that they bound its solid correctly, or keep "
-             "them as they are (default: auto)");
   add_measures_options(command, options.measures, "with --union: ");
   command.add_option("--picture", options.picture,
                      "with --union: a page (.html) that shows the parts, and in red the pieces of "
@@ -59,13 +59,12 @@ int run_verify_union(const GlobalOptions& global, const std::string& input,
                      const std::string& candidate, Decimal decimal, PartsRequest request,
                      const UnionOptions& options) {
   if (!options.picture.empty()) require_outputs({options.picture}, {input, candidate});
-  request.max_parts = options.max_parts;
+  options.given.apply_to(request, parts_fields());
   if (options.max_part_vertices && request.max_vertices) {
     throw Error(ErrorCode::InvalidArgument,
                 "--max-vertices is --max-part-vertices of a union: name one of them");
   }
   if (options.max_part_vertices) request.max_vertices = options.max_part_vertices;
-  request.orient = options.orient.value_or(Orient::Auto);
   if (request.measures != PartMeasures::None) {
     request.measures = options.measures.to_print(global.json);
   } else if (options.measures.wanted || options.measures.exact_volumes) {

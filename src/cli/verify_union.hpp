@@ -8,13 +8,14 @@
 #include "cli/measures_options.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/verify_parts.hpp"
+#include "wire/judge_fields.hpp"
 
 namespace convexact::cli {
 
 struct UnionOptions {
   bool is_asked = false;  ///< --union
-  std::optional<std::size_t> max_parts, max_part_vertices;
-  std::optional<Orient> orient;
+  GivenFields given;      ///< Of parts_fields(), without exact_volumes, which is in `measures`.
+  std::optional<std::size_t> max_part_vertices;
   MeasuresOptions measures;
   std::string picture;
 

@@ -30,9 +30,7 @@ VerifyRequest request_of(const Promise& promise) {
   const bool is_any_number = promise.asks == Asks::Simplify && !promise.max_facets;
   request.asks = is_any_number ? Asks::Enclosure : promise.asks;
   request.tolerance = promise.tolerance;
-  request.max_facets = promise.max_facets;
-  request.max_vertices = promise.max_vertices;
-  request.max_facet_vertices = promise.max_facet_vertices;
+  static_cast<Budgets&>(request) = promise;
   return request;
 }
 

@@ -57,9 +57,7 @@ VerifyRequest request_for_a_part(const PartsTrial& trial) {
     request.claims = {CandidateSolid};
   }
   request.tolerance = asked.tolerance;
-  request.max_facets = asked.max_facets;
-  request.max_vertices = asked.max_vertices;
-  request.max_facet_vertices = asked.max_facet_vertices;
+  static_cast<Budgets&>(request) = asked;
   request.exact_facets = asked.exact_facets;
   request.tightness = false;
   request.seed = asked.seed;
@@ -294,16 +292,16 @@ bool PartsVerdict::holds() const {
 }
 
 PartsRequest parts_request(const VerifyRequest& request) {
-  return {.claims = request.claims,
-          .tolerance = request.tolerance,
-          .max_facets = request.max_facets,
-          .max_vertices = request.max_vertices,
-          .max_facet_vertices = request.max_facet_vertices,
-          .points = request.points,
-          .exact_facets = request.exact_facets,
-          .measures = request.tightness ? PartMeasures::All : PartMeasures::None,
-          .seed = request.seed,
-          .watch = request.watch};
+  PartsRequest asked;
+  static_cast<Budgets&>(asked) = request;
+  asked.claims = request.claims;
+  asked.tolerance = request.tolerance;
+  asked.points = request.points;
+  asked.exact_facets = request.exact_facets;
+  asked.measures = request.tightness ? PartMeasures::All : PartMeasures::None;
+  asked.seed = request.seed;
+  asked.watch = request.watch;
+  return asked;
 }
 
 PartsVerdict verify_parts(const Mesh& input, const CandidateParts& candidate,

@@ -16,6 +16,8 @@
 #include "io/json_text.hpp"
 #include "number/text.hpp"
 #include "simplify/run_names.hpp"
+#include "wire/judge_fields.hpp"
+#include "wire/request_line.hpp"
 #include "wire/verdict_report.hpp"
 
 namespace convexact {
@@ -58,26 +60,10 @@ E to_word(const NameTable<E, N>& words, const json& word, const char* expected) 
 
 Profile to_profile(const std::string& name, const json& entry) {
   Profile profile{name, entry.at("title").get<std::string>(), {}};
-  Promise& promise = profile.promise;
-  promise.asks =
-      to_word(kAsksNames, entry.at("asks"), "asks: expected enclosure, hull, inner or simplify");
-  for (const auto& [key, value] : entry.items()) {
-    if (key == "numbers") {
-      promise.numbers = to_word(kPrecisionNames, value, "numbers: expected binary64 or binary32");
-    } else if (key == "tolerance") {
-      promise.tolerance = parse_tolerance(value.get<std::string>());
-    } else if (key == "allow_flat") {
-      promise.allow_flat = value.get<bool>();
-    } else if (key == "max_facets") {
-      promise.max_facets = to_count(value);
-    } else if (key == "max_vertices") {
-      promise.max_vertices = to_count(value);
-    } else if (key == "max_facet_vertices") {
-      promise.max_facet_vertices = to_count(value);
-    } else if (key != "title" && key != "asks") {
-      fail("unknown key " + in_quotes(key));
-    }
-  }
+  const BoundFields fields = bound_fields(promise_fields(), profile.promise);
+  require_known_keys(entry, {"title"}, "a profile", fields);
+  if (!entry.contains("asks")) fail("expected what the program was asked for, under asks");
+  read_fields(entry, fields);
   return profile;
 }
 
@@ -158,14 +144,8 @@ Candidate to_candidate(const json& candidate) {
 }
 
 VerifyQuestion to_verify_question(const json& question, const json& expected) {
-  VerifyQuestion result{to_candidate(question.at("candidate")), {}, {}, {}, {}, {}};
-  const auto budget = [&](const char* name) -> std::optional<std::size_t> {
-    if (!question.contains(name)) return std::nullopt;
-    return to_count(question[name]);
-  };
-  result.max_facets = budget("max_facets");
-  result.max_vertices = budget("max_vertices");
-  result.max_facet_vertices = budget("max_facet_vertices");
+  VerifyQuestion result{{}, to_candidate(question.at("candidate")), {}, {}};
+  read_fields(question, bound_fields<Budgets>(budget_fields(), result));
   result.inner = question.contains("inner") && question["inner"].get<bool>();
   for (const auto& [name, status] : expected.at("claims").items()) {
     const std::optional<ClaimCode> code = claim_of_name(name);

@@ -1,10 +1,83 @@
 // SPDX-License-Identifier: MIT
 #include "wire/decompose_options.hpp"
 
+#include <fmt/format.h>
+
 #include "convexact/error.hpp"
 #include "number/text.hpp"
+#include "simplify/run_names.hpp"
 
 namespace convexact {
+
+namespace {
+
+constexpr auto kBitsNames =
+    name_table<Precision>({{Precision::Binary64, "64"}, {Precision::Binary32, "32"}});
+
+std::string spell_limit(const ConcavityLimit& limit) {
+  return limit.is_share ? to_string(Rational(limit.value * 100)) + "%" : to_string(limit.value);
+}
+
+Fields<DecomposeRequest> make_fields() {
+  using R = DecomposeRequest;
+  constexpr std::uint64_t kMostFaces = std::uint64_t(1) << 32;
+  Fields<R> fields = {
+      choice_field<R>("method", &R::method, kDecomposeMethodNames,
+                      "hacd merges neighbouring triangles, then clusters, by concavity and shape; "
+                      "acd splits the most concave part at its deepest notch, again and again"),
+      text_field<R>("concavity", &R::limit, parse_concavity, spell_limit,
+                    "how deep a cluster may lie in its hull: a share of the diameter, 3% or 0.03d, "
+                    "or a length, 0.05"),
+      count_field<R>("max_parts", &R::max_parts, {1},
+                     "at least 1: hacd keeps merging beyond the concavity allowed until this many "
+                     "parts are left; acd stops splitting at this many"),
+      choice_field<R>("measure", &R::measure, kConcavityMeasureNames,
+                      "hacd only: concavity at every point of the triangles, or at their corners "
+                      "only, as published, which sees no notch whose corners all lie on the hull"),
+      choice_field<R>(
+          "bridge", &R::bridge, kBridgeChoiceNames,
+          "acd only: concavity is the distance to a bridge, facets of the hull over the "
+          "nearest path; to the farther of its bridges, to that of the whole region, or "
+          "to the nearer"),
+      text_field<R>(
+          "coplanar", &R::coplanar, parse_cosine,
+          [](const Rational& x) { return fmt::format("{}", to_double(x, Rounding::Nearest)); },
+          "acd only: facets are one bridge where the cosine of the angle between their "
+          "normals is larger; above 0, at most 1"),
+      count_field<R>("faces", &R::faces, {4, kMostFaces},
+                     "how many halfspaces to keep of each part, at least 4"),
+      count_field<R>("total_faces", &R::total_faces, {4, kMostFaces},
+                     "how many halfspaces to keep in all parts together, at least 4 for each"),
+      choice_field<R>(
+          "flat", &R::flat, kFlatPartsNames,
+          "how to treat clusters in a plane: thicken them, keep polygons, or merge them "
+          "with a neighbour; auto thickens, and refuses an input that is entirely flat"),
+      flag_field<R>("keep_inner", &R::keep_inner, "keep parts that lie in another part"),
+      choice_field<R>("connect", &R::connect, kConnectNames,
+                      "neighbours have a common edge; or also edges that overlap; or also a common "
+                      "point of two components"),
+      choice_field<R>(
+          "orient", &R::orient, kOrientationNames,
+          "turn faces so that they bound the solid correctly, or keep them as they are"),
+      choice_field<R>("loose", &R::loose, kLoosePointsNames,
+                      "points that no face uses go to the nearest part, or are refused"),
+      choice_field<R>("engine", &R::engine, kEngineNames,
+                      "hacd only: rationals everywhere; the same parts, faster; or doubles that "
+                      "choose, the parts still proven"),
+      choice_field<R>("precision", &R::precision, kBitsNames,
+                      "the numbers of the parts: binary64, or rounded outward to binary32")};
+  for (Field<R>& field : fields) {
+    if (field.name == "faces") field.letter = 'k';
+  }
+  return fields;
+}
+
+}  // namespace
+
+const Fields<DecomposeRequest>& decompose_fields() {
+  static const Fields<DecomposeRequest> fields = make_fields();
+  return fields;
+}
 
 ConcavityLimit parse_concavity(const std::string& option, const std::string& text) {
   const bool is_percent = text.ends_with('%'), is_share = is_percent || text.ends_with('d');

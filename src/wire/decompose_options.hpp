@@ -7,6 +7,7 @@
 #include "convexact/decompose.hpp"
 #include "convexact/number.hpp"
 #include "io/names.hpp"
+#include "wire/field.hpp"
 
 namespace convexact {
 
@@ -34,6 +35,9 @@ inline constexpr auto kFlatPartsNames = name_table<FlatParts>({{FlatParts::Auto,
 
 inline constexpr auto kLoosePointsNames =
     name_table<LoosePoints>({{LoosePoints::Part, "part"}, {LoosePoints::Refuse, "refuse"}});
+
+/// All that the command line and lines of JSON have in common.
+[[nodiscard]] const Fields<DecomposeRequest>& decompose_fields();
 
 /// "3%" and "0.03d" are shares of the diameter, "0.05" is a length; all exact.
 /// @param option  Its name, for the message.

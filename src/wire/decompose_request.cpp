@@ -9,7 +9,6 @@
 #include "io/json.hpp"
 #include "io/json_text.hpp"
 #include "scene/time_limit.hpp"
-#include "simplify/run_names.hpp"
 #include "wire/decompose_options.hpp"
 #include "wire/decompose_report.hpp"
 #include "wire/request_line.hpp"
@@ -21,50 +20,28 @@ namespace {
 
 using nlohmann::json;
 
-Precision precision_in(const json& request) {
-  if (!request.contains("precision")) return Precision::Binary64;
-  if (request["precision"] == 32) return Precision::Binary32;
-  if (request["precision"] != 64) reject_request("precision as 64 or 32");
-  return Precision::Binary64;
-}
-
 std::uint64_t seed_in(const json& request) {
   if (!request.contains("seed")) return DecomposeRequest().seed;
   if (!request["seed"].is_number_unsigned()) reject_request("seed as a number from 0 to 2^64 - 1");
   return request["seed"].get<std::uint64_t>();
 }
 
-// Each option by its name on the command line, with its meaning and default there.
+// Each option by its name on the command line, with its meaning and default there; and those that
+// stand for options of the whole command line or of its files.
 DecomposeRequest decompose_request_of(const json& request) {
   DecomposeRequest wanted;
-  const auto choose = [&](const char* key, const auto& table, auto& value) {
-    value = choice_in(request, key, table).value_or(value);
-  };
-  choose("method", kDecomposeMethodNames, wanted.method);
-  choose("measure", kConcavityMeasureNames, wanted.measure);
-  choose("bridge", kBridgeChoiceNames, wanted.bridge);
-  choose("connect", kConnectNames, wanted.connect);
-  choose("orient", kOrientationNames, wanted.orient);
-  choose("flat", kFlatPartsNames, wanted.flat);
-  choose("loose", kLoosePointsNames, wanted.loose);
-  choose("engine", kEngineNames, wanted.engine);
-  if (request.contains("concavity")) {
-    wanted.limit = parse_concavity("concavity", std::string(number_text(request["concavity"])));
-  }
-  if (request.contains("coplanar")) {
-    wanted.coplanar = parse_cosine("coplanar", std::string(number_text(request["coplanar"])));
-  }
-  wanted.max_parts = count_in(request, "max_parts");
-  wanted.faces = count_in(request, "faces");
-  wanted.total_faces = count_in(request, "total_faces");
-  wanted.keep_inner = flag_in(request, "keep_inner").value_or(false);
+  const BoundFields fields = bound_fields(decompose_fields(), wanted);
+  require_known_keys(request,
+                     {"id", "points", "triangles", "decimal", "numbers", "time_limit", "seed",
+                      "tree", "tree_faces", "exact_volumes", "no_measures"},
+                     "the request", fields);
+  read_fields(request, fields);
   wanted.for_tree = flag_in(request, "tree").value_or(false);
   wanted.exact_volumes = flag_in(request, "exact_volumes").value_or(false);
   if (flag_in(request, "no_measures").value_or(false)) wanted.measures = PartMeasures::None;
   if (wanted.exact_volumes && wanted.measures == PartMeasures::None) {
     reject_request("exact_volumes or no_measures, not both");
   }
-  wanted.precision = precision_in(request);
   wanted.seed = seed_in(request);
   return wanted;
 }
@@ -92,17 +69,10 @@ std::string answer_of(Decomposition made, const DecomposeRequest& request,
 }
 
 std::string decompose_answer(const json& request, std::optional<double> time_limit) {
-  require_known_keys(
-      request, {"id",          "points",        "triangles",   "decimal", "numbers",    "method",
-                "concavity",   "max_parts",     "measure",     "bridge",  "coplanar",   "faces",
-                "total_faces", "flat",          "keep_inner",  "connect", "orient",     "engine",
-                "precision",   "exact_volumes", "no_measures", "seed",    "time_limit", "tree",
-                "tree_faces",  "loose"},
-      "the request");
+  DecomposeRequest wanted = decompose_request_of(request);
   if (!request.contains("points") || !request.contains("triangles")) {
     reject_request("a request with 'points' and 'triangles'");
   }
-  DecomposeRequest wanted = decompose_request_of(request);
   const std::optional<std::size_t> tree_faces = count_in(request, "tree_faces");
   if (tree_faces && !wanted.for_tree) reject_request("tree_faces with tree only");
   Mesh mesh{points_of_request(request, decimal_of(request)), {}, {}};

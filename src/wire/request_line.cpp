@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "wire/request_line.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "io/json.hpp"
@@ -18,12 +21,51 @@ void reject_request(const std::string& expected) {
 }
 
 void require_known_keys(const json& object, std::initializer_list<const char*> known,
-                        const char* what) {
+                        const char* what, const BoundFields& fields) {
   if (!object.is_object()) reject_request(std::string(what) + " as an object");
-  for (const auto& [key, value] : object.items()) {
-    if (std::find(known.begin(), known.end(), key) == known.end()) {
+  for (const auto& entry : object.items()) {
+    const std::string& key = entry.key();
+    const bool is_field = std::any_of(fields.begin(), fields.end(), [&](const BoundField& field) {
+      return field.info->name == key;
+    });
+    if (!is_field && std::find(known.begin(), known.end(), key) == known.end()) {
       reject_request(std::string("only known keys in ") + what + ", found '" + key + "'");
     }
+  }
+}
+
+namespace {
+
+// The value of a field as users spell it.
+std::string spelled_value(const FieldInfo& field, const json& value) {
+  switch (field.kind) {
+    case FieldKind::Flag:
+      if (!value.is_boolean()) reject_request(field.name + " as true or false");
+      return value.get<bool>() ? "true" : "false";
+    case FieldKind::Count:
+      if (!value.is_number_unsigned()) reject_request(field.name + " as a count");
+      return dump_json(value);
+    case FieldKind::Choice:
+      break;
+    case FieldKind::Text:
+      return std::string(number_text(value));
+  }
+  const bool are_numbers = std::isdigit(static_cast<unsigned char>(field.words.front()[0])) != 0;
+  const bool has_type = are_numbers ? value.is_number_unsigned() : value.is_string();
+  const std::string word = !has_type     ? ""
+                           : are_numbers ? dump_json(value)
+                                         : value.get<std::string>();
+  if (std::find(field.words.begin(), field.words.end(), word) == field.words.end()) {
+    reject_request(fmt::format("{} as {}", field.name, fmt::join(field.words, " or ")));
+  }
+  return word;
+}
+
+}  // namespace
+
+void read_fields(const json& object, const BoundFields& fields) {
+  for (const auto& [info, read, present] : fields) {
+    if (object.contains(info->name)) read(info->name, spelled_value(*info, object[info->name]));
   }
 }
 

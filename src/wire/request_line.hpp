@@ -15,15 +15,23 @@
 #include "convexact/scene.hpp"
 #include "io/json_document.hpp"
 #include "io/names.hpp"
+#include "wire/field.hpp"
 
 namespace convexact {
 
 /// @throws Error Malformed: "expected ..."
 [[noreturn]] void reject_request(const std::string& expected);
 
-/// @throws Error Malformed unless `object` is an object without any other key.
+/// @throws Error Malformed unless `object` is an object without any other key than those known and
+///               the names of fields.
 void require_known_keys(const nlohmann::json& object, std::initializer_list<const char*> known,
-                        const char* what);
+                        const char* what, const BoundFields& fields = {});
+
+/// Gives each field whose name is a key of the object its value: a flag is true or false, a count
+/// a number, a choice its word, or the number that the word spells, and a text a string or a
+/// number.
+/// @throws Error Malformed for any other value; as Field::read.
+void read_fields(const nlohmann::json& object, const BoundFields& fields);
 
 /// The number, or true or false, under a key, if the request has it. @throws Error Malformed.
 [[nodiscard]] std::optional<std::size_t> count_in(const nlohmann::json& request, const char* key);

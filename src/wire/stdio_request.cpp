@@ -12,8 +12,8 @@
 #include "io/used_points.hpp"
 #include "number/text.hpp"
 #include "scene/time_limit.hpp"
-#include "wire/decompose_options.hpp"
 #include "wire/json_mesh.hpp"
+#include "wire/judge_fields.hpp"
 #include "wire/parts_verdict.hpp"
 #include "wire/request_line.hpp"
 #include "wire/verdict_report.hpp"
@@ -80,38 +80,28 @@ std::vector<ClaimCode> claims(const json& names) {
 
 VerifyRequest questions(const json& request) {
   VerifyRequest asked;
+  asked.tightness = false;
   if (request.contains("claims")) asked.claims = claims(request["claims"]);
   const bool is_inner = flag_in(request, "inner").value_or(false);
-  asked.asks =
-      choice_in(request, "asks", kAsksNames).value_or(is_inner ? Asks::Inner : Asks::Enclosure);
+  if (is_inner) asked.asks = Asks::Inner;
+  if (request.contains("tolerance") && !request["tolerance"].is_string()) {
+    reject_request("the tolerance as a string, such as \"1e-9d\"");
+  }
+  read_fields(request, bound_fields(verify_fields(), asked));
   if (is_inner && asked.asks != Asks::Inner) reject_request("inner with asks inner only");
-  asked.points = choice_in(request, "judge_points", kMeshPointsNames).value_or(MeshPoints::All);
-  asked.tightness = flag_in(request, "tightness").value_or(false);
-  if (request.contains("tolerance")) {
-    const json& tolerance = request["tolerance"];
-    if (!tolerance.is_string()) reject_request("the tolerance as a string, such as \"1e-9d\"");
-    asked.tolerance = parse_tolerance(tolerance.get_ref<const std::string&>());
+  if (request.contains("exact_facets") && !request.contains("max_facets")) {
+    reject_request("exact_facets with max_facets only");
   }
-  if (const auto exact = flag_in(request, "exact_facets")) {
-    asked.exact_facets = *exact;
-    if (!request.contains("max_facets")) reject_request("exact_facets with max_facets only");
-  }
-  asked.max_facets = count_in(request, "max_facets");
-  asked.max_vertices = count_in(request, "max_vertices");
-  asked.max_facet_vertices = count_in(request, "max_facet_vertices");
   return asked;
 }
 
 // The same questions about parts, and how many parts there may be.
 PartsRequest questions_to_parts(const json& request) {
-  const VerifyRequest each = questions(request);
   for (const char* key : {"inner", "asks"}) {
     if (request.contains(key)) reject_request(std::string(key) + " with a single solid only");
   }
-  PartsRequest asked = parts_request(each);
-  asked.max_parts = count_in(request, "max_parts");
-  asked.orient = choice_in(request, "orient", kOrientationNames).value_or(Orient::Auto);
-  asked.exact_volumes = flag_in(request, "exact_volumes").value_or(false);
+  PartsRequest asked = parts_request(questions(request));
+  read_fields(request, bound_fields(parts_fields(), asked));
   if (asked.exact_volumes && asked.measures == PartMeasures::None)
     reject_request("exact_volumes with tightness only");
   return asked;
@@ -134,27 +124,15 @@ Json answer_about_parts(const json& request, PointSet points, Decimal decimal,
 }
 
 Json answer(const json& request, std::optional<double> time_limit) {
-  require_known_keys(request, {"id",
-                               "points",
-                               "candidate",
-                               "claims",
-                               "tolerance",
-                               "tightness",
-                               "decimal",
-                               "numbers",
-                               "max_facets",
-                               "max_vertices",
-                               "max_facet_vertices",
-                               "exact_facets",
-                               "inner",
-                               "asks",
-                               "time_limit",
-                               "triangles",
-                               "judge_points",
-                               "max_parts",
-                               "orient",
-                               "exact_volumes"},
-                     "the request");
+  VerifyRequest unused;
+  PartsRequest of_parts;
+  BoundFields fields = bound_fields(verify_fields(), unused);
+  for (BoundField& field : bound_fields(parts_fields(), of_parts))
+    fields.push_back(std::move(field));
+  require_known_keys(request,
+                     {"id", "points", "candidate", "claims", "decimal", "numbers", "inner",
+                      "time_limit", "triangles"},
+                     "the request", fields);
   if (!request.contains("points") || !request.contains("candidate")) {
     reject_request("a request with 'points' and 'candidate'");
   }
@@ -165,9 +143,9 @@ Json answer(const json& request, std::optional<double> time_limit) {
   if (request["candidate"].is_object() && request["candidate"].contains("parts")) {
     return answer_about_parts(request, std::move(input), decimal, seconds);
   }
-  for (const char* key : {"max_parts", "orient", "exact_volumes"}) {
-    if (request.contains(key))
-      reject_request(std::string(key) + " with a candidate that has 'parts' only");
+  for (const Field<PartsRequest>& field : parts_fields()) {
+    if (request.contains(field.name))
+      reject_request(field.name + " with a candidate that has 'parts' only");
   }
   if (request.contains("triangles")) {
     asked.used = used_points(input.size(), polygons_of_json(request["triangles"], input.size()));

@@ -31,7 +31,11 @@ TEST_CASE("test vectors: counts and indices are integers within their bounds") {
   const auto vectors = read_test_vectors_bytes(vector_text("3", "2", "0"), "");
   REQUIRE(vectors.size() == 1);
   CHECK(vectors[0].level == 3);
-  for (const char* const number : {"-1", "1.0", "1e99", "18446744073709551615", "null", "\"2\""}) {
+  // Beyond the ids and levels, but a budget like any other, as in requests.
+  CHECK(refusal("18446744073709551615", "2", "0") == ErrorCode::Malformed);
+  CHECK(refusal("1", "18446744073709551615", "0") == ErrorCode::Malformed);
+  CHECK(read_test_vectors_bytes(vector_text("1", "2", "18446744073709551615"), "").size() == 1);
+  for (const char* const number : {"-1", "1.0", "1e99", "18446744073709551616", "null", "\"2\""}) {
     CAPTURE(number);
     CHECK(refusal(number, "2", "0") == ErrorCode::Malformed);
     CHECK(refusal("1", number, "0") == ErrorCode::Malformed);

@@ -48,8 +48,8 @@ bool is_only_violation(const Verdict& verdict, ClaimCode code) {
 }  // namespace
 
 TEST_CASE("verify: the input's own hull passes, and nothing is left between them") {
-  const Verdict verdict = judge_obj(corners("1") + kQuads,
-                                    {.max_facets = 6, .max_vertices = 8, .max_facet_vertices = 4});
+  const Verdict verdict = judge_obj(
+      corners("1") + kQuads, {{.max_facets = 6, .max_vertices = 8, .max_facet_vertices = 4}});
   for (const Claim& claim : verdict.claims) {
     CAPTURE(name_of(claim.code));
     CHECK(claim.status == Status::Holds);

@@ -38,11 +38,13 @@ NO_SWITCH = 'it does not compile behind a switch'
 FEW = 10     # faults in the list; rooms with fewer get some by lot
 # The tests that are asked about a fault drawn by lot, by its room; not in the table: the room's own.
 TESTS = {
-    'check': ['check', 'check_mutated'], 'cli': ['cli', 'cli of decompositions'], 'diff': ['oracle', 'cli', 'cli shipped'],
-    'dual': ['dual', 'simplify'], 'io': ['io', 'cli', 'io_broken_files'], 'lab': ['report', 'stress', 'compare', 'cli'],
+    'check': ['check', 'check_mutated'], 'cli': ['cli', 'cli of decompositions'], 
+    'dual': ['dual', 'simplify'], 'io': ['io', 'cli', 'io_broken_files'], 'lab': ['report', 'stress', 'compare', 'oracle', 'cli', 'cli shipped'],
+    'conform': ['oracle', 'oracle_programs', 'cli'], 'parts': ['decompose_scene', 'wire'], 'proof': ['check', 'check_mutated'],
+    'solid': ['simplify', 'scene'], 'wire': ['wire', 'oracle', 'cli', 'cli of decompositions'],
     'measure': ['measure', 'simplify'], 'number': ['number', 'geometry', 'measure', 'fast'], 'pages': ['report', 'teach', 'cli of decompositions'],
-    'query': ['query', 'hull_trees', 'cli'], 'report': ['report', 'cli'], 'shapes': ['shapes', 'hull', 'cli'],
-    'stress': ['stress', 'cli'], 'capi': ['capi'], 'search': ['search', 'search_property', 'hull_trees'],
+    'query': ['query', 'hull_trees', 'cli'], 'shapes': ['shapes', 'hull', 'cli'],
+    'capi': ['capi'], 'search': ['search', 'search_property', 'hull_trees'],
 }
 
 

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// field.hpp - the options of a request, each declared once: the command line, lines of JSON,
+// profiles, their schemas and the manual read the same table.
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "io/names.hpp"
+
+namespace convexact {
+
+/// Inclusive.
+struct CountRange {
+  std::uint64_t least = 0;
+  std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+};
+
+/// A whole number as users spell it: decimal digits and nothing else, so `010` is ten.
+/// @param option  Its name, for the message.
+/// @throws Error InvalidArgument for a sign, a blank, a fraction, an exponent, and a number outside
+///               of the range, however long.
+[[nodiscard]] std::uint64_t parse_count(const std::string& option, const std::string& text,
+                                        const CountRange& range);
+
+enum class FieldKind {
+  Flag,    ///< "true" or "false"; on the command line it is given or not.
+  Count,   ///< A whole number.
+  Choice,  ///< One of a few words.
+  Text,    ///< Anything else: a distance, a share.
+};
+
+/// What is said about an option, whatever request it belongs to.
+struct FieldInfo {
+  std::string name;  ///< "max_parts": on the command line --max-parts.
+  FieldKind kind;
+  std::string meaning;             ///< For people: begins small, ends without a full stop.
+  CountRange range = {};           ///< Of a count.
+  std::vector<std::string> words;  ///< Of a choice, in the order of the alphabet.
+  char letter = 0;                 ///< -k, if the command line has a short name.
+};
+
+/// An option of a `Request`, as a member of it.
+template <class Request>
+struct Field : FieldInfo {
+  /// Takes a value as users spell it. @throws Error InvalidArgument, naming `option`.
+  std::function<void(Request& request, const std::string& option, const std::string& text)> read;
+  /// The value, so spelled; empty if there is none.
+  std::function<std::string(const Request& request)> write;
+};
+template <class Request>
+using Fields = std::vector<Field<Request>>;
+
+/// An option of a request at hand, which must outlive it, like the table.
+struct BoundField {
+  const FieldInfo* info;
+  std::function<void(const std::string& option, const std::string& text)> read;
+  std::string present;  ///< The value when it was bound: the default.
+};
+using BoundFields = std::vector<BoundField>;
+
+/// All options of a table, or those of some names, in the order of the table.
+template <class Request>
+[[nodiscard]] BoundFields bound_fields(const Fields<Request>& fields, Request& request,
+                               const std::vector<std::string_view>& names = {}) {
+  BoundFields bound;
+  for (const Field<Request>& field : fields) {
+    if (!names.empty() && std::find(names.begin(), names.end(), field.name) == names.end()) {
+      continue;
+    }
+    bound.push_back({&field,
+                     [&](const std::string& option, const std::string& text) {
+                       field.read(request, option, text);
+                     },
+                     field.write(request)});
+  }
+  return bound;
+}
+
+/// Options as they were given, for a request that is yet to be made.
+class GivenFields {
+ public:
+  /// Options that are checked and kept when they are read. They have no defaults.
+  template <class Request>
+  [[nodiscard]] BoundFields bound(const Fields<Request>& fields) {
+    BoundFields bound;
+    for (const Field<Request>& field : fields) {
+      const auto keep = [this, &field](const std::string& option, const std::string& text) {
+        Request unused;
+        field.read(unused, option, text);
+        given_.emplace_back(&field, text);
+      };
+      bound.push_back({&field, keep, ""});
+    }
+    return bound;
+  }
+  /// @param fields  The table that was bound, or one with the same names.
+  template <class Request>
+  void apply_to(Request& request, const Fields<Request>& fields) const {
+    for (const auto& [info, text] : given_) {
+      for (const Field<Request>& field : fields) {
+        if (field.name == info->name) field.read(request, field.name, text);
+      }
+    }
+  }
+  bool has(std::string_view name) const {
+    return std::any_of(given_.begin(), given_.end(),
+                       [&](const auto& given) { return given.first->name == name; });
+  }
+  const std::vector<std::pair<const FieldInfo*, std::string>>& all() const { return given_; }
+
+ private:
+  std::vector<std::pair<const FieldInfo*, std::string>> given_;
+};
+
+/// "--max-parts".
+[[nodiscard]] std::string option_of(const FieldInfo& field);
+
+template <class Request>
+Field<Request> flag_field(std::string name, bool Request::*member, std::string meaning) {
+  return {{std::move(name), FieldKind::Flag, std::move(meaning), {}, {}, 0},
+          [member](Request& request, const std::string&, const std::string& text) {
+            request.*member = text == "true";
+          },
+          [member](const Request& request) { return request.*member ? "true" : ""; }};
+}
+
+/// @param member  A number that holds the range, or an optional one.
+template <class Request, class Member>
+Field<Request> count_field(std::string name, Member member, CountRange range, std::string meaning) {
+  return {{std::move(name), FieldKind::Count, std::move(meaning), range, {}, 0},
+          [member, range](Request& request, const std::string& option, const std::string& text) {
+            request.*member = parse_count(option, text, range);
+          },
+          [member](const Request& request) -> std::string {
+            const auto& value = request.*member;
+            if constexpr (requires { value.has_value(); }) {
+              return value ? std::to_string(*value) : "";
+            } else {
+              return std::to_string(value);
+            }
+          }};
+}
+
+/// @throws Error InvalidArgument, listing the words.
+[[noreturn]] void reject_word(const std::string& option, const std::vector<std::string>& words,
+                              const std::string& found);
+
+/// @param member  A `Value`, or an optional one.
+template <class Request, class Member, class Value, std::size_t N>
+Field<Request> choice_field(std::string name, Member member, const NameTable<Value, N>& table,
+                            std::string meaning) {
+  std::vector<std::string> words;
+  for (const auto& entry : table) words.emplace_back(entry.second);
+  std::sort(words.begin(), words.end());
+  return {
+      {std::move(name), FieldKind::Choice, std::move(meaning), {}, words, 0},
+      [member, table, words](Request& request, const std::string& option, const std::string& text) {
+        const std::optional<Value> value = value_in(table, text);
+        if (!value) reject_word(option, words, text);
+        request.*member = *value;
+      },
+      [member, table](const Request& request) -> std::string {
+        const auto& value = request.*member;
+        if constexpr (requires { value.has_value(); }) {
+          return value ? name_in(table, *value) : "";
+        } else {
+          return name_in(table, value);
+        }
+      }};
+}
+
+/// @param parse   Gives the value of a text: (option, text).
+/// @param spell   Its inverse, or how the default is shown.
+template <class Request, class Member, class Parse, class Spell>
+Field<Request> text_field(std::string name, Member member, Parse parse, Spell spell,
+                          std::string meaning) {
+  return {{std::move(name), FieldKind::Text, std::move(meaning), {}, {}, 0},
+          [member, parse](Request& request, const std::string& option, const std::string& text) {
+            request.*member = parse(option, text);
+          },
+          [member, spell](const Request& request) { return spell(request.*member); }};
+}
+
+}  // namespace convexact

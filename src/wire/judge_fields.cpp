@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "wire/judge_fields.hpp"
+
+#include "io/used_points.hpp"
+#include "simplify/run_names.hpp"
+#include "wire/decompose_options.hpp"
+#include "wire/verdict_report.hpp"
+
+namespace convexact {
+namespace {
+
+template <class Request>
+Fields<Request> make_budget_fields() {
+  return {
+      count_field<Request>("max_facets", &Request::max_facets, {},
+                           "most facets; coplanar faces count as one, in a mesh also faces "
+                           "that only rounding bent"),
+      count_field<Request>("max_vertices", &Request::max_vertices, {}, "most corners of the solid"),
+      count_field<Request>("max_facet_vertices", &Request::max_facet_vertices, {},
+                           "most corners of a facet")};
+}
+
+Tolerance read_tolerance(const std::string&, const std::string& text) {
+  return parse_tolerance(text);
+}
+
+// The options in front, then the budgets.
+template <class Request>
+Fields<Request> with_budgets(Fields<Request> fields) {
+  for (Field<Request>& field : make_budget_fields<Request>()) fields.push_back(std::move(field));
+  return fields;
+}
+
+template <class Request>
+Field<Request> asks_field() {
+  return choice_field<Request>("asks", &Request::asks, kAsksNames,
+                               "what was to be written: an enclosure, the hull, a solid inside it, "
+                               "or an enclosure of so many facets");
+}
+
+template <class Request>
+Field<Request> tolerance_field() {
+  return text_field<Request>(
+      "tolerance", &Request::tolerance, read_tolerance, [](const Tolerance&) { return ""; },
+      "let violations up to this distance pass: 1e-6, or 1e-9d of the diameter");
+}
+
+}  // namespace
+
+const Fields<Budgets>& budget_fields() {
+  static const Fields<Budgets> fields = make_budget_fields<Budgets>();
+  return fields;
+}
+
+const Fields<Promise>& promise_fields() {
+  static const Fields<Promise> fields = with_budgets<Promise>(
+      {asks_field<Promise>(),
+       flag_field<Promise>("allow_flat", &Promise::allow_flat,
+                           "accepting points without volume is not a failure"),
+       tolerance_field<Promise>(),
+       choice_field<Promise>("numbers", &Promise::numbers, kPrecisionNames,
+                             "the numbers of input and output are doubles, or each is rounded to "
+                             "the nearest binary32 (default: binary64)")});
+  return fields;
+}
+
+const Fields<VerifyRequest>& verify_fields() {
+  using R = VerifyRequest;
+  static const Fields<R> fields = with_budgets<R>(
+      {asks_field<R>(), tolerance_field<R>(),
+       flag_field<R>("exact_facets", &R::exact_facets,
+                     "let --max-facets merge exactly coplanar faces only"),
+       flag_field<R>("tightness", &R::tightness, "measure volume, area, mean width and distance"),
+       choice_field<R>("judge_points", &R::points, kMeshPointsNames,
+                       "of an input with faces, whether points that no face uses count")});
+  return fields;
+}
+
+const Fields<PartsRequest>& parts_fields() {
+  using R = PartsRequest;
+  static const Fields<R> fields = {
+      count_field<R>("max_parts", &R::max_parts, {},
+                     "the largest number of parts; the other budgets apply to each part"),
+      choice_field<R>("orient", &R::orient, kOrientationNames,
+                      "turn faces of INPUT so that they bound its solid correctly, or keep them as "
+                      "they are (default: auto)"),
+      flag_field<R>("exact_volumes", &R::exact_volumes,
+                    "volumes in --json as fractions, too, which may be very long")};
+  return fields;
+}
+
+}  // namespace convexact

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// judge_fields.hpp - what can be asked of the oracle: by options, in profiles, in vectors and in
+// lines of JSON.
+#pragma once
+#include "convexact/conform.hpp"
+#include "convexact/verify.hpp"
+#include "convexact/verify_parts.hpp"
+#include "wire/field.hpp"
+
+namespace convexact {
+
+/// max_facets, max_vertices and max_facet_vertices.
+[[nodiscard]] const Fields<Budgets>& budget_fields();
+
+/// What a program promises: asks, tolerance and numbers, the budgets, and whether it may accept
+/// flat inputs.
+[[nodiscard]] const Fields<Promise>& promise_fields();
+
+/// What is asked about one solid, without the list of claims: asks, tolerance, the budgets,
+/// exact_facets, tightness, and judge_points.
+[[nodiscard]] const Fields<VerifyRequest>& verify_fields();
+
+/// What is asked about parts besides: max_parts, orient and exact_volumes.
+[[nodiscard]] const Fields<PartsRequest>& parts_fields();
+
+}  // namespace convexact
