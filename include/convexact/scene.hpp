@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // scene.hpp - from a shape to its solid, in stages that are timed or skipped.
 #pragma once
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -74,6 +75,11 @@ struct Stored {
                     ///< input's polytope.
   std::optional<StoredPlanes> planes;
   std::optional<StoredMesh> mesh;
+
+  /// n1, n2, n3, d of each halfspace in doubles, rounded outward and proven to hold every point:
+  /// `planes` if they are stored in binary64, otherwise made now, as store_planes().
+  /// @throws Error Unrepresentable if doubles cannot hold them.
+  [[nodiscard]] std::vector<std::array<double, 4>> planes_in_doubles() const;
 };
 
 /// One object, to be enclosed separately.

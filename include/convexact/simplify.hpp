@@ -111,6 +111,13 @@ struct SimplifyResult {
   std::optional<SearchResult> search;     ///< If one was asked for.
   std::optional<FloatBound> float_bound;  ///< Of the float engine: the proven bounds on its errors.
   std::vector<Stage> stages;  ///< Each with its time, or the reason why it was left out.
+
+  /// The halfspaces n1 x + n2 y + n3 z + d <= 0 in doubles, proven to hold every input point; the
+  /// exact ones are solid.exact.planes, in the same order.
+  /// @throws Error as Stored::planes_in_doubles().
+  [[nodiscard]] std::vector<std::array<double, 4>> planes() const {
+    return solid.planes_in_doubles();
+  }
 };
 
 using SimplifyOutcome = std::variant<SimplifyResult, NotSolid>;

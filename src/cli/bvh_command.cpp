@@ -125,18 +125,11 @@ OutputFiles files_of(const BuiltTree& built, const TreeRequest& request, const T
   return files;
 }
 
-std::string answer_of(const BuiltTree& built, const TreeRequest& request, const TreeOrigin& origin,
-                      const OutputFiles& files, const std::vector<Stage>& stages,
-                      const BvhArguments& options) {
-  if (options.global.json) {
-    Json document = tree_json(built, request, origin);
-    document["stages"] = stages_json(stages);
-    return write_json(document, 2) + "\n";
-  }
+std::string summary_of(const BuiltTree& built, const TreeOrigin& origin, const OutputFiles& files) {
   std::string text = origin.input + "\n" + tree_text(built, origin);
   for (const auto& [path, bytes] : files) text += "  written     " + path + "\n";
   if (files.empty()) text += "  written     nothing; -o tree.json keeps the tree\n";
-  return text + stage_text(stages, options.global.stages);
+  return text;
 }
 
 int run_bvh(const BvhArguments& options) {
@@ -145,26 +138,19 @@ int run_bvh(const BvhArguments& options) {
                 "-o: expected a name that ends in .json, found " + in_quotes(options.output));
   }
   require_outputs({options.output, options.picture}, {options.input, options.from});
-  Progress progress;
-  StageLog log(progress.watch());
-  std::vector<SceneObject> scene =
-      log.run("read", StageKind::Io, [&] { return read_scene({options.input}, options.scene); });
-  const std::string name = scene.front().name;
-  auto made = mesh_of(std::move(scene.front()));
-  if (const auto* reason = std::get_if<NotSolid>(&made)) {
-    progress.clear();
-    return report_not_solid(options.global, name, *reason);
-  }
+  CommandRun run(options.global);
+  StageLog& log = run.log();
+  SceneObject object = run.read_one(options.input, options.scene);
+  const std::string name = object.name;
+  auto made = mesh_of(std::move(object));
+  if (const auto* reason = std::get_if<NotSolid>(&made)) return run.end_flat(name, *reason);
   const Mesh mesh = with_hulls_of_clouds(std::get<Mesh>(std::move(made)));
   if (mesh.points.size() == 0) {
     throw Error(ErrorCode::NoInterior, "the input has no point").in_file(name);
   }
   auto found = options.from.empty() ? decomposed_parts(mesh, name, options, log)
                                     : read_parts_of_tree(mesh, name, options, log);
-  if (const auto* reason = std::get_if<NotSolid>(&found)) {
-    progress.clear();
-    return report_not_solid(options.global, name, *reason);
-  }
+  if (const auto* reason = std::get_if<NotSolid>(&found)) return run.end_flat(name, *reason);
   auto& parts = std::get<TreeParts>(found);
   TreeRequest request = options.tree;
   request.seed = options.global.seed;
@@ -176,9 +162,8 @@ int run_bvh(const BvhArguments& options) {
   }
   const OutputFiles files = log.run(
       "write", StageKind::Io, [&] { return files_of(built, request, parts.origin, options); });
-  progress.clear();
-  write_together(files, answer_of(built, request, parts.origin, files, log.stages(), options));
-  return 0;
+  return run.end({[&] { return tree_json(built, request, parts.origin); },
+                  [&] { return summary_of(built, parts.origin, files); }, files});
 }
 
 }  // namespace

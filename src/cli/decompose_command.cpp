@@ -68,18 +68,19 @@ DecomposeRequest decompose_request(const DecomposeArguments& options) {
   return request;
 }
 
-std::string answer_of(const std::vector<DecomposedObject>& objects, const DecomposeRequest& request,
-                      const FilesOfParts& out, const std::vector<Stage>& stages,
-                      const DecomposeArguments& options) {
-  if (options.global.json) {
-    Json document = decomposition_json(objects, request, DecompositionDetail::Numbers);
-    if (objects.size() == 1) document["input"] = objects[0].name;
-    document["files"] = options.files.all_paths();
-    document["removed"] = out.removed;
-    if (!out.notes.empty()) document["notes"] = out.notes;
-    document["stages"] = stages_json(stages);
-    return write_json(document, 2) + "\n";
-  }
+Json document_of(const std::vector<DecomposedObject>& objects, const DecomposeRequest& request,
+                 const FilesOfParts& out, const DecomposeArguments& options) {
+  Json document = decomposition_json(objects, request, DecompositionDetail::Numbers);
+  if (objects.size() == 1) document["input"] = objects[0].name;
+  document["files"] = options.files.all_paths();
+  document["removed"] = out.removed;
+  if (!out.notes.empty()) document["notes"] = out.notes;
+  return document;
+}
+
+std::string summary_of(const std::vector<DecomposedObject>& objects,
+                       const DecomposeRequest& request, const FilesOfParts& out,
+                       const DecomposeArguments& options) {
   std::string text;
   for (const DecomposedObject& object : objects) {
     text += object.name + "\n" + summary(object.result, request, object.part_names);
@@ -93,7 +94,7 @@ std::string answer_of(const std::vector<DecomposedObject>& objects, const Decomp
   if (options.files.all_paths().empty()) {
     text += "  written     nothing; -o parts.obj keeps the parts\n";
   }
-  return text + stage_text(stages, options.global.stages);
+  return text;
 }
 
 // decompose(), with the name of the object in errors about it.
@@ -119,12 +120,10 @@ int run_decompose(const DecomposeArguments& options) {
   }
   DecomposeRequest request = decompose_request(options);
   options.files.require_sensible(options.input, request);
-  Progress progress;
-  StageLog log(progress.watch());
-  std::vector<SceneObject> scene =
-      log.run("read", StageKind::Io, [&] { return read_scene({options.input}, options.scene); });
+  CommandRun run(options.global);
+  std::vector<SceneObject> scene = run.read({options.input}, options.scene);
   options.files.require_room_for(scene.size());
-  request.watch = progress.watch();
+  request.watch = run.watch();
   std::vector<DecomposedObject> objects;
   std::vector<std::string> object_names;
   for (SceneObject& object : scene) {
@@ -138,21 +137,21 @@ int run_decompose(const DecomposeArguments& options) {
       outcome = decompose_object(name, mesh, request);
       reason = std::get_if<NotSolid>(&*outcome);
     }
-    if (reason != nullptr) {
-      progress.clear();
-      return report_not_solid(options.global, name, *reason);
-    }
+    if (reason != nullptr) return run.end_flat(name, *reason);
     objects.push_back({name, std::get<Decomposition>(std::move(*outcome)), {}});
-    log.add(objects.back().result.stages);
+    run.log().add(objects.back().result.stages);
   }
   name_parts(objects, object_names, options.files.names);
-  const FilesOfParts out = log.run("write", StageKind::Io, [&] {
+  const FilesOfParts out = run.log().run("write", StageKind::Io, [&] {
     return decomposed_files(objects, request, options.files, options.input);
   });
-  progress.clear();
-  write_parts_together(out.files, out.folders, out.removed,
-                       answer_of(objects, request, out, log.stages(), options));
-  return 0;
+  return run.end({.json = [&] { return document_of(objects, request, out, options); },
+                  .text = [&] { return summary_of(objects, request, out, options); },
+                  .files = out.files,
+                  .write =
+                      [&](const OutputFiles& files, const std::string& said) {
+                        write_parts_together(files, out.folders, out.removed, said);
+                      }});
 }
 
 }  // namespace

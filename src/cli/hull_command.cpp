@@ -29,19 +29,19 @@ struct HullArguments {
   HullRequest request;
 };
 
-std::string answer_of(const std::vector<FoundObject<HullResult>>& objects,
-                      const std::vector<Stage>& stages, const HullArguments& options) {
-  const int digits = options.request.digits;
-  if (options.global.json) {
-    const Json list = objects_json(
-        objects, [digits](const HullResult& result) { return hull_json(result, digits); });
-    return write_json(objects.size() == 1 ? list[0] : Json{{"objects", list}}, 2) + "\n";
-  }
+using MeasuredHulls = std::vector<FoundObject<HullResult>>;
+
+Json document_of(const MeasuredHulls& objects, int digits) {
+  const Json list = objects_json(
+      objects, [digits](const HullResult& result) { return hull_json(result, digits); });
+  return objects.size() == 1 ? list[0] : Json{{"objects", list}};
+}
+
+std::string summary_of(const MeasuredHulls& objects, const HullArguments& options) {
   std::string text;
   for (const auto& [source, result] : objects)
-    text += source.name + "\n" + summary(result, digits, options.global.verbose);
-  return text + written_lines(options.output) +
-         stage_text(stages, options.global.stages || options.global.verbose);
+    text += source.name + "\n" + summary(result, options.request.digits, options.global.verbose);
+  return text + written_lines(options.output);
 }
 
 // "volume,area" and the like, or none.
@@ -66,7 +66,10 @@ int run_hull(const HullArguments& options) {
   return run_on_inputs<HullResult>(
       options, [&](const auto& scene) { return std::vector<HullRequest>(scene.size(), request); },
       measure_hull,
-      [&](const auto& objects, const auto& stages) { return answer_of(objects, stages, options); });
+      [&](const MeasuredHulls& objects) {
+        return CommandAnswer{[&] { return document_of(objects, request.digits); },
+                             [&] { return summary_of(objects, options); }};
+      });
 }
 
 }  // namespace

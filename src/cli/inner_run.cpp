@@ -121,21 +121,19 @@ OutputFiles files_of(const std::vector<FoundObject<InnerResult>>& objects,
   return files;
 }
 
-std::string answer_of(const std::vector<FoundObject<InnerResult>>& objects,
-                      const std::vector<Stage>& stages, const SimplifyArguments& options) {
-  if (options.global.json) {
-    Json document = objects.size() == 1 ? inner_json(objects[0].result)
-                                        : Json{{"objects", objects_json(objects, inner_json)}};
-    document["stages"] = stages_json(stages);
-    return write_json(document, 2) + "\n";
-  }
+using InnerSolids = std::vector<FoundObject<InnerResult>>;
+
+Json document_of(const InnerSolids& objects) {
+  return objects.size() == 1 ? inner_json(objects[0].result)
+                             : Json{{"objects", objects_json(objects, inner_json)}};
+}
+
+std::string summary_of(const InnerSolids& objects, const OutputOptions& output) {
   std::string text;
   for (const auto& [source, result] : objects) text += source.name + "\n" + summary(result);
-  text += written_lines(options.output);
-  if (options.output.all_paths().empty()) {
-    text += "  written     nothing; -o inner.obj keeps the solid\n";
-  }
-  return text + stage_text(stages, options.global.stages);
+  text += written_lines(output);
+  if (output.all_paths().empty()) text += "  written     nothing; -o inner.obj keeps the solid\n";
+  return text;
 }
 
 }  // namespace
@@ -162,25 +160,22 @@ int run_inner(const SimplifyArguments& options) {
   require_sensible(options);
   const InnerRequest wanted = inner_request(options);
   require_outputs(options.output.all_paths(), options.inputs);
-  Progress progress;
-  StageLog log(progress.watch());
-  std::vector<SceneObject> scene =
-      log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
+  CommandRun run(options.global);
+  std::vector<SceneObject> scene = run.read(options.inputs, options.scene);
   for (const SceneObject& object : scene) {
     if (std::holds_alternative<PointSet>(object.shape)) continue;
     reject_inner("--inner: " + object.name +
                  " is a list of halfspaces; an inner run removes vertices of points or a mesh");
   }
   options.output.require_room_for(scene.size());
-  auto found =
-      on_each_object<InnerResult>(std::move(scene), log, [&](const Shape& shape, std::size_t) {
+  auto found = on_each_object<InnerResult>(
+      std::move(scene), run.log(), [&](const Shape& shape, std::size_t) {
         InnerRequest request = wanted;
-        request.watch = progress.watch();
+        request.watch = run.watch();
         return simplify_inner(std::get<PointSet>(shape), request);
       });
   if (const auto* flat = std::get_if<FlatObject>(&found)) {
-    progress.clear();
-    return report_not_solid(options.global, flat->name, flat->reason);
+    return run.end_flat(flat->name, flat->reason);
   }
   auto& objects = std::get<std::vector<FoundObject<InnerResult>>>(found);
   if (!options.request.exact_volumes) {
@@ -189,11 +184,10 @@ int run_inner(const SimplifyArguments& options) {
       object.result.output_volume.exact.reset();
     }
   }
-  const OutputFiles files =
-      log.run("write", StageKind::Io, [&] { return files_of(objects, options.output); });
-  progress.clear();
-  write_together(files, answer_of(objects, log.stages(), options));
-  return 0;
+  OutputFiles files =
+      run.log().run("write", StageKind::Io, [&] { return files_of(objects, options.output); });
+  return run.end({[&] { return document_of(objects); },
+                  [&] { return summary_of(objects, options.output); }, std::move(files)});
 }
 
 }  // namespace convexact::cli

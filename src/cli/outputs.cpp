@@ -226,10 +226,4 @@ std::string written_lines(const OutputOptions& options) {
   return text;
 }
 
-void write_together(const OutputFiles& files, const std::string& summary) {
-  AtomicOutput output;
-  for (const auto& [path, bytes] : files) output.add(path, bytes);
-  output.commit([&summary] { print(summary); });
-}
-
 }  // namespace convexact::cli

@@ -6,9 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "cli/command.hpp"
+#include "cli/command_run.hpp"
 #include "cli/implicit_input.hpp"
-#include "cli/progress.hpp"
 #include "convexact/decompose.hpp"
 #include "convexact/run.hpp"
 #include "convexact/scene.hpp"
@@ -109,9 +108,6 @@ struct OutputObject {
   const RunStart* start = nullptr;     ///< Set wherever a proof may be asked for.
 };
 
-/// Path and bytes of each output.
-using OutputFiles = std::vector<std::pair<std::string, std::string>>;
-
 /// Every output, after reading each mesh and plane file back from its bytes and testing that the
 /// result holds every input point.
 /// @throws Error Unrepresentable; Internal if that test fails.
@@ -120,10 +116,6 @@ using OutputFiles = std::vector<std::pair<std::string, std::string>>;
 
 /// For each file a line of a summary that names it.
 [[nodiscard]] std::string written_lines(const OutputOptions& options);
-
-/// Writes the files and prints the summary: all of it succeeds, or every file stays as it was.
-/// @throws Error as AtomicOutput and print().
-void write_together(const OutputFiles& files, const std::string& summary);
 
 /// The objects of all inputs; of a command with --implicit, possibly the corners of its cells.
 template <class Arguments>
@@ -141,20 +133,18 @@ std::vector<SceneObject> read_objects(const Arguments& options, StageLog& log) {
 /// Runs a subcommand that reads objects, computes results for them under a watch, and writes the
 /// outputs and the answer; returns the exit code.
 /// @param find    From all objects to the results for each, or to one without volume.
-/// @param answer  The document or the summary, from the objects and all stages.
+/// @param answer  The document and the summary, from the objects.
 template <class Result, class Arguments, class Find, class Answer>
 int run_on_scene(const Arguments& options, Find&& find, Answer&& answer) {
   options.output.require_sensible();
   require_outputs(options.output.all_paths(), options.inputs);
-  Progress progress;
-  StageLog log(progress.watch());
-  std::vector<SceneObject> scene = read_objects(options, log);
+  CommandRun run(options.global);
+  std::vector<SceneObject> scene = read_objects(options, run.log());
   options.output.require_room_for(scene.size());
   std::variant<std::vector<FoundObject<Result>>, FlatObject> found =
-      find(std::move(scene), log, progress.watch());
+      find(std::move(scene), run.log(), run.watch());
   if (const auto* flat = std::get_if<FlatObject>(&found)) {
-    progress.clear();
-    return report_not_solid(options.global, flat->name, flat->reason);
+    return run.end_flat(flat->name, flat->reason);
   }
   std::vector<OutputObject> outputs;
   auto& objects = std::get<std::vector<FoundObject<Result>>>(found);
@@ -168,11 +158,10 @@ int run_on_scene(const Arguments& options, Find&& find, Answer&& answer) {
       if (result.start) output.start = &*result.start;
     }
   }
-  const OutputFiles files =
-      log.run("write", StageKind::Io, [&] { return output_files(outputs, options.output); });
-  progress.clear();
-  write_together(files, answer(objects, log.stages()));
-  return 0;
+  CommandAnswer said = answer(objects);
+  said.files =
+      run.log().run("write", StageKind::Io, [&] { return output_files(outputs, options.output); });
+  return run.end(said);
 }
 
 /// The same with `work` on each object.

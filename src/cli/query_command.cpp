@@ -69,20 +69,16 @@ struct QueryArguments {
 // A query as it runs: its stages, and the solids that it is about.
 class RunningQuery {
  public:
-  explicit RunningQuery(const QueryArguments& options)
-      : options_(options), log_(progress_.watch()) {}
+  explicit RunningQuery(const QueryArguments& options) : options_(options), run_(options.global) {}
 
   /// The exit code if one of the inputs is no solid, which is then reported.
   std::optional<int> read_solids(const std::vector<std::string>& paths) {
-    std::vector<SceneObject> scene =
-        log_.run("read", StageKind::Io, [&] { return read_scene(paths, options_.scene); });
-    for (SceneObject& object : scene) {
-      StageLog log(progress_.watch());
+    for (const SceneObject& object : run_.read(paths, options_.scene)) {
+      StageLog log(run_.watch());
       SolidOutcome outcome = make_solid(object.shape, options_.global.seed, true, log, false);
-      log_.add(log.stages());
+      run_.log().add(log.stages());
       if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
-        progress_.clear();
-        return report_not_solid(options_.global, object.name, of_typed_rows(*reason, object.rows));
+        return run_.end_flat(object, *reason);
       }
       names_.push_back(object.name);
       solids_.push_back(std::get<Solid>(std::move(outcome)).polytope);
@@ -90,26 +86,12 @@ class RunningQuery {
     return {};
   }
   NamedPolytope operator[](std::size_t k) const { return {names_[k], solids_[k]}; }
-  StageLog& log() { return log_; }
-
-  /// Prints the result of one of the two, with the stages, and returns the exit code.
-  template <class Describe, class Text>
-  int print_answer(Describe&& json, Text&& text) {
-    progress_.clear();
-    if (options_.global.json) {
-      Json document = json();
-      document["stages"] = stages_json(log_.stages());
-      print(document);
-    } else {
-      print(text() + stage_text(log_.stages(), options_.global.stages));
-    }
-    return 0;
-  }
+  StageLog& log() { return run_.log(); }
+  int end(const CommandAnswer& answer) { return run_.end(answer); }
 
  private:
   const QueryArguments& options_;
-  Progress progress_;
-  StageLog log_;
+  CommandRun run_;
   std::vector<std::string> names_;
   std::vector<Polytope> solids_;
 };
@@ -164,8 +146,8 @@ int run_tree_overlap(const QueryArguments& options, const HullTree& read) {
   const TreeOverlap answer =
       query.log().run("overlap", [&] { return find_overlap(*tree, b.solid, options.global.seed); });
   query.log().run("check", [&] { require(check(*tree, b.solid, answer)); });
-  return query.print_answer([&] { return overlap_json(tree.named(), b, answer); },
-                            [&] { return overlap_text(tree.named(), b, answer); });
+  return query.end({[&] { return overlap_json(tree.named(), b, answer); },
+                    [&] { return overlap_text(tree.named(), b, answer); }});
 }
 
 int run_overlap(const QueryArguments& options) {
@@ -178,8 +160,8 @@ int run_overlap(const QueryArguments& options) {
   const Overlap answer = query.log().run(
       "overlap", [&] { return find_overlap(a.solid, b.solid, options.global.seed); });
   query.log().run("check", [&] { require(check(a.solid, b.solid, answer)); });
-  return query.print_answer([&] { return overlap_json(a, b, answer); },
-                            [&] { return overlap_text(a, b, answer); });
+  return query.end(
+      {[&] { return overlap_json(a, b, answer); }, [&] { return overlap_text(a, b, answer); }});
 }
 
 std::vector<Ray> rays_of(const QueryArguments& options) {
@@ -222,8 +204,8 @@ int run_tree_rays(const QueryArguments& options, const HullTree& read) {
       query.log().run("read", StageKind::Io, [&] { return rays_of(options); });
   const AskedTree tree(options.a, read, query.log());
   const auto answers = cast_all(*tree, rays, query.log());
-  return query.print_answer([&] { return rays_json(tree.named(), answers); },
-                            [&] { return rays_text(tree.named(), answers); });
+  return query.end({[&] { return rays_json(tree.named(), answers); },
+                    [&] { return rays_text(tree.named(), answers); }});
 }
 
 int run_rays(const QueryArguments& options) {
@@ -236,8 +218,7 @@ int run_rays(const QueryArguments& options) {
   if (const auto exit = query.read_solids({options.a})) return *exit;
   const NamedPolytope a = query[0];
   const auto answers = cast_all(a.solid, rays, query.log());
-  return query.print_answer([&] { return rays_json(a, answers); },
-                            [&] { return rays_text(a, answers); });
+  return query.end({[&] { return rays_json(a, answers); }, [&] { return rays_text(a, answers); }});
 }
 
 int run_false_positives(const QueryArguments& options) {
@@ -249,8 +230,8 @@ int run_false_positives(const QueryArguments& options) {
   request.watch = query.log().watch("probes");
   const FalsePositives found =
       query.log().run("probes", [&] { return count_false_positives(a.solid, b.solid, request); });
-  return query.print_answer([&] { return false_positives_json(a, b, found); },
-                            [&] { return false_positives_text(a, b, found); });
+  return query.end({[&] { return false_positives_json(a, b, found); },
+                    [&] { return false_positives_text(a, b, found); }});
 }
 
 void add_solid(Command& command, const std::string& name, std::string& path,

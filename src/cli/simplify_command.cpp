@@ -99,17 +99,18 @@ struct FoundTotals {
   Gaps gaps;
 };
 
-std::string answer_of(const FoundSolids& objects, const std::optional<FoundTotals>& together,
-                      const std::vector<Stage>& stages, const SimplifyArguments& options) {
-  if (options.global.json) {
-    Json document = objects.size() == 1 && !together
-                        ? result_json(objects[0].result)
-                        : Json{{"objects", objects_json(objects, result_json)}};
-    if (options.implicit.is_given()) document["implicit"] = implicit_json(*options.implicit.found);
-    if (together) document["total"] = totals_json(together->totals, together->gaps);
-    document["stages"] = stages_json(stages);
-    return write_json(document, 2) + "\n";
-  }
+Json document_of(const FoundSolids& objects, const std::optional<FoundTotals>& together,
+                 const SimplifyArguments& options) {
+  Json document = objects.size() == 1 && !together
+                      ? result_json(objects[0].result)
+                      : Json{{"objects", objects_json(objects, result_json)}};
+  if (options.implicit.is_given()) document["implicit"] = implicit_json(*options.implicit.found);
+  if (together) document["total"] = totals_json(together->totals, together->gaps);
+  return document;
+}
+
+std::string summary_of(const FoundSolids& objects, const std::optional<FoundTotals>& together,
+                       const SimplifyArguments& options) {
   std::string text;
   for (const auto& [source, result] : objects)
     text += source.name + "\n" + summary(result, options.global.verbose);
@@ -119,7 +120,13 @@ std::string answer_of(const FoundSolids& objects, const std::optional<FoundTotal
   if (options.output.all_paths().empty()) {
     text += "  written     nothing; -o proxy.obj keeps the solid, --picture proxy.html shows it\n";
   }
-  return text + stage_text(stages, options.global.stages || options.global.verbose);
+  return text;
+}
+
+CommandAnswer answer_of(const FoundSolids& objects, const std::optional<FoundTotals>& together,
+                        const SimplifyArguments& options) {
+  return {[&] { return document_of(objects, together, options); },
+          [&] { return summary_of(objects, together, options); }};
 }
 
 int run_each(const SimplifyArguments& options, const SimplifyRequest& request) {
@@ -129,10 +136,10 @@ int run_each(const SimplifyArguments& options, const SimplifyRequest& request) {
     for (std::size_t k = 0; k < scene.size(); ++k) each[k].keep = keep[k];
     return each;
   };
-  return run_on_inputs<SimplifyResult>(options, requests, simplify,
-                                       [&](const auto& objects, const auto& stages) {
-                                         return answer_of(objects, {}, stages, options);
-                                       });
+  const std::optional<FoundTotals> none;
+  return run_on_inputs<SimplifyResult>(options, requests, simplify, [&](const auto& objects) {
+    return answer_of(objects, none, options);
+  });
 }
 
 // The parts of a scene with one budget, and their gaps.
@@ -176,9 +183,8 @@ int run_together(const SimplifyArguments& options, const SimplifyRequest& each) 
     request.each.watch = watch;
     return simplify_together(std::move(scene), request, log, together);
   };
-  return run_on_scene<SimplifyResult>(options, find, [&](const auto& objects, const auto& stages) {
-    return answer_of(objects, together, stages, options);
-  });
+  return run_on_scene<SimplifyResult>(
+      options, find, [&](const auto& objects) { return answer_of(objects, together, options); });
 }
 
 // The corners of cells have no parts, and a hull inside theirs says nothing about the shape.

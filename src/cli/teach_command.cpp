@@ -100,30 +100,27 @@ int run_teach(const TeachArguments& options) {
   LessonRequest request = options.request;
   request.center = parse_center(options.center);
   request.seed = options.global.seed;
-  Progress progress;
-  StageLog log(progress.watch());
-  const std::vector<SceneObject> scene =
-      log.run("read", StageKind::Io, [&] { return read_scene({options.input}, options.scene); });
-  const SceneObject& object = scene.front();  // without --parts a file is one object
-  request.watch = progress.watch();
+  CommandRun run(options.global);
+  const SceneObject object = run.read_one(options.input, options.scene);
+  request.watch = run.watch();
   const auto outcome = make_lesson(object, request);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
-    progress.clear();
-    return report_not_solid(options.global, object.name, *reason);
+    return run.end_flat(object.name, *reason);
   }
   const auto& lesson = std::get<Lesson>(outcome);
-  log.add(lesson.stages);
+  run.log().add(lesson.stages);
   const OutputFiles files =
-      log.run("write", StageKind::Io, [&] { return lesson_files(options.outputs, lesson); });
-  progress.clear();
+      run.log().run("write", StageKind::Io, [&] { return lesson_files(options.outputs, lesson); });
+  run.progress().clear();
   if (lesson.failure) {
     // The lesson shows the step; the report of the error has the usual form.
     write_together(files, "");
     throw Error(ErrorCode::Internal, *lesson.failure);
   }
-  write_together(files, options.global.json ? write_json(lesson.document) + "\n"
-                                            : object.name + "\n" + summary_of(lesson, files) +
-                                                  stage_text(log.stages(), options.global.stages));
+  write_together(files, options.global.json
+                            ? write_json(lesson.document) + "\n"
+                            : object.name + "\n" + summary_of(lesson, files) +
+                                  stage_text(run.log().stages(), options.global.stages));
   return 0;
 }
 

@@ -4,9 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "cli/command.hpp"
 #include "cli/outputs.hpp"
-#include "cli/progress.hpp"
 #include "cli/promise_options.hpp"
 #include "cli/stdio_loop.hpp"
 #include "cli/verify_trace.hpp"
@@ -15,12 +13,9 @@
 #include "convexact/io.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/verify.hpp"
-#include "io/json_document.hpp"
 #include "oracle/scene_verdict.hpp"
 #include "scene/objects.hpp"
-#include "solid/stage_log.hpp"
 #include "wire/scene_report.hpp"
-#include "wire/stage_report.hpp"
 #include "wire/stdio_request.hpp"
 #include "wire/verdict_report.hpp"
 
@@ -136,6 +131,18 @@ bool names_a_claim_of_parts(const VerifyArguments& options) {
   });
 }
 
+Candidate read_candidate_as(const VerifyArguments& options, Decimal decimal, CommandRun& run) {
+  return run.log().run("read candidate", StageKind::Io,
+                       [&] { return read_candidate(options.candidate, decimal); });
+}
+
+// A verdict, and what it is about.
+Json about(const std::string& input, const VerifyArguments& options, const Json& verdict) {
+  Json document = {{"input", input}, {"file", options.candidate}};
+  document.update(verdict);
+  return document;
+}
+
 // Each part of the input with the part of the candidate, and the gaps between these.
 int run_verify_parts(VerifyArguments options) {
   const VerifyArguments given = options;
@@ -150,75 +157,56 @@ int run_verify_parts(VerifyArguments options) {
   const Promise promise = promise_of(options);
   request.each = verify_request(options, promise);
   const Decimal decimal = meaning_of_numbers(promise, options.decimal);
-  Progress progress;
-  StageLog log(progress.watch());
-  const std::vector<SceneObject> input = log.run("read input", StageKind::Io, [&] {
-    return read_scene({options.input},
-                      {.decimal = decimal, .parts = true, .on_read = remember_input});
-  });
-  const Candidate candidate = log.run("read candidate", StageKind::Io,
-                                      [&] { return read_candidate(options.candidate, decimal); });
+  CommandRun run(options.global);
+  const std::vector<SceneObject> input =
+      run.read({options.input}, {.decimal = decimal, .parts = true, .on_read = remember_input},
+               "read input");
+  const Candidate candidate = read_candidate_as(options, decimal, run);
   // Parts of one object can only be judged together.
   if (const auto* mesh = std::get_if<Mesh>(&candidate);
       input.size() == 1 && mesh != nullptr && objects_in(*mesh) > 1) {
-    progress.clear();
+    run.progress().clear();
     return run_union(given);
   }
-  request.each.watch = progress.watch();
+  request.each.watch = run.watch();
   const auto outcome = verify_scene(input, candidate, request);
-  progress.clear();
   if (const auto* flat = std::get_if<NotSolidPart>(&outcome)) {
-    const SceneObject& part = input[flat->part];
-    return report_not_solid(options.global, part.name, of_typed_rows(flat->reason, part.rows));
+    return run.end_flat(input[flat->part], flat->reason);
   }
   const auto& verdict = std::get<SceneVerdict>(outcome);
-  for (const PartVerdict& part : verdict.parts) log.add(part.verdict.stages);
+  for (const PartVerdict& part : verdict.parts) run.log().add(part.verdict.stages);
   const std::string name = display_name(options.input);
-  if (options.global.json) {
-    Json document = {{"input", name}, {"file", options.candidate}};
-    document.update(scene_verdict_json(verdict));
-    document["stages"] = stages_json(log.stages());
-    print(document);
-  } else {
-    print(options.candidate + " as enclosures of the parts of " + name + "\n" +
-          scene_verdict_text(verdict) + "\n" + stage_text(log.stages(), options.global.stages));
-  }
-  return verdict.holds() ? 0 : 1;
+  return run.end({.json = [&] { return about(name, options, scene_verdict_json(verdict)); },
+                  .text =
+                      [&] {
+                        return options.candidate + " as enclosures of the parts of " + name + "\n" +
+                               scene_verdict_text(verdict) + "\n";
+                      },
+                  .exit = verdict.holds() ? 0 : 1});
 }
 
 int run_verify_candidate(const VerifyArguments& options) {
   const Promise promise = promise_of(options);
   VerifyRequest request = verify_request(options, promise);
   const Decimal decimal = meaning_of_numbers(promise, options.decimal);
-  Progress progress;
-  StageLog log(progress.watch());
-  const SceneObject input = log.run("read input", StageKind::Io, [&] {
-    return std::move(
-        read_scene({options.input}, {.decimal = decimal, .on_read = remember_input}).front());
-  });
-  const Candidate candidate = log.run("read candidate", StageKind::Io,
-                                      [&] { return read_candidate(options.candidate, decimal); });
-  request.watch = progress.watch();
+  CommandRun run(options.global);
+  const SceneObject input =
+      run.read_one(options.input, {.decimal = decimal, .on_read = remember_input}, "read input");
+  const Candidate candidate = read_candidate_as(options, decimal, run);
+  request.watch = run.watch();
   request.used = used_flags(input);
   const VerifyOutcome outcome = verify(input.shape, candidate, request);
-  if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
-    progress.clear();
-    return report_not_solid(options.global, input.name, of_typed_rows(*reason, input.rows));
-  }
+  if (const auto* reason = std::get_if<NotSolid>(&outcome)) return run.end_flat(input, *reason);
   const auto& verdict = std::get<Verdict>(outcome);
-  log.add(verdict.stages);
-  progress.clear();
-  if (options.global.json) {
-    Json document = {{"input", input.name}, {"file", options.candidate}};
-    document.update(verdict_json(verdict));
-    document["stages"] = stages_json(log.stages());
-    print(document);
-  } else {
-    print(options.candidate + relation_of(request.asks) + input.name + "\n" +
-          verdict_table(verdict, options.inner || options.promise.is_asked()) + "\n" +
-          stage_text(log.stages(), options.global.stages));
-  }
-  return verdict.holds() ? 0 : 1;
+  run.log().add(verdict.stages);
+  return run.end({.json = [&] { return about(input.name, options, verdict_json(verdict)); },
+                  .text =
+                      [&] {
+                        return options.candidate + relation_of(request.asks) + input.name + "\n" +
+                               verdict_table(verdict, options.inner || options.promise.is_asked()) +
+                               "\n";
+                      },
+                  .exit = verdict.holds() ? 0 : 1});
 }
 
 // What a command line asks about.

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "cli/verify_trace.hpp"
 
+#include "cli/command_run.hpp"
 #include "cli/keep_option.hpp"
-#include "cli/progress.hpp"
 #include "convexact/io.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/verify_run.hpp"
-#include "io/json_document.hpp"
 #include "simplify/run_names.hpp"
 #include "solid/solid.hpp"
 #include "wire/removal_order_file.hpp"
-#include "wire/stage_report.hpp"
 #include "wire/trace_verdict.hpp"
 
 namespace convexact::cli {
@@ -108,39 +106,31 @@ int run_verify_trace(const GlobalOptions& global, const std::string& input, Deci
   if ((input == "-") + (options.trace == "-") + (options.facets == "-") > 1) {
     throw Error(ErrorCode::InvalidArgument, "standard input, -, can be read only once");
   }
-  Progress progress;
-  StageLog log(progress.watch());
+  CommandRun run(global);
+  StageLog& log = run.log();
   const OrderFiles files =
       log.run("read the trace", StageKind::Io, [&] { return read_files(options); });
-  const std::vector<SceneObject> scene = log.run("read", StageKind::Io, [&] {
-    return read_scene({input},
-                      {.decimal = decimal, .points = options.points, .on_read = remember_input});
-  });
+  const std::vector<SceneObject> scene =
+      run.read({input}, {.decimal = decimal, .points = options.points, .on_read = remember_input});
   const SolidOutcome outcome = make_solid(scene[0].shape, global.seed, true, log);
-  if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
-    progress.clear();
-    return report_not_solid(global, scene[0].name, of_typed_rows(*reason, scene[0].rows));
-  }
+  if (const auto* reason = std::get_if<NotSolid>(&outcome)) return run.end_flat(scene[0], *reason);
   const auto* points = std::get_if<PointSet>(&scene[0].shape);
   judge_options.kept = select_facets(std::get<Solid>(outcome).dual.halfspaces,
                                      points != nullptr ? *points : PointSet(),
                                      keep_selectors(options.keep, scene)[0]);
   const std::size_t halfspaces = std::get<Solid>(outcome).dual.halfspaces.size();
   judge_options.progress = [&](std::size_t judged) {
-    progress("judging removals", judged, halfspaces - 4);
+    run.progress()("judging removals", judged, halfspaces - 4);
   };
   const TraceVerdict verdict =
       judge(std::get<Solid>(outcome), files, options, judge_options, decimal, log);
-  progress.clear();
-  if (global.json) {
-    Json document = trace_verdict_json(verdict);
-    document["stages"] = stages_json(log.stages());
-    print(document);
-  } else {
-    print(scene[0].name + " against " + display_name(options.trace) + "\n" +
-          trace_verdict_text(verdict) + "\n" + stage_text(log.stages(), global.stages));
-  }
-  return verdict.holds() ? 0 : 1;
+  return run.end({.json = [&] { return trace_verdict_json(verdict); },
+                  .text =
+                      [&] {
+                        return scene[0].name + " against " + display_name(options.trace) + "\n" +
+                               trace_verdict_text(verdict) + "\n";
+                      },
+                  .exit = verdict.holds() ? 0 : 1});
 }
 
 }  // namespace convexact::cli

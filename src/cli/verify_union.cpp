@@ -4,16 +4,13 @@
 #include <filesystem>
 
 #include "cli/outputs.hpp"
-#include "cli/progress.hpp"
 #include "convexact/io.hpp"
 #include "convexact/scene.hpp"
 #include "io/json.hpp"
 #include "pages/parts_picture.hpp"
 #include "scene/objects.hpp"
-#include "solid/stage_log.hpp"
 #include "wire/decompose_report.hpp"
 #include "wire/parts_verdict.hpp"
-#include "wire/stage_report.hpp"
 
 namespace convexact::cli {
 
@@ -72,42 +69,39 @@ int run_verify_union(const GlobalOptions& global, const std::string& input,
                 "--no-tightness is --measures none of a union: name no others");
   }
   request.exact_volumes = options.measures.exact_volumes;
-  Progress progress;
-  StageLog log(progress.watch());
-  SceneObject object = log.run("read input", StageKind::Io, [&] {
-    return std::move(read_scene({input}, {.decimal = decimal, .on_read = remember_input}).front());
-  });
+  CommandRun run(global);
+  SceneObject object =
+      run.read_one(input, {.decimal = decimal, .on_read = remember_input}, "read input");
   const std::string name = object.name;
   const auto made = mesh_of(std::move(object));
-  if (const auto* reason = std::get_if<NotSolid>(&made)) {
-    progress.clear();
-    return report_not_solid(global, name, *reason);
-  }
+  if (const auto* reason = std::get_if<NotSolid>(&made)) return run.end_flat(name, *reason);
   const CandidateParts parts =
-      log.run("read parts", StageKind::Io, [&] { return read_parts(candidate, decimal); });
-  request.watch = progress.watch();
+      run.log().run("read parts", StageKind::Io, [&] { return read_parts(candidate, decimal); });
+  request.watch = run.watch();
   const PartsVerdict verdict = verify_parts(std::get<Mesh>(made), parts, request);
-  log.add(verdict.stages);
-  progress.clear();
+  run.log().add(verdict.stages);
   OutputFiles files;
   if (!options.picture.empty()) {
     files.emplace_back(options.picture, picture_html(parts_picture(
                                             std::get<Mesh>(made), verdict,
                                             std::filesystem::path(name).filename().string())));
   }
-  std::string answer;
-  if (global.json) {
-    Json document = {{"input", name}, {"file", candidate}};
-    document.update(parts_verdict_json(verdict));
-    document["stages"] = stages_json(log.stages());
-    answer = write_json(document, 2) + "\n";
-  } else {
-    answer = candidate + " as parts of " + name + "\n" + parts_verdict_text(verdict) +
-             (options.picture.empty() ? "" : "  written             " + options.picture + "\n") +
-             "\n" + stage_text(log.stages(), global.stages);
-  }
-  write_together(files, answer);
-  return verdict.holds() ? 0 : 1;
+  return run.end(
+      {.json =
+           [&] {
+             Json document = {{"input", name}, {"file", candidate}};
+             document.update(parts_verdict_json(verdict));
+             return document;
+           },
+       .text =
+           [&] {
+             return candidate + " as parts of " + name + "\n" + parts_verdict_text(verdict) +
+                    (options.picture.empty() ? ""
+                                             : "  written             " + options.picture + "\n") +
+                    "\n";
+           },
+       .files = files,
+       .exit = verdict.holds() ? 0 : 1});
 }
 
 }  // namespace convexact::cli

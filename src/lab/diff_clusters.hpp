@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: MIT
 // diff_clusters.hpp - diff INPUT --clusters: engines of a decomposition against each other.
 #pragma once
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/command.hpp"
 #include "convexact/cluster.hpp"
 #include "convexact/scene.hpp"
+#include "wire/field.hpp"
 
 namespace convexact::cli {
 
 struct ClusterDiffOptions {
   bool is_asked = false;  ///< --clusters
-  std::optional<std::string> concavity;
-  std::optional<std::size_t> max_parts;
-  std::optional<ConcavityMeasure> measure;
-  std::optional<Connect> connect;
+  GivenFields given;      ///< Of decompose_fields().
 
   /// An option that has no meaning for removals; empty if none is given.
   std::string foreign_to_removals() const;

@@ -6,15 +6,12 @@
 
 #include "cli/keep_option.hpp"
 #include "cli/outputs.hpp"
-#include "cli/progress.hpp"
 #include "convexact/scene.hpp"
 #include "io/json_document.hpp"
 #include "lab/commands.hpp"
 #include "lab/diff/diff.hpp"
 #include "lab/diff_clusters.hpp"
 #include "simplify/run_names.hpp"
-#include "solid/stage_log.hpp"
-#include "wire/stage_report.hpp"
 
 namespace convexact::cli {
 namespace {
@@ -45,18 +42,10 @@ struct DiffArguments {
 
 using DiffedObject = FoundObject<DiffReport>;
 
-Json document_of(const std::vector<DiffedObject>& objects, std::size_t faces, bool explained,
-                 const StageLog& log) {
-  return {{"faces", faces},
-          {"explained", explained},
-          {"objects", objects_json(objects, diff_json)},
-          {"stages", stages_json(log.stages())}};
-}
-
-void print_table(const std::vector<DiffedObject>& objects, const StageLog& log, bool lists_stages) {
+std::string table_of(const std::vector<DiffedObject>& objects) {
   std::vector<NamedDiff> named;
   for (const DiffedObject& object : objects) named.push_back({object.source.name, &object.result});
-  print(diff_table(named) + "\n" + stage_text(log.stages(), lists_stages));
+  return diff_table(named) + "\n";
 }
 
 // Merges of clusters have no faces to keep, and no choice of the cost.
@@ -81,36 +70,35 @@ int run_diff(const DiffArguments& options) {
     throw Error(ErrorCode::InvalidArgument,
                 foreign + " applies only to a comparison of clusters; give --clusters as well");
   }
-  Progress progress;
-  StageLog log(progress.watch());
+  CommandRun run(options.global);
   DiffRequest request;
   request.faces = options.faces.value_or(4);
   request.engines = parse_words("--engines", options.engines, kEngineNames);
   request.cost = options.cost;
   request.compare.bits = options.tie_bits;
   request.seed = options.global.seed;
-  request.watch = progress.watch();
-  std::vector<SceneObject> scene =
-      log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
+  request.watch = run.watch();
+  std::vector<SceneObject> scene = run.read(options.inputs, options.scene);
   const auto keep = keep_selectors(options.keep, scene);
-  const auto found =
-      on_each_object<DiffReport>(std::move(scene), log, [&](const Shape& shape, std::size_t k) {
-        request.keep = keep[k];
-        return diff_engines(shape, request);
-      });
-  progress.clear();
+  const auto found = on_each_object<DiffReport>(std::move(scene), run.log(),
+                                                [&](const Shape& shape, std::size_t k) {
+                                                  request.keep = keep[k];
+                                                  return diff_engines(shape, request);
+                                                });
   if (const auto* flat = std::get_if<FlatObject>(&found)) {
-    return report_not_solid(options.global, flat->name, flat->reason);
+    return run.end_flat(flat->name, flat->reason);
   }
   const auto& objects = std::get<std::vector<DiffedObject>>(found);
   const bool explained = std::all_of(objects.begin(), objects.end(),
                                      [](const DiffedObject& o) { return o.result.holds(); });
-  if (options.global.json) {
-    print(document_of(objects, request.faces, explained, log));
-  } else {
-    print_table(objects, log, options.global.stages);
-  }
-  return explained ? 0 : 1;
+  return run.end({.json =
+                      [&] {
+                        return Json{{"faces", request.faces},
+                                    {"explained", explained},
+                                    {"objects", objects_json(objects, diff_json)}};
+                      },
+                  .text = [&] { return table_of(objects); },
+                  .exit = explained ? 0 : 1});
 }
 
 }  // namespace

@@ -142,6 +142,13 @@ RationalPoint interior_point_of(const Solid& solid) {
   return *center;
 }
 
+std::vector<std::array<double, 4>> Stored::planes_in_doubles() const {
+  if (planes && planes->precision == Precision::Binary64) return planes->planes;
+  std::vector<PointId> all;
+  for (std::size_t i = 0; i < points.size(); ++i) all.emplace_back(i);
+  return store_planes(exact, points, all, Precision::Binary64).planes;
+}
+
 Stored store(Polytope exact, const PointSet& points, std::span<const PointId> extreme,
              const StoreRequest& request, StageLog& log) {
   Stored solid{std::move(exact), points, {}, {}};

@@ -64,15 +64,19 @@ struct BoundField {
 };
 using BoundFields = std::vector<BoundField>;
 
+/// Whether a table is asked for a field: for those of some names, or for all.
+[[nodiscard]] inline bool is_wanted(const FieldInfo& field,
+                                    const std::vector<std::string_view>& names) {
+  return names.empty() || std::find(names.begin(), names.end(), field.name) != names.end();
+}
+
 /// All options of a table, or those of some names, in the order of the table.
 template <class Request>
 [[nodiscard]] BoundFields bound_fields(const Fields<Request>& fields, Request& request,
-                               const std::vector<std::string_view>& names = {}) {
+                                       const std::vector<std::string_view>& names = {}) {
   BoundFields bound;
   for (const Field<Request>& field : fields) {
-    if (!names.empty() && std::find(names.begin(), names.end(), field.name) == names.end()) {
-      continue;
-    }
+    if (!is_wanted(field, names)) continue;
     bound.push_back({&field,
                      [&](const std::string& option, const std::string& text) {
                        field.read(request, option, text);
@@ -87,9 +91,11 @@ class GivenFields {
  public:
   /// Options that are checked and kept when they are read. They have no defaults.
   template <class Request>
-  [[nodiscard]] BoundFields bound(const Fields<Request>& fields) {
+  [[nodiscard]] BoundFields bound(const Fields<Request>& fields,
+                                  const std::vector<std::string_view>& names = {}) {
     BoundFields bound;
     for (const Field<Request>& field : fields) {
+      if (!is_wanted(field, names)) continue;
       const auto keep = [this, &field](const std::string& option, const std::string& text) {
         Request unused;
         field.read(unused, option, text);

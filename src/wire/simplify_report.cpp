@@ -112,6 +112,18 @@ Json search_json(const SearchResult& search, bool is_exact) {
   return json;
 }
 
+// Null where doubles cannot hold the planes.
+Json doubles_json(const Stored& solid) {
+  try {
+    Json rows = Json::array();
+    for (const auto& plane : solid.planes_in_doubles()) rows.push_back(plane);
+    return rows;
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::Unrepresentable) throw;
+    return nullptr;
+  }
+}
+
 }  // namespace
 
 Json result_json(const SimplifyResult& result) {
@@ -122,6 +134,7 @@ Json result_json(const SimplifyResult& result) {
       {"halfspaces", result.solid.exact.planes.size()},
       {"reached", is_reached(result.stop)},
       {"stop", stop_json(result.stop, !result.float_bound || result.float_bound->is_end_proven)},
+      {"planes_in_doubles", doubles_json(result.solid)},
       {"planes", result.solid.exact.planes},
       {"stored", stored_json(result.solid)}};
   if (!result.kept.empty()) json["kept"] = kept_json(result.kept);

@@ -288,6 +288,38 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("planes: doubles that hold every point, in the order of the exact planes") {
+  // Sevenths are no doubles, so that rounding has to give way; the definition judges: n.p + d <= 0.
+  std::vector<RationalPoint> points;
+  for (const int x : {1, 9})
+    for (const int y : {-3, 5})
+      for (const int z : {2, 11})
+        points.emplace_back(Rational(x, 7), Rational(y, 7), Rational(z, 7));
+  points.emplace_back(Rational(10, 7), Rational(1, 7), Rational(6, 7));
+  const SimplifyResult result = run(PointSet(points), request_for(6, Engine::Filtered));
+  const auto planes = result.planes();
+  REQUIRE(planes.size() == result.solid.exact.planes.size());
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const auto& [a, b, c, d] = planes[i];
+    const RationalVector3 n(to_rational(a), to_rational(b), to_rational(c));
+    for (const RationalPoint& p : points) CHECK(n.dot(p) + to_rational(d) <= 0);
+    const auto& exact = result.solid.exact.planes[i].normal();
+    CHECK(n.dot(RationalVector3(exact.x(), exact.y(), exact.z())) > 0);
+  }
+  // Asked for beforehand, they are stored and the same.
+  SimplifyRequest request = request_for(6, Engine::Filtered);
+  request.store.planes = Precision::Binary64;
+  CHECK(run(PointSet(points), request).planes() == planes);
+}
+
+TEST_CASE("planes: an offset beyond the largest double is an error") {
+  // The fourth facet is x + y + z <= 2.9 m, and normals are at least a half: d <= -1.45 m.
+  const double m = 1.7e308, less = 1.53e308;
+  const std::vector<Point> points = {{0, 0, 0}, {m, m, less}, {m, less, m}, {less, m, m}};
+  const SimplifyResult result = run(PointSet(points), request_for(4, Engine::Exact));
+  CHECK(error_of([&] { (void)result.planes(); }).code() == ErrorCode::Unrepresentable);
+}
+
 TEST_CASE("require_solid: the result, or the proof as an error") {
   const auto hull_of = [](std::vector<Point> points) {
     return require_solid(measure_hull(PointSet(std::move(points))));

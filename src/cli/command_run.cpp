@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "cli/command_run.hpp"
+
+#include "convexact/io.hpp"
+#include "wire/stage_report.hpp"
+
+namespace convexact::cli {
+
+void write_together(const OutputFiles& files, const std::string& summary) {
+  AtomicOutput output;
+  for (const auto& [path, bytes] : files) output.add(path, bytes);
+  output.commit([&summary] { print(summary); });
+}
+
+std::vector<SceneObject> CommandRun::read(const std::vector<std::string>& paths,
+                                          const SceneOptions& options, const std::string& stage) {
+  return log_.run(stage, StageKind::Io, [&] { return read_scene(paths, options); });
+}
+
+SceneObject CommandRun::read_one(const std::string& path, const SceneOptions& options,
+                                 const std::string& stage) {
+  return std::move(read({path}, options, stage).front());
+}
+
+int CommandRun::end_flat(const std::string& name, const NotSolid& reason) {
+  progress_.clear();
+  return report_not_solid(global_, name, reason);
+}
+
+int CommandRun::end_flat(const SceneObject& object, const NotSolid& reason) {
+  return end_flat(object.name, of_typed_rows(reason, object.rows));
+}
+
+int CommandRun::end(const CommandAnswer& answer) {
+  progress_.clear();
+  std::string said;
+  if (global_.json) {
+    Json document = answer.json();
+    document["stages"] = stages_json(log_.stages());
+    said = write_json(document, 2) + "\n";
+  } else {
+    said = answer.text() + stage_text(log_.stages(), global_.stages || global_.verbose);
+  }
+  answer.write(answer.files, said);
+  return answer.exit;
+}
+
+}  // namespace convexact::cli
