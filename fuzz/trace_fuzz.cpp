@@ -7,7 +7,7 @@
 
 #include "cheapest_removals.hpp"
 #include "convexact/hull.hpp"
-#include "convexact/verify_run.hpp"
+#include "convexact/verify_order.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"
 

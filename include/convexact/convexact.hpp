@@ -39,6 +39,6 @@
 #include "convexact/surface.hpp"
 #include "convexact/union_distance.hpp"
 #include "convexact/verify.hpp"
+#include "convexact/verify_order.hpp"
 #include "convexact/verify_parts.hpp"
-#include "convexact/verify_run.hpp"
 #include "convexact/watch.hpp"

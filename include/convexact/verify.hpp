@@ -67,6 +67,7 @@ enum class ClaimCode {
   MaxFacetVertices,   ///< No facet has more corners.
   InsideInput,        ///< Of an inner solid: no vertex lies outside of the input's hull.
   IsHull,             ///< Of a hull: it is the input's hull, both distances within the tolerance.
+  NoGaps,  ///< Of the parts of a scene: each face of the input lies in the candidate of its part.
   // Of a decomposition: see verify_parts.hpp.
   PartsReadable,         ///< Its bytes spell meshes.
   PartsFinite,           ///< No NaN, no infinity, no decimal beyond the largest double.

@@ -21,26 +21,22 @@ Profile find_profile(const std::string& name) {
 
 }  // namespace
 
-std::vector<ClaimCode> parse_claims(const std::string& text) {
-  std::vector<ClaimCode> claims;
-  for (const std::string& word : words_of(text)) {
-    const auto code = claim_of_name(word);
-    if (!code) {
-      std::string names;
-      for (const ClaimCode known : kAllClaims) {
-        names += (names.empty() ? "" : ", ") + std::string(name_of(known));
+void add_claims_option(Command& command, std::vector<ClaimCode>& claims,
+                       const std::string& meaning) {
+  add_text(command, "--claims", meaning, [&claims](const auto& option, const auto& text) {
+    for (const std::string& word : words_of(text)) {
+      if (const auto code = claim_of_name(word)) {
+        claims.push_back(*code);
+        continue;
       }
-      for (const ClaimCode known : {ClaimCode::InsideInput, ClaimCode::IsHull}) {
-        names += ", " + std::string(name_of(known));
+      std::vector<std::string> names;
+      for (int known = 0; known <= static_cast<int>(ClaimCode::TreeNested); ++known) {
+        names.emplace_back(name_of(static_cast<ClaimCode>(known)));
       }
-      for (const ClaimCode known : kPartsClaims) names += ", " + std::string(name_of(known));
-      names += ", " + std::string(name_of(ClaimCode::TreeNested));
-      throw Error(ErrorCode::InvalidArgument,
-                  "--claims: expected names out of " + names + "; found " + in_quotes(word));
+      throw Error(ErrorCode::InvalidArgument, option + ": expected names out of " +
+                                                  join(names, ", ") + "; found " + in_quotes(word));
     }
-    claims.push_back(*code);
-  }
-  return claims;
+  });
 }
 
 Promise PromiseOptions::promise(Asks asks_by_default) const {

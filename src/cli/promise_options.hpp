@@ -35,8 +35,8 @@ struct PromiseOptions {
 void add_promise_options(Command& command, PromiseOptions& options, const char* asks_by_default,
                          bool may_be_flat = false);
 
-/// The value of --claims: names, separated by commas.
-/// @throws Error InvalidArgument, listing the names, for any other word, even an empty one.
-[[nodiscard]] std::vector<ClaimCode> parse_claims(const std::string& text);
+/// --claims: names, separated by commas; any other word, even an empty one, is wrong usage.
+void add_claims_option(Command& command, std::vector<ClaimCode>& claims,
+                       const std::string& meaning);
 
 }  // namespace convexact::cli

@@ -46,7 +46,7 @@ constexpr const char* kShrinkFooter =
 struct ShrinkArguments {
   GlobalOptions global;
   std::string input, output, interesting;
-  std::optional<std::string> claims;
+  std::vector<ClaimCode> claims;
   PromiseOptions promise;
   MeshPoints points = MeshPoints::All;
   std::string output_format = "obj";
@@ -118,7 +118,7 @@ class Shrinking {
     const Promise promised = promise();
     program_.numbers = promised.numbers;
     program_.verify = request_of(promised);
-    if (options.claims) program_.verify.claims = parse_claims(*options.claims);
+    program_.verify.claims = options.claims;
     program_.verify.points = options.points;
     program_.verify.tightness = false;
     program_.verify.seed = options.global.seed;
@@ -316,8 +316,8 @@ void add_shrink_command(Command& program, int& exit_code) {
       "in the place of PROGRAM: a command for the shell that ends with 0 for as long "
       "as an input is interesting; {input} in it, or its last word, is the input");
   add_points_option(command, options->points);
-  command.add_option("--claims", options->claims,
-                     "in the verdict, decide these claims only, separated by commas");
+  add_claims_option(command, options->claims,
+                    "in the verdict, decide these claims only, separated by commas");
   add_promise_options(command, options->promise, "enclosure");
   command.add_flag("--allow-flat", options->allow_flat,
                    "allow an input with a volume to be reduced to one without");

@@ -43,12 +43,10 @@ constexpr const char* kVerifyFooter =
     "Exit code 0: every claim holds. 1: one is violated, or the CANDIDATE is malformed. 3: a\n"
     "file is missing, or INPUT is malformed. 4: INPUT has no volume (with --union: no point).";
 
-constexpr const char* kNoGaps = "no-gaps";
-
 struct VerifyArguments {
   GlobalOptions global;
   std::string input, candidate;
-  std::optional<std::string> claims;
+  std::vector<ClaimCode> claims;
   Decimal decimal = Decimal::Nearest;
   MeshPoints points = MeshPoints::All;
   PromiseOptions promise;
@@ -58,6 +56,10 @@ struct VerifyArguments {
   UnionOptions of_union;
   StdioOptions stdio;
 };
+
+bool names(const VerifyArguments& options, ClaimCode code) {
+  return std::find(options.claims.begin(), options.claims.end(), code) != options.claims.end();
+}
 
 // The meaning of the numbers of both files, from --numbers, or the profile, and --decimal.
 Decimal meaning_of_numbers(const Promise& promise, Decimal decimal) {
@@ -85,7 +87,7 @@ Promise promise_of(const VerifyArguments& options) {
 
 VerifyRequest verify_request(const VerifyArguments& options, const Promise& promise) {
   VerifyRequest request = request_of(promise);
-  if (options.claims) request.claims = parse_claims(*options.claims);
+  request.claims = options.claims;
   request.exact_facets = options.request.exact_facets;
   if (request.exact_facets && !request.max_facets) {
     throw Error(ErrorCode::InvalidArgument, "--exact-facets needs --max-facets");
@@ -111,7 +113,7 @@ const char* relation_of(Asks asks) {
 
 // The parts of the candidate together.
 int run_union(const VerifyArguments& options) {
-  if (options.parts && options.claims && options.claims->find(kNoGaps) != std::string::npos) {
+  if (options.parts && names(options, ClaimCode::NoGaps)) {
     throw Error(ErrorCode::InvalidArgument,
                 "--claims: no-gaps compares parts of INPUT with those of CANDIDATE one by one, and "
                 "INPUT has one");
@@ -124,11 +126,7 @@ int run_union(const VerifyArguments& options) {
 }
 
 bool names_a_claim_of_parts(const VerifyArguments& options) {
-  const std::vector<std::string> names = words_of(options.claims.value_or(""));
-  return std::any_of(names.begin(), names.end(), [](const std::string& name) {
-    const auto code = claim_of_name(name);
-    return code && is_of_parts(*code);
-  });
+  return std::any_of(options.claims.begin(), options.claims.end(), is_of_parts);
 }
 
 Candidate read_candidate_as(const VerifyArguments& options, Decimal decimal, CommandRun& run) {
@@ -144,18 +142,9 @@ Json about(const std::string& input, const VerifyArguments& options, const Json&
 }
 
 // Each part of the input with the part of the candidate, and the gaps between these.
-int run_verify_parts(VerifyArguments options) {
-  const VerifyArguments given = options;
-  SceneVerifyRequest request;
-  if (options.claims) {
-    std::vector<std::string> names = words_of(*options.claims);
-    request.judges_gaps = std::erase(names, kNoGaps) > 0;
-    request.judges_parts = !names.empty();
-    options.claims = join(names, ",");
-    if (names.empty()) options.claims.reset();
-  }
+int run_verify_parts(const VerifyArguments& options) {
   const Promise promise = promise_of(options);
-  request.each = verify_request(options, promise);
+  VerifyRequest request = verify_request(options, promise);
   const Decimal decimal = meaning_of_numbers(promise, options.decimal);
   CommandRun run(options.global);
   const std::vector<SceneObject> input =
@@ -166,9 +155,9 @@ int run_verify_parts(VerifyArguments options) {
   if (const auto* mesh = std::get_if<Mesh>(&candidate);
       input.size() == 1 && mesh != nullptr && objects_in(*mesh) > 1) {
     run.progress().clear();
-    return run_union(given);
+    return run_union(options);
   }
-  request.each.watch = run.watch();
+  request.watch = run.watch();
   const auto outcome = verify_scene(input, candidate, request);
   if (const auto* flat = std::get_if<NotSolidPart>(&outcome)) {
     return run.end_flat(input[flat->part], flat->reason);
@@ -231,7 +220,6 @@ void require_meaning(const VerifyArguments& options, Mode mode) {
   using enum Mode;
   const bool asks_inner = options.inner || options.promise.asks() == Asks::Inner;
   const std::string of_union = options.of_union.foreign_to_one_solid();
-  const std::vector<std::string> claims = words_of(options.claims.value_or(""));
   const struct {
     bool is_given;
     std::vector<Mode> not_in;
@@ -257,9 +245,7 @@ void require_meaning(const VerifyArguments& options, Mode mode) {
        {Order},
        "--trace judges a removal order, not parts"},
       {!of_union.empty(), {Candidate, EachPart}, of_union + " needs --union"},
-      {std::count(claims.begin(), claims.end(), kNoGaps) > 0,
-       {Candidate, Order},
-       "--claims: no-gaps needs --parts"},
+      {names(options, ClaimCode::NoGaps), {Candidate, Order}, "--claims: no-gaps needs --parts"},
   };
   for (const auto& [is_given, not_in, sentence] : rules) {
     if (is_given && std::count(not_in.begin(), not_in.end(), mode) > 0) {
@@ -313,7 +299,7 @@ void add_verify_command(Command& program, int& exit_code) {
       "CANDIDATE", options->candidate,
       "the output to be judged: a mesh, or halfspaces (JSON, .ine, rows n1 n2 n3 d); with --union "
       "a mesh with an object per part, a folder of meshes, or JSON with \"parts\"");
-  command.add_option("--claims", options->claims, "decide these claims only, separated by commas");
+  add_claims_option(command, options->claims, "decide these claims only, separated by commas");
   command.add_flag("--parts", options->parts,
                    "judge each object of INPUT by the object of CANDIDATE with its name, and "
                    "whether the faces of INPUT lie in the solids of their parts: claim no-gaps");

@@ -5,58 +5,25 @@
 #include "cli/keep_option.hpp"
 #include "convexact/io.hpp"
 #include "convexact/scene.hpp"
-#include "convexact/verify_run.hpp"
+#include "convexact/verify_order.hpp"
 #include "simplify/run_names.hpp"
-#include "solid/solid.hpp"
-#include "wire/removal_order_file.hpp"
 #include "wire/trace_verdict.hpp"
 
 namespace convexact::cli {
 namespace {
 
-// The files of an order, read but not yet understood.
-struct OrderFiles {
-  std::string trace;
-  std::optional<std::string> facets;
-};
-
-OrderFiles read_files(const TraceOptions& options) {
-  OrderFiles files{read_bytes(options.trace), {}};
-  remember_input(display_name(options.trace), files.trace);
+// Read but not yet understood.
+OrderText read_order(const TraceOptions& options, Decimal decimal) {
+  OrderText text{.bytes = read_bytes(options.trace),
+                 .facets_path = options.facets,
+                 .decimal = decimal,
+                 .cost = options.cost};
+  remember_input(display_name(options.trace), text.bytes);
   if (!options.facets.empty()) {
-    files.facets = read_bytes(options.facets);
-    remember_input(display_name(options.facets), *files.facets);
+    text.facets = read_bytes(options.facets);
+    remember_input(display_name(options.facets), *text.facets);
   }
-  return files;
-}
-
-RemovalOrder parse_files(const OrderFiles& files, const TraceOptions& options, const DualHull& dual,
-                         Decimal decimal) {
-  std::optional<ListedFacets> facets;
-  if (files.facets) {
-    try {
-      facets = read_facet_list(*files.facets, options.facets, decimal);
-    } catch (const Error& error) {
-      throw error.in_file(display_name(options.facets));
-    }
-  }
-  return read_removal_order(files.trace, facets, dual.halfspaces, decimal, options.cost);
-}
-
-TraceVerdict judge(const Solid& solid, const OrderFiles& files, const TraceOptions& options,
-                   const JudgeOptions& judge_options, Decimal decimal, StageLog& log) {
-  RemovalOrder order;
-  try {
-    order = log.run("parse the trace", StageKind::Io,
-                    [&] { return parse_files(files, options, solid.dual, decimal); });
-  } catch (const Error& error) {
-    // A fault of its content is a verdict, not a failure.
-    if (error.code() == ErrorCode::InvalidArgument) throw;
-    return unreadable_trace(solid.dual, error.what(), error.line());
-  }
-  const RationalPoint center = log.run("center", [&] { return interior_point_of(solid); });
-  return log.run("judge every step",
-                 [&] { return judge_trace(solid.dual, center, order, judge_options); });
+  return text;
 }
 
 }  // namespace
@@ -97,33 +64,26 @@ void add_trace_options(Command& command, TraceOptions& options) {
 
 int run_verify_trace(const GlobalOptions& global, const std::string& input, Decimal decimal,
                      const TraceOptions& options) {
-  JudgeOptions judge_options;
-  judge_options.max_regret = parse_share("--max-regret", options.max_regret);
-  judge_options.left_out = options.left_out;
-  judge_options.compare.bits = options.tie_bits;
-  if (decimal == Decimal::Nearest32) judge_options.unit = 0x1p-24;
-  judge_options.stop = &interrupted();
+  VerifyOrderRequest request;
+  request.judge.max_regret = parse_share("--max-regret", options.max_regret);
+  request.judge.left_out = options.left_out;
+  request.judge.compare.bits = options.tie_bits;
+  if (decimal == Decimal::Nearest32) request.judge.unit = 0x1p-24;
+  request.seed = global.seed;
   if ((input == "-") + (options.trace == "-") + (options.facets == "-") > 1) {
     throw Error(ErrorCode::InvalidArgument, "standard input, -, can be read only once");
   }
   CommandRun run(global);
-  StageLog& log = run.log();
-  const OrderFiles files =
-      log.run("read the trace", StageKind::Io, [&] { return read_files(options); });
+  const OrderText order =
+      run.log().run("read the trace", StageKind::Io, [&] { return read_order(options, decimal); });
   const std::vector<SceneObject> scene =
       run.read({input}, {.decimal = decimal, .points = options.points, .on_read = remember_input});
-  const SolidOutcome outcome = make_solid(scene[0].shape, global.seed, true, log);
+  request.keep = keep_selectors(options.keep, scene)[0];
+  request.watch = run.watch();
+  const auto outcome = verify_order(scene[0].shape, order, request);
   if (const auto* reason = std::get_if<NotSolid>(&outcome)) return run.end_flat(scene[0], *reason);
-  const auto* points = std::get_if<PointSet>(&scene[0].shape);
-  judge_options.kept = select_facets(std::get<Solid>(outcome).dual.halfspaces,
-                                     points != nullptr ? *points : PointSet(),
-                                     keep_selectors(options.keep, scene)[0]);
-  const std::size_t halfspaces = std::get<Solid>(outcome).dual.halfspaces.size();
-  judge_options.progress = [&](std::size_t judged) {
-    run.progress()("judging removals", judged, halfspaces - 4);
-  };
-  const TraceVerdict verdict =
-      judge(std::get<Solid>(outcome), files, options, judge_options, decimal, log);
+  const auto& verdict = std::get<TraceVerdict>(outcome);
+  run.log().add(verdict.stages);
   return run.end({.json = [&] { return trace_verdict_json(verdict); },
                   .text =
                       [&] {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "convexact/dual.hpp"
-#include "convexact/verify_run.hpp"
+#include "convexact/verify_order.hpp"
 
 namespace convexact {
 

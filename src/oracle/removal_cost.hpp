@@ -9,7 +9,7 @@
 #include "convexact/cost.hpp"
 #include "convexact/halfspace.hpp"
 #include "convexact/polytope.hpp"
-#include "convexact/verify_run.hpp"
+#include "convexact/verify_order.hpp"
 #include "convexact/watch.hpp"
 #include "number/roundoff.hpp"
 

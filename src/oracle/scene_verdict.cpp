@@ -108,7 +108,7 @@ std::vector<std::size_t> match_parts(const std::vector<std::string>& input,
 
 std::variant<SceneVerdict, NotSolidPart> verify_scene(const std::vector<SceneObject>& input,
                                                       const Candidate& candidate,
-                                                      const SceneVerifyRequest& request) {
+                                                      const VerifyRequest& request) {
   if (std::holds_alternative<HalfspaceList>(candidate)) {
     throw Error(ErrorCode::InvalidArgument,
                 "the candidate is a list of halfspaces, which has no parts");
@@ -120,6 +120,10 @@ std::variant<SceneVerdict, NotSolidPart> verify_scene(const std::vector<SceneObj
     parts = parts_of(*mesh, "CANDIDATE");
     place = match_parts(names_of(input), names_of(parts));
   }
+  VerifyRequest of_part = request;
+  const bool judges_gaps =
+      std::erase(of_part.claims, ClaimCode::NoGaps) > 0 || request.claims.empty();
+  const bool judges_parts = request.claims.empty() || !of_part.claims.empty();
   SceneVerdict verdict;
   std::vector<std::vector<Halfspace>> solids;
   for (std::size_t k = 0; k < input.size(); ++k) {
@@ -129,19 +133,19 @@ std::variant<SceneVerdict, NotSolidPart> verify_scene(const std::vector<SceneObj
       const SceneObject& part = parts[place[k]];
       own = Mesh{std::get<PointSet>(part.shape), part.polygons, {}};
       name = part.part;
-      if (request.judges_gaps) {
-        solids.push_back(hull_planes(std::get<PointSet>(part.shape), request.each));
+      if (judges_gaps) {
+        solids.push_back(hull_planes(std::get<PointSet>(part.shape), request));
       }
     }
-    if (mesh != nullptr && !request.judges_parts) continue;
-    VerifyRequest each = request.each;
+    if (mesh != nullptr && !judges_parts) continue;
+    VerifyRequest each = of_part;
     each.used = used_flags(input[k]);
     VerifyOutcome outcome = verify(input[k].shape, own, each);
     if (const auto* reason = std::get_if<NotSolid>(&outcome)) return NotSolidPart{k, *reason};
     verdict.parts.push_back({input[k].part, name, std::get<Verdict>(std::move(outcome))});
   }
-  if (mesh != nullptr && request.judges_gaps) {
-    verdict.gaps = judge_gaps(input, solids, request.each.watch.stop);
+  if (mesh != nullptr && judges_gaps) {
+    verdict.gaps = judge_gaps(input, solids, request.watch.stop);
   }
   return verdict;
 }

@@ -11,7 +11,7 @@
 
 namespace convexact {
 
-/// The claim no-gaps: every face of the input lies inside the candidate of its own part.
+/// The claim NoGaps: every face of the input lies inside the candidate of its own part.
 struct GapVerdict {
   Gaps gaps;
   std::string sentence;
@@ -38,12 +38,6 @@ struct SceneVerdict {
   bool holds() const;
 };
 
-struct SceneVerifyRequest {
-  VerifyRequest each;
-  bool judges_parts = true;  ///< A candidate that cannot be read is judged in any case.
-  bool judges_gaps = true;
-};
-
 /// For each part of the input its candidate: by name if both have the same names in different
 /// orders, each once; by position if the names are the same in the same order, or if no name is in
 /// both.
@@ -54,10 +48,12 @@ struct SceneVerifyRequest {
 
 /// Judges each part of a mesh as an enclosure of the same part of the input, and the gaps.
 /// @param candidate  A mesh, or the error of its reader, which every part then has.
+/// @param request    Of each part. Its claims may hold NoGaps, which is asked, too, if there are
+///                   none; with nothing else no part is judged if the candidate can be read.
 /// @throws Error InvalidArgument for halfspaces, for a mesh without faces, and as match_parts(); as
 ///               verify().
 [[nodiscard]] std::variant<SceneVerdict, NotSolidPart> verify_scene(
     const std::vector<SceneObject>& input, const Candidate& candidate,
-    const SceneVerifyRequest& request);
+    const VerifyRequest& request);
 
 }  // namespace convexact

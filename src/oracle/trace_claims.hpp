@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "convexact/verify_run.hpp"
+#include "convexact/verify_order.hpp"
 #include "oracle/facet_match.hpp"
 
 namespace convexact {

@@ -191,6 +191,7 @@ constexpr auto kClaimNames =
                            {ClaimCode::MaxFacetVertices, "max-facet-vertices"},
                            {ClaimCode::InsideInput, "inside-input"},
                            {ClaimCode::IsHull, "is-hull"},
+                           {ClaimCode::NoGaps, "no-gaps"},
                            {ClaimCode::PartsReadable, "parts-readable"},
                            {ClaimCode::PartsFinite, "parts-finite"},
                            {ClaimCode::PartsSolid, "parts-solid"},
@@ -205,9 +206,9 @@ constexpr auto kClaimNames =
                            {ClaimCode::MaxPartVertices, "max-part-vertices"},
                            {ClaimCode::MaxPartFacetVertices, "max-part-facet-vertices"},
                            {ClaimCode::TreeNested, "tree-nested"}});
-// In addition to those of every solid and every decomposition: inside-input, is-hull and
+// In addition to those of every solid and every decomposition: inside-input, is-hull, no-gaps and
 // tree-nested.
-static_assert(kClaimNames.size() == kAllClaims.size() + 2 + kPartsClaims.size() + 1);
+static_assert(kClaimNames.size() == kAllClaims.size() + 3 + kPartsClaims.size() + 1);
 
 constexpr auto kStatusNames = name_table<Status>({{Status::Holds, "holds"},
                                                   {Status::Violated, "violated"},
@@ -249,6 +250,10 @@ VerifyOutcome verify(const Shape& shape, const Candidate& candidate, const Verif
       throw Error(ErrorCode::InvalidArgument,
                   fmt::format("the claim {} needs the question {}: ask {}", name_of(code),
                               name_of(asks), name_of(asks)));
+    }
+    if (code == ClaimCode::NoGaps) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "the claim no-gaps is of the parts of a scene, not of one solid");
     }
     if (is_of_parts(code)) {
       throw Error(ErrorCode::InvalidArgument, "the claim " + std::string(name_of(code)) +

@@ -10,19 +10,23 @@ namespace convexact {
 
 inline constexpr auto kEngineNames = name_table<Engine>(
     {{Engine::Exact, "exact"}, {Engine::Filtered, "filtered"}, {Engine::Float, "float"}});
-inline const char* name_of(Engine engine) { return name_in(kEngineNames, engine); }
+const char* name_of(Engine engine);
 
 inline constexpr auto kVerifyLevelNames = name_table<VerifyLevel>(
     {{VerifyLevel::None, "none"}, {VerifyLevel::Local, "local"}, {VerifyLevel::Full, "full"}});
 
+const char* name_of(VerifyLevel level);
+
 inline constexpr auto kPrecisionNames =
     name_table<Precision>({{Precision::Binary64, "binary64"}, {Precision::Binary32, "binary32"}});
+
+const char* name_of(Precision precision);
 
 inline constexpr auto kCostMeasureNames =
     name_table<CostMeasure>({{CostMeasure::Volume, "volume"},
                              {CostMeasure::Area, "area"},
                              {CostMeasure::MeanWidth, "mean-width"}});
-inline const char* name_of(CostMeasure measure) { return name_in(kCostMeasureNames, measure); }
+const char* name_of(CostMeasure measure);
 
 inline constexpr auto kTieProofNames =
     name_table<TieProof>({{TieProof::EqualRationals, "rational"},
@@ -38,7 +42,7 @@ inline constexpr auto kStopReasonNames =
                             {StopReason::GrowthLimit, "growth-limit"},
                             {StopReason::AllUnbounded, "all-unbounded"},
                             {StopReason::AllKeptOrUnbounded, "all-kept-or-unbounded"}});
-inline const char* name_of(StopReason reason) { return name_in(kStopReasonNames, reason); }
+const char* name_of(StopReason reason);
 
 inline constexpr auto kInnerStopNames =
     name_table<InnerStop>({{InnerStop::Reached, "reached"}, {InnerStop::LossLimit, "loss-limit"}});

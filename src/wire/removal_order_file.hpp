@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "convexact/io.hpp"
-#include "convexact/verify_run.hpp"
+#include "convexact/verify_order.hpp"
 
 namespace convexact {
 

@@ -4,7 +4,7 @@
 #pragma once
 #include <string>
 
-#include "convexact/verify_run.hpp"
+#include "convexact/verify_order.hpp"
 #include "io/json_document.hpp"
 #include "io/names.hpp"
 

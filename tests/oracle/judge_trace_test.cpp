@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "convexact/error.hpp"
-#include "convexact/verify_run.hpp"
+#include "convexact/verify_order.hpp"
 #include "definitional_greedy.hpp"
 #include "fast/engines.hpp"
 #include "lab/diff/diff.hpp"

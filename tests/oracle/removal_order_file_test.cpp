@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "convexact/error.hpp"
-#include "convexact/verify_run.hpp"
+#include "convexact/verify_order.hpp"
 #include "expect_error.hpp"
 #include "number/random.hpp"
 #include "shapes/makers.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "convexact/run.hpp"
-#include "convexact/verify_run.hpp"
+#include "convexact/verify_order.hpp"
 #include "cut_box.hpp"
 #include "simplify_points.hpp"
 

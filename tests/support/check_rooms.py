@@ -24,7 +24,7 @@ PUBLIC = {header: room for room, headers in {
     "solid": "scene", "simplify": "run inner_run keep", "search": "search", "stored": "stored",
     "surface": "surface", "overlay": "overlay union_distance", "decompose": "cluster split",
     "scene": "simplify inner simplify_scene", "parts": "decompose parts", "query": "query", "bvh": "hull_tree",
-    "oracle": "verify verify_run verify_parts", "conform": "conform shrink", "capi": "convexact"}.items()
+    "oracle": "verify verify_order verify_parts", "conform": "conform shrink", "wire": "json", "capi": "convexact"}.items()
           for header in headers.split()}
 # What stays apart on purpose, so that a mistake in one cannot hide in the other: (room, room it may
 # see little of): the headers that it may see.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// verify_run.hpp - is an order of removals greedy? Decided exactly, step by step.
+// verify_order.hpp - is an order of removals greedy? Decided exactly, step by step.
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -14,6 +14,7 @@
 #include "convexact/cost.hpp"
 #include "convexact/dual.hpp"
 #include "convexact/halfspace.hpp"
+#include "convexact/keep.hpp"
 #include "convexact/run.hpp"
 #include "convexact/verify.hpp"
 
@@ -198,6 +199,7 @@ struct TraceVerdict : OrderRating {
   std::optional<LeftOut>
       never_removed;  ///< If trace-greedy or trace-bounded fails because of some.
   ListedPlanes listed;
+  std::vector<Stage> stages;  ///< Of verify_order(), each with its time.
 
   /// Whether no claim is violated.
   bool holds() const;
@@ -243,6 +245,34 @@ struct JudgeOptions {
 ///                expected O(n log n) each. For a plane that is no facet plane linear.
 [[nodiscard]] TraceVerdict judge_trace(const DualHull& dual, const RationalPoint& center,
                                        const RemovalOrder& order, const JudgeOptions& options = {});
+
+/// An order as another program wrote it: a trace, the planes removed as rows, or ids as rows.
+/// docs/formats.md describes them.
+struct OrderText {
+  std::string bytes;
+  /// The facets that its ids refer to, counted from 0, as halfspaces in any of their formats; none:
+  /// the input's facets in canonical order.
+  std::optional<std::string> facets = {};
+  std::string facets_path = {};        ///< Its extension names the format of `facets`.
+  Decimal decimal = Decimal::Nearest;  ///< The meaning of decimals in both.
+  /// By which it is to be judged; none: the measure that the order states, or the volume.
+  std::optional<CostMeasure> cost = {};
+};
+
+struct VerifyOrderRequest {
+  JudgeOptions judge = {};              ///< `kept`, `stop` and `progress` are set by the call.
+  std::vector<KeepSelector> keep = {};  ///< Facets that the order is to keep.
+  std::uint64_t seed = 1;  ///< Of every random order. The verdict does not depend on it.
+  StageWatch watch = {};
+};
+
+/// Reads an order and judges it, as judge_trace(). Any fault of its text is a violated claim.
+/// @return NotSolid if the *input* encloses no volume.
+/// @throws Error As judge_trace(); as select_facets(); InvalidArgument if facets are given to an
+///               order that spells out its planes, or if it states another measure; Malformed or
+///               NotFinite, with the file, for faults of the list of facets.
+[[nodiscard]] std::variant<TraceVerdict, NotSolid> verify_order(
+    const Shape& input, const OrderText& order, const VerifyOrderRequest& request = {});
 
 /// The verdict on a file from which no order could be read: all other claims are not asked.
 /// @param line  The line that cannot be understood, if known.
