@@ -4,8 +4,8 @@
 // with it, or both refuse them. The checker alone refuses statements of OBJ that it does not know,
 // and "linearity 0".
 #include "../tests/check/checker.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/io.hpp"
-#include "convexact/point_set.hpp"
 #include "fuzz_target.hpp"
 #include "unless_refused.hpp"
 

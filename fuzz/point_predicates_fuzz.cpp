@@ -2,7 +2,7 @@
 // Property of orient3d: for all finite doubles the sign is that of the determinant in rationals,
 // and the value of each stage is within the bound that the stage states. Property of plane_side:
 // the side of each point, and how many points lie outside, are those of n.x + d in rationals.
-#include "convexact/predicates.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/stored.hpp"
 #include "fuzz_check.hpp"
 #include "fuzz_target.hpp"

@@ -3,7 +3,7 @@
 // triangles and are connected, the most concave one is always split, by a plane beyond which the
 // moved triangles lie, and each status is true. A run for fewer parts makes the first of these
 // splits. For rare inputs the whole tree is compared with the one that the definitions give.
-#include "convexact/split.hpp"
+#include "convexact/cluster.hpp"
 #include "decompose/patch.hpp"
 #include "definitional_tree.hpp"
 #include "few_triangles.hpp"

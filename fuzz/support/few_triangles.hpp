@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // few_triangles.hpp - a mesh of a few triangles on a small grid, most of them joined along edges.
 #pragma once
-#include "convexact/mesh.hpp"
+#include "convexact/io.hpp"
 #include "fuzz_input.hpp"
 
 /// At most 20 triangles on 14 points with integer coordinates from -3 to 3. None if the input

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 
 /// Consumes the input from the front; at its end every choice is 0.
 class FuzzInput {

@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 
 namespace grid_hull {
 

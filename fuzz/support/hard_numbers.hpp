@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 #include "fuzz_input.hpp"
 
 /// One kind of number for a whole input, chosen by its first byte.

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "convexact/error.hpp"
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/number.hpp"
 #include "convexact/verify.hpp"
 

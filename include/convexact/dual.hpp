@@ -10,11 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/number.hpp"
-#include "convexact/point_set.hpp"
-#include "convexact/polytope.hpp"
 
 namespace convexact {
 

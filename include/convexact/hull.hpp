@@ -11,10 +11,8 @@
 #include <variant>
 #include <vector>
 
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/number.hpp"
-#include "convexact/point_set.hpp"
-#include "convexact/polytope.hpp"
 
 namespace convexact {
 

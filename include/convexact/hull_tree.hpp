@@ -15,7 +15,6 @@
 #include "convexact/decompose.hpp"
 #include "convexact/number.hpp"
 #include "convexact/overlay.hpp"
-#include "convexact/parts.hpp"
 #include "convexact/query.hpp"
 #include "convexact/scene.hpp"
 

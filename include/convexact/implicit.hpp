@@ -13,9 +13,9 @@
 #include <variant>
 #include <vector>
 
+#include "convexact/error.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/number.hpp"
-#include "convexact/point_set.hpp"
-#include "convexact/watch.hpp"
 
 namespace convexact {
 

@@ -7,7 +7,6 @@
 
 #include "convexact/conform.hpp"
 #include "convexact/decompose.hpp"
-#include "convexact/inner.hpp"
 #include "convexact/simplify.hpp"
 #include "convexact/verify.hpp"
 #include "convexact/verify_order.hpp"

@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/number.hpp"
 
 namespace convexact {

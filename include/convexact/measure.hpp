@@ -11,12 +11,10 @@
 #include <vector>
 
 #include "convexact/cost.hpp"
+#include "convexact/error.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/number.hpp"
-#include "convexact/point_set.hpp"
-#include "convexact/polytope.hpp"
-#include "convexact/root_sum.hpp"
-#include "convexact/watch.hpp"
 
 namespace convexact {
 

@@ -13,11 +13,11 @@
 #include <variant>
 #include <vector>
 
+#include "convexact/error.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/linear_program.hpp"
 #include "convexact/number.hpp"
-#include "convexact/polytope.hpp"
 #include "convexact/scene.hpp"
-#include "convexact/watch.hpp"
 
 namespace convexact {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// run.hpp - the record of a run: which halfspaces were removed, in which order, at what cost.
+// run.hpp - the record of a run, what it is asked for, and the facets that it keeps.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -8,14 +8,67 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "convexact/cost.hpp"
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
+#include "convexact/hull.hpp"
 #include "convexact/number.hpp"
-#include "convexact/point_set.hpp"
 
 namespace convexact {
+
+// ---- The facets of a solid that a run must not remove: by id, plane, normal or face.
+
+/// Facets by their positions in canonical order.
+struct KeepIds {
+  std::vector<HalfspaceId> ids;
+};
+
+/// The facet in the plane n.x + d = 0, n outward, up to a positive factor.
+struct KeepPlane {
+  RationalVector3 normal;
+  Rational offset;
+};
+
+/// The facets whose outward normal is at most so many degrees away from a direction; without an
+/// angle those nearest to it, all of them if several are equally near.
+///
+/// 0 degrees is the direction itself, exactly. The cosine of any other angle is rounded down to a
+/// double, and every facet is decided exactly with that number: a facet at exactly this angle is
+/// selected.
+struct KeepNormal {
+  RationalVector3 direction;      ///< Not zero, of any length.
+  std::optional<double> degrees;  ///< 0 to 180.
+};
+
+/// The facets whose planes hold all corners of one of these faces of the input.
+struct KeepFaces {
+  std::vector<std::vector<std::uint32_t>> polygons;  ///< Of point input: positions of points.
+};
+
+struct KeepSelector {
+  std::variant<KeepIds, KeepPlane, KeepNormal, KeepFaces> facets;
+  std::string text;  ///< Its name in messages.
+};
+
+/// The facets that the selectors select together.
+/// @param halfspaces  Of the facets, in canonical order.
+/// @param points      The points that the faces refer to; empty if the input is halfspaces.
+/// @param most        How many may be selected; unset: any number.
+/// @return            Ascending, each once.
+/// @throws Error      InvalidArgument, with its text, for a selector that selects nothing or refers
+///                    to a facet or point that does not exist, for a direction or normal of length
+///                    0 and for an angle outside of 0 to 180 degrees; if more are selected than
+///                    may be.
+/// @par Cost          A sign per facet and direction; for faces one per facet and corner.
+[[nodiscard]] std::vector<HalfspaceId> select_facets(std::span<const Halfspace> halfspaces,
+                                                     const PointSet& points,
+                                                     std::span<const KeepSelector> selectors,
+                                                     std::optional<std::size_t> most = {});
+
+// ---- The record of a run: which halfspaces were removed, in which order, at what cost.
 
 /// How an answer is computed.
 enum class Engine {
@@ -190,5 +243,69 @@ struct FloatBound {
   /// Whether everything is proven. If not, the filtered engine gives a proven answer.
   [[nodiscard]] bool is_vouched() const { return doubtful == 0 && is_end_proven; }
 };
+
+// ---- The record of an inner run: which vertices of a hull were removed, in which order and at
+// what loss of volume.  An inner run works in the opposite direction to simplify(): it removes
+// vertices, so the solid shrinks and lies inside the hull of the input. docs/design/inner.md has
+// the reasons.
+
+/// Position in VertexHull::points. Polarity makes a halfspace of each vertex, and the hull without
+/// a vertex is the polar of the solid without that halfspace; so both kinds of run share their ids
+/// and the data structures that hold them.
+using VertexId = HalfspaceId;
+/// Three vertices, counter-clockwise seen from outside.
+using VertexTriangle = DualTriangle;
+
+/// The hull of points as an inner run starts with it.
+struct VertexHull {
+  /// The extreme points in canonical order: by x, then y, then z, compared exactly. Ties are broken
+  /// by this order, so no result depends on the order of the input.
+  PointSet points;
+  std::vector<PointId> ids;               ///< Of `points` in the input; of equal ones the lowest.
+  std::vector<VertexTriangle> triangles;  ///< The facets, cut into 2 points.size() - 4 triangles.
+};
+
+/// The facets are cut in a zigzag, so that no vertex gets more than two diagonals of a facet.
+/// @param hull  Of `points`. @par Cost  O(n log n) comparisons.
+[[nodiscard]] VertexHull vertex_hull(const Hull& hull, const PointSet& points);
+
+enum class InnerStop {
+  Reached,    ///< The wanted number of vertices, or it was already met.
+  LossLimit,  ///< The next step would exceed the loss allowed.
+};
+
+/// Any prefix of `steps` is a valid result. Their ids are of vertices. The cost of a step is the
+/// volume that the solid loses, none until with_costs(); the removed vertex lies on or beyond the
+/// triangles that close its ring; `left` counts vertices, and ties have no evidence, because all
+/// volumes are compared exactly.
+struct InnerRun {
+  std::vector<Step> steps;
+  InnerStop stop = InnerStop::Reached;
+  std::vector<VertexTriangle> triangles;  ///< The hull of what is left.
+};
+
+struct InnerOptions {
+  std::size_t vertices = 4;  ///< To keep, at least 4.
+  /// Stop before the volume falls below (1 - max_loss) times that of the hull; >= 0.
+  std::optional<Rational> max_loss = {};
+  std::uint64_t seed = 1;  ///< Of random orders; removals, costs and ties do not depend on it.
+  /// Called after every step with the number of vertices left.
+  std::function<void(std::size_t left)> progress = {};
+  /// When it becomes true, the run ends with Error(Stopped).
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// Vertices that are left after all steps, ascending. @param count  Vertices at the start.
+[[nodiscard]] std::vector<VertexId> vertices_left(const InnerRun& run, std::size_t count);
+
+/// The run with the cost of each step that has none, from its triangles, in integers.
+[[nodiscard]] InnerRun with_costs(const VertexHull& hull, InnerRun run);
+
+/// Proves each step again, from the lists in the run alone; docs/design/inner.md has the claims.
+/// @param level  Full: in addition the whole surface after each step, and the volume before, less
+///               the cost, is the volume after, as rationals. It needs the costs.
+/// @throws Error Internal, naming the step and the claim, if one fails.
+void verify_inner_run(const VertexHull& hull, const InnerRun& run, VerifyLevel level,
+                      const std::atomic<bool>* stop = nullptr);
 
 }  // namespace convexact

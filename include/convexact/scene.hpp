@@ -12,13 +12,12 @@
 
 #include "convexact/dual.hpp"
 #include "convexact/error.hpp"
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/hull.hpp"
+#include "convexact/io.hpp"
 #include "convexact/linear_program.hpp"
-#include "convexact/mesh.hpp"
 #include "convexact/number.hpp"
 #include "convexact/stored.hpp"
-#include "convexact/watch.hpp"
 
 namespace convexact {
 

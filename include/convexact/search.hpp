@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "convexact/dual.hpp"
-#include "convexact/polytope.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/run.hpp"
 
 namespace convexact {

@@ -6,8 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "convexact/halfspace.hpp"
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 
 namespace convexact {
 

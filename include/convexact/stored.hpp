@@ -10,11 +10,9 @@
 #include <span>
 #include <vector>
 
-#include "convexact/halfspace.hpp"
-#include "convexact/mesh.hpp"
+#include "convexact/geometry.hpp"
+#include "convexact/io.hpp"
 #include "convexact/number.hpp"
-#include "convexact/point_set.hpp"
-#include "convexact/polytope.hpp"
 
 namespace convexact {
 

@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "convexact/mesh.hpp"
+#include "convexact/error.hpp"
+#include "convexact/geometry.hpp"
+#include "convexact/io.hpp"
 #include "convexact/number.hpp"
-#include "convexact/point_set.hpp"
-#include "convexact/watch.hpp"
 
 namespace convexact {
 

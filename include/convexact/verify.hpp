@@ -11,12 +11,10 @@
 #include <vector>
 
 #include "convexact/error.hpp"
-#include "convexact/halfspace.hpp"
-#include "convexact/mesh.hpp"
+#include "convexact/geometry.hpp"
+#include "convexact/io.hpp"
 #include "convexact/number.hpp"
-#include "convexact/polytope.hpp"
 #include "convexact/scene.hpp"
-#include "convexact/watch.hpp"
 
 namespace convexact {
 

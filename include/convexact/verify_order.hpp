@@ -13,8 +13,7 @@
 
 #include "convexact/cost.hpp"
 #include "convexact/dual.hpp"
-#include "convexact/halfspace.hpp"
-#include "convexact/keep.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/run.hpp"
 #include "convexact/verify.hpp"
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "convexact/mesh.hpp"
+#include "convexact/decompose.hpp"
+#include "convexact/io.hpp"
 #include "convexact/overlay.hpp"
-#include "convexact/parts.hpp"
 #include "convexact/surface.hpp"
 #include "convexact/verify.hpp"
 

@@ -9,9 +9,8 @@
 #include <vector>
 
 #include "convexact/error.hpp"
-#include "convexact/halfspace.hpp"
-#include "convexact/mesh.hpp"
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
+#include "convexact/io.hpp"
 
 namespace convexact::capi {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/inner_run.hpp"
 
-#include "convexact/inner.hpp"
 #include "convexact/io.hpp"
+#include "convexact/simplify.hpp"
 #include "io/json.hpp"
 #include "pages/picture.hpp"
 #include "wire/inner_report.hpp"

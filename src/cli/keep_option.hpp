@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/parser.hpp"
-#include "convexact/keep.hpp"
+#include "convexact/run.hpp"
 #include "convexact/scene.hpp"
 
 namespace convexact::cli {

@@ -11,8 +11,8 @@
 
 #include "cli/parser.hpp"
 #include "convexact/error.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/number.hpp"
-#include "convexact/point_set.hpp"
 #include "io/names.hpp"
 #include "number/text.hpp"
 #include "wire/field.hpp"

@@ -10,7 +10,6 @@
 
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
-#include "convexact/mesh.hpp"
 #include "io/json_text.hpp"
 #include "number/text.hpp"
 

@@ -8,7 +8,7 @@
 #include "cli/keep_option.hpp"
 #include "cli/outputs.hpp"
 #include "convexact/scene.hpp"
-#include "convexact/simplify_scene.hpp"
+#include "convexact/simplify.hpp"
 #include "io/json.hpp"
 #include "simplify/run_names.hpp"
 #include "wire/simplify_report.hpp"

@@ -7,7 +7,7 @@
 
 #include "cli/command.hpp"
 #include "convexact/cost.hpp"
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/scene.hpp"
 
 namespace convexact::cli {

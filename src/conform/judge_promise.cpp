@@ -6,10 +6,10 @@
 #include <array>
 
 #include "conform/conformance_judge.hpp"
+#include "convexact/error.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
 #include "convexact/verify.hpp"
-#include "convexact/watch.hpp"
 #include "oracle/excess.hpp"
 #include "oracle/mesh_surface.hpp"
 

@@ -10,12 +10,12 @@
 #include "conform/conformance_judge.hpp"
 #include "conform/tied_removals.hpp"
 #include "convexact/conform.hpp"
+#include "convexact/error.hpp"
 #include "convexact/linear_program.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
 #include "convexact/simplify.hpp"
 #include "convexact/verify.hpp"
-#include "convexact/watch.hpp"
 #include "number/text.hpp"
 #include "solid/solid.hpp"
 

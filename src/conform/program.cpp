@@ -22,7 +22,6 @@
 
 #include "convexact/conform.hpp"
 #include "convexact/error.hpp"
-#include "convexact/watch.hpp"
 
 namespace convexact {
 namespace {

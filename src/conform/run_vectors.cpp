@@ -15,10 +15,10 @@
 #include "conform/program.hpp"
 #include "conform/program_output.hpp"
 #include "convexact/conform.hpp"
+#include "convexact/error.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/io.hpp"
 #include "convexact/verify.hpp"
-#include "convexact/watch.hpp"
 #include "scene/time_limit.hpp"
 
 namespace convexact {

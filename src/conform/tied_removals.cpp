@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "convexact/error.hpp"
-#include "convexact/watch.hpp"
 #include "fast/dual.hpp"
 #include "fast/filtered_loop.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 #include "solid/solid.hpp"
 
 namespace convexact::oracle {

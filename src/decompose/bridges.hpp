@@ -2,8 +2,8 @@
 // bridges.hpp - the hull of a part as bridges over it, and the points of the part under each
 // bridge: hull edges between bridges become shortest paths along the mesh.
 #pragma once
+#include "convexact/cluster.hpp"
 #include "convexact/hull.hpp"
-#include "convexact/split.hpp"
 #include "decompose/patch.hpp"
 
 namespace convexact {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "convexact/cluster.hpp"
-#include "convexact/root_sum.hpp"
+#include "convexact/cost.hpp"
 
 namespace convexact {
 

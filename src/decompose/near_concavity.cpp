@@ -5,7 +5,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "convexact/predicates.hpp"
+#include "convexact/geometry.hpp"
 #include "number/arithmetic.hpp"
 #include "number/roundoff.hpp"
 #include "surface/flat_polygon.hpp"

@@ -6,7 +6,7 @@
 #include <map>
 #include <variant>
 
-#include "convexact/predicates.hpp"
+#include "convexact/geometry.hpp"
 #include "surface/flat_polygon.hpp"
 
 namespace convexact {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/split.hpp"
-
 #include <algorithm>
 #include <memory>
 #include <set>
 
+#include "convexact/cluster.hpp"
 #include "convexact/error.hpp"
 #include "decompose/divide.hpp"
 

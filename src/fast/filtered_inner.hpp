@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "convexact/inner_run.hpp"
+#include "convexact/run.hpp"
 #include "fast/keyed_queue.hpp"
 #include "fast/mesh.hpp"
 #include "fast/near_vertices.hpp"

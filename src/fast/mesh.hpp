@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 
 namespace convexact {
 

@@ -4,7 +4,7 @@
 #pragma once
 #include <vector>
 
-#include "convexact/inner_run.hpp"
+#include "convexact/run.hpp"
 #include "fast/dual.hpp"
 #include "fast/signs.hpp"
 #include "measure/vertex_determinants.hpp"

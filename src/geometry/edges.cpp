@@ -3,7 +3,7 @@
 #include <tuple>
 
 #include "convexact/error.hpp"
-#include "convexact/polytope.hpp"
+#include "convexact/geometry.hpp"
 
 namespace convexact {
 namespace {

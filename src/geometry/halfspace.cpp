@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/halfspace.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "convexact/error.hpp"
+#include "convexact/geometry.hpp"
 #include "number/arithmetic.hpp"
 
 namespace convexact {

@@ -7,8 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "convexact/halfspace.hpp"
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 #include "number/arithmetic.hpp"
 #include "number/roundoff.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "convexact/predicates.hpp"
+#include "convexact/geometry.hpp"
 #include "geometry/orient3d_stages.hpp"
 
 namespace convexact {

@@ -5,7 +5,7 @@
 #pragma once
 #include <cmath>
 
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 #include "number/expansion.hpp"
 
 namespace convexact {

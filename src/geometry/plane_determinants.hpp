@@ -2,7 +2,7 @@
 // plane_determinants.hpp - the determinants of plane coefficients that decide the shape of dual
 // hulls.
 #pragma once
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/number.hpp"
 
 namespace convexact {

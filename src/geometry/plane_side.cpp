@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "convexact/predicates.hpp"
+#include "convexact/geometry.hpp"
 #include "number/arithmetic.hpp"
 
 namespace convexact {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/point_set.hpp"
-
 #include <algorithm>
 
 #include "convexact/error.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/number.hpp"
 #include "number/arithmetic.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "convexact/error.hpp"
-#include "convexact/predicates.hpp"
+#include "convexact/geometry.hpp"
 #include "number/arithmetic.hpp"
 
 namespace convexact {

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "convexact/geometry.hpp"
 #include "convexact/hull.hpp"
-#include "convexact/point_set.hpp"
 #include "hull/near_geometry.hpp"
 
 namespace convexact {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/io.hpp"
 
 namespace convexact {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "convexact/error.hpp"
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 #include "io/json_document.hpp"
 #include "number/precision.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "convexact/error.hpp"
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 
 namespace convexact {
 

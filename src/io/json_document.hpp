@@ -14,8 +14,8 @@
 #include <variant>
 #include <vector>
 
+#include "convexact/geometry.hpp"
 #include "convexact/number.hpp"
-#include "convexact/point_set.hpp"
 
 namespace convexact {
 

@@ -9,8 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "convexact/halfspace.hpp"
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 
 // Exact numbers, ids and planes as Json spells them.
 template <>

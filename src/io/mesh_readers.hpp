@@ -3,7 +3,7 @@
 #pragma once
 #include <string_view>
 
-#include "convexact/mesh.hpp"
+#include "convexact/io.hpp"
 #include "convexact/number.hpp"
 
 namespace convexact {

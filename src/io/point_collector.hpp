@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 #include "io/text_cursor.hpp"
 
 namespace convexact {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // used_points.hpp - the names of MeshPoints in requests and on the command line.
 #pragma once
-#include "convexact/mesh.hpp"
+#include "convexact/io.hpp"
 #include "io/names.hpp"
 
 namespace convexact {

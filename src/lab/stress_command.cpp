@@ -7,7 +7,6 @@
 
 #include "cli/progress.hpp"
 #include "convexact/io.hpp"
-#include "convexact/mesh.hpp"
 #include "io/json_document.hpp"
 #include "lab/commands.hpp"
 #include "lab/stress/stress.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 
 namespace convexact {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "convexact/geometry.hpp"
 #include "convexact/measure.hpp"
-#include "convexact/polytope.hpp"
 #include "number/arithmetic.hpp"
 
 namespace convexact {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "convexact/predicates.hpp"
+#include "convexact/geometry.hpp"
 #include "number/arithmetic.hpp"
 
 namespace convexact {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "convexact/geometry.hpp"
 #include "convexact/number.hpp"
-#include "convexact/point_set.hpp"
 
 namespace convexact {
 

@@ -4,12 +4,12 @@
 #include <optional>
 #include <span>
 
-#include "convexact/watch.hpp"
+#include "convexact/error.hpp"
 #include "number/normal_form.hpp"
 
 namespace convexact {
 
-/// Whether a sum in normal form is zero: proven either way, or nothing. compare() in angle_sum.hpp
+/// Whether a sum in normal form is zero: proven either way, or nothing. compare() in cost.hpp
 /// says why this decides, and when it does not.
 /// @throws Error Stopped when the watch ends the call.
 /// @par Source  [Baker1966], [ConwayRadinSadun1999], [BachDriscollShallit1993]

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/angle_sum.hpp"
-
 #include <algorithm>
 #include <tuple>
 #include <utility>
 
+#include "convexact/cost.hpp"
 #include "convexact/error.hpp"
 #include "number/angle_basis.hpp"
 #include "number/normal_form.hpp"

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "convexact/angle_sum.hpp"
+#include "convexact/cost.hpp"
+#include "convexact/error.hpp"
 #include "convexact/number.hpp"
-#include "convexact/watch.hpp"
 
 namespace convexact {
 

@@ -3,8 +3,8 @@
 #pragma once
 #include <optional>
 
+#include "convexact/cost.hpp"
 #include "convexact/number.hpp"
-#include "convexact/root_sum.hpp"
 
 namespace convexact {
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/root_sum.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "convexact/cost.hpp"
 #include "convexact/error.hpp"
 #include "number/arithmetic.hpp"
 #include "number/ordering.hpp"

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "convexact/error.hpp"
 #include "convexact/number.hpp"
-#include "convexact/watch.hpp"
 
 namespace convexact {
 

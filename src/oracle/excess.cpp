@@ -3,7 +3,6 @@
 
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
-#include "convexact/watch.hpp"
 #include "geometry/near_plane.hpp"
 
 namespace convexact {

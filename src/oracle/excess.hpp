@@ -5,9 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "convexact/halfspace.hpp"
-#include "convexact/point_set.hpp"
-#include "convexact/polytope.hpp"
+#include "convexact/geometry.hpp"
 
 namespace convexact {
 

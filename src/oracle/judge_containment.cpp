@@ -7,11 +7,9 @@
 #include <algorithm>
 
 #include "convexact/error.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/number.hpp"
-#include "convexact/point_set.hpp"
-#include "convexact/polytope.hpp"
 #include "convexact/stored.hpp"
-#include "convexact/watch.hpp"
 #include "number/text.hpp"
 #include "oracle/excess.hpp"
 #include "oracle/judge.hpp"

@@ -5,8 +5,8 @@
 
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
+#include "convexact/overlay.hpp"
 #include "convexact/stored.hpp"
-#include "convexact/union_distance.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
 #include "oracle/judge.hpp"

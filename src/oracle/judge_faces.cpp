@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "convexact/error.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
-#include "convexact/watch.hpp"
 #include "number/text.hpp"
 #include "oracle/judge.hpp"
 #include "oracle/mesh_surface.hpp"

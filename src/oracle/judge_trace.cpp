@@ -6,7 +6,6 @@
 #include "convexact/error.hpp"
 #include "convexact/number.hpp"
 #include "convexact/verify_order.hpp"
-#include "convexact/watch.hpp"
 #include "fast/filtered_loop.hpp"
 #include "oracle/facet_match.hpp"
 #include "oracle/removal_cost.hpp"

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 #include "number/arithmetic.hpp"
 #include "oracle/excess.hpp"
 

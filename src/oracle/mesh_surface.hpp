@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "convexact/error.hpp"
 #include "convexact/hull.hpp"
-#include "convexact/mesh.hpp"
-#include "convexact/watch.hpp"
+#include "convexact/io.hpp"
 
 namespace convexact {
 

@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "convexact/cost.hpp"
-#include "convexact/halfspace.hpp"
-#include "convexact/polytope.hpp"
+#include "convexact/error.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/verify_order.hpp"
-#include "convexact/watch.hpp"
 #include "number/roundoff.hpp"
 
 namespace convexact {

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "convexact/simplify_scene.hpp"
+#include "convexact/simplify.hpp"
 #include "convexact/verify.hpp"
 
 namespace convexact {

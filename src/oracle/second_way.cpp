@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "convexact/error.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/number.hpp"
-#include "convexact/predicates.hpp"
 #include "number/arithmetic.hpp"
 
 namespace convexact::oracle {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "convexact/geometry.hpp"
 #include "convexact/hull.hpp"
-#include "convexact/polytope.hpp"
 
 namespace convexact::oracle {
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <utility>
 
+#include "convexact/error.hpp"
 #include "convexact/measure.hpp"
-#include "convexact/watch.hpp"
 #include "fast/filtered_loop.hpp"
 #include "io/names.hpp"
 #include "number/precision.hpp"

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // union_distance.cpp - exact distances of points to the union of parts.
-#include "convexact/union_distance.hpp"
-
 #include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
+#include "convexact/overlay.hpp"
 #include "overlay/union_distance_flat.hpp"
 #include "overlay/union_distance_near.hpp"
 

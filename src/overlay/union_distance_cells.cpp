@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "convexact/error.hpp"
-#include "convexact/union_distance.hpp"
+#include "convexact/overlay.hpp"
 #include "overlay/union_distance_flat.hpp"
 #include "overlay/union_distance_near.hpp"
 #include "overlay/union_distance_triangles.hpp"

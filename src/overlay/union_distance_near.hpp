@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "convexact/geometry.hpp"
 #include "convexact/overlay.hpp"
-#include "convexact/point_set.hpp"
 #include "surface/box_tree.hpp"
 
 namespace convexact {

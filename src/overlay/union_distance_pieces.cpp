@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "convexact/error.hpp"
-#include "convexact/union_distance.hpp"
+#include "convexact/overlay.hpp"
 #include "overlay/union_distance_near.hpp"
 
 namespace convexact {

@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "convexact/halfspace.hpp"
-#include "convexact/point_set.hpp"
-#include "convexact/polytope.hpp"
+#include "convexact/geometry.hpp"
 
 namespace convexact {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "convexact/error.hpp"
-#include "convexact/union_distance.hpp"
+#include "convexact/overlay.hpp"
 #include "decompose/near_concavity.hpp"
 #include "number/text.hpp"
 #include "parts/flat_part.hpp"

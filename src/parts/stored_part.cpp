@@ -11,7 +11,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
-#include "convexact/simplify_scene.hpp"
+#include "convexact/simplify.hpp"
 #include "parts/flat_part.hpp"
 
 namespace convexact {

@@ -4,7 +4,7 @@
 #pragma once
 #include <vector>
 
-#include "convexact/watch.hpp"
+#include "convexact/error.hpp"
 #include "simplify/dual_surface.hpp"
 
 namespace convexact {

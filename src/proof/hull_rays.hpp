@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/surface.hpp"
 
 namespace convexact {

@@ -11,11 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "convexact/halfspace.hpp"
+#include "convexact/cost.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/linear_program.hpp"
 #include "convexact/number.hpp"
-#include "convexact/point_set.hpp"
-#include "convexact/root_sum.hpp"
 
 namespace convexact {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "convexact/polytope.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/query.hpp"
 #include "geometry/near_plane.hpp"
 

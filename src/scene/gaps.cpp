@@ -2,9 +2,8 @@
 #include <algorithm>
 
 #include "convexact/error.hpp"
-#include "convexact/simplify_scene.hpp"
+#include "convexact/simplify.hpp"
 #include "convexact/stored.hpp"
-#include "convexact/watch.hpp"
 
 namespace convexact {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "convexact/watch.hpp"
+#include "convexact/error.hpp"
 #include "number/precision.hpp"
 
 namespace convexact {

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "convexact/error.hpp"
-#include "convexact/inner.hpp"
+#include "convexact/simplify.hpp"
 #include "convexact/stored.hpp"
 #include "fast/filtered_inner.hpp"
 #include "number/arithmetic.hpp"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/simplify_scene.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "convexact/error.hpp"
+#include "convexact/simplify.hpp"
 #include "number/precision.hpp"
 #include "scene/part_runs.hpp"
 

@@ -7,9 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/measure.hpp"
-#include "convexact/polytope.hpp"
 
 namespace convexact {
 

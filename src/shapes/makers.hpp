@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "convexact/error.hpp"
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 
 namespace convexact::shapes {
 

@@ -8,7 +8,7 @@
 
 #include "convexact/cost.hpp"
 #include "convexact/dual.hpp"
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 #include "simplify/ring_triangulation.hpp"
 
 namespace convexact {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // exact_inner.hpp - the greedy removal of vertices in integers: the reference engine of inner runs.
 #pragma once
-#include "convexact/inner_run.hpp"
+#include "convexact/run.hpp"
 
 namespace convexact {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "convexact/cost.hpp"
-#include "convexact/polytope.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/run.hpp"
 
 namespace convexact {

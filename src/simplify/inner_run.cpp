@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/inner_run.hpp"
-
 #include <algorithm>
 #include <numeric>
 
+#include "convexact/run.hpp"
 #include "measure/vertex_determinants.hpp"
 
 namespace convexact {

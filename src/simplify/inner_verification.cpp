@@ -3,7 +3,7 @@
 #include <string>
 
 #include "convexact/error.hpp"
-#include "convexact/inner_run.hpp"
+#include "convexact/run.hpp"
 #include "measure/vertex_determinants.hpp"
 #include "simplify/plain_surface.hpp"
 

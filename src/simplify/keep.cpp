@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "convexact/keep.hpp"
-
 #include <fmt/format.h>
 #include <mpfr.h>
 
@@ -10,7 +8,8 @@
 #include <utility>
 
 #include "convexact/error.hpp"
-#include "convexact/predicates.hpp"
+#include "convexact/geometry.hpp"
+#include "convexact/run.hpp"
 #include "geometry/near_plane.hpp"
 #include "number/arithmetic.hpp"
 

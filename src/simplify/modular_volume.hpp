@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 #include "number/random.hpp"
 #include "simplify/plain_surface.hpp"
 

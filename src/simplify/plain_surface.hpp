@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 
 namespace convexact {
 

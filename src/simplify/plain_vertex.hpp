@@ -2,7 +2,7 @@
 // plain_vertex.hpp - the arithmetic that only the verifier uses: determinants of the planes as
 // given.
 #pragma once
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 
 namespace convexact {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "convexact/dual.hpp"
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 #include "number/random.hpp"
 
 namespace convexact {

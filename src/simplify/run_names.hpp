@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // run_names.hpp - what a run is asked for and how it ends, by name.
 #pragma once
-#include "convexact/inner_run.hpp"
 #include "convexact/number.hpp"
 #include "convexact/run.hpp"
 #include "io/names.hpp"

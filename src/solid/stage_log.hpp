@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "convexact/error.hpp"
 #include "convexact/scene.hpp"
-#include "convexact/watch.hpp"
 
 namespace convexact {
 

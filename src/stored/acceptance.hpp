@@ -5,9 +5,8 @@
 #include <span>
 #include <string>
 
+#include "convexact/geometry.hpp"
 #include "convexact/number.hpp"
-#include "convexact/point_set.hpp"
-#include "convexact/polytope.hpp"
 #include "convexact/stored.hpp"
 
 namespace convexact::stored {

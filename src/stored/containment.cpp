@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "convexact/error.hpp"
-#include "convexact/predicates.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/stored.hpp"
 #include "geometry/near_plane.hpp"
 

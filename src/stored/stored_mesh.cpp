@@ -2,8 +2,8 @@
 #include <cmath>
 #include <optional>
 
+#include "convexact/geometry.hpp"
 #include "convexact/hull.hpp"
-#include "convexact/point_set.hpp"
 #include "convexact/stored.hpp"
 #include "stored/acceptance.hpp"
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 #include "surface/flat_polygon.hpp"
 
 namespace convexact {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "convexact/predicates.hpp"
+#include "convexact/geometry.hpp"
 
 namespace convexact {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "convexact/error.hpp"
-#include "convexact/predicates.hpp"
+#include "convexact/geometry.hpp"
 
 namespace convexact {
 namespace {

@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "convexact/predicates.hpp"
+#include "convexact/geometry.hpp"
 #include "number/groups.hpp"
 #include "surface/box_tree.hpp"
 #include "surface/common_point.hpp"

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "convexact/error.hpp"
 #include "convexact/surface.hpp"
-#include "convexact/watch.hpp"
 
 namespace convexact {
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "convexact/dual.hpp"
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 #include "io/json_document.hpp"
 
 namespace convexact {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "convexact/inner.hpp"
+#include "convexact/simplify.hpp"
 #include "io/json_document.hpp"
 
 namespace convexact {

@@ -3,9 +3,9 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 
-#include "convexact/mesh.hpp"
+#include "convexact/decompose.hpp"
+#include "convexact/io.hpp"
 #include "convexact/number.hpp"
-#include "convexact/parts.hpp"
 
 namespace convexact {
 

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "convexact/decompose.hpp"
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
-#include "convexact/parts.hpp"
 #include "io/json_text.hpp"
 #include "scene/objects.hpp"
 #include "wire/json_mesh.hpp"

@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "convexact/error.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/number.hpp"
-#include "convexact/point_set.hpp"
 #include "convexact/scene.hpp"
 #include "io/json_document.hpp"
 #include "io/names.hpp"

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "convexact/simplify.hpp"
-#include "convexact/simplify_scene.hpp"
 #include "io/json_document.hpp"
 #include "io/names.hpp"
 

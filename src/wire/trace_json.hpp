@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "convexact/cost.hpp"
-#include "convexact/inner_run.hpp"
 #include "convexact/run.hpp"
 #include "io/json_document.hpp"
 

@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "convexact/decompose.hpp"
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
-#include "convexact/parts.hpp"
 #include "convexact/stored.hpp"
 #include "io/json_document.hpp"
 #include "io/json_text.hpp"

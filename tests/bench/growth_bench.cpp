@@ -9,7 +9,6 @@
 #include "benches.hpp"
 #include "convexact/decompose.hpp"
 #include "convexact/overlay.hpp"
-#include "convexact/union_distance.hpp"
 #include "number/random.hpp"
 
 using namespace convexact;

@@ -5,7 +5,7 @@
 
 #include "benches.hpp"
 #include "convexact/hull.hpp"
-#include "convexact/inner_run.hpp"
+#include "convexact/run.hpp"
 #include "fast/engines.hpp"
 #include "fast/filtered_inner.hpp"
 

@@ -5,7 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "benches.hpp"
-#include "convexact/simplify_scene.hpp"
+#include "convexact/simplify.hpp"
 
 using namespace convexact;
 

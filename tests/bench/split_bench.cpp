@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "benches.hpp"
-#include "convexact/split.hpp"
+#include "convexact/cluster.hpp"
 #include "decompose/bridges.hpp"
 
 using namespace convexact;

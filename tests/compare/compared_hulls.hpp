@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 #include "lab/compare/refit.hpp"
 
 namespace support {

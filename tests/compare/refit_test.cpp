@@ -7,7 +7,6 @@
 
 #include "compared_hulls.hpp"
 #include "convexact/io.hpp"
-#include "convexact/mesh.hpp"
 #include "expect_error.hpp"
 #include "process.hpp"
 #include "shapes/makers.hpp"

@@ -8,7 +8,7 @@
 
 #include "assembled_meshes.hpp"
 #include "cells.hpp"
-#include "convexact/split.hpp"
+#include "convexact/cluster.hpp"
 #include "expect_error.hpp"
 #include "split_laws.hpp"
 #include "sweep.hpp"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Splitting, step by step and as a whole, against the definitions: lengths, paths, borders,
 // bridges, labels, depths, planes and halves.
-#include "convexact/split.hpp"
-
 #include <doctest/doctest.h>
 
+#include "convexact/cluster.hpp"
 #include "convexact/io.hpp"
 #include "decompose/divide.hpp"
 #include "definitional_tree.hpp"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Halfspaces: primitive form, canonical order, intersection of planes. Expected values by hand.
-#include "convexact/halfspace.hpp"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "convexact/error.hpp"
+#include "convexact/geometry.hpp"
 #include "geometry/near_plane.hpp"
 #include "integer_halfspace.hpp"
 #include "number/arithmetic.hpp"

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "convexact/predicates.hpp"
+#include "convexact/geometry.hpp"
 #include "exact_determinant.hpp"
 #include "geometry/orient3d_stages.hpp"
 #include "number/random.hpp"

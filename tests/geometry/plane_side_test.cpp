@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "convexact/predicates.hpp"
+#include "convexact/geometry.hpp"
 #include "property.hpp"
 
 using namespace convexact;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Which points make a set: all that doubles reach, exactly; the rest is refused with its number.
-#include "convexact/point_set.hpp"
-
 #include <doctest/doctest.h>
 
 #include <limits>
 
+#include "convexact/geometry.hpp"
 #include "expect_error.hpp"
 
 using namespace convexact;

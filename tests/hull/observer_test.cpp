@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <set>
 
+#include "convexact/geometry.hpp"
 #include "convexact/hull.hpp"
-#include "convexact/predicates.hpp"
 #include "shapes/makers.hpp"
 
 using namespace convexact;

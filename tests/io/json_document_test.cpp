@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 
 using namespace convexact;
 using Theirs = nlohmann::ordered_json;

@@ -2,7 +2,7 @@
 // Which format a file has. Expected values are written out by hand.
 #include <doctest/doctest.h>
 
-#include "convexact/mesh.hpp"
+#include "convexact/io.hpp"
 
 using namespace convexact;
 

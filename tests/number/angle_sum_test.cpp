@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sums of roots times angles. Expected orders come from identities of elementary geometry and of
 // complex numbers (arguments of a product add up), and from MPFR at 2,000 bits.
-#include "convexact/angle_sum.hpp"
-
 #include <doctest/doctest.h>
 
 #include <atomic>
@@ -11,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "convexact/cost.hpp"
 #include "expect_error.hpp"
 #include "property.hpp"
 #include "sweep.hpp"

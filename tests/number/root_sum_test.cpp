@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sums of roots. Expected orders come from squaring, from differences of sqrt of any order, from
 // Pell's equation, from sums that are made to be equal, and from MPFR at 2,000 bits.
-#include "convexact/root_sum.hpp"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "convexact/cost.hpp"
 #include "expect_error.hpp"
 #include "property.hpp"
 using namespace convexact;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Distances between a surface and a union of parts. Expected values: closed forms, the definition
 // (the least distance to a triangle of a facet), and dense rational samples.
-#include "convexact/union_distance.hpp"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <random>
 
 #include "convexact/hull.hpp"
+#include "convexact/overlay.hpp"
 #include "expect_error.hpp"
 #include "property.hpp"
 #include "shapes/makers.hpp"

@@ -5,9 +5,9 @@
 #include <variant>
 
 #include "convexact/dual.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/number.hpp"
-#include "convexact/predicates.hpp"
 #include "fast/engines.hpp"
 #include "fast/signs.hpp"
 #include "geometry/orient3d_stages.hpp"

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // simplify_inner: the proofs of a result, known meshes, and what is refused.
-#include "convexact/inner.hpp"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include <numeric>
 
 #include "convexact/io.hpp"
+#include "convexact/simplify.hpp"
 #include "expect_error.hpp"
 #include "inner_runs.hpp"
 #include "number/random.hpp"

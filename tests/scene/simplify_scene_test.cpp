@@ -2,14 +2,13 @@
 // Several parts with one budget: the best of all splits for the summed volume, the first removals
 // of each part's own run, ties between parts, the end and the growth limit. Expected are closed
 // forms of cut cubes, and what brute force over all beginnings of the parts' own runs finds.
-#include "convexact/simplify_scene.hpp"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <numeric>
 
 #include "convexact/measure.hpp"
+#include "convexact/simplify.hpp"
 #include "expect_error.hpp"
 #include "shapes/makers.hpp"
 #include "sweep.hpp"

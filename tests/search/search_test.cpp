@@ -9,7 +9,6 @@
 
 #include "convexact/measure.hpp"
 #include "convexact/simplify.hpp"
-#include "convexact/simplify_scene.hpp"
 #include "expect_error.hpp"
 #include "motion.hpp"
 #include "searched.hpp"

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Kept facets: what selectors select, in closed form, and runs that must not remove some, against
 // the definition and against the cut cube of docs/construction.md, whose costs are closed forms.
-#include "convexact/keep.hpp"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "convexact/dual.hpp"
+#include "convexact/run.hpp"
 #include "convexact/simplify.hpp"
 #include "definitional_greedy.hpp"
 #include "expect_error.hpp"

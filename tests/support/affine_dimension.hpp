@@ -3,7 +3,7 @@
 #pragma once
 #include <span>
 
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 
 /// -1 for no points, else the rank of the differences to the first point.
 inline int affine_dimension(std::span<const convexact::RationalPoint> points) {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "convexact/hull.hpp"
-#include "convexact/mesh.hpp"
+#include "convexact/io.hpp"
 
 namespace support {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "convexact/mesh.hpp"
+#include "convexact/io.hpp"
 #include "convexact/verify_parts.hpp"
 
 namespace support {

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "convexact/error.hpp"
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 #include "halfspace_arrangement.hpp"
 
 namespace definition {

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "convexact/split.hpp"
+#include "convexact/cluster.hpp"
 
 namespace definition {
 

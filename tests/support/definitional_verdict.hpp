@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "affine_dimension.hpp"
-#include "convexact/halfspace.hpp"
-#include "convexact/mesh.hpp"
+#include "convexact/geometry.hpp"
+#include "convexact/io.hpp"
 #include "halfspace_arrangement.hpp"
 #include "supporting_planes.hpp"
 

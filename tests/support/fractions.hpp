@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "convexact/mesh.hpp"
+#include "convexact/io.hpp"
 
 namespace support {
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "convexact/mesh.hpp"
+#include "convexact/io.hpp"
 #include "convexact/overlay.hpp"
 
 /// The hulls of the faces by cell, `cells` along the longest side of the box. A face belongs to the

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "convexact/cost.hpp"
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 #include "number/arithmetic.hpp"
 
 namespace definition {

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 #include "number/random.hpp"
 
 namespace convexact::data {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 #include "number/random.hpp"
 
 namespace hard {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 
 namespace hard {
 

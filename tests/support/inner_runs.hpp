@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "convexact/hull.hpp"
-#include "convexact/inner_run.hpp"
 #include "convexact/measure.hpp"
+#include "convexact/run.hpp"
 #include "fast/filtered_inner.hpp"
 #include "simplify/exact_inner.hpp"
 

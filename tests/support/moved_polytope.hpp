@@ -5,7 +5,7 @@
 #include <numeric>
 #include <span>
 
-#include "convexact/polytope.hpp"
+#include "convexact/geometry.hpp"
 #include "number/random.hpp"
 
 /// Times 2^k.

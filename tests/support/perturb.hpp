@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "convexact/point_set.hpp"
+#include "convexact/geometry.hpp"
 #include "number/random.hpp"
 
 namespace perturb {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "convexact/polytope.hpp"
+#include "convexact/geometry.hpp"
 #include "supporting_planes.hpp"
 
 /// The vertices on a plane, counter-clockwise from outside. All others lie within half a turn as

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "convexact/mesh.hpp"
+#include "convexact/io.hpp"
 
 inline bool same_points(const convexact::PointSet& a, const convexact::PointSet& b) {
   if (a.size() != b.size() || a.is_binary() != b.is_binary()) return false;

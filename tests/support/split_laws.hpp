@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "convexact/cluster.hpp"
 #include "convexact/measure.hpp"
-#include "convexact/split.hpp"
 
 namespace support {
 

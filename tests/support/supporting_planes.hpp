@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "affine_dimension.hpp"
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 
 /// The halfspaces of the facets, in canonical order, each once. Precondition: the points span a
 /// volume. O(n^3) planes, each tested against up to n points.

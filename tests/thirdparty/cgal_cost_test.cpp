@@ -10,8 +10,8 @@
 #include <cmath>
 #include <random>
 
+#include "convexact/cost.hpp"
 #include "convexact/dual.hpp"
-#include "convexact/root_sum.hpp"
 #include "number/text.hpp"
 #include "simplify/dual_surface.hpp"
 using namespace convexact;

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 
 /// CONVEXACT_LRS is the program's path. It is run on files beside the test executable.
 class Lrs {

@@ -63,7 +63,7 @@ TEST_CASE("to_json: verdicts on a solid, on parts and on an order") {
   CHECK(schema_complaint("verdict", one) == "");
   CHECK(one["verdict"] == "holds");
 
-  const Mesh solid = support::mesh_of_cells(support::l_cells());
+  const Mesh solid = support::mesh_of_cells({{0, 0, 0}});
   const PartsVerdict of_parts = verify_parts(solid, std::vector<NamedPart>{{"all", solid}}, {});
   const json several = with_names(json::parse(to_json(of_parts)));
   CHECK(schema_complaint("verdict", several) == "");
@@ -71,7 +71,7 @@ TEST_CASE("to_json: verdicts on a solid, on parts and on an order") {
 
   const auto order = require_solid(verify_order(cube(), {.bytes = "9\n"}));
   const json judged = parsed(to_json(order), "trace_verdict");
-  CHECK(judged["verdict"] == "violated");
+  CHECK(judged["holds"] == false);
 }
 
 TEST_CASE("to_json: a decomposition") {
@@ -81,7 +81,7 @@ TEST_CASE("to_json: a decomposition") {
   CHECK(document["decomposition"] == 1);
   CHECK(document["parts"].size() == made.parts.size());
   CHECK(document["parts"][0]["name"] == "part_000");
-  CHECK(document["method"]["name"] == name_of(DecomposeMethod::Hacd));
+  CHECK(document["method"] == name_of(DecomposeMethod::Hacd));
 }
 
 TEST_CASE("verify_order: rows of ids, of planes, and what cannot be read") {

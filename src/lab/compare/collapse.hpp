@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "convexact/point_set.hpp"
-#include "convexact/watch.hpp"
+#include "convexact/error.hpp"
+#include "convexact/geometry.hpp"
 
 namespace convexact {
 

@@ -11,9 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "convexact/point_set.hpp"
-#include "convexact/polytope.hpp"
-#include "convexact/watch.hpp"
+#include "convexact/error.hpp"
+#include "convexact/geometry.hpp"
 #include "solid/solid.hpp"
 
 namespace convexact {

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "convexact/halfspace.hpp"
-#include "convexact/predicates.hpp"
+#include "convexact/geometry.hpp"
 #include "lab/compare/method.hpp"
 
 namespace convexact {

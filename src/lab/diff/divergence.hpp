@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "convexact/dual.hpp"
+#include "convexact/error.hpp"
 #include "convexact/run.hpp"
 #include "convexact/simplify.hpp"
-#include "convexact/watch.hpp"
 #include "io/names.hpp"
 #include "oracle/removal_cost.hpp"
 

@@ -14,7 +14,6 @@
 
 #include "convexact/error.hpp"
 #include "convexact/run.hpp"
-#include "convexact/watch.hpp"
 
 namespace convexact {
 

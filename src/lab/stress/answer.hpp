@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "convexact/halfspace.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/run.hpp"
 #include "convexact/scene.hpp"
 #include "io/json_document.hpp"
