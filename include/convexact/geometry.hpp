@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // geometry.hpp - point sets, halfspaces, polytopes, and the exact predicates.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <compare>
 #include <cstddef>
@@ -167,8 +168,28 @@ struct Edge {
 /// @par Cost  O(E log E)
 [[nodiscard]] std::vector<Edge> edges(const Polytope& polytope);
 
-// ---- Exact signs for points in doubles: on which side of a plane a point lies. For rational points
-// the sign is that of halfspace(point).
+// ---- Boxes
+
+/// low <= x <= high in each coordinate; exact.
+struct BoundingBox {
+  RationalPoint low, high;
+
+  RationalVector3 size() const { return high - low; }
+  RationalPoint middle() const { return (low + high) / Rational(2); }
+  /// Square of the diagonal, which the project calls the diameter of an input.
+  Rational squared_diameter() const { return size().squaredNorm(); }
+  /// The largest absolute value of any coordinate of a point in the box.
+  Rational largest_coordinate() const {
+    return std::max<Rational>(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+  }
+};
+
+/// The smallest box around n >= 1 points. @throws Error InvalidArgument if there is none.
+[[nodiscard]] BoundingBox bounding_box(std::span<const RationalPoint> points);
+[[nodiscard]] BoundingBox bounding_box(const PointSet& points);
+
+// ---- Exact signs for points in doubles: on which side of a plane a point lies. For rational
+// points the sign is that of halfspace(point).
 
 /// The sign of det[a-d; b-d; c-d], exactly, for all finite doubles. With a, b, c counter-clockwise
 /// seen from +z and d far up +z it is Negative: orient3d((0,0,0), (1,0,0), (0,1,0), (0,0,1)) is the

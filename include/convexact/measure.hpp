@@ -18,24 +18,6 @@
 
 namespace convexact {
 
-/// low <= x <= high in each coordinate; exact.
-struct BoundingBox {
-  RationalPoint low, high;
-
-  RationalVector3 size() const { return high - low; }
-  RationalPoint middle() const { return (low + high) / Rational(2); }
-  /// Square of the diagonal, which the project calls the diameter of an input.
-  Rational squared_diameter() const { return size().squaredNorm(); }
-  /// The largest absolute value of any coordinate of a point in the box.
-  Rational largest_coordinate() const {
-    return std::max<Rational>(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
-  }
-};
-
-/// The smallest box around n >= 1 points. @throws Error InvalidArgument if there is none.
-[[nodiscard]] BoundingBox bounding_box(std::span<const RationalPoint> points);
-[[nodiscard]] BoundingBox bounding_box(const PointSet& points);
-
 /// Exact volume, in cubed length units: the sum over the facets of height times area over 3, where
 /// the roots in both cancel. The summation is balanced, because the vertices of a simplified
 /// polytope hardly share denominators.

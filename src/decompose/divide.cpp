@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "geometry/near_plane.hpp"
+#include "near/near_plane.hpp"
 #include "number/arithmetic.hpp"
 #include "surface/flat_polygon.hpp"
 

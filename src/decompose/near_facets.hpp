@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "convexact/hull.hpp"
-#include "geometry/near_plane.hpp"
+#include "near/near_plane.hpp"
 #include "number/roundoff.hpp"
 
 namespace convexact {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "geometry/near_plane.hpp"
+#include "near/near_plane.hpp"
 #include "number/arithmetic.hpp"
 
 namespace convexact {

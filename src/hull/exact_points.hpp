@@ -10,7 +10,7 @@
 
 #include "convexact/geometry.hpp"
 #include "convexact/hull.hpp"
-#include "hull/near_geometry.hpp"
+#include "near/near_geometry.hpp"
 
 namespace convexact {
 

@@ -6,7 +6,7 @@
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
-#include "geometry/near_plane.hpp"
+#include "near/near_plane.hpp"
 #include "number/arithmetic.hpp"
 #include "number/roundoff.hpp"
 
@@ -29,7 +29,7 @@ class NearestPoint::Search {
   };
 
   // A plane in doubles with a normal of length 1, for coordinates relative to the first vertex.
-  struct NearPlane {
+  struct UnitPlane {
     Vector3<double> n;
     double d;
   };
@@ -45,7 +45,7 @@ class NearestPoint::Search {
   bool in_vertex_region(std::uint32_t vertex, const HomogeneousPoint& x) const;
 
   const Polytope& polytope_;
-  std::vector<NearPlane> near_planes_;
+  std::vector<UnitPlane> near_planes_;
   std::vector<HalfEdge> half_edges_;
   mutable std::vector<EdgePlanes> edge_planes_;        // as half_edges_; filled by side() and end()
   std::vector<std::vector<std::uint32_t>> of_facet_;   // half-edges around each facet
@@ -162,7 +162,7 @@ std::optional<std::uint32_t> NearestPoint::Search::visible_facet(
   std::vector<std::uint32_t> open;
   double most = -std::numeric_limits<double>::infinity();
   for (std::uint32_t f = 0; f < near_planes_.size(); ++f) {
-    const NearPlane& plane = near_planes_[f];
+    const UnitPlane& plane = near_planes_[f];
     const double beyond = plane.n.dot(from) + plane.d;
     const double error = kRelative * (size + std::abs(plane.d)) + kAbsolute * (1 + size);
     if (beyond < -error) continue;

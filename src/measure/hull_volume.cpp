@@ -10,13 +10,13 @@ namespace convexact {
 namespace {
 
 // The extreme points as integers: hull.vertices[v] has 3 entries from 3 v on, times 1 / scale.
-struct ScaledPoints {
+struct IntegerPoints {
   std::vector<Integer> coordinates;
   Rational scale;
 };
 
 // Doubles times one power of two, where their spread lets that power stay within doubles.
-std::optional<ScaledPoints> scale_doubles(const Hull& hull, const PointSet& points) {
+std::optional<IntegerPoints> scale_doubles(const Hull& hull, const PointSet& points) {
   constexpr int kWidestSpread = 900;
   int lowest = 2000, highest = -2000;
   for (const PointId id : hull.vertices) {
@@ -27,8 +27,8 @@ std::optional<ScaledPoints> scale_doubles(const Hull& hull, const PointSet& poin
     }
   }
   if (!points.is_binary() || highest - lowest > kWidestSpread) return std::nullopt;
-  ScaledPoints scaled{std::vector<Integer>(3 * hull.vertices.size()),
-                      scale_by_power_of_two(Rational(1), -lowest)};
+  IntegerPoints scaled{std::vector<Integer>(3 * hull.vertices.size()),
+                       scale_by_power_of_two(Rational(1), -lowest)};
   for (std::size_t v = 0; v < hull.vertices.size(); ++v) {
     const Point& p = points.doubles()[hull.vertices[v].index()];
     for (std::size_t k = 0; k < 3; ++k) {
@@ -38,13 +38,13 @@ std::optional<ScaledPoints> scale_doubles(const Hull& hull, const PointSet& poin
   return scaled;
 }
 
-ScaledPoints scale_rationals(const Hull& hull, const PointSet& points) {
+IntegerPoints scale_rationals(const Hull& hull, const PointSet& points) {
   std::vector<Rational> coordinates;
   for (const PointId id : hull.vertices) {
     const RationalPoint p = points[id];
     coordinates.insert(coordinates.end(), p.begin(), p.end());
   }
-  ScaledPoints scaled{std::vector<Integer>(coordinates.size()), 1};
+  IntegerPoints scaled{std::vector<Integer>(coordinates.size()), 1};
   scaled.scale = clear_denominators(coordinates, scaled.coordinates);
   return scaled;
 }
@@ -53,7 +53,7 @@ ScaledPoints scale_rationals(const Hull& hull, const PointSet& points) {
 
 Rational volume(const Hull& hull, const PointSet& points) {
   auto doubles = scale_doubles(hull, points);
-  const ScaledPoints scaled = doubles ? std::move(*doubles) : scale_rationals(hull, points);
+  const IntegerPoints scaled = doubles ? std::move(*doubles) : scale_rationals(hull, points);
   std::vector<std::uint32_t> vertex(points.size());
   for (std::size_t v = 0; v < hull.vertices.size(); ++v) {
     vertex[hull.vertices[v].index()] = static_cast<std::uint32_t>(v);

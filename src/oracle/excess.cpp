@@ -3,7 +3,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/measure.hpp"
-#include "geometry/near_plane.hpp"
+#include "near/near_plane.hpp"
 
 namespace convexact {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
-#include "geometry/near_plane.hpp"
+#include "near/near_plane.hpp"
 #include "number/text.hpp"
 #include "oracle/judge.hpp"
 #include "scene/objects.hpp"

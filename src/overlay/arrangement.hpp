@@ -19,6 +19,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/hull.hpp"
+#include "near/near_plane.hpp"
 #include "number/arithmetic.hpp"
 #include "number/roundoff.hpp"
 
@@ -166,9 +167,6 @@ class Arrangement {
   // product is off by 2 u of itself from the row, by u from rounding and by |row| error from the
   // vertex, a sum of three by 2 u of all; 8 u covers the higher orders. Flushed and underflowing
   // entries lose less than 3 (2^-1000 + 2^-1074), as the other factor is at most 1.
-  struct NearValue {
-    double value = 0, bound = 0;
-  };
   static NearValue near_value(const Row& row, const std::array<double, N>& x, double error) {
     double sum = 0, size = 0, length = 0;
     for (std::size_t k = 0; k < N; ++k) {
@@ -251,7 +249,7 @@ typename Arrangement<N>::VertexId Arrangement<N>::meet(const std::array<RowId, N
     v.error = std::ldexp(v.error, -exponent) + 0x1p-990;
   }
   const NearValue w = near_value(weights_, v.near, v.error);
-  if (!(std::abs(w.value) > w.bound)) {
+  if (!w.surely_not_zero()) {
     settle(v);
   } else if (w.value < 0) {
     for (double& x : v.near) x = -x;
@@ -265,8 +263,8 @@ Sign Arrangement<N>::side(VertexId vertex, RowId row) {
     if (own == row) return Sign::Zero;
   }
   const NearValue s = near_value(rows_[row], vertices_[vertex].near, vertices_[vertex].error);
-  if (s.value > s.bound) return Sign::Positive;
-  if (s.value < -s.bound) return Sign::Negative;
+  if (s.surely_positive()) return Sign::Positive;
+  if (s.surely_negative()) return Sign::Negative;
   return sign_of(dot(exact(vertex), rows_[row].exact));
 }
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "geometry/near_plane.hpp"
+#include "near/near_plane.hpp"
 #include "number/arithmetic.hpp"
 
 namespace convexact {

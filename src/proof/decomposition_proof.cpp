@@ -10,7 +10,7 @@
 #include "convexact/hull.hpp"
 #include "convexact/linear_program.hpp"
 #include "decompose/near_concavity.hpp"
-#include "geometry/near_plane.hpp"
+#include "near/near_plane.hpp"
 #include "number/arithmetic.hpp"
 #include "proof/hull_rays.hpp"
 #include "proof/proof_lines.hpp"

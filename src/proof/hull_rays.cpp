@@ -9,7 +9,7 @@
 #include "convexact/hull.hpp"
 #include "convexact/linear_program.hpp"
 #include "convexact/overlay.hpp"
-#include "geometry/near_plane.hpp"
+#include "near/near_plane.hpp"
 #include "number/arithmetic.hpp"
 
 namespace convexact {

@@ -120,7 +120,7 @@ std::optional<double> ProbeTally::sigma() const {
 
 FalsePositives count_false_positives(const Polytope& a, const Polytope& b,
                                      const FalsePositiveRequest& request) {
-  const ProbeFrame frame = frame_around(a, b);
+  const ProbeFrame frame = probe_frame(a, b);
   ProbedPair pair{.a = a,
                   .b = b,
                   .near_a = ProbedSolid(a, frame),

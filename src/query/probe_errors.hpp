@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // probe_errors.hpp - the values of planes along a line in doubles, and their error bounds.
 #pragma once
-#include "geometry/near_plane.hpp"
+#include "near/near_plane.hpp"
 #include "number/roundoff.hpp"
 
 namespace convexact {

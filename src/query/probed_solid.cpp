@@ -41,7 +41,7 @@ Halfspace ProbeFrame::operator()(const Halfspace& h) const {
   return {normal, scale_by_power_of_two(h(center), -exponent)};
 }
 
-ProbeFrame frame_around(const Polytope& a, const Polytope& b) {
+ProbeFrame probe_frame(const Polytope& a, const Polytope& b) {
   std::vector<RationalPoint> vertices = a.vertices;
   vertices.insert(vertices.end(), b.vertices.begin(), b.vertices.end());
   ProbeFrame frame;

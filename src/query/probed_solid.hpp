@@ -8,7 +8,7 @@
 
 #include "convexact/geometry.hpp"
 #include "convexact/query.hpp"
-#include "geometry/near_plane.hpp"
+#include "near/near_plane.hpp"
 
 namespace convexact {
 
@@ -23,7 +23,7 @@ struct ProbeFrame {
 };
 
 /// The center of the box around both, and a radius less than 2^-50 above the least.
-[[nodiscard]] ProbeFrame frame_around(const Polytope& a, const Polytope& b);
+[[nodiscard]] ProbeFrame probe_frame(const Polytope& a, const Polytope& b);
 
 /// A plane {y : dot(u, y) = h}, |u_k| <= 1 + 2^-50, |h| <= 1/2.
 struct ProbePlane {

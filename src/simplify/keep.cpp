@@ -10,7 +10,7 @@
 #include "convexact/error.hpp"
 #include "convexact/geometry.hpp"
 #include "convexact/run.hpp"
-#include "geometry/near_plane.hpp"
+#include "near/near_plane.hpp"
 #include "number/arithmetic.hpp"
 
 namespace convexact {

@@ -12,8 +12,8 @@
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
 #include "convexact/stored.hpp"
-#include "geometry/near_plane.hpp"
 #include "lp/interior_point.hpp"
+#include "near/near_plane.hpp"
 #include "number/arithmetic.hpp"
 #include "number/precision.hpp"
 

@@ -4,7 +4,7 @@
 #include "convexact/error.hpp"
 #include "convexact/geometry.hpp"
 #include "convexact/stored.hpp"
-#include "geometry/near_plane.hpp"
+#include "near/near_plane.hpp"
 
 namespace convexact {
 namespace {

@@ -8,7 +8,7 @@
 #include "convexact/error.hpp"
 #include "convexact/linear_program.hpp"
 #include "convexact/stored.hpp"
-#include "geometry/near_plane.hpp"
+#include "near/near_plane.hpp"
 #include "stored/acceptance.hpp"
 
 namespace convexact {

@@ -6,8 +6,8 @@
 
 #include "convexact/error.hpp"
 #include "convexact/geometry.hpp"
-#include "geometry/near_plane.hpp"
 #include "integer_halfspace.hpp"
+#include "near/near_plane.hpp"
 #include "number/arithmetic.hpp"
 #include "number/random.hpp"
 #include "property.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The hull's static filters at the worst inputs that a search finds: never broken, by rationals,
 // and not so wide that they would be of no use.
-#include "hull/near_geometry.hpp"
+#include "near/near_geometry.hpp"
 
 #include <doctest/doctest.h>
 

@@ -32,7 +32,7 @@ UNITS = {
     'src/check/exact.hpp': ['tests/check/checker.cpp'],
     'src/check/root_sum.hpp': ['tests/check/checker.cpp'],
     'src/query/probe_errors.hpp': ['src/query/probed_solid.cpp', 'tests/query/probe_errors_test.cpp'],
-    'src/geometry/near_plane.hpp': ['src/stored/containment.cpp', 'src/stored/stored_planes.cpp',
+    'src/near/near_plane.hpp': ['src/stored/containment.cpp', 'src/stored/stored_planes.cpp',
                                     'src/stored/acceptance.cpp', 'tests/stored/containment_test.cpp'],
     'src/number/roundoff.hpp': [*_EXPANSION, 'tests/number/double_double_test.cpp', *_AUDIT],
     'src/number/expansion.hpp': _EXPANSION,
@@ -46,7 +46,7 @@ UNITS = {
     'src/fast/filtered_loop.hpp': ['src/fast/filtered_loop.cpp', 'src/fast/engines.cpp', 'src/scene/part_runs.cpp'],
     'src/fast/float_loop_steps.hpp': ['src/fast/float_loop.cpp'],
     'src/fast/near_vertices.hpp': ['src/fast/near_vertices.cpp', 'src/fast/filtered_inner.cpp'],
-    'src/hull/near_geometry.hpp': _HULL,
+    'src/near/near_geometry.hpp': _HULL,
     'src/hull/exact_points.hpp': _HULL,
     'src/overlay/arrangement.hpp': ['src/overlay/' + name for name in (
         'convex_part.cpp', 'coverage.cpp', 'laid_surface.cpp', 'union_boundary.cpp')],

@@ -8,8 +8,8 @@
 
 #include "convexact/error.hpp"
 #include "convexact/stored.hpp"
-#include "geometry/near_plane.hpp"
 #include "hill_climb.hpp"
+#include "near/near_plane.hpp"
 #include "property.hpp"
 #include "shapes/makers.hpp"
 #include "stored_cases.hpp"

@@ -10,7 +10,7 @@ import re
 import sys
 
 # From the top down.
-ROOMS = ["error", "number", "geometry", "shapes", "io", "lp", "hull", "dual", "implicit", "measure",
+ROOMS = ["error", "number", "geometry", "near", "shapes", "io", "lp", "hull", "dual", "implicit", "measure",
          "simplify", "fast", "search", "stored", "solid",
          "surface", "overlay", "decompose",
          "scene", "parts", "query", "bvh", "proof", "oracle", "conform",

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/near_plane.hpp"
 #include "lab/compare/method.hpp"
+#include "near/near_plane.hpp"
 #include "number/random.hpp"
 
 namespace convexact {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "convexact/error.hpp"
-#include "convexact/measure.hpp"
+#include "convexact/geometry.hpp"
 
 namespace convexact {
 namespace {
