@@ -39,6 +39,9 @@ struct Mesh {
   PointSet points;
   std::vector<std::vector<std::uint32_t>> polygons;
   std::vector<MeshPart> parts;
+  /// What the reader left out, or read otherwise than the format says, for people: "2 faces of
+  /// fewer than 3 corners were skipped; their points count".
+  std::vector<std::string> notes = {};
 };
 
 /// Which points of a mesh count.
@@ -60,10 +63,13 @@ enum class MeshFormat {
   Off,
   Ply,
   Stl,
-  Xyz,  ///< Points only.
+  Xyz,  ///< Points only: x y z per line, with blanks, commas or semicolons between; .pts, .csv.
+  Pcd,  ///< Points only, of the Point Cloud Library; as text or binary.
+  Ext,  ///< The V-representation of cdd and lrs: points.
 };
 
-/// By the extension .obj, .off, .ply, .stl or .xyz in any case; nothing for any other path.
+/// Of the formats that are written, too: by the extension .obj, .off, .ply, .stl or .xyz in any
+/// case; nothing for any other path.
 [[nodiscard]] std::optional<MeshFormat> mesh_format_of_path(const std::string& path);
 
 /// By the first bytes, and for a binary STL by its size; OBJ if no other format matches.
@@ -81,6 +87,12 @@ struct ReadOptions {
   Decimal decimal = Decimal::Nearest;
   /// Unset: by the path's extension if it is a known one, otherwise by content.
   std::optional<MeshFormat> format = {};
+  /// Leave out numbers that are not finite: points of clouds, and corners of STL facets, whose
+  /// other corners stay as points. A note counts them. Otherwise they are an error.
+  bool skip_bad = false;
+  /// Faces of one or two corners are an error, as in outputs that are judged. Otherwise a note
+  /// counts them; their points count in any case.
+  bool strict = false;
 };
 
 /// The mesh that the bytes of a file spell.

@@ -96,6 +96,9 @@ struct SceneOptions {
   bool parts = false;  ///< Whether each object of a file is separate.
   /// Of a file, or with `parts` of each of its objects.
   MeshPoints points = MeshPoints::All;
+  bool skip_bad = false;  ///< As ReadOptions::skip_bad.
+  /// Called with the name of the file and each of Mesh::notes.
+  std::function<void(const std::string& name, const std::string& note)> on_note = {};
   /// Called with the name and the bytes of each file before it is parsed.
   std::function<void(const std::string& name, const std::string& bytes)> on_read = {};
 };
@@ -106,7 +109,7 @@ struct SceneOptions {
                                                      const TypedRows& rows);
 
 /// Reads files one after another: meshes, or halfspaces (.json, .ine, or by content).
-/// @throws Error as the readers; NoInterior if a halfspace list has a row that no point satisfies;
+/// @throws Error as the readers; Unreadable for a format that is not read, with what to do; NoInterior if a halfspace list has a row that no point satisfies;
 ///         InvalidArgument for parts of a file that has none, or standard input twice.
 [[nodiscard]] std::vector<SceneObject> read_scene(const std::vector<std::string>& paths,
                                                   const SceneOptions& options = {});

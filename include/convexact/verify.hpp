@@ -305,6 +305,7 @@ using VerifyOutcome = std::variant<Verdict, NotSolid>;
 
 /// A mesh or halfspaces: by the extension of `path` if it is a known one, otherwise by content. An
 /// error in the bytes becomes the candidate's error.
+/// @throws Error Unreadable for a format that is not read, with what to do.
 [[nodiscard]] Candidate read_candidate_bytes(std::string_view bytes, const std::string& path,
                                              Decimal decimal = Decimal::Nearest);
 

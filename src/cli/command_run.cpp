@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/command_run.hpp"
 
+#include <iostream>
+
 #include "convexact/io.hpp"
 #include "wire/stage_report.hpp"
 
@@ -14,7 +16,9 @@ void write_together(const OutputFiles& files, const std::string& summary) {
 
 std::vector<SceneObject> CommandRun::read(const std::vector<std::string>& paths,
                                           const SceneOptions& options, const std::string& stage) {
-  return log_.run(stage, StageKind::Io, [&] { return read_scene(paths, options); });
+  SceneOptions noting = options;
+  noting.on_note = [this](const std::string& file, const std::string& text) { note(file, text); };
+  return log_.run(stage, StageKind::Io, [&] { return read_scene(paths, noting); });
 }
 
 SceneObject CommandRun::read_one(const std::string& path, const SceneOptions& options,
@@ -22,8 +26,13 @@ SceneObject CommandRun::read_one(const std::string& path, const SceneOptions& op
   return std::move(read({path}, options, stage).front());
 }
 
-int CommandRun::end_flat(const std::string& name, const NotSolid& reason) {
+void CommandRun::tell_notes() {
   progress_.clear();
+  std::cerr << notes_;
+}
+
+int CommandRun::end_flat(const std::string& name, const NotSolid& reason) {
+  tell_notes();
   return report_not_solid(global_, name, reason);
 }
 
@@ -32,7 +41,7 @@ int CommandRun::end_flat(const SceneObject& object, const NotSolid& reason) {
 }
 
 int CommandRun::end(const CommandAnswer& answer) {
-  progress_.clear();
+  tell_notes();
   std::string said;
   if (global_.json) {
     Json document = answer.json();

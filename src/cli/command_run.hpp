@@ -50,6 +50,11 @@ class CommandRun {
   SceneObject read_one(const std::string& path, const SceneOptions& options,
                        const std::string& stage = "read");
 
+  /// Something that the reader of a file left out or guessed: told on standard error at the end.
+  void note(const std::string& file, const std::string& note) {
+    notes_ += "convexact: " + file + ": note: " + note + "\n";
+  }
+
   /// Each ends the run and returns the exit code: an input encloses no volume; or there is an
   /// answer, which is printed when the files are written.
   int end_flat(const std::string& name, const NotSolid& reason);
@@ -57,10 +62,13 @@ class CommandRun {
   int end(const CommandAnswer& answer);
 
  private:
+  void tell_notes();
+
   const GlobalOptions& global_;
   Progress progress_;
   StageWatch watch_;
   StageLog log_;
+  std::string notes_;
 };
 
 }  // namespace convexact::cli

@@ -193,12 +193,19 @@ void add_points_option(Command& command, MeshPoints& points) {
              "without faces is its points");
 }
 
+void add_skip_bad_option(Command& command, bool& skip_bad) {
+  command.add_flag("--skip-bad", skip_bad,
+                   "leave out points of clouds and corners of STL facets that are not finite, with "
+                   "a note; otherwise they are an error");
+}
+
 void add_scene_options(Command& command, SceneOptions& options) {
   options.on_read = remember_input;
   command.add_flag("--parts", options.parts,
                    "treat each object (o or g line, STL solid) separately");
   add_points_option(command, options.points);
   add_decimal_option(command, options.decimal);
+  add_skip_bad_option(command, options.skip_bad);
 }
 
 OutputFiles output_files(const std::vector<OutputObject>& objects, const OutputOptions& options) {

@@ -95,6 +95,8 @@ void add_input_argument(Command& command, std::vector<std::string>& inputs);
 void add_output_options(Command& command, OutputOptions& options);
 /// --decimal: the meaning of decimals in text.
 void add_decimal_option(Command& command, Decimal& decimal);
+/// --skip-bad: whether numbers of INPUT that are not finite are left out.
+void add_skip_bad_option(Command& command, bool& skip_bad);
 /// --points: which points of an input with faces count.
 void add_points_option(Command& command, MeshPoints& points);
 void add_scene_options(Command& command, SceneOptions& options);
@@ -119,15 +121,15 @@ struct OutputObject {
 
 /// The objects of all inputs; of a command with --implicit, possibly the corners of its cells.
 template <class Arguments>
-std::vector<SceneObject> read_objects(const Arguments& options, StageLog& log) {
+std::vector<SceneObject> read_objects(const Arguments& options, CommandRun& run) {
   if constexpr (requires { options.implicit; }) {
     if (options.implicit.is_given()) {
-      return {log.run("cells", [&] {
-        return read_implicit_object(options.implicit, options.scene, log.watch("cells"));
+      return {run.log().run("cells", [&] {
+        return read_implicit_object(options.implicit, options.scene, run.log().watch("cells"));
       })};
     }
   }
-  return log.run("read", StageKind::Io, [&] { return read_scene(options.inputs, options.scene); });
+  return run.read(options.inputs, options.scene);
 }
 
 /// Runs a subcommand that reads objects, computes results for them under a watch, and writes the
@@ -139,7 +141,7 @@ int run_on_scene(const Arguments& options, Find&& find, Answer&& answer) {
   options.output.require_sensible();
   require_outputs(options.output.all_paths(), options.inputs);
   CommandRun run(options.global);
-  std::vector<SceneObject> scene = read_objects(options, run.log());
+  std::vector<SceneObject> scene = read_objects(options, run);
   options.output.require_room_for(scene.size());
   std::variant<std::vector<FoundObject<Result>>, FlatObject> found =
       find(std::move(scene), run.log(), run.watch());

@@ -51,7 +51,7 @@ struct VerifyArguments {
   MeshPoints points = MeshPoints::All;
   PromiseOptions promise;
   VerifyRequest request;  // what of it has options of its own
-  bool no_tightness = false, parts = false, inner = false;
+  bool skip_bad = false, no_tightness = false, parts = false, inner = false;
   TraceOptions trace;
   UnionOptions of_union;
   StdioOptions stdio;
@@ -130,8 +130,12 @@ bool names_a_claim_of_parts(const VerifyArguments& options) {
 }
 
 Candidate read_candidate_as(const VerifyArguments& options, Decimal decimal, CommandRun& run) {
-  return run.log().run("read candidate", StageKind::Io,
-                       [&] { return read_candidate(options.candidate, decimal); });
+  Candidate candidate = run.log().run("read candidate", StageKind::Io,
+                                      [&] { return read_candidate(options.candidate, decimal); });
+  if (const auto* mesh = std::get_if<Mesh>(&candidate)) {
+    for (const std::string& note : mesh->notes) run.note(display_name(options.candidate), note);
+  }
+  return candidate;
 }
 
 // A verdict, and what it is about.
@@ -147,9 +151,10 @@ int run_verify_parts(const VerifyArguments& options) {
   VerifyRequest request = verify_request(options, promise);
   const Decimal decimal = meaning_of_numbers(promise, options.decimal);
   CommandRun run(options.global);
-  const std::vector<SceneObject> input =
-      run.read({options.input}, {.decimal = decimal, .parts = true, .on_read = remember_input},
-               "read input");
+  const std::vector<SceneObject> input = run.read(
+      {options.input},
+      {.decimal = decimal, .parts = true, .skip_bad = options.skip_bad, .on_read = remember_input},
+      "read input");
   const Candidate candidate = read_candidate_as(options, decimal, run);
   // Parts of one object can only be judged together.
   if (const auto* mesh = std::get_if<Mesh>(&candidate);
@@ -179,8 +184,9 @@ int run_verify_candidate(const VerifyArguments& options) {
   VerifyRequest request = verify_request(options, promise);
   const Decimal decimal = meaning_of_numbers(promise, options.decimal);
   CommandRun run(options.global);
-  const SceneObject input =
-      run.read_one(options.input, {.decimal = decimal, .on_read = remember_input}, "read input");
+  const SceneObject input = run.read_one(
+      options.input, {.decimal = decimal, .skip_bad = options.skip_bad, .on_read = remember_input},
+      "read input");
   const Candidate candidate = read_candidate_as(options, decimal, run);
   request.watch = run.watch();
   request.used = used_flags(input);
@@ -313,6 +319,7 @@ void add_verify_command(Command& program, int& exit_code) {
   add_union_options(command, options->of_union);
   add_points_option(command, options->points);
   add_decimal_option(command, options->decimal);
+  add_skip_bad_option(command, options->skip_bad);
   add_trace_options(command, options->trace);
   add_stdio_options(command, options->stdio, "one verdict");
   finish_command(command, options, exit_code, run_verify);

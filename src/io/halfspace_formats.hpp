@@ -29,11 +29,9 @@ namespace convexact {
 // .ine, the H-representation of cdd and lrs.
 
 /// Reads a file of dimension three. A row (b, a1, a2, a3) means b + a.x >= 0, so n = -a and d = -b.
-/// Integers and fractions are exact; decimals (type real only) are read by `decimal`. Options
-/// before `begin` and after `end` are ignored, except for those that turn rows into equations or
-/// strict inequalities.
-/// @throws Error Malformed with the line, also for a V-representation, another dimension,
-///               linearity or no row at all; NotFinite for decimals beyond the largest double.
+/// A row of a linearity is an equation: its other halfspace follows all rows. The rest as
+/// read_polyhedron_table().
+/// @throws Error As read_polyhedron_table().
 /// @par Source   [Fukuda-cddlib, sec. 2], [Avis-lrs]
 [[nodiscard]] HalfspaceList read_ine(std::string_view bytes, Decimal decimal);
 
@@ -46,7 +44,8 @@ namespace convexact {
 
 /// Reads one halfspace n1 x + n2 y + n3 z + d <= 0 from each line "n1 n2 n3 d". Integers and
 /// fractions are exact; a number spelled with a point or an exponent is read by `decimal`. A token
-/// that starts with # ends its line.
+/// that starts with # ends its line. The lines "4" and a count in front, as qhull's option n writes
+/// them, are read, too.
 /// @throws Error Malformed with the line, also if there is no row at all; NotFinite for decimals
 ///               beyond the largest double.
 [[nodiscard]] HalfspaceList read_halfspace_rows(std::string_view bytes, Decimal decimal);

@@ -19,9 +19,31 @@ Rational to_number(std::string_view token, const TextCursor& cursor, Decimal dec
 
 }  // namespace
 
+namespace {
+
+// The number of rows, where a text begins as qhull's option n writes: the dimension and one more,
+// then how many halfspaces there are, a line each. The cursor is after both then.
+std::optional<std::uint32_t> read_qhull_counts(TextCursor& cursor) {
+  TextCursor ahead = cursor;
+  std::uint32_t counts[2];
+  for (std::uint32_t& count : counts) {
+    if (!ahead.next_line()) return {};
+    const std::string_view token = ahead.token();
+    if (token.empty() || token.find_first_not_of("0123456789") != token.npos) return {};
+    if (!ahead.token().empty()) return {};
+    count = ahead.to_count(token, "a count");
+  }
+  if (counts[0] != 4) return {};
+  cursor = ahead;
+  return counts[1];
+}
+
+}  // namespace
+
 HalfspaceList read_halfspace_rows(std::string_view bytes, Decimal decimal) {
   TextCursor cursor(bytes, {.comment = '#'});
   HalfspaceList list;
+  const std::optional<std::uint32_t> announced = read_qhull_counts(cursor);
   while (cursor.next_line()) {
     RationalVector3 normal;
     for (int k = 0; k < 3; ++k) {
@@ -32,6 +54,11 @@ HalfspaceList read_halfspace_rows(std::string_view bytes, Decimal decimal) {
     list.add(normal, offset);
   }
   if (list.row_count() == 0) cursor.fail("expected rows n1 n2 n3 d, found none");
+  if (announced && *announced != list.row_count()) {
+    cursor.fail("expected " + std::to_string(*announced) +
+                " halfspaces, as the second line says, " + "found " +
+                std::to_string(list.row_count()));
+  }
   return list;
 }
 
@@ -73,6 +100,7 @@ namespace {
 
 bool starts_with_a_row(std::string_view bytes) {
   TextCursor cursor(bytes, {.comment = '#'});
+  (void)read_qhull_counts(cursor);
   if (!cursor.next_line()) return false;
   try {
     for (int k = 0; k < 4; ++k) (void)parse_number(cursor.token(), Decimal::Nearest);

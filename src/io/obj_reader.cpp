@@ -21,8 +21,10 @@ constexpr std::array<std::string_view, 38> kPassedOver = {
 
 class ObjReader {
  public:
-  ObjReader(std::string_view bytes, Decimal decimal)
-      : cursor_(bytes, {.comment = '#', .continuation = true}), points_(decimal) {}
+  ObjReader(std::string_view bytes, const ReadOptions& options)
+      : cursor_(bytes, {.comment = '#', .continuation = true}),
+        points_(options.decimal),
+        is_strict_(options.strict) {}
 
   Mesh read() {
     while (cursor_.next_line()) read_statement(cursor_.token());
@@ -35,6 +37,7 @@ class ObjReader {
     end_part();
     if (has_named_part_) find_loose_points();
     if (mesh_.parts.empty()) mesh_.parts.push_back({"", 0, 0});
+    if (skipped_faces_ > 0) mesh_.notes.push_back(skipped_faces_note(skipped_faces_));
     mesh_.points = points_.finish();
     return std::move(mesh_);
   }
@@ -78,9 +81,14 @@ class ObjReader {
     for (auto token = cursor_.token(); !token.empty(); token = cursor_.token()) {
       corners_.push_back(read_corner(token));
     }
+    if (corners_.empty()) cursor_.fail_expected("the corners of a polygon", "");
     if (corners_.size() < 3) {
-      cursor_.fail("expected a polygon of at least 3 corners, found " +
-                   std::to_string(corners_.size()));
+      if (is_strict_) {
+        cursor_.fail("expected a polygon of at least 3 corners, found " +
+                     std::to_string(corners_.size()));
+      }
+      ++skipped_faces_;
+      return;
     }
     mesh_.polygons.emplace_back(corners_.begin(), corners_.end());
   }
@@ -165,17 +173,26 @@ class ObjReader {
   static constexpr std::size_t kNoPart = ~std::size_t{0};
   TextCursor cursor_;
   PointCollector points_;
+  bool is_strict_;
   Mesh mesh_;
   std::string_view part_name_;
   bool has_named_part_ = false;             // an o or g was read
   std::vector<std::size_t> part_of_point_;  // by point, under which part it was read
   std::vector<std::uint32_t> corners_;
+  std::size_t skipped_faces_ = 0;  // of fewer than 3 corners
   std::size_t largest_index_ = 0;
   std::size_t line_of_largest_ = 0;
 };
 
 }  // namespace
 
-Mesh read_obj(std::string_view bytes, Decimal decimal) { return ObjReader(bytes, decimal).read(); }
+std::string skipped_faces_note(std::size_t count) {
+  return counted(count, "face", "faces") + " of fewer than 3 corners " +
+         (count == 1 ? "was" : "were") + " skipped; the points count";
+}
+
+Mesh read_obj(std::string_view bytes, const ReadOptions& options) {
+  return ObjReader(bytes, options).read();
+}
 
 }  // namespace convexact

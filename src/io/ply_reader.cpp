@@ -28,6 +28,12 @@ class TextBody {
   }
   std::uint32_t take_count(PlyType) { return take_integer("the length of a list"); }
   std::uint32_t take_index(PlyType) { return take_integer("the index of a point, from 0"); }
+  /// -1 stands for an end.
+  std::int64_t take_signed_index(PlyType) {
+    const std::string_view token = cursor_.expect_token("the index of a point, or -1");
+    return token == "-1" ? std::int64_t{-1}
+                         : cursor_.to_count(token, "the index of a point, or -1");
+  }
   void take_coordinate(PlyType, int axis) { row_[axis] = cursor_.expect_token("a coordinate"); }
   void end_point() { points_.add(row_, cursor_); }
   void expect_end() { cursor_.expect_end(); }
@@ -65,6 +71,10 @@ class BinaryBody {
   }
   std::uint32_t take_count(PlyType type) { return take_integer(type); }
   std::uint32_t take_index(PlyType type) { return take_integer(type); }
+  std::int64_t take_signed_index(PlyType type) {
+    demand(type, 1);
+    return take_signed(type);
+  }
   void take_coordinate(PlyType type, int axis) {
     demand(type, 1);
     const std::size_t start = cursor_.offset();
@@ -131,8 +141,8 @@ class BinaryBody {
 template <class Body>
 class PlyReader {
  public:
-  PlyReader(const PlyHeader& header, std::uint32_t point_count, Body& body)
-      : header_(header), point_count_(point_count), body_(body) {}
+  PlyReader(const PlyHeader& header, std::uint32_t point_count, Body& body, bool is_strict)
+      : header_(header), point_count_(point_count), body_(body), is_strict_(is_strict) {}
 
   Mesh read() {
     for (const PlyElement& element : header_.elements) {
@@ -142,6 +152,11 @@ class PlyReader {
     }
     body_.expect_end();
     mesh_.parts.push_back({"", 0, mesh_.polygons.size()});
+    if (skipped_faces_ > 0) mesh_.notes.push_back(skipped_faces_note(skipped_faces_));
+    if (has_strips_) {
+      mesh_.notes.push_back("strips of triangles were read as " +
+                            counted(mesh_.polygons.size(), "triangle", "triangles"));
+    }
     mesh_.points = body_.finish();
     return std::move(mesh_);
   }
@@ -171,6 +186,8 @@ class PlyReader {
         body_.take_coordinate(property.type, property.name.front() - 'x');
       } else if (is_face && is_corner_list(property)) {
         read_polygon(property);
+      } else if (element.name == "tristrips" && is_corner_list(property)) {
+        read_strips(property);
       } else {
         body_.skip(property.type, property.count_type ? read_length(property) : 1);
       }
@@ -194,24 +211,53 @@ class PlyReader {
 
   void read_polygon(const PlyProperty& property) {
     const std::uint32_t length = read_length(property);
-    if (length < 3) {
-      body_.fail("expected a polygon of at least 3 corners, found " + std::to_string(length));
-    }
     std::vector<std::uint32_t> corners(length);
-    for (std::uint32_t& corner : corners) {
-      corner = body_.take_index(property.type);
-      if (corner >= point_count_) {
-        body_.fail("expected an index below " + std::to_string(point_count_) + ", found " +
-                   std::to_string(corner));
+    for (std::uint32_t& corner : corners) corner = checked(body_.take_index(property.type));
+    if (length < 3) {
+      if (is_strict_) {
+        body_.fail("expected a polygon of at least 3 corners, found " + std::to_string(length));
       }
+      ++skipped_faces_;
+    } else {
+      mesh_.polygons.push_back(std::move(corners));
     }
-    mesh_.polygons.push_back(std::move(corners));
+  }
+
+  // Corners one after another, -1 between strips. Every second triangle of a strip is turned.
+  void read_strips(const PlyProperty& property) {
+    const std::uint32_t length = read_length(property);
+    std::vector<std::uint32_t> strip;
+    for (std::uint32_t k = 0; k < length; ++k) {
+      const std::int64_t corner = body_.take_signed_index(property.type);
+      if (corner == -1) {
+        strip.clear();
+        continue;
+      }
+      strip.push_back(checked(corner));
+      const std::size_t n = strip.size();
+      if (n < 3) continue;
+      const std::uint32_t a = strip[n - 3], b = strip[n - 2], c = strip[n - 1];
+      if (a == b || b == c || c == a) continue;  // it joins two strips
+      mesh_.polygons.push_back(n % 2 == 1 ? std::vector{a, b, c} : std::vector{b, a, c});
+    }
+    has_strips_ = true;
+  }
+
+  std::uint32_t checked(std::int64_t corner) const {
+    if (corner < 0 || corner >= point_count_) {
+      body_.fail("expected an index below " + std::to_string(point_count_) + ", found " +
+                 std::to_string(corner));
+    }
+    return static_cast<std::uint32_t>(corner);
   }
 
   const PlyHeader& header_;
   std::uint32_t point_count_;
   Body& body_;
+  bool is_strict_;
   Mesh mesh_;
+  std::size_t skipped_faces_ = 0;  // of fewer than 3 corners
+  bool has_strips_ = false;
 };
 
 // Requires what the readers above assume about the two elements that they read.
@@ -225,7 +271,9 @@ const PlyElement& check_declarations(const PlyHeader& header, const TextCursor& 
   if (coordinates != 3) {
     cursor.fail("expected an element vertex with the properties x, y and z, none of them a list");
   }
-  if (const PlyElement* face = header.find("face")) {
+  for (const char* name : {"face", "tristrips"}) {
+    const PlyElement* face = header.find(name);
+    if (face == nullptr) continue;
     for (const PlyProperty& property : face->properties) {
       const bool is_corners = property.name == "vertex_indices" || property.name == "vertex_index";
       if (is_corners && (!property.count_type || !is_integer(property.type))) {
@@ -238,16 +286,16 @@ const PlyElement& check_declarations(const PlyHeader& header, const TextCursor& 
 
 }  // namespace
 
-Mesh read_ply(std::string_view bytes, Decimal decimal) {
+Mesh read_ply(std::string_view bytes, const ReadOptions& options) {
   TextCursor cursor(bytes);
   const PlyHeader header = read_ply_header(bytes, cursor);
   const std::uint32_t point_count = check_declarations(header, cursor).count;
   if (header.binary) {
-    BinaryBody body(BinaryCursor(bytes, header.body, *header.binary), decimal);
-    return PlyReader<BinaryBody>(header, point_count, body).read();
+    BinaryBody body(BinaryCursor(bytes, header.body, *header.binary), options.decimal);
+    return PlyReader<BinaryBody>(header, point_count, body, options.strict).read();
   }
-  TextBody body(cursor, decimal);
-  return PlyReader<TextBody>(header, point_count, body).read();
+  TextBody body(cursor, options.decimal);
+  return PlyReader<TextBody>(header, point_count, body, options.strict).read();
 }
 
 }  // namespace convexact

@@ -4,6 +4,7 @@
 
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
+#include "io/file_kind.hpp"
 #include "io/mesh_readers.hpp"
 #include "io/point_collector.hpp"
 #include "io/text_cursor.hpp"
@@ -56,45 +57,36 @@ MeshFormat mesh_format_of_content(std::string_view bytes) {
   return is_off ? MeshFormat::Off : MeshFormat::Obj;
 }
 
-// x y z in each line, followed by any further numbers, which are not used.
-Mesh read_xyz(std::string_view bytes, Decimal decimal) {
-  TextCursor cursor(bytes, {.comment = '#'});
-  PointCollector points(decimal);
-  while (cursor.next_line()) {
-    std::array<std::string_view, 3> coordinates;
-    for (auto& coordinate : coordinates) coordinate = cursor.expect_token("three coordinates");
-    points.add(coordinates, cursor);
-    for (auto token = cursor.token(); !token.empty(); token = cursor.token()) {
-      (void)cursor.to_number(token);
-    }
-  }
-  Mesh mesh;
-  mesh.points = points.finish();
-  mesh.parts.push_back({"", 0, 0});
-  return mesh;
-}
-
 Mesh read_mesh_bytes(std::string_view bytes, const ReadOptions& options) {
   switch (options.format.value_or(mesh_format_of_content(bytes))) {
     case MeshFormat::Off:
-      return read_off(bytes, options.decimal);
+      return read_off(bytes, options);
     case MeshFormat::Ply:
-      return read_ply(bytes, options.decimal);
+      return read_ply(bytes, options);
     case MeshFormat::Stl:
-      return read_stl(bytes, options.decimal);
+      return read_stl(bytes, options);
     case MeshFormat::Xyz:
-      return read_xyz(bytes, options.decimal);
+      return read_xyz(bytes, options);
+    case MeshFormat::Pcd:
+      return read_pcd(bytes, options);
+    case MeshFormat::Ext:
+      return read_ext(bytes, options);
     case MeshFormat::Obj:
       break;
   }
-  return read_obj(bytes, options.decimal);
+  return read_obj(bytes, options);
 }
 
 Mesh read_mesh(const std::string& path, const ReadOptions& options) {
   const std::string bytes = read_bytes(path);
   ReadOptions resolved = options;
-  if (!resolved.format) resolved.format = mesh_format_of_path(path);
   try {
+    if (!resolved.format) {
+      resolved.format = kind_of_file(bytes, path).mesh;
+      if (!resolved.format) {
+        throw Error(ErrorCode::Malformed, "expected a mesh or points, found halfspaces");
+      }
+    }
     return read_mesh_bytes(bytes, resolved);
   } catch (const Error& error) {
     throw error.in_file(display_name(path));

@@ -2,11 +2,13 @@
 // STL, as text and binary. The format repeats a point in every triangle that has it; the reader
 // merges points that are exactly equal. Normals and attribute bytes are ignored.
 #include <algorithm>
+#include <cmath>
 #include <unordered_set>
 
 #include "io/binary_cursor.hpp"
 #include "io/mesh_readers.hpp"
 #include "io/point_collector.hpp"
+#include "number/text.hpp"
 
 namespace convexact {
 namespace {
@@ -49,28 +51,47 @@ class PointMerger {
   std::unordered_set<std::uint32_t, Hash, Equal> known_{16, Hash{&points_}, Equal{&points_}};
 };
 
-Mesh read_binary(std::string_view bytes, Decimal decimal) {
+std::size_t announced_triangles(std::string_view bytes) {
+  return BinaryCursor(bytes, 80, ByteOrder::Little).take<std::uint32_t>();
+}
+
+std::string skipped_facets_note(std::size_t count) {
+  return counted(count, "facet was", "facets were") +
+         " skipped: a coordinate is not finite; the other corners stay as points";
+}
+
+Mesh read_binary(std::string_view bytes, const ReadOptions& options) {
   Mesh mesh;
-  PointMerger points(decimal);
+  PointMerger points(options.decimal);
   BinaryCursor cursor(bytes, kHeaderSize, ByteOrder::Little);
-  mesh.polygons.reserve(cursor.remaining() / kTriangleSize);
-  while (cursor.remaining() > 0) {
+  const std::size_t count = announced_triangles(bytes);
+  std::size_t skipped = 0;
+  mesh.polygons.reserve(count);
+  for (std::size_t triangle = 0; triangle < count; ++triangle) {
     cursor.skip(3 * sizeof(float));  // the normal
-    std::array<std::uint32_t, 3> corners;
-    for (std::uint32_t& corner : corners) {
+    std::vector<std::uint32_t> corners;
+    for (int k = 0; k < 3; ++k) {
       Point point;
       for (double& x : point) {
         x = cursor.take_float();
-        if (!std::isfinite(x)) {
-          cursor.fail("expected a finite number in triangle " +
-                          std::to_string(mesh.polygons.size()) + ", found NaN or infinity",
-                      ErrorCode::NotFinite);
-        }
+        if (std::isfinite(x) || options.skip_bad) continue;
+        cursor.fail("expected a finite number in triangle " + std::to_string(triangle) +
+                        ", found NaN or infinity; --skip-bad leaves such facets out",
+                    ErrorCode::NotFinite);
       }
-      corner = points.add(point);
+      if (point.allFinite()) corners.push_back(points.add(point));
     }
-    mesh.polygons.emplace_back(corners.begin(), corners.end());
+    if (corners.size() == 3) {
+      mesh.polygons.push_back(std::move(corners));
+    } else {
+      ++skipped;
+    }
     cursor.skip(2);  // the attribute
+  }
+  if (skipped > 0) mesh.notes.push_back(skipped_facets_note(skipped));
+  if (cursor.remaining() > 0) {
+    mesh.notes.push_back(counted(cursor.remaining(), "byte", "bytes") + " behind the last facet " +
+                         (cursor.remaining() == 1 ? "was" : "were") + " skipped");
   }
   mesh.parts.push_back({"", 0, mesh.polygons.size()});
   mesh.points = points.finish();
@@ -85,7 +106,8 @@ bool is_word(std::string_view token, std::string_view lower_case) {
 
 class TextStlReader {
  public:
-  TextStlReader(std::string_view bytes, Decimal decimal) : cursor_(bytes), points_(decimal) {}
+  TextStlReader(std::string_view bytes, const ReadOptions& options)
+      : cursor_(bytes), points_(options.decimal), skip_bad_(options.skip_bad) {}
 
   Mesh read() {
     expect_word("solid", cursor_.expect_line("solid"));
@@ -94,11 +116,23 @@ class TextStlReader {
       if (!cursor_.next_line()) break;
       expect_word("solid", cursor_.token());
     } while (true);
+    if (skipped_ > 0) mesh_.notes.push_back(skipped_facets_note(skipped_));
     mesh_.points = points_.finish();
     return std::move(mesh_);
   }
 
  private:
+  // "endloop", or two words, as some programs write.
+  bool is_end_of(std::string_view token, std::string_view what) {
+    if (is_word(token, "end" + std::string(what))) return true;
+    if (!is_word(token, "end")) return false;
+    expect_word(what, cursor_.expect_token(what));
+    return true;
+  }
+  void expect_end_of(std::string_view what) {
+    const std::string_view token = cursor_.expect_line("end" + std::string(what));
+    if (!is_end_of(token, what)) cursor_.fail_expected("end" + std::string(what), token);
+  }
   void expect_word(std::string_view word, std::string_view token) const {
     if (!is_word(token, word)) cursor_.fail_expected(word, token);
   }
@@ -109,7 +143,7 @@ class TextStlReader {
     const std::size_t first = mesh_.polygons.size();
     while (true) {
       const std::string_view token = cursor_.expect_line("facet or endsolid");
-      if (is_word(token, "endsolid")) break;
+      if (is_end_of(token, "solid")) break;
       if (!is_word(token, "facet")) cursor_.fail_expected("facet or endsolid", token);
       read_triangle();
     }
@@ -119,31 +153,42 @@ class TextStlReader {
   void read_triangle() {
     expect_word("outer", cursor_.expect_line("outer loop"));
     expect_word("loop", cursor_.token());
-    std::array<std::uint32_t, 3> corners;
-    for (std::uint32_t& corner : corners) {
+    std::vector<std::uint32_t> corners;
+    for (int k = 0; k < 3; ++k) {
       expect_word("vertex", cursor_.expect_line("vertex"));
       std::array<std::string_view, 3> coordinates;
       for (auto& coordinate : coordinates) coordinate = cursor_.expect_token("three coordinates");
       cursor_.expect_line_end();
-      corner = points_.add(coordinates, cursor_);
+      try {
+        corners.push_back(points_.add(coordinates, cursor_));
+      } catch (const Error& error) {
+        if (!skip_bad_ || error.code() != ErrorCode::NotFinite) throw;
+      }
     }
-    expect_word("endloop", cursor_.expect_line("endloop"));
-    expect_word("endfacet", cursor_.expect_line("endfacet"));
-    mesh_.polygons.emplace_back(corners.begin(), corners.end());
+    expect_end_of("loop");
+    expect_end_of("facet");
+    if (corners.size() == 3) {
+      mesh_.polygons.push_back(std::move(corners));
+    } else {
+      ++skipped_;
+    }
   }
 
   TextCursor cursor_;
   PointMerger points_;
+  bool skip_bad_;
+  std::size_t skipped_ = 0;  // facets
   Mesh mesh_;
 };
 
-// Reports what is wrong with a file that is not text, taken as a binary STL: it is cut off, or
-// longer than announced. Its first word does not matter. Text has no byte 0.
-void reject_wrong_size(std::string_view bytes) {
-  if (bytes.size() < kHeaderSize || bytes.find('\0') == bytes.npos) return;
-  const std::size_t count = BinaryCursor(bytes, 80, ByteOrder::Little).take<std::uint32_t>();
-  throw Error(ErrorCode::Malformed, "expected " +
-                                        std::to_string(kHeaderSize + kTriangleSize * count) +
+// A file that is not text, taken as a binary STL: more bytes than announced are read, fewer are
+// told. Its first word does not matter. Text has no byte 0.
+std::optional<Mesh> read_wrong_size(std::string_view bytes, const ReadOptions& options) {
+  if (bytes.size() < kHeaderSize || bytes.find('\0') == bytes.npos) return {};
+  const std::size_t count = announced_triangles(bytes);
+  const std::size_t needed = kHeaderSize + kTriangleSize * count;
+  if (bytes.size() > needed && count > 0) return read_binary(bytes, options);
+  throw Error(ErrorCode::Malformed, "expected " + std::to_string(needed) +
                                         " bytes of binary STL for the " + std::to_string(count) +
                                         " triangles that bytes 80 to 83 announce, found " +
                                         std::to_string(bytes.size()) + " bytes");
@@ -154,22 +199,21 @@ void reject_wrong_size(std::string_view bytes) {
 // Many binary files start with "solid", as text files do; only the size distinguishes them.
 bool is_binary_stl(std::string_view bytes) {
   if (bytes.size() < kHeaderSize) return false;
-  const std::size_t count = BinaryCursor(bytes, 80, ByteOrder::Little).take<std::uint32_t>();
-  return bytes.size() == kHeaderSize + kTriangleSize * count;
+  return bytes.size() == kHeaderSize + kTriangleSize * announced_triangles(bytes);
 }
 
-Mesh read_stl(std::string_view bytes, Decimal decimal) {
-  if (is_binary_stl(bytes)) return read_binary(bytes, decimal);
+Mesh read_stl(std::string_view bytes, const ReadOptions& options) {
+  if (is_binary_stl(bytes)) return read_binary(bytes, options);
   TextCursor start(bytes);
   try {
     if (start.next_line() && is_word(start.token(), "solid")) {
-      return TextStlReader(bytes, decimal).read();
+      return TextStlReader(bytes, options).read();
     }
   } catch (const Error&) {
-    reject_wrong_size(bytes);
+    if (auto mesh = read_wrong_size(bytes, options)) return std::move(*mesh);
     throw;
   }
-  reject_wrong_size(bytes);
+  if (auto mesh = read_wrong_size(bytes, options)) return std::move(*mesh);
   throw Error(
       ErrorCode::Malformed,
       "expected STL: text that begins with solid, or 84 + 50 n bytes of which bytes 80 to 83 "

@@ -30,6 +30,9 @@ class TextCursor {
   /// The rest of this line without blanks around it, taken literally: no comment, no continuation.
   std::string_view rest();
 
+  /// From the next line on, another comment character.
+  void set_comment(char comment) { rules_.comment = comment; }
+
   std::size_t line() const { return line_; }
   /// Bytes from the cursor to the end.
   std::size_t remaining() const { return static_cast<std::size_t>(end_ - position_); }

@@ -187,6 +187,9 @@ std::string write_stl_binary(const Mesh& mesh) {
 }  // namespace
 
 std::string write_mesh(const Mesh& mesh, MeshFormat format, const MeshWriteOptions& options) {
+  if (format == MeshFormat::Pcd || format == MeshFormat::Ext) {
+    throw Error(ErrorCode::InvalidArgument, "PCD and V-representations are read, not written");
+  }
   const bool is_binary = options.encoding == Encoding::Binary;
   const bool is_stl = format == MeshFormat::Stl;
   check_representable(mesh, is_binary && is_stl ? Precision::Binary32 : options.precision);

@@ -9,6 +9,7 @@
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
 #include "convexact/measure.hpp"
+#include "io/file_kind.hpp"
 #include "io/names.hpp"
 #include "number/text.hpp"
 #include "oracle/judge.hpp"
@@ -283,14 +284,14 @@ VerifyOutcome verify(const Shape& shape, const Candidate& candidate, const Verif
 
 Candidate read_candidate_bytes(std::string_view bytes, const std::string& path, Decimal decimal) {
   try {
-    const std::optional<MeshFormat> mesh = mesh_format_of_path(path);
-    std::optional<HalfspaceFormat> halfspaces = halfspace_format_of_path(path);
-    if (!mesh && !halfspaces) halfspaces = halfspace_format_of_content(bytes);
+    const auto [mesh, halfspaces] = kind_of_file(bytes, path);
     if (halfspaces) return read_halfspaces_bytes(bytes, *halfspaces, decimal);
-    return read_mesh_bytes(bytes, {.decimal = decimal, .format = mesh});
+    return read_mesh_bytes(bytes, {.decimal = decimal, .format = mesh, .strict = true});
   } catch (const Error& error) {
-    if (error.code() != ErrorCode::Malformed && error.code() != ErrorCode::NotFinite) throw;
-    return error.in_file(display_name(path));
+    if (error.code() == ErrorCode::Malformed || error.code() == ErrorCode::NotFinite) {
+      return error.in_file(display_name(path));
+    }
+    throw error.in_file(display_name(path));
   }
 }
 

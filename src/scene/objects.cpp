@@ -10,6 +10,7 @@
 #include "convexact/io.hpp"
 #include "convexact/overlay.hpp"
 #include "convexact/scene.hpp"
+#include "io/file_kind.hpp"
 #include "solid/solid.hpp"
 
 namespace convexact {
@@ -65,11 +66,14 @@ SceneObject extract_part(const Mesh& mesh, const MeshPart& part, const std::stri
   return object;
 }
 
-void read_mesh_objects(const std::string& path, const std::string& bytes,
+void read_mesh_objects(const std::string& path, const std::string& bytes, MeshFormat format,
                        const SceneOptions& options, std::vector<SceneObject>& objects) {
   const std::string file = display_name(path);
-  Mesh mesh =
-      read_mesh_bytes(bytes, {.decimal = options.decimal, .format = mesh_format_of_path(path)});
+  Mesh mesh = read_mesh_bytes(
+      bytes, {.decimal = options.decimal, .format = format, .skip_bad = options.skip_bad});
+  if (options.on_note) {
+    for (const std::string& note : mesh.notes) options.on_note(file, note);
+  }
   const bool only_used = options.points == MeshPoints::Used;
   if (!options.parts) {
     if (only_used) drop_unused_points(mesh);
@@ -214,15 +218,12 @@ std::vector<SceneObject> read_scene(const std::vector<std::string>& paths,
     const std::string bytes = read_bytes(path);
     if (options.on_read) options.on_read(display_name(path), bytes);
     try {
-      std::optional<HalfspaceFormat> halfspaces = halfspace_format_of_path(path);
-      if (!halfspaces && !mesh_format_of_path(path)) {
-        halfspaces = halfspace_format_of_content(bytes);
-      }
-      if (halfspaces) {
-        objects.push_back(
-            halfspace_object(path, read_halfspaces_bytes(bytes, *halfspaces, options.decimal)));
+      const FileKind kind = kind_of_file(bytes, path);
+      if (kind.halfspaces) {
+        objects.push_back(halfspace_object(
+            path, read_halfspaces_bytes(bytes, *kind.halfspaces, options.decimal)));
       } else {
-        read_mesh_objects(path, bytes, options, objects);
+        read_mesh_objects(path, bytes, *kind.mesh, options, objects);
       }
       make_names_distinct(objects, before);
     } catch (const Error& error) {

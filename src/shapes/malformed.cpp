@@ -104,7 +104,7 @@ Files obj_files() {
   const std::string points = tetrahedron_points("v ");
   return {
       {"obj-truncated-point", "ends after two coordinates", points + kObjFaces + "v 1 2"},
-      {"obj-truncated-face", "ends after two corners", points + "f 1 3"},
+      {"obj-truncated-face", "ends within a corner", points + "f 1 3 4/"},
       {"obj-nan", "a coordinate is NaN", tetrahedron_points("v ", "nan") + kObjFaces, true},
       {"obj-infinity", "a coordinate is inf", tetrahedron_points("v ", "inf") + kObjFaces, true},
       {"obj-overflow", "a coordinate is 1e400", tetrahedron_points("v ", "1e400") + kObjFaces,
@@ -133,7 +133,7 @@ Files off_files() {
           {"off-overflow", "a coordinate is 1e309", off("4 4 6", "1e309"), true},
           {"off-index-out-of-range", "index 4 of 4 points", off("4 1 3", "1", "3 0 2 4\n")},
           {"off-index-negative", "index -1", off("4 1 3", "1", "3 0 2 -1\n")},
-          {"off-two-corners", "a polygon of two corners", off("4 1 1", "1", "2 0 1 2\n")},
+          {"off-no-corners", "a polygon of no corner", off("4 1 1", "1", "0 0 1 2\n")},
           {"off-noise", "random bytes", noise()}};
 }
 

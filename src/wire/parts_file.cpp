@@ -9,6 +9,7 @@
 #include "convexact/decompose.hpp"
 #include "convexact/error.hpp"
 #include "convexact/io.hpp"
+#include "io/file_kind.hpp"
 #include "io/json_text.hpp"
 #include "scene/objects.hpp"
 #include "wire/json_mesh.hpp"
@@ -88,7 +89,7 @@ std::vector<std::string> meshes_in(const std::string& folder) {
   std::error_code error;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     const std::string name = it->path().filename().string();
-    if (name.front() != '.' && mesh_format_of_path(name)) names.push_back(name);
+    if (name.front() != '.' && readable_mesh_format(name)) names.push_back(name);
   }
   if (error) {
     throw Error(ErrorCode::Unreadable, "the folder cannot be read: " + error.message())
@@ -109,11 +110,15 @@ CandidateParts read_parts_bytes(std::string_view bytes, const std::string& path,
   try {
     if (is_json(bytes, path)) return parts_of_json(bytes, decimal);
     const std::string stem = path == "-" ? "input" : fs::path(path).stem().string();
+    const FileKind kind = kind_of_file(bytes, path);
+    if (!kind.mesh) reject_parts("a mesh with an object per part, found halfspaces");
     return parts_of_mesh(
-        read_mesh_bytes(bytes, {.decimal = decimal, .format = mesh_format_of_path(path)}), stem);
+        read_mesh_bytes(bytes, {.decimal = decimal, .format = kind.mesh, .strict = true}), stem);
   } catch (const Error& error) {
-    if (error.code() != ErrorCode::Malformed && error.code() != ErrorCode::NotFinite) throw;
-    return error.in_file(display_name(path));
+    if (error.code() == ErrorCode::Malformed || error.code() == ErrorCode::NotFinite) {
+      return error.in_file(display_name(path));
+    }
+    throw error.in_file(display_name(path));
   }
 }
 

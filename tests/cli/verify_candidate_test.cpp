@@ -87,6 +87,21 @@ TEST_CASE("verify: a violation is exit code 1, with the distance as a fraction")
   CHECK(exit_within("0.6") == 1);
 }
 
+TEST_CASE("verify: a candidate of no known format is exit code 3, and says what to do") {
+  for (const auto& [name, bytes, says] :
+       {std::array<std::string, 3>{"c", std::string("\x00\xff\x7f", 3), "expected OBJ, OFF"},
+        std::array<std::string, 3>{"c.glb", "glTF", "a glTF binary"},
+        std::array<std::string, 3>{"c.obj", "version https://git-lfs.github.com/spec/v1",
+                                   "git lfs pull"}}) {
+    const ScratchFolder scratch;
+    const auto ran = run_program("verify " + scratch.write("in.obj", kBigTetrahedron) + " " +
+                                 scratch.write(name, bytes));
+    CHECK(ran.exit == 3);
+    CHECK(ran.err.find(says) != std::string::npos);
+    CHECK(ran.out.empty());
+  }
+}
+
 TEST_CASE("verify: whatever is wrong with the candidate is exit code 1, with a code") {
   struct Case {
     const char* name;
@@ -107,7 +122,8 @@ TEST_CASE("verify: whatever is wrong with the candidate is exit code 1, with a c
         Case{"c.json", "[]", "candidate-readable"},
         Case{"c.ine", "begin\n1 4 integer\n", "candidate-readable"},
         Case{"c.txt", "1 0 0 1e999\n", "candidate-finite"}, Case{"c.txt", "", "candidate-readable"},
-        Case{"c", std::string("\x00\xff\x7f", 3), "candidate-readable"}}) {
+        Case{"c.obj", kBigTetrahedron + "f 1 2\n", "candidate-readable"},
+        Case{"c.obj", std::string("\x00\xff\x7f", 3), "candidate-readable"}}) {
     CAPTURE(c.name);
     CAPTURE(c.bytes);
     const Judged judged = judge(c.bytes, c.name);

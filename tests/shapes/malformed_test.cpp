@@ -75,7 +75,7 @@ TEST_CASE("malformed files: there is no other mistake") {
                           {"off-infinity", "-inf", "1"},
                           {"off-index-out-of-range", "2 4", "2 3"},
                           {"off-index-negative", "-1", "1"},
-                          {"off-two-corners", "2 0 1 2", "3 0 1 2"},
+                          {"off-no-corners", "0 0 1 2", "3 0 1 2"},
                           {"ply-unknown-format", "9.0", "1.0"},
                           {"ply-count-too-small", "face 3", "face 4"},
                           {"ply-count-too-large", "face 5", "face 4"},
