@@ -41,10 +41,9 @@ struct SurfaceComponent {
   /// Whether the triangles can be turned so that all edges with two triangles cancel; not so for a
   /// Moebius strip and a Klein bottle.
   bool is_orientable = true;
-  std::size_t turned = 0;  ///< Triangles that were turned.
-  bool is_reversed =
-      false;             ///< All of a consistent closed component were turned: it was inside out.
-  bool is_flat = false;  ///< No triangle has an area.
+  std::size_t turned = 0;    ///< Triangles that were turned.
+  bool is_reversed = false;  ///< Closed, and all were turned: it was inside out.
+  bool is_flat = false;      ///< No triangle has an area.
 };
 
 struct Surface {
@@ -62,24 +61,30 @@ struct Surface {
   std::size_t repeated_points = 0;  ///< Points of the mesh equal to an earlier one.
   PointSet unused;                  ///< Distinct points of the mesh that no face uses.
   /// Faces of the mesh, from 0, that are not planar, or whose boundary crosses itself: cut as a fan
-  /// from their lowest corner.
+  /// from their lowest corner. (A face with a hole, whose loop goes to the hole and back, is
+  /// neither.)
   std::vector<std::size_t> fans;
+  std::size_t bent_faces = 0;      ///< Of these: not planar.
   std::size_t flat_triangles = 0;  ///< Without area.
   /// Edges between two triangles that cannot cancel, of components that are not orientable, or that
   /// were left as they are.
   std::size_t contradictions = 0;
+  /// Edges of four triangles or more at which the patches that meet there can be turned so that
+  /// they cancel in several ways, or in none.
+  std::size_t ambiguous_edges = 0;
 
   /// Whether every directed edge cancels, so that winding numbers exist. The solid is then the
   /// closure of the points whose winding number is not 0.
   bool is_closed = false;
 };
 
-/// Welds equal points, cuts faces into triangles (planar simple ones exactly, others as a fan),
-/// finds components, and turns triangles. A closed component K lies in another, L, if they have no
-/// common point and a vertex of K has a winding number other than 0 in L. A consistent closed
-/// component in no other is turned so that its signed volume is positive; one in another is turned
-/// if its outermost ancestor was, so that voids stay voids. Open components are made consistent
-/// and keep the direction of their lowest triangle.
+/// Welds equal points, cuts faces into triangles (planar ones that bound a region exactly, others
+/// as a fan), finds components, and turns triangles, patch by patch: a patch is connected over
+/// edges of exactly two triangles. Patches are made consistent, and those that are not closed by
+/// themselves are joined at edges of four if exactly one choice makes these cancel. Most of the
+/// area keeps its direction. What is closed then and lies in nothing else is turned so that its
+/// signed volume is positive; what lies in something, which holds a vertex of it off its own
+/// surface, is turned if the outermost was, so that voids stay voids.
 /// @throws Error InvalidArgument if the mesh has no face; Stopped when the watch ends the call.
 /// @par Cost  O(n log n), and for several closed components the tests of one in another.
 [[nodiscard]] Surface make_surface(const Mesh& mesh, const SurfaceOptions& options = {},

@@ -226,8 +226,12 @@ void note_surface(const Surface& surface, std::vector<std::string>& notes) {
        " turned to match the neighbours");
   note(twisted, "component of the input has", "components of the input have",
        " a single side, like a Moebius strip");
-  note(surface.fans.size(), "face of the input is", "faces of the input are",
-       " bent or crossed, and cut as a fan from the lowest corner");
+  note(surface.ambiguous_edges, "edge of the input joins", "edges of the input join",
+       " sheets of which it is not clear how they belong together");
+  note(surface.bent_faces, "face of the input is", "faces of the input are",
+       " not planar, and cut as a fan from the lowest corner");
+  note(surface.fans.size() - surface.bent_faces, "face of the input is", "faces of the input are",
+       " not simple, as edges cross, and cut as a fan from the lowest corner");
   note(surface.flat_triangles, "triangle of the input has", "triangles of the input have",
        " no area; its points are to be held all the same");
 }

@@ -54,6 +54,86 @@ bool is_simple(const PlaneView& view, const PolygonCorners& corners) {
   return true;
 }
 
+// Whether the boundary may repeat corners, and run along an edge once each way, but bounds a region
+// once: so files write a face with a hole, as a loop that goes to the hole, around it, and back.
+class WeaklySimple {
+ public:
+  WeaklySimple(const PointSet& points, const PlaneView& view, int axis,
+               const PolygonCorners& corners)
+      : view_(view), corners_(corners), u_((axis + 1) % 3), v_((axis + 2) % 3) {
+    for (const PointId p : corners) at_.push_back(points[p]);
+  }
+
+  /// @param inward  How the polygon turns.
+  bool holds(Sign inward) const {
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      std::size_t back = 0;  // edges that run along this one the other way
+      for (std::size_t k = 0; k < corners_.size(); ++k) {
+        if (i == k) continue;
+        if (head(k) == tail(i) && tail(k) == head(i)) {
+          ++back;
+        } else if (!may_touch(i, k)) {
+          return false;
+        }
+      }
+      if (back > 1) return false;
+      // The region lies on the inner side of an edge, and on both sides of a bridge.
+      const int inner = inward == Sign::Positive ? 1 : -1;
+      const int left = inner > 0 || back > 0 ? inner : 0;
+      const int right = inner < 0 || back > 0 ? inner : 0;
+      if (winding_beside(i, true) != left || winding_beside(i, false) != right) return false;
+    }
+    return true;
+  }
+
+ private:
+  PointId tail(std::size_t k) const { return corners_[k]; }
+  PointId head(std::size_t k) const { return corners_[next(k)]; }
+  std::size_t next(std::size_t k) const { return (k + 1) % corners_.size(); }
+
+  // Edges with a common corner may have nothing else in common; others nothing at all.
+  bool may_touch(std::size_t i, std::size_t k) const {
+    const PointId a = tail(i), b = head(i), c = tail(k), d = head(k);
+    if (a == c && b == d) return false;
+    for (const auto& [common, x] : {std::pair(a, b), std::pair(b, a)}) {
+      for (const auto& [other, y] : {std::pair(c, d), std::pair(d, c)}) {
+        if (common != other) continue;
+        return view_.turn(common, x, y) != Sign::Zero || (common < x) != (common < y);
+      }
+    }
+    return !view_.meet(a, b, c, d);
+  }
+
+  // How often the polygon winds about a point beside the middle of an edge, to its left or right. A
+  // ray goes up from it, moved to the side by less than any number, so that it meets no corner.
+  int winding_beside(std::size_t edge, bool to_left) const {
+    const RationalPoint &a = at_[edge], &b = at_[next(edge)];
+    const Rational u = (a[u_] + b[u_]) / 2, v = (a[v_] + b[v_]) / 2;
+    const bool is_upright = a[u_] == b[u_];
+    // Left of an edge that goes right is up, of one that goes up is left.
+    const bool to_low = is_upright && (b[v_] > a[v_]) == to_left;
+    const bool is_above = !is_upright && (b[u_] > a[u_]) == to_left;
+    const auto is_before = [&](const RationalPoint& p) { return to_low ? p[u_] < u : p[u_] <= u; };
+    int winding = 0;
+    for (std::size_t k = 0; k < corners_.size(); ++k) {
+      const RationalPoint &c = at_[k], &d = at_[next(k)];
+      if (is_before(c) == is_before(d)) continue;
+      // Positive if the middle lies to the left of the edge; zero on the edge itself.
+      const Sign side =
+          sign_of(Rational((d[u_] - c[u_]) * (v - c[v_]) - (d[v_] - c[v_]) * (u - c[u_])));
+      const bool goes_right = is_before(c);
+      const bool is_below = side == Sign::Zero ? !is_above : (side == Sign::Negative) == goes_right;
+      if (is_below) winding += goes_right ? -1 : 1;
+    }
+    return winding;
+  }
+
+  const PlaneView& view_;
+  const PolygonCorners& corners_;
+  int u_, v_;
+  std::vector<RationalPoint> at_;
+};
+
 }  // namespace
 
 Sign PlaneView::turn(PointId a, PointId b, PointId c) const {
@@ -150,9 +230,9 @@ class Ears {
     for (std::size_t k = 0; k < n; ++k) test(k);
   }
 
+  bool has_ear() const { return !tips_.empty(); }
   // The ear with the lowest tip: it does not depend on where the polygon begins.
   Triangle cut_lowest() {
-    if (tips_.empty()) throw Error(ErrorCode::Internal, "a simple polygon without an ear");
     const std::size_t tip = tips_.begin()->second;
     const Triangle ear = triangle(tip);
     tips_.erase(tips_.begin());
@@ -197,19 +277,38 @@ class Ears {
 
 }  // namespace
 
-std::optional<std::vector<Triangle>> clip_ears(const PointSet& points,
-                                               std::span<const PointId> given) {
+// All triangles turn as the polygon does, and their directed edges add up to its own. So as many of
+// them hold a point as the polygon winds about it: one inside, none outside. This is the reason why
+// the triangles are right if no ear is missed, also where corners repeat.
+std::variant<std::vector<Triangle>, NotCut> clip_ears(const PointSet& points,
+                                                      std::span<const PointId> given) {
   const PolygonCorners corners(given.begin(), given.end());
   const RationalVector3 area = area_of(points, corners);
   const int axis = longest_axis(area);
-  if (area[axis] == 0 || !is_planar(points, corners, area)) return std::nullopt;
+  if (!is_planar(points, corners, area)) return NotCut::Bent;
+  if (area[axis] == 0) return NotCut::Crossed;
   const PlaneView view(points, axis);
-  if (!is_simple(view, corners)) return std::nullopt;
-  Ears ears(view, sign_of(area[axis]), corners);
+  const Sign inward = sign_of(area[axis]);
+  const bool repeats = std::set(corners.begin(), corners.end()).size() < corners.size();
+  const bool is_cut =
+      repeats ? WeaklySimple(points, view, axis, corners).holds(inward) : is_simple(view, corners);
+  if (!is_cut) return NotCut::Crossed;
+  Ears ears(view, inward, corners);
   std::vector<Triangle> triangles;
-  while (ears.size() > 3) triangles.push_back(ears.cut_lowest());
-  // The last three do not lie on a line: the cut beside such a corner would have passed through it.
-  triangles.push_back(ears.last());
+  while (ears.size() > 3) {
+    if (ears.has_ear()) {
+      triangles.push_back(ears.cut_lowest());
+    } else if (repeats) {
+      return NotCut::Crossed;
+    } else {
+      throw Error(ErrorCode::Internal, "a simple polygon without an ear");
+    }
+  }
+  // The last three of a simple polygon do not lie on a line: the cut beside such a corner would
+  // have passed through it.
+  const Triangle last = ears.last();
+  if (view.turn(last[0], last[1], last[2]) != inward) return NotCut::Crossed;
+  triangles.push_back(last);
   return triangles;
 }
 

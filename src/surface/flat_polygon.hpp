@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "convexact/geometry.hpp"
@@ -35,13 +36,22 @@ class PlaneView {
 
 using Triangle = std::array<PointId, 3>;
 
-/// The triangles of a planar simple polygon by ear clipping: all turn as the polygon does, none
-/// lacks an area, and they use each of its edges. Nothing if the polygon is bent, or if its
-/// boundary meets itself. The triangles depend neither on the first corner nor on the direction.
+/// Why a polygon is not cut.
+enum class NotCut {
+  Bent,     ///< Its corners are not in one plane.
+  Crossed,  ///< Its boundary crosses itself, or bounds nothing.
+};
+
+/// The triangles of a planar polygon by ear clipping: all turn as the polygon does, none lacks an
+/// area, and they use each of its edges. Its boundary meets itself at repeated corners and along
+/// edges that it runs both ways only, and winds once about each point inside: a simple polygon, or
+/// one with holes whose loop goes to each hole and back. The triangles of a simple polygon depend
+/// neither on the first corner nor on the direction.
 /// @param points   In lexicographic order, as in a surface.
-/// @param corners  At least 4 distinct points' ids, no two in a row the same.
-[[nodiscard]] std::optional<std::vector<Triangle>> clip_ears(const PointSet& points,
-                                                             std::span<const PointId> corners);
+/// @param corners  At least 4 ids, no two in a row the same.
+/// @par Cost       n^2 for n corners, in fractions if some repeat.
+[[nodiscard]] std::variant<std::vector<Triangle>, NotCut> clip_ears(
+    const PointSet& points, std::span<const PointId> corners);
 
 /// Whether the corners lie on a line.
 [[nodiscard]] bool has_no_area(const PointSet& points, const Triangle& triangle);

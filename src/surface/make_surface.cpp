@@ -8,7 +8,7 @@
 #include "number/groups.hpp"
 #include "surface/edges.hpp"
 #include "surface/flat_polygon.hpp"
-#include "surface/nesting.hpp"
+#include "surface/orientation.hpp"
 
 namespace convexact {
 namespace {
@@ -97,12 +97,16 @@ void cut_faces(const Mesh& mesh, const Welded& welded, const Watch& watch, Surfa
     const std::vector<PointId> corners = cycle_of(mesh.polygons[f], welded);
     std::vector<Triangle> triangles{{corners[0], corners[1], corners[2]}};
     if (corners.size() > 3) {
-      auto ears = clip_ears(surface.points, corners);
-      if (!ears) surface.fans.push_back(f);
-      for (std::size_t k = 3; !ears && k < corners.size(); ++k) {
-        triangles.push_back({corners[0], corners[k - 1], corners[k]});
+      auto clipped = clip_ears(surface.points, corners);
+      if (auto* ears = std::get_if<std::vector<Triangle>>(&clipped)) {
+        triangles = std::move(*ears);
+      } else {
+        surface.fans.push_back(f);
+        surface.bent_faces += std::get<NotCut>(clipped) == NotCut::Bent ? 1 : 0;
+        for (std::size_t k = 3; k < corners.size(); ++k) {
+          triangles.push_back({corners[0], corners[k - 1], corners[k]});
+        }
       }
-      if (ears) triangles = std::move(*ears);
     }
     for (const Triangle& triangle : triangles) {
       surface.triangles.push_back(triangle);
@@ -162,55 +166,13 @@ void find_components(const EdgeTable& edges, Surface& surface) {
   }
 }
 
-// Whether each triangle is to be turned so that edges with two triangles cancel, each patch like
-// its lowest triangle; notes in `surface` the components for which this is impossible.
-std::vector<bool> turns_to_consistent(const EdgeTable& edges, Surface& surface) {
-  const std::size_t count = surface.triangles.size();
-  struct Neighbor {
-    std::uint32_t triangle;
-    bool runs_alike;  // along the common edge, so that one is to be turned
-  };
-  std::vector<std::vector<Neighbor>> neighbors(count);
-  edges.for_each([&](std::span<const EdgeUse> uses) {
-    if (uses.size() != 2 || uses[0].triangle == uses[1].triangle) return;
-    const bool alike = uses[0].is_forward == uses[1].is_forward;
-    neighbors[uses[0].triangle].push_back({uses[1].triangle, alike});
-    neighbors[uses[1].triangle].push_back({uses[0].triangle, alike});
-  });
-  std::vector<bool> turns(count, false), is_seen(count, false);
-  for (std::uint32_t seed = 0; seed < count; ++seed) {
-    if (is_seen[seed]) continue;
-    is_seen[seed] = true;
-    std::vector<std::uint32_t> queue{seed};
-    for (std::size_t next = 0; next < queue.size(); ++next) {
-      const std::uint32_t t = queue[next];
-      for (const auto& [other, alike] : neighbors[t]) {
-        const bool turn = turns[t] != alike;
-        if (!is_seen[other]) {
-          is_seen[other] = true;
-          turns[other] = turn;
-          queue.push_back(other);
-        } else if (turns[other] != turn) {
-          surface.components[surface.component[t]].is_orientable = false;
-        }
-      }
-    }
+void turn(const Orientation& orientation, Surface& surface) {
+  for (std::uint32_t t = 0; t < orientation.turns.size(); ++t) {
+    if (!orientation.turns[t]) continue;
+    surface.triangles[t] = reversed(surface.triangles[t]);
+    ++surface.components[surface.component[t]].turned;
   }
-  return turns;
-}
-
-void turn(std::uint32_t t, Surface& surface) {
-  surface.triangles[t] = reversed(surface.triangles[t]);
-}
-
-void turn_to_consistent(Surface& surface) {
-  const std::vector<bool> turns = turns_to_consistent(EdgeTable(surface.triangles), surface);
-  for (std::uint32_t t = 0; t < turns.size(); ++t) {
-    SurfaceComponent& component = surface.components[surface.component[t]];
-    if (!turns[t] || !component.is_orientable) continue;
-    turn(t, surface);
-    ++component.turned;
-  }
+  surface.ambiguous_edges = orientation.ambiguous_edges;
 }
 
 void count_edges(Surface& surface) {
@@ -267,26 +229,14 @@ Surface make_surface(const Mesh& mesh, const SurfaceOptions& options, const Watc
   to_canonical_order(surface);
   find_components(EdgeTable(surface.triangles), surface);
   find_flat(surface);
-  // A component that cannot be turned so stays as it is; this finds which these are.
-  if (options.orient == Orient::Auto) {
-    turn_to_consistent(surface);
-  } else {
-    (void)turns_to_consistent(EdgeTable(surface.triangles), surface);
+  const Orientation orientation = find_orientation(surface, watch);
+  for (std::size_t k = 0; k < surface.components.size(); ++k) {
+    surface.components[k].is_orientable = !orientation.has_one_side[k];
   }
-  watch.ask();
+  if (options.orient == Orient::Auto) turn(orientation, surface);
   count_edges(surface);
-  if (options.orient == Orient::Auto) {
-    const std::vector<bool> is_inside_out = find_inside_out(surface, watch);
-    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-      if (is_inside_out[surface.component[t]]) turn(t, surface);
-    }
-    for (std::size_t k = 0; k < surface.components.size(); ++k) {
-      SurfaceComponent& component = surface.components[k];
-      if (!is_inside_out[k]) continue;
-      // Turning all triangles turns those back that were turned before.
-      component.turned = component.triangles - component.turned;
-      component.is_reversed = component.turned == component.triangles;
-    }
+  for (SurfaceComponent& component : surface.components) {
+    component.is_reversed = component.is_closed && component.turned == component.triangles;
   }
   to_canonical_order(surface);
   number_components(surface);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "number/roundoff.hpp"
 #include "surface/box_tree.hpp"
@@ -53,19 +54,49 @@ class Shell {
 
   std::span<const std::uint32_t> triangles() const { return triangles_; }
 
-  // Whether it lies in another: they have no common point, and the other winds about a vertex.
+  // Whether it lies in another: they have no common point, and the other winds about a vertex; or
+  // they have a common edge, the other winds about all vertices that are not on it, and there are
+  // some.
   bool lies_in(const Shell& other, const Watch& watch) const {
     for (int k = 0; k < 3; ++k) {
       if (box_.low[k] < other.box_.low[k] || other.box_.high[k] < box_.high[k]) return false;
     }
-    if (meets(other, watch)) return false;
-    const PointId vertex = surface_.triangles[triangles_[0]][0];
-    return other.winding()(surface_.points[vertex]).value_or(0) != 0;
+    if (!meets(other, watch)) {
+      const PointId vertex = surface_.triangles[triangles_[0]][0];
+      return other.winding()(surface_.points[vertex]).value_or(0) != 0;
+    }
+    if (!has_common_edge(other)) return false;
+    std::set<PointId> vertices;
+    for (const std::uint32_t t : triangles_) {
+      vertices.insert(surface_.triangles[t].begin(), surface_.triangles[t].end());
+    }
+    bool is_inside = false;
+    for (const PointId vertex : vertices) {
+      watch.ask();
+      const std::optional<long> winding = other.winding()(surface_.points[vertex]);
+      if (winding == 0) return false;
+      is_inside = is_inside || winding;
+    }
+    return is_inside;
   }
 
  private:
   NearBox box_of(std::uint32_t t) const {
     return convexact::box_of(surface_.points, surface_.triangles[t]);
+  }
+
+  bool has_common_edge(const Shell& other) const {
+    std::set<std::pair<PointId, PointId>> edges;
+    const auto edges_of = [&](std::uint32_t t, const auto& take) {
+      const Triangle& corners = surface_.triangles[t];
+      for (int k = 0; k < 3; ++k) take(std::minmax({corners[k], corners[(k + 1) % 3]}));
+    };
+    for (const std::uint32_t t : triangles_) edges_of(t, [&](const auto& e) { edges.insert(e); });
+    bool is_common = false;
+    for (const std::uint32_t t : other.triangles_) {
+      edges_of(t, [&](const auto& e) { is_common = is_common || edges.contains(e); });
+    }
+    return is_common;
   }
 
   bool meets(const Shell& other, const Watch& watch) const {

@@ -191,7 +191,11 @@ std::string surface_notes(const Surface& surface) {
   note(reversed, "component was", "components were", " inside out");
   note(surface.contradictions, "edge joins", "edges join",
        " triangles that cannot both look outward");
-  note(surface.fans.size(), "face is", "faces are", " not planar: cut as a fan of triangles");
+  note(surface.ambiguous_edges, "edge joins", "edges join",
+       " sheets of which it is not clear how they belong together");
+  note(surface.bent_faces, "face is", "faces are", " not planar: cut as a fan of triangles");
+  note(surface.fans.size() - surface.bent_faces, "face is", "faces are",
+       " not simple, as edges cross: cut as a fan of triangles");
   note(surface.flat_triangles, "triangle has", "triangles have", " no area");
   note(surface.unused.size(), "point is", "points are",
        " used by no face, and held by the nearest part; --points used leaves such points out");
