@@ -65,7 +65,8 @@ struct Surface {
   /// neither.)
   std::vector<std::size_t> fans;
   std::size_t bent_faces = 0;      ///< Of these: not planar.
-  std::size_t flat_triangles = 0;  ///< Without area.
+  std::size_t flat_triangles = 0;      ///< Without area.
+  std::size_t repeated_triangles = 0;  ///< With the corners of an earlier one, in any direction.
   /// Edges between two triangles that cannot cancel, of components that are not orientable, or that
   /// were left as they are.
   std::size_t contradictions = 0;
@@ -89,6 +90,12 @@ struct Surface {
 /// @par Cost  O(n log n), and for several closed components the tests of one in another.
 [[nodiscard]] Surface make_surface(const Mesh& mesh, const SurfaceOptions& options = {},
                                    const Watch& watch = {});
+
+/// How many points lie within a millionth of the diameter of another one, if more than half of the
+/// components are open, and there are several; otherwise 0. So it is where a file repeats the
+/// corners of each face, but rounded differently.
+/// @par Cost  O(n log n) if the points are spread.
+[[nodiscard]] std::size_t count_near_corners(const Surface& surface);
 
 /// Winding numbers of points about a closed surface, exactly.
 class Winding {

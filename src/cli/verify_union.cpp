@@ -10,6 +10,7 @@
 #include "pages/parts_picture.hpp"
 #include "scene/objects.hpp"
 #include "wire/decompose_report.hpp"
+#include "wire/part_models.hpp"
 #include "wire/parts_verdict.hpp"
 
 namespace convexact::cli {
@@ -47,7 +48,7 @@ void add_union_options(Command& command, UnionOptions& options) {
 bool is_decomposition(const std::string& path) {
   std::error_code ignored;
   if (path == "-") return false;
-  if (std::filesystem::is_directory(path, ignored)) return true;
+  if (std::filesystem::is_directory(path, ignored) || is_part_model(path)) return true;
   if (halfspace_format_of_path(path) != HalfspaceFormat::Json) return false;
   return read_bytes(path).find("\"parts\"") != std::string::npos;
 }

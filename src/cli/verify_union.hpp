@@ -27,7 +27,8 @@ struct UnionOptions {
 /// --picture.
 void add_union_options(Command& command, UnionOptions& options);
 
-/// Whether a candidate can only be a decomposition: a folder, or JSON with "parts".
+/// Whether a candidate can only be a decomposition: a folder, JSON with "parts", or a model for
+/// simulators.
 [[nodiscard]] bool is_decomposition(const std::string& path);
 
 /// Judges the parts, prints the verdict, writes the picture, and returns the exit code: 0 if every

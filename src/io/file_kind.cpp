@@ -35,6 +35,10 @@ constexpr std::array kForeign = {
     Foreign{"a STEP file, of curved surfaces", "ISO-10303-21", ".step .stp .igs .iges",
             "mesh it in a CAD program and export STL"},
     Foreign{"a 3MF file, which is not read", "", ".3mf", kExport},
+    Foreign{"a VTK file, which is not read", "# vtk DataFile", ".vtk .vtu .vtp", kExport},
+    Foreign{"a mesh of Gmsh or Ansys, which is not read", "$MeshFormat", ".msh", kExport},
+    Foreign{"a VRML file, which is not read", "#VRML", ".wrl .x3d", kExport},
+    Foreign{"an OpenCTM file, which is not read", "OCTM", ".ctm", kExport},
     Foreign{"a Git LFS pointer, not the file itself", "version https://git-lfs.github.com/spec/",
             "", "git lfs pull fetches that"},
     Foreign{"gzip data", "\x1F\x8B", ".gz .tgz", "unpack it first: gunzip"},
@@ -67,7 +71,8 @@ std::string extension_of(const std::string& path) {
 bool has_word(std::string_view words, std::string_view word) {
   for (std::size_t at = words.find(word); at != words.npos; at = words.find(word, at + 1)) {
     const std::size_t end = at + word.size();
-    if (end == words.size() || words[end] == ' ') return true;
+    const bool is_first = at == 0 || words[at - 1] == ' ';
+    if (is_first && (end == words.size() || words[end] == ' ')) return !word.empty();
   }
   return false;
 }
@@ -123,7 +128,7 @@ bool begins_as_obj(std::string_view bytes) {
   if (!cursor.next_line()) return true;
   const std::string_view token = cursor.token();
   constexpr std::string_view kWords = "v vt vn vp f fo g o s l p mg usemtl mtllib cstype deg";
-  return has_word(kWords, token) || kWords.find(std::string(token) + " ") != kWords.npos;
+  return has_word(kWords, token);
 }
 
 }  // namespace
@@ -131,7 +136,7 @@ bool begins_as_obj(std::string_view bytes) {
 std::optional<MeshFormat> readable_mesh_format(const std::string& path) {
   if (const auto format = mesh_format_of_path(path)) return format;
   const std::string extension = extension_of(path);
-  if (extension == ".pts" || extension == ".csv") return MeshFormat::Xyz;
+  if (has_word(".pts .csv .xyzn .xyzrgb", extension)) return MeshFormat::Xyz;
   if (extension == ".pcd") return MeshFormat::Pcd;
   if (extension == ".ext") return MeshFormat::Ext;
   return {};

@@ -49,7 +49,11 @@ HalfspaceList read_halfspace_rows(std::string_view bytes, Decimal decimal) {
     for (int k = 0; k < 3; ++k) {
       normal[k] = to_number(cursor.expect_token("a row n1 n2 n3 d"), cursor, decimal);
     }
-    const Rational offset = to_number(cursor.expect_token("a row n1 n2 n3 d"), cursor, decimal);
+    const std::string_view last = cursor.token();
+    if (last.empty()) {
+      cursor.fail("expected a row n1 n2 n3 d, found three numbers; points are read from a .xyz");
+    }
+    const Rational offset = to_number(last, cursor, decimal);
     cursor.expect_line_end();
     list.add(normal, offset);
   }

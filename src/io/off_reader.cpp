@@ -6,6 +6,8 @@
 //
 // qhull writes the dimension, 3, in the place of the header (option o).
 // ModelNet40 has files whose header and counts are one line: "OFF490 518 0".
+#include <array>
+
 #include "io/mesh_readers.hpp"
 #include "io/point_collector.hpp"
 
@@ -45,12 +47,16 @@ class OffReader {
     const std::string_view header = cursor_.expect_line("an OFF header");
     if (header == "3") return cursor_.token();  // is_off_of_qhull()
     std::string_view prefix = header;
-    const auto takes = [&prefix](std::string_view part) {
-      const bool found = prefix.starts_with(part);
-      if (found) prefix.remove_prefix(part.size());
-      return found;
-    };
-    for (const std::string_view part : {"ST", "C", "N"}) (void)takes(part);
+    // In any order: MeshLab writes NCOFF.
+    constexpr std::array<std::string_view, 3> kPrefixes = {"ST", "C", "N"};
+    for (bool found = true; found;) {
+      found = false;
+      for (const std::string_view part : kPrefixes) {
+        if (!prefix.starts_with(part)) continue;
+        prefix.remove_prefix(part.size());
+        found = true;
+      }
+    }
     const bool is_joined = prefix.size() > 3 && prefix.starts_with("OFF") &&
                            prefix.find_first_not_of("0123456789", 3) == prefix.npos;
     if (is_joined) return prefix.substr(3);

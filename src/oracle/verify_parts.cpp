@@ -234,6 +234,11 @@ void note_surface(const Surface& surface, std::vector<std::string>& notes) {
        " not simple, as edges cross, and cut as a fan from the lowest corner");
   note(surface.flat_triangles, "triangle of the input has", "triangles of the input have",
        " no area; its points are to be held all the same");
+  note(surface.repeated_triangles, "triangle of the input repeats", "triangles of the input repeat",
+       " an earlier one");
+  note(count_near_corners(surface), "corner of the input lies", "corners of the input lie",
+       " within a millionth of the diameter of another one, and most components are open: the file "
+       "may repeat corners with other roundings; join them before");
 }
 
 // Behind those of the surface.

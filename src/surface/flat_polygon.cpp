@@ -244,6 +244,26 @@ class Ears {
     test(b);
     return ear;
   }
+  // Takes away a corner between two that are one point, and one of these: the edges there and back
+  // cancel. Only where corners repeat.
+  bool drop_spur() {
+    const auto found = std::find_if(left_.begin(), left_.end(), [&](std::size_t k) {
+      return corners_[before_[k]] == corners_[after_[k]];
+    });
+    if (found == left_.end()) return false;
+    const std::size_t tip = *found, twin = after_[tip], a = before_[tip], b = after_[twin];
+    for (const std::size_t k : {tip, twin}) {
+      tips_.erase({corners_[k], k});
+      std::erase(left_, k);
+    }
+    after_[a] = b;
+    before_[b] = a;
+    if (left_.size() > 2) {
+      test(a);
+      test(b);
+    }
+    return true;
+  }
   std::size_t size() const { return left_.size(); }
   Triangle last() const { return {corners_[left_[0]], corners_[left_[1]], corners_[left_[2]]}; }
 
@@ -295,7 +315,9 @@ std::variant<std::vector<Triangle>, NotCut> clip_ears(const PointSet& points,
   if (!is_cut) return NotCut::Crossed;
   Ears ears(view, inward, corners);
   std::vector<Triangle> triangles;
-  while (ears.size() > 3) {
+  while (ears.size() > 2) {
+    if (repeats && ears.drop_spur()) continue;
+    if (ears.size() == 3) break;
     if (ears.has_ear()) {
       triangles.push_back(ears.cut_lowest());
     } else if (repeats) {
@@ -304,6 +326,7 @@ std::variant<std::vector<Triangle>, NotCut> clip_ears(const PointSet& points,
       throw Error(ErrorCode::Internal, "a simple polygon without an ear");
     }
   }
+  if (ears.size() < 3) return triangles;
   // The last three of a simple polygon do not lie on a line: the cut beside such a corner would
   // have passed through it.
   const Triangle last = ears.last();

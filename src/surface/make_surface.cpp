@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // make_surface(): from a mesh's faces to triangles on distinct points, joined and turned.
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "convexact/error.hpp"
@@ -199,6 +200,13 @@ void find_flat(Surface& surface) {
   }
 }
 
+void count_repeated(Surface& surface) {
+  for (std::size_t t = 1; t < surface.triangles.size(); ++t) {
+    surface.repeated_triangles +=
+        sorted(surface.triangles[t]) == sorted(surface.triangles[t - 1]) ? 1 : 0;
+  }
+}
+
 // Components keep the order of their lowest triangles.
 void number_components(Surface& surface) {
   constexpr std::uint32_t kNone = ~std::uint32_t{0};
@@ -239,8 +247,27 @@ Surface make_surface(const Mesh& mesh, const SurfaceOptions& options, const Watc
     component.is_reversed = component.is_closed && component.turned == component.triangles;
   }
   to_canonical_order(surface);
+  count_repeated(surface);
   number_components(surface);
   return surface;
+}
+
+std::size_t count_near_corners(const Surface& surface) {
+  const auto open = std::count_if(surface.components.begin(), surface.components.end(),
+                                  [](const SurfaceComponent& c) { return !c.is_closed; });
+  if (open < 2 || 2 * static_cast<std::size_t>(open) <= surface.components.size()) return 0;
+  constexpr double kNear = 1e-6;  // of the diameter; a hint needs no more than doubles
+  const auto points = surface.points.doubles();
+  const Rational squared = bounding_box(surface.points).squared_diameter();
+  const double reach = kNear * std::sqrt(to_double(squared, Rounding::Nearest));
+  std::vector<bool> is_near(points.size(), false);
+  // Points are in the order of their first coordinates.
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t k = i + 1; k < points.size() && points[k][0] - points[i][0] <= reach; ++k) {
+      if ((points[k] - points[i]).norm() <= reach) is_near[i] = is_near[k] = true;
+    }
+  }
+  return static_cast<std::size_t>(std::count(is_near.begin(), is_near.end(), true));
 }
 
 }  // namespace convexact

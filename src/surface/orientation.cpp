@@ -25,7 +25,7 @@ struct Patches {
   std::vector<bool> has_one_side;  // by patch
 };
 
-Patches find_patches(const EdgeTable& edges, std::size_t triangles) {
+Patches consistent_patches(const EdgeTable& edges, std::size_t triangles) {
   struct Neighbor {
     std::uint32_t triangle;
     bool runs_alike;  // along the common edge, so that one is to be turned
@@ -254,7 +254,7 @@ Surface grouped(const Surface& surface, const std::vector<std::uint32_t>& group,
 Orientation find_orientation(const Surface& surface, const Watch& watch) {
   const EdgeTable edges(surface.triangles);
   const std::size_t count = surface.triangles.size();
-  Patches patches = find_patches(edges, count);
+  Patches patches = consistent_patches(edges, count);
   watch.ask();
   Orientation orientation{std::vector(count, false), std::vector(surface.components.size(), false),
                           0};

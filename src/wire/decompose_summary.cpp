@@ -197,6 +197,10 @@ std::string surface_notes(const Surface& surface) {
   note(surface.fans.size() - surface.bent_faces, "face is", "faces are",
        " not simple, as edges cross: cut as a fan of triangles");
   note(surface.flat_triangles, "triangle has", "triangles have", " no area");
+  note(surface.repeated_triangles, "triangle repeats", "triangles repeat", " an earlier one");
+  note(count_near_corners(surface), "corner lies", "corners lie",
+       " within a millionth of the diameter of another one, and most components are open: the file "
+       "may repeat corners with other roundings; join them before");
   note(surface.unused.size(), "point is", "points are",
        " used by no face, and held by the nearest part; --points used leaves such points out");
   return text;

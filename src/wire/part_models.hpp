@@ -3,8 +3,10 @@
 // which name the files of the parts, and USD, which holds their points. docs/formats.md describes
 // what the simulators do to the numbers.
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "wire/written_parts.hpp"
@@ -36,6 +38,17 @@ struct PartFile {
 [[nodiscard]] std::string proven_parts_usd(const std::string& model,
                                            std::span<const WrittenPart> parts,
                                            const std::string& path);
+
+/// The parts in the bytes of an MJCF or a URDF that write_mjcf() or write_urdf() made, in their
+/// order; nothing for any other model, which may place and scale its meshes.
+[[nodiscard]] std::optional<std::vector<PartFile>> part_files_of_model(std::string_view bytes);
+
+/// The parts in the bytes of a USD that proven_parts_usd() made, as USD reads them; nothing for any
+/// other.
+[[nodiscard]] std::optional<std::vector<NamedPart>> parts_of_usd(const std::string& bytes);
+
+/// Whether a path ends in .mjcf.xml, .urdf or .usda: a model for simulators.
+[[nodiscard]] bool is_part_model(const std::string& path);
 
 /// The names of prims for these names, in their order.
 [[nodiscard]] std::vector<std::string> prim_names(std::span<const WrittenPart> parts);

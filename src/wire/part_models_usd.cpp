@@ -20,7 +20,9 @@ namespace convexact {
 namespace {
 
 constexpr std::string_view kMeshLine = "    def Mesh \"",
-                           kPointsLine = "        point3f[] points = [";
+                           kPointsLine = "        point3f[] points = [",
+                           kCountsLine = "        int[] faceVertexCounts = [",
+                           kIndicesLine = "        int[] faceVertexIndices = [";
 
 // A letter or _, then letters, digits and _, as every version of USD takes them. Each other
 // character becomes a _.
@@ -87,9 +89,9 @@ void append_mesh(OutputBuffer& out, const WrittenPart& part, const std::string& 
     counts.push_back(polygon.size());
     corners.insert(corners.end(), polygon.begin(), polygon.end());
   }
-  out.text("        int[] faceVertexCounts = [");
+  out.text(kCountsLine);
   append_list(out, counts, append_number);
-  out.text("        int[] faceVertexIndices = [");
+  out.text(kIndicesLine);
   append_list(out, corners, append_number);
   out.text(kPointsLine);
   append_list(out, mesh.points.doubles(), append_corner);
@@ -179,6 +181,80 @@ std::string proven_parts_usd(const std::string& model, std::span<const WrittenPa
     reject_bytes(path, fmt::format("has points for {} parts instead of {}", proven, parts.size()));
   }
   return bytes;
+}
+
+namespace {
+
+// "1, 2, 3]".
+std::vector<std::uint32_t> numbers_of_line(std::string_view text) {
+  std::vector<std::uint32_t> numbers;
+  while (!text.empty() && text != "]") {
+    std::uint32_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc()) return {};
+    numbers.push_back(number);
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    if (text.starts_with(", ")) text.remove_prefix(2);
+  }
+  return numbers;
+}
+
+// What quoted() made this of, up to the closing quote.
+std::string unquoted(std::string_view text) {
+  std::string plain;
+  for (std::size_t k = 0; k < text.size() && text[k] != '"'; ++k) {
+    if (text[k] == '\\' && k + 1 < text.size()) ++k;
+    plain += text[k];
+  }
+  return plain;
+}
+
+}  // namespace
+
+std::optional<std::vector<NamedPart>> parts_of_usd(const std::string& bytes) {
+  std::string model;
+  std::vector<std::string> names;
+  std::vector<Part> parts;
+  std::vector<std::uint32_t> counts, corners;
+  for (std::string_view rest = bytes; !rest.empty();) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+    const auto after = [&](std::string_view start) -> std::optional<std::string_view> {
+      return line.starts_with(start) ? std::optional(line.substr(start.size())) : std::nullopt;
+    };
+    if (const auto root = after("def Xform \"")) model = unquoted(*root);
+    if (const auto display = after("    displayName = \"")) model = unquoted(*display);
+    if (const auto prim = after(kMeshLine)) names.push_back(unquoted(*prim));
+    if (const auto display = after("        displayName = \""); display && !names.empty()) {
+      names.back() = unquoted(*display);
+    }
+    if (const auto list = after(kCountsLine)) counts = numbers_of_line(*list);
+    if (const auto list = after(kIndicesLine)) corners = numbers_of_line(*list);
+    if (const auto list = after(kPointsLine)) {
+      auto points = points_of_line(*list);
+      if (!points) return std::nullopt;
+      Part& part = parts.emplace_back();
+      part.mesh.points = std::move(*points);
+      std::size_t first = 0;
+      for (const std::uint32_t count : counts) {
+        if (first + count > corners.size()) return std::nullopt;
+        part.mesh.polygons.emplace_back(
+            corners.begin() + static_cast<std::ptrdiff_t>(first),
+            corners.begin() + static_cast<std::ptrdiff_t>(first + count));
+        first += count;
+      }
+    }
+  }
+  if (parts.empty() || parts.size() != names.size()) return std::nullopt;
+  std::vector<WrittenPart> written;
+  for (std::size_t k = 0; k < parts.size(); ++k) written.push_back({names[k], &parts[k], nullptr});
+  // Whatever else a scene says, such as a transform, makes it another text.
+  if (write_usd(model, written) != bytes) return std::nullopt;
+  std::vector<NamedPart> read;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    read.push_back({names[k], std::move(parts[k].mesh)});
+  }
+  return read;
 }
 
 }  // namespace convexact

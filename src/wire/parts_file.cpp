@@ -13,6 +13,7 @@
 #include "io/json_text.hpp"
 #include "scene/objects.hpp"
 #include "wire/json_mesh.hpp"
+#include "wire/part_models.hpp"
 
 namespace convexact {
 namespace {
@@ -127,8 +128,46 @@ const std::vector<NamedPart>* parts_of(const CandidateParts& candidate) {
   return std::get_if<std::vector<NamedPart>>(&candidate);
 }
 
+namespace {
+
+// The parts of a model for simulators that convexact wrote.
+CandidateParts read_part_model(const std::string& path, Decimal decimal) {
+  const std::string bytes = read_bytes(path);
+  const auto refuse = [&]() -> Error {
+    return Error(ErrorCode::Unreadable,
+                 "this is a model for simulators that convexact did not write, which may place and "
+                 "scale its meshes: name a mesh with an object per part, or a folder of meshes")
+        .in_file(path);
+  };
+  if (path.ends_with(".usda")) {
+    if (auto parts = parts_of_usd(bytes)) return std::move(*parts);
+    throw refuse();
+  }
+  const auto files = part_files_of_model(bytes);
+  if (!files) throw refuse();
+  std::vector<NamedPart> all;
+  for (const auto& [name, relative] : *files) {
+    const fs::path inside = fs::path(relative).lexically_normal();
+    if (inside.is_absolute() || inside.begin() == inside.end() || *inside.begin() == "..") {
+      throw Error(ErrorCode::Unreadable, "a path in it leaves its folder: " + relative)
+          .in_file(path);
+    }
+    const std::string file = (fs::path(path).parent_path() / inside).string();
+    CandidateParts some = read_parts_bytes(read_bytes(file), file, decimal);
+    if (auto* error = std::get_if<Error>(&some)) return std::move(*error);
+    for (NamedPart& part : std::get<std::vector<NamedPart>>(some)) {
+      part.name = name;
+      all.push_back(std::move(part));
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
 CandidateParts read_parts(const std::string& path, Decimal decimal) {
   std::error_code ignored;
+  if (is_part_model(path)) return read_part_model(path, decimal);
   if (path == "-" || !fs::is_directory(path, ignored)) {
     return read_parts_bytes(read_bytes(path), path, decimal);
   }

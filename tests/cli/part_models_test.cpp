@@ -279,3 +279,34 @@ TEST_CASE("part models: programs of others read them") {
     MESSAGE("skipped: xmllint is not installed");
   }
 }
+
+TEST_CASE("verify: models that decompose wrote are read as parts, others are refused") {
+  const ScratchFolder scratch;
+  const std::string input = scratch.write("l.obj", tenth_obj(support::l_cells()));
+  const std::string parts = scratch.file("parts/");
+  std::string outputs = " -o " + parts;
+  for (const char* name : {"a.mjcf.xml", "a.urdf", "a.usda"}) {
+    outputs += " -o " + scratch.file(name);
+  }
+  REQUIRE(run_program("decompose " + input + " --precision 32 --names 'p<%d>&' " + outputs).exit ==
+          0);
+  for (const char* name : {"a.mjcf.xml", "a.urdf", "a.usda"}) {
+    CAPTURE(name);
+    const auto judged = run_program("verify " + input + " " + scratch.file(name) + " --json");
+    CHECK(judged.exit == 0);
+    const json document = json::parse(judged.out);
+    CHECK(document["parts"].size() == 2);
+    CHECK(document["parts"][0]["name"] == "p<0>&");
+    // Whatever a model says besides may move its meshes.
+    const std::string altered =
+        scratch.write(std::string("b") + (name + 1), bytes_of(scratch.file(name)) + "\n");
+    const auto refused = run_program("verify " + input + " " + altered);
+    CHECK(refused.exit == 3);
+    CHECK(refused.err.find("convexact did not write") != std::string::npos);
+  }
+  std::string text = bytes_of(scratch.file("a.urdf"));
+  for (std::size_t at; (at = text.find("parts/")) != text.npos;) text.replace(at, 6, "../o/");
+  const auto leaves = run_program("verify " + input + " " + scratch.write("c.urdf", text));
+  CHECK(leaves.exit == 3);
+  CHECK(leaves.err.find("leaves its folder") != std::string::npos);
+}

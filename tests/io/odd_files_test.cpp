@@ -130,6 +130,9 @@ TEST_CASE("odd files: what is not read is named, with what to do") {
                {"ISO-10303-21;", "a.step", "a STEP file"},
                {"version https://git-lfs.github.com/spec/v1\n", "a.stl", "git lfs pull"},
                {"PXR-USDC", "a.usd", "a USD crate"},
+               {"# vtk DataFile Version 3.0\n", "a.vtk", "a VTK file"},
+               {"$MeshFormat\n", "a.msh", "a mesh of Gmsh or Ansys"},
+               {"#VRML V2.0 utf8\n", "a.wrl", "a VRML file"},
                {"hello\n", "notes", "expected OBJ, OFF, PLY, STL"}};
   for (const auto& [bytes, name, says] : cases) {
     CAPTURE(says);
@@ -140,6 +143,13 @@ TEST_CASE("odd files: what is not read is named, with what to do") {
   }
   CHECK(error_of([&] { return read_case("small.glb"); }).code() == ErrorCode::Unreadable);
   CHECK(error_of([&] { return read_case("lfs_pointer.obj"); }).code() == ErrorCode::Unreadable);
+}
+
+TEST_CASE("off: prefixes in any order, as MeshLab and others write them") {
+  for (const std::string header : {"OFF", "COFF", "NOFF", "CNOFF", "NCOFF", "STNCOFF"}) {
+    CAPTURE(header);
+    CHECK(mesh_of_bytes(header + "\n1 0 0\n1 2 3 0 0 1 255 0 0 255\n", "a.off").points.size() == 1);
+  }
 }
 
 TEST_CASE("clouds: separators, names of columns, counts") {

@@ -119,6 +119,20 @@ TEST_CASE("make_surface: solids of cases have their volumes") {
   }
 }
 
+TEST_CASE("count_near_corners: a file that rounds the corners of each face differently") {
+  // Every corner of an L has another one 1e-7 away.
+  const Surface surface = surface_of_case("near_corners.obj");
+  CHECK(count_near_corners(surface) == surface.points.size());
+  CHECK(count_near_corners(surface_of_case("dome.obj")) == 0);
+  CHECK(count_near_corners(surface_of_case("h8.obj")) == 0);
+}
+
+TEST_CASE("make_surface: triangles that repeat an earlier one are counted") {
+  const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const Mesh mesh{PointSet(points), {{0, 1, 2}, {1, 2, 0}, {2, 1, 0}, {0, 1, 3}}, {}};
+  CHECK(make_surface(mesh).repeated_triangles == 2);
+}
+
 TEST_CASE("make_surface: one triangle that is turned is turned back, and no other") {
   const Surface plain = surface_of_case("dome.obj"), flipped = surface_of_case("dome_flip.obj");
   CHECK(plain.triangles == flipped.triangles);
