@@ -109,7 +109,8 @@ struct SceneOptions {
                                                      const TypedRows& rows);
 
 /// Reads files one after another: meshes, or halfspaces (.json, .ine, or by content).
-/// @throws Error as the readers; Unreadable for a format that is not read, with what to do; NoInterior if a halfspace list has a row that no point satisfies;
+/// @throws Error as the readers; Unreadable for a format that is not read, with what to do;
+/// NoInterior if a halfspace list has a row that no point satisfies;
 ///         InvalidArgument for parts of a file that has none, or standard input twice.
 [[nodiscard]] std::vector<SceneObject> read_scene(const std::vector<std::string>& paths,
                                                   const SceneOptions& options = {});

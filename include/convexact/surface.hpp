@@ -64,7 +64,7 @@ struct Surface {
   /// from their lowest corner. (A face with a hole, whose loop goes to the hole and back, is
   /// neither.)
   std::vector<std::size_t> fans;
-  std::size_t bent_faces = 0;      ///< Of these: not planar.
+  std::size_t bent_faces = 0;          ///< Of these: not planar.
   std::size_t flat_triangles = 0;      ///< Without area.
   std::size_t repeated_triangles = 0;  ///< With the corners of an earlier one, in any direction.
   /// Edges between two triangles that cannot cancel, of components that are not orientable, or that
