@@ -49,14 +49,6 @@ constexpr std::array kForeign = {
     Foreign{"UTF-16 text", "\xFF\xFE", "", "save it as UTF-8: iconv -f UTF-16 -t UTF-8"},
     Foreign{"UTF-16 text", "\xFE\xFF", "", "save it as UTF-8: iconv -f UTF-16 -t UTF-8"}};
 
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return lower;
-}
-
 // ".obj", in small letters; empty if the name has none.
 std::string extension_of(const std::string& path) {
   const std::size_t name = path.find_last_of('/') + 1;  // npos + 1 is 0
@@ -132,6 +124,14 @@ bool begins_as_obj(std::string_view bytes) {
 }
 
 }  // namespace
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return lower;
+}
 
 std::optional<MeshFormat> readable_mesh_format(const std::string& path) {
   if (const auto format = mesh_format_of_path(path)) return format;

@@ -25,4 +25,7 @@ struct FileKind {
 /// The format of a mesh by the extension, those included that are read only.
 [[nodiscard]] std::optional<MeshFormat> readable_mesh_format(const std::string& path);
 
+/// The letters A to Z as a to z.
+[[nodiscard]] std::string lower_case(std::string_view text);
+
 }  // namespace convexact

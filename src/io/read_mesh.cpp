@@ -12,14 +12,6 @@
 namespace convexact {
 namespace {
 
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return lower;
-}
-
 // Whether the first line with a word holds three numbers.
 bool starts_with_a_point(TextCursor cursor) {
   if (!cursor.next_line()) return false;

@@ -10,7 +10,7 @@
 namespace convexact {
 namespace {
 
-void require(bool proven, const char* claim) {
+void require_proven(bool proven, const char* claim) {
   if (!proven) throw Error(ErrorCode::Internal, std::string("the certificate fails: ") + claim);
 }
 
@@ -39,21 +39,21 @@ std::variant<RationalPoint, NotSolid> interior_of(std::span<const Halfspace> hal
                                                   const LpOptions& options) {
   const InteriorOutcome interior = find_interior(halfspaces, options);
   if (const auto* empty = std::get_if<EmptyProof>(&interior)) {
-    require(check(halfspaces, *empty), "the halfspaces have no common point");
+    require_proven(check(halfspaces, *empty), "the halfspaces have no common point");
     return NotSolid(*empty);
   }
   if (const auto* flat = std::get_if<FlatProof>(&interior)) {
-    require(check(halfspaces, *flat), "the halfspaces have no interior");
+    require_proven(check(halfspaces, *flat), "the halfspaces have no interior");
     return NotSolid(*flat);
   }
   const auto& inside = std::get<InteriorPoint>(interior);
-  require(check(halfspaces, inside), "the point is strictly inside");
+  require_proven(check(halfspaces, inside), "the point is strictly inside");
   const BoundedOutcome bounded = find_recession(halfspaces, options);
   if (const auto* ray = std::get_if<RecessionRay>(&bounded)) {
-    require(check(halfspaces, *ray), "the ray stays inside");
+    require_proven(check(halfspaces, *ray), "the ray stays inside");
     return NotSolid(*ray);
   }
-  require(check(halfspaces, std::get<BoundedProof>(bounded)), "the intersection is bounded");
+  require_proven(check(halfspaces, std::get<BoundedProof>(bounded)), "the intersection is bounded");
   return inside.point;
 }
 
@@ -97,13 +97,14 @@ std::variant<Hull, NotSolid> make_hull(const PointSet& points, std::uint64_t see
                        HullOptions{.seed = seed, .stop = log.watch().stop, .observer = observer});
   });
   if (const auto* flat = std::get_if<FlatInput>(&outcome)) {
-    require(check_flat(*flat, points), "every point lies on these planes");
+    require_proven(check_flat(*flat, points), "every point lies on these planes");
     return NotSolid(*flat);
   }
   auto& hull = std::get<Hull>(outcome);
   if (check) {
-    log.run("hull certificate",
-            [&] { require(check_hull(hull, points), "the hull is convex and holds every point"); });
+    log.run("hull certificate", [&] {
+      require_proven(check_hull(hull, points), "the hull is convex and holds every point");
+    });
   } else {
     log.skip("hull certificate", "not requested: the result itself is tested against every point");
   }

@@ -17,15 +17,15 @@ namespace {
 
 // ---- Patches, each consistent in itself
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
+constexpr std::uint32_t kNoPatch = ~std::uint32_t{0};
 
-struct Patches {
+struct ConsistentPatches {
   std::vector<std::uint32_t> of;   // by triangle
   std::vector<bool> turns;         // by triangle: against the patch's lowest
   std::vector<bool> has_one_side;  // by patch
 };
 
-Patches consistent_patches(const EdgeTable& edges, std::size_t triangles) {
+ConsistentPatches consistent_patches(const EdgeTable& edges, std::size_t triangles) {
   struct Neighbor {
     std::uint32_t triangle;
     bool runs_alike;  // along the common edge, so that one is to be turned
@@ -37,9 +37,9 @@ Patches consistent_patches(const EdgeTable& edges, std::size_t triangles) {
     neighbors[uses[0].triangle].push_back({uses[1].triangle, alike});
     neighbors[uses[1].triangle].push_back({uses[0].triangle, alike});
   });
-  Patches patches{std::vector(triangles, kNone), std::vector(triangles, false), {}};
+  ConsistentPatches patches{std::vector(triangles, kNoPatch), std::vector(triangles, false), {}};
   for (std::uint32_t seed = 0; seed < triangles; ++seed) {
-    if (patches.of[seed] != kNone) continue;
+    if (patches.of[seed] != kNoPatch) continue;
     const auto patch = static_cast<std::uint32_t>(patches.has_one_side.size());
     patches.has_one_side.push_back(false);
     patches.of[seed] = patch;
@@ -48,7 +48,7 @@ Patches consistent_patches(const EdgeTable& edges, std::size_t triangles) {
       const std::uint32_t t = queue[next];
       for (const auto& [other, alike] : neighbors[t]) {
         const bool turn = patches.turns[t] != alike;
-        if (patches.of[other] == kNone) {
+        if (patches.of[other] == kNoPatch) {
           patches.of[other] = patch;
           patches.turns[other] = turn;
           queue.push_back(other);
@@ -65,7 +65,8 @@ Patches consistent_patches(const EdgeTable& edges, std::size_t triangles) {
 }
 
 // By patch at an edge: how often it runs forward, less how often back.
-std::map<std::uint32_t, int> net_runs(std::span<const EdgeUse> uses, const Patches& patches) {
+std::map<std::uint32_t, int> net_runs(std::span<const EdgeUse> uses,
+                                      const ConsistentPatches& patches) {
   std::map<std::uint32_t, int> net;
   for (const EdgeUse& use : uses) {
     const bool is_forward = use.is_forward != patches.turns[use.triangle];
@@ -78,9 +79,9 @@ std::map<std::uint32_t, int> net_runs(std::span<const EdgeUse> uses, const Patch
 // ---- Patches that are joined
 
 // Groups of patches, and whether each is turned against the first of its group.
-class Joins {
+class PatchGroups {
  public:
-  explicit Joins(std::size_t patches) : parent_(patches), is_against_(patches, false) {
+  explicit PatchGroups(std::size_t patches) : parent_(patches), is_against_(patches, false) {
     for (std::size_t k = 0; k < patches; ++k) parent_[k] = static_cast<std::uint32_t>(k);
   }
   std::pair<std::uint32_t, bool> root(std::uint32_t patch) const {
@@ -124,7 +125,7 @@ std::optional<std::vector<bool>> only_choice(const std::map<std::uint32_t, int>&
   return found;
 }
 
-void join_patches(const EdgeTable& edges, const Patches& patches, Joins& joins,
+void join_patches(const EdgeTable& edges, const ConsistentPatches& patches, PatchGroups& joins,
                   Orientation& orientation) {
   constexpr std::size_t kMostTriangles = 4;
   edges.for_each([&](std::span<const EdgeUse> uses) {
@@ -254,11 +255,11 @@ Surface grouped(const Surface& surface, const std::vector<std::uint32_t>& group,
 Orientation find_orientation(const Surface& surface, const Watch& watch) {
   const EdgeTable edges(surface.triangles);
   const std::size_t count = surface.triangles.size();
-  Patches patches = consistent_patches(edges, count);
+  ConsistentPatches patches = consistent_patches(edges, count);
   watch.ask();
   Orientation orientation{std::vector(count, false), std::vector(surface.components.size(), false),
                           0};
-  Joins joins(patches.has_one_side.size());
+  PatchGroups joins(patches.has_one_side.size());
   join_patches(edges, patches, joins, orientation);
   std::vector<std::uint32_t> group(count);
   std::vector<bool> has_one_side(count);
