@@ -83,9 +83,9 @@ TEST_CASE("odd files: each is read as the box that it was made of") {
                {"qconvex_p.txt", 1},
                {"qconvex_o.txt", 1},
                {"lrs_h.ine", 24}};
-  for (const auto& [name, volume] : cases) {
-    CAPTURE(name);
-    CHECK(case_volume(name) == volume);
+  for (const auto& c : cases) {
+    CAPTURE(c.name);
+    CHECK(case_volume(c.name) == c.volume);
   }
 }
 
@@ -134,11 +134,11 @@ TEST_CASE("odd files: what is not read is named, with what to do") {
                {"$MeshFormat\n", "a.msh", "a mesh of Gmsh or Ansys"},
                {"#VRML V2.0 utf8\n", "a.wrl", "a VRML file"},
                {"hello\n", "notes", "expected OBJ, OFF, PLY, STL"}};
-  for (const auto& [bytes, name, says] : cases) {
-    CAPTURE(says);
-    const Error error = error_of([&] { return kind_of_file(bytes, name); });
+  for (const auto& c : cases) {
+    CAPTURE(c.says);
+    const Error error = error_of([&] { return kind_of_file(c.bytes, c.name); });
     CHECK(error.code() == ErrorCode::Unreadable);
-    CHECK(std::string(error.what()).find(says) != std::string::npos);
+    CHECK(std::string(error.what()).find(c.says) != std::string::npos);
     CHECK(std::string(error.what()).find('\n') == std::string::npos);
   }
   CHECK(error_of([&] { return read_case("small.glb"); }).code() == ErrorCode::Unreadable);

@@ -108,14 +108,14 @@ TEST_CASE("make_surface: solids of cases have their volumes") {
     const char* name;
     int volume;
   } cases[] = {{"keyhole.obj", 10}, {"h8.obj", 26}, {"edge_inv.obj", 2}, {"big_inv2.obj", 17}};
-  for (const auto& [name, volume] : cases) {
-    CAPTURE(name);
-    const Surface surface = surface_of_case(name);
+  for (const auto& c : cases) {
+    CAPTURE(c.name);
+    const Surface surface = surface_of_case(c.name);
     CHECK(surface.is_closed);
     CHECK(surface.fans.empty());
     CHECK(surface.contradictions == 0);
     CHECK(surface.ambiguous_edges == 0);
-    CHECK(support::defined_solid_volume(surface) == volume);
+    CHECK(support::defined_solid_volume(surface) == c.volume);
   }
 }
 
