@@ -67,20 +67,19 @@ class WeaklySimple {
   /// @param inward  How the polygon turns.
   bool holds(Sign inward) const {
     for (std::size_t i = 0; i < corners_.size(); ++i) {
-      std::size_t back = 0;  // edges that run along this one the other way
+      bool has_back = false;  // an edge that runs along this one the other way
       for (std::size_t k = 0; k < corners_.size(); ++k) {
         if (i == k) continue;
         if (head(k) == tail(i) && tail(k) == head(i)) {
-          ++back;
+          has_back = true;
         } else if (!may_touch(i, k)) {
           return false;
         }
       }
-      if (back > 1) return false;
       // The region lies on the inner side of an edge, and on both sides of a bridge.
       const int inner = inward == Sign::Positive ? 1 : -1;
-      const int left = inner > 0 || back > 0 ? inner : 0;
-      const int right = inner < 0 || back > 0 ? inner : 0;
+      const int left = inner > 0 || has_back ? inner : 0;
+      const int right = inner < 0 || has_back ? inner : 0;
       if (winding_beside(i, true) != left || winding_beside(i, false) != right) return false;
     }
     return true;
@@ -91,10 +90,10 @@ class WeaklySimple {
   PointId head(std::size_t k) const { return corners_[next(k)]; }
   std::size_t next(std::size_t k) const { return (k + 1) % corners_.size(); }
 
-  // Edges with a common corner may have nothing else in common; others nothing at all.
+  // Edges with a common corner may have nothing else in common, which two that are the same have;
+  // others nothing at all.
   bool may_touch(std::size_t i, std::size_t k) const {
     const PointId a = tail(i), b = head(i), c = tail(k), d = head(k);
-    if (a == c && b == d) return false;
     for (const auto& [common, x] : {std::pair(a, b), std::pair(b, a)}) {
       for (const auto& [other, y] : {std::pair(c, d), std::pair(d, c)}) {
         if (common != other) continue;

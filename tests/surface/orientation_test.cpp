@@ -7,6 +7,7 @@
 
 #include <cstdlib>
 #include <random>
+#include <set>
 
 #include "cells.hpp"
 #include "defined_solid_volume.hpp"
@@ -155,6 +156,33 @@ TEST_CASE(
   CHECK(equal.components[0].turned == 1);
   CHECK(equal.triangles[0] == std::array{PointId(0), PointId(2), PointId(1)});
   CHECK(turned({{0, 1, 2}, {1, 2, 3}, {3, 1, 4}}) == 1);
+}
+
+TEST_CASE("make_surface: of equal areas the direction of more triangles stays") {
+  // Area 2 against 1 + 1, which are turned.
+  const std::vector<Point> points = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 1, 0}, {2, 2, 0}};
+  const Mesh mesh{PointSet(points), {{0, 1, 2}, {1, 2, 3}, {3, 2, 4}}, {}};
+  CHECK(make_surface(mesh).components[0].turned == 1);
+}
+
+TEST_CASE("make_surface: a void that shares an edge with the surface around it stays a void") {
+  // An L of three cells, and in it a tetrahedron of volume 1/32 on the edge where it is hollow.
+  Mesh mesh = support::mesh_of_cells(support::l_cells());
+  std::vector<Point> points(mesh.points.doubles().begin(), mesh.points.doubles().end());
+  const auto first = static_cast<std::uint32_t>(points.size());
+  for (const Point& p :
+       {Point(1, 1, 0), Point(1, 1, 1), Point(0.5, 0.75, 0.5), Point(0.75, 0.5, 0.5)})
+    points.push_back(p);
+  const auto with_faces = [&](bool is_void) {
+    Mesh both{PointSet(points), mesh.polygons, {}};
+    for (std::array<std::uint32_t, 3> f :
+         {std::array{0u, 1u, 2u}, {0u, 3u, 1u}, {0u, 2u, 3u}, {1u, 3u, 2u}}) {
+      if (!is_void) std::swap(f[1], f[2]);
+      both.polygons.push_back({first + f[0], first + f[1], first + f[2]});
+    }
+    return support::defined_solid_volume(make_surface(both));
+  };
+  CHECK(std::set{with_faces(true), with_faces(false)} == std::set{Rational(95, 32), Rational(3)});
 }
 
 TEST_CASE("make_surface: sheets at an edge of four, which nothing tells how they belong together") {
