@@ -88,7 +88,15 @@ void hold_parts_file(FuzzInput& in) {
   constexpr std::size_t kMostPoints = 60;
   const char* name = kPartNames[in.below(std::size(kPartNames))];
   const Decimal decimal = in.below(2) == 0 ? Decimal::Nearest : Decimal::Exact;
-  const CandidateParts parts = read_parts_bytes(in.rest(), name, decimal);
+  std::optional<CandidateParts> found;
+  try {
+    found = read_parts_bytes(in.rest(), name, decimal);
+  } catch (const Error& error) {
+    // The one reason: they are of no format that is read.
+    FUZZ_CHECK(error.code() == ErrorCode::Unreadable);
+    return;
+  }
+  const CandidateParts& parts = *found;
   const Mesh cube = box_mesh(box_of({0, 0, 0}));
   const std::vector<NamedPart>* read = parts_of(parts);
   if (read != nullptr) {

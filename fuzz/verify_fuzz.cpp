@@ -81,7 +81,15 @@ bool is_small(const Candidate& candidate) {
 void hold_candidates(FuzzInput& in) {
   const char* name = kCandidateNames[in.below(std::size(kCandidateNames))];
   const Decimal decimal = in.below(2) == 0 ? Decimal::Nearest : Decimal::Exact;
-  const Candidate candidate = read_candidate_bytes(in.rest(), name, decimal);
+  std::optional<Candidate> found;
+  try {
+    found = read_candidate_bytes(in.rest(), name, decimal);
+  } catch (const Error& error) {
+    // The one reason: they are of no format that is read.
+    FUZZ_CHECK(error.code() == ErrorCode::Unreadable);
+    return;
+  }
+  const Candidate& candidate = *found;
   if (!is_small(candidate)) return;
   check_verdict(PointSet(shapes::cube()), candidate, in.rest().size() % 16 == 15);
 }

@@ -97,6 +97,22 @@ struct Surface {
 /// @par Cost  O(n log n) if the points are spread.
 [[nodiscard]] std::size_t count_near_corners(const Surface& surface);
 
+/// A mesh whose faces have common corners where they had near ones. All points are still there:
+/// those that no face uses any more are loose.
+struct WeldedMesh {
+  Mesh mesh;
+  std::size_t moved = 0;      ///< Corners that became another point, elsewhere.
+  Rational squared_move = 0;  ///< The largest of these distances, squared.
+};
+
+/// In lexicographic order, each corner of a face that is still free takes all free ones within a
+/// distance. So there are no chains, and none moves farther. Exact.
+/// @param squared_reach  The square of that distance, >= 0.
+/// @throws Error InvalidArgument if it is negative; Stopped when the watch ends the call.
+/// @par Cost  O(n log n), and the pairs that are near.
+[[nodiscard]] WeldedMesh weld(const Mesh& mesh, const Rational& squared_reach,
+                              const Watch& watch = {});
+
 /// Winding numbers of points about a closed surface, exactly.
 class Winding {
  public:

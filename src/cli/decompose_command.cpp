@@ -8,7 +8,9 @@
 #include "cli/part_files.hpp"
 #include "cli/stdio_loop.hpp"
 #include "convexact/decompose.hpp"
+#include "convexact/verify.hpp"
 #include "io/json.hpp"
+#include "number/text.hpp"
 #include "scene/objects.hpp"
 #include "wire/decompose_options.hpp"
 #include "wire/decompose_report.hpp"
@@ -49,6 +51,7 @@ struct DecomposeArguments {
   DecomposeFiles files;
   DecomposeRequest request;
   MeasuresOptions measures;
+  std::optional<Tolerance> weld;
   StdioOptions stdio;
 };
 
@@ -112,6 +115,21 @@ DecomposeOutcome decompose_object(const std::string& name, const Mesh& mesh,
   }
 }
 
+// The mesh with corners joined that are near, as --weld asks, and a note of it.
+Mesh welded(Mesh mesh, const std::string& name, const DecomposeArguments& options,
+            CommandRun& run) {
+  if (!options.weld || mesh.points.size() == 0) return mesh;
+  const Rational squared = bounding_box(mesh.points).squared_diameter();
+  WeldedMesh joined = run.log().run(
+      "weld", [&] { return weld(mesh, options.weld->squared(squared), run.log().watch("weld")); });
+  run.note(name, joined.moved == 0 ? "no corner is so near to another one"
+                                   : counted(joined.moved, "corner was", "corners were") +
+                                         " joined with another one, at most " +
+                                         decimal_of_root(joined.squared_move) +
+                                         " away; the parts hold where they were, too");
+  return std::move(joined.mesh);
+}
+
 int run_decompose(const DecomposeArguments& options) {
   options.stdio.require_sensible();
   if (options.stdio.is_asked) return answer_lines(options.stdio, answer_decompose_request);
@@ -120,6 +138,10 @@ int run_decompose(const DecomposeArguments& options) {
   }
   DecomposeRequest request = decompose_request(options);
   options.files.require_sensible(options.input, request);
+  if (options.weld && !options.files.proof.empty()) {
+    throw Error(ErrorCode::InvalidArgument,
+                "--weld changes the mesh, and --proof is about the mesh in the file: name one");
+  }
   CommandRun run(options.global);
   std::vector<SceneObject> scene = run.read({options.input}, options.scene);
   options.files.require_room_for(scene.size());
@@ -133,7 +155,8 @@ int run_decompose(const DecomposeArguments& options) {
     const auto* reason = std::get_if<NotSolid>(&made);
     std::optional<DecomposeOutcome> outcome;
     if (reason == nullptr) {
-      const Mesh mesh = with_hulls_of_clouds(std::get<Mesh>(std::move(made)));
+      const Mesh mesh =
+          welded(with_hulls_of_clouds(std::get<Mesh>(std::move(made))), name, options, run);
       outcome = decompose_object(name, mesh, request);
       reason = std::get_if<NotSolid>(&*outcome);
     }
@@ -165,6 +188,11 @@ void add_decompose_command(Command& program, int& exit_code) {
                      "a mesh (OBJ, OFF, PLY, STL), or halfspaces (JSON, .ine, rows); - is standard "
                      "input");
   add_fields(command, bound_fields(decompose_fields(), options->request));
+  add_text(command, "--weld",
+           "join corners of faces that are so near, each moved once: 1e-6, or 1e-6d of the "
+           "diameter; the parts hold the joined faces, and all corners as they were",
+           [&weld = options->weld](const auto&, const auto& text) { weld = parse_tolerance(text); })
+      ->type_name("LENGTH");
   add_decompose_files(command, options->files);
   add_measures_options(command, options->measures, "");
   add_scene_options(command, options->scene);

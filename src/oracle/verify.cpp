@@ -291,6 +291,10 @@ Candidate read_candidate_bytes(std::string_view bytes, const std::string& path, 
     if (error.code() == ErrorCode::Malformed || error.code() == ErrorCode::NotFinite) {
       return error.in_file(display_name(path));
     }
+    // Rays of a V-representation: what they span is no candidate.
+    if (error.code() == ErrorCode::NoInterior) {
+      return Error(ErrorCode::Malformed, error.what()).in_file(display_name(path));
+    }
     throw error.in_file(display_name(path));
   }
 }

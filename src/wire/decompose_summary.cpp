@@ -200,7 +200,7 @@ std::string surface_notes(const Surface& surface) {
   note(surface.repeated_triangles, "triangle repeats", "triangles repeat", " an earlier one");
   note(count_near_corners(surface), "corner lies", "corners lie",
        " within a millionth of the diameter of another one, and most components are open: the file "
-       "may repeat corners with other roundings; join them before");
+       "may repeat corners with other roundings; --weld 1e-6d joins them");
   note(surface.unused.size(), "point is", "points are",
        " used by no face, and held by the nearest part; --points used leaves such points out");
   return text;

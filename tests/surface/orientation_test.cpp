@@ -96,6 +96,10 @@ TEST_CASE("clip_ears: what crosses, winds twice, or bounds nothing is not cut") 
   CHECK(refused(kFrame, {0, 1, 2, 3, 0, 4, 7, 6, 5, 4}) == NotCut::Crossed);
   // The bridge crosses the hole.
   CHECK(refused(kFrame, {0, 1, 2, 3, 0, 6, 7, 4, 5, 6}) == NotCut::Crossed);
+  // An antenna that lies on itself: to (2, 2), back to (1, 1), and home.
+  const std::vector<Point> antenna = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0},
+                                      {0, 4, 0}, {2, 2, 0}, {1, 1, 0}};
+  CHECK(refused(antenna, {0, 1, 2, 3, 0, 4, 5}) == NotCut::Crossed);
   // A bow tie: its triangles turn differently.
   CHECK(refused({{0, 0, 0}, {2, -1, 0}, {2, 1, 0}, {-2, 1, 0}, {-2, -3, 0}}, {0, 1, 2, 0, 4, 3}) ==
         NotCut::Crossed);
@@ -126,6 +130,42 @@ TEST_CASE("count_near_corners: a file that rounds the corners of each face diffe
   CHECK(count_near_corners(surface) == surface.points.size());
   CHECK(count_near_corners(surface_of_case("dome.obj")) == 0);
   CHECK(count_near_corners(surface_of_case("h8.obj")) == 0);
+}
+
+TEST_CASE("weld: near corners are joined, each once, and none moves farther") {
+  // Four on a line, each 2 from the next; within 3 the first takes the second, the third the
+  // fourth.
+  const std::vector<Point> points = {{6, 0, 0}, {2, 0, 0}, {4, 0, 0}, {0, 0, 0}, {0, 9, 0}};
+  const Mesh mesh{PointSet(points), {{3, 1, 4}, {2, 0, 4}}, {}};
+  const WeldedMesh joined = weld(mesh, 9);
+  CHECK(joined.mesh.polygons == std::vector<std::vector<std::uint32_t>>{{3, 3, 4}, {2, 2, 4}});
+  CHECK(joined.moved == 2);
+  CHECK(joined.squared_move == 4);
+  CHECK(joined.mesh.points.size() == 5);
+  // Exactly 2 is within 2, and less is not.
+  CHECK(weld(mesh, 4).moved == 2);
+  CHECK(weld(mesh, Rational(399, 100)).moved == 0);
+  CHECK(weld(mesh, 0).mesh.polygons == mesh.polygons);
+  // 1 / 3 and points that are no doubles.
+  const std::vector<RationalPoint> thirds = {{0, 0, 0}, {Rational(1, 3), 0, 0}, {0, 1, 0}};
+  const Mesh of_thirds{PointSet(thirds), {{0, 1, 2}}, {}};
+  CHECK(weld(of_thirds, Rational(1, 9)).moved == 1);
+  CHECK(weld(of_thirds, Rational(1, 9) - Rational(1, 1000000000)).moved == 0);
+}
+
+TEST_CASE("weld: an L whose corners differ by 1e-7 is one component") {
+  const char* folder = std::getenv("CONVEXACT_TEST_DATA");
+  REQUIRE(folder != nullptr);
+  const Mesh mesh = read_mesh(std::string(folder) + "/cases/near_corners.obj");
+  CHECK(make_surface(mesh).components.size() == 14);
+  const Rational reach(1, 1000000);
+  const Surface surface = make_surface(weld(mesh, reach * reach).mesh);
+  CHECK(surface.components.size() == 1);
+  CHECK(surface.is_closed);
+  CHECK(surface.points.size() == 16);
+  // Three unit cubes, each corner of which is off by at most 1e-6.
+  const double volume = to_double(support::defined_solid_volume(surface), Rounding::Nearest);
+  CHECK(volume == doctest::Approx(3).epsilon(1e-4));
 }
 
 TEST_CASE("make_surface: triangles that repeat an earlier one are counted") {
