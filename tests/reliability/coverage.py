@@ -26,10 +26,10 @@ ROOMS = {
     'dual': r'src/dual/',
     'greedy, exact': r'src/simplify/',
     'greedy, fast': r'src/fast/',
-    'oracle': r'src/oracle/',
+    'oracle': r'src/(oracle|conform)/',
     'checker': r'src/check/.*',
 }
-UNITS = (r'^src/(geometry/|lp/|dual/|simplify/|fast/|oracle/|number/(arithmetic|rounding)|hull/exact_points)|^tests/(check/checker|hull/near_geometry_test|'
+UNITS = (r'^src/(geometry/|lp/|dual/|simplify/|fast/|oracle/|conform/|near/|solid/|number/(arithmetic|rounding)|hull/exact_points)|^tests/(check/checker|hull/near_geometry_test|'
          r'number/(expansion|double_double)_test|fast/(cap_bounds|plane_filter|audit|float_scalar)_test)')
 TESTS = ['number', 'geometry', 'lp', 'hull', 'dual', 'measure', 'simplify', 'definition', 'fast', 'fast_plane_filter',
          'fast_cap_bounds', 'fast_audit', 'fast_float_scalar', 'fast_agreement_sample', 'fast_float_sample',
