@@ -82,7 +82,16 @@ TEST_CASE("odd files: each is read as the box that it was made of") {
                {"qconvex_n.txt", 1},
                {"qconvex_p.txt", 1},
                {"qconvex_o.txt", 1},
-               {"lrs_h.ine", 24}};
+               {"lrs_h.ine", 24},
+               {"open3d_ascii.pcd", 24},
+               {"open3d_cloud.pcd", 24},
+               {"open3d_cloud.pts", 24},
+               {"open3d.stl", 24},
+               {"meshlab.off", 24},
+               {"meshlab.xyz", 24},
+               {"numpy.csv", 24},
+               {"numpy_semicolon.csv", 24},
+               {"trimesh.ply", 24}};
   for (const auto& c : cases) {
     CAPTURE(c.name);
     CHECK(case_volume(c.name) == c.volume);
@@ -140,6 +149,16 @@ TEST_CASE("odd files: what is not read is named, with what to do") {
     CHECK(error.code() == ErrorCode::Unreadable);
     CHECK(std::string(error.what()).find(c.says) != std::string::npos);
     CHECK(std::string(error.what()).find('\n') == std::string::npos);
+  }
+  for (const auto& [name, says] : {std::pair{"trimesh.glb", "GLB"},
+                                   {"meshlab.dae", "Collada"},
+                                   {"meshlab.3mf", "3MF"},
+                                   {"meshlab.wrl", "VRML"},
+                                   {"meshio.vtk", "VTK"},
+                                   {"open3d_compressed.pcd", "DATA binary"}}) {
+    const Error error = error_of([&, file = name] { return read_case(file); });
+    CHECK(exit_code(error.code()) == 3);
+    CHECK(std::string(error.what()).find(says) != std::string::npos);
   }
   CHECK(error_of([&] { return read_case("small.glb"); }).code() == ErrorCode::Unreadable);
   CHECK(error_of([&] { return read_case("lfs_pointer.obj"); }).code() == ErrorCode::Unreadable);
