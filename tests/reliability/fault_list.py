@@ -258,7 +258,6 @@ FAULTS = [
     (SKIP, 'surface/only_choice', '    if (found) return std::nullopt;\n', '', 'surface'),
     (LOST, 'surface/lies_in', '    if (!has_common_edge(other)) return false;\n', '    return false;\n', 'surface'),
     (SIGN, 'surface/winding_beside', 'goes_right ? -1 : 1', 'goes_right ? 1 : -1', 'surface'),
-    (SKIP, 'surface/may_touch', 'view_.turn(common, x, y) != Sign::Zero || (common < x) != (common < y)', 'true', 'surface'),
     (SKIP, 'surface/drop_spur', 'corners_[before_[k]] == corners_[after_[k]]', 'false', 'surface'),
     (SIGN, 'surface/find_inside_out', 'shells[outermost]->triangles()', 'shells[i]->triangles()', 'surface'),
     (SKIP, 'surface/clip_ears', '  if (!is_cut) return NotCut::Crossed;\n', '', 'surface'),
