@@ -62,6 +62,8 @@ def row(name, meaning):
         usual, meaning = said.group(1), meaning[:said.start()]
     meaning = meaning.replace(' (* is the default)', '')
     values = values.replace('*', '')
+    values = re.sub(r'^INT:INT in \[(\d+) - (\d+)\]$', r'\1 to \2', values)
+    values = re.sub(r'^TEXT:\{(.*)\}$', lambda m: m.group(1).replace(',', '|'), values)
     for need in needs:
         meaning += '; ' + need.strip().lower() if need else ''
     option = ', '.join(words[0].split(','))
