@@ -29,6 +29,7 @@ SceneObject CommandRun::read_one(const std::string& path, const SceneOptions& op
 void CommandRun::tell_notes() {
   progress_.clear();
   std::cerr << notes_;
+  notes_.clear();
 }
 
 int CommandRun::end_flat(const std::string& name, const NotSolid& reason) {

@@ -37,6 +37,10 @@ class CommandRun {
  public:
   explicit CommandRun(const GlobalOptions& global)
       : global_(global), watch_(progress_.watch()), log_(watch_) {}
+  /// Tells the notes, if an error ends the run.
+  ~CommandRun() { tell_notes(); }
+  CommandRun(const CommandRun&) = delete;
+  CommandRun& operator=(const CommandRun&) = delete;
 
   StageLog& log() { return log_; }
   /// For work that reports its stages by itself.
@@ -60,6 +64,11 @@ class CommandRun {
   int end_flat(const std::string& name, const NotSolid& reason);
   int end_flat(const SceneObject& object, const NotSolid& reason);
   int end(const CommandAnswer& answer);
+  /// Another run takes over, which reads the files again.
+  void abandon() {
+    progress_.clear();
+    notes_.clear();
+  }
 
  private:
   void tell_notes();

@@ -71,6 +71,11 @@ Decimal meaning_of_numbers(const Promise& promise, Decimal decimal) {
   return Decimal::Nearest32;
 }
 
+// How INPUT is read.
+SceneOptions reading_of(const VerifyArguments& options, Decimal decimal) {
+  return {.decimal = decimal, .skip_bad = options.skip_bad, .on_read = remember_input};
+}
+
 // The promise of the profile; an enclosure without one.
 Promise promise_of(const VerifyArguments& options) {
   Promise promise = options.promise.promise(Asks::Enclosure);
@@ -121,7 +126,7 @@ int run_union(const VerifyArguments& options) {
   // Several parts together may hold what no single one holds.
   const Promise promise = options.promise.promise(Asks::Enclosure);
   return run_verify_union(options.global, options.input, options.candidate,
-                          meaning_of_numbers(promise, options.decimal),
+                          reading_of(options, meaning_of_numbers(promise, options.decimal)),
                           parts_request(verify_request(options, promise)), options.of_union);
 }
 
@@ -151,15 +156,14 @@ int run_verify_parts(const VerifyArguments& options) {
   VerifyRequest request = verify_request(options, promise);
   const Decimal decimal = meaning_of_numbers(promise, options.decimal);
   CommandRun run(options.global);
-  const std::vector<SceneObject> input = run.read(
-      {options.input},
-      {.decimal = decimal, .parts = true, .skip_bad = options.skip_bad, .on_read = remember_input},
-      "read input");
+  SceneOptions in_parts = reading_of(options, decimal);
+  in_parts.parts = true;
+  const std::vector<SceneObject> input = run.read({options.input}, in_parts, "read input");
   const Candidate candidate = read_candidate_as(options, decimal, run);
   // Parts of one object can only be judged together.
   if (const auto* mesh = std::get_if<Mesh>(&candidate);
       input.size() == 1 && mesh != nullptr && objects_in(*mesh) > 1) {
-    run.progress().clear();
+    run.abandon();
     return run_union(options);
   }
   request.watch = run.watch();
@@ -184,9 +188,7 @@ int run_verify_candidate(const VerifyArguments& options) {
   VerifyRequest request = verify_request(options, promise);
   const Decimal decimal = meaning_of_numbers(promise, options.decimal);
   CommandRun run(options.global);
-  const SceneObject input = run.read_one(
-      options.input, {.decimal = decimal, .skip_bad = options.skip_bad, .on_read = remember_input},
-      "read input");
+  const SceneObject input = run.read_one(options.input, reading_of(options, decimal), "read input");
   const Candidate candidate = read_candidate_as(options, decimal, run);
   request.watch = run.watch();
   request.used = used_flags(input);
@@ -283,10 +285,10 @@ int run_verify(const VerifyArguments& options) {
     case Mode::Order:
       break;
   }
-  TraceOptions trace = options.trace;
-  trace.points = options.points;
-  return run_verify_trace(options.global, options.input,
-                          meaning_of_numbers(promise_of(options), options.decimal), trace);
+  SceneOptions reading =
+      reading_of(options, meaning_of_numbers(promise_of(options), options.decimal));
+  reading.points = options.points;
+  return run_verify_trace(options.global, options.input, reading, options.trace);
 }
 
 }  // namespace

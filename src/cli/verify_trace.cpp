@@ -62,22 +62,21 @@ void add_trace_options(Command& command, TraceOptions& options) {
   add_keep_option(command, options.keep)->needs(trace);
 }
 
-int run_verify_trace(const GlobalOptions& global, const std::string& input, Decimal decimal,
-                     const TraceOptions& options) {
+int run_verify_trace(const GlobalOptions& global, const std::string& input,
+                     const SceneOptions& reading, const TraceOptions& options) {
   VerifyOrderRequest request;
   request.judge.max_regret = parse_share("--max-regret", options.max_regret);
   request.judge.left_out = options.left_out;
   request.judge.compare.bits = options.tie_bits;
-  if (decimal == Decimal::Nearest32) request.judge.unit = 0x1p-24;
+  if (reading.decimal == Decimal::Nearest32) request.judge.unit = 0x1p-24;
   request.seed = global.seed;
   if ((input == "-") + (options.trace == "-") + (options.facets == "-") > 1) {
     throw Error(ErrorCode::InvalidArgument, "standard input, -, can be read only once");
   }
   CommandRun run(global);
-  const OrderText order =
-      run.log().run("read the trace", StageKind::Io, [&] { return read_order(options, decimal); });
-  const std::vector<SceneObject> scene =
-      run.read({input}, {.decimal = decimal, .points = options.points, .on_read = remember_input});
+  const OrderText order = run.log().run("read the trace", StageKind::Io,
+                                        [&] { return read_order(options, reading.decimal); });
+  const std::vector<SceneObject> scene = run.read({input}, reading);
   request.keep = keep_selectors(options.keep, scene)[0];
   request.watch = run.watch();
   const auto outcome = verify_order(scene[0].shape, order, request);

@@ -54,8 +54,8 @@ bool is_decomposition(const std::string& path) {
 }
 
 int run_verify_union(const GlobalOptions& global, const std::string& input,
-                     const std::string& candidate, Decimal decimal, PartsRequest request,
-                     const UnionOptions& options) {
+                     const std::string& candidate, const SceneOptions& reading,
+                     PartsRequest request, const UnionOptions& options) {
   if (!options.picture.empty()) require_outputs({options.picture}, {input, candidate});
   options.given.apply_to(request, parts_fields());
   if (options.max_part_vertices && request.max_vertices) {
@@ -71,13 +71,12 @@ int run_verify_union(const GlobalOptions& global, const std::string& input,
   }
   request.exact_volumes = options.measures.exact_volumes;
   CommandRun run(global);
-  SceneObject object =
-      run.read_one(input, {.decimal = decimal, .on_read = remember_input}, "read input");
+  SceneObject object = run.read_one(input, reading, "read input");
   const std::string name = object.name;
   const auto made = mesh_of(std::move(object));
   if (const auto* reason = std::get_if<NotSolid>(&made)) return run.end_flat(name, *reason);
-  const CandidateParts parts =
-      run.log().run("read parts", StageKind::Io, [&] { return read_parts(candidate, decimal); });
+  const CandidateParts parts = run.log().run(
+      "read parts", StageKind::Io, [&] { return read_parts(candidate, reading.decimal); });
   request.watch = run.watch();
   const PartsVerdict verdict = verify_parts(std::get<Mesh>(made), parts, request);
   run.log().add(verdict.stages);

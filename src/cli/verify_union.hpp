@@ -33,9 +33,10 @@ void add_union_options(Command& command, UnionOptions& options);
 
 /// Judges the parts, prints the verdict, writes the picture, and returns the exit code: 0 if every
 /// claim holds, else 1 (4 for an empty input).
+/// @param reading  How the input is read; the parts with its meaning of decimals.
 /// @param request  The request without the entries of `options`.
 int run_verify_union(const GlobalOptions& global, const std::string& input,
-                     const std::string& candidate, Decimal decimal, PartsRequest request,
-                     const UnionOptions& options);
+                     const std::string& candidate, const SceneOptions& reading,
+                     PartsRequest request, const UnionOptions& options);
 
 }  // namespace convexact::cli

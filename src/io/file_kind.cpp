@@ -142,6 +142,17 @@ std::optional<MeshFormat> readable_mesh_format(const std::string& path) {
   return {};
 }
 
+Error fault_of_candidate(const Error& error, const std::string& path) {
+  const std::string name = display_name(path);
+  if (error.code() == ErrorCode::NoInterior) {
+    return Error(ErrorCode::Malformed, error.what()).in_file(name);
+  }
+  const bool is_fault =
+      error.code() == ErrorCode::Malformed || error.code() == ErrorCode::NotFinite;
+  if (!is_fault) throw error.in_file(name);
+  return error.in_file(name);
+}
+
 FileKind kind_of_file(std::string_view bytes, const std::string& path) {
   refuse_foreign(bytes, extension_of(path));
   const std::optional<MeshFormat> mesh = readable_mesh_format(path);

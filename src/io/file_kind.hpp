@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "convexact/error.hpp"
 #include "convexact/io.hpp"
 
 namespace convexact {
@@ -24,6 +25,11 @@ struct FileKind {
 
 /// The format of a mesh by the extension, those included that are read only.
 [[nodiscard]] std::optional<MeshFormat> readable_mesh_format(const std::string& path);
+
+/// The fault of a file that is judged, with its name: what its reader found malformed or not
+/// finite; or rays of a V-representation, since what they span is no candidate.
+/// @throws Error Any other error, with the name.
+[[nodiscard]] Error fault_of_candidate(const Error& error, const std::string& path);
 
 /// The letters A to Z as a to z.
 [[nodiscard]] std::string lower_case(std::string_view text);

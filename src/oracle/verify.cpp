@@ -288,14 +288,7 @@ Candidate read_candidate_bytes(std::string_view bytes, const std::string& path, 
     if (halfspaces) return read_halfspaces_bytes(bytes, *halfspaces, decimal);
     return read_mesh_bytes(bytes, {.decimal = decimal, .format = mesh, .strict = true});
   } catch (const Error& error) {
-    if (error.code() == ErrorCode::Malformed || error.code() == ErrorCode::NotFinite) {
-      return error.in_file(display_name(path));
-    }
-    // Rays of a V-representation: what they span is no candidate.
-    if (error.code() == ErrorCode::NoInterior) {
-      return Error(ErrorCode::Malformed, error.what()).in_file(display_name(path));
-    }
-    throw error.in_file(display_name(path));
+    return fault_of_candidate(error, path);
   }
 }
 

@@ -116,14 +116,7 @@ CandidateParts read_parts_bytes(std::string_view bytes, const std::string& path,
     return parts_of_mesh(
         read_mesh_bytes(bytes, {.decimal = decimal, .format = kind.mesh, .strict = true}), stem);
   } catch (const Error& error) {
-    if (error.code() == ErrorCode::Malformed || error.code() == ErrorCode::NotFinite) {
-      return error.in_file(display_name(path));
-    }
-    // Rays of a V-representation: what they span is no candidate.
-    if (error.code() == ErrorCode::NoInterior) {
-      return Error(ErrorCode::Malformed, error.what()).in_file(display_name(path));
-    }
-    throw error.in_file(display_name(path));
+    return fault_of_candidate(error, path);
   }
 }
 

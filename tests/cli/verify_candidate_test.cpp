@@ -102,6 +102,27 @@ TEST_CASE("verify: a candidate of no known format is exit code 3, and says what 
   }
 }
 
+TEST_CASE("verify: --skip-bad holds for every question about INPUT") {
+  const ScratchFolder scratch;
+  std::string stl = "solid a\n";
+  for (const char* c : {"0 0 0", "4 0 0", "0 4 0"}) {
+    stl += std::string("facet normal 0 0 1\nouter loop\nvertex 0 0 4\nvertex nan 0 0\nvertex ") +
+           c + "\nendloop\nendfacet\n";
+  }
+  const std::string input = scratch.write("in.stl", stl + "endsolid a\n");
+  const std::string hull = scratch.write("c.obj", kBigTetrahedron + kFaces);
+  const std::string order = scratch.write("order.txt", "");
+  for (const std::string& question :
+       {hull, hull + " --union", hull + " --parts", "--trace " + order}) {
+    CAPTURE(question);
+    const auto without = run_program("verify " + input + " " + question);
+    CHECK(without.exit == 3);
+    const auto with = run_program("verify --skip-bad " + input + " " + question);
+    CHECK(with.err.find("3 facets were skipped") != std::string::npos);
+    CHECK(with.exit != 3);
+  }
+}
+
 TEST_CASE("verify: whatever is wrong with the candidate is exit code 1, with a code") {
   struct Case {
     const char* name;
