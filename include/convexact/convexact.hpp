@@ -18,6 +18,7 @@
 #include "convexact/number.hpp"
 #include "convexact/overlay.hpp"
 #include "convexact/query.hpp"
+#include "convexact/reach.hpp"
 #include "convexact/run.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/search.hpp"

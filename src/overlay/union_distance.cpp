@@ -35,7 +35,7 @@ RationalPoint nearest_on_exact_segment(const RationalPoint& a, const RationalPoi
                                        const RationalPoint& x) {
   const RationalVector3 along = b - a, from = x - a;
   const Rational t = from.dot(along), length = along.squaredNorm();
-  if (t <= 0) return a;
+  if (t <= 0) return a;  // also where both ends are one point
   if (t >= length) return b;
   const Rational factor = t / length;
   return a + factor * along;
@@ -72,6 +72,30 @@ RationalPoint nearest_in_flat(const ConvexPart& part, const FlatFeatures& featur
     default:
       return part.vertices[0];
   }
+}
+
+// Above the triangle the foot of the perpendicular is nearest, elsewhere a point of a side.
+RationalPoint nearest_in_triangle(const std::array<RationalPoint, 3>& corners,
+                                  const RationalPoint& x) {
+  const RationalVector3 b = corners[1] - corners[0], c = corners[2] - corners[0];
+  const RationalVector3 normal = b.cross(c);
+  const Rational squared = normal.squaredNorm();
+  if (squared != 0) {
+    const RationalVector3 from = x - corners[0];
+    const Rational v = normal.dot(from.cross(c)), w = normal.dot(b.cross(from));
+    if (v >= 0 && w >= 0 && v + w <= squared) {
+      const Rational at_b = v / squared, at_c = w / squared;
+      return corners[0] + at_b * b + at_c * c;
+    }
+  }
+  std::optional<std::pair<Rational, RationalPoint>> best;
+  for (std::size_t k = 0; k < 3; ++k) {
+    RationalPoint q = nearest_on_exact_segment(corners[k], corners[(k + 1) % 3], x);
+    const RationalVector3 gap = x - q;
+    Rational distance = gap.squaredNorm();
+    if (!best || distance < best->first) best.emplace(std::move(distance), std::move(q));
+  }
+  return best->second;
 }
 
 // ---- The union

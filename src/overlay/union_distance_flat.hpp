@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// union_distance_flat.hpp - the features of flat parts.
+// union_distance_flat.hpp - the features of flat parts, and the nearest points of flat sets.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -22,5 +23,9 @@ struct FlatFeatures {
 /// @param features  Used for dimension 2 only.
 [[nodiscard]] RationalPoint nearest_in_flat(const ConvexPart& part, const FlatFeatures& features,
                                             const RationalPoint& x);
+
+/// The point of a triangle that is nearest to x, exactly. It may be a segment or a point.
+[[nodiscard]] RationalPoint nearest_in_triangle(const std::array<RationalPoint, 3>& corners,
+                                                const RationalPoint& x);
 
 }  // namespace convexact

@@ -50,9 +50,8 @@ void NearTriangles::divide(std::uint32_t node, std::vector<Point>& middles) {
 }
 
 // The nearer half first. A node farther than the best upper bound cannot lower either bound.
-NearTriangles::Nearest NearTriangles::nearest(const Point& y) const {
-  Nearest best{{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()},
-               0};
+NearTriangles::Nearest NearTriangles::nearest(const Point& y, std::uint32_t start) const {
+  Nearest best{near_triangle(corners(start), y).bounds, start};
   std::vector<std::pair<double, std::uint32_t>> stack{{nodes_[0].box.distance(y), 0}};
   while (!stack.empty()) {
     const double below = stack.back().first;
@@ -82,6 +81,24 @@ NearTriangles::Nearest NearTriangles::nearest(const Point& y) const {
 
 NearBounds NearTriangles::to_triangle(std::uint32_t triangle, const Point& y) const {
   return widened(near_triangle(corners(triangle), y).bounds, y);
+}
+
+std::vector<std::uint32_t> NearTriangles::within(const Point& y, double distance) const {
+  std::vector<std::uint32_t> found, stack{0};
+  while (!stack.empty()) {
+    const Node& node = nodes_[stack.back()];
+    stack.pop_back();
+    if (widened({node.box.distance(y), 0}, y).low > distance) continue;
+    if (node.left != 0) {
+      stack.insert(stack.end(), {node.left, node.left + 1});
+      continue;
+    }
+    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+      if (to_triangle(order_[k], y).low <= distance) found.push_back(order_[k]);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 // Two hulls have a common point iff the hull of all differences of their vertices holds 0. The

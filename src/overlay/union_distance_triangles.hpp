@@ -22,8 +22,11 @@ class NearTriangles {
     NearBounds distance;
     std::uint32_t triangle = 0;
   };
-  Nearest nearest(const Point& y) const;
+  /// @param start  A triangle to begin with: the search is quick if it is near.
+  Nearest nearest(const Point& y, std::uint32_t start = 0) const;
   NearBounds to_triangle(std::uint32_t triangle, const Point& y) const;
+  /// The triangles that may be at most this far from y, ascending.
+  std::vector<std::uint32_t> within(const Point& y, double distance) const;
 
   /// Whether it is certain that no triangle has a common point with the hull of at most four
   /// points.

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// met_cell.hpp - a convex part in the doubles of a frame, and whether it meets a cell.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "convexact/overlay.hpp"
+#include "near/near_plane.hpp"
+#include "number/arithmetic.hpp"
+#include "reach/reach_cells.hpp"
+
+namespace convexact {
+
+/// A part whose planes and vertices are doubles of a frame. Planes have normals of length about 1.
+class NearPart {
+ public:
+  NearPart(const ConvexPart& part, const NearFrame& frame) {
+    for (const RationalPoint& v : part.vertices) vertices_.push_back(frame(v));
+    for (const Halfspace& h : part.halfspaces) {
+      // n.x + d of x = c + 2^e y.
+      const Rational at_center = h(frame.center);
+      const DoubleHalfspace scaled(h);
+      const Point normal(scaled.n[0], scaled.n[1], scaled.n[2]);
+      const auto bits = static_cast<long>(bit_length(h.normal()));
+      const double offset =
+          to_double(scale_by_power_of_two(at_center, -bits - frame.exponent), Rounding::Nearest);
+      planes_.push_back({normal / normal.norm(), offset / normal.norm()});
+    }
+  }
+
+  std::span<const Point> vertices() const { return vertices_; }
+  std::size_t planes() const { return planes_.size(); }
+
+  /// How a plane of the part runs by a cell.
+  enum class Side {
+    Beyond,   ///< All of the cell is beyond the plane.
+    Within,   ///< All of it is on the inner side.
+    Crossing  ///< Or so near that it is not certain.
+  };
+  Side side(std::size_t plane, const CellPlace& place) const {
+    const auto& [normal, offset] = planes_[plane];
+    const double value = normal.dot(place.center) + offset;
+    const double width = place.half * normal.lpNorm<1>() + kReachError;
+    return value > width ? Side::Beyond : value < -width ? Side::Within : Side::Crossing;
+  }
+  /// Whether it is certain that a point is not beyond the plane.
+  bool is_within(std::size_t plane, const Point& y) const {
+    const auto& [normal, offset] = planes_[plane];
+    return normal.dot(y) + offset < -kReachError;
+  }
+
+ private:
+  struct Plane {
+    Point normal;
+    double offset;
+  };
+  std::vector<Point> vertices_;
+  std::vector<Plane> planes_;
+};
+
+/// A cell that a part may meet, and the planes of the part that may cross it.
+struct MetCell {
+  CellPlace place;
+  std::vector<std::uint32_t> planes;
+
+  /// Whether the planes leave it open that the part meets the half-sized cell `at`; `half` has the
+  /// planes that cross that.
+  bool may_meet(const NearPart& part, const CellPlace& at, MetCell& half) const {
+    half.place = at;
+    half.planes.clear();
+    for (const std::uint32_t k : planes) {
+      switch (part.side(k, at)) {
+        case NearPart::Side::Beyond:
+          return false;
+        case NearPart::Side::Within:
+          break;
+        case NearPart::Side::Crossing:
+          half.planes.push_back(k);
+      }
+    }
+    return true;
+  }
+};
+
+}  // namespace convexact

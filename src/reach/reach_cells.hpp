@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// reach_cells.hpp - a lazy octree around a solid: how far the centers of its cells are from the
+// surface, and which cells lie within T of the solid as a whole.
+#pragma once
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "convexact/surface.hpp"
+#include "near/frame.hpp"
+#include "overlay/union_distance_triangles.hpp"
+
+namespace convexact {
+
+/// The error that rounding adds to comparisons of cells and parts in a frame, whose coordinates are
+/// at most 2: several times kDistanceError there.
+inline constexpr double kReachError = 0x1p-43;
+
+/// A cell as a place: the cube around a center. Centers and half widths are dyadic, and exact.
+struct CellPlace {
+  std::uint32_t cell;
+  Point center;
+  double half;
+
+  /// Of the sphere around the cell, rounded up.
+  double radius() const { return half * 1.7320508075688774; }
+  Point corner(int k) const {
+    return center + Point(k & 1 ? half : -half, k & 2 ? half : -half, k & 4 ? half : -half);
+  }
+};
+
+class ReachCells {
+ public:
+  /// @param winding  Null for an open surface.
+  ReachCells(const Surface& surface, const Winding* winding, const NearFrame& frame,
+             const Rational& squared_limit);
+
+  enum class Label : std::uint8_t { Unknown, Near, Inside, Open };
+
+  CellPlace root() const { return {0, Point::Zero(), 2}; }
+  double least_half() const { return least_half_; }
+  /// Bounds of T in the frame.
+  double limit_down() const { return limit_down_; }
+  double limit_up() const { return limit_up_; }
+  std::size_t size() const { return cells_.size(); }
+  bool is_full() const { return cells_.size() + 8 > most_; }
+
+  /// Whether the cell is fine, and why. Open: it is not, or that is not certain.
+  Label label(const CellPlace& place);
+  /// Bounds of the distance of the center to the surface.
+  NearBounds distance(std::uint32_t cell) const { return {cells_[cell].low, cells_[cell].high}; }
+  /// A triangle that is about nearest to the center, or within T of the whole cell.
+  std::uint32_t triangle(std::uint32_t cell) const { return cells_[cell].triangle; }
+  /// Whether the center lies outside of the solid, exactly; of an open surface: always.
+  bool is_outside(const CellPlace& place) { return side(place) == Side::Outside; }
+  bool is_outside(const Point& y) const { return is_outside(frame_.point(y)); }
+  bool is_outside(const RationalPoint& x) const { return side_of(x) == Side::Outside; }
+  /// The eight cells of half the size, without labels if they are new.
+  std::array<CellPlace, 8> children(const CellPlace& place);
+  bool has_children(std::uint32_t cell) const { return cells_[cell].first_child != 0; }
+
+  const NearTriangles& triangles() const { return triangles_; }
+  const NearFrame& frame() const { return frame_; }
+  const Surface& surface() const { return surface_; }
+
+ private:
+  enum class Side : std::uint8_t { Unknown, Outside, Inside };
+  struct Cell {
+    double low = 0, high = 0;  // of the distance of the center to the surface
+    std::uint32_t triangle = 0, first_child = 0;
+    Label label = Label::Unknown;
+    Side side = Side::Unknown;  // of the center
+  };
+
+  Side side_of(const RationalPoint& x) const;
+  Side side(const CellPlace& place);
+  bool is_near_one_triangle(const CellPlace& place) const;
+
+  const Surface& surface_;
+  const Winding* winding_;
+  NearFrame frame_;
+  NearTriangles triangles_;
+  double limit_down_, limit_up_, least_half_ = 2;
+  std::size_t most_;
+  std::vector<Cell> cells_{1};
+};
+
+}  // namespace convexact

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: MIT
+// Whether parts lie within T of a solid. Expected values: closed forms, and worlds of grid cells in
+// which the distance to the solid is the least distance to a box, in fractions.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cells.hpp"
+#include "convexact/reach.hpp"
+#include "expect_error.hpp"
+#include "number/random.hpp"
+#include "sweep.hpp"
+using namespace convexact;
+using support::Box;
+using support::Cell;
+
+namespace {
+
+ConvexPart part_of(const std::vector<Point>& points) { return convex_part(PointSet(points)); }
+ConvexPart part_of(const Box& box) { return part_of(support::box_corners(box)); }
+
+// A surface with its winding numbers, which refer to it.
+struct World {
+  explicit World(const Mesh& mesh) : surface(make_surface(mesh)) {
+    if (surface.is_closed) winding.emplace(surface);
+  }
+  World(const World&) = delete;
+
+  ReachLimit limit(const Rational& squared, std::span<const ConvexPart> parts) const {
+    std::vector<BoundingBox> boxes;
+    for (const ConvexPart& part : parts) boxes.push_back(part.box);
+    return ReachLimit(surface, winding ? &*winding : nullptr, squared, boxes);
+  }
+  PartReach ask(const Rational& squared, const ConvexPart& part) const {
+    return limit(squared, std::span(&part, 1))(part);
+  }
+
+  Surface surface;
+  std::optional<Winding> winding;
+};
+
+Rational squared_distance(const RationalPoint& x, const std::set<Cell>& cells) {
+  std::optional<Rational> least;
+  for (const Cell& cell : cells) {
+    Rational sum = 0;
+    for (int k = 0; k < 3; ++k) {
+      const Rational below = cell[k] - x[k], above = x[k] - cell[k] - 1;
+      const Rational gap = std::max<Rational>({below, above, Rational(0)});
+      sum += gap * gap;
+    }
+    if (!least || sum < *least) least = sum;
+  }
+  return *least;
+}
+
+// The largest squared distance of the points of a part on the grid of quarters.
+Rational largest_sampled(const ConvexPart& part, const std::set<Cell>& cells, int size) {
+  Rational largest = 0;
+  for (int i = -4; i <= 4 * size + 4; ++i) {
+    for (int j = -4; j <= 4 * size + 4; ++j) {
+      for (int k = -4; k <= 4 * size + 4; ++k) {
+        const RationalPoint x(Rational(i, 4), Rational(j, 4), Rational(k, 4));
+        if (holds(part, x)) largest = std::max<Rational>(largest, squared_distance(x, cells));
+      }
+    }
+  }
+  return largest;
+}
+
+// A beam of a U: two walls of height 2 on a floor, with a slot of width 2 between them.
+std::set<Cell> slot_cells() {
+  return {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {0, 0, 1}, {3, 0, 1}, {0, 0, 2}, {3, 0, 2}};
+}
+
+Rational squared_of(double x) { return to_rational(x) * to_rational(x); }
+
+}  // namespace
+
+TEST_CASE("reach: how far a box stands out of a cube is a closed form") {
+  const World world(support::mesh_of_cells({{0, 0, 0}}));
+  const ConvexPart part = part_of(Box{{0, 0, 0}, {1, 1, 1.25}});
+  SUBCASE("within, also at exactly T, which exact numbers decide") {
+    CHECK(world.ask(squared_of(0.26), part).reach == Reach::Within);
+    CHECK(world.ask(squared_of(0.25), part).reach == Reach::Within);
+  }
+  SUBCASE("beyond, with a witness") {
+    const PartReach answer = world.ask(squared_of(0.249), part);
+    REQUIRE(answer.reach == Reach::Beyond);
+    REQUIRE(answer.witness);
+    CHECK(holds(part, answer.witness->point));
+    CHECK(answer.witness->squared > squared_of(0.249));
+    CHECK(answer.witness->squared <= squared_of(0.25));
+    CHECK(answer.witness->squared == squared_distance(answer.witness->point, {{0, 0, 0}}));
+  }
+  SUBCASE("a part in the solid reaches nowhere") {
+    CHECK(world.ask(squared_of(0x1p-6), part_of(Box{{0, 0, 0}, {1, 1, 1}})).reach == Reach::Within);
+  }
+}
+
+TEST_CASE("reach: the hull of a slot reaches half its width") {
+  const std::set<Cell> cells = slot_cells();
+  const World world(support::mesh_of_cells(cells));
+  const ConvexPart hull = convex_part(world.surface.points);
+  CHECK(world.ask(squared_of(1.03), hull).reach == Reach::Within);
+  CHECK(world.ask(squared_of(0.99), hull).reach == Reach::Beyond);
+  ReachLimit limit = world.limit(squared_of(1.05), {});
+  CHECK(limit.allows(hull));
+  CHECK(limit.cells() > 1);
+  CHECK_FALSE(world.limit(squared_of(0.98), {}).allows(hull));
+}
+
+TEST_CASE("reach: flat parts, needles and points") {
+  const std::set<Cell> cells = slot_cells();
+  const World world(support::mesh_of_cells(cells));
+  // Across the slot, half way up: its points are 1 from both walls, and 1 from the floor.
+  const ConvexPart polygon = part_of({{0, 0, 2}, {4, 0, 2}, {4, 1, 2}, {0, 1, 2}});
+  const ConvexPart slanted = part_of({{0, 0, 1}, {4, 0, 3}, {4, 1, 3}, {0, 1, 1}});
+  const ConvexPart segment = part_of(std::vector<Point>{{0, 0.5, 2.5}, {4, 0.5, 2.5}});
+  const ConvexPart needle =
+      part_of({{0, 0.5, 2.5}, {4, 0.5, 2.5}, {2, 0.5 + 0x1p-30, 2.5}, {2, 0.5, 2.5 + 0x1p-40}});
+  for (const ConvexPart& part : {polygon, slanted, segment, needle}) {
+    CAPTURE(part.dimension);
+    CHECK(world.ask(squared_of(1.04), part).reach == Reach::Within);
+    const PartReach beyond = world.ask(squared_of(0.9), part);
+    REQUIRE(beyond.reach == Reach::Beyond);
+    CHECK(holds(part, beyond.witness->point));
+    CHECK(squared_distance(beyond.witness->point, cells) > squared_of(0.9));
+  }
+  const ConvexPart point = part_of(std::vector<Point>{{2, 0.5, 1.75}});
+  CHECK(world.ask(squared_of(0.75), point).reach == Reach::Within);
+  CHECK(world.ask(squared_of(0.74), point).reach == Reach::Beyond);
+}
+
+TEST_CASE("reach: an open surface has no inside") {
+  Mesh mesh = support::mesh_of_cells({{0, 0, 0}});
+  mesh.polygons.pop_back();
+  mesh.parts.clear();
+  const World world(mesh);
+  REQUIRE_FALSE(world.winding);
+  const ConvexPart cube = convex_part(world.surface.points);
+  // Without the top the middle of it is 1/2 from the walls, and the middle of the cube, too.
+  CHECK(world.ask(squared_of(0.51), cube).reach == Reach::Within);
+  CHECK(world.ask(squared_of(0.49), cube).reach == Reach::Beyond);
+}
+
+TEST_CASE("reach: components that cross, are nested or inside out are one solid") {
+  // A cube of size 4 with an inner cube of size 2: as a second shell it changes nothing, as a void
+  // it leaves the middle 1 from the solid.
+  Mesh mesh = support::box_mesh({{0, 0, 0}, {4, 4, 4}});
+  const auto with_box = [&](const Box& box, bool reversed) {
+    Mesh both = mesh;
+    std::vector<Point> points(mesh.points.doubles().begin(), mesh.points.doubles().end());
+    for (const Point& p : support::box_corners(box)) points.push_back(p);
+    both.points = PointSet(points);
+    for (auto face : support::box_faces()) {
+      for (auto& corner : face) corner += 8;
+      if (reversed) std::reverse(face.begin(), face.end());
+      both.polygons.push_back(face);
+    }
+    both.parts.clear();
+    return both;
+  };
+  const ConvexPart hull = part_of(Box{{0, 0, 0}, {4, 4, 4}});
+  const Box inner{{1, 1, 1}, {3, 3, 3}}, crossing{{3, 1, 1}, {6, 3, 3}};
+  CHECK(World(with_box(inner, false)).ask(squared_of(0.1), hull).reach == Reach::Within);
+  const World with_void(with_box(inner, true));
+  CHECK(with_void.ask(squared_of(0.98), hull).reach == Reach::Beyond);
+  CHECK(with_void.ask(squared_of(1.02), hull).reach == Reach::Within);
+  CHECK(World(with_box(crossing, false)).ask(squared_of(0.1), hull).reach == Reach::Within);
+  Mesh inside_out = mesh;
+  for (auto& face : inside_out.polygons) std::reverse(face.begin(), face.end());
+  CHECK(World(inside_out).ask(squared_of(0.1), hull).reach == Reach::Within);
+}
+
+TEST_CASE("reach: scaling by powers of two, shifts and finer triangles change nothing") {
+  const std::set<Cell> cells = slot_cells();
+  const Mesh mesh = support::mesh_of_cells(cells);
+  const ConvexPart hull = convex_part(make_surface(mesh).points);
+  for (const double limit : {0.9, 0.99, 1.03, 1.2}) {
+    const PartReach plain = World(mesh).ask(squared_of(limit), hull);
+    for (const int e : {-300, 300}) {
+      Mesh scaled = mesh;
+      std::vector<Point> points(mesh.points.doubles().begin(), mesh.points.doubles().end());
+      for (Point& p : points) p *= std::ldexp(1.0, e);
+      scaled.points = PointSet(points);
+      const PartReach answer = World(scaled).ask(scale_by_power_of_two(squared_of(limit), 2 * e),
+                                                 convex_part(scaled.points));
+      CHECK(answer.reach == plain.reach);
+      CHECK(answer.witness.has_value() == plain.witness.has_value());
+      if (plain.witness) {
+        CHECK(answer.witness->squared == scale_by_power_of_two(plain.witness->squared, 2 * e));
+      }
+    }
+    // In rationals, as 10^6 + 1/3 is no double.
+    std::vector<RationalPoint> moved;
+    for (std::size_t p = 0; p < mesh.points.size(); ++p) {
+      moved.push_back(mesh.points[PointId(p)] +
+                      RationalVector3(Rational(3000001, 3), -7, Rational(1, 7)));
+    }
+    Mesh shifted = mesh;
+    shifted.points = PointSet(moved);
+    CHECK(World(shifted).ask(squared_of(limit), convex_part(shifted.points)).reach == plain.reach);
+    // Eight times as many cells are the same solid.
+    std::set<Cell> finer;
+    for (const Cell& c : cells) {
+      for (int k = 0; k < 8; ++k) {
+        finer.insert({2 * c[0] + (k & 1), 2 * c[1] + (k >> 1 & 1), 2 * c[2] + (k >> 2)});
+      }
+    }
+    const Mesh fine = support::mesh_of_cells(finer);
+    CHECK(World(fine).ask(4 * squared_of(limit), convex_part(fine.points)).reach == plain.reach);
+  }
+}
+
+TEST_CASE("reach: in worlds of cells, answers are those of the definition" * sweep) {
+  constexpr int kSize = 3;
+  Random random(2604);
+  const auto below = [&](std::uint64_t n) { return static_cast<int>(uniform_below(random, n)); };
+  std::size_t undecided = 0, within = 0, beyond = 0;
+  for (int world = 0; world < 400; ++world) {
+    std::set<Cell> cells;
+    const int count = 2 + below(9);
+    for (int k = 0; k < count; ++k) cells.insert({below(kSize), below(kSize), below(kSize)});
+    const World at(support::mesh_of_cells(cells));
+    REQUIRE(at.winding);
+    std::vector<Point> points;
+    const int corners = 1 + below(8);
+    for (int k = 0; k < corners; ++k) {
+      points.emplace_back(below(4 * kSize + 1) / 4.0, below(4 * kSize + 1) / 4.0,
+                          below(4 * kSize + 1) / 4.0);
+    }
+    const ConvexPart part = part_of(points),
+                     larger = part_of([&] {
+                       std::vector<Point> more = points;
+                       more.emplace_back(below(kSize + 1), below(kSize + 1), below(kSize + 1));
+                       return more;
+                     }());
+    // Not a distance that cells and quarters have.
+    const double limit = std::vector<double>{0.13, 0.31, 0.57, 0.83, 1.07}[below(5)];
+    CAPTURE(world);
+    CAPTURE(limit);
+    ReachLimit reach = at.limit(squared_of(limit), std::vector{part, larger});
+    const PartReach answer = reach(part);
+    const Rational sampled = largest_sampled(part, cells, kSize);
+    switch (answer.reach) {
+      case Reach::Within:
+        ++within;
+        CHECK(sampled <= squared_of(limit));
+        break;
+      case Reach::Beyond: {
+        ++beyond;
+        REQUIRE(answer.witness);
+        CHECK(holds(part, answer.witness->point));
+        CHECK(answer.witness->squared == squared_distance(answer.witness->point, cells));
+        CHECK(answer.witness->squared > squared_of(limit));
+        CHECK_FALSE(reach.allows(part));
+        // Monotone: what holds a part that is beyond is beyond.
+        CHECK(reach(larger).reach == Reach::Beyond);
+        CHECK_FALSE(reach.allows(larger));
+        break;
+      }
+      case Reach::Undecided:
+        ++undecided;
+        REQUIRE(answer.bracket);
+        CHECK(answer.bracket->low <= squared_of(limit));
+        CHECK(answer.bracket->high > squared_of(limit));
+        CHECK(sampled <= answer.bracket->high);
+        CHECK_FALSE(reach.allows(part));
+    }
+    // The same in a fresh octree, whatever was asked before.
+    CHECK(at.limit(squared_of(limit), std::vector{part, larger})(part).reach == answer.reach);
+  }
+  MESSAGE("within ", within, ", beyond ", beyond, ", undecided ", undecided);
+  CHECK(within > 60);
+  CHECK(beyond > 60);
+  CHECK(undecided < 12);
+}
+
+TEST_CASE("reach: what it refuses") {
+  const World world(support::mesh_of_cells({{0, 0, 0}}));
+  CHECK(error_of([&] { (void)world.limit(0, {}); }).code() == ErrorCode::InvalidArgument);
+  CHECK(error_of([&] {
+          (void)world.limit(1, {})(part_of(Box{{5, 5, 5}, {9, 9, 9}}));
+        }).code() == ErrorCode::InvalidArgument);
+  const std::atomic<bool> stop = true;
+  const ConvexPart part = part_of(Box{{0, 0, 0}, {1, 1, 2}});
+  CHECK(error_of([&] {
+          (void)world.limit(squared_of(0.1), std::span(&part, 1))(part, Watch(&stop));
+        }).code() == ErrorCode::Stopped);
+}
