@@ -249,6 +249,9 @@ typedef struct convexact_decompose_options {
   int exact_volumes;     /* Not 0: measure them as fractions, too, which may be very long. */
   uint64_t seed;         /* Of random orders. No result depends on it. */
   int for_tree;          /* Not 0: find the merges that would come next, for a tree of the parts. */
+  int guard_reach;       /* Not 0: no part is made that is farther from the solid than `distance`. */
+  int merge_reach;       /* Not 0: parts are merged in the end as long as they are not farther. */
+  const char* distance;  /* For these two, spelled like `concavity`, and above 0. NULL for "3%". */
 } convexact_decompose_options;
 
 typedef struct convexact_decomposition convexact_decomposition;
@@ -268,6 +271,9 @@ CONVEXACT_API size_t convexact_decomposition_part_count(const convexact_decompos
 /* 1 if the concavity of every part is within the limit, else 0: max_parts, flat triangles that were
  * merged, and notches that cannot be split may lead beyond it. */
 CONVEXACT_API int convexact_decomposition_eps_holds(const convexact_decomposition* result);
+/* With guard_reach or merge_reach: 1 if no point of a part is farther from the solid than the
+ * distance, proven; else 0. */
+CONVEXACT_API int convexact_decomposition_reach_holds(const convexact_decomposition* result);
 /* For each triangle the part that owns it. */
 CONVEXACT_API const uint32_t* convexact_decomposition_owners(const convexact_decomposition* result);
 
@@ -349,6 +355,9 @@ typedef struct convexact_parts_options {
   size_t max_vertices;       /* 0: not asked. */
   size_t max_facet_vertices; /* 0: not asked. */
   const char* points;        /* As in convexact_judge_options. */
+  const char* distance;      /* Asks whether no point of a part is farther from the solid, and
+                                whether they hold it: "3%" of the diameter, or a length. NULL: not
+                                asked. */
 } convexact_parts_options;
 
 /* A mesh as convexact_decompose takes it; without triangles (triangle_count 0; triangles may be

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -104,8 +105,14 @@ struct ConcavityLimit {
   [[nodiscard]] Rational squared(const Rational& squared_diameter) const;
 };
 
+/// Whether a cluster of these triangles may be made at all, besides the limit of concavity. What
+/// holds a cluster that was refused must be refused, too; then it need not be asked about.
+using ClusterGuard = std::function<bool(std::span<const TriangleId> triangles)>;
+
 struct ClusterOptions {
   ConcavityLimit limit = {};
+  /// Asked about each merge when its turn has come. Merges for `max_parts` alone are made anyway.
+  ClusterGuard guard = {};
   /// When no merge is within the limit any more, go on merging by least concavity until only this
   /// many clusters are left; >= 1. Clusters of different groups of neighbours are never merged.
   std::optional<std::size_t> max_parts = {};
@@ -159,6 +166,7 @@ struct Clustering {
   std::vector<Merge> further_merges;
   bool stopped_by_count = false;  ///< Whether `max_parts` ended the run, not the limit.
   std::size_t whole_groups = 0;   ///< Within the limit as a whole, without their merges.
+  std::size_t refused = 0;        ///< Merges that the guard refused when their turn had come.
   Rational squared_limit, squared_diameter;
   /// How often the concavity of a pair was bounded or computed, and how often in exact numbers.
   std::size_t evaluations = 0, exact_evaluations = 0;
@@ -193,6 +201,7 @@ enum class BridgeChoice {
 
 struct SplitOptions {
   ConcavityLimit limit = {};
+  ClusterGuard guard = {};  ///< A leaf that it refuses is split as if it were too concave.
   std::optional<std::size_t> max_parts = {};  ///< Stop splitting at this many leaves; >= 1.
   BridgeChoice bridge = BridgeChoice::Farther;
   /// Facets are joined to one bridge over an edge if the cosine of the angle between their normals
@@ -243,8 +252,9 @@ struct SplitNode {
 
 enum class LeafStatus {
   WithinLimit,
-  MaxParts,      ///< More concave, but there were as many leaves as allowed.
-  Unsplittable,  ///< More concave, but no plane through the notch leaves something on both sides.
+  MaxParts,      ///< Too concave, or refused, but there were as many leaves as allowed.
+  Unsplittable,  ///< Too concave, or refused, but no plane through a notch leaves something on both
+                 ///< sides.
 };
 
 struct SplitLeaf {
@@ -277,6 +287,7 @@ struct SplitTree {
   /// Triangles without area, each with the triangle over its longest edge with which it goes.
   std::vector<std::pair<TriangleId, TriangleId>> united;
   bool stopped_by_count = false;  ///< Whether `max_parts` ended the run.
+  std::size_t refused = 0;        ///< Nodes within the limit that the guard refused.
   Rational squared_limit, squared_diameter;
 };
 

@@ -18,6 +18,7 @@
 #include "convexact/io.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
+#include "convexact/reach.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/simplify.hpp"
 #include "convexact/stored.hpp"
@@ -46,9 +47,24 @@ enum class LoosePoints {
   Refuse,  ///< They are an error.
 };
 
+/// Whether parts are kept near the solid, or merged as long as they are (reach.hpp).
+enum class ReachUse { None, Reach };
+
+/// The distance from the solid that no point of a part may exceed, if the request says none.
+inline const ConcavityLimit kDefaultDistance{Rational(3, 100), true};
+
 struct DecomposeRequest {
   DecomposeMethod method = DecomposeMethod::Hacd;
   ConcavityLimit limit = {};
+  /// Reach: no merge of Hacd makes a cluster whose hull reaches farther from the solid than
+  /// `distance`, and Acd splits one that does.
+  ReachUse guard = ReachUse::None;
+  /// Reach: parts are merged in the end, adjacent or not, as long as their common hull reaches no
+  /// farther than `distance`, whatever its concavity; those that add the least volume first. Until
+  /// then they are guarded by half the distance, since finer parts merge into fewer.
+  ReachUse merge = ReachUse::None;
+  /// > 0. Of the solid, or of the surface if it is open. Without: kDefaultDistance.
+  std::optional<ConcavityLimit> distance = {};
   /// >= 1. May lead beyond the limit; the result then says so.
   std::optional<std::size_t> max_parts = {};
   ConcavityMeasure measure = ConcavityMeasure::Surface;  ///< Of Hacd.
@@ -95,8 +111,10 @@ struct Part {
   /// Of `surface.unused`: they go where they are nearest to the clusters' hulls. Each point has one
   /// part.
   std::vector<PointId> loose;
+  /// The lowest triangles of further clusters that were merged with it by reach, ascending.
+  std::vector<TriangleId> merged = {};
   bool is_widened = false;  ///< Whether some of these lay outside of the cluster's hull.
-  ConvexPart hull;          ///< Of the cluster and the loose points.
+  ConvexPart hull;          ///< Of the cluster, of those merged with it, and the loose points.
   Concavity concavity;      ///< Of the cluster.
   bool is_within_limit = true;
   /// Of Acd: no association of points to facets gives a smaller squared concavity. None for a
@@ -121,6 +139,22 @@ struct InnerCluster {
   std::size_t part;   ///< The part that holds it.
 };
 
+/// How far the parts as stored reach from the solid.
+struct DecompositionReach {
+  Rational squared_distance;  ///< That was allowed.
+  /// The parts that are not proven to be within it, ascending, with a point that is farther, or
+  /// with bounds. Parts may reach farther if they were simplified or thickened, if a single
+  /// triangle or `max_parts` made them, or if loose points widened them.
+  struct Farther {
+    std::size_t part;
+    PartReach reach;
+  };
+  std::vector<Farther> farther;
+  std::size_t refused = 0;  ///< Merges, or leaves of splits, that the guard refused.
+  std::size_t merged = 0;   ///< Parts that became a piece of another one in the end.
+  std::size_t cells = 0;    ///< Of the octree that decided.
+};
+
 struct Decomposition {
   Surface surface;
   std::variant<Clustering, SplitTree> origin;  ///< Where the clusters come from.
@@ -132,6 +166,7 @@ struct Decomposition {
       flat_merged;                   ///< Flat clusters that joined a neighbour (FlatParts::Merge).
   bool limit_holds = true;           ///< Whether every cluster is within the limit.
   std::size_t tested_triangles = 0;  ///< Whose corners were tested against their owner.
+  std::optional<DecompositionReach> reach;        ///< With a guard, or merges by reach.
   std::optional<DecompositionMeasures> measures;  ///< Beside the proof, of the parts as stored.
   std::vector<Stage> stages;
 

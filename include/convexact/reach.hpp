@@ -77,6 +77,7 @@ class ReachLimit {
              std::span<const BoundingBox> boxes = {});
   ~ReachLimit();
   ReachLimit(ReachLimit&&) noexcept;
+  ReachLimit& operator=(ReachLimit&&) noexcept;
 
   /// Decides for a part. Cells that are neither proven nor refuted when they are small are decided
   /// by what they have in common with the part, in exact numbers.
@@ -91,6 +92,10 @@ class ReachLimit {
   /// cells, T / 128 to T / 64; and what contains a part that is refused is refused, up to rounding.
   /// @throws As above.
   [[nodiscard]] bool allows(const ConvexPart& part, const Watch& watch = {});
+
+  /// The same for the hull of points of the surface, at least one: quicker than to make a part of
+  /// them first.
+  [[nodiscard]] bool allows_hull(std::span<const PointId> points, const Watch& watch = {});
 
   /// A proof that parts that are all within T by cells alone are so.
   /// @throws Error Internal if one of them is not; Stopped when the watch ends the call.

@@ -74,6 +74,7 @@ enum class ClaimCode {
   CoversPoints,          ///< Each point of the input lies in some part.
   CoversSurface,         ///< Each point of the input's faces lies in some part.
   CoversSolid,           ///< Each point of the solid that the faces enclose lies in some part.
+  WithinSolid,           ///< No point of a part is farther than a distance from the input's solid.
   PartsDisjoint,         ///< No two parts have a common interior point.
   PartsNeeded,           ///< No part lies in another one.
   MaxParts,              ///< At most so many parts.
@@ -91,13 +92,13 @@ inline constexpr std::array kAllClaims = {
     ClaimCode::MaxFacets,         ClaimCode::MaxVertices,     ClaimCode::MaxFacetVertices};
 /// The claims about a decomposition. Parts under a tree have TreeNested besides.
 inline constexpr std::array kPartsClaims = {
-    ClaimCode::PartsReadable,       ClaimCode::PartsFinite,
-    ClaimCode::PartsSolid,          ClaimCode::PartsConvex,
-    ClaimCode::CoversPoints,        ClaimCode::CoversSurface,
-    ClaimCode::CoversSolid,         ClaimCode::PartsDisjoint,
-    ClaimCode::PartsNeeded,         ClaimCode::MaxParts,
-    ClaimCode::MaxPartFacets,       ClaimCode::MaxPartVertices,
-    ClaimCode::MaxPartFacetVertices};
+    ClaimCode::PartsReadable,   ClaimCode::PartsFinite,
+    ClaimCode::PartsSolid,      ClaimCode::PartsConvex,
+    ClaimCode::CoversPoints,    ClaimCode::CoversSurface,
+    ClaimCode::CoversSolid,     ClaimCode::WithinSolid,
+    ClaimCode::PartsDisjoint,   ClaimCode::PartsNeeded,
+    ClaimCode::MaxParts,        ClaimCode::MaxPartFacets,
+    ClaimCode::MaxPartVertices, ClaimCode::MaxPartFacetVertices};
 [[nodiscard]] constexpr bool is_of_parts(ClaimCode code) {
   return code >= ClaimCode::PartsReadable;
 }
@@ -112,8 +113,8 @@ enum class Status {
   Violated,
   NotAsked,       ///< Not among the claims to decide.
   NotApplicable,  ///< It has no meaning for this candidate; the sentence says why.
-  Undecided,      ///< Neither proven nor refuted: for removal orders by mean width, and for
-                  ///< surfaces at a tolerance.
+  Undecided,      ///< Neither proven nor refuted: for removal orders by mean width, for surfaces at
+                  ///< a tolerance, and for parts at a distance.
 };
 [[nodiscard]] const char* name_of(Status status);
 

@@ -17,13 +17,17 @@ namespace convexact {
 
 /// The budgets are those of each part.
 struct PartsRequest : Budgets {
-  /// The claims to decide; a budget is asked for by its number. Empty: all but covers-solid,
-  /// parts-disjoint and parts-needed; tree-nested if there is a tree. Claims listed here must apply
-  /// for the verdict to hold.
+  /// The claims to decide; a budget and within-solid are asked for by their numbers. Empty: all but
+  /// covers-solid, parts-disjoint and parts-needed; tree-nested if there is a tree. Claims listed
+  /// here must apply for the verdict to hold.
   std::vector<ClaimCode> claims = {};
   /// Distances of faces to their planes (parts-convex), and of points of the input to the union
   /// (covers-points, covers-surface), that pass. Relative ones refer to the input's diameter.
   Tolerance tolerance = {};
+  /// How far a point of a part may be from the input's solid, or from its surface if that is open
+  /// (within-solid). Asks for covers-solid as well, unless `claims` lists some: both together are a
+  /// bound in both directions. Relative ones refer to the input's diameter.
+  std::optional<Tolerance> distance = {};
   std::optional<std::size_t> max_parts = {};
   /// Which points of an input with faces covers-points asks about.
   MeshPoints points = MeshPoints::All;
@@ -53,8 +57,9 @@ struct PartsMeasures : DecompositionMeasures {
   Enclosure surface_area, uncovered_area;
   /// Largest distance of a point of the input's surface to the union.
   Enclosure surface_to_union;
-  /// Of PartMeasures::All: the largest distance of a point of the union to the input's solid, or to
-  /// its surface if it encloses none. The larger one of both is the Hausdorff distance.
+  /// Of PartMeasures::All, or with a distance: the largest distance of a point of the union to the
+  /// input's solid, or to its surface if it encloses none. The larger one of both is the Hausdorff
+  /// distance.
   std::optional<Enclosure> union_to_input;
 };
 
@@ -71,6 +76,7 @@ struct PartsVerdict {
   std::optional<SurfaceCoverage> coverage;  ///< If covers-surface or covers-solid was.
   /// The part nearest to the uncovered point that is farthest among those found.
   std::optional<std::size_t> worst_part;
+  std::optional<Tolerance> distance;  ///< As it was asked for.
   std::optional<PartsMeasures> measures;
   Rational squared_diameter;  ///< Of the input's points.
   std::vector<std::string> notes;
@@ -81,12 +87,16 @@ struct PartsVerdict {
   bool holds() const;
 };
 
+/// "3% of the diameter", or "0.05", to six digits.
+[[nodiscard]] std::string describe_distance(const Tolerance& distance);
+
 /// Decides the claims about a decomposition exactly. Parts are closed sets: touching counts as
 /// inside. For flat parts the other claims are still decided.
 /// @param input  Without faces there is no surface, and its points are to be covered.
 /// @throws Error NoInterior if the input has no point; InvalidArgument for a negative tolerance, a
 ///               tolerance together with covers-solid, a budget that `claims` names without a
-///               number, and a claim of another kind; Stopped when the watch ends the call.
+///               number, within-solid without a distance, a distance below 0, and a claim of
+///               another kind; Stopped when the watch ends the call.
 [[nodiscard]] PartsVerdict verify_parts(const Mesh& input, const CandidateParts& candidate,
                                         const PartsRequest& request = {});
 

@@ -34,6 +34,9 @@ DecomposeRequest to_request(const convexact_decompose_options& options) {
   request.measures = options.no_volumes == 0 ? PartMeasures::All : PartMeasures::None;
   request.exact_volumes = options.exact_volumes != 0;
   request.for_tree = options.for_tree != 0;
+  if (options.guard_reach != 0) request.guard = ReachUse::Reach;
+  if (options.merge_reach != 0) request.merge = ReachUse::Reach;
+  if (options.distance != nullptr) request.distance = parse_concavity("distance", options.distance);
   request.seed = options.seed;
   return request;
 }
@@ -126,6 +129,9 @@ size_t convexact_decomposition_part_count(const convexact_decomposition* result)
 }
 int convexact_decomposition_eps_holds(const convexact_decomposition* result) {
   return result->made.limit_holds;
+}
+int convexact_decomposition_reach_holds(const convexact_decomposition* result) {
+  return result->made.reach && result->made.reach->farther.empty();
 }
 const uint32_t* convexact_decomposition_owners(const convexact_decomposition* result) {
   return result->owners.data();

@@ -7,6 +7,7 @@
 #include "convexact/verify.hpp"
 #include "convexact/verify_parts.hpp"
 #include "io/used_points.hpp"
+#include "wire/judge_fields.hpp"
 
 struct convexact_verdict {
   bool holds;
@@ -86,6 +87,7 @@ PartsRequest to_request(const convexact_parts_options& options) {
   request.points = to_mesh_points(options.points);
   request.claims = to_claims(options.claims);
   if (options.tolerance != nullptr) request.tolerance = parse_tolerance(options.tolerance);
+  if (options.distance != nullptr) request.distance = read_distance("distance", options.distance);
   request.max_parts = to_limit(options.max_parts);
   request.max_facets = to_limit(options.max_facets);
   request.max_vertices = to_limit(options.max_vertices);

@@ -30,6 +30,7 @@ constexpr const char* kVerifyFooter =
     "  convexact verify bunny.obj my_hull.stl --claims contains-input --tolerance 1e-9d\n"
     "  convexact verify room.obj proxies.obj --parts\n"
     "  convexact verify cow.obj cow_parts.obj --union --picture parts.html\n"
+    "  convexact verify cow.obj cow_parts.obj --distance 3%\n"
     "  convexact verify cow.obj parts/ --claims covers-surface,parts-disjoint --max-parts 24\n"
     "  convexact verify --inner bunny.obj my_inner_hull.obj\n"
     "  convexact verify bunny.obj --trace steps.json --max-regret 1%\n"
@@ -216,8 +217,8 @@ enum class Mode {
 
 Mode mode_of(const VerifyArguments& options) {
   if (!options.trace.trace.empty()) return Mode::Order;
-  if (options.of_union.is_asked || names_a_claim_of_parts(options) ||
-      is_decomposition(options.candidate)) {
+  if (options.of_union.is_asked || options.of_union.given.has("distance") ||
+      names_a_claim_of_parts(options) || is_decomposition(options.candidate)) {
     return Mode::Union;
   }
   return options.parts ? Mode::EachPart : Mode::Candidate;

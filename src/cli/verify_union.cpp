@@ -25,10 +25,11 @@ std::string UnionOptions::foreign_to_one_solid() const {
 }
 
 void add_union_options(Command& command, UnionOptions& options) {
-  command.add_flag("--union", options.is_asked,
-                   "judge the parts of CANDIDATE together: does their union hold INPUT? Also "
-                   "without this option if CANDIDATE is a folder, or JSON with \"parts\", or if "
-                   "--claims names a claim of parts");
+  command.add_flag(
+      "--union", options.is_asked,
+      "judge the parts of CANDIDATE together: does their union hold INPUT? Also "
+      "without this option if CANDIDATE is a folder, or JSON with \"parts\", or with --distance, "
+      "or if --claims names a claim of parts");
   for (BoundField field : options.given.bound(parts_fields())) {
     if (field.info->name == "exact_volumes") continue;
     FieldInfo info = *field.info;

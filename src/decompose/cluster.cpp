@@ -176,6 +176,7 @@ std::size_t join_whole_groups(const Surface& surface, const ClusterOptions& opti
     const auto is_first = [&](TriangleId t) { return start.lowest[t.index()] == t.value; };
     const auto clusters = std::count_if(triangles.begin(), triangles.end(), is_first);
     if (static_cast<std::size_t>(clusters) < kFewest || !near.is_within(triangles, limit)) continue;
+    if (options.guard && !options.guard(triangles)) continue;
     is_whole[lowest] = true;
     ++whole;
     for (const TriangleId t : triangles) start.lowest[t.index()] = lowest;

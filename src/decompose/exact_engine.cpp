@@ -44,18 +44,23 @@ class ExactEngine {
  private:
   struct Candidate {
     MergeCost cost;
-    Enclosure bounds;  // of the cost
+    Enclosure bounds;         // of the cost
+    bool is_refused = false;  // by the guard
   };
+
+  std::vector<TriangleId> triangles_of(const ClusterPair& pair) const {
+    const auto& [a, b] = std::tie(clusters_.at(pair.first), clusters_.at(pair.second));
+    std::vector<TriangleId> both;
+    std::merge(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+    return both;
+  }
 
   Candidate evaluate(const ClusterPair& pair) {
     ++made_.evaluations;
     ++made_.exact_evaluations;
-    const auto& [a, b] = std::tie(clusters_.at(pair.first), clusters_.at(pair.second));
-    std::vector<TriangleId> both;
-    std::merge(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
-    MergeCost cost = merge_cost(surface_, both, concavity_, options_.watch);
+    MergeCost cost = merge_cost(surface_, triangles_of(pair), concavity_, options_.watch);
     Enclosure bounds = order_.enclose(cost, kMeasureBits, options_.watch);
-    return {std::move(cost), std::move(bounds)};
+    return {std::move(cost), std::move(bounds), false};
   }
 
   // Within the limit by cost; for a number of parts by concavity alone.
@@ -73,11 +78,14 @@ class ExactEngine {
   }
 
   bool merge_cheapest(bool beyond_limit) {
-    const std::pair<const ClusterPair, Candidate>* best = nullptr;
+    std::pair<const ClusterPair, Candidate>* best = nullptr;
     Merge merge;
     merge.beyond_limit = beyond_limit;
-    for (const auto& pair : pairs_) {
-      if (!beyond_limit && pair.second.cost.squared_concavity > start_.squared_limit) continue;
+    for (auto& pair : pairs_) {
+      if (!beyond_limit &&
+          (pair.second.cost.squared_concavity > start_.squared_limit || pair.second.is_refused)) {
+        continue;
+      }
       const Ordering ordering =
           best ? compare(pair.second, best->second, beyond_limit) : Ordering{Order::Less};
       if (ordering.order == Order::Greater) continue;
@@ -91,6 +99,11 @@ class ExactEngine {
       }
     }
     if (best == nullptr) return false;
+    if (!beyond_limit && options_.guard && !options_.guard(triangles_of(best->first))) {
+      best->second.is_refused = true;
+      ++made_.refused;
+      return true;  // the next call finds another one
+    }
     merge.kept = TriangleId(best->first.first);
     merge.gone = TriangleId(best->first.second);
     if (options_.costs) {
@@ -110,18 +123,18 @@ class ExactEngine {
     triangles.insert(triangles.end(), more.begin(), more.end());
     std::sort(triangles.begin(), triangles.end());
     clusters_.erase(gone);
-    std::vector<std::uint32_t> beside;
+    std::map<std::uint32_t, bool> beside;  // whether one of its pairs was refused
     std::erase_if(pairs_, [&](const auto& pair) {
       const auto [a, b] = pair.first;
       if (a != kept && b != kept && a != gone && b != gone) return false;
       for (const std::uint32_t c : {a, b}) {
-        if (c != kept && c != gone) beside.push_back(c);
+        if (c != kept && c != gone) beside[c] = beside[c] || pair.second.is_refused;
       }
       return true;
     });
-    for (const std::uint32_t other : beside) {
+    for (const auto& [other, is_refused] : beside) {
       const ClusterPair pair = std::minmax(kept, other);
-      if (!pairs_.contains(pair)) pairs_.emplace(pair, evaluate(pair));
+      pairs_.emplace(pair, evaluate(pair)).first->second.is_refused = is_refused;
     }
   }
 

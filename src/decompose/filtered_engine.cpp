@@ -254,15 +254,21 @@ class FilteredEngine {
     options_.watch.at(std::min(made_.merges.size() + made_.evaluations, expected), expected);
   }
 
+  std::vector<TriangleId> triangles_of(const ClusterPair& pair) const {
+    std::vector<TriangleId> triangles = clusters_.at(pair.first).triangles;
+    const auto& more = clusters_.at(pair.second).triangles;
+    triangles.insert(triangles.end(), more.begin(), more.end());
+    std::sort(triangles.begin(), triangles.end());
+    return triangles;
+  }
+
   // The cost in exact numbers. The bounds become as narrow as doubles allow.
   const MergeCost& exact_cost(const ClusterPair& pair, CandidatePair& candidate) {
     if (candidate.exact) return candidate.exact->cost;
     ++made_.exact_evaluations;
     const Cluster& a = clusters_.at(pair.first);
     const Cluster& b = clusters_.at(pair.second);
-    std::vector<TriangleId> triangles = a.triangles;
-    triangles.insert(triangles.end(), b.triangles.begin(), b.triangles.end());
-    std::sort(triangles.begin(), triangles.end());
+    const std::vector<TriangleId> triangles = triangles_of(pair);
     candidate.exact = std::make_unique<ExactCost>();
     MergeCost& cost = candidate.exact->cost;
     cost.squared_concavity = near_.squared(*candidate.united, triangles, options_.watch);
@@ -391,6 +397,10 @@ class FilteredEngine {
   bool merge_cheapest() {
     const auto pair = cheapest();
     if (!pair) return false;
+    if (!by_concavity_ && options_.guard && !options_.guard(triangles_of(*pair))) {
+      refuse(*pair);
+      return true;  // the next call finds another one
+    }
     Merge merge{.kept = TriangleId(pair->first),
                 .gone = TriangleId(pair->second),
                 .beyond_limit = by_concavity_};
@@ -408,6 +418,17 @@ class FilteredEngine {
     made_.merges.push_back(std::move(merge));
     report_progress();
     return true;
+  }
+
+  // A union that holds this one will be refused, too, like one that is too concave.
+  void refuse(const ClusterPair& pair) {
+    ++made_.refused;
+    CandidatePair candidate = std::move(candidates_.at(pair));
+    leave(pair);
+    candidate.is_beyond = true;
+    candidate.equals = kNoClass;
+    candidate.united.reset();
+    enter(pair, std::move(candidate));
   }
 
   void collapse(const ClusterPair& pair) {

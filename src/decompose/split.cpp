@@ -152,7 +152,10 @@ class Splitter {
     part.association = {};
     parts_.push_back(std::make_unique<Evaluated>(std::move(part)));
     ++leaf_count_;
-    if (node.concavity.squared > made_.squared_limit) {
+    const bool is_too_concave = node.concavity.squared > made_.squared_limit;
+    const bool is_refused = !is_too_concave && options_.guard && !options_.guard(triangles);
+    made_.refused += is_refused ? 1 : 0;
+    if (is_too_concave || is_refused) {
       waiting_.insert(n);
     } else {
       settled_ += node.triangle_count;
@@ -164,7 +167,9 @@ class Splitter {
     const std::unique_ptr<Evaluated>& part = parts_[n];
     const PointId notch = made_.nodes[n].notch;
     std::size_t refused = 0;
-    for (SplitPlane& plane : split_planes(surface_, part->patch, notch)) {
+    std::vector<SplitPlane> planes;
+    if (part->notch) planes = split_planes(surface_, part->patch, notch);
+    for (SplitPlane& plane : planes) {
       auto division = divide(surface_, units_, part->patch, notch, plane, measure_.near());
       if (!division) {
         ++refused;

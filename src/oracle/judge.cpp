@@ -20,12 +20,10 @@ std::string unused_outside_text(std::size_t unused, std::size_t outside) {
                      unused == 1 ? "is" : "are");
 }
 
-void ClaimSheet::add(ClaimCode code, const std::optional<std::size_t>* budget, bool is_usual) {
+void ClaimSheet::add(ClaimCode code, std::optional<bool> has_number, bool is_usual) {
   const bool is_in_list = std::find(named_.begin(), named_.end(), code) != named_.end();
-  const bool is_asked = budget != nullptr ? budget->has_value()
-                        : named_.empty()  ? is_usual
-                                          : is_in_list;
-  const bool is_named = is_asked && (budget != nullptr || is_in_list);
+  const bool is_asked = has_number.value_or(named_.empty() ? is_usual : is_in_list);
+  const bool is_named = is_asked && (has_number || is_in_list);
   claims.push_back({code, Status::NotAsked, "", {}, is_named});
   if (is_asked) asked_.push_back(code);
 }

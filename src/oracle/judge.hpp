@@ -53,8 +53,8 @@ class ClaimSheet {
   /// @param named  The claims that the request names, which outlive this; none: the usual ones.
   ClaimSheet(const std::vector<ClaimCode>& named, const Tolerance& allowed, Rational squared)
       : tolerance(allowed), squared_diameter(std::move(squared)), named_(named) {}
-  /// @param budget  The number that the claim allows, which asks for it; null if it is no budget.
-  void add(ClaimCode code, const std::optional<std::size_t>* budget, bool is_usual);
+  /// @param has_number  Of a claim that is asked for by a number: whether that is given.
+  void add(ClaimCode code, std::optional<bool> has_number, bool is_usual);
 
  private:
   Claim* find_asked(ClaimCode code);
@@ -175,6 +175,8 @@ class PartsTrial : public ClaimSheet {
 
 /// Whether the union covers the points, the surface and the solid of the input.
 void judge_coverage(PartsTrial& trial);
+/// Whether the parts reach no farther from the solid than the distance.
+void judge_reach(PartsTrial& trial);
 /// Whether parts overlap, and whether one lies in another.
 void judge_pairs(PartsTrial& trial);
 /// Whether the tree is one, and nested. @param tree  Null if there is none.

@@ -288,7 +288,7 @@ void measure_parts(PartsTrial& trial) {
     found.surface_to_union = surface_to_union(verdict.coverage->uncovered, UnionDistance(parts),
                                               trial.squared_diameter, watch)
                                  .bounds;
-    if (wanted != PartMeasures::All) return;
+    if (wanted != PartMeasures::All && !trial.asks(WithinSolid)) return;
     std::optional<Winding> winding;
     if (surface.is_closed) winding.emplace(surface);
     found.union_to_input = union_to_surface(parts, surface, winding ? &*winding : nullptr,

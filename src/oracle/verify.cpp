@@ -52,10 +52,11 @@ Trial::Trial(const Input& given, const Candidate& judged, const VerifyRequest& a
       request(asked),
       log(stages) {
   for (const ClaimCode code : kAllClaims) {
-    add(code, budget_of(request, code),
+    const auto* budget = budget_of(request, code);
+    add(code, budget != nullptr ? std::optional(budget->has_value()) : std::nullopt,
         code != ClaimCode::ContainsInput || request.asks != Asks::Inner);
   }
-  if (const auto own = own_claim(request.asks)) add(*own, nullptr, true);
+  if (const auto own = own_claim(request.asks)) add(*own, std::nullopt, true);
 }
 
 }  // namespace oracle
@@ -200,6 +201,7 @@ constexpr auto kClaimNames =
                            {ClaimCode::CoversPoints, "covers-points"},
                            {ClaimCode::CoversSurface, "covers-surface"},
                            {ClaimCode::CoversSolid, "covers-solid"},
+                           {ClaimCode::WithinSolid, "within-solid"},
                            {ClaimCode::PartsDisjoint, "parts-disjoint"},
                            {ClaimCode::PartsNeeded, "parts-needed"},
                            {ClaimCode::MaxParts, "max-parts"},

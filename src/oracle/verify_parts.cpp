@@ -33,8 +33,17 @@ const std::optional<std::size_t>* budget_of(const PartsRequest& request, ClaimCo
   }
 }
 
-bool is_default(ClaimCode code) {
-  return code != CoversSolid && code != PartsDisjoint && code != PartsNeeded;
+// Of a claim that is asked for by a number: whether that is given.
+std::optional<bool> has_number(const PartsRequest& request, ClaimCode code) {
+  if (code == WithinSolid) return request.distance.has_value();
+  const auto* budget = budget_of(request, code);
+  return budget != nullptr ? std::optional(budget->has_value()) : std::nullopt;
+}
+
+// A distance asks about both directions; a tolerance is for the surface alone.
+bool is_usual(ClaimCode code, const PartsRequest& request) {
+  if (code == CoversSolid) return request.distance && request.tolerance.value == 0;
+  return code != PartsDisjoint && code != PartsNeeded;
 }
 
 // The claim about a single solid that corresponds to a budget of each part.
@@ -179,6 +188,9 @@ void check_request(const PartsRequest& request) {
   if (request.tolerance.value < 0) {
     throw Error(ErrorCode::InvalidArgument, "a tolerance cannot be negative");
   }
+  if (request.distance && request.distance->value < 0) {
+    throw Error(ErrorCode::InvalidArgument, "a distance cannot be negative");
+  }
   for (const ClaimCode code : request.claims) {
     const std::string name = name_of(code);
     if (!is_of_parts(code)) {
@@ -189,10 +201,10 @@ void check_request(const PartsRequest& request) {
       throw Error(ErrorCode::InvalidArgument,
                   "covers-solid is decided without a tolerance: leave out one of them");
     }
-    const auto* budget = budget_of(request, code);
-    if (budget != nullptr && !*budget) {
-      throw Error(ErrorCode::InvalidArgument,
-                  "the claim " + name + " needs the number that it allows: set " + name);
+    if (!has_number(request, code).value_or(true)) {
+      throw Error(ErrorCode::InvalidArgument, "the claim " + name +
+                                                  " needs the number that it allows: set " +
+                                                  (code == WithinSolid ? "a distance" : name));
     }
   }
 }
@@ -269,6 +281,7 @@ void find_points(PartsTrial& trial) {
     add_unused_points(trial);
   }
   trial.squared_diameter = bounding_box(trial.points).squared_diameter();
+  trial.verdict.distance = trial.request.distance;
 }
 
 }  // namespace
@@ -276,10 +289,12 @@ void find_points(PartsTrial& trial) {
 PartsTrial::PartsTrial(const Mesh& given, bool has_tree, const PartsRequest& asked,
                        StageLog& stages)
     : ClaimSheet(asked.claims, asked.tolerance, 0), input(given), request(asked), log(stages) {
-  for (const ClaimCode code : kPartsClaims) add(code, budget_of(request, code), is_default(code));
+  for (const ClaimCode code : kPartsClaims) {
+    add(code, has_number(request, code), is_usual(code, request));
+  }
   const auto& named = request.claims;
   const bool names_tree = std::find(named.begin(), named.end(), TreeNested) != named.end();
-  if (has_tree || names_tree) add(TreeNested, nullptr, is_default(TreeNested));
+  if (has_tree || names_tree) add(TreeNested, std::nullopt, true);
 }
 
 std::string PartsTrial::part_text(std::size_t part) const {
@@ -313,6 +328,12 @@ PartsRequest parts_request(const VerifyRequest& request) {
   return asked;
 }
 
+std::string describe_distance(const Tolerance& distance) {
+  constexpr int kDigits = 6;
+  if (!distance.relative) return to_decimal(distance.value, kDigits);
+  return to_decimal(distance.value * 100, kDigits) + "% of the diameter";
+}
+
 PartsVerdict verify_parts(const Mesh& input, const CandidateParts& candidate,
                           const PartsRequest& request) {
   using namespace oracle;
@@ -324,6 +345,7 @@ PartsVerdict verify_parts(const Mesh& input, const CandidateParts& candidate,
   if (const std::vector<NamedPart>* parts = judge_reading(candidate, trial)) {
     judge_each_part(*parts, trial);
     judge_coverage(trial);
+    judge_reach(trial);
     judge_pairs(trial);
     judge_tree(tree, trial);
     measure_parts(trial);

@@ -89,11 +89,12 @@ constexpr double kLeastSquare = 0x1p-200;
 
 }  // namespace
 
-NearHull near_hull(std::span<const Point> points, const Point& y) {
+NearHull near_hull(std::span<const Point> points, const Point& y, double enough) {
   NearSimplex simplex = nearest_at(points.front() - y);
   double low = 0;
   for (int step = 0; step < 64; ++step) {
     if (!(simplex.squared > kLeastSquare) || simplex.size == 4) break;
+    if (low > enough || simplex.squared <= enough * enough) break;
     const Point& q = simplex.nearest;
     double least = std::numeric_limits<double>::infinity();
     std::size_t beyond = 0;

@@ -42,9 +42,12 @@ struct NearHull {
 };
 
 /// The distance to the hull of at least one point, seen from y.
+/// @param enough  Ends as soon as the distance is known to be above this, or not: whether the hull
+///                meets a ball needs no more. NaN: never.
 /// @par Source  [Gilbert1988]: a simplex of vertices whose nearest point to y is replaced by that
 ///              of the simplex and the vertex beyond, until there is none.
-[[nodiscard]] NearHull near_hull(std::span<const Point> points, const Point& y);
+[[nodiscard]] NearHull near_hull(std::span<const Point> points, const Point& y,
+                                 double enough = std::numeric_limits<double>::quiet_NaN());
 
 /// The same for a triangle, which may be degenerate.
 [[nodiscard]] NearHull near_triangle(const std::array<Point, 3>& corners, const Point& y);

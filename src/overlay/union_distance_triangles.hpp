@@ -17,6 +17,9 @@ class NearTriangles {
   /// @param frame  The frame that the surface lies in.
   NearTriangles(const Surface& surface, const NearFrame& frame);
 
+  /// A point of the surface in the frame.
+  const Point& point(PointId p) const { return points_[p.index()]; }
+
   /// Bounds of the distance of y to the surface, and a triangle that is about as near.
   struct Nearest {
     NearBounds distance;

@@ -9,8 +9,10 @@
 #include "convexact/error.hpp"
 #include "convexact/overlay.hpp"
 #include "decompose/near_concavity.hpp"
+#include "number/precision.hpp"
 #include "number/text.hpp"
 #include "parts/flat_part.hpp"
+#include "parts/merge_by_reach.hpp"
 #include "parts/part_volumes.hpp"
 #include "parts/stored_part.hpp"
 #include "solid/stage_log.hpp"
@@ -38,6 +40,13 @@ void require_sensible(const DecomposeRequest& request) {
   }
   if (request.faces && request.total_faces) {
     refuse_request("give the faces of each part or the faces of all parts, not both");
+  }
+  const bool asks_for_reach = request.guard == ReachUse::Reach || request.merge == ReachUse::Reach;
+  if (request.distance && !asks_for_reach) {
+    refuse_request("a distance applies to a guard by reach, or to merging by reach: ask for one");
+  }
+  if (request.distance && request.distance->value <= 0) {
+    refuse_request("the distance allowed is above 0");
   }
   if (request.faces && *request.faces < 4) {
     refuse_request("no bounded part has fewer than 4 faces: allow at least 4 for each");
@@ -112,6 +121,7 @@ class Decomposer {
 
   Decomposition run(Surface surface) {
     made_.surface = std::move(surface);
+    start_reach();
     log_.run("clusters", [&] { find_clusters(); });
     hull_clusters();
     concavity_.emplace(made_.surface, request_.measure);
@@ -120,10 +130,12 @@ class Decomposer {
     choose_parts(concavities);
     take_in_loose_points();
     drop_inner_hulls();
+    merge_near_parts();
     std::vector<ConvexPart> stored =
         store_parts(made_.parts, made_.squared_diameter(), request_, log_);
     drop_inner_as_stored(stored);
     log_.run("coverage by owners", [&] { prove_coverage(); });
+    decide_reach(stored);
     if (request_.measures != PartMeasures::None) {
       made_.measures =
           measure_volumes(made_.surface, stored, request_.measures, request_.exact_volumes, log_);
@@ -136,10 +148,81 @@ class Decomposer {
   }
 
  private:
+  // ---- Reach
+
+  void start_reach() {
+    if (request_.guard != ReachUse::Reach && request_.merge != ReachUse::Reach) return;
+    const Rational squared_diameter = bounding_box(made_.surface.points).squared_diameter();
+    if (squared_diameter == 0) return;  // one point, which no part can leave
+    made_.reach.emplace();
+    made_.reach->squared_distance =
+        request_.distance.value_or(kDefaultDistance).squared(squared_diameter);
+    if (made_.surface.is_closed) winding_.emplace(made_.surface);
+    limit_.emplace(reach_limit(made_.reach->squared_distance, {}));
+    // Finer than asked: what is merged in the end makes use of it.
+    if (request_.merge == ReachUse::Reach) {
+      half_limit_.emplace(reach_limit(made_.reach->squared_distance / 4, {}));
+    }
+  }
+
+  ReachLimit reach_limit(const Rational& squared, std::span<const BoundingBox> boxes) const {
+    return ReachLimit(made_.surface, winding_ ? &*winding_ : nullptr, squared, boxes);
+  }
+
+  ClusterGuard guard(const Watch& watch) {
+    if (!limit_) return {};
+    return [this, watch](std::span<const TriangleId> triangles) {
+      ReachLimit& guard_limit = half_limit_ ? *half_limit_ : *limit_;
+      return guard_limit.allows_hull(points_of(made_.surface, triangles), watch);
+    };
+  }
+
+  void merge_near_parts() {
+    constexpr const char* kStage = "merge by reach";
+    if (request_.merge != ReachUse::Reach || !limit_) return log_.skip(kStage, "not requested");
+    log_.run(kStage, [&] {
+      const Rational distance =
+          to_rational(sqrt(Enclosure(made_.reach->squared_distance, kMeasureBits)).high_double());
+      const std::vector<std::size_t> place =
+          merge_by_reach(made_.parts, *limit_, distance, log_.watch(kStage));
+      for (InnerCluster& inner : made_.inner) inner.part = place[inner.part];
+      made_.reach->merged = place.size() - made_.parts.size();
+    });
+    if (made_.reach->merged > 0) drop_inner_hulls();
+  }
+
+  // Of the parts as stored: those that are farther, or may be.
+  void decide_reach(const std::vector<ConvexPart>& stored) {
+    constexpr const char* kStage = "reach";
+    if (!made_.reach) return log_.skip(kStage, "not requested");
+    log_.run(kStage, [&] {
+      const Watch watch = log_.watch(kStage);
+      std::vector<BoundingBox> boxes;
+      for (const ConvexPart& part : stored) boxes.push_back(part.box);
+      const bool are_hulls = std::all_of(made_.parts.begin(), made_.parts.end(), [](const Part& p) {
+        return (p.form == PartForm::Hull || p.form == PartForm::Flat) && p.loose.empty();
+      });
+      const std::size_t cells = limit_->cells();
+      if (!are_hulls) limit_.emplace(reach_limit(made_.reach->squared_distance, boxes));
+      for (std::size_t k = 0; k < stored.size(); ++k) {
+        watch.at(k, stored.size());
+        if (limit_->allows(stored[k], watch)) continue;
+        PartReach reach = (*limit_)(stored[k], watch);
+        if (reach.reach != Reach::Within) made_.reach->farther.push_back({k, std::move(reach)});
+      }
+      made_.reach->cells = std::max(cells, limit_->cells());
+      const auto refused = [](const auto& origin) { return origin.refused; };
+      made_.reach->refused = std::visit(refused, made_.origin);
+    });
+  }
+
+  // ---- Clusters
+
   void find_clusters() {
     const Watch watch = log_.watch("clusters");
     if (request_.method == DecomposeMethod::Hacd) {
       made_.origin = cluster(made_.surface, {.limit = request_.limit,
+                                             .guard = guard(watch),
                                              .max_parts = request_.max_parts,
                                              .measure = request_.measure,
                                              .connect = request_.connect,
@@ -149,12 +232,15 @@ class Decomposer {
                                              .further = request_.for_tree,
                                              .watch = watch});
     } else {
-      made_.origin = split(made_.surface, split_options(watch));
+      SplitOptions options = split_options(watch);
+      options.guard = guard(watch);
+      made_.origin = split(made_.surface, options);
     }
   }
 
   SplitOptions split_options(const Watch& watch) const {
     return {.limit = request_.limit,
+            .guard = {},
             .max_parts = request_.max_parts,
             .bridge = request_.bridge,
             .coplanar = request_.coplanar,
@@ -320,8 +406,11 @@ class Decomposer {
       for (std::size_t k = 0; k < solids.size(); ++k) {
         if (stays[k]) continue;
         const std::vector<TriangleId> owns = std::move(made_.parts[k].owns);
-        made_.inner.push_back({made_.parts[k].cluster.front(), place[*holder[k]]});
         Part& other = made_.parts[*holder[k]];
+        made_.inner.push_back({made_.parts[k].cluster.front(), place[*holder[k]]});
+        for (const TriangleId lowest : made_.parts[k].merged) {
+          made_.inner.push_back({lowest, place[*holder[k]]});
+        }
         other.owns.insert(other.owns.end(), owns.begin(), owns.end());
         const std::vector<PointId> loose = std::move(made_.parts[k].loose);
         other.loose.insert(other.loose.end(), loose.begin(), loose.end());
@@ -381,6 +470,8 @@ class Decomposer {
   const DecomposeRequest& request_;
   StageLog& log_;
   Decomposition made_;
+  std::optional<Winding> winding_;                // of a closed surface, for the reach
+  std::optional<ReachLimit> limit_, half_limit_;  // by the distance, and by half of it
   std::optional<ExactConcavity> concavity_;
   std::vector<HulledCluster> clusters_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // met_cell.hpp - a convex part in the doubles of a frame, and whether it meets a cell.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,9 +13,12 @@
 
 namespace convexact {
 
-/// A part whose planes and vertices are doubles of a frame. Planes have normals of length about 1.
+/// A part whose vertices are doubles of a frame, and its planes, if it has them: with normals of
+/// length about 1.
 class NearPart {
  public:
+  /// The hull of some points, whose planes nobody computed.
+  explicit NearPart(std::vector<Point> points) : vertices_(std::move(points)) {}
   NearPart(const ConvexPart& part, const NearFrame& frame) {
     for (const RationalPoint& v : part.vertices) vertices_.push_back(frame(v));
     for (const Halfspace& h : part.halfspaces) {
@@ -32,6 +36,14 @@ class NearPart {
   std::span<const Point> vertices() const { return vertices_; }
   std::size_t planes() const { return planes_.size(); }
 
+  /// Whether it is certain that a point is in the part, as planes tell that may run by it.
+  bool holds(std::span<const std::uint32_t> planes, const Point& y) const {
+    return !planes_.empty() && std::all_of(planes.begin(), planes.end(), [&](std::uint32_t k) {
+      const auto& [normal, offset] = planes_[k];
+      return normal.dot(y) + offset < -kReachError;
+    });
+  }
+
   /// How a plane of the part runs by a cell.
   enum class Side {
     Beyond,   ///< All of the cell is beyond the plane.
@@ -43,11 +55,6 @@ class NearPart {
     const double value = normal.dot(place.center) + offset;
     const double width = place.half * normal.lpNorm<1>() + kReachError;
     return value > width ? Side::Beyond : value < -width ? Side::Within : Side::Crossing;
-  }
-  /// Whether it is certain that a point is not beyond the plane.
-  bool is_within(std::size_t plane, const Point& y) const {
-    const auto& [normal, offset] = planes_[plane];
-    return normal.dot(y) + offset < -kReachError;
   }
 
  private:

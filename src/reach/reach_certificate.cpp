@@ -78,7 +78,8 @@ class CertificateWriter {
   }
 
   bool is_apart(const CellPlace& place, const MetPart& part, std::size_t number) {
-    const NearHull hull = near_hull(near_[part.part].vertices(), place.center);
+    const NearHull hull =
+        near_hull(near_[part.part].vertices(), place.center, place.radius() + kReachError);
     if (widened(hull.bounds, place.center).low <= place.radius()) return false;
     made_.apart.push_back({number, part.part, -hull.nearest});
     return true;

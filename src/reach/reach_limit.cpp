@@ -3,6 +3,7 @@
 // farthest from the surface first.
 #include <algorithm>
 
+#include "convexact/hull.hpp"
 #include "convexact/reach.hpp"
 #include "reach/clipped_part.hpp"
 #include "reach/met_cell.hpp"
@@ -20,23 +21,12 @@ constexpr std::size_t kClipPlanes = 24;
 // another.
 constexpr std::size_t kMostWalls = 3;
 
-// The way down the cells for one part.
-class PartWalk {
+// The way down the cells for one part, by cells alone.
+class CellWalk {
  public:
-  PartWalk(ReachCells& cells, const ConvexPart& part, const Rational& squared_limit, bool may_clip,
-           const Watch& watch)
-      : cells_(cells),
-        part_(part),
-        near_(part, cells.frame()),
-        squared_limit_(squared_limit),
-        may_clip_(may_clip),
-        watch_(watch) {
-    for (const Point& y : near_.vertices()) {
-      if (!(y.lpNorm<Eigen::Infinity>() < 2 - kReachError)) {
-        throw Error(ErrorCode::InvalidArgument, "a part lies beyond the boxes of a reach limit");
-      }
-    }
-  }
+  CellWalk(ReachCells& cells, const NearPart& part, const Watch& watch)
+      : cells_(cells), near_(part), watch_(watch) {}
+  virtual ~CellWalk() = default;
 
   // Whether all cells that the part meets are fine.
   bool is_within() {
@@ -47,60 +37,46 @@ class PartWalk {
     return !is_beyond_ && !is_open_;
   }
 
-  PartReach answer() {
-    const bool is_within_limit = is_within();
-    if (is_within_limit) return {};
-    if (is_beyond_) return {Reach::Beyond, std::move(farthest_), {}};
-    PartReach result{Reach::Undecided, {}, {}};
-    if (most_found_ > 0) consider(point_of_part(found_at_), result.witness);
-    const Rational high = cells_.frame().length(open_high_);
-    result.bracket = SquaredBracket{
-        result.witness ? std::min(result.witness->squared, squared_limit_) : Rational(0),
-        high * high};
-    return result;
-  }
+ protected:
+  // What exact numbers know of a cell: nothing here.
+  virtual bool may_decide() const { return false; }
+  // Whether the part has a point that is beyond T, the one nearest to the center of a cell.
+  virtual bool confirms(const CellPlace&) { return true; }
+  // Whether what the part and the cell have in common is near enough, or beyond T.
+  virtual bool decides(const MetCell&, bool) { return false; }
+
+  ReachCells& cells_;
+  bool is_beyond_ = false, is_open_ = false;
+  double most_found_ = 0, open_high_ = 0;  // distances from the surface: found, and possible
+  CellPlace found_at_{};
 
  private:
-  // Whether the search goes on: a part that is refuted ends it, and one that is open if nothing can
-  // be clipped.
-  bool goes_on() const { return !is_beyond_ && (!is_open_ || may_clip_); }
-
   // The cell is not fine.
   void visit(const MetCell& met) {
     watch_.ask();
     const CellPlace& place = met.place;
-    const bool holds_center =
-        std::all_of(met.planes.begin(), met.planes.end(),
-                    [&](std::uint32_t k) { return near_.is_within(k, place.center); });
-    if (holds_center) {
+    if (near_.holds(met.planes, place.center)) {
       refute(place, place.center, cells_.distance(place.cell));
     } else {
-      const NearHull hull = near_hull(near_.vertices(), place.center);
+      const NearHull hull = near_hull(near_.vertices(), place.center, place.radius() + kReachError);
       if (widened(hull.bounds, place.center).low > place.radius()) return;
       const Point y = place.center + hull.nearest;
       if (cells_.distance(place.cell).high + hull.bounds.high > cells_.limit_up()) {
         refute(place, y, cells_.triangles().nearest(y, cells_.triangle(place.cell)).distance);
       }
     }
-    if (is_beyond_) return;
-    const double share = place.half / cells_.limit_up();
     const bool is_least = place.half <= cells_.least_half() || is_full(place);
-    if (may_clip_ && (is_least || (share > kClipFrom && share <= kClipTo)) &&
-        met.planes.size() <= kClipPlanes && clip(place, is_least)) {
-      return;
-    }
-    if (is_least) {
-      is_open_ = true;
-      open_high_ = std::max(open_high_, cells_.distance(place.cell).high + place.radius());
-      return;
-    }
-    visit_children(met);
+    if (is_beyond_ || decides(met, is_least)) return;
+    if (!is_least) return visit_children(met);
+    is_open_ = true;
+    open_high_ = std::max(open_high_, cells_.distance(place.cell).high + place.radius());
   }
 
   bool is_full(const CellPlace& place) const {
     return cells_.is_full() && !cells_.has_children(place.cell);
   }
 
+  // A part that is refuted ends the search, and one that is open if nothing else can decide.
   void visit_children(const MetCell& met) {
     std::vector<std::pair<double, MetCell>> open;
     MetCell half;
@@ -112,23 +88,57 @@ class PartWalk {
     std::stable_sort(open.begin(), open.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
     for (const auto& [distance, next] : open) {
-      if (!goes_on()) return;
+      if (is_beyond_ || (is_open_ && !may_decide())) return;
       visit(next);
     }
   }
 
-  // A point y of the part, up to rounding, that is about in the cell.
+  // A point y of the part, up to rounding, that is about in the cell. Rounding moved it by less
+  // than kReachError, so it did not take it through the surface.
   void refute(const CellPlace& place, const Point& y, const NearBounds& distance) {
-    if (distance.low <= std::min(most_found_, cells_.limit_up() + kReachError)) return;
+    const bool is_far = distance.low > cells_.limit_up() + kReachError;
+    if (!is_far && distance.low <= most_found_) return;
     const bool is_center = y == place.center;
     if (!(is_center ? cells_.is_outside(place) : cells_.is_outside(y))) return;
     if (distance.low > most_found_) {
       most_found_ = distance.low;
       found_at_ = place;
     }
-    // Rounding moved y by less than kReachError, so it did not take it through the surface.
-    if (distance.low <= cells_.limit_up() + kReachError) return;
-    is_beyond_ = !may_clip_ || consider(point_of_part(place), farthest_);
+    is_beyond_ = is_far && confirms(place);
+  }
+
+  const NearPart& near_;
+  const Watch& watch_;
+};
+
+// The same with exact numbers, for a witness and for cells that are open.
+class PartWalk : public CellWalk {
+ public:
+  PartWalk(ReachCells& cells, const NearPart& near, const ConvexPart& part,
+           const Rational& squared_limit, const Watch& watch)
+      : CellWalk(cells, near, watch), part_(part), squared_limit_(squared_limit) {}
+
+  PartReach answer() {
+    if (is_within()) return {};
+    if (is_beyond_) return {Reach::Beyond, std::move(farthest_), {}};
+    PartReach result{Reach::Undecided, {}, {}};
+    if (most_found_ > 0) consider(point_of_part(found_at_), result.witness);
+    const Rational high = cells_.frame().length(open_high_);
+    const Rational low = result.witness ? result.witness->squared : Rational(0);
+    result.bracket = SquaredBracket{std::min(low, squared_limit_), high * high};
+    return result;
+  }
+
+ private:
+  bool may_decide() const override { return true; }
+  bool confirms(const CellPlace& place) override {
+    return consider(point_of_part(place), farthest_);
+  }
+
+  bool decides(const MetCell& met, bool is_least) override {
+    const double share = met.place.half / cells_.limit_up();
+    if (!is_least && (share <= kClipFrom || share > kClipTo)) return false;
+    return met.planes.size() <= kClipPlanes && clip(met.place, is_least);
   }
 
   // The point of the part that is nearest to the center of a cell.
@@ -221,17 +231,20 @@ class PartWalk {
     });
   }
 
-  ReachCells& cells_;
   const ConvexPart& part_;
-  const NearPart near_;
   const Rational& squared_limit_;
-  const bool may_clip_;
-  const Watch& watch_;
-  bool is_beyond_ = false, is_open_ = false;
   std::optional<FarthestPoint> farthest_;  // if beyond
-  double most_found_ = 0, open_high_ = 0;
-  CellPlace found_at_{};
 };
+
+// The part in the frame of the cells, which must hold it.
+NearPart in_frame(const ReachCells& cells, NearPart part) {
+  for (const Point& y : part.vertices()) {
+    if (!(y.lpNorm<Eigen::Infinity>() < cells.root().half - kReachError)) {
+      throw Error(ErrorCode::InvalidArgument, "a part lies beyond the boxes of a reach limit");
+    }
+  }
+  return part;
+}
 
 NearFrame frame_for(const Surface& surface, std::span<const BoundingBox> boxes) {
   std::vector<BoundingBox> all(boxes.begin(), boxes.end());
@@ -253,13 +266,46 @@ ReachLimit::ReachLimit(const Surface& surface, const Winding* winding,
 }
 ReachLimit::~ReachLimit() = default;
 ReachLimit::ReachLimit(ReachLimit&&) noexcept = default;
+ReachLimit& ReachLimit::operator=(ReachLimit&&) noexcept = default;
 
 PartReach ReachLimit::operator()(const ConvexPart& part, const Watch& watch) {
-  return PartWalk(search_->cells, part, search_->squared_limit, true, watch).answer();
+  ReachCells& cells = search_->cells;
+  const NearPart near = in_frame(cells, NearPart(part, cells.frame()));
+  return PartWalk(cells, near, part, search_->squared_limit, watch).answer();
 }
 
 bool ReachLimit::allows(const ConvexPart& part, const Watch& watch) {
-  return PartWalk(search_->cells, part, search_->squared_limit, false, watch).is_within();
+  ReachCells& cells = search_->cells;
+  const NearPart near = in_frame(cells, NearPart(part, cells.frame()));
+  return CellWalk(cells, near, watch).is_within();
+}
+
+// A set of points that are all within T of one triangle has a hull that is, too. That settles most
+// small clusters.
+bool ReachLimit::allows_hull(std::span<const PointId> points, const Watch& watch) {
+  constexpr std::size_t kFew = 64;  // points, of which it does not pay to find the extreme ones
+  ReachCells& cells = search_->cells;
+  std::vector<Point> near;
+  Point sum = Point::Zero();
+  for (const PointId p : points) {
+    near.push_back(cells.triangles().point(p));
+    sum += near.back();
+  }
+  const std::uint32_t middle =
+      cells.triangles().nearest(sum / static_cast<double>(near.size())).triangle;
+  const auto is_near = [&](const Point& y) {
+    return cells.triangles().to_triangle(middle, y).high <= cells.limit_down();
+  };
+  if (std::all_of(near.begin(), near.end(), is_near)) return true;
+  if (near.size() > kFew) {
+    const HullOutcome outcome = convex_hull(subset(cells.surface().points, points));
+    if (const auto* hull = std::get_if<Hull>(&outcome)) {
+      std::vector<Point> extreme;
+      for (const PointId p : hull->vertices) extreme.push_back(near[p.index()]);
+      near = std::move(extreme);
+    }
+  }
+  return CellWalk(cells, NearPart(std::move(near)), watch).is_within();
 }
 
 const Rational& ReachLimit::squared_limit() const { return search_->squared_limit; }

@@ -31,6 +31,19 @@ Fields<DecomposeRequest> make_fields() {
       count_field<R>("max_parts", &R::max_parts, {1},
                      "at least 1: hacd keeps merging beyond the concavity allowed until this many "
                      "parts are left; acd stops splitting at this many"),
+      choice_field<R>("guard", &R::guard, kReachUseNames,
+                      "reach: no part is made that reaches farther from the solid than the "
+                      "distance allowed, so that cavities stay open"),
+      choice_field<R>("merge", &R::merge, kReachUseNames,
+                      "reach: parts are merged in the end, adjacent or not, as long as none "
+                      "reaches farther than the distance allowed"),
+      text_field<R>(
+          "distance", &R::distance, parse_concavity,
+          [](const std::optional<ConcavityLimit>& limit) {
+            return spell_limit(limit.value_or(kDefaultDistance));
+          },
+          "how far a point of a part may be from the solid, for guard and merge: a share of the "
+          "diameter, 3% or 0.03d, or a length, 0.05"),
       choice_field<R>("measure", &R::measure, kConcavityMeasureNames,
                       "hacd only: concavity at every point of the triangles, or at their corners "
                       "only, as published, which sees no notch whose corners all lie on the hull"),

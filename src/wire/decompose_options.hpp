@@ -33,6 +33,9 @@ inline constexpr auto kFlatPartsNames = name_table<FlatParts>({{FlatParts::Auto,
                                                                {FlatParts::Keep, "keep"},
                                                                {FlatParts::Merge, "merge"}});
 
+inline constexpr auto kReachUseNames =
+    name_table<ReachUse>({{ReachUse::None, "none"}, {ReachUse::Reach, "reach"}});
+
 inline constexpr auto kLoosePointsNames =
     name_table<LoosePoints>({{LoosePoints::Part, "part"}, {LoosePoints::Refuse, "refuse"}});
 

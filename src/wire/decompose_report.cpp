@@ -117,6 +117,34 @@ Json concavity_json(const Concavity& concavity, const Rational& squared_diameter
           {"leaves", vector_json(concavity.leaves)}};
 }
 
+// Which parts reach farther than allowed, with a point that does, or with bounds.
+Json reach_json(const DecompositionReach& reach, const DecomposeRequest& request) {
+  Json farther = Json::array();
+  for (const auto& [part, found] : reach.farther) {
+    Json entry = {{"part", part}, {"reach", found.reach == Reach::Beyond ? "beyond" : "undecided"}};
+    if (found.witness) {
+      entry["point"] = vector_json(found.witness->point);
+      entry["nearest"] = vector_json(found.witness->nearest);
+      entry["squared"] = to_string(found.witness->squared);
+    }
+    if (found.bracket) {
+      entry["squared_bounds"] = {to_string(found.bracket->low), to_string(found.bracket->high)};
+    }
+    farther.push_back(std::move(entry));
+  }
+  const ConcavityLimit limit = request.distance.value_or(kDefaultDistance);
+  return {{"guard", name_in(kReachUseNames, request.guard)},
+          {"merge", name_in(kReachUseNames, request.merge)},
+          {limit.is_share ? "share" : "length", to_string(limit.value)},
+          {"squared", to_string(reach.squared_distance)},
+          {"bounds", interval_json(enclosed_root_of(reach.squared_distance))},
+          {"holds", reach.farther.empty()},
+          {"farther", std::move(farther)},
+          {"refused", reach.refused},
+          {"merged", reach.merged},
+          {"cells", reach.cells}};
+}
+
 Json part_entry(const Decomposition& decomposition, std::size_t number, const std::string& name,
                 DecompositionDetail detail) {
   const Part& part = decomposition.parts[number];
@@ -133,6 +161,7 @@ Json part_entry(const Decomposition& decomposition, std::size_t number, const st
     json["least_concavity"] = {{"squared", to_string(*least)},
                                {"bounds", interval_json(enclosed_root_of(*least))}};
   }
+  if (!part.merged.empty()) json["merged"] = part.merged;
   if (detail == DecompositionDetail::Numbers) return json;
   json["owns"] = part.owns;
   json["vertices"] = vertices_json(part.mesh.points, !decomposition.surface.points.is_binary());
@@ -245,6 +274,7 @@ Json decomposition_json(const Decomposition& decomposition, const DecomposeReque
   } else {
     json["splits"] = splits_json(std::get<SplitTree>(decomposition.origin));
   }
+  if (decomposition.reach) json["reach"] = reach_json(*decomposition.reach, request);
   json["precision"] = name_in(kPrecisionNames, request.precision);
   json["verified"] = {{"triangles", decomposition.tested_triangles}, {"violations", 0}};
   if (const auto& measures = decomposition.measures) {

@@ -92,7 +92,7 @@ std::string decompose_answer(const json& request, std::optional<double> time_lim
 }  // namespace
 
 std::string answer_decompose_request(std::string_view line, std::optional<double> time_limit) {
-  return answer_line(line, {"id", "points", "concavity", "coplanar"},
+  return answer_line(line, {"id", "points", "concavity", "distance", "coplanar"},
                      [&](const json& request) { return decompose_answer(request, time_limit); });
 }
 

@@ -96,6 +96,50 @@ std::string concavity_line(const Decomposition& decomposition, std::span<const s
                   worst->concavity.triangle.value));
 }
 
+// "3% of the diameter (0.07764)", of a length.
+std::string length_text(const Rational& squared, const Decomposition& decomposition) {
+  const Enclosure length = enclosed_root_of(squared);
+  return fmt::format("{} of the diameter ({})",
+                     percent_text(percent_of(length, decomposition.squared_diameter())),
+                     interval_text(length));
+}
+
+// How far the parts reach, as far as it was asked.
+std::string reach_lines(const Decomposition& decomposition, std::span<const std::string> names) {
+  if (!decomposition.reach) {
+    return summary_line("reach",
+                        "not limited: --guard reach keeps every point of the parts within "
+                        "3% of the diameter of the " +
+                            std::string(decomposition.surface.is_closed ? "solid" : "surface"));
+  }
+  const DecompositionReach& reach = *decomposition.reach;
+  const std::string limit = length_text(reach.squared_distance, decomposition);
+  const char* of = decomposition.surface.is_closed ? "the solid" : "the surface";
+  if (reach.farther.empty()) {
+    return summary_line(
+        "reach",
+        fmt::format("no point of the parts is farther than {} from {}, proven", limit, of));
+  }
+  const auto beyond = static_cast<std::size_t>(
+      std::count_if(reach.farther.begin(), reach.farther.end(),
+                    [](const auto& x) { return x.reach.reach == Reach::Beyond; }));
+  const DecompositionReach::Farther* worst = nullptr;
+  for (const auto& x : reach.farther) {
+    if (x.reach.witness && (!worst || x.reach.witness->squared > worst->reach.witness->squared)) {
+      worst = &x;
+    }
+  }
+  std::string text =
+      fmt::format("{} of {} {} farther than {} from {}", beyond > 0 ? beyond : reach.farther.size(),
+                  counted(decomposition.parts.size(), "part", "parts"),
+                  beyond > 0 ? (beyond == 1 ? "reaches" : "reach") : "may reach", limit, of);
+  if (worst != nullptr) {
+    text += fmt::format("; {} at least {}", names[worst->part],
+                        length_text(worst->reach.witness->squared, decomposition));
+  }
+  return summary_line("reach", text);
+}
+
 std::string merges_line(const Clustering& clustering) {
   std::string text = with_separators(clustering.merges.size()) + " of two neighbours";
   if (clustering.whole_groups > 0) {
@@ -124,11 +168,6 @@ std::string measures_lines(const DecompositionMeasures& measures) {
   std::string text;
   if (measures.solid_volume) {
     const Enclosure& solid = measures.solid_volume->bounds;
-    text += summary_line("uncovered",
-                         fmt::format("volume {} of {}{} of the solid is in no part",
-                                     interval_text(*measures.uncovered_volume),
-                                     interval_text(*measures.solid_volume),
-                                     share_text(measures.uncovered_volume->bounds, solid)));
     if (measures.excess_volume) {
       text +=
           summary_line("excess", fmt::format("volume {}{} of the parts is outside of the solid",
@@ -140,6 +179,46 @@ std::string measures_lines(const DecompositionMeasures& measures) {
   return text + summary_line("union", fmt::format("volume {}; the parts overlap by {}",
                                                   interval_text(*measures.union_volume),
                                                   interval_text(*measures.overlap_volume)));
+}
+
+// What the solid lacks, first of all: a result with voids does not begin with what it covers.
+std::string hollow_line(const Decomposition& decomposition) {
+  const auto& measures = decomposition.measures;
+  if (!measures || !measures->solid_volume) return "";
+  const Enclosure& uncovered = measures->uncovered_volume->bounds;
+  if (uncovered.high() <= 0) {
+    return summary_line("hollow", "nothing: the parts hold the solid");
+  }
+  return summary_line("hollow", fmt::format("volume {} of {}{} of the solid is in no part",
+                                            interval_text(*measures->uncovered_volume),
+                                            interval_text(*measures->solid_volume),
+                                            share_text(uncovered, measures->solid_volume->bounds)));
+}
+
+// The way out of results that users complain about.
+std::string way_out_notes(const Decomposition& decomposition) {
+  const auto& measures = decomposition.measures;
+  if (!measures || !measures->solid_volume) return "";
+  const Enclosure& solid = measures->solid_volume->bounds;
+  const auto exceeds = [&](const std::optional<Measured>& volume, long percent) {
+    return volume && (volume->bounds * Enclosure(Integer(100), kMeasureBits) -
+                      solid * Enclosure(Integer(percent), kMeasureBits))
+                             .low() > 0;
+  };
+  constexpr long kMuch = 20, kSome = 1;
+  std::string text;
+  if (exceeds(measures->excess_volume, kMuch) && !decomposition.reach) {
+    text += summary_line("note",
+                         "the parts fill more than 20% beyond the solid: --guard reach opens "
+                         "cavities, and --merge reach keeps the number of parts down");
+  }
+  if (exceeds(measures->uncovered_volume, kSome)) {
+    text +=
+        summary_line("note",
+                     "where no triangle joins both sides of a wall, no part holds its inside: a "
+                     "larger --concavity, or --distance, joins more of them");
+  }
+  return text;
 }
 
 std::string left_out_line(const Decomposition& decomposition, PartMeasures wanted) {
@@ -210,13 +289,18 @@ std::string surface_notes(const Surface& surface) {
 
 std::string summary(const Decomposition& decomposition, const DecomposeRequest& request,
                     std::span<const std::string> names) {
-  std::string text = summary_line("input", surface_text(decomposition.surface));
-  text += surface_notes(decomposition.surface);
-  text += parts_line(decomposition.parts);
+  std::string text = parts_line(decomposition.parts);
+  if (const std::size_t merged = decomposition.reach ? decomposition.reach->merged : 0) {
+    text += summary_line("", counted(merged, "part", "parts") + " merged with others by reach");
+  }
   if (const std::size_t inner = decomposition.inner.size()) {
     text += summary_line("", counted(inner, "cluster", "clusters") +
                                  " inside of other parts left out; --keep-inner keeps such parts");
   }
+  text +=
+      hollow_line(decomposition) + reach_lines(decomposition, names) + way_out_notes(decomposition);
+  text += summary_line("input", surface_text(decomposition.surface));
+  text += surface_notes(decomposition.surface);
   text += concavity_line(decomposition, names) + limit_line(decomposition, request);
   if (const auto* clustering = std::get_if<Clustering>(&decomposition.origin)) {
     text += merges_line(*clustering);

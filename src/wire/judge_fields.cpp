@@ -47,6 +47,11 @@ Field<Request> tolerance_field() {
 
 }  // namespace
 
+Tolerance read_distance(const std::string& option, const std::string& text) {
+  ConcavityLimit limit = parse_concavity(option, text);
+  return {std::move(limit.value), limit.is_share};
+}
+
 const Fields<Budgets>& budget_fields() {
   static const Fields<Budgets> fields = make_budget_fields<Budgets>();
   return fields;
@@ -79,6 +84,11 @@ const Fields<VerifyRequest>& verify_fields() {
 const Fields<PartsRequest>& parts_fields() {
   using R = PartsRequest;
   static const Fields<R> fields = {
+      text_field<R>(
+          "distance", &R::distance, read_distance,
+          [](const std::optional<Tolerance>&) { return ""; },
+          "decide whether no point of a part is farther than this from the solid of "
+          "INPUT, and whether they hold it: 3% or 0.03d of the diameter, or a length"),
       count_field<R>("max_parts", &R::max_parts, {},
                      "the largest number of parts; the other budgets apply to each part"),
       choice_field<R>("orient", &R::orient, kOrientationNames,

@@ -20,7 +20,11 @@ namespace convexact {
 /// exact_facets, tightness, and judge_points.
 [[nodiscard]] const Fields<VerifyRequest>& verify_fields();
 
-/// What is asked about parts besides: max_parts, orient and exact_volumes.
+/// "3%" and "0.03d" are shares of the diameter, "0.05" is a length; all exact.
+/// @throws Error InvalidArgument for anything else, naming the option.
+[[nodiscard]] Tolerance read_distance(const std::string& option, const std::string& text);
+
+/// What is asked about parts besides: distance, max_parts, orient and exact_volumes.
 [[nodiscard]] const Fields<PartsRequest>& parts_fields();
 
 }  // namespace convexact

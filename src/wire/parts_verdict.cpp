@@ -45,7 +45,42 @@ Json measures_json(const PartsMeasures& measures) {
 
 // ---- Text
 
-std::string measures_text(const PartsMeasures& m, const Rational& squared_diameter) {
+// "0.0121 to 0.0125 (1.3% of the diameter)".
+std::string length_text(const Enclosure& x, const Rational& squared_diameter) {
+  const Enclosure diameter = sqrt(Enclosure(squared_diameter, x.precision()));
+  return fmt::format(
+      "{:.4g} to {:.4g}{}", x.low_double(), x.high_double(),
+      x.high() > 0 ? fmt::format(" ({:.3g}% of the diameter)", 100 * (x / diameter).high_double())
+                   : "");
+}
+
+// Where a distance was asked for: how far the solid and the parts are from each other.
+std::string distance_text(const PartsVerdict& verdict) {
+  if (!verdict.distance) return "";
+  const char* solid = verdict.surface.is_closed ? "the solid" : "the surface";
+  const auto& covers =
+      verdict[verdict.surface.is_closed ? ClaimCode::CoversSolid : ClaimCode::CoversSurface];
+  std::string text = std::string(solid) + " from the parts: ";
+  if (covers.status == Status::Holds) {
+    text += "0, as they hold it";
+  } else if (covers.witness.squared_distance) {
+    text += fmt::format("at least {}", decimal_of_root(*covers.witness.squared_distance));
+  } else {
+    text += "not asked";
+  }
+  text += fmt::format("; the parts from {}: ", solid);
+  const auto& reach = verdict[ClaimCode::WithinSolid];
+  if (verdict.measures && verdict.measures->union_to_input) {
+    text += length_text(*verdict.measures->union_to_input, verdict.squared_diameter);
+  } else {
+    text += reach.status == Status::Holds ? "within the distance allowed" : "see within-solid";
+  }
+  return verdict_line("distance",
+                      text + ", at most " + describe_distance(*verdict.distance) + " allowed");
+}
+
+std::string measures_text(const PartsMeasures& m, const Rational& squared_diameter,
+                          bool has_distance) {
   std::string text =
       verdict_line("uncovered", fmt::format("area {} of {}{}", interval_text(m.uncovered_area),
                                             interval_text(m.surface_area),
@@ -66,22 +101,19 @@ std::string measures_text(const PartsMeasures& m, const Rational& squared_diamet
         "union", fmt::format("volume {}, parts overlap by {}", interval_text(*m.union_volume),
                              interval_text(*m.overlap_volume)));
   }
-  const Enclosure diameter = sqrt(Enclosure(squared_diameter, m.surface_area.precision()));
-  const auto distance = [&](const Enclosure& x) {
-    return fmt::format(
-        "{:.4g} to {:.4g}{}", x.low_double(), x.high_double(),
-        x.high() > 0 ? fmt::format(" ({:.3g}% of the diameter)", 100 * (x / diameter).high_double())
-                     : "");
-  };
-  text += verdict_line("farthest", "the surface from the union: " + distance(m.surface_to_union));
-  if (!m.union_to_input) {
-    return text + verdict_line("left out",
-                               "volumes of the union, excess and overlap, and the union's distance "
-                               "from the input: --measures all");
+  text += verdict_line("farthest", "the surface from the union: " +
+                                       length_text(m.surface_to_union, squared_diameter));
+  if (!m.union_to_input || has_distance) {
+    if (m.union_volume) return text;
+    return text +
+           verdict_line("left out", has_distance
+                                        ? "volumes of the union, excess and overlap: --measures all"
+                                        : "volumes of the union, excess and overlap, and the "
+                                          "union's distance from the input: --measures all");
   }
   return text + verdict_line("", std::string("the union from the ") +
                                      (m.solid_volume ? "solid: " : "surface: ") +
-                                     distance(*m.union_to_input));
+                                     length_text(*m.union_to_input, squared_diameter));
 }
 
 std::string parts_text(const PartsVerdict& verdict) {
@@ -125,12 +157,14 @@ Json parts_verdict_json(const PartsVerdict& verdict) {
 }
 
 std::string parts_verdict_text(const PartsVerdict& verdict) {
-  std::string text = claims_text(verdict.claims);
+  std::string text = distance_text(verdict) + claims_text(verdict.claims);
   if (!verdict.surface.triangles.empty()) {
     text += verdict_line("surface", surface_text(verdict.surface));
   }
   text += parts_text(verdict);
-  if (verdict.measures) text += measures_text(*verdict.measures, verdict.squared_diameter);
+  if (verdict.measures)
+    text +=
+        measures_text(*verdict.measures, verdict.squared_diameter, verdict.distance.has_value());
   for (const std::string& note : verdict.notes) text += verdict_line("note", note);
   return text + verdict_line(verdict.claims);
 }

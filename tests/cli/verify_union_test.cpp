@@ -118,7 +118,7 @@ TEST_CASE("verify --union: the text for people") {
   CHECK(ran.exit == 1);
   for (const char* text :
        {"as parts of", "covers-points       violated", "4 of 16 points in no part",
-        "not asked           covers-solid, parts-disjoint, parts-needed",
+        "not asked           covers-solid, within-solid, parts-disjoint, parts-needed",
         "closed: it bounds a solid", "volume 1.000 of 3.000 (33.3%)", "left out",
         "the surface from the union", "2 claims are violated"}) {
     CAPTURE(text);
@@ -240,4 +240,25 @@ TEST_CASE("verify --stdio: candidates with parts") {
   CHECK(answers[3]["error"]["exit"] == 4);
   CHECK(answers[4]["claims"][0]["code"] == "parts-readable");
   CHECK(answers[4]["claims"][0]["status"] == "violated");
+}
+
+TEST_CASE("verify --distance: both directions first, and the exit code of the verdict") {
+  const LFiles files;
+  const std::string box =
+      files.scratch.write("box.obj", obj_of(box_mesh({{0, 0, 0}, {2, 2, 1}}), 1, "box"));
+  const auto within = run_program(files.arguments(box, "--distance 1.1"));
+  CHECK(within.exit == 0);
+  // The first line after the names of the files.
+  const std::string second = within.out.substr(within.out.find('\n') + 1);
+  CHECK(second.find("  distance            the solid from the parts: 0, as they hold it; the parts "
+                    "from the solid: ") == 0);
+  CHECK(second.find("at most 1.1 allowed") != std::string::npos);
+  const JudgedUnion beyond = judge_union(files, box, "--distance 30%");
+  CHECK(beyond.exit == 1);
+  CHECK(beyond.status("covers-solid") == "holds");
+  CHECK(beyond.status("within-solid") == "violated");
+  CHECK(beyond.document["measures"].contains("union_to_input"));
+  for (const char* wrong : {"--distance x", "--claims within-solid", "--distance 3% --parts"}) {
+    CHECK(run_program(files.arguments(box, wrong)).exit == 2);
+  }
 }

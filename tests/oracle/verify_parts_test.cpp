@@ -374,3 +374,77 @@ TEST_CASE("verify_parts: a flat part in a face of a solid one is not needed, in 
     }
   }
 }
+
+// ---- within-solid
+
+namespace {
+
+PartsVerdict within(const std::set<Cell>& cells, const std::vector<Box>& boxes,
+                    const Tolerance& distance) {
+  PartsRequest request;
+  request.distance = distance;
+  request.measures = PartMeasures::None;
+  return verify_parts(mesh_of_cells(cells), parts_of_boxes(boxes), request);
+}
+
+}  // namespace
+
+TEST_CASE("verify_parts: a distance asks about both directions") {
+  // The box of an L adds a cell whose far corner is at (2, 2): 1 from both arms along the axes.
+  const std::vector<Box> box{{{0, 0, 0}, {2, 2, 1}}};
+  check_violated(within(l_cells(), box, {Rational(11, 10), false}), {});
+  const PartsVerdict verdict = within(l_cells(), box, {Rational(9, 10), false});
+  check_violated(verdict, {WithinSolid});
+  const Witness& witness = verdict[WithinSolid].witness;
+  CHECK(witness.parts == std::vector<std::size_t>{0});
+  REQUIRE(witness.point);
+  const RationalPoint& x = *witness.point;
+  CHECK(x[0] > 1);
+  CHECK(x[1] > 1);
+  const Rational least = std::min<Rational>(x[0] - 1, x[1] - 1);
+  CHECK(*witness.squared_distance == least * least);
+  CHECK(least > Rational(9, 10));
+  // What the parts leave out is told, too.
+  check_violated(within(l_cells(), {box_of({0, 0, 0})}, {Rational(1, 2), true}),
+                 {CoversPoints, CoversSurface, CoversSolid});
+}
+
+TEST_CASE("verify_parts: a distance of 0 is decided by volumes") {
+  check_violated(within(cross_cells(), boxes_of(cross_cells()), {0, false}), {});
+  const PartsVerdict verdict =
+      within(l_cells(), {{{0, 0, 0}, {2, 1, 1}}, {{0, 0, 0}, {1, 2, 1.0625}}}, {0, true});
+  check_violated(verdict, {WithinSolid});
+  CHECK(verdict[WithinSolid].witness.parts == std::vector<std::size_t>{1});
+  // By so little that no cell shows a point: but there is a volume.
+  const PartsVerdict little =
+      within(l_cells(), {{{0, 0, 0}, {2, 1, 1}}, {{0, 0, 0}, {1, 2, 1 + 0x1p-40}}}, {0, true});
+  CHECK(little[WithinSolid].status == Status::Undecided);
+  CHECK_FALSE(little.holds());
+}
+
+TEST_CASE("verify_parts: within-solid needs a distance, and faces") {
+  PartsRequest request;
+  request.claims = {WithinSolid};
+  const Mesh mesh = mesh_of_cells(l_cells());
+  const CandidateParts parts = parts_of_boxes(boxes_of(l_cells()));
+  CHECK(error_of([&] { return verify_parts(mesh, parts, request); }).code() ==
+        ErrorCode::InvalidArgument);
+  request.distance = Tolerance{-1, false};
+  CHECK(error_of([&] { return verify_parts(mesh, parts, request); }).code() ==
+        ErrorCode::InvalidArgument);
+  request.distance = Tolerance{1, false};
+  CHECK(verify_parts(mesh, parts, request).holds());
+  const PartsVerdict cloud = verify_parts({mesh.points, {}, {}}, parts, request);
+  CHECK(cloud[WithinSolid].status == Status::NotApplicable);
+  CHECK_FALSE(cloud.holds());
+  // An open surface has no inside: the middle of a cube is 1/2 from its faces.
+  Mesh open = mesh_of_cells({{0, 0, 0}});
+  open.polygons.pop_back();
+  open.parts.clear();
+  const CandidateParts cube = parts_of_boxes({box_of({0, 0, 0})});
+  request.claims = {};
+  request.distance = Tolerance{Rational(51, 100), false};
+  CHECK(verify_parts(open, cube, request).holds());
+  request.distance = Tolerance{Rational(49, 100), false};
+  CHECK(verify_parts(open, cube, request)[WithinSolid].status == Status::Violated);
+}

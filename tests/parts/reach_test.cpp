@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// Decompositions that stay near the solid. That they do is judged by points whose distance is known
+// by hand, by the oracle's covers-surface, and by exact engines.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "cells.hpp"
+#include "convexact/decompose.hpp"
+#include "convexact/io.hpp"
+#include "convexact/verify_parts.hpp"
+#include "expect_error.hpp"
+#include "sweep.hpp"
+
+using namespace convexact;
+using namespace support;
+
+namespace {
+
+Mesh case_mesh(const std::string& name) {
+  return read_mesh(std::string(std::getenv("CONVEXACT_TEST_DATA")) + "/cases/" + name + ".obj");
+}
+
+DecomposeRequest guarded(const char* limit = "3/100") {
+  DecomposeRequest request;
+  request.guard = ReachUse::Reach;
+  request.distance = ConcavityLimit{parse_rational(limit), true};
+  request.measures = PartMeasures::All;
+  return request;
+}
+
+DecomposeRequest merging(const char* limit = "3/100") {
+  DecomposeRequest request = guarded(limit);
+  request.guard = ReachUse::None;
+  request.merge = ReachUse::Reach;
+  return request;
+}
+
+Decomposition made_of(const Mesh& mesh, const DecomposeRequest& request) {
+  return std::get<Decomposition>(decompose(mesh, request));
+}
+
+bool any_holds(const Decomposition& made, const RationalPoint& x) {
+  return std::any_of(made.parts.begin(), made.parts.end(), [&](const Part& part) {
+    return std::all_of(part.halfspaces.begin(), part.halfspaces.end(),
+                       [&](const Halfspace& h) { return h(x) <= 0; });
+  });
+}
+
+// What holds of every decomposition, by other code than made it.
+void check_promises(const Mesh& mesh, const Decomposition& made, const DecomposeRequest& request) {
+  std::vector<NamedPart> parts;
+  for (const Part& part : made.parts) parts.push_back({"part", part.mesh});
+  PartsRequest asked;
+  asked.claims = {ClaimCode::CoversPoints, ClaimCode::CoversSurface};
+  asked.distance = Tolerance{request.distance->value, request.distance->is_share};
+  asked.measures = PartMeasures::None;
+  const PartsVerdict verdict = verify_parts(mesh, parts, asked);
+  CHECK(verdict[ClaimCode::CoversSurface].status == Status::Holds);
+  REQUIRE(made.reach);
+  CHECK(made.reach->farther.empty());
+  CHECK(verdict[ClaimCode::WithinSolid].status == Status::Holds);
+  std::size_t clusters = made.inner.size() + made.parts.size();
+  for (const Part& part : made.parts) clusters += part.merged.size();
+  CHECK(clusters == made.clusters().size());
+  for (const Part& part : made.parts) {
+    for (const TriangleId t : part.merged)
+      CHECK(made.owner[t.index()] == made.owner[part.owns[0].index()]);
+  }
+}
+
+bool is_small(const std::optional<Measured>& volume, const char* most) {
+  return volume && volume->bounds.high() <= parse_rational(most);
+}
+
+}  // namespace
+
+TEST_CASE("decompose --guard reach: cavities stay open") {
+  struct Case {
+    const char* name;
+    std::vector<RationalPoint> open;  // points in cavities, far from every wall
+    const char* most_excess;
+  };
+  const auto at = [](const char* x, const char* y, const char* z) {
+    return RationalPoint(parse_rational(x), parse_rational(y), parse_rational(z));
+  };
+  // 20% of the cup's 0.002634; the bin's sheets are thickened if nothing merges with them.
+  const Case cases[] = {
+      {"bin", {at("1/2", "1/2", "1/2"), at("1/5", "1/5", "9/10")}, "0.00001"},
+      {"cup", {at("0", "0", "1/10"), at("0", "0", "1/20")}, "0.000526"},
+      {"tube", {at("0", "0", "1/10"), at("1/100", "0", "1/100")}, "0.0008"},
+      {"house", {at("1", "1", "1"), at("5", "1", "2"), at("2", "9/2", "2")}, "0.00001"}};
+  for (const auto& [name, open, most_excess] : cases) {
+    CAPTURE(name);
+    const Mesh mesh = case_mesh(name);
+    const Decomposition published = made_of(mesh, {});
+    CHECK(any_holds(published, open[0]));
+    for (const DecomposeRequest& request : {guarded(), merging()}) {
+      const Decomposition made = made_of(mesh, request);
+      for (const RationalPoint& x : open) CHECK_FALSE(any_holds(made, x));
+      CHECK(is_small(made.measures->excess_volume, most_excess));
+      check_promises(mesh, made, request);
+    }
+  }
+}
+
+TEST_CASE("decompose --merge reach: few parts, and the bin is exact") {
+  const Decomposition bin = made_of(case_mesh("bin"), merging());
+  CHECK(bin.parts.size() == 5);
+  CHECK(is_small(bin.measures->excess_volume, "1e-30"));
+  CHECK(is_small(bin.measures->uncovered_volume, "1e-30"));
+}
+
+TEST_CASE("decompose --guard reach: acd splits what reaches too far") {
+  for (const char* name : {"bin", "house"}) {
+    const Mesh mesh = case_mesh(name);
+    DecomposeRequest request = guarded();
+    request.method = DecomposeMethod::Acd;
+    const Decomposition made = made_of(mesh, request);
+    CAPTURE(name);
+    CHECK(made.reach->refused > 0);
+    DecomposeRequest plain;
+    plain.method = DecomposeMethod::Acd;
+    CHECK(made.parts.size() > made_of(mesh, plain).parts.size());
+  }
+}
+
+TEST_CASE("decompose --guard reach: the engines make the same merges" * sweep) {
+  const std::set<Cell> slot = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 1}, {2, 0, 1}};
+  for (const auto& cells : {l_cells(), ring_cells(), cross_cells(), slot}) {
+    const Mesh mesh = mesh_of_cells(cells);
+    for (const char* limit : {"1/20", "1/5"}) {
+      DecomposeRequest request = guarded(limit);
+      request.limit.value = Rational(1, 2);
+      const Decomposition filtered = made_of(mesh, request);
+      request.engine = Engine::Exact;
+      const Decomposition exact = made_of(mesh, request);
+      const auto& a = std::get<Clustering>(filtered.origin);
+      const auto& b = std::get<Clustering>(exact.origin);
+      CHECK(a.merges == b.merges);
+      CHECK(a.clusters == b.clusters);
+      CHECK(a.refused == b.refused);
+    }
+  }
+}
+
+TEST_CASE("decompose: what guards and distances refuse, and what exceeds them is told") {
+  const Mesh mesh = mesh_of_cells(l_cells());
+  DecomposeRequest request;
+  request.distance = ConcavityLimit{Rational(1, 100), true};
+  CHECK(error_of([&] { return decompose(mesh, request); }).code() == ErrorCode::InvalidArgument);
+  request.guard = ReachUse::Reach;
+  request.distance->value = 0;
+  CHECK(error_of([&] { return decompose(mesh, request); }).code() == ErrorCode::InvalidArgument);
+  // One part is asked for, so the box of the L it is; its corner is 1 from both arms.
+  request.distance->value = Rational(1, 100);
+  request.max_parts = 1;
+  const Decomposition made = made_of(mesh, request);
+  REQUIRE(made.reach->farther.size() == 1);
+  const PartReach& reach = made.reach->farther[0].reach;
+  CHECK(reach.reach == Reach::Beyond);
+  CHECK(reach.witness->squared > made.reach->squared_distance);
+  // The diagonal of the hull of an L passes the corner that lacks at 1/2 from both arms.
+  CHECK(reach.witness->squared <= Rational(1, 4));
+}
