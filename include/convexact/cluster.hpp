@@ -201,7 +201,9 @@ enum class BridgeChoice {
 
 struct SplitOptions {
   ConcavityLimit limit = {};
-  ClusterGuard guard = {};  ///< A leaf that it refuses is split as if it were too concave.
+  /// A leaf that it refuses is split as if it were too concave; if its notch does not divide it, at
+  /// the edge where it is most concave.
+  ClusterGuard guard = {};
   std::optional<std::size_t> max_parts = {};  ///< Stop splitting at this many leaves; >= 1.
   BridgeChoice bridge = BridgeChoice::Farther;
   /// Facets are joined to one bridge over an edge if the cosine of the angle between their normals

@@ -87,18 +87,13 @@ std::optional<SplitPlane> plane_through(const Surface& surface, PointId notch, P
   const RationalPoint at = surface.points[notch];
   const RationalVector3 normal = (surface.points[to] - at).cross(across.cast<Rational>());
   if (normal.isZero()) return {};
-  return SplitPlane{to, std::move(triangles), Halfspace(normal, -normal.dot(at))};
+  return SplitPlane{to, std::move(triangles), Halfspace(normal, -normal.dot(at)), true, 1};
 }
 
 }  // namespace
 
 std::vector<SplitPlane> split_planes(const Surface& surface, const Patch& patch, PointId notch) {
-  struct Ranked {
-    bool is_convex;
-    Rational cosine;
-    SplitPlane plane;
-  };
-  std::vector<Ranked> ranked;
+  std::vector<SplitPlane> planes;
   std::optional<SplitPlane> at_border;
   std::map<TriangleId, IntegerVector3> normals;
   for (const std::uint32_t t : patch.triangles_at(patch.number_of(notch))) {
@@ -121,16 +116,15 @@ std::vector<SplitPlane> split_planes(const Surface& surface, const Patch& patch,
         Rational cosine = signed_squared_cosine(n1, n2);
         auto plane = plane_through(surface, notch, to, {ids[i], ids[j]}, across(n1, n2, cosine));
         if (!plane) continue;
-        ranked.push_back(
-            {!is_concave(surface, ids[i], n1, ids[j]), std::move(cosine), std::move(*plane)});
+        plane->is_convex = !is_concave(surface, ids[i], n1, ids[j]);
+        plane->cosine = std::move(cosine);
+        planes.push_back(std::move(*plane));
       }
     }
   }
-  std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) {
+  std::stable_sort(planes.begin(), planes.end(), [](const SplitPlane& a, const SplitPlane& b) {
     return std::tie(a.is_convex, a.cosine) < std::tie(b.is_convex, b.cosine);
   });
-  std::vector<SplitPlane> planes;
-  for (Ranked& r : ranked) planes.push_back(std::move(r.plane));
   if (planes.empty() && at_border) planes.push_back(std::move(*at_border));
   return planes;
 }

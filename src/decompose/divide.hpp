@@ -36,6 +36,8 @@ struct SplitPlane {
   PointId to;                         ///< The other end of the edge.
   std::vector<TriangleId> triangles;  ///< At the edge: two, or one at a border.
   Halfspace plane;
+  bool is_convex = true;  ///< Whether the surface is not concave at the edge.
+  Rational cosine = 1;    ///< Of the normals there: d |d| for d = n1.n2.
 };
 
 /// The planes at a notch, in the order in which they are tried. For each two triangles at an edge,

@@ -164,38 +164,62 @@ class Splitter {
 
   void split(std::uint32_t n) {
     waiting_.erase(n);
-    const std::unique_ptr<Evaluated>& part = parts_[n];
-    const PointId notch = made_.nodes[n].notch;
+    const Evaluated& part = *parts_[n];
     std::size_t refused = 0;
-    std::vector<SplitPlane> planes;
-    if (part->notch) planes = split_planes(surface_, part->patch, notch);
-    for (SplitPlane& plane : planes) {
-      auto division = divide(surface_, units_, part->patch, notch, plane, measure_.near());
-      if (!division) {
+    if (part.notch) {
+      const PointId notch = made_.nodes[n].notch;
+      for (const SplitPlane& plane : split_planes(surface_, part.patch, notch)) {
+        if (split_at(n, notch, plane, refused)) return;
         ++refused;
-        continue;
       }
-      std::vector<TriangleId> gone;
-      std::merge(division->moved.begin(), division->moved.end(), division->islands.begin(),
-                 division->islands.end(), std::back_inserter(gone));
-      made_.splits.push_back({.node = n,
-                              .edge = {notch, plane.to},
-                              .plane = std::move(plane.plane),
-                              .refused = refused,
-                              .moved = std::move(division->moved),
-                              .islands = std::move(division->islands)});
-      SplitNode& node = made_.nodes[n];
-      node.is_split = true;
-      const auto first = static_cast<std::uint32_t>(made_.nodes.size());
-      node.children = {first, first + 1};
-      parts_[n].reset();
-      --leaf_count_;
-      add_node(division->kept, n);
-      add_node(gone, n);
-      return;
     }
+    if (split_anywhere(n, refused)) return;
     unsplittable_.insert(n);
     settled_ += made_.nodes[n].triangle_count;
+  }
+
+  bool split_at(std::uint32_t n, PointId notch, const SplitPlane& plane, std::size_t refused) {
+    auto division = divide(surface_, units_, parts_[n]->patch, notch, plane, measure_.near());
+    if (!division) return false;
+    std::vector<TriangleId> gone;
+    std::merge(division->moved.begin(), division->moved.end(), division->islands.begin(),
+               division->islands.end(), std::back_inserter(gone));
+    made_.splits.push_back({.node = n,
+                            .edge = {notch, plane.to},
+                            .plane = plane.plane,
+                            .refused = refused,
+                            .moved = std::move(division->moved),
+                            .islands = std::move(division->islands)});
+    SplitNode& node = made_.nodes[n];
+    node.is_split = true;
+    const auto first = static_cast<std::uint32_t>(made_.nodes.size());
+    node.children = {first, first + 1};
+    parts_[n].reset();
+    --leaf_count_;
+    add_node(division->kept, n);
+    add_node(gone, n);
+    return true;
+  }
+
+  // What the guard refuses is split at the edge where it is most concave, or least convex, if its
+  // notch does not divide it, or it has none: at the edge of two triangles some plane always does.
+  bool split_anywhere(std::uint32_t n, std::size_t refused) {
+    const Patch& patch = parts_[n]->patch;
+    if (!options_.guard || options_.guard(patch.triangles())) return false;
+    std::vector<std::pair<PointId, SplitPlane>> planes;
+    for (const PointId p : patch.points()) {
+      options_.watch.ask();
+      for (SplitPlane& plane : split_planes(surface_, patch, p)) {
+        planes.emplace_back(p, std::move(plane));
+      }
+    }
+    std::stable_sort(planes.begin(), planes.end(), [](const auto& a, const auto& b) {
+      return std::tie(a.second.is_convex, a.second.cosine) <
+             std::tie(b.second.is_convex, b.second.cosine);
+    });
+    return std::any_of(planes.begin(), planes.end(), [&](const auto& plane) {
+      return split_at(n, plane.first, plane.second, refused);
+    });
   }
 
   void add_leaf(std::uint32_t n) {
