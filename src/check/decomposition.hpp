@@ -9,6 +9,7 @@
 #include <set>
 
 #include "mesh_file.hpp"
+#include "reach.hpp"
 
 namespace check {
 
@@ -73,12 +74,14 @@ class DecompositionProof {
     while (words_.take_if("part")) read_part();
     for (const std::size_t p : owner_) require(p != kNone, "a triangle has no owner");
     const std::size_t pairs = read_pairs();
+    const std::string reach = read_reach();
     words_.end();
     return "proven: each of " + count(triangles_.size(), " triangles is in one of ") +
            count(clusters_.size(), " clusters") + (by_edges_ ? ", connected over edges" : "") +
            (by_bridges_ ? depths_text() : concavities_text(pairs)) +
-           "\nproven: each triangle lies in its owner, one of " + count(parts_, " convex parts, ") +
-           count(hulls_, " of them exactly hulls of clusters\n");
+           "\nproven: each triangle lies in its owner, one of " +
+           count(parts_.size(), " convex parts, ") +
+           count(hulls_, " of them exactly hulls of clusters\n") + reach;
   }
 
   std::string concavities_text(std::size_t pairs) const {
@@ -371,6 +374,22 @@ class DecompositionProof {
     }
   }
 
+  // (11) to (13) No point of a part is farther from the surface, or what it winds about, than that.
+  std::string read_reach() {
+    if (!words_.take_if("reach")) return "";
+    const bool is_share = words_.take_if("share");
+    expect(is_share || words_.take_if("length"), "share or length");
+    const Rational distance = words_.rational();
+    expect(distance > 0, "a distance above 0");
+    Rational squared = distance * distance;
+    if (is_share) squared *= squared_diameter();
+    ReachProof proof(words_, points_, triangles_);
+    const std::size_t cells = proof.check(squared, parts_);
+    return "proven: no point of a part is farther than " + distance.get_str() +
+           (is_share ? " of the diameter" : "") + " from the " +
+           (proof.has_inside() ? "solid" : "surface") + ", by " + count(cells, " cells\n");
+  }
+
   // Whether some plane holds the points.
   bool is_flat(const IdSet& ids) const {
     Row plane;  // through the first point, the first other one, and the first off the line of both
@@ -420,9 +439,11 @@ class DecompositionProof {
     require(!cluster.has_part, "the cluster has a part already");
     cluster.has_part = true;
     std::vector<Row> stored, planes;
+    PlacedPart placed;
     if (form == "hull") {
       require(cluster.facets > 0, "the cluster has no facets");
       planes = cluster.planes;
+      for (const std::size_t p : cluster.points) placed.corners.push_back(vector_of(points_[p]));
       ++hulls_;
     }
     while (form != "hull" && words_.take_if("corner")) stored.push_back(words_.point());
@@ -438,11 +459,11 @@ class DecompositionProof {
     IdSet held;  // points
     for (const std::size_t t : words_.ids(triangles_.size())) {
       require(owner_[t] == kNone, "a triangle has an owner already");
-      owner_[t] = parts_;
+      owner_[t] = parts_.size();
       held.insert(triangles_[t].begin(), triangles_[t].end());
     }
     for (const std::size_t t : cluster.triangles) {
-      require(owner_[t] == parts_, "it does not own its cluster");
+      require(owner_[t] == parts_.size(), "it does not own its cluster");
     }
     if (form == "flat") {
       require_combinations(held, stored);
@@ -454,7 +475,9 @@ class DecompositionProof {
         }
       }
     }
-    ++parts_;
+    for (const Row& corner : stored) placed.corners.push_back(vector_of(corner));
+    placed.planes = std::move(planes);
+    parts_.push_back(std::move(placed));
   }
   // Each point is a convex combination of the corners: the proof gives the combination of each one
   // that is no corner.
@@ -578,7 +601,8 @@ class DecompositionProof {
   std::vector<Row> directions_;  // by triangle, or by point
   std::vector<Cluster> clusters_;
   Ids cluster_of_, owner_;  // by triangle
-  std::size_t parts_ = 0, hulls_ = 0;
+  std::vector<PlacedPart> parts_;
+  std::size_t hulls_ = 0;
 };
 
 }  // namespace check

@@ -92,6 +92,7 @@ constexpr double kLeastSquare = 0x1p-200;
 NearHull near_hull(std::span<const Point> points, const Point& y, double enough) {
   NearSimplex simplex = nearest_at(points.front() - y);
   double low = 0;
+  Point towards = Point::Zero();
   for (int step = 0; step < 64; ++step) {
     if (!(simplex.squared > kLeastSquare) || simplex.size == 4) break;
     if (low > enough || simplex.squared <= enough * enough) break;
@@ -105,13 +106,16 @@ NearHull near_hull(std::span<const Point> points, const Point& y, double enough)
         beyond = i;
       }
     }
-    low = std::max(low, least / std::sqrt(simplex.squared));
+    if (const double bound = least / std::sqrt(simplex.squared); bound > low) {
+      low = bound;
+      towards = q;
+    }
     if (least >= simplex.squared * (1 - 0x1p-48)) break;
     const NearSimplex next = nearest_in(simplex, points[beyond] - y);
     if (!(next.squared < simplex.squared)) break;
     simplex = next;
   }
-  return {{low, std::sqrt(std::max(simplex.squared, kLeastSquare))}, simplex.nearest};
+  return {{low, std::sqrt(std::max(simplex.squared, kLeastSquare))}, simplex.nearest, towards};
 }
 
 NearHull near_triangle(const std::array<Point, 3>& corners, const Point& y) {
@@ -122,7 +126,7 @@ NearHull near_triangle(const std::array<Point, 3>& corners, const Point& y) {
   if (simplex.squared > kLeastSquare) {
     low = std::min({q.dot(w[0]), q.dot(w[1]), q.dot(w[2])}) / std::sqrt(simplex.squared);
   }
-  return {{std::max(0.0, low), std::sqrt(std::max(simplex.squared, kLeastSquare))}, q};
+  return {{std::max(0.0, low), std::sqrt(std::max(simplex.squared, kLeastSquare))}, q, q};
 }
 
 NearBounds widened(const NearBounds& bounds, const Point& y) {

@@ -38,7 +38,8 @@ inline constexpr double kDistanceError = 0x1p-46;
 /// kDistanceError.
 struct NearHull {
   NearBounds bounds;
-  Point nearest;  ///< The nearest point found, less y.
+  Point nearest;                  ///< The nearest point found, less y.
+  Point towards = Point::Zero();  ///< All of the hull is bounds.low or more from y along this.
 };
 
 /// The distance to the hull of at least one point, seen from y.

@@ -9,6 +9,7 @@
 #include "convexact/error.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/linear_program.hpp"
+#include "convexact/reach.hpp"
 #include "decompose/near_concavity.hpp"
 #include "near/near_plane.hpp"
 #include "number/arithmetic.hpp"
@@ -39,6 +40,7 @@ class DecompositionWriter {
   void write_part(std::size_t number, const Cluster& cluster);
   bool write_pair(std::size_t a, std::size_t b);
   bool write_pairs();
+  void write_reach();
 
   bool at_corners() const { return request_.measure == ConcavityMeasure::Vertices; }
   bool by_bridges() const { return request_.method == DecomposeMethod::Acd; }
@@ -88,7 +90,9 @@ void DecompositionWriter::find_clusters() {
 
 std::string DecompositionWriter::write() {
   // The claim, which comes first, depends on whether all pairs are beyond the limit.
-  const bool asks_for_pairs = request_.connect == Connect::Edge && !by_bridges();
+  // A guard leaves neighbours apart that are within the limit together.
+  const bool asks_for_pairs =
+      request_.connect == Connect::Edge && !by_bridges() && !made_.reach.has_value();
   const bool shows_pairs = asks_for_pairs && write_pairs();
   if (asks_for_pairs && !shows_pairs && request_.engine != Engine::Float) {
     throw Error(ErrorCode::Internal, "two neighbours are within the limit together");
@@ -105,6 +109,7 @@ std::string DecompositionWriter::write() {
     if (clusters_[c].part != nullptr) write_part(c, clusters_[c]);
   }
   if (shows_pairs) out_.append(pairs);
+  if (made_.reach) write_reach();
   return out_.finish();
 }
 
@@ -405,6 +410,49 @@ std::optional<std::pair<RaySource, HullRay>> DecompositionWriter::beyond_limit(
     if (!longest.is_within) return std::pair(all[k], longest.ray);
   }
   return std::nullopt;
+}
+
+// ---- Reach
+
+std::string kind_text(const ReachCertificate::Cell& cell) {
+  switch (cell.kind) {
+    case ReachCertificate::Kind::Split:
+      return "split";
+    case ReachCertificate::Kind::Near:
+      return "near " + std::to_string(cell.triangle.value);
+    case ReachCertificate::Kind::Inside:
+      return cell.beside ? "inside " + std::to_string(*cell.beside) : "inside";
+    case ReachCertificate::Kind::Open:
+      break;
+  }
+  return "open";
+}
+
+// Only if cells alone prove it of every part: what takes clipping is not claimed.
+void DecompositionWriter::write_reach() {
+  const Watch watch(request_.watch.stop);
+  std::vector<ConvexPart> stored;
+  std::vector<BoundingBox> boxes;
+  for (const Part& part : made_.parts) {
+    stored.push_back(convex_part(part.mesh.points, watch));
+    boxes.push_back(stored.back().box);
+  }
+  std::optional<Winding> winding;
+  if (surface_.is_closed) winding.emplace(surface_);
+  ReachLimit limit(surface_, winding ? &*winding : nullptr, made_.reach->squared_distance, boxes);
+  std::vector<const ConvexPart*> parts;
+  for (const ConvexPart& part : stored) {
+    if (!limit.allows(part, watch)) return;
+    parts.push_back(&part);
+  }
+  const ReachCertificate certificate = limit.certificate(parts, watch);
+  const ConcavityLimit distance = request_.distance.value_or(kDefaultDistance);
+  out_.line("reach", distance.is_share ? "share" : "length", distance.value);
+  out_.line("root", certificate.center, certificate.half_width);
+  for (const ReachCertificate::Cell& cell : certificate.cells) out_.line("cell", kind_text(cell));
+  for (const auto& [cell, part, direction] : certificate.apart) {
+    out_.line("beyond", cell, part, direction);
+  }
 }
 
 }  // namespace

@@ -13,7 +13,13 @@ class CertificateWriter {
  public:
   CertificateWriter(ReachCells& cells, std::span<const ConvexPart* const> parts, const Watch& watch)
       : cells_(cells), watch_(watch) {
-    for (const ConvexPart* part : parts) near_.emplace_back(*part, cells.frame());
+    for (const ConvexPart* part : parts) {
+      near_.emplace_back(*part, cells.frame());
+      // A flat part has no facets to name: directions alone show that it is elsewhere.
+      if (!part->solid) {
+        near_.back() = NearPart({near_.back().vertices().begin(), near_.back().vertices().end()});
+      }
+    }
   }
 
   ReachCertificate write() {
@@ -81,7 +87,7 @@ class CertificateWriter {
     const NearHull hull =
         near_hull(near_[part.part].vertices(), place.center, place.radius() + kReachError);
     if (widened(hull.bounds, place.center).low <= place.radius()) return false;
-    made_.apart.push_back({number, part.part, -hull.nearest});
+    made_.apart.push_back({number, part.part, -hull.towards});
     return true;
   }
 
