@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// Proofs of how far parts reach: what is written is accepted, and nothing that lacks a line, or has
+// a changed one, proves more than is true.
+#include <algorithm>
+
+#include "checker.hpp"
+#include "decompositions.hpp"
+#include "proof_text.hpp"
+
+using namespace convexact;
+using support::mesh_of_cells;
+
+namespace {
+
+using Line = std::vector<std::string>;
+
+// A slot between two walls: wide enough to be kept open at that distance.
+Mesh slot() { return mesh_of_cells({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 1}, {2, 0, 1}}); }
+
+DecomposeRequest guarded() {
+  DecomposeRequest request;
+  request.guard = ReachUse::Reach;
+  request.distance = ConcavityLimit{Rational(2, 5), false};
+  request.limit = {Rational(2), false};
+  return request;
+}
+
+ProofText slot_proof() { return ProofText(proof_of_parts(slot(), guarded())); }
+
+CheckerVerdict verdict_on(const ProofText& proof) { return check_proof(proof.text(true)); }
+
+std::size_t first(const ProofText& proof, const std::string& keyword, const std::string& second) {
+  for (const std::size_t l : proof.all(keyword)) {
+    if (second.empty() || proof.lines[l][1] == second) return l;
+  }
+  FAIL("no such line");
+  return 0;
+}
+
+void check_refused(const ProofText& proof, const std::string& why) {
+  const CheckerVerdict verdict = verdict_on(proof);
+  CAPTURE(verdict.said);
+  CHECK(verdict.exit_code == 1);
+  CHECK(verdict.said.find(why) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("reach proof: what is written is accepted, of every form of parts") {
+  const CheckerVerdict verdict = verdict_on(slot_proof());
+  CHECK(verdict.exit_code == 0);
+  CHECK(verdict.said.find("proven: no point of a part is farther than 2/5 from the solid") !=
+        std::string::npos);
+  for (const FlatParts flat : {FlatParts::Thicken, FlatParts::Keep}) {
+    for (const Precision precision : {Precision::Binary64, Precision::Binary32}) {
+      DecomposeRequest request = guarded();
+      request.flat = flat;
+      request.precision = precision;
+      const CheckerVerdict of_form = check_proof(proof_of_parts(slot(), request));
+      CHECK_MESSAGE(of_form.said.find("no point of a part is farther") != std::string::npos,
+                    of_form.said);
+    }
+  }
+  Mesh open = slot();
+  open.polygons.pop_back();
+  open.parts.clear();
+  const CheckerVerdict of_open = check_proof(proof_of_parts(open, guarded()));
+  CHECK_MESSAGE(of_open.said.find("from the surface") != std::string::npos, of_open.said);
+  DecomposeRequest farther = guarded();
+  farther.max_parts = 1;
+  CHECK(check_proof(proof_of_parts(slot(), farther)).said.find("farther") == std::string::npos);
+}
+
+TEST_CASE("reach proof: a smaller distance, another root, other cells and directions are refused") {
+  const ProofText good = slot_proof();
+  ProofText forged = good;
+  forged.lines[first(forged, "reach", "")][2] = "1/5";
+  check_refused(forged, "a cell is not near its triangle");
+  forged = good;
+  forged.lines[first(forged, "reach", "")][2] = "0";
+  CHECK(verdict_on(forged).exit_code == 3);
+  forged = good;
+  forged.lines[first(forged, "root", "")][4] = "1/2";
+  CHECK(verdict_on(forged).exit_code == 1);
+  forged = good;
+  forged.lines[first(forged, "cell", "near")] = {"cell", "inside"};
+  check_refused(forged, "a triangle meets a cell of the inside");
+  forged = good;
+  forged.lines[first(forged, "cell", "near")] = {"cell", "open"};
+  check_refused(forged, "a part may reach into an open cell");
+  forged = good;
+  forged.lines[first(forged, "cell", "open")] = {"cell", "inside"};
+  CHECK(verdict_on(forged).exit_code == 1);
+  forged = good;
+  forged.lines[first(forged, "cell", "inside")].resize(2);  // counted itself: still right
+  CHECK(verdict_on(forged).exit_code == 0);
+}
+
+TEST_CASE("reach proof: a direction that separates nothing, or twice, is refused") {
+  // Edges of slanted parts, which no facet separates from cells.
+  const ProofText good(proof_of_parts(dented_cube(), guarded()));
+  CHECK(verdict_on(good).exit_code == 0);
+  const std::vector<std::size_t> beyond = good.all("beyond");
+  REQUIRE(beyond.size() > 0);
+  ProofText forged = good;
+  for (std::size_t w = 3; w < 6; ++w) forged.lines[beyond[0]][w] = "0";
+  check_refused(forged, "a part may reach into an open cell");
+  forged = good;
+  forged.lines.push_back(forged.lines.back());
+  forged.lines[forged.lines.size() - 2] = forged.lines[beyond[0]];
+  check_refused(forged, "a cell is beyond a part already");
+  forged = good;
+  forged.lines.erase(forged.lines.begin() + std::ptrdiff_t(beyond[0]));
+  check_refused(forged, "a part may reach into an open cell");
+}
+
+TEST_CASE("reach proof: a cell outside is not inside, whatever touches it") {
+  // The surface winds 0 times about the slot: its cells are at most open.
+  const ProofText good = slot_proof();
+  std::size_t tried = 0;
+  for (const std::size_t l : good.all("cell")) {
+    if (good.lines[l][1] != "open" || ++tried % 97 != 0) continue;
+    ProofText forged = good;
+    forged.lines[l] = {"cell", "inside"};
+    CHECK(verdict_on(forged).exit_code == 1);
+  }
+  CHECK(tried > 97);
+}
+
+TEST_CASE("reach proof: no line of the claim can be left out") {
+  const ProofText good = slot_proof();
+  const std::size_t from = first(good, "reach", "");
+  std::size_t accepted = 0, tried = 0;
+  // Each of the first and last, and every so many between.
+  for (std::size_t l = from; l + 1 < good.lines.size(); ++l) {
+    if (l > from + 20 && l + 40 < good.lines.size() && l % 41 != 0) continue;
+    ProofText forged = good;
+    forged.lines.erase(forged.lines.begin() + std::ptrdiff_t(l));
+    ++tried;
+    accepted += verdict_on(forged).exit_code == 0 ? 1 : 0;
+  }
+  CHECK(tried > 60);
+  CHECK(accepted == 0);
+}
