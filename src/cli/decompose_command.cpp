@@ -26,6 +26,7 @@ constexpr const char* kDecomposeFooter =
     "  convexact decompose cow.obj -o parts.obj\n"
     "  convexact decompose cow.obj --concavity 5% --measure vertices -o parts/\n"
     "  convexact decompose cow.obj --max-parts 8 --faces 24 --names 'UCX_cow_%02d' -o cow_ucx.obj\n"
+    "  convexact decompose cup.obj --merge reach --distance 3% -o parts.obj\n"
     "  convexact decompose cow.obj --method acd --concavity 10% --picture splits.html\n"
     "  convexact decompose cow.obj --engine exact --trace merges.json -o parts.json\n"
     "  convexact decompose cow.obj --proof cow.proof && convexact-check cow.proof cow.obj\n"
@@ -39,6 +40,8 @@ constexpr const char* kDecomposeFooter =
     "on the written numbers. That covers the surface and need not cover the solid: the summary "
     "says\n"
     "what of the solid is in no part; --measures all also says what of the parts is outside.\n"
+    "Hulls of clusters fill cavities; --guard reach keeps each point of the parts near the solid,\n"
+    "and --merge reach merges parts as long as it is.\n"
     "The exit code is 0 even if --max-parts or --flat merge leads beyond the concavity allowed, or "
     "a\n"
     "part of acd cannot be split; the summary and \"eps_holds\" say so. 4: INPUT has no point, "
@@ -199,9 +202,9 @@ void add_decompose_command(Command& program, int& exit_code) {
   add_stdio_options(command, options->stdio, "one decomposition");
   finish_command(command, options, exit_code, run_decompose);
   add_stages_option(command, options->global);
-  command.show_first({"--method", "--concavity", "--max-parts", "--faces", "--total-faces",
-                      "--output", "--names", "--picture", "--proof", "--precision", "--measures",
-                      "--parts", "--json"});
+  command.show_first({"--method", "--concavity", "--guard", "--merge", "--distance", "--max-parts",
+                      "--faces", "--total-faces", "--output", "--names", "--picture", "--proof",
+                      "--precision", "--measures", "--parts", "--json"});
 }
 
 }  // namespace convexact::cli

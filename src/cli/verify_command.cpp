@@ -328,8 +328,8 @@ void add_verify_command(Command& program, int& exit_code) {
   finish_command(command, options, exit_code, run_verify);
   add_stages_option(command, options->global);
   command.show_first({"--asks", "--claims", "--profile", "--tolerance", "--max-facets",
-                      "--max-vertices", "--parts", "--union", "--measures", "--trace", "--picture",
-                      "--inner", "--json"});
+                      "--max-vertices", "--parts", "--union", "--distance", "--measures", "--trace",
+                      "--picture", "--inner", "--json"});
 }
 
 }  // namespace convexact::cli

@@ -34,7 +34,8 @@ NPM = {"vhacd-16": ("binary64", "vhacd-js"), "vhacd-24": ("binary64", "vhacd-js"
 BUILT = {"hacd": "binary64", "hacd-full": "binary64", "ratcliff": "binary32"}
 ASKED = "covers-points,covers-surface,parts-disjoint,parts-needed,parts-solid,parts-convex"
 COMPARED = ("parts-readable", "parts-finite", "parts-solid", "parts-convex", "covers-points", "covers-surface",
-            "covers-solid", "parts-disjoint", "parts-needed")
+            "covers-solid", "within-solid", "parts-disjoint", "parts-needed")
+DISTANCE = "0.03d"
 
 
 def decomposers():
@@ -184,7 +185,7 @@ class Run:
         ask = self.options.convexact, self.source, self.target, self.program.numbers, self.options.verify_limit
         _, _, self.record["verify_seconds"] = ask_union(*ask, [])
         _, _, self.record["verdict_seconds"] = ask_union(*ask, ["--no-tightness"])
-        status, answer, _ = ask_union(*ask, ["--claims", f"{ASKED},covers-solid"])
+        status, answer, _ = ask_union(*ask, ["--claims", f"{ASKED},covers-solid", "--distance", DISTANCE])
         self.record.update(status=status, answer=answer)
 
 
@@ -199,7 +200,7 @@ def judge_run(work):
         if verdict["most"] == most:
             return verdict
     start = time.monotonic()
-    verdict = judge_part_files(read(source, numbers), target, numbers, most=most).as_json()
+    verdict = judge_part_files(read(source, numbers), target, numbers, most=most, distance=DISTANCE).as_json()
     verdict.update(seconds=round(time.monotonic() - start, 3), most=most)
     memory.write_text(json.dumps(verdict))
     return verdict

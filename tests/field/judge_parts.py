@@ -9,6 +9,7 @@ mesh for each. Prints one JSON object. A claim is true, false, or null where not
 import argparse
 import json
 import math
+import random
 import sys
 import time
 from collections import Counter
@@ -24,7 +25,7 @@ from solid import (Flat, Hull, cross, dimension_of, dot, flat_polygon, integers,
 from surface import Surface  # noqa: E402
 
 CLAIMS = ("parts-readable", "parts-finite", "parts-solid", "parts-convex", "covers-points", "covers-surface",
-          "covers-solid", "parts-disjoint", "parts-needed")
+          "covers-solid", "within-solid", "parts-disjoint", "parts-needed")
 
 
 def obj_parts(data, numbers):
@@ -260,6 +261,60 @@ def solid_sample(triangles, parts, count):
     return None
 
 
+def to_triangle(point, triangle):
+    """The squared distance: of the plane above the triangle, elsewhere of the nearest side."""
+    a, b, c = triangle
+    normal, sides = cross(minus(b, a), minus(c, a)), ((a, b), (b, c), (c, a))
+    if any(normal) and all(dot(cross(minus(v, u), minus(point, u)), normal) >= 0 for u, v in sides):
+        return squared_excess(normal, dot(normal, a), point)
+    return min(to_segment(point, u, v) if u != v else Fraction(dot(minus(point, u), minus(point, u))) for u, v in sides)
+
+
+class Surroundings:
+    """How far points are from a surface and, if it is closed, from what it winds about."""
+
+    def __init__(self, triangles):
+        self.boxed = [(tuple(map(min, zip(*t))), tuple(map(max, zip(*t))), t) for t in triangles]
+        self.closed = is_closed(triangles)
+
+    def squared_distance(self, point):
+        """Exactly; of a point inside, 0."""
+        best = None
+        for low, high, triangle in self.boxed:
+            beside = sum(max(a - x, x - b, 0) ** 2 for x, a, b in zip(point, low, high))
+            if best is None or beside < best:
+                distance = to_triangle(point, triangle)
+                best = distance if best is None else min(best, distance)
+        return Fraction(0) if best == 0 or self._winds_about(point, best) else best
+
+    def _winds_about(self, point, squared):
+        """A point on the line of an edge moves by less than its distance, which leads through no triangle."""
+        if not self.closed:
+            return False
+        shift = Fraction(math.isqrt(int(squared * 2 ** 80)), 2 ** 44)
+        for part in range(50):
+            x, y = point[0] + shift * Fraction(part, 97), point[1] + shift * Fraction(part * part, 4801)
+            crossings = column(self.boxed, x, y)
+            if crossings is not None:
+                return sum(sign for height, sign in crossings if height > point[2]) != 0
+        raise RuntimeError("a point on the lines of many edges")
+
+
+def reach_sample(surroundings, parts, squared, count):
+    """The farthest of the parts' vertices and of some other points of them, and its squared distance, if that is above `squared`."""
+    chance, worst, at = random.Random(2604), squared, None
+    for part in parts:
+        corners = range(len(part.vertices))
+        weights = [[1] * len(corners), *([int(k == own) for k in corners] for own in corners)]
+        weights += [[chance.randrange(1, 100) ** 2 for _ in part.vertices] for _ in range(count)]
+        for row in weights:
+            point = tuple(Fraction(sum(w * v[k] for w, v in zip(row, part.vertices)), sum(row)) for k in range(3))
+            distance = surroundings.squared_distance(point)
+            if distance > worst:
+                worst, at = distance, point
+    return at, worst
+
+
 def interiors_meet(first, second):
     """Of two solid parts: a facet of one with an area inside the other, or one within the other."""
     if not first.meets_box(second.low, second.high):
@@ -299,11 +354,12 @@ def judge_each(verdict, parts, scale):
     verdict.claims["parts-convex"] = not verdict.figures["parts_not_convex"]
 
 
-def judge_parts(mesh, parts, tolerance="0", most=10 ** 9, samples=8):
+def judge_parts(mesh, parts, tolerance="0", most=10 ** 9, samples=8, distance=None):
     """The verdict on a list of (name, Mesh) for a Mesh.
 
     With faces, the points that they use are to be held, otherwise all. Above `most` triangles the surface is not judged.
-    A tolerance is applied to points only. That a solid is covered is never proven here, only refuted by a sample.
+    A tolerance is applied to points only. That a solid is covered, or that parts are within a distance of it (`1e-6`, or
+    `1e-9d` of the diameter), is never proven here, only refuted by a sample.
     """
     verdict = Verdict()
     verdict.claims = dict.fromkeys(CLAIMS)
@@ -325,6 +381,13 @@ def judge_parts(mesh, parts, tolerance="0", most=10 ** 9, samples=8):
         if sample:
             verdict.claims["covers-solid"] = False
             verdict.figures["solid_sample"] = [str(x / scale) for x in sample]
+    if triangles and distance is not None and len(triangles) <= most:
+        limit = squared_tolerance(distance, verdict.figures["squared_diameter"])
+        sample, squared = reach_sample(Surroundings(triangles), judged, limit * scale ** 2, samples)
+        if sample:
+            verdict.claims["within-solid"] = False
+            verdict.figures["reach_sample"] = [str(x / scale) for x in sample]
+            verdict.figures["squared_reach"] = squared / scale ** 2
     return verdict
 
 
@@ -347,13 +410,14 @@ def main():
     parser.add_argument("parts")
     parser.add_argument("--numbers", choices=("binary64", "binary32", "exact"), default="binary64")
     parser.add_argument("--tolerance", default="0", help="of points: 1e-6, or 1e-9d of the diameter")
+    parser.add_argument("--distance", help="of parts from the solid: 0.05, or 0.03d of the diameter")
     parser.add_argument("--most", type=int, default=10 ** 9, help="triangles of the largest surface to be judged")
     parser.add_argument("--samples", type=int, default=8, help="lines each way of the grid in the solid (default 8)")
     options = parser.parse_args()
     start = time.monotonic()
     mesh = read(options.input, options.numbers)
     verdict = judge_part_files(mesh, options.parts, options.numbers, tolerance=options.tolerance, most=options.most,
-                               samples=options.samples)
+                               samples=options.samples, distance=options.distance)
     verdict.figures["seconds"] = round(time.monotonic() - start, 3)
     json.dump(verdict.as_json(), sys.stdout, indent=1)
     print()

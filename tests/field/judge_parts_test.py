@@ -68,10 +68,24 @@ class Unions(unittest.TestCase):
 
     def test_an_l_is_two_boxes(self):
         claims, figures = self.claims(boundary(L), box((0, 0, 0), (2, 1, 1)), unit((0, 1, 0)))
-        self.assertEqual({name for name, holds in claims.items() if not holds}, {"covers-solid"})
+        self.assertEqual({name for name, holds in claims.items() if not holds},
+                         {"covers-solid", "within-solid"})
         self.assertIsNone(claims["covers-solid"])
+        self.assertIsNone(claims["within-solid"])
         self.assertEqual(figures["facets"], [6, 6])
         self.assertEqual(figures["uncovered_area_share"], 0)
+
+    def test_the_box_of_an_l_reaches_out_of_it(self):
+        # Its far edge is 1 from both arms. A void is outside, too: its middle is 1/2 from the cells around it.
+        claims, figures = self.claims(boundary(L), box((0, 0, 0), (2, 2, 1)), distance="0.5")
+        self.assertIs(claims["within-solid"], False)
+        self.assertEqual(figures["squared_reach"], 1)
+        self.assertEqual(figures["reach_sample"][:2], ["2", "2"])
+        claims, _ = self.claims(boundary(L), box((0, 0, 0), (2, 2, 1)), distance="1")
+        self.assertIsNone(claims["within-solid"])
+        ring = [(x, y, z) for x, y, z in product(range(3), repeat=3) if (x, y, z) != (1, 1, 1)]
+        claims, _ = self.claims(boundary(ring), box((0, 0, 0), (3, 3, 3)), distance="0.4")
+        self.assertIs(claims["within-solid"], False)
 
     def test_an_l_without_its_arm_lacks_four_faces(self):
         claims, figures = self.claims(boundary(L), box((0, 0, 0), (2, 1, 1)))
