@@ -65,6 +65,7 @@ struct DecomposeRequest {
   ReachUse merge = ReachUse::None;
   /// > 0. Of the solid, or of the surface if it is open. Without: kDefaultDistance.
   std::optional<ConcavityLimit> distance = {};
+  Close close = Close::Auto;  ///< Of a surface for a guard, or for merging by reach.
   /// >= 1. May lead beyond the limit; the result then says so.
   std::optional<std::size_t> max_parts = {};
   ConcavityMeasure measure = ConcavityMeasure::Surface;  ///< Of Hacd.
@@ -157,6 +158,8 @@ struct DecompositionReach {
 
 struct Decomposition {
   Surface surface;
+  std::size_t caps = 0;              ///< That closed it, as in ClosedSurface.
+  Rational squared_largest_cap = 0;  ///< The squared diagonal of the box of the largest border.
   std::variant<Clustering, SplitTree> origin;  ///< Where the clusters come from.
   std::vector<Part> parts;                     ///< In the order of the lowest triangles of their
                                                ///< clusters.

@@ -91,6 +91,30 @@ struct Surface {
 [[nodiscard]] Surface make_surface(const Mesh& mesh, const SurfaceOptions& options = {},
                                    const Watch& watch = {});
 
+/// A surface, perhaps with caps over its borders.
+struct ClosedSurface {
+  Surface surface;
+  std::size_t caps = 0;          ///< Fans over borders; their faces follow those of the mesh.
+  Rational squared_largest = 0;  ///< The squared diagonal of the box of the largest border.
+};
+
+/// The square of how many times larger the surface's box must be than that of each border.
+inline constexpr long kBorderShare = 16;
+
+/// make_surface(); and if some borders are open, each no larger than a quarter of the diameter,
+/// with a fan of triangles over each, from the mean of its corners, rounded to doubles. As it was
+/// if a border is larger, or if that does not close it.
+/// @throws Error as make_surface().
+[[nodiscard]] ClosedSurface make_closed_surface(const Mesh& mesh,
+                                                const SurfaceOptions& options = {},
+                                                const Watch& watch = {});
+
+/// Whether small borders are closed before anything else.
+enum class Close {
+  Auto,   ///< By make_closed_surface().
+  Never,  ///< Not at all.
+};
+
 /// How many points lie within a millionth of the diameter of another one, if more than half of the
 /// components are open, and there are several; otherwise 0. So it is where a file repeats the
 /// corners of each face, but rounded differently.

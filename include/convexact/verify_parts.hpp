@@ -28,6 +28,7 @@ struct PartsRequest : Budgets {
   /// (within-solid). Asks for covers-solid as well, unless `claims` lists some: both together are a
   /// bound in both directions. Relative ones refer to the input's diameter.
   std::optional<Tolerance> distance = {};
+  Close close = Close::Never;  ///< Auto: of the input's surface.
   std::optional<std::size_t> max_parts = {};
   /// Which points of an input with faces covers-points asks about.
   MeshPoints points = MeshPoints::All;

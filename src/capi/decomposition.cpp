@@ -57,7 +57,10 @@ std::vector<std::uint32_t> owners_of(const Decomposition& made, std::size_t tria
     throw Error(ErrorCode::Internal, "a triangle became several, or none");
   }
   std::vector<std::uint32_t> owners(triangles);
-  for (std::size_t t = 0; t < triangles; ++t) owners[made.surface.face[t]] = made.owner[t];
+  // Caps are no triangles of the caller's.
+  for (std::size_t t = 0; t < made.owner.size(); ++t) {
+    if (made.surface.face[t] < triangles) owners[made.surface.face[t]] = made.owner[t];
+  }
   return owners;
 }
 

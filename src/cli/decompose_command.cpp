@@ -164,6 +164,11 @@ int run_decompose(const DecomposeArguments& options) {
       reason = std::get_if<NotSolid>(&*outcome);
     }
     if (reason != nullptr) return run.end_flat(name, *reason);
+    if (std::get<Decomposition>(*outcome).caps > 0 && !options.files.proof.empty()) {
+      throw Error(ErrorCode::InvalidArgument,
+                  "caps close the surface, and --proof is about the faces in the file: add --close "
+                  "never");
+    }
     objects.push_back({name, std::get<Decomposition>(std::move(*outcome)), {}});
     run.log().add(objects.back().result.stages);
   }

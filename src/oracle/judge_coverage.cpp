@@ -69,13 +69,14 @@ Witness witness_of(const RationalPoint& point, const NearestPart& nearest) {
   return witness;
 }
 
-// A point of the input's file at the place of a point that is to be covered.
-std::size_t input_point(const PartsTrial& trial, const RationalPoint& point) {
+// A point of the input's file at the place of a point that is to be covered; none for the middle of
+// a cap.
+std::optional<std::size_t> input_point(const PartsTrial& trial, const RationalPoint& point) {
   const PointSet& points = trial.input.points;
   for (std::size_t p = 0; p < points.size(); ++p) {
     if (points[PointId(p)] == point) return p;
   }
-  throw Error(ErrorCode::Internal, "a point of the surface is none of the input");
+  return std::nullopt;
 }
 
 // The points that no face uses follow those of the surface.
@@ -117,9 +118,11 @@ void judge_points(PartsTrial& trial) {
   Witness witness = witness_of(point, worst);
   witness.input_point = input_point(trial, point);
   verdict.worst_part = worst.part;
+  const std::string which = witness.input_point ? fmt::format("point {}", *witness.input_point)
+                                                : std::string("the middle of a cap");
   const std::string sentence =
-      fmt::format("{}; point {} is {} away from {}", count, *witness.input_point,
-                  trial.distance_text(worst.squared), trial.part_text(worst.part));
+      fmt::format("{}; {} is {} away from {}", count, which, trial.distance_text(worst.squared),
+                  trial.part_text(worst.part));
   trial.violated_by(worst.squared, CoversPoints, sentence, std::move(witness));
 }
 

@@ -273,8 +273,21 @@ void find_points(PartsTrial& trial) {
     trial.log.skip("input's surface", "the input has no faces");
   } else {
     trial.log.run("input's surface", [&] {
-      trial.verdict.surface = make_surface(trial.input, {.orient = trial.request.orient},
-                                           trial.watch("input's surface"));
+      const SurfaceOptions options{.orient = trial.request.orient};
+      const Watch watch = trial.watch("input's surface");
+      if (trial.request.close == Close::Never) {
+        trial.verdict.surface = make_surface(trial.input, options, watch);
+        return;
+      }
+      ClosedSurface closed = make_closed_surface(trial.input, options, watch);
+      if (closed.caps > 0) {
+        trial.verdict.notes.push_back(fmt::format(
+            "the input was closed by {}, the largest {} wide; they are its faces from {} "
+            "on",
+            counted(closed.caps, "cap", "caps"), decimal_of_root(closed.squared_largest),
+            trial.input.polygons.size()));
+      }
+      trial.verdict.surface = std::move(closed.surface);
     });
     trial.points = trial.verdict.surface.points;
     note_surface(trial.verdict.surface, trial.verdict.notes);

@@ -24,6 +24,10 @@ namespace {
   throw Error(ErrorCode::InvalidArgument, message);
 }
 
+bool uses_reach(const DecomposeRequest& request) {
+  return request.guard == ReachUse::Reach || request.merge == ReachUse::Reach;
+}
+
 void require_sensible(const DecomposeRequest& request) {
   if (request.max_parts && *request.max_parts == 0) refuse_request("at least one part is needed");
   const DecomposeRequest plain;
@@ -41,8 +45,7 @@ void require_sensible(const DecomposeRequest& request) {
   if (request.faces && request.total_faces) {
     refuse_request("give the faces of each part or the faces of all parts, not both");
   }
-  const bool asks_for_reach = request.guard == ReachUse::Reach || request.merge == ReachUse::Reach;
-  if (request.distance && !asks_for_reach) {
+  if (request.distance && !uses_reach(request)) {
     refuse_request("a distance applies to a guard by reach, or to merging by reach: ask for one");
   }
   if (request.distance && request.distance->value <= 0) {
@@ -119,8 +122,10 @@ class Decomposer {
  public:
   Decomposer(const DecomposeRequest& request, StageLog& log) : request_(request), log_(log) {}
 
-  Decomposition run(Surface surface) {
-    made_.surface = std::move(surface);
+  Decomposition run(ClosedSurface closed) {
+    made_.surface = std::move(closed.surface);
+    made_.caps = closed.caps;
+    made_.squared_largest_cap = std::move(closed.squared_largest);
     start_reach();
     log_.run("clusters", [&] { find_clusters(); });
     hull_clusters();
@@ -151,7 +156,7 @@ class Decomposer {
   // ---- Reach
 
   void start_reach() {
-    if (request_.guard != ReachUse::Reach && request_.merge != ReachUse::Reach) return;
+    if (!uses_reach(request_)) return;
     const Rational squared_diameter = bounding_box(made_.surface.points).squared_diameter();
     if (squared_diameter == 0) return;  // one point, which no part can leave
     made_.reach.emplace();
@@ -496,9 +501,13 @@ DecomposeOutcome decompose(const Mesh& mesh, const DecomposeRequest& request) {
     throw Error(ErrorCode::NoInterior, "the input has no faces, so there is no surface");
   }
   StageLog log(request.watch);
-  Surface surface = log.run("surface", [&] {
-    return make_surface(mesh, {.orient = request.orient}, log.watch("surface"));
+  const bool closes = request.close == Close::Auto && uses_reach(request);
+  ClosedSurface closed = log.run("surface", [&]() -> ClosedSurface {
+    const SurfaceOptions options{.orient = request.orient};
+    if (closes) return make_closed_surface(mesh, options, log.watch("surface"));
+    return {make_surface(mesh, options, log.watch("surface")), 0, 0};
   });
+  const Surface& surface = closed.surface;
   if (request.loose == LoosePoints::Refuse && surface.unused.size() > 0) {
     throw Error(ErrorCode::InvalidArgument,
                 counted(surface.unused.size(), "point is", "points are") +
@@ -510,7 +519,7 @@ DecomposeOutcome decompose(const Mesh& mesh, const DecomposeRequest& request) {
     auto flat = log.run("flat input", [&] { return find_flat(mesh, log.watch("flat input")); });
     if (flat) return NotSolid(std::move(*flat));
   }
-  return Decomposer(request, log).run(std::move(surface));
+  return Decomposer(request, log).run(std::move(closed));
 }
 
 }  // namespace convexact

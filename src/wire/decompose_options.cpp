@@ -44,6 +44,9 @@ Fields<DecomposeRequest> make_fields() {
           },
           "how far a point of a part may be from the solid, for guard and merge: a share of the "
           "diameter, 3% or 0.03d, or a length, 0.05"),
+      choice_field<R>("close", &R::close, kCloseNames,
+                      "for guard and merge: a surface whose borders are all at most a quarter of "
+                      "the diameter wide is closed by caps, or never"),
       choice_field<R>("measure", &R::measure, kConcavityMeasureNames,
                       "hacd only: concavity at every point of the triangles, or at their corners "
                       "only, as published, which sees no notch whose corners all lie on the hull"),

@@ -36,6 +36,9 @@ inline constexpr auto kFlatPartsNames = name_table<FlatParts>({{FlatParts::Auto,
 inline constexpr auto kReachUseNames =
     name_table<ReachUse>({{ReachUse::None, "none"}, {ReachUse::Reach, "reach"}});
 
+inline constexpr auto kCloseNames =
+    name_table<Close>({{Close::Auto, "auto"}, {Close::Never, "never"}});
+
 inline constexpr auto kLoosePointsNames =
     name_table<LoosePoints>({{LoosePoints::Part, "part"}, {LoosePoints::Refuse, "refuse"}});
 

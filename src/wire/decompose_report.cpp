@@ -274,6 +274,11 @@ Json decomposition_json(const Decomposition& decomposition, const DecomposeReque
   } else {
     json["splits"] = splits_json(std::get<SplitTree>(decomposition.origin));
   }
+  if (decomposition.caps > 0) {
+    json["closed_by"] = {
+        {"caps", decomposition.caps},
+        {"largest", interval_json(enclosed_root_of(decomposition.squared_largest_cap))}};
+  }
   if (decomposition.reach) json["reach"] = reach_json(*decomposition.reach, request);
   json["precision"] = name_in(kPrecisionNames, request.precision);
   json["verified"] = {{"triangles", decomposition.tested_triangles}, {"violations", 0}};

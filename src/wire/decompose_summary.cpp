@@ -289,7 +289,16 @@ std::string surface_notes(const Surface& surface) {
 
 std::string summary(const Decomposition& decomposition, const DecomposeRequest& request,
                     std::span<const std::string> names) {
-  std::string text = parts_line(decomposition.parts);
+  std::string text;
+  if (decomposition.caps > 0) {
+    const Enclosure largest = percent_of(enclosed_root_of(decomposition.squared_largest_cap),
+                                         decomposition.squared_diameter());
+    text += summary_line(
+        "closed", fmt::format("by {}, the largest {} of the diameter wide; --close "
+                              "never takes the surface as it is",
+                              counted(decomposition.caps, "cap", "caps"), percent_text(largest)));
+  }
+  text += parts_line(decomposition.parts);
   if (const std::size_t merged = decomposition.reach ? decomposition.reach->merged : 0) {
     text += summary_line("", counted(merged, "part", "parts") + " merged with others by reach");
   }

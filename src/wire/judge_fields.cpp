@@ -91,6 +91,9 @@ const Fields<PartsRequest>& parts_fields() {
           "INPUT, and whether they hold it: 3% or 0.03d of the diameter, or a length"),
       count_field<R>("max_parts", &R::max_parts, {},
                      "the largest number of parts; the other budgets apply to each part"),
+      choice_field<R>("close", &R::close, kCloseNames,
+                      "judge INPUT with caps over borders of at most a quarter of the diameter, if "
+                      "they close it, or as it is (default: never)"),
       choice_field<R>("orient", &R::orient, kOrientationNames,
                       "turn faces of INPUT so that they bound its solid correctly, or keep them as "
                       "they are (default: auto)"),

@@ -95,7 +95,8 @@ TEST_CASE("decompose --guard reach: cavities stay open") {
   // 20% of the cup's 0.002634; the bin's sheets are thickened if nothing merges with them.
   const std::pair<const char*, const char*> cases[] = {
       {"bin", "0.00001"}, {"cup", "0.000526"}, {"tube", "0.0008"}, {"house", "0.00001"}};
-  for (const auto& [name, most_excess] : cases) {
+  for (const auto& each : cases) {
+    const char *name = each.first, *most_excess = each.second;
     const std::vector<RationalPoint> open = cavity_of(name);
     CAPTURE(name);
     const Mesh mesh = case_mesh(name);
@@ -166,4 +167,74 @@ TEST_CASE("decompose: what guards and distances refuse, and what exceeds them is
   CHECK(reach.witness->squared > made.reach->squared_distance);
   // The diagonal of the hull of an L passes the corner that lacks at 1/2 from both arms.
   CHECK(reach.witness->squared <= Rational(1, 4));
+}
+
+namespace {
+
+// A cube of 4 x 4 x 4 cells, without so many squares of the middle of its top.
+Mesh cube_with_hole(int width) {
+  std::set<Cell> cells;
+  for (int k = 0; k < 64; ++k) cells.insert({k & 3, k >> 2 & 3, k >> 4});
+  Mesh mesh = mesh_of_cells(cells);
+  std::erase_if(mesh.polygons, [&](const auto& polygon) {
+    return std::all_of(polygon.begin(), polygon.end(), [&](std::uint32_t corner) {
+      const Point& p = mesh.points.doubles()[corner];
+      return p[2] == 4 && p[0] >= 1 && p[0] <= 1 + width && p[1] >= 1 && p[1] <= 1 + width;
+    });
+  });
+  mesh.parts.clear();
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("decompose --close: small borders get caps, and the solid is what they close") {
+  // The hole is sqrt(2) wide, the cube 4 sqrt(3): a fifth.
+  const Mesh mesh = cube_with_hole(1);
+  const Decomposition closed = made_of(mesh, guarded());
+  CHECK(closed.caps == 1);
+  CHECK(closed.squared_largest_cap == 2);
+  CHECK(closed.surface.is_closed);
+  CHECK(closed.parts.size() == 1);
+  CHECK(closed.measures->solid_volume->bounds.contains(64));
+  CHECK(closed.reach->farther.empty());
+  DecomposeRequest never = guarded();
+  never.close = Close::Never;
+  const Decomposition open = made_of(mesh, never);
+  CHECK(open.caps == 0);
+  CHECK_FALSE(open.surface.is_closed);
+  CHECK(open.parts.size() > 1);  // walls alone
+  CHECK(made_of(cube_with_hole(2), guarded()).caps == 0);
+  // Without a guard surfaces are taken as they are.
+  CHECK(made_of(mesh, {}).caps == 0);
+  // The judge asks the same question of the surface with caps, and of that without.
+  const std::vector<NamedPart> parts{{"part", closed.parts[0].mesh}};
+  PartsRequest asked;
+  asked.distance = Tolerance{Rational(1, 100), true};
+  asked.measures = PartMeasures::None;
+  CHECK(verify_parts(mesh, parts, asked)[ClaimCode::WithinSolid].status == Status::Violated);
+  asked.close = Close::Auto;
+  const PartsVerdict verdict = verify_parts(mesh, parts, asked);
+  CHECK(verdict.holds());
+  CHECK(verdict[ClaimCode::CoversSolid].status == Status::Holds);
+  REQUIRE(verdict.notes.size() > 0);
+  CHECK(verdict.notes[0].find("closed by 1 cap") != std::string::npos);
+}
+
+TEST_CASE("decompose --close: borders that touch at a point, and a middle that no part holds") {
+  // Two squares of the top that meet in a corner are two borders through one point.
+  Mesh mesh = cube_with_hole(1);
+  std::erase_if(mesh.polygons, [&](const auto& polygon) {
+    return std::all_of(polygon.begin(), polygon.end(), [&](std::uint32_t corner) {
+      const Point& p = mesh.points.doubles()[corner];
+      return p[2] == 4 && p[0] >= 2 && p[0] <= 3 && p[1] >= 2 && p[1] <= 3;
+    });
+  });
+  const Decomposition closed = made_of(mesh, guarded());
+  CHECK(closed.caps == 2);
+  CHECK(closed.parts.size() == 1);
+  PartsRequest asked;
+  asked.close = Close::Auto;
+  const PartsVerdict verdict = verify_parts(mesh, parts_of_boxes({{{0, 0, 0}, {4, 4, 3}}}), asked);
+  CHECK(verdict[ClaimCode::CoversPoints].status == Status::Violated);
 }

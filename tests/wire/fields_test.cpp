@@ -123,7 +123,8 @@ TEST_CASE("fields: what is read is written again") {
     written += field.name + "=" + field.write(request) + " ";
   }
   CHECK(written ==
-        "method=acd concavity=1/8 max_parts=7 guard=none merge=none distance=3% measure=surface "
+        "method=acd concavity=1/8 max_parts=7 guard=none merge=none distance=3% close=auto "
+        "measure=surface "
         "bridge=farther coplanar=0.99 faces= "
         "total_faces= flat=auto keep_inner= connect=edge orient=auto loose=part engine=filtered "
         "precision=32 ");
