@@ -249,9 +249,9 @@ typedef struct convexact_decompose_options {
   int exact_volumes;     /* Not 0: measure them as fractions, too, which may be very long. */
   uint64_t seed;         /* Of random orders. No result depends on it. */
   int for_tree;          /* Not 0: find the merges that would come next, for a tree of the parts. */
-  int guard_reach;       /* Not 0: no part is made that is farther from the solid than `distance`. */
-  int merge_reach;       /* Not 0: parts are merged in the end as long as they are not farther. */
-  const char* distance;  /* For these two, spelled like `concavity`, and above 0. NULL for "3%". */
+  int guard_reach;      /* Not 0: no part is made that is farther from the solid than `distance`. */
+  int merge_reach;      /* Not 0: parts are merged in the end as long as they are not farther. */
+  const char* distance; /* For these two, spelled like `concavity`, and above 0. NULL for "3%". */
 } convexact_decompose_options;
 
 typedef struct convexact_decomposition convexact_decomposition;

@@ -243,7 +243,7 @@ void require_meaning(const VerifyArguments& options, Mode mode) {
       {asks_inner && options.parts,
        {EachPart, Union},
        "--inner judges one CANDIDATE: no --trace, no --parts"},
-      {options.parts && options.of_union.is_asked,
+      {options.parts && (options.of_union.is_asked || options.of_union.given.has("distance")),
        {Union},
        "--parts judges parts one by one and --union all together: name one of them"},
       {options.inner, {Union}, "--inner judges one CANDIDATE, not a union of parts"},
