@@ -480,6 +480,36 @@ TEST_CASE("C interface: the parts of an L are judged") {
   CHECK_FALSE(judge(mesh, raised, &options).holds);
 }
 
+TEST_CASE("C interface: how far parts reach") {
+  // The hull of the L passes the corner that lacks at 1/2 from both arms.
+  const Triangles mesh = l_shape();
+  convexact_decompose_options options = defaults();
+  options.max_parts = 1;
+  CHECK(convexact_decomposition_reach_holds(decompose(mesh, options).get()) == 0);
+  options.guard_reach = 1;
+  options.distance = "0.2";
+  const Decomposition hull = decompose(mesh, options);
+  CHECK(convexact_decomposition_reach_holds(hull.get()) == 0);
+  options.max_parts = 0;
+  options.merge_reach = 1;
+  const Decomposition two = decompose(mesh, options);
+  CHECK(convexact_decomposition_part_count(two.get()) == 2);
+  CHECK(convexact_decomposition_reach_holds(two.get()) == 1);
+  options.distance = "0";
+  convexact_decomposition* none = nullptr;
+  CHECK(convexact_decompose(mesh.points.data(), mesh.points.size() / 3, mesh.corners.data(),
+                            mesh.corners.size() / 3, &options,
+                            &none) == CONVEXACT_INVALID_ARGUMENT);
+
+  convexact_parts_options asked = questions();
+  asked.distance = "0.2";
+  CHECK(judge(mesh, Parts(two), &asked).claims.at("within-solid") == "holds");
+  const Judged beyond = judge(mesh, Parts(hull), &asked);
+  CHECK(beyond.claims.at("within-solid") == "violated");
+  CHECK(beyond.claims.at("covers-solid") == "holds");
+  CHECK_FALSE(beyond.holds);
+}
+
 TEST_CASE("C interface: claims and budgets of parts are asked by name and number") {
   const Triangles mesh = l_shape();
   convexact_decompose_options one = defaults();
