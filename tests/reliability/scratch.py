@@ -28,6 +28,7 @@ _EXPANSION = ['tests/number/expansion_test.cpp', *_ORIENT]
 UNITS = {
     'src/check/convexact_check.cpp': ['tests/check/checker.cpp'],
     'src/check/mesh_file.hpp': ['tests/check/checker.cpp'],
+    'src/check/reach.hpp': ['tests/check/checker.cpp'],
     'src/check/text.hpp': ['tests/check/checker.cpp'],
     'src/check/exact.hpp': ['tests/check/checker.cpp'],
     'src/check/root_sum.hpp': ['tests/check/checker.cpp'],
