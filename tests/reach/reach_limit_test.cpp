@@ -9,7 +9,10 @@
 #include "cells.hpp"
 #include "convexact/reach.hpp"
 #include "expect_error.hpp"
+#include "near/frame.hpp"
 #include "number/random.hpp"
+#include "reach/clipped_part.hpp"
+#include "reach/reach_cells.hpp"
 #include "sweep.hpp"
 using namespace convexact;
 using support::Box;
@@ -288,4 +291,64 @@ TEST_CASE("reach: what it refuses") {
   CHECK(error_of([&] {
           (void)world.limit(squared_of(0.1), std::span(&part, 1))(part, Watch(&stop));
         }).code() == ErrorCode::Stopped);
+}
+
+TEST_CASE("reach: a part deep inside is allowed, and one that is barely beyond is not") {
+  const World solid(support::box_mesh({{0, 0, 0}, {4, 4, 4}}));
+  CHECK(solid.limit(squared_of(0.3), {}).allows(part_of(Box{{0, 0, 0}, {4, 4, 4}})));
+  CHECK(solid.limit(squared_of(0.3), {}).allows(part_of(Box{{1, 1, 1}, {3, 3, 3}})));
+  // It reaches 1: no center of a cell is that far, so that only open cells tell.
+  const World slot(support::mesh_of_cells(slot_cells()));
+  CHECK_FALSE(slot.limit(squared_of(0.9995), {}).allows(convex_part(slot.surface.points)));
+}
+
+TEST_CASE("reach: labels of cells are what they say, in exact numbers") {
+  std::set<Cell> cells;  // a block of 27
+  for (int k = 0; k < 27; ++k) cells.insert({k % 3, k / 3 % 3, k / 9});
+  const World world(support::mesh_of_cells(cells));
+  const Rational squared = squared_of(0.5);
+  const BoundingBox box = bounding_box(world.surface.points);
+  ReachCells octree(world.surface, &*world.winding, frame_around(std::span(&box, 1)), squared);
+  std::size_t near = 0, inside = 0;
+  std::vector<CellPlace> open{octree.root()};
+  for (std::size_t k = 0; k < open.size() && k < 1500; ++k) {
+    for (const CellPlace& place : octree.children(open[k])) {
+      const ReachCells::Label label = octree.label(place);
+      // Those by the surface; nothing far away becomes near.
+      const bool is_by_surface = octree.distance(place.cell).low <= place.radius();
+      if (label == ReachCells::Label::Open && is_by_surface) open.push_back(place);
+      for (int c = 0; c < 8; ++c) {
+        const RationalPoint corner = octree.frame().point(place.corner(c));
+        if (label == ReachCells::Label::Near) {
+          const auto found =
+              nearest_on_triangle(world.surface, octree.triangle(place.cell), corner);
+          CHECK(found.squared <= squared);
+        } else if (label == ReachCells::Label::Inside) {
+          CHECK(squared_distance(corner, cells) == 0);
+        }
+      }
+      near += label == ReachCells::Label::Near ? 1 : 0;
+      inside += label == ReachCells::Label::Inside ? 1 : 0;
+    }
+  }
+  CHECK(near > 100);
+  CHECK(inside > 0);
+}
+
+TEST_CASE("reach: what a part and a cell have in common has the corners of both") {
+  const NearFrame frame{RationalPoint::Zero(), 0};
+  const CellPlace cell{0, Point(0.5, 0.5, 0.5), 0.5};
+  const auto has = [&](const ConvexPart& part, const Point& corner) {
+    const auto found = common_corners(part, cell, frame);
+    return std::find(found.begin(), found.end(), to_rational(corner)) != found.end();
+  };
+  const std::vector<Point> corners{
+      {0.25, 0.25, 0.25}, {0.75, 0.25, 0.25}, {0.25, 0.75, 0.25}, {0.25, 0.25, 0.75}};
+  for (const Point& p : corners) CHECK(has(part_of(corners), p));
+  const ConvexPart large = part_of(Box{{-1, -1, -1}, {2, 2, 2}});
+  for (int c = 0; c < 8; ++c) CHECK(has(large, cell.corner(c)));
+  // A square across the cell: where its plane meets edges of the cell.
+  const ConvexPart square = part_of({{-1, -1, 0.25}, {2, -1, 0.25}, {2, 2, 0.25}, {-1, 2, 0.25}});
+  for (int c = 0; c < 4; ++c) CHECK(has(square, Point(c & 1, c >> 1, 0.25)));
+  CHECK(common_corners(part_of(Box{{3, 3, 3}, {4, 4, 4}}), cell, frame).empty());
 }
