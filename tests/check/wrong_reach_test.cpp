@@ -142,3 +142,15 @@ TEST_CASE("reach proof: no line of the claim can be left out") {
   CHECK(tried > 60);
   CHECK(accepted == 0);
 }
+
+TEST_CASE("reach proof: a root that holds a corner of the parts alone is refused") {
+  ProofText forged = slot_proof();
+  const Line triangle = forged.lines[first(forged, "triangle", "")];
+  const Line corner = forged.lines[forged.all("point").at(std::stoul(triangle[1]))];
+  std::erase_if(forged.lines,
+                [](const Line& line) { return line[0] == "cell" || line[0] == "beyond"; });
+  const std::size_t root = first(forged, "root", "");
+  forged.lines[root] = {"root", corner[1], corner[2], corner[3], "1/1000"};
+  forged.lines.insert(forged.lines.begin() + std::ptrdiff_t(root) + 1, {"cell", "near", "0"});
+  check_refused(forged, "a part reaches out of the root");
+}
