@@ -36,17 +36,25 @@ class ReachJudge {
 
   void judge() {
     if (squared_ > 0) ask(squared_);
-    if (beyond_.empty() && (squared_ == 0 || !undecided_.empty()) && adds_no_volume()) {
-      return holds();
-    }
-    // At a distance of 0 any point outside refutes; a small distance finds one that is easily seen.
-    if (squared_ == 0) ask(trial_.squared_diameter / Rational(1 << 20));
+    if (squared_ == 0) return judge_at_zero();
     if (!beyond_.empty()) return violated();
-    if (squared_ == 0 || !undecided_.empty()) return undecided();
-    holds();
+    if (undecided_.empty() || excess() == Rational(0)) return holds();
+    undecided();
   }
 
  private:
+  // Any point outside refutes. A small distance finds one that is easily seen; if there is none,
+  // the volume outside is the evidence.
+  void judge_at_zero() {
+    const std::optional<Rational> volume = excess();
+    if (volume == Rational(0)) return holds();
+    ask(trial_.squared_diameter / Rational(1 << 20));
+    if (!beyond_.empty()) return violated();
+    if (!volume) return undecided();
+    trial_.violated(WithinSolid, fmt::format("the parts have a volume of {} outside of {}",
+                                             to_decimal(*volume, 3), what_of(surface_)));
+  }
+
   void ask(const Rational& squared) {
     const Watch watch = trial_.watch("reach");
     std::vector<BoundingBox> boxes;
@@ -63,17 +71,17 @@ class ReachJudge {
     }
   }
 
-  // Whether the union of solid parts has no volume outside of the solid, exactly. Then no point of
-  // it is outside, as each is the limit of interior points.
-  bool adds_no_volume() const {
+  // The volume of the union of solid parts outside of the solid, exactly. If it is 0 no point of
+  // the union is outside, as each is the limit of interior points.
+  std::optional<Rational> excess() const {
     for (const ConvexPart& part : parts_) {
-      if (!part.solid) return false;
+      if (!part.solid) return {};
     }
-    if (!surface_.is_closed) return false;
+    if (!surface_.is_closed) return {};
     StageLog within(StageWatch{.stop = trial_.log.watch().stop});
     const DecompositionMeasures measures =
         measure_volumes(surface_, parts_, PartMeasures::All, true, within);
-    return measures.excess_volume && measures.excess_volume->exact == Rational(0);
+    return measures.excess_volume->exact;
   }
 
   std::string limit_text() const { return describe_distance(*trial_.request.distance); }

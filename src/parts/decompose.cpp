@@ -170,7 +170,9 @@ class Decomposer {
     }
   }
 
-  ReachLimit reach_limit(const Rational& squared, std::span<const BoundingBox> boxes) const {
+  // Loose points may lie far away from the surface, and widen parts.
+  ReachLimit reach_limit(const Rational& squared, std::vector<BoundingBox> boxes) const {
+    if (made_.surface.unused.size() > 0) boxes.push_back(bounding_box(made_.surface.unused));
     return ReachLimit(made_.surface, winding_ ? &*winding_ : nullptr, squared, boxes);
   }
 

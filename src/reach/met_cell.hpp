@@ -17,7 +17,7 @@ namespace convexact {
 /// length about 1.
 class NearPart {
  public:
-  /// The hull of some points, whose planes nobody computed.
+  /// The hull of some points, without planes.
   explicit NearPart(std::vector<Point> points) : vertices_(std::move(points)) {}
   NearPart(const ConvexPart& part, const NearFrame& frame) {
     for (const RationalPoint& v : part.vertices) vertices_.push_back(frame(v));

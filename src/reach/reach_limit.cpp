@@ -97,7 +97,7 @@ class CellWalk {
   // than kReachError, so it did not take it through the surface.
   void refute(const CellPlace& place, const Point& y, const NearBounds& distance) {
     const bool is_far = distance.low > cells_.limit_up() + kReachError;
-    if (!is_far && distance.low <= most_found_) return;
+    if (!is_far && (!may_decide() || distance.low <= most_found_)) return;
     const bool is_center = y == place.center;
     if (!(is_center ? cells_.is_outside(place) : cells_.is_outside(y))) return;
     if (distance.low > most_found_) {

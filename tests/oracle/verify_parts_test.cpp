@@ -418,7 +418,8 @@ TEST_CASE("verify_parts: a distance of 0 is decided by volumes") {
   // By so little that no cell shows a point: but there is a volume.
   const PartsVerdict little =
       within(l_cells(), {{{0, 0, 0}, {2, 1, 1}}, {{0, 0, 0}, {1, 2, 1 + 0x1p-40}}}, {0, true});
-  CHECK(little[WithinSolid].status == Status::Undecided);
+  CHECK(little[WithinSolid].status == Status::Violated);
+  CHECK_FALSE(little[WithinSolid].witness.point);
   CHECK_FALSE(little.holds());
 }
 

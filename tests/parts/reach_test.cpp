@@ -238,3 +238,16 @@ TEST_CASE("decompose --close: borders that touch at a point, and a middle that n
   const PartsVerdict verdict = verify_parts(mesh, parts_of_boxes({{{0, 0, 0}, {4, 4, 3}}}), asked);
   CHECK(verdict[ClaimCode::CoversPoints].status == Status::Violated);
 }
+
+TEST_CASE("decompose --merge reach: a loose point far away widens a part, which is told") {
+  Mesh mesh = mesh_of_cells(l_cells());
+  std::vector<Point> points(mesh.points.doubles().begin(), mesh.points.doubles().end());
+  points.emplace_back(100, 0, 0);
+  mesh.points = PointSet(points);
+  for (const DecomposeRequest& request : {guarded(), merging()}) {
+    const Decomposition made = made_of(mesh, request);
+    REQUIRE(made.reach->farther.size() == 1);
+    CHECK(made.reach->farther[0].reach.reach == Reach::Beyond);
+    CHECK(made.reach->farther[0].reach.witness->squared > 1);
+  }
+}
