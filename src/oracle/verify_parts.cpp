@@ -277,6 +277,11 @@ void find_points(PartsTrial& trial) {
       const Watch watch = trial.watch("input's surface");
       if (trial.request.close == Close::Never) {
         trial.verdict.surface = make_surface(trial.input, options, watch);
+        if (trial.request.distance && !trial.verdict.surface.is_closed) {
+          trial.verdict.notes.emplace_back(
+              "the faces do not close, so that distances are from them alone; --close auto judges "
+              "with caps over small borders, as decompose puts them");
+        }
         return;
       }
       ClosedSurface closed = make_closed_surface(trial.input, options, watch);

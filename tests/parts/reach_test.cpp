@@ -212,7 +212,10 @@ TEST_CASE("decompose --close: small borders get caps, and the solid is what they
   PartsRequest asked;
   asked.distance = Tolerance{Rational(1, 100), true};
   asked.measures = PartMeasures::None;
-  CHECK(verify_parts(mesh, parts, asked)[ClaimCode::WithinSolid].status == Status::Violated);
+  const PartsVerdict as_given = verify_parts(mesh, parts, asked);
+  CHECK(as_given[ClaimCode::WithinSolid].status == Status::Violated);
+  REQUIRE(as_given.notes.size() > 0);
+  CHECK(as_given.notes[0].find("--close auto") != std::string::npos);
   asked.close = Close::Auto;
   const PartsVerdict verdict = verify_parts(mesh, parts, asked);
   CHECK(verdict.holds());
