@@ -60,6 +60,14 @@ struct ReachCertificate {
   std::vector<Apart> apart;  ///< By part, and for each by cell.
 };
 
+struct NearFrame;
+
+/// About the farthest point of a hull from the solid: in doubles of a ReachLimit's frame.
+struct FarPlace {
+  Point point;
+  double distance;
+};
+
 /// Decides for convex parts whether they lie within T of a solid. What it learns of the space
 /// around the solid serves all parts, so it is not for several threads at once.
 /// @par Method  A lazy octree of cells. A cell is fine if all its corners are within T of one
@@ -97,12 +105,22 @@ class ReachLimit {
   /// them first.
   [[nodiscard]] bool allows_hull(std::span<const PointId> points, const Watch& watch = {});
 
+  /// The same for the hull of points of the frame, at least one.
+  [[nodiscard]] bool allows_near(std::span<const Point> points, const Watch& watch = {});
+
+  /// About the farthest point of the hull of such points from the solid, up to 3% of its distance;
+  /// nothing if cells alone prove that the hull is within T.
+  [[nodiscard]] std::optional<FarPlace> farthest(std::span<const Point> points,
+                                                 const Watch& watch = {});
+
   /// A proof that parts that are all within T by cells alone are so.
   /// @throws Error Internal if one of them is not; Stopped when the watch ends the call.
   [[nodiscard]] ReachCertificate certificate(std::span<const ConvexPart* const> parts,
                                              const Watch& watch = {});
 
   const Rational& squared_limit() const;
+  /// The frame of the cells.
+  const NearFrame& frame() const;
   /// Cells that were needed so far; each takes less than 100 bytes.
   std::size_t cells() const;
 

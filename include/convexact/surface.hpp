@@ -152,6 +152,11 @@ class Winding {
   /// it (where its normal points) and just behind it. Other triangles may hold x, too. Exact.
   std::pair<long, long> beside(TriangleId triangle, const RationalPoint& x) const;
 
+  /// The winding number of the points just beside x along a direction, which is not 0: x may lie
+  /// on the surface, but points along the direction are taken to be off it. Where they are not, as
+  /// if the direction were turned a little. Exact.
+  long towards(const RationalPoint& x, const RationalVector3& direction) const;
+
  private:
   class Search;
   std::unique_ptr<const Search> search_;

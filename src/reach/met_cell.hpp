@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "convexact/overlay.hpp"
+#include "hull/near_solid.hpp"
 #include "near/near_plane.hpp"
 #include "number/arithmetic.hpp"
 #include "reach/reach_cells.hpp"
@@ -30,6 +31,12 @@ class NearPart {
       const double offset =
           to_double(scale_by_power_of_two(at_center, -bits - frame.exponent), Rounding::Nearest);
       planes_.push_back({normal / normal.norm(), offset / normal.norm()});
+    }
+  }
+
+  explicit NearPart(NearSolid solid) : vertices_(std::move(solid.vertices)) {
+    for (const NearSolid::Plane& plane : solid.planes) {
+      planes_.push_back({plane.normal, plane.offset});
     }
   }
 

@@ -37,6 +37,9 @@ class CellWalk {
     return !is_beyond_ && !is_open_;
   }
 
+  // Of a part that is not within T: a point near it in a cell that is not fine.
+  FarPlace open_place() const { return open_; }
+
  protected:
   // What exact numbers know of a cell: nothing here.
   virtual bool may_decide() const { return false; }
@@ -69,6 +72,9 @@ class CellWalk {
     if (is_beyond_ || decides(met, is_least)) return;
     if (!is_least) return visit_children(met);
     is_open_ = true;
+    if (open_.distance < cells_.distance(place.cell).high) {
+      open_ = {nearest_point(place), cells_.distance(place.cell).high};
+    }
     open_high_ = std::max(open_high_, cells_.distance(place.cell).high + place.radius());
   }
 
@@ -104,9 +110,16 @@ class CellWalk {
       most_found_ = distance.low;
       found_at_ = place;
     }
+    if (is_far && open_.distance < distance.low) open_ = {y, distance.low};
     is_beyond_ = is_far && confirms(place);
   }
 
+  // The point of the part that is nearest to the center of a cell.
+  Point nearest_point(const CellPlace& place) const {
+    return place.center + near_hull(near_.vertices(), place.center).nearest;
+  }
+
+  FarPlace open_{Point::Zero(), 0};
   const NearPart& near_;
   const Watch& watch_;
 };
@@ -236,6 +249,56 @@ class PartWalk : public CellWalk {
   std::optional<FarthestPoint> farthest_;  // if beyond
 };
 
+// The farthest center of a cell in the part, up to a few percent.
+class FarthestWalk {
+ public:
+  FarthestWalk(ReachCells& cells, const NearPart& part, const Watch& watch)
+      : cells_(cells), near_(part), watch_(watch) {}
+
+  std::optional<FarPlace> find() {
+    MetCell root{cells_.root(), {}};
+    for (std::uint32_t k = 0; k < near_.planes(); ++k) root.planes.push_back(k);
+    if (cells_.label(root.place) == ReachCells::Label::Open) visit(root);
+    return best_;
+  }
+
+ private:
+  // The cell is not fine.
+  void visit(const MetCell& met) {
+    constexpr double kSlack = 1.03;
+    watch_.ask();
+    const CellPlace& place = met.place;
+    const NearBounds distance = cells_.distance(place.cell);
+    const double best = best_ ? best_->distance * kSlack : cells_.limit_up();
+    if (distance.high + place.radius() <= best) return;
+    if (near_.holds(met.planes, place.center)) {
+      if (distance.low > best && cells_.is_outside(place)) {
+        best_ = FarPlace{place.center, distance.low};
+      }
+    } else {
+      const NearHull hull = near_hull(near_.vertices(), place.center, place.radius() + kReachError);
+      if (widened(hull.bounds, place.center).low > place.radius()) return;
+    }
+    if (place.half <= cells_.least_half()) return;
+    if (cells_.is_full() && !cells_.has_children(place.cell)) return;
+    std::vector<std::pair<double, MetCell>> open;
+    MetCell half;
+    for (const CellPlace& at : cells_.children(place)) {
+      if (!met.may_meet(near_, at, half)) continue;
+      if (cells_.label(at) != ReachCells::Label::Open) continue;
+      open.emplace_back(cells_.distance(at.cell).low, half);
+    }
+    std::stable_sort(open.begin(), open.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    for (const auto& [far, next] : open) visit(next);
+  }
+
+  ReachCells& cells_;
+  const NearPart& near_;
+  const Watch& watch_;
+  std::optional<FarPlace> best_;
+};
+
 // The part in the frame of the cells, which must hold it.
 NearPart in_frame(const ReachCells& cells, NearPart part) {
   for (const Point& y : part.vertices()) {
@@ -307,6 +370,23 @@ bool ReachLimit::allows_hull(std::span<const PointId> points, const Watch& watch
   }
   return CellWalk(cells, NearPart(std::move(near)), watch).is_within();
 }
+
+bool ReachLimit::allows_near(std::span<const Point> points, const Watch& watch) {
+  ReachCells& cells = search_->cells;
+  return CellWalk(cells, in_frame(cells, NearPart(near_solid(points))), watch).is_within();
+}
+
+// Where a part is so thin that it holds no center of a cell, the place is near it.
+std::optional<FarPlace> ReachLimit::farthest(std::span<const Point> points, const Watch& watch) {
+  ReachCells& cells = search_->cells;
+  const NearPart near = in_frame(cells, NearPart(near_solid(points)));
+  CellWalk walk(cells, near, watch);
+  if (walk.is_within()) return {};
+  if (auto found = FarthestWalk(cells, near, watch).find()) return found;
+  return walk.open_place();
+}
+
+const NearFrame& ReachLimit::frame() const { return search_->cells.frame(); }
 
 const Rational& ReachLimit::squared_limit() const { return search_->squared_limit; }
 std::size_t ReachLimit::cells() const { return search_->cells.size(); }

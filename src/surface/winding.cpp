@@ -90,6 +90,18 @@ class Winding::Search {
     return sum;
   }
 
+  // Just beside x.
+  long towards(const RationalPoint& x, const RationalVector3& direction) const {
+    const Query query(x);
+    long sum = 0;
+    for (const std::uint32_t t : find_near(query)) {
+      if (const std::optional<Sides> sides = sides_of(t, query)) {
+        sum += counted(t, *sides, {&direction});
+      }
+    }
+    return sum;
+  }
+
   // Just before and just behind a triangle that has x strictly inside.
   std::pair<long, long> beside(std::uint32_t own, const RationalPoint& x) const {
     const Query query(x);
@@ -258,6 +270,10 @@ std::optional<long> Winding::operator()(const RationalPoint& x) const { return s
 
 std::pair<long, long> Winding::beside(TriangleId triangle, const RationalPoint& x) const {
   return search_->beside(triangle.value, x);
+}
+
+long Winding::towards(const RationalPoint& x, const RationalVector3& direction) const {
+  return search_->towards(x, direction);
 }
 
 }  // namespace convexact

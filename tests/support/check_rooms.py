@@ -12,7 +12,7 @@ import sys
 # From the top down.
 ROOMS = ["error", "number", "geometry", "near", "shapes", "io", "lp", "hull", "dual", "implicit", "measure",
          "simplify", "fast", "search", "stored", "solid",
-         "surface", "overlay", "reach", "decompose",
+         "surface", "overlay", "reach", "decompose", "cut",
          "scene", "parts", "query", "bvh", "proof", "oracle", "conform",
          "wire", "pages", "teach", "lab/diff", "lab/report", "lab/compare", "lab/stress",
          "cli", "lab", "capi", "check"]
@@ -21,7 +21,7 @@ PUBLIC = {header: room for room, headers in {
     "error": "error", "number": "number cost", "geometry": "geometry", "shapes": "shapes", "io": "io",
     "lp": "linear_program", "hull": "hull", "dual": "dual", "implicit": "implicit", "measure": "measure",
     "simplify": "run", "search": "search", "stored": "stored", "solid": "scene",
-    "surface": "surface", "overlay": "overlay", "reach": "reach", "decompose": "cluster",
+    "surface": "surface", "overlay": "overlay", "reach": "reach", "decompose": "cluster", "cut": "partition",
     "scene": "simplify", "parts": "decompose", "query": "query", "bvh": "hull_tree",
     "oracle": "verify verify_order verify_parts", "conform": "conform shrink", "wire": "json",
     "capi": "convexact"}.items()

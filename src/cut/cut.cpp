@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// cut(): the leaf that reaches farthest is cut, until all are near the solid.
+#include <algorithm>
+#include <memory>
+#include <set>
+
+#include "convexact/partition.hpp"
+#include "cut/choose_plane.hpp"
+#include "cut/notches.hpp"
+#include "hull/near_solid.hpp"
+
+namespace convexact {
+namespace {
+
+// Directions of planes through the farthest point: the axes first, then those to the middles of
+// edges and to corners of a cube, and some between.
+std::vector<Point> directions() {
+  std::vector<Point> list;
+  for (int longest = 1; longest <= 2; ++longest) {
+    for (int nonzero = 1; nonzero <= 3; ++nonzero) {
+      for (int u = 0; u <= longest; ++u) {
+        for (int v = -longest; v <= longest; ++v) {
+          for (int w = -longest; w <= longest; ++w) {
+            const int most = std::max({u, std::abs(v), std::abs(w)});
+            const int count = (u != 0) + (v != 0) + (w != 0);
+            const bool is_first = u > 0 || v > 0 || (v == 0 && w > 0);
+            const bool is_new = longest == 1 || u == 1 || std::abs(v) == 1 || std::abs(w) == 1;
+            if (most != longest || count != nonzero || !is_first || !is_new) continue;
+            if (u == 0 && v < 0) continue;
+            list.emplace_back(u, v, w);
+          }
+        }
+      }
+    }
+  }
+  return list;
+}
+
+class Cutter {
+ public:
+  Cutter(const Surface& surface, const Winding* winding, ReachLimit& limit,
+         const PartitionOptions& options)
+      : winding_(winding),
+        limit_(limit),
+        options_(options),
+        points_(surface, limit.frame()),
+        notches_(surface, points_),
+        cutter_(surface, winding, points_, planes_) {}
+
+  Partition run() {
+    Leaf root{box(), {}, {}, notches_.all()};
+    for (std::uint32_t t = 0; t < points_.surface().triangles.size(); ++t) {
+      root.pieces.push_back({t, {}});
+    }
+    add_node(std::move(root), {});
+    while (!waiting_.empty()) {
+      if (options_.max_leaves && leaf_count_ >= *options_.max_leaves) {
+        made_.stopped_by_count = true;
+        break;
+      }
+      options_.watch.at(0, 0);
+      const std::uint32_t n = waiting_.begin()->node;
+      const Point far = waiting_.begin()->far;
+      waiting_.erase(waiting_.begin());
+      split(n, far);
+    }
+    for (std::uint32_t n = 0; n < made_.nodes.size(); ++n) {
+      if (leaves_[n]) add_leaf(n);
+    }
+    return std::move(made_);
+  }
+
+ private:
+  // The farthest first, of equal ones the lowest node.
+  struct Waiting {
+    double distance;
+    std::uint32_t node;
+    Point far;
+    bool operator<(const Waiting& other) const {
+      return std::pair(-distance, node) < std::pair(-other.distance, other.node);
+    }
+  };
+
+  // Around the surface, and a little larger, so that no corner of it is in the solid.
+  Region box() {
+    Point low = points_.near(0), high = low;
+    for (std::uint32_t p = 0; p < points_.surface().points.size(); ++p) {
+      low = low.cwiseMin(points_.near(p));
+      high = high.cwiseMax(points_.near(p));
+    }
+    constexpr double kMargin = 0x1p-6, kStep = 0x1p-8;
+    RationalPoint ends[2];
+    Point at[2];
+    for (int k = 0; k < 3; ++k) {
+      at[0][k] = std::floor((low[k] - kMargin) / kStep) * kStep;
+      at[1][k] = std::ceil((high[k] + kMargin) / kStep) * kStep;
+    }
+    ends[0] = points_.frame().point(at[0]);
+    ends[1] = points_.frame().point(at[1]);
+    std::array<std::uint32_t, 8> corners{};
+    for (unsigned k = 0; k < 8; ++k) {
+      corners[k] =
+          points_.add({ends[k & 1][0], ends[(k >> 1) & 1][1], ends[(k >> 2) & 1][2]});
+    }
+    std::vector<Region::Face> faces;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const bool is_high : {false, true}) {
+        RationalVector3 normal = RationalVector3::Zero();
+        normal[axis] = is_high ? 1 : -1;
+        Region::Face& face = faces.emplace_back(
+            Region::Face{add_plane(Halfspace(normal, Rational(-normal.dot(ends[is_high])))), {}});
+        const unsigned own = 1u << axis, u = 1u << (axis + 1) % 3, v = 1u << (axis + 2) % 3;
+        const unsigned first = is_high ? own : 0;
+        for (const unsigned k : {0u, is_high ? u : v, u | v, is_high ? v : u}) {
+          face.corners.push_back(corners[first | k]);
+        }
+      }
+    }
+    return Region(std::move(faces));
+  }
+
+  std::uint32_t add_plane(Halfspace plane) {
+    planes_.emplace_back(std::move(plane), points_.frame());
+    return static_cast<std::uint32_t>(planes_.size() - 1);
+  }
+
+  std::vector<Point> near_points(const Leaf& leaf) const {
+    std::vector<Point> near;
+    for (const std::uint32_t id : leaf.points(points_.surface())) near.push_back(points_.near(id));
+    return near;
+  }
+
+  void add_node(Leaf leaf, std::optional<std::uint32_t> parent) {
+    const auto n = static_cast<std::uint32_t>(made_.nodes.size());
+    made_.nodes.push_back({parent});
+    is_within_.push_back(true);
+    leaves_.emplace_back();
+    const std::vector<Point> near = near_points(leaf);
+    if (near.empty()) return;  // nothing of the solid
+    ++leaf_count_;
+    if (const auto far = limit_.farthest(near, options_.watch)) {
+      waiting_.insert({far->distance, n, far->point});
+      is_within_[n] = false;
+    }
+    leaves_[n] = std::make_unique<Leaf>(std::move(leaf));
+  }
+
+  void split(std::uint32_t n, const Point& far) {
+    const Leaf& leaf = *leaves_[n];
+    std::vector<CutPlane> tried;
+    const auto add = [&](const Halfspace& plane) {
+      const bool is_known = std::any_of(tried.begin(), tried.end(),
+                                        [&](const CutPlane& x) { return x.exact == plane; });
+      if (!is_known) tried.emplace_back(plane, points_.frame());
+    };
+    for (const Halfspace& plane : notches_.planes(leaf.notches)) add(plane);
+    for (const Point& direction : directions()) {
+      add(plane_across(direction, far, points_.frame()));
+    }
+    made_.planes_tried += tried.size();
+    const auto best = choose_plane(leaf, far, tried, points_, winding_, options_.watch);
+    if (!best) return;
+    planes_.push_back(tried[*best]);
+    const auto plane = static_cast<std::uint32_t>(planes_.size() - 1);
+    auto [lower, upper] = cutter_.cut(leaf, plane);
+    lower.notches = notches_.clipped(leaf.notches, planes_[plane], Sign::Negative);
+    upper.notches = notches_.clipped(leaf.notches, planes_[plane], Sign::Positive);
+    leaves_[n].reset();
+    --leaf_count_;
+    const auto first = static_cast<std::uint32_t>(made_.nodes.size());
+    made_.nodes[n].plane = planes_[plane].exact;
+    made_.nodes[n].children = {first, first + 1};
+    add_node(std::move(lower), n);
+    add_node(std::move(upper), n);
+  }
+
+  void add_leaf(std::uint32_t n) {
+    options_.watch.ask();
+    const Leaf& leaf = *leaves_[n];
+    PartitionLeaf& made = made_.leaves.emplace_back(PartitionLeaf{n, {}, {}, is_within_[n]});
+    for (const Piece& piece : leaf.pieces) made.triangles.emplace_back(piece.triangle);
+    made.hull = exact_hull(leaf);
+  }
+
+  // Points that are certainly inside of it are left out.
+  ConvexPart exact_hull(const Leaf& leaf) const {
+    constexpr double kInside = 0x1p-40;
+    const NearSolid solid = near_solid(near_points(leaf));
+    std::vector<RationalPoint> corners;
+    for (const std::uint32_t id : leaf.points(points_.surface())) {
+      const Point& y = points_.near(id);
+      const bool is_inside = !solid.planes.empty() &&
+                             std::all_of(solid.planes.begin(), solid.planes.end(),
+                                         [&](const NearSolid::Plane& plane) {
+                                           return plane.normal.dot(y) + plane.offset < -kInside;
+                                         });
+      if (!is_inside) corners.push_back(points_.exact(id));
+    }
+    return convex_part(PointSet(std::move(corners)), options_.watch);
+  }
+
+  const Winding* winding_;
+  ReachLimit& limit_;
+  const PartitionOptions& options_;
+  CutPoints points_;
+  std::vector<CutPlane> planes_;
+  Notches notches_;
+  LeafCutter cutter_;
+  Partition made_;
+  std::vector<std::unique_ptr<Leaf>> leaves_;  // by node; none of those that are cut or empty
+  std::vector<bool> is_within_;                // by node
+  std::set<Waiting> waiting_;
+  std::size_t leaf_count_ = 0;
+};
+
+}  // namespace
+
+Partition cut(const Surface& surface, const Winding* winding, ReachLimit& limit,
+              const PartitionOptions& options) {
+  return Cutter(surface, winding, limit, options).run();
+}
+
+}  // namespace convexact

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "cut/notches.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "surface/edges.hpp"
+
+namespace convexact {
+namespace {
+
+constexpr std::size_t kStrongest = 15;  // edges whose planes are tried
+
+Point area_of(const Surface& surface, const CutPoints& points, std::uint32_t triangle) {
+  const auto& [a, b, c] = surface.triangles[triangle];
+  const Point x = points.near(a.value), u = points.near(b.value) - x, v = points.near(c.value) - x;
+  return u.cross(v);
+}
+
+PointId opposite(const Triangle& triangle, PointId a, PointId b) {
+  for (const PointId p : triangle) {
+    if (p != a && p != b) return p;
+  }
+  return triangle[0];
+}
+
+
+}  // namespace
+
+Notches::Notches(const Surface& surface, const CutPoints& points)
+    : surface_(surface), points_(points) {
+  EdgeTable(surface.triangles).for_each([&](std::span<const EdgeUse> uses) {
+    if (uses.size() != 2) return;
+    const std::uint32_t left = uses[0].triangle, right = uses[1].triangle;
+    if (has_no_area(surface.points, surface.triangles[left]) ||
+        has_no_area(surface.points, surface.triangles[right])) {
+      return;
+    }
+    const PointId tip = opposite(surface.triangles[right], uses[0].low, uses[0].high);
+    const Sign above = points.side(CutPlane(triangle_plane(surface, left), points.frame()), tip.value);
+    if (above == Sign::Zero || (above == Sign::Negative && surface.is_closed)) return;
+    const Point m = area_of(surface, points, left), n = area_of(surface, points, right);
+    const double cosine = m.dot(n) / (m.norm() * n.norm());
+    edges_.push_back(
+        {uses[0].low, uses[0].high, left, right, 1 - cosine * std::abs(cosine)});
+  });
+}
+
+std::vector<NotchEdge> Notches::all() const {
+  std::vector<NotchEdge> list;
+  for (std::uint32_t e = 0; e < edges_.size(); ++e) list.push_back({e, 0, 1});
+  return list;
+}
+
+std::vector<NotchEdge> Notches::clipped(const std::vector<NotchEdge>& notches,
+                                        const CutPlane& plane, Sign side) const {
+  constexpr double kNothing = 0x1p-30;
+  std::vector<NotchEdge> list;
+  for (NotchEdge notch : notches) {
+    const double sign = side == Sign::Positive ? 1 : -1;
+    const double at_low = sign * plane(points_.near(edges_[notch.edge].low.value)),
+                 at_high = sign * plane(points_.near(edges_[notch.edge].high.value));
+    // Edges in the plane are cut already.
+    if (std::max(at_low, at_high) <= kCutError) continue;
+    if (at_low < 0) notch.from = std::max(notch.from, at_low / (at_low - at_high));
+    if (at_high < 0) notch.to = std::min(notch.to, at_low / (at_low - at_high));
+    if (notch.to - notch.from > kNothing) list.push_back(notch);
+  }
+  return list;
+}
+
+std::vector<Halfspace> Notches::planes(const std::vector<NotchEdge>& notches) const {
+  std::vector<std::pair<double, const NotchEdge*>> order;
+  for (const NotchEdge& notch : notches) {
+    const Edge& edge = edges_[notch.edge];
+    const Point along = points_.near(edge.high.value) - points_.near(edge.low.value);
+    const double share = notch.to - notch.from;
+    order.emplace_back(share * share * along.squaredNorm() * edge.sharpness, &notch);
+  }
+  const auto last = order.begin() + static_cast<long>(std::min(kStrongest, order.size()));
+  std::partial_sort(order.begin(), last, order.end(), [](const auto& a, const auto& b) {
+    return a.first > b.first || (a.first == b.first && a.second->edge < b.second->edge);
+  });
+  std::vector<Halfspace> list;
+  for (auto it = order.begin(); it != last; ++it) {
+    const Edge& edge = edges_[it->second->edge];
+    list.push_back(turned(triangle_plane(surface_, edge.left)));
+    list.push_back(turned(triangle_plane(surface_, edge.right)));
+    list.push_back(bisector(edge, *it->second));
+  }
+  return list;
+}
+
+Halfspace Notches::bisector(const Edge& edge, const NotchEdge& within) const {
+  const Point m = area_of(surface_, points_, edge.left).normalized(),
+              n = area_of(surface_, points_, edge.right).normalized();
+  const Point low = points_.near(edge.low.value), high = points_.near(edge.high.value);
+  return plane_across(m - n, low + (within.from + within.to) / 2 * (high - low), points_.frame());
+}
+
+Halfspace plane_across(const Point& direction, const Point& through, const NearFrame& frame) {
+  constexpr double kMost = 32767;
+  const Point scaled = direction * (kMost / direction.lpNorm<Eigen::Infinity>());
+  RationalVector3 normal;
+  for (int k = 0; k < 3; ++k) normal[k] = std::lround(scaled[k]);
+  return turned(Halfspace(normal, Rational(-normal.dot(frame.point(through)))));
+}
+
+Halfspace turned(const Halfspace& plane) {
+  for (const Integer& x : plane.normal()) {
+    if (x == 0) continue;
+    return x > 0 ? plane : Halfspace(IntegerVector3(-plane.normal()), -plane.offset());
+  }
+  return plane;
+}
+
+}  // namespace convexact

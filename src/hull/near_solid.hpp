@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// near_solid.hpp - the hull of points as doubles: its vertices, planes that hold them, its volume.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "convexact/geometry.hpp"
+
+namespace convexact {
+
+/// The hull of the doubles themselves; what is said of it holds for these, up to rounding.
+struct NearSolid {
+  /// n.y + d <= 0, |n| = 1 up to roundings.
+  struct Plane {
+    Point normal;
+    double offset;
+  };
+  std::vector<Point> vertices;  ///< Of the hull; all points if they are flat.
+  /// Of its facets. Each vertex is within it, or beyond by less than 2^-50 times the largest
+  /// coordinate: where a facet is a sliver, its normal may be another one, but not this. None if
+  /// the points are flat.
+  std::vector<Plane> planes;
+  double volume = 0;
+};
+
+/// @param points  At least one; finite.
+[[nodiscard]] NearSolid near_solid(std::span<const Point> points);
+
+}  // namespace convexact
