@@ -18,6 +18,7 @@
 #include "convexact/io.hpp"
 #include "convexact/measure.hpp"
 #include "convexact/number.hpp"
+#include "convexact/partition.hpp"
 #include "convexact/reach.hpp"
 #include "convexact/scene.hpp"
 #include "convexact/simplify.hpp"
@@ -25,10 +26,12 @@
 
 namespace convexact {
 
-/// Where the clusters come from.
+/// Where the parts come from.
 enum class DecomposeMethod {
   Hacd,  ///< cluster(): triangles are merged.
   Acd,   ///< split(): the surface is split at notches.
+  Cut,   ///< cut(): the solid is cut by planes. Its parts hold the solid, and are guarded and
+         ///< merged by reach always.
 };
 
 /// The treatment of clusters that lie in a plane.
@@ -109,6 +112,10 @@ enum class PartForm {
 struct Part {
   std::vector<TriangleId> owns;     ///< Ascending. Every triangle has one owner.
   std::vector<TriangleId> cluster;  ///< That it was made of: `owns` and perhaps fewer.
+  /// Of Cut: the leaves of the partition whose hulls it holds, ascending; each leaf has one part.
+  /// Then `owns` are the triangles that lie in these leaves, and a triangle that planes cut may have
+  /// no owner.
+  std::vector<std::uint32_t> leaves = {};
   /// Of `surface.unused`: they go where they are nearest to the clusters' hulls. Each point has one
   /// part.
   std::vector<PointId> loose;
@@ -156,14 +163,17 @@ struct DecompositionReach {
   std::size_t cells = 0;    ///< Of the octree that decided.
 };
 
+/// Of a triangle that several parts hold together.
+inline constexpr std::uint32_t kNoOwner = ~std::uint32_t{0};
+
 struct Decomposition {
   Surface surface;
   std::size_t caps = 0;              ///< That closed it, as in ClosedSurface.
   Rational squared_largest_cap = 0;  ///< The squared diagonal of the box of the largest border.
-  std::variant<Clustering, SplitTree> origin;  ///< Where the clusters come from.
+  std::variant<Clustering, SplitTree, Partition> origin;  ///< Where the parts come from.
   std::vector<Part> parts;                     ///< In the order of the lowest triangles of their
                                                ///< clusters.
-  std::vector<std::uint32_t> owner;            ///< By triangle: into `parts`.
+  std::vector<std::uint32_t> owner;            ///< By triangle: into `parts`, or kNoOwner.
   std::vector<InnerCluster> inner;             ///< Clusters that were dropped.
   std::vector<TriangleId>
       flat_merged;                   ///< Flat clusters that joined a neighbour (FlatParts::Merge).
@@ -179,7 +189,7 @@ struct Decomposition {
   const Rational& squared_diameter() const {
     return std::visit([](const auto& x) -> const Rational& { return x.squared_diameter; }, origin);
   }
-  /// The clusters of the origin, in the order of their lowest triangles, before flat ones joined
+  /// The clusters of the origin (of Cut: none), in the order of their lowest triangles, before flat ones joined
   /// others and inner ones joined the parts of others.
   std::vector<std::span<const TriangleId>> clusters() const;
   /// Whether the number of parts ended the run, not the limit.

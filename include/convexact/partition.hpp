@@ -38,6 +38,7 @@ struct Partition {
   std::vector<PartitionNode> nodes;   ///< Parents first.
   std::vector<PartitionLeaf> leaves;  ///< Those that hold something, in the order of their nodes.
   bool stopped_by_count = false;      ///< Whether `max_leaves` ended the run.
+  Rational squared_limit, squared_diameter;  ///< Of the distance, and of the surface's box.
   std::size_t planes_tried = 0;
 };
 

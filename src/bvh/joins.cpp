@@ -60,6 +60,22 @@ void undo_splits(const SplitTree& tree, Joiner& joiner) {
   }
 }
 
+std::vector<Join> undo_cuts(const Decomposition& decomposition, const Partition& partition) {
+  Joiner joiner(decomposition);
+  std::vector<MaybeGroup> group_of(partition.nodes.size());
+  for (std::size_t k = 0; k < decomposition.parts.size(); ++k) {
+    for (const std::uint32_t leaf : decomposition.parts[k].leaves) {
+      group_of[partition.leaves[leaf].node] = k;
+    }
+  }
+  for (std::size_t node = partition.nodes.size(); node-- > 0;) {
+    if (!partition.nodes[node].plane) continue;
+    const auto& [first, second] = partition.nodes[node].children;
+    group_of[node] = joiner.join(group_of[first], group_of[second]);
+  }
+  return joiner.joins();
+}
+
 void go_on_merging(const Clustering& clustering, Joiner& joiner) {
   std::map<TriangleId, MaybeGroup> group_of;  // by the lowest triangle of a cluster
   for (const auto& cluster : clustering.clusters) {
@@ -73,6 +89,9 @@ void go_on_merging(const Clustering& clustering, Joiner& joiner) {
 }  // namespace
 
 std::vector<Join> joins_of(const Decomposition& decomposition) {
+  if (const auto* partition = std::get_if<Partition>(&decomposition.origin)) {
+    return undo_cuts(decomposition, *partition);
+  }
   Joiner joiner(decomposition);
   if (const auto* tree = std::get_if<SplitTree>(&decomposition.origin)) {
     undo_splits(*tree, joiner);

@@ -13,7 +13,8 @@
 namespace convexact::capi {
 namespace {
 
-constexpr DecomposeMethod kMethods[] = {DecomposeMethod::Hacd, DecomposeMethod::Acd};
+constexpr DecomposeMethod kMethods[] = {DecomposeMethod::Hacd, DecomposeMethod::Acd,
+                                        DecomposeMethod::Cut};
 constexpr ConcavityMeasure kMeasures[] = {ConcavityMeasure::Surface, ConcavityMeasure::Vertices};
 constexpr FlatParts kFlat[] = {FlatParts::Auto, FlatParts::Thicken, FlatParts::Keep,
                                FlatParts::Merge};

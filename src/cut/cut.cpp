@@ -48,6 +48,8 @@ class Cutter {
         cutter_(surface, winding, points_, planes_) {}
 
   Partition run() {
+    made_.squared_limit = limit_.squared_limit();
+    made_.squared_diameter = bounding_box(points_.surface().points).squared_diameter();
     Leaf root{box(), {}, {}, notches_.all()};
     for (std::uint32_t t = 0; t < points_.surface().triangles.size(); ++t) {
       root.pieces.push_back({t, {}});

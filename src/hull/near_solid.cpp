@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "hull/near_solid.hpp"
 
-#include <algorithm>
-
 #include "convexact/hull.hpp"
 
 namespace convexact {
@@ -37,11 +35,8 @@ NearSolid near_solid(std::span<const Point> points) {
     made.volume += area.dot(points[hull->facets[f][0].index()] - origin) / 6;
     const double length = area.norm();
     if (!(length > 0)) continue;
-    NearSolid::Plane plane{area / length, 0};
-    double most = plane.normal.dot(made.vertices.front());
-    for (const Point& v : made.vertices) most = std::max(most, plane.normal.dot(v));
-    plane.offset = -most;
-    made.planes.push_back(plane);
+    const Point normal = area / length;
+    made.planes.push_back({normal, -normal.dot(points[hull->facets[f][0].index()])});
   }
   return made;
 }

@@ -16,9 +16,8 @@ struct NearSolid {
     double offset;
   };
   std::vector<Point> vertices;  ///< Of the hull; all points if they are flat.
-  /// Of its facets. Each vertex is within it, or beyond by less than 2^-50 times the largest
-  /// coordinate: where a facet is a sliver, its normal may be another one, but not this. None if
-  /// the points are flat.
+  /// Of its facets. Where a facet is a sliver, its normal may be another one, and vertices may be
+  /// beyond the plane. None if the points are flat.
   std::vector<Plane> planes;
   double volume = 0;
 };

@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <set>
 #include <span>
 
 #include "io/json.hpp"
@@ -61,6 +63,26 @@ class Joins {
   std::vector<std::array<std::uint32_t, 2>> joins_;
 };
 
+// The cuts undone, the last one first. A triangle that planes cut goes with the first leaf that has
+// a piece of it.
+void add_cuts(const Partition& partition, Joins& joins) {
+  std::vector<std::optional<TriangleId>> lowest(partition.nodes.size());
+  std::set<TriangleId> seen;
+  for (const PartitionLeaf& leaf : partition.leaves) {
+    for (const TriangleId t : leaf.triangles) {
+      if (!seen.insert(t).second) continue;
+      if (!lowest[leaf.node]) lowest[leaf.node] = t;
+      joins.join(*lowest[leaf.node], t);
+    }
+  }
+  for (std::size_t n = partition.nodes.size(); n-- > 0;) {
+    if (!partition.nodes[n].plane) continue;
+    const auto [a, b] = partition.nodes[n].children;
+    lowest[n] = lowest[a] ? lowest[a] : lowest[b];
+    if (lowest[a] && lowest[b]) joins.join(*lowest[a], *lowest[b]);
+  }
+}
+
 // Merges in their order, after triangles without area have joined; or, from the leaves of a tree,
 // the splits undone, the last one first.
 void add_steps(const Decomposition& decomposition, PictureLayer& layer) {
@@ -69,6 +91,12 @@ void add_steps(const Decomposition& decomposition, PictureLayer& layer) {
     for (const auto& [triangle, into] : clustering->united) joins.join(triangle, into);
     for (const Merge& step : clustering->merges) joins.join(step.kept, step.gone);
     layer.merges = joins.take();
+    return;
+  }
+  if (const auto* partition = std::get_if<Partition>(&decomposition.origin)) {
+    add_cuts(*partition, joins);
+    layer.merges = joins.take();
+    layer.splits = partition->nodes.size() / 2;
     return;
   }
   const auto& tree = std::get<SplitTree>(decomposition.origin);

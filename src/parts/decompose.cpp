@@ -9,6 +9,7 @@
 #include "convexact/error.hpp"
 #include "convexact/overlay.hpp"
 #include "decompose/near_concavity.hpp"
+#include "near/frame.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
 #include "parts/flat_part.hpp"
@@ -24,8 +25,14 @@ namespace {
   throw Error(ErrorCode::InvalidArgument, message);
 }
 
+bool cuts(const DecomposeRequest& request) { return request.method == DecomposeMethod::Cut; }
+
+bool merges(const DecomposeRequest& request) {
+  return cuts(request) || request.merge == ReachUse::Reach;
+}
+
 bool uses_reach(const DecomposeRequest& request) {
-  return request.guard == ReachUse::Reach || request.merge == ReachUse::Reach;
+  return cuts(request) || request.guard == ReachUse::Reach || request.merge == ReachUse::Reach;
 }
 
 void require_sensible(const DecomposeRequest& request) {
@@ -127,19 +134,29 @@ class Decomposer {
     made_.caps = closed.caps;
     made_.squared_largest_cap = std::move(closed.squared_largest);
     start_reach();
-    log_.run("clusters", [&] { find_clusters(); });
-    hull_clusters();
-    concavity_.emplace(made_.surface, request_.measure);
-    merge_flat_clusters();
-    const std::vector<Concavity> concavities = measure_concavities();
-    choose_parts(concavities);
+    if (cuts(request_)) {
+      cut_solid();
+    } else {
+      log_.run("clusters", [&] { find_clusters(); });
+      hull_clusters();
+      concavity_.emplace(made_.surface, request_.measure);
+      merge_flat_clusters();
+      const std::vector<Concavity> concavities = measure_concavities();
+      choose_parts(concavities);
+    }
     take_in_loose_points();
     drop_inner_hulls();
     merge_near_parts();
     std::vector<ConvexPart> stored =
         store_parts(made_.parts, made_.squared_diameter(), request_, log_);
     drop_inner_as_stored(stored);
-    log_.run("coverage by owners", [&] { prove_coverage(); });
+    log_.run("coverage by owners", [&] {
+      if (cuts(request_)) {
+        prove_leaves();
+      } else {
+        prove_coverage();
+      }
+    });
     decide_reach(stored);
     if (request_.measures != PartMeasures::None) {
       made_.measures =
@@ -165,7 +182,7 @@ class Decomposer {
     if (made_.surface.is_closed) winding_.emplace(made_.surface);
     limit_.emplace(reach_limit(made_.reach->squared_distance, {}));
     // Finer than asked: what is merged in the end makes use of it.
-    if (request_.merge == ReachUse::Reach) {
+    if (merges(request_)) {
       half_limit_.emplace(reach_limit(made_.reach->squared_distance / 4, {}));
     }
   }
@@ -186,16 +203,52 @@ class Decomposer {
 
   void merge_near_parts() {
     constexpr const char* kStage = "merge by reach";
-    if (request_.merge != ReachUse::Reach || !limit_) return log_.skip(kStage, "not requested");
+    if (!merges(request_) || !limit_) return log_.skip(kStage, "not requested");
     log_.run(kStage, [&] {
-      const Rational distance =
-          to_rational(sqrt(Enclosure(made_.reach->squared_distance, kMeasureBits)).high_double());
-      const std::vector<std::size_t> place =
-          merge_by_reach(made_.parts, *limit_, distance, log_.watch(kStage));
-      for (InnerCluster& inner : made_.inner) inner.part = place[inner.part];
-      made_.reach->merged = place.size() - made_.parts.size();
+      std::vector<std::vector<Point>> pieces;
+      for (const Part& part : made_.parts) {
+        std::vector<Point>& points = pieces.emplace_back();
+        for (const RationalPoint& v : part.hull.vertices) points.push_back(limit_->frame()(v));
+      }
+      const ReachMergeOptions options{.seed = request_.seed};
+      const Watch watch = log_.watch(kStage);
+      const ReachMerged merged = merge_by_reach(pieces, *limit_, options, watch);
+      join_parts(merged.parts, watch);
     });
     if (made_.reach->merged > 0) drop_inner_hulls();
+  }
+
+  // Each part of several takes the place of the lowest of them.
+  void join_parts(const std::vector<std::vector<std::uint32_t>>& groups, const Watch& watch) {
+    const auto take = [](auto& to, const auto& from) {
+      to.insert(to.end(), from.begin(), from.end());
+      std::sort(to.begin(), to.end());
+    };
+    std::vector<Part> joined;
+    std::vector<std::size_t> place(made_.parts.size());
+    for (const auto& group : groups) {
+      std::vector<RationalPoint> points;
+      for (const std::uint32_t k : group) {
+        place[k] = joined.size();
+        const auto& vertices = made_.parts[k].hull.vertices;
+        points.insert(points.end(), vertices.begin(), vertices.end());
+      }
+      Part& kept = joined.emplace_back(std::move(made_.parts[group.front()]));
+      if (group.size() == 1) continue;
+      kept.hull = convex_part(PointSet(std::move(points)), watch);
+      for (const std::uint32_t k : std::span(group).subspan(1)) {
+        const Part& gone = made_.parts[k];
+        take(kept.owns, gone.owns);
+        take(kept.leaves, gone.leaves);
+        take(kept.loose, gone.loose);
+        take(kept.merged, gone.merged);
+        if (!gone.cluster.empty()) take(kept.merged, std::vector{gone.cluster.front()});
+        kept.is_widened = kept.is_widened || gone.is_widened;
+      }
+    }
+    for (InnerCluster& inner : made_.inner) inner.part = place[inner.part];
+    made_.reach->merged = made_.parts.size() - joined.size();
+    made_.parts = std::move(joined);
   }
 
   // Of the parts as stored: those that are farther, or may be.
@@ -218,9 +271,69 @@ class Decomposer {
         if (reach.reach != Reach::Within) made_.reach->farther.push_back({k, std::move(reach)});
       }
       made_.reach->cells = std::max(cells, limit_->cells());
-      const auto refused = [](const auto& origin) { return origin.refused; };
-      made_.reach->refused = std::visit(refused, made_.origin);
+      if (const auto* clustering = std::get_if<Clustering>(&made_.origin)) {
+        made_.reach->refused = clustering->refused;
+      } else if (const auto* tree = std::get_if<SplitTree>(&made_.origin)) {
+        made_.reach->refused = tree->refused;
+      } else {
+        made_.limit_holds = made_.reach->farther.empty();
+      }
     });
+  }
+
+  // ---- Leaves
+
+  // Each leaf becomes a part, at first: its hull as stored, so that nothing grows later.
+  void cut_solid() {
+    log_.run("cuts", [&] {
+      const Watch watch = log_.watch("cuts");
+      const PartitionOptions options{.is_exact = request_.engine == Engine::Exact, .watch = watch};
+      made_.origin =
+          cut(made_.surface, winding_ ? &*winding_ : nullptr, *half_limit_, options);
+    });
+    log_.run("store leaves", [&] {
+      const Watch watch = log_.watch("store leaves");
+      const auto& leaves = std::get<Partition>(made_.origin).leaves;
+      for (std::uint32_t k = 0; k < leaves.size(); ++k) {
+        watch.at(k, leaves.size());
+        Part& part = made_.parts.emplace_back();
+        part.leaves = {k};
+        part.hull = convex_part(stored_corners(leaves[k].hull, made_.squared_diameter(),
+                                               request_.precision, watch),
+                                watch);
+      }
+    });
+  }
+
+  // Each leaf's hull lies in its part, on the stored numbers; so the parts hold the solid, and each
+  // triangle.
+  void prove_leaves() {
+    const Partition& partition = std::get<Partition>(made_.origin);
+    made_.owner.assign(made_.surface.triangles.size(), kNoOwner);
+    std::vector<bool> is_shared(made_.owner.size(), false);
+    std::vector<bool> is_held(partition.leaves.size(), false);
+    for (std::uint32_t k = 0; k < made_.parts.size(); ++k) {
+      const Part& part = made_.parts[k];
+      for (const std::uint32_t leaf : part.leaves) {
+        if (is_held[leaf]) throw Error(ErrorCode::Internal, "a leaf has two parts");
+        is_held[leaf] = true;
+        require_held(part, PointSet(partition.leaves[leaf].hull.vertices));
+        for (const TriangleId t : partition.leaves[leaf].triangles) {
+          std::uint32_t& owner = made_.owner[t.index()];
+          is_shared[t.index()] = is_shared[t.index()] || (owner != kNoOwner && owner != k);
+          owner = k;
+        }
+      }
+    }
+    if (std::find(is_held.begin(), is_held.end(), false) != is_held.end()) {
+      throw Error(ErrorCode::Internal, "a leaf has no part");
+    }
+    for (std::size_t t = 0; t < is_shared.size(); ++t) {
+      if (is_shared[t]) made_.owner[t] = kNoOwner;
+      if (made_.owner[t] != kNoOwner) made_.parts[made_.owner[t]].owns.emplace_back(t);
+    }
+    made_.tested_triangles = made_.owner.size();
+    prove_loose_points();
   }
 
   // ---- Clusters
@@ -413,8 +526,13 @@ class Decomposer {
       for (std::size_t k = 0; k < solids.size(); ++k) {
         if (stays[k]) continue;
         const std::vector<TriangleId> owns = std::move(made_.parts[k].owns);
+        const std::vector<std::uint32_t> leaves = std::move(made_.parts[k].leaves);
         Part& other = made_.parts[*holder[k]];
-        made_.inner.push_back({made_.parts[k].cluster.front(), place[*holder[k]]});
+        other.leaves.insert(other.leaves.end(), leaves.begin(), leaves.end());
+        std::sort(other.leaves.begin(), other.leaves.end());
+        if (!made_.parts[k].cluster.empty()) {
+          made_.inner.push_back({made_.parts[k].cluster.front(), place[*holder[k]]});
+        }
         for (const TriangleId lowest : made_.parts[k].merged) {
           made_.inner.push_back({lowest, place[*holder[k]]});
         }
@@ -441,25 +559,15 @@ class Decomposer {
     list.resize(next);
   }
 
-  // On the stored numbers: each corner of each triangle in all halfspaces of the triangle's owner,
-  // and each loose point in those of its part.
+  // On the stored numbers: each corner of each triangle in all halfspaces of the triangle's owner.
   void prove_coverage() {
-    constexpr std::uint32_t kNone = ~0u;
-    std::size_t loose = 0;
-    made_.owner.assign(made_.surface.triangles.size(), kNone);
+    made_.owner.assign(made_.surface.triangles.size(), kNoOwner);
     for (std::uint32_t k = 0; k < made_.parts.size(); ++k) {
       const Part& part = made_.parts[k];
       const auto corners = points_of(made_.surface, part.owns);
-      const PointSet held = concatenated(subset(made_.surface.points, corners),
-                                         subset(made_.surface.unused, part.loose));
-      loose += part.loose.size();
-      const std::size_t outside = find_outside(part.halfspaces, held, request_.watch.stop).size();
-      if (outside > 0) {
-        throw Error(ErrorCode::Internal,
-                    fmt::format("{} points of a part lie outside of it", outside));
-      }
+      require_held(part, subset(made_.surface.points, corners));
       for (const TriangleId t : part.owns) {
-        if (made_.owner[t.index()] != kNone) {
+        if (made_.owner[t.index()] != kNoOwner) {
           throw Error(ErrorCode::Internal, "a triangle has two owners");
         }
         made_.owner[t.index()] = k;
@@ -469,8 +577,25 @@ class Decomposer {
     if (made_.tested_triangles != made_.surface.triangles.size()) {
       throw Error(ErrorCode::Internal, "a triangle has no owner");
     }
+    prove_loose_points();
+  }
+
+  // The same for each loose point and its part.
+  void prove_loose_points() {
+    std::size_t loose = 0;
+    for (const Part& part : made_.parts) {
+      loose += part.loose.size();
+      require_held(part, subset(made_.surface.unused, part.loose));
+    }
     if (loose != made_.surface.unused.size()) {
       throw Error(ErrorCode::Internal, "a loose point has no part");
+    }
+  }
+
+  void require_held(const Part& part, const PointSet& points) const {
+    const std::size_t outside = find_outside(part.halfspaces, points, request_.watch.stop).size();
+    if (outside > 0) {
+      throw Error(ErrorCode::Internal, fmt::format("{} points of a part lie outside of it", outside));
     }
   }
 
@@ -489,10 +614,8 @@ std::vector<std::span<const TriangleId>> Decomposition::clusters() const {
   std::vector<std::span<const TriangleId>> list;
   if (const auto* clustering = std::get_if<Clustering>(&origin)) {
     for (const auto& triangles : clustering->clusters) list.emplace_back(triangles);
-  } else {
-    for (const SplitLeaf& leaf : std::get<SplitTree>(origin).leaves) {
-      list.emplace_back(leaf.triangles);
-    }
+  } else if (const auto* tree = std::get_if<SplitTree>(&origin)) {
+    for (const SplitLeaf& leaf : tree->leaves) list.emplace_back(leaf.triangles);
   }
   return list;
 }

@@ -2,130 +2,247 @@
 #include "parts/merge_by_reach.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <optional>
 #include <set>
 #include <tuple>
 
-#include "convexact/measure.hpp"
+#include "hull/near_solid.hpp"
+#include "near/frame.hpp"
+#include "number/random.hpp"
+#include "surface/box_tree.hpp"
 
 namespace convexact {
 namespace {
 
-constexpr long kVolumeBits = 64;
+using PieceSet = std::vector<std::uint32_t>;  // ascending
 
-double volume_of(const ConvexPart& part) {
-  return part.solid ? enclose_volume(*part.solid, kVolumeBits).high_double() : 0;
+PieceSet united(const PieceSet& a, const PieceSet& b) {
+  PieceSet both;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+  return both;
 }
 
-bool are_near(const BoundingBox& a, const BoundingBox& b, const Rational& distance) {
-  for (int k = 0; k < 3; ++k) {
-    if (a.high[k] + distance < b.low[k] || b.high[k] + distance < a.low[k]) return false;
-  }
-  return true;
-}
+// The common hull of some pieces.
+struct Joined {
+  PieceSet pieces;
+  std::vector<Point> vertices;
+  double volume = 0;
+  NearBox box;
+  std::optional<bool> is_allowed = {};
+};
 
-// Parts that are merged are named by the lower one of the two.
-class ReachMerger {
+// All hulls that were asked for, so that no question is asked twice.
+class JoinedHulls {
  public:
-  ReachMerger(std::vector<Part>& parts, ReachLimit& limit, const Rational& distance,
-              const Watch& watch)
-      : parts_(parts), limit_(limit), distance_(distance), watch_(watch) {
-    for (const Part& part : parts) volumes_.push_back(volume_of(part.hull));
-    for (std::size_t k = 0; k < parts.size(); ++k) holder_.push_back(k);
-    for (std::size_t b = 0; b < parts.size(); ++b) {
-      for (std::size_t a = 0; a < b; ++a) add(a, b);
-    }
+  JoinedHulls(std::span<const std::vector<Point>> pieces, ReachLimit& limit, const Watch& watch)
+      : limit_(limit), watch_(watch) {
+    for (std::uint32_t k = 0; k < pieces.size(); ++k) add({k}, pieces[k]);
   }
 
-  std::vector<std::size_t> run() {
-    while (!queue_.empty()) {
-      watch_.ask();
-      const auto [added, a, b] = *queue_.begin();
-      queue_.erase(queue_.begin());
-      ConvexPart hull = hull_of(a, b);
-      if (!limit_.allows(hull, watch_)) {
-        refused_.emplace(a, b);
-        continue;
-      }
-      merge(a, b, std::move(hull));
-    }
-    // A part merges with a lower one only, whose place is known by then.
-    std::vector<std::size_t> places(parts_.size());
-    std::size_t next = 0;
-    for (std::size_t k = 0; k < parts_.size(); ++k) {
-      if (holder_[k] != k) {
-        places[k] = places[holder_[k]];
-        continue;
-      }
-      if (next != k) parts_[next] = std::move(parts_[k]);
-      places[k] = next++;
-    }
-    parts_.resize(next);
-    return places;
+  Joined& piece(std::uint32_t k) { return *hulls_.at({k}); }
+  Joined& join(const Joined& a, const Joined& b) {
+    PieceSet both = united(a.pieces, b.pieces);
+    const auto known = hulls_.find(both);
+    if (known != hulls_.end()) return *known->second;
+    std::vector<Point> points = a.vertices;
+    points.insert(points.end(), b.vertices.begin(), b.vertices.end());
+    return add(std::move(both), points);
+  }
+
+  // What holds pieces that were refused is refused.
+  bool allows(Joined& joined) {
+    if (joined.is_allowed) return *joined.is_allowed;
+    const PieceSet& own = joined.pieces;
+    const bool is_hopeless = std::any_of(refused_.begin(), refused_.end(), [&](const auto* set) {
+      return set->size() <= own.size() &&
+             std::includes(own.begin(), own.end(), set->begin(), set->end());
+    });
+    joined.is_allowed = !is_hopeless && limit_.allows_near(joined.vertices, watch_);
+    if (!is_hopeless && !*joined.is_allowed) refused_.push_back(&joined.pieces);
+    return *joined.is_allowed;
   }
 
  private:
-  using Pair = std::pair<std::size_t, std::size_t>;  // the lower one first
-
-  ConvexPart hull_of(std::size_t a, std::size_t b) const {
-    std::vector<RationalPoint> points = parts_[a].hull.vertices;
-    const auto& more = parts_[b].hull.vertices;
-    points.insert(points.end(), more.begin(), more.end());
-    return convex_part(PointSet(points), watch_);
-  }
-
-  void add(std::size_t a, std::size_t b) {
+  Joined& add(PieceSet pieces, std::span<const Point> points) {
     watch_.ask();
-    if (!are_near(parts_[a].hull.box, parts_[b].hull.box, distance_)) return;
-    const double added = volume_of(hull_of(a, b)) - volumes_[a] - volumes_[b];
-    queue_.emplace(added, a, b);
+    NearSolid solid = near_solid(points);
+    auto made = std::make_unique<Joined>(
+        Joined{pieces, std::move(solid.vertices), solid.volume, {}, {}});
+    for (const Point& y : made->vertices) made->box.include(y);
+    return *(hulls_[std::move(pieces)] = std::move(made));
   }
 
-  void merge(std::size_t a, std::size_t b, ConvexPart hull) {
-    Part &kept = parts_[a], &gone = parts_[b];
-    const auto take = [](auto& to, const auto& from) {
-      to.insert(to.end(), from.begin(), from.end());
-      std::sort(to.begin(), to.end());
-    };
-    take(kept.owns, gone.owns);
-    take(kept.loose, gone.loose);
-    take(kept.merged, gone.merged);
-    take(kept.merged, std::vector{gone.cluster.front()});
-    kept.is_widened = kept.is_widened || gone.is_widened;
-    kept.hull = std::move(hull);
-    volumes_[a] = volume_of(kept.hull);
-    holder_[b] = a;
-    std::erase_if(queue_, [&](const auto& entry) {
-      const auto [added, x, y] = entry;
-      return x == a || y == a || x == b || y == b;
-    });
-    // What holds a hull that was refused is refused.
-    std::set<Pair> refused;
-    for (const auto& [x, y] : refused_) {
-      const Pair now = std::minmax(x == b ? a : x, y == b ? a : y);
-      if (now.first != now.second) refused.insert(now);
-    }
-    refused_ = std::move(refused);
-    for (std::size_t k = 0; k < parts_.size(); ++k) {
-      const Pair pair = std::minmax(a, k);
-      if (k != a && holder_[k] == k && !refused_.contains(pair)) add(pair.first, pair.second);
-    }
-  }
-
-  std::vector<Part>& parts_;
   ReachLimit& limit_;
-  const Rational& distance_;
   const Watch& watch_;
-  std::vector<double> volumes_;
-  std::vector<std::size_t> holder_;  // itself, or the lower part that it merged with
-  std::set<std::tuple<double, std::size_t, std::size_t>> queue_;  // by added volume
-  std::set<Pair> refused_;
+  std::map<PieceSet, std::unique_ptr<Joined>> hulls_;
+  std::vector<const PieceSet*> refused_;
+};
+
+class ReachMerger {
+ public:
+  ReachMerger(std::size_t pieces, JoinedHulls& hulls, double distance,
+              const ReachMergeOptions& options)
+      : hulls_(hulls), distance_(distance), options_(options) {
+    for (std::uint32_t k = 0; k < pieces; ++k) parts_.push_back(&hulls.piece(k));
+    volume_ = total_volume();
+  }
+
+  // With other preferences for each random number; none: as they are.
+  void run(Random* random) {
+    random_ = random;
+    merge();
+    while (options_.eliminate && eliminate_one()) {
+    }
+  }
+
+  // The two whose hull adds least, again and again, whatever the limit says.
+  bool merge_down_to(std::size_t most) {
+    bool is_beyond = false;
+    while (parts_.size() > most) {
+      std::optional<std::tuple<double, std::size_t, std::size_t>> best;
+      for (std::size_t b = 0; b < parts_.size(); ++b) {
+        for (std::size_t a = 0; a < b; ++a) {
+          const double added = hulls_.join(*parts_[a], *parts_[b]).volume - parts_[a]->volume -
+                               parts_[b]->volume;
+          if (!best || added < std::get<0>(*best)) best = {added, a, b};
+        }
+      }
+      const auto [added, a, b] = *best;
+      parts_[a] = &hulls_.join(*parts_[a], *parts_[b]);
+      is_beyond = is_beyond || !hulls_.allows(*parts_[a]);
+      parts_.erase(parts_.begin() + static_cast<long>(b));
+    }
+    return is_beyond;
+  }
+
+  std::size_t size() const { return parts_.size(); }
+  double total_volume() const {
+    return std::accumulate(parts_.begin(), parts_.end(), 0.0,
+                           [](double sum, const Joined* part) { return sum + part->volume; });
+  }
+  std::vector<PieceSet> parts() const {
+    std::vector<PieceSet> list;
+    for (const Joined* part : parts_) list.push_back(part->pieces);
+    std::sort(list.begin(), list.end());
+    return list;
+  }
+
+ private:
+  double key(double added) {
+    constexpr std::uint64_t kMost = 2048;
+    if (random_ == nullptr) return added;
+    return added * static_cast<double>(1 + uniform_below(*random_, kMost)) / (kMost / 2);
+  }
+
+  bool are_near(const Joined& a, const Joined& b) const {
+    for (int k = 0; k < 3; ++k) {
+      if (a.box.high[k] + distance_ < b.box.low[k] || b.box.high[k] + distance_ < a.box.low[k]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // Parts have numbers; a merged one has a new number.
+  void merge() {
+    std::vector<Joined*> numbered = parts_;
+    std::set<std::uint32_t> alive;
+    std::set<std::tuple<double, std::uint32_t, std::uint32_t>> queue;
+    const auto add = [&](std::uint32_t b) {
+      for (const std::uint32_t a : alive) {
+        if (a == b || !are_near(*numbered[a], *numbered[b])) continue;
+        const double added =
+            hulls_.join(*numbered[a], *numbered[b]).volume - numbered[a]->volume - numbered[b]->volume;
+        queue.emplace(key(added), std::min(a, b), std::max(a, b));
+      }
+      alive.insert(b);
+    };
+    for (std::uint32_t k = 0; k < numbered.size(); ++k) add(k);
+    while (!queue.empty()) {
+      const auto [cost, a, b] = *queue.begin();
+      queue.erase(queue.begin());
+      if (!alive.contains(a) || !alive.contains(b)) continue;
+      Joined& both = hulls_.join(*numbered[a], *numbered[b]);
+      const double volume = volume_ + both.volume - numbered[a]->volume - numbered[b]->volume;
+      if (volume > options_.most_volume || !hulls_.allows(both)) continue;
+      volume_ = volume;
+      alive.erase(a);
+      alive.erase(b);
+      numbered.push_back(&both);
+      add(static_cast<std::uint32_t>(numbered.size() - 1));
+    }
+    parts_.clear();
+    for (const std::uint32_t k : alive) parts_.push_back(numbered[k]);
+  }
+
+  // Whether a part could be given up, smallest first.
+  bool eliminate_one() {
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t k = 0; k < parts_.size(); ++k) order.emplace_back(key(parts_[k]->volume), k);
+    std::sort(order.begin(), order.end());
+    return std::any_of(order.begin(), order.end(),
+                       [&](const auto& entry) { return give_up(entry.second); });
+  }
+
+  bool give_up(std::size_t gone) {
+    std::vector<Joined*> others = parts_;
+    others.erase(others.begin() + static_cast<long>(gone));
+    double volume = volume_ - parts_[gone]->volume;
+    for (const std::uint32_t piece : parts_[gone]->pieces) {
+      std::vector<std::tuple<double, std::size_t>> order;
+      for (std::size_t k = 0; k < others.size(); ++k) {
+        if (!are_near(*others[k], hulls_.piece(piece))) continue;
+        const Joined& both = hulls_.join(*others[k], hulls_.piece(piece));
+        order.emplace_back(both.volume - others[k]->volume, k);
+      }
+      std::sort(order.begin(), order.end());
+      const auto place = std::find_if(order.begin(), order.end(), [&](const auto& entry) {
+        const auto& [added, k] = entry;
+        return volume + added <= options_.most_volume &&
+               hulls_.allows(hulls_.join(*others[k], hulls_.piece(piece)));
+      });
+      if (place == order.end()) return false;
+      const auto& [added, k] = *place;
+      others[k] = &hulls_.join(*others[k], hulls_.piece(piece));
+      volume += added;
+    }
+    parts_ = std::move(others);
+    volume_ = volume;
+    return true;
+  }
+
+  JoinedHulls& hulls_;
+  double distance_;
+  const ReachMergeOptions& options_;
+  std::vector<Joined*> parts_;
+  double volume_ = 0;
+  Random* random_ = nullptr;
 };
 
 }  // namespace
 
-std::vector<std::size_t> merge_by_reach(std::vector<Part>& parts, ReachLimit& limit,
-                                        const Rational& distance, const Watch& watch) {
-  return ReachMerger(parts, limit, distance, watch).run();
+ReachMerged merge_by_reach(std::span<const std::vector<Point>> pieces, ReachLimit& limit,
+                           const ReachMergeOptions& options, const Watch& watch) {
+  JoinedHulls hulls(pieces, limit, watch);
+  const double distance = limit.frame().root_up(limit.squared_limit());
+  Random random(options.seed);
+  std::optional<ReachMerger> best;
+  for (int round = 0; round < options.rounds; ++round) {
+    ReachMerger merger(pieces.size(), hulls, distance, options);
+    merger.run(round == 0 ? nullptr : &random);
+    if (!best || std::pair(merger.size(), merger.total_volume()) <
+                     std::pair(best->size(), best->total_volume())) {
+      best.emplace(merger);
+    }
+  }
+  ReachMerged made;
+  if (options.most_parts > 0) made.is_beyond = best->merge_down_to(options.most_parts);
+  made.parts = best->parts();
+  return made;
 }
 
 }  // namespace convexact

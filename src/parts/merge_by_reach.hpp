@@ -1,21 +1,46 @@
 // SPDX-License-Identifier: MIT
-// merge_by_reach.hpp - parts merged as long as their common hull stays near the solid.
+// merge_by_reach.hpp - few parts from many pieces, as long as each stays near the solid.
 #pragma once
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
 #include <vector>
 
-#include "convexact/decompose.hpp"
+#include "convexact/geometry.hpp"
 #include "convexact/reach.hpp"
 
 namespace convexact {
 
-/// Merges, one after another, the two parts whose common hull adds the least volume among those
-/// that the limit allows, until there are none; parts whose boxes are farther apart than T are
-/// never tried. Volumes are compared as doubles around their enclosures, so that every machine
-/// sorts alike; no proof depends on the order. What merges with a part follows it in `merged`.
-/// @param distance  T in length units, rounded up.
-/// @return By part as it was, its place now, or that of the one that it merged with.
+struct ReachMergeOptions {
+  /// How often everything is done: with other preferences each time but the first.
+  int rounds = 1;
+  std::uint64_t seed = 1;
+  /// Give the pieces of a part to other parts, if that makes it needless.
+  bool eliminate = true;
+  /// Parts to end with even if they reach too far; 0: none are merged for that.
+  std::size_t most_parts = 0;
+  /// A volume in the frame that the parts' volumes together must not exceed.
+  double most_volume = HUGE_VAL;
+};
+
+/// The pieces of each part, ascending; the parts in the order of their lowest pieces.
+struct ReachMerged {
+  std::vector<std::vector<std::uint32_t>> parts;
+  /// Whether parts were merged for `most_parts` although they reach too far.
+  bool is_beyond = false;
+};
+
+/// Each piece becomes a part. Then, again and again, the two parts are merged whose common hull adds
+/// the least volume among those that the limit allows. Then each part whose pieces all find a place
+/// in other parts, as far as the limit allows, is given up, smallest first; a piece goes to the part
+/// that grows least. Of several rounds the fewest parts are kept, of these the least volume.
+/// Volumes are those of hulls of doubles, so that every machine sorts alike; no proof depends on
+/// the order.
+/// @param pieces  The points of each, in the frame of the limit.
 /// @throws Error Stopped when the watch ends the call.
-std::vector<std::size_t> merge_by_reach(std::vector<Part>& parts, ReachLimit& limit,
-                                        const Rational& distance, const Watch& watch);
+[[nodiscard]] ReachMerged merge_by_reach(std::span<const std::vector<Point>> pieces,
+                                         ReachLimit& limit, const ReachMergeOptions& options,
+                                         const Watch& watch);
 
 }  // namespace convexact

@@ -192,6 +192,14 @@ ConvexPart keep_flat(Part& part, Precision precision) {
 
 }  // namespace
 
+PointSet stored_corners(const ConvexPart& hull, const Rational& squared_diameter,
+                        Precision precision, const Watch& watch) {
+  Part part;
+  part.hull = hull;
+  Making making = begin(part, squared_diameter, precision, watch);
+  return stored_points(making, precision);
+}
+
 std::vector<ConvexPart> store_parts(std::vector<Part>& parts, const Rational& squared_diameter,
                                     const DecomposeRequest& request, StageLog& log) {
   const bool keeps_flat = request.flat == FlatParts::Keep;

@@ -17,4 +17,9 @@ namespace convexact {
                                                   const Rational& squared_diameter,
                                                   const DecomposeRequest& request, StageLog& log);
 
+/// Numbers of the format as points whose hull holds a part, thickened if it is flat.
+/// @throws Error Unrepresentable if there are none.
+[[nodiscard]] PointSet stored_corners(const ConvexPart& hull, const Rational& squared_diameter,
+                                      Precision precision, const Watch& watch);
+
 }  // namespace convexact

@@ -35,8 +35,11 @@ class NearPart {
   }
 
   explicit NearPart(NearSolid solid) : vertices_(std::move(solid.vertices)) {
+    // Whatever the normal is, all vertices are within a plane that is moved to the outermost.
     for (const NearSolid::Plane& plane : solid.planes) {
-      planes_.push_back({plane.normal, plane.offset});
+      double most = plane.normal.dot(vertices_.front());
+      for (const Point& v : vertices_) most = std::max(most, plane.normal.dot(v));
+      planes_.push_back({plane.normal, -most});
     }
   }
 

@@ -23,11 +23,13 @@ Fields<DecomposeRequest> make_fields() {
   constexpr std::uint64_t kMostFaces = std::uint64_t(1) << 32;
   Fields<R> fields = {
       choice_field<R>("method", &R::method, kDecomposeMethodNames,
-                      "hacd merges neighbouring triangles, then clusters, by concavity and shape; "
-                      "acd splits the most concave part at its deepest notch, again and again"),
+                      "cut cuts the solid by planes into few parts that hold it, none farther "
+                      "from it than the distance; hacd merges neighbouring triangles, then "
+                      "clusters, by concavity and shape; acd splits the most concave part at its "
+                      "deepest notch, again and again"),
       text_field<R>("concavity", &R::limit, parse_concavity, spell_limit,
-                    "how deep a cluster may lie in its hull: a share of the diameter, 3% or 0.03d, "
-                    "or a length, 0.05"),
+                    "hacd and acd: how deep a cluster may lie in its hull: a share of the diameter, "
+                    "3% or 0.03d, or a length, 0.05"),
       count_field<R>("max_parts", &R::max_parts, {1},
                      "at least 1: hacd keeps merging beyond the concavity allowed until this many "
                      "parts are left; acd stops splitting at this many"),
@@ -42,10 +44,10 @@ Fields<DecomposeRequest> make_fields() {
           [](const std::optional<ConcavityLimit>& limit) {
             return spell_limit(limit.value_or(kDefaultDistance));
           },
-          "how far a point of a part may be from the solid, for guard and merge: a share of the "
-          "diameter, 3% or 0.03d, or a length, 0.05"),
+          "how far a point of a part may be from the solid, for cut, guard and merge: a share of "
+          "the diameter, 3% or 0.03d, or a length, 0.05"),
       choice_field<R>("close", &R::close, kCloseNames,
-                      "for guard and merge: a surface whose borders are all at most a quarter of "
+                      "for cut, guard and merge: a surface whose borders are all at most a quarter of "
                       "the diameter wide is closed by caps, or never"),
       choice_field<R>("measure", &R::measure, kConcavityMeasureNames,
                       "hacd only: concavity at every point of the triangles, or at their corners "
@@ -78,7 +80,7 @@ Fields<DecomposeRequest> make_fields() {
       choice_field<R>("loose", &R::loose, kLoosePointsNames,
                       "points that no face uses go to the nearest part, or are refused"),
       choice_field<R>("engine", &R::engine, kEngineNames,
-                      "hacd only: rationals everywhere; the same parts, faster; or doubles that "
+                      "hacd and cut: rationals everywhere; the same parts, faster; or doubles that "
                       "choose, the parts still proven"),
       choice_field<R>("precision", &R::precision, kBitsNames,
                       "the numbers of the parts: binary64, or rounded outward to binary32")};

@@ -12,7 +12,9 @@
 namespace convexact {
 
 inline constexpr auto kDecomposeMethodNames =
-    name_table<DecomposeMethod>({{DecomposeMethod::Hacd, "hacd"}, {DecomposeMethod::Acd, "acd"}});
+    name_table<DecomposeMethod>({{DecomposeMethod::Hacd, "hacd"},
+                                 {DecomposeMethod::Acd, "acd"},
+                                 {DecomposeMethod::Cut, "cut"}});
 
 inline constexpr auto kBridgeChoiceNames =
     name_table<BridgeChoice>({{BridgeChoice::Farther, "farther"},

@@ -70,6 +70,9 @@ Json method_json(const DecomposeRequest& request) {
   if (request.method == DecomposeMethod::Hacd) {
     json["measure"] = name_in(kConcavityMeasureNames, request.measure);
     json["engine"] = name_of(request.engine);
+  } else if (request.method == DecomposeMethod::Cut) {
+    json["engine"] = name_of(request.engine);
+    return json;
   } else {
     json["bridge"] = name_in(kBridgeChoiceNames, request.bridge);
     json["coplanar"] = to_string(request.coplanar);
@@ -78,8 +81,20 @@ Json method_json(const DecomposeRequest& request) {
   return json;
 }
 
+// What the construction proves; measures say more of the solid.
+const char* covered_name(const Decomposition& decomposition) {
+  const bool is_solid =
+      std::holds_alternative<Partition>(decomposition.origin) && decomposition.surface.is_closed;
+  return is_solid ? "solid" : "surface";
+}
+
 const char* stop_name(const Decomposition& decomposition) {
   if (decomposition.stopped_by_count()) return name_in(kLeafStatusNames, LeafStatus::MaxParts);
+  if (const auto* partition = std::get_if<Partition>(&decomposition.origin)) {
+    const bool is_stuck = std::any_of(partition->leaves.begin(), partition->leaves.end(),
+                                      [](const PartitionLeaf& leaf) { return !leaf.is_within; });
+    return is_stuck ? name_in(kLeafStatusNames, LeafStatus::Unsplittable) : "distance";
+  }
   const auto* tree = std::get_if<SplitTree>(&decomposition.origin);
   return tree != nullptr && count_leaves(*tree, LeafStatus::Unsplittable) > 0
              ? name_in(kLeafStatusNames, LeafStatus::Unsplittable)
@@ -100,7 +115,15 @@ Json vertices_json(const PointSet& points, bool as_fractions) {
 
 namespace {
 
-const char* status_name(const Part& part) {
+const char* status_name(const Decomposition& decomposition, std::size_t number) {
+  const Part& part = decomposition.parts[number];
+  if (std::holds_alternative<Partition>(decomposition.origin) && decomposition.reach) {
+    const auto& farther = decomposition.reach->farther;
+    return std::any_of(farther.begin(), farther.end(),
+                       [&](const auto& x) { return x.part == number; })
+               ? "beyond-eps"
+               : name_in(kLeafStatusNames, LeafStatus::WithinLimit);
+  }
   if (part.is_within_limit) return name_in(kLeafStatusNames, LeafStatus::WithinLimit);
   if (!part.least_squared_concavity) return "beyond-eps";  // no leaf of splits
   return name_in(kLeafStatusNames,
@@ -155,8 +178,12 @@ Json part_entry(const Decomposition& decomposition, std::size_t number, const st
                {"loose_points", part.loose.size()},
                {"corners", part.mesh.points.size()},
                {"facets", part.faces},
-               {"status", status_name(part)},
-               {"concavity", concavity_json(part.concavity, decomposition.squared_diameter())}};
+               {"status", status_name(decomposition, number)}};
+  if (std::holds_alternative<Partition>(decomposition.origin)) {
+    json["leaves"] = part.leaves;
+  } else {
+    json["concavity"] = concavity_json(part.concavity, decomposition.squared_diameter());
+  }
   if (const auto& least = part.least_squared_concavity) {
     json["least_concavity"] = {{"squared", to_string(*least)},
                                {"bounds", interval_json(enclosed_root_of(*least))}};
@@ -233,6 +260,42 @@ Json split_tree_json(const Decomposition& decomposition, const SplitTree& tree) 
   return nodes;
 }
 
+// Every node, the root first; of a leaf its triangles and its part, of a cut its plane, with what
+// lies within its halfspace first.
+Json partition_json(const Decomposition& decomposition, const Partition& partition) {
+  Json nodes = Json::array();
+  for (std::size_t n = 0; n < partition.nodes.size(); ++n) {
+    const PartitionNode& node = partition.nodes[n];
+    nodes.push_back({{"node", n}, {"parent", or_null(node.parent)}, {"part", nullptr}});
+    if (!node.plane) continue;
+    nodes.back()["children"] = node.children;
+    nodes.back()["plane"] = plane_json(*node.plane);
+  }
+  for (std::size_t k = 0; k < decomposition.parts.size(); ++k) {
+    for (const std::uint32_t leaf : decomposition.parts[k].leaves) {
+      nodes[partition.leaves[leaf].node]["part"] = k;
+      nodes[partition.leaves[leaf].node]["triangles"] = partition.leaves[leaf].triangles;
+    }
+  }
+  return nodes;
+}
+
+Json tree_json(const Decomposition& decomposition) {
+  if (const auto* clustering = std::get_if<Clustering>(&decomposition.origin)) {
+    return forest_json(decomposition, *clustering);
+  }
+  if (const auto* tree = std::get_if<SplitTree>(&decomposition.origin)) {
+    return split_tree_json(decomposition, *tree);
+  }
+  return partition_json(decomposition, std::get<Partition>(decomposition.origin));
+}
+
+Json cuts_json(const Partition& partition) {
+  return {{"count", (partition.nodes.size() - 1) / 2},
+          {"leaves", partition.leaves.size()},
+          {"planes_tried", partition.planes_tried}};
+}
+
 Json merges_json(const Clustering& clustering) {
   return {{"count", clustering.merges.size()},
           {"beyond_eps", merges_beyond(clustering)},
@@ -262,15 +325,18 @@ Json decomposition_json(const Decomposition& decomposition, const DecomposeReque
   const auto* clustering = std::get_if<Clustering>(&decomposition.origin);
   Json json = {{"decomposition", 1}};
   json.update(method_json(request));
-  json["concavity"] = limit_json(request.limit, decomposition);
+  const auto* partition = std::get_if<Partition>(&decomposition.origin);
+  if (partition == nullptr) json["concavity"] = limit_json(request.limit, decomposition);
   json["max_parts"] = or_null(request.max_parts);
   json["stop"] = stop_name(decomposition);
   json["eps_holds"] = decomposition.limit_holds;
-  json["covers"] = "surface";
+  json["covers"] = covered_name(decomposition);
   json["squared_diameter"] = to_string(decomposition.squared_diameter());
   json["surface"] = surface_json(decomposition.surface);
   if (clustering != nullptr) {
     json["merges"] = merges_json(*clustering);
+  } else if (partition != nullptr) {
+    json["cuts"] = cuts_json(*partition);
   } else {
     json["splits"] = splits_json(std::get<SplitTree>(decomposition.origin));
   }
@@ -304,9 +370,7 @@ Json decomposition_json(const Decomposition& decomposition, const DecomposeReque
   json["parts"] = std::move(parts);
   if (detail == DecompositionDetail::Numbers) return json;
   json["face_of"] = decomposition.surface.face;
-  json["tree"] = clustering != nullptr
-                     ? forest_json(decomposition, *clustering)
-                     : split_tree_json(decomposition, std::get<SplitTree>(decomposition.origin));
+  json["tree"] = tree_json(decomposition);
   return json;
 }
 
@@ -315,7 +379,7 @@ Json decomposition_json(std::span<const DecomposedObject> objects, const Decompo
   if (objects.size() == 1) {
     return decomposition_json(objects[0].result, request, objects[0].part_names, detail);
   }
-  bool holds = true;
+  bool holds = true, is_solid = true;
   Json parts = Json::array(), list = parts;
   for (std::size_t k = 0; k < objects.size(); ++k) {
     Json entry = {{"name", objects[k].name}};
@@ -326,11 +390,12 @@ Json decomposition_json(std::span<const DecomposedObject> objects, const Decompo
     }
     entry.erase("parts");
     holds = holds && objects[k].result.limit_holds;
+    is_solid = is_solid && entry["covers"] == "solid";
     list.push_back(std::move(entry));
   }
   return {{"decomposition", 1},
           {"eps_holds", holds},
-          {"covers", "surface"},
+          {"covers", is_solid ? "solid" : "surface"},
           {"objects", list},
           {"parts", std::move(parts)}};
 }

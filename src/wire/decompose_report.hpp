@@ -49,6 +49,8 @@ struct DecomposedObject {
 [[nodiscard]] Json vertices_json(const PointSet& points, bool as_fractions);
 /// The method and its options.
 [[nodiscard]] Json method_json(const DecomposeRequest& request);
+/// What the parts are proven to hold: "surface", or "solid", which includes it.
+[[nodiscard]] const char* covered_name(const Decomposition& decomposition);
 /// What ended the run.
 [[nodiscard]] const char* stop_name(const Decomposition& decomposition);
 

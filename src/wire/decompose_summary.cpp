@@ -36,8 +36,8 @@ std::string cause_text(const Decomposition& decomposition, const DecomposeReques
       causes.push_back(fmt::format("--max-parts {} asked for {} beyond it", *request.max_parts,
                                    counted(beyond, "merge", "merges")));
     }
-  } else {
-    const auto& tree = std::get<SplitTree>(decomposition.origin);
+  } else if (const auto* split = std::get_if<SplitTree>(&decomposition.origin)) {
+    const SplitTree& tree = *split;
     if (tree.stopped_by_count && request.max_parts) {
       causes.push_back(fmt::format("--max-parts {} allows no more splits", *request.max_parts));
     }
@@ -140,6 +140,20 @@ std::string reach_lines(const Decomposition& decomposition, std::span<const std:
   return summary_line("reach", text);
 }
 
+// What nobody else proves, in one sentence.
+std::string guarantee_line(const Decomposition& decomposition) {
+  if (!std::holds_alternative<Partition>(decomposition.origin)) return "";
+  const bool is_closed = decomposition.surface.is_closed;
+  std::string text = fmt::format("{} hold the {}",
+                                 counted(decomposition.parts.size(), "part", "parts"),
+                                 is_closed ? "solid" : "surface");
+  if (decomposition.reach && decomposition.reach->farther.empty()) {
+    text += "; no point of them is farther than " +
+            length_text(decomposition.reach->squared_distance, decomposition) + " from it, proven";
+  }
+  return summary_line("result", text);
+}
+
 std::string merges_line(const Clustering& clustering) {
   std::string text = with_separators(clustering.merges.size()) + " of two neighbours";
   if (clustering.whole_groups > 0) {
@@ -161,6 +175,31 @@ std::string splits_line(const SplitTree& tree) {
     text += fmt::format("; {} went along as islands", counted(islands, "triangle", "triangles"));
   }
   return summary_line("splits", text);
+}
+
+std::string cuts_line(const Partition& partition) {
+  std::string text = fmt::format("{} by planes, {} of which something is in",
+                                 with_separators(partition.nodes.size() / 2),
+                                 counted(partition.leaves.size(), "region", "regions"));
+  const auto stuck = static_cast<std::size_t>(
+      std::count_if(partition.leaves.begin(), partition.leaves.end(),
+                    [](const PartitionLeaf& leaf) { return !leaf.is_within; }));
+  if (stuck > 0) text += fmt::format("; {} could not be cut further", with_separators(stuck));
+  return summary_line("cuts", text);
+}
+
+std::string covers_line(const Decomposition& decomposition) {
+  const std::string triangles = counted(decomposition.tested_triangles, "triangle", "triangles");
+  if (const auto* partition = std::get_if<Partition>(&decomposition.origin)) {
+    return summary_line(
+        "covers",
+        fmt::format("{}: what each of {} has of it, and of {}, lies in one part, tested exactly",
+                    decomposition.surface.is_closed ? "solid and surface" : "surface",
+                    counted(partition->leaves.size(), "region", "regions"), triangles));
+  }
+  return summary_line(
+      "covers",
+      fmt::format("surface: each of {} lies in the part that owns it, tested exactly", triangles));
 }
 
 // The volumes are of the stored parts. That the surface is covered says nothing about them.
@@ -298,7 +337,7 @@ std::string summary(const Decomposition& decomposition, const DecomposeRequest& 
                               "never takes the surface as it is",
                               counted(decomposition.caps, "cap", "caps"), percent_text(largest)));
   }
-  text += parts_line(decomposition.parts);
+  text += guarantee_line(decomposition) + parts_line(decomposition.parts);
   if (const std::size_t merged = decomposition.reach ? decomposition.reach->merged : 0) {
     text += summary_line("", counted(merged, "part", "parts") + " merged with others by reach");
   }
@@ -310,15 +349,18 @@ std::string summary(const Decomposition& decomposition, const DecomposeRequest& 
       hollow_line(decomposition) + reach_lines(decomposition, names) + way_out_notes(decomposition);
   text += summary_line("input", surface_text(decomposition.surface));
   text += surface_notes(decomposition.surface);
-  text += concavity_line(decomposition, names) + limit_line(decomposition, request);
+  const auto* partition = std::get_if<Partition>(&decomposition.origin);
+  if (partition == nullptr) {
+    text += concavity_line(decomposition, names) + limit_line(decomposition, request);
+  }
   if (const auto* clustering = std::get_if<Clustering>(&decomposition.origin)) {
     text += merges_line(*clustering);
+  } else if (partition != nullptr) {
+    text += cuts_line(*partition);
   } else {
     text += splits_line(std::get<SplitTree>(decomposition.origin));
   }
-  text += summary_line(
-      "covers", fmt::format("surface: each of {} lies in the part that owns it, tested exactly",
-                            counted(decomposition.tested_triangles, "triangle", "triangles")));
+  text += covers_line(decomposition);
   if (decomposition.measures) text += measures_lines(*decomposition.measures);
   text += left_out_line(decomposition, request.measures);
   return text + stored_line(decomposition, request.precision);

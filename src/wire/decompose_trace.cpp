@@ -19,13 +19,19 @@ Json trace_head(const Decomposition& decomposition, const DecomposeRequest& requ
   Json json = {{"decompose_trace", 1}};
   json.update(method_json(request));
   json["orient"] = name_in(kOrientationNames, request.orient);
-  json["concavity"] = limit_json(request.limit, decomposition);
+  if (!std::holds_alternative<Partition>(decomposition.origin)) {
+    json["concavity"] = limit_json(request.limit, decomposition);
+  }
   json["squared_diameter"] = to_string(decomposition.squared_diameter());
   json["max_parts"] = or_null(request.max_parts);
   json["stop"] = stop_name(decomposition);
   json["points"] = std::move(points);
   json["triangles"] = surface.triangles;
-  std::visit([&](const auto& origin) { json["united"] = origin.united; }, decomposition.origin);
+  if (const auto* clustering = std::get_if<Clustering>(&decomposition.origin)) {
+    json["united"] = clustering->united;
+  } else if (const auto* tree = std::get_if<SplitTree>(&decomposition.origin)) {
+    json["united"] = tree->united;
+  }
   return json;
 }
 
@@ -92,6 +98,26 @@ Json nodes_and_splits(const SplitTree& tree) {
   return {{"nodes", std::move(nodes)}, {"splits", std::move(splits)}};
 }
 
+// Every cut, the leaves as the hulls of what they hold, and which leaves each part joins.
+Json cuts_and_leaves(const Decomposition& decomposition, const Partition& partition) {
+  Json cuts = Json::array(), leaves = cuts, parts = cuts;
+  for (std::size_t n = 0; n < partition.nodes.size(); ++n) {
+    const PartitionNode& node = partition.nodes[n];
+    if (!node.plane) continue;
+    cuts.push_back({{"node", n}, {"children", node.children}, {"plane", plane_json(*node.plane)}});
+  }
+  for (const PartitionLeaf& leaf : partition.leaves) {
+    Json corners = Json::array();
+    for (const RationalPoint& v : leaf.hull.vertices) corners.push_back(vector_json(v));
+    leaves.push_back({{"node", leaf.node},
+                      {"triangles", leaf.triangles},
+                      {"corners", std::move(corners)},
+                      {"within_half", leaf.is_within}});
+  }
+  for (const Part& part : decomposition.parts) parts.push_back(part.leaves);
+  return {{"cuts", std::move(cuts)}, {"leaves", std::move(leaves)}, {"parts", std::move(parts)}};
+}
+
 }  // namespace
 
 std::string write_decompose_trace(const Decomposition& decomposition,
@@ -99,6 +125,8 @@ std::string write_decompose_trace(const Decomposition& decomposition,
   Json json = trace_head(decomposition, request);
   if (const auto* clustering = std::get_if<Clustering>(&decomposition.origin)) {
     json["merges"] = merge_entries(*clustering);
+  } else if (const auto* partition = std::get_if<Partition>(&decomposition.origin)) {
+    json.update(cuts_and_leaves(decomposition, *partition));
   } else {
     json.update(nodes_and_splits(std::get<SplitTree>(decomposition.origin)));
   }

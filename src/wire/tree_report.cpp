@@ -127,6 +127,8 @@ std::string tree_summary(const BuiltTree& built, const TreeOrigin& origin) {
       how.push_back(fmt::format("{} as {}", built.given_joins,
                                 origin.parts == TreeOrigin::Parts(DecomposeMethod::Acd)
                                     ? "acd split them"
+                                : origin.parts == TreeOrigin::Parts(DecomposeMethod::Cut)
+                                    ? "cut parted them"
                                     : "hacd would merge them next"));
     }
     if (by_volume > 0)

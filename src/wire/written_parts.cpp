@@ -41,7 +41,8 @@ std::vector<WrittenPart> written_parts(std::span<const DecomposedObject> objects
   std::vector<WrittenPart> parts;
   for (const DecomposedObject& object : objects) {
     for (std::size_t k = 0; k < object.result.parts.size(); ++k) {
-      parts.push_back({object.part_names[k], &object.result.parts[k], &object.result.surface});
+      parts.push_back({object.part_names[k], &object.result.parts[k], &object.result.surface,
+                       std::get_if<Partition>(&object.result.origin)});
     }
   }
   return parts;
@@ -51,6 +52,14 @@ void require_held(const std::string& path, const WrittenPart& written,
                   std::span<const Halfspace> halfspaces) {
   const PointSet owned =
       subset(written.surface->points, points_of(*written.surface, written.part->owns));
+  std::vector<RationalPoint> of_leaves;
+  for (const std::uint32_t leaf : written.part->leaves) {
+    const auto& vertices = written.partition->leaves[leaf].hull.vertices;
+    of_leaves.insert(of_leaves.end(), vertices.begin(), vertices.end());
+  }
+  if (count_outside(halfspaces, PointSet(std::move(of_leaves))) > 0) {
+    reject_bytes(path, "misses a corner of a leaf that " + in_quotes(written.name) + " holds");
+  }
   if (count_outside(halfspaces, owned) == 0) return;
   reject_bytes(path, "misses a corner of a triangle that " + in_quotes(written.name) + " owns");
 }

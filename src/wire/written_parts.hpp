@@ -17,6 +17,7 @@ struct WrittenPart {
   std::string name;
   const Part* part;
   const Surface* surface;
+  const Partition* partition = nullptr;  ///< Whose leaves it holds, if it holds leaves.
 };
 
 /// All parts of all objects, which they point into.
