@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
+#include <numeric>
+#include <set>
 #include <tuple>
 
 #include "hull/near_solid.hpp"
@@ -11,29 +14,29 @@
 namespace convexact {
 namespace {
 
-// Half of 26 directions.
-constexpr std::array<std::array<int, 3>, 13> kDirections{{{1, 0, 0},
-                                                          {0, 1, 0},
-                                                          {0, 0, 1},
-                                                          {1, 1, 0},
-                                                          {1, -1, 0},
-                                                          {1, 0, 1},
-                                                          {1, 0, -1},
-                                                          {0, 1, 1},
-                                                          {0, 1, -1},
-                                                          {1, 1, 1},
-                                                          {1, 1, -1},
-                                                          {1, -1, 1},
-                                                          {1, -1, -1}}};
+// Half of the directions to the cells around one, or around 27 of them, each once.
+std::vector<Point> half_of_directions(int longest) {
+  std::vector<Point> list;
+  for (int u = 0; u <= longest; ++u) {
+    for (int v = -longest; v <= longest; ++v) {
+      for (int w = -longest; w <= longest; ++w) {
+        const bool is_first = std::tuple(u, v, w) > std::tuple(0, 0, 0);
+        const int common = std::gcd(std::gcd(u, v), w);
+        if (is_first && common == 1) list.emplace_back(u, v, w);
+      }
+    }
+  }
+  return list;
+}
 
 // Points that are extreme in these directions: their hull lies in that of all points.
-std::vector<Point> extremes_of(const std::vector<Point>& points) {
+std::vector<Point> extremes_of(const std::vector<Point>& points, std::span<const Point> directions) {
   std::vector<std::size_t> found;
-  for (const auto& [u, v, w] : kDirections) {
+  for (const Point& along : directions) {
     std::size_t lowest = 0, highest = 0;
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (std::size_t k = 0; k < points.size(); ++k) {
-      const double x = u * points[k][0] + v * points[k][1] + w * points[k][2];
+      const double x = along.dot(points[k]);
       if (x < low) std::tie(low, lowest) = std::tuple(x, k);
       if (x > high) std::tie(high, highest) = std::tuple(x, k);
     }
@@ -85,17 +88,20 @@ class LeafPoints {
     for (const std::uint32_t c : leaf.solid_corners) corners_.push_back(index_of(c));
   }
 
-  // The points on both sides of a plane, without new corners of the region. What lies in the plane
-  // goes where an edge leads to.
+  // The points on both sides of a plane, without new corners of the region; none if all are on one
+  // side. What lies in the plane goes where an edge leads to.
   using Halves = std::array<std::vector<Point>, 2>;
   Halves halves(const CutPlane& plane) const {
     std::vector<Sign> sides(ids_.size());
     std::vector<unsigned char> goes(ids_.size(), 0);  // 1: below, 2: above
+    unsigned char reached = 0;
     for (std::size_t k = 0; k < ids_.size(); ++k) {
       sides[k] = points_.side(plane, ids_[k]);
-      if (sides[k] != Sign::Zero) goes[k] = sides[k] == Sign::Negative ? 1 : 2;
+      goes[k] = goes_with(sides[k]);
+      reached |= goes[k];
     }
     Halves halves;
+    if (reached != 3) return halves;
     for (const auto& [a, b] : edges_) {
       if (sides[a] == Sign::Zero) {
         goes[a] |= goes_with(sides[b]);
@@ -140,7 +146,7 @@ class LeafPoints {
     return list;
   }
 
-  double volume() const { return near_solid(near_).volume; }
+  const std::vector<Point>& near() const { return near_; }
 
  private:
   static unsigned char goes_with(Sign side) {
@@ -159,12 +165,36 @@ class LeafPoints {
   std::vector<std::uint32_t> corners_;
 };
 
-bool may_hold(const NearSolid& solid, const Point& far) {
-  constexpr double kNear = 0x1p-40;
-  if (solid.planes.empty()) return false;
-  return std::all_of(solid.planes.begin(), solid.planes.end(), [&](const NearSolid::Plane& plane) {
-    return plane.normal.dot(far) + plane.offset <= kNear;
-  });
+// Values of planes at points are off by less.
+constexpr double kNear = 0x1p-40;
+
+bool is_within(const NearSolid& solid, const Point& y, double beyond) {
+  return !solid.planes.empty() &&
+         std::all_of(solid.planes.begin(), solid.planes.end(), [&](const NearSolid::Plane& plane) {
+           return plane.normal.dot(y) + plane.offset <= beyond;
+         });
+}
+
+// What a plane is judged by: how many hulls hold the farthest point, and their volumes together.
+struct Judged {
+  int held = 0;
+  double volume = 0;
+
+  void add(const NearSolid& solid, const Point& far) {
+    held += is_within(solid, far, kNear) ? 1 : 0;
+    volume += solid.volume;
+  }
+  friend auto operator<=>(const Judged&, const Judged&) = default;
+};
+
+// The hull of a half. Most points lie in the hull of a few that are extreme.
+NearSolid hull_of(const std::vector<Point>& half, std::span<const Point> directions) {
+  std::vector<Point> outer = extremes_of(half, directions);
+  const NearSolid inner = near_solid(outer);
+  for (const Point& y : half) {
+    if (!is_within(inner, y, -kNear)) outer.push_back(y);
+  }
+  return near_solid(outer);
 }
 
 double box_size(const std::vector<Point>& points) {
@@ -176,52 +206,70 @@ double box_size(const std::vector<Point>& points) {
   return (high - low).norm();
 }
 
+// Planes that are judged by few points at first, and by more where these do not rule them out.
+class PlaneChoice {
+ public:
+  PlaneChoice(const Leaf& leaf, const Point& far, std::span<const CutPlane> planes,
+              const CutPoints& points, const Winding* winding)
+      : own_(leaf, points), far_(far), planes_(planes), winding_(winding) {
+    // Volumes are compared in units of which a billion make the leaf's: those that are equal but
+    // for rounding are equal.
+    whole_ = hull_of(own_.near(), many_).volume;
+  }
+
+  std::optional<std::size_t> best(const Watch& watch) {
+    for (std::uint32_t k = 0; k < planes_.size(); ++k) {
+      watch.ask();
+      const LeafPoints::Halves halves = own_.halves(planes_[k]);
+      if (!halves[0].empty() && !halves[1].empty()) judge(k, 0, halves);
+    }
+    while (!queue_.empty()) {
+      watch.ask();
+      const auto [judged, size, plane, level] = *queue_.begin();
+      queue_.erase(queue_.begin());
+      if (level == kLevels) return plane;
+      judge(plane, level + 1, own_.halves(planes_[plane]));
+    }
+    return {};
+  }
+
+ private:
+  static constexpr int kLevels = 2;  // hulls of 26 points, of 98, of all
+
+  void judge(std::uint32_t plane, int level, LeafPoints::Halves halves) {
+    Judged judged;
+    double size = 0;
+    std::vector<Point> more;
+    if (level == kLevels) more = own_.new_corners(planes_[plane], winding_);
+    for (auto& half : halves) {
+      half.insert(half.end(), more.begin(), more.end());
+      judged.add(level == kLevels ? hull_of(half, many_)
+                                  : near_solid(extremes_of(half, level == 0 ? few_ : many_)),
+                 far_);
+      size += box_size(half);
+    }
+    // What is flat has no volume: then smaller is better. A bound is rounded down, so that it does
+    // not come after what it bounds.
+    const double units = whole_ > 0 ? judged.volume / whole_ * 0x1p30 : 0;
+    judged.volume = level == kLevels ? std::round(units) : std::floor(units - 1);
+    queue_.emplace(judged, whole_ > 0 ? 0 : size, plane, level);
+  }
+
+  const LeafPoints own_;
+  const Point& far_;
+  std::span<const CutPlane> planes_;
+  const Winding* winding_;
+  const std::vector<Point> few_ = half_of_directions(1), many_ = half_of_directions(2);
+  double whole_ = 0;
+  std::set<std::tuple<Judged, double, std::uint32_t, int>> queue_;
+};
+
 }  // namespace
 
 std::optional<std::size_t> choose_plane(const Leaf& leaf, const Point& far,
                                         std::span<const CutPlane> planes, const CutPoints& points,
                                         const Winding* winding, const Watch& watch) {
-  const LeafPoints own(leaf, points);
-  struct Trial {
-    std::size_t plane;
-    double least;
-  };
-  std::vector<Trial> trials;
-  for (std::size_t k = 0; k < planes.size(); ++k) {
-    watch.ask();
-    Trial trial{k, 0};
-    const LeafPoints::Halves halves = own.halves(planes[k]);
-    if (halves[0].empty() || halves[1].empty()) continue;
-    for (const auto& half : halves) trial.least += near_solid(extremes_of(half)).volume;
-    trials.push_back(trial);
-  }
-  std::stable_sort(trials.begin(), trials.end(),
-                   [](const Trial& a, const Trial& b) { return a.least < b.least; });
-  // Volumes are compared in units of which a billion make the leaf's: those that are equal but for
-  // rounding are equal.
-  const double whole = own.volume(), unit = whole * 0x1p-30;
-  using Score = std::tuple<int, double, double, std::size_t>;
-  std::optional<Score> best;
-  for (const Trial& trial : trials) {
-    watch.ask();
-    if (best && std::get<0>(*best) == 0 && trial.least > (std::get<1>(*best) + 1) * unit) break;
-    const std::vector<Point> more = own.new_corners(planes[trial.plane], winding);
-    int held = 0;
-    double volume = 0, size = 0;
-    for (auto& half : own.halves(planes[trial.plane])) {
-      half.insert(half.end(), more.begin(), more.end());
-      const NearSolid solid = near_solid(half);
-      held += may_hold(solid, far) ? 1 : 0;
-      volume += solid.volume;
-      size += box_size(half);
-    }
-    // What is flat has no volume: then smaller is better.
-    const Score score{held, whole > 0 ? std::round(volume / unit) : 0, whole > 0 ? 0 : size,
-                      trial.plane};
-    if (!best || score < *best) best = score;
-  }
-  if (!best) return {};
-  return std::get<3>(*best);
+  return PlaneChoice(leaf, far, planes, points, winding).best(watch);
 }
 
 }  // namespace convexact

@@ -11,10 +11,26 @@ namespace {
 
 constexpr std::size_t kStrongest = 15;  // edges whose planes are tried
 
+// Twice the area vector, in the frame; off by less than kCutError in each component.
 Point area_of(const Surface& surface, const CutPoints& points, std::uint32_t triangle) {
   const auto& [a, b, c] = surface.triangles[triangle];
   const Point x = points.near(a.value), u = points.near(b.value) - x, v = points.near(c.value) - x;
   return u.cross(v);
+}
+
+bool is_flat(const Surface& surface, const Point& area, std::uint32_t triangle) {
+  return !(area.lpNorm<Eigen::Infinity>() > kCutError) &&
+         has_no_area(surface.points, surface.triangles[triangle]);
+}
+
+// On which side of a triangle's plane a point lies.
+Sign side_of_triangle(const CutPoints& points, const Point& area, std::uint32_t triangle,
+                      PointId p) {
+  const Surface& surface = points.surface();
+  const Point from = points.near(surface.triangles[triangle][0].value);
+  const double height = area.dot(points.near(p.value) - from);
+  if (std::abs(height) > 8 * kCutError) return height > 0 ? Sign::Positive : Sign::Negative;
+  return points.side(CutPlane(triangle_plane(surface, triangle), points.frame()), p.value);
 }
 
 PointId opposite(const Triangle& triangle, PointId a, PointId b) {
@@ -32,14 +48,11 @@ Notches::Notches(const Surface& surface, const CutPoints& points)
   EdgeTable(surface.triangles).for_each([&](std::span<const EdgeUse> uses) {
     if (uses.size() != 2) return;
     const std::uint32_t left = uses[0].triangle, right = uses[1].triangle;
-    if (has_no_area(surface.points, surface.triangles[left]) ||
-        has_no_area(surface.points, surface.triangles[right])) {
-      return;
-    }
-    const PointId tip = opposite(surface.triangles[right], uses[0].low, uses[0].high);
-    const Sign above = points.side(CutPlane(triangle_plane(surface, left), points.frame()), tip.value);
-    if (above == Sign::Zero || (above == Sign::Negative && surface.is_closed)) return;
     const Point m = area_of(surface, points, left), n = area_of(surface, points, right);
+    if (is_flat(surface, m, left) || is_flat(surface, n, right)) return;
+    const PointId tip = opposite(surface.triangles[right], uses[0].low, uses[0].high);
+    const Sign above = side_of_triangle(points, m, left, tip);
+    if (above == Sign::Zero || (above == Sign::Negative && surface.is_closed)) return;
     const double cosine = m.dot(n) / (m.norm() * n.norm());
     edges_.push_back(
         {uses[0].low, uses[0].high, left, right, 1 - cosine * std::abs(cosine)});

@@ -46,6 +46,11 @@ class ReachCells {
   double limit_down() const { return limit_down_; }
   double limit_up() const { return limit_up_; }
   std::size_t size() const { return cells_.size(); }
+  /// Forgets all cells if there are more than half as many as are kept, so that another question
+  /// has room. What they were is found again.
+  void make_room() {
+    if (cells_.size() > most_ / 2) cells_ = std::vector<Cell>(1);
+  }
   bool is_full() const { return cells_.size() + 8 > most_; }
 
   /// Whether the cell is fine, and why. Open: it is not, or that is not certain.

@@ -265,7 +265,7 @@ class FarthestWalk {
  private:
   // The cell is not fine.
   void visit(const MetCell& met) {
-    constexpr double kSlack = 1.03;
+    constexpr double kSlack = 1.03, kFine = 1.0 / 8;
     watch_.ask();
     const CellPlace& place = met.place;
     const NearBounds distance = cells_.distance(place.cell);
@@ -279,7 +279,7 @@ class FarthestWalk {
       const NearHull hull = near_hull(near_.vertices(), place.center, place.radius() + kReachError);
       if (widened(hull.bounds, place.center).low > place.radius()) return;
     }
-    if (place.half <= cells_.least_half()) return;
+    if (place.half <= cells_.limit_up() * kFine) return;
     if (cells_.is_full() && !cells_.has_children(place.cell)) return;
     std::vector<std::pair<double, MetCell>> open;
     MetCell half;
@@ -333,12 +333,14 @@ ReachLimit& ReachLimit::operator=(ReachLimit&&) noexcept = default;
 
 PartReach ReachLimit::operator()(const ConvexPart& part, const Watch& watch) {
   ReachCells& cells = search_->cells;
+  cells.make_room();
   const NearPart near = in_frame(cells, NearPart(part, cells.frame()));
   return PartWalk(cells, near, part, search_->squared_limit, watch).answer();
 }
 
 bool ReachLimit::allows(const ConvexPart& part, const Watch& watch) {
   ReachCells& cells = search_->cells;
+  cells.make_room();
   const NearPart near = in_frame(cells, NearPart(part, cells.frame()));
   return CellWalk(cells, near, watch).is_within();
 }
@@ -348,6 +350,7 @@ bool ReachLimit::allows(const ConvexPart& part, const Watch& watch) {
 bool ReachLimit::allows_hull(std::span<const PointId> points, const Watch& watch) {
   constexpr std::size_t kFew = 64;  // points, of which it does not pay to find the extreme ones
   ReachCells& cells = search_->cells;
+  cells.make_room();
   std::vector<Point> near;
   Point sum = Point::Zero();
   for (const PointId p : points) {
@@ -373,12 +376,15 @@ bool ReachLimit::allows_hull(std::span<const PointId> points, const Watch& watch
 
 bool ReachLimit::allows_near(std::span<const Point> points, const Watch& watch) {
   ReachCells& cells = search_->cells;
+  cells.make_room();
   return CellWalk(cells, in_frame(cells, NearPart(near_solid(points))), watch).is_within();
 }
 
-// Where a part is so thin that it holds no center of a cell, the place is near it.
+// Where the part is so thin that it holds no center, the place is near it, in a cell that is not
+// fine.
 std::optional<FarPlace> ReachLimit::farthest(std::span<const Point> points, const Watch& watch) {
   ReachCells& cells = search_->cells;
+  cells.make_room();
   const NearPart near = in_frame(cells, NearPart(near_solid(points)));
   CellWalk walk(cells, near, watch);
   if (walk.is_within()) return {};
