@@ -21,6 +21,8 @@ struct PartitionNode {
   /// lies beyond.
   std::optional<Halfspace> plane = {};
   std::array<std::uint32_t, 2> children = {};
+  /// The triangles with a piece in the plane that went beyond: the solid is only there.
+  std::vector<TriangleId> raised = {};
 };
 
 /// A region that is not cut any more, and what the solid has in it.

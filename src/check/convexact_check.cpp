@@ -2,7 +2,7 @@
 // convexact-check reads a proof and proves a run of convexact again, from it alone, with GMP's
 // numbers and nothing of convexact. A claim that is not proven is refused, with its line. The
 // numbers in parentheses are the steps of docs/proof-format.md, which says why they are a proof.
-// Proofs of decompositions are in decomposition.hpp.
+// Proofs of decompositions are in decomposition.hpp and partition.hpp.
 #include <deque>
 #include <iostream>
 #include <map>
@@ -11,6 +11,7 @@
 
 #include "decomposition.hpp"
 #include "mesh_file.hpp"
+#include "partition.hpp"
 #include "root_sum.hpp"
 #include "text.hpp"
 
@@ -668,8 +669,10 @@ std::string prove(const std::string& bytes, const std::optional<std::string>& me
 }
 std::string prove_by_kind(const std::string& bytes, const std::optional<std::string>& mesh) {
   Words words(bytes);
-  const bool is_decomposition = words.take_if("convexact-proof") && words.take_if("4");
-  return is_decomposition ? prove<DecompositionProof>(bytes, mesh) : prove<Proof>(bytes, mesh);
+  const bool is_proof = words.take_if("convexact-proof");
+  if (is_proof && words.take_if("4")) return prove<DecompositionProof>(bytes, mesh);
+  if (is_proof && words.take_if("6")) return prove<PartitionProof>(bytes, mesh);
+  return prove<Proof>(bytes, mesh);
 }
 
 // Prints a text and returns the exit code, which is 0 only if all of the text was written.

@@ -123,6 +123,33 @@ struct PlacedPart {
   std::vector<Vector> corners;
 };
 
+// How often the surface winds about a point beside x along a direction u: the triangles above it,
+// counted by the way they face. Farther on the point is moved by little along x, by far less along
+// y, and by still less along z. For a point off the surface u may be 0.
+inline long winding_beside(const std::vector<PlacedTriangle>& triangles, const Vector& x,
+                           const Vector& u) {
+  long sum = 0;
+  for (const PlacedTriangle& t : triangles) {
+    const int up = sgn(t.normal[2]);
+    bool is_over = up != 0;
+    for (std::size_t k = 0; k < 3 && is_over; ++k) {
+      const Vector &e = t.edges[k], from = x - t.corners[k];
+      int side = sgn(Rational(e[0] * from[1] - e[1] * from[0]));
+      if (side == 0) side = sgn(Rational(e[0] * u[1] - e[1] * u[0]));
+      if (side == 0) side = -sgn(e[1]);
+      if (side == 0) side = sgn(e[0]);
+      is_over = side == up;
+    }
+    if (!is_over) continue;
+    // Below its plane, seen along z.
+    int above = sgn(dot(t.normal, x - t.corners[0]));
+    if (above == 0) above = sgn(dot(t.normal, u));
+    for (std::size_t k = 0; k < 3 && above == 0; ++k) above = sgn(t.normal[k]);
+    if (above == -up) sum += up;
+  }
+  return sum;
+}
+
 class ReachProof {
  public:
   ReachProof(Words& words, const std::vector<Row>& points,
@@ -152,15 +179,6 @@ class ReachProof {
   }
   bool has_inside() const { return is_closed_; }
 
- private:
-  enum class Kind { Split, Near, Inside, Open };
-  struct Cell {
-    Cube cube;
-    Kind kind;
-    std::size_t end = 0;  // the first cell that is not below it
-  };
-  static constexpr int kDeepest = 1100;  // halvings of a double
-
   // Every directed edge runs as often in the other direction.
   static bool is_closed(const std::vector<std::array<std::size_t, 3>>& triangles) {
     std::map<std::pair<std::size_t, std::size_t>, long> uses;
@@ -172,6 +190,15 @@ class ReachProof {
     }
     return std::all_of(uses.begin(), uses.end(), [](const auto& use) { return use.second == 0; });
   }
+
+ private:
+  enum class Kind { Split, Near, Inside, Open };
+  struct Cell {
+    Cube cube;
+    Kind kind;
+    std::size_t end = 0;  // the first cell that is not below it
+  };
+  static constexpr int kDeepest = 1100;  // halvings of a double
 
   // (11) The cells in preorder. `near` has the triangles whose boxes meet this one.
   void read_cell(const Cube& cube, const Ids& near, int depth) {
@@ -221,28 +248,8 @@ class ReachProof {
       require(beside.kind == Kind::Inside && beside.cube.touches(cube),
               "a cell does not touch one of the inside");
     } else {
-      require(winding(cube.center) != 0, "a cell is outside");
+      require(winding_beside(triangles_, cube.center, {}) != 0, "a cell is outside");
     }
-  }
-
-  // How often the surface winds about a point off it: the triangles above it, counted by the way
-  // they face. The point is moved by little along x, and by far less along y.
-  long winding(const Vector& x) const {
-    long sum = 0;
-    for (const PlacedTriangle& t : triangles_) {
-      const int up = sgn(t.normal[2]);
-      bool is_over = up != 0;
-      for (std::size_t k = 0; k < 3 && is_over; ++k) {
-        const Vector &e = t.edges[k], from = x - t.corners[k];
-        int side = sgn(Rational(e[0] * from[1] - e[1] * from[0]));
-        if (side == 0) side = -sgn(e[1]);
-        if (side == 0) side = sgn(e[0]);
-        is_over = side == up;
-      }
-      // Below its plane, seen along z.
-      if (is_over && sgn(dot(t.normal, x - t.corners[0])) == -up) sum += up;
-    }
-    return sum;
   }
 
   void read_beyond(std::size_t parts) {

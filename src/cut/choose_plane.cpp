@@ -50,11 +50,18 @@ std::vector<Point> extremes_of(const std::vector<Point>& points, std::span<const
   return extremes;
 }
 
+// On a grid that is far coarser than doubles. Points that lie in a cutting plane but for their last
+// bits would make a hull ask for many signs in exact numbers, and a preference needs no last bits.
+Point rounded(const Point& y) {
+  constexpr double kGrid = 0x1p36;
+  return (y * kGrid).array().round().matrix() / kGrid;
+}
+
 // Where a plane with these values at a and b cuts the segment between them.
 Point between(const Point& a, double at_a, const Point& b, double at_b) {
   const double share = at_a / (at_a - at_b);
   // Signs are exact where values are not.
-  return a + (share >= 0 && share <= 1 ? share : 0.5) * (b - a);
+  return rounded(a + (share >= 0 && share <= 1 ? share : 0.5) * (b - a));
 }
 
 // A leaf as points and edges between them.
@@ -63,7 +70,7 @@ class LeafPoints {
   LeafPoints(const Leaf& leaf, const CutPoints& points) : leaf_(leaf), points_(points) {
     const Surface& surface = points.surface();
     ids_ = leaf.points(surface);
-    for (const std::uint32_t id : ids_) near_.push_back(points.near(id));
+    for (const std::uint32_t id : ids_) near_.push_back(rounded(points.near(id)));
     const auto add = [&](std::uint32_t a, std::uint32_t b) {
       if (a != b) edges_.emplace_back(std::min(a, b), std::max(a, b));
     };

@@ -8,6 +8,7 @@
 #include "cut/choose_plane.hpp"
 #include "cut/notches.hpp"
 #include "hull/near_solid.hpp"
+#include "surface/box_tree.hpp"
 
 namespace convexact {
 namespace {
@@ -35,6 +36,9 @@ std::vector<Point> directions() {
   }
   return list;
 }
+
+// Leaves that are cut so often are halved from then on.
+constexpr int kDeepest = 40;
 
 class Cutter {
  public:
@@ -135,6 +139,7 @@ class Cutter {
   void add_node(Leaf leaf, std::optional<std::uint32_t> parent) {
     const auto n = static_cast<std::uint32_t>(made_.nodes.size());
     made_.nodes.push_back({parent});
+    depth_.push_back(parent ? depth_[*parent] + 1 : 0);
     is_within_.push_back(true);
     leaves_.emplace_back();
     const std::vector<Point> near = near_points(leaf);
@@ -155,16 +160,20 @@ class Cutter {
                                         [&](const CutPlane& x) { return x.exact == plane; });
       if (!is_known) tried.emplace_back(plane, points_.frame());
     };
-    for (const Halfspace& plane : notches_.planes(leaf.notches)) add(plane);
-    for (const Point& direction : directions()) {
-      add(plane_across(direction, far, points_.frame()));
+    if (depth_[n] < kDeepest) {
+      for (const Halfspace& plane : notches_.planes(leaf.notches)) add(plane);
+      for (const Point& direction : directions()) {
+        add(plane_across(direction, far, points_.frame()));
+      }
+    } else {
+      add(halving_plane(leaf));
     }
     made_.planes_tried += tried.size();
     const auto best = choose_plane(leaf, far, tried, points_, winding_, options_.watch);
     if (!best) return;
     planes_.push_back(tried[*best]);
     const auto plane = static_cast<std::uint32_t>(planes_.size() - 1);
-    auto [lower, upper] = cutter_.cut(leaf, plane);
+    auto [lower, upper] = cutter_.cut(leaf, plane, made_.nodes[n].raised);
     lower.notches = notches_.clipped(leaf.notches, planes_[plane], Sign::Negative);
     upper.notches = notches_.clipped(leaf.notches, planes_[plane], Sign::Positive);
     leaves_[n].reset();
@@ -174,6 +183,16 @@ class Cutter {
     made_.nodes[n].children = {first, first + 1};
     add_node(std::move(lower), n);
     add_node(std::move(upper), n);
+  }
+
+  // Across the longest side of the leaf's box: what is so small that it lies within T of any of its
+  // points is not cut any more, so this ends.
+  Halfspace halving_plane(const Leaf& leaf) const {
+    NearBox box;
+    for (const Point& y : near_points(leaf)) box.include(y);
+    int axis = 0;
+    (void)(box.high - box.low).maxCoeff(&axis);
+    return plane_across(Point::Unit(axis), (box.low + box.high) / 2, points_.frame());
   }
 
   void add_leaf(std::uint32_t n) {
@@ -211,6 +230,7 @@ class Cutter {
   Partition made_;
   std::vector<std::unique_ptr<Leaf>> leaves_;  // by node; none of those that are cut or empty
   std::vector<bool> is_within_;                // by node
+  std::vector<int> depth_;                     // by node
   std::set<Waiting> waiting_;
   std::size_t leaf_count_ = 0;
 };

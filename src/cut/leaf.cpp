@@ -89,7 +89,8 @@ std::vector<std::uint32_t> Leaf::points(const Surface& surface) const {
   return all;
 }
 
-std::pair<Leaf, Leaf> LeafCutter::cut(const Leaf& leaf, std::uint32_t plane) {
+std::pair<Leaf, Leaf> LeafCutter::cut(const Leaf& leaf, std::uint32_t plane,
+                                      std::vector<TriangleId>& raised) {
   auto [below, above] = leaf.region.cut(plane, planes_, points_);
   Leaf lower{std::move(below), {}, {}, {}}, upper{std::move(above), {}, {}, {}};
   PieceCutter cutter(surface_, points_, planes_, plane);
@@ -105,7 +106,9 @@ std::pair<Leaf, Leaf> LeafCutter::cut(const Leaf& leaf, std::uint32_t plane) {
       lower.pieces.push_back(cutter.keep(piece, corners, Sign::Negative));
       upper.pieces.push_back(cutter.keep(piece, corners, Sign::Positive));
     } else {
-      const bool is_upper = is_above || (!is_below && goes_up(piece, planes_[plane]));
+      const bool is_raised = !is_below && !is_above && goes_up(piece, planes_[plane]);
+      if (is_raised) raised.emplace_back(piece.triangle);
+      const bool is_upper = is_above || is_raised;
       (is_upper ? upper : lower).pieces.push_back(piece);
     }
   }

@@ -51,7 +51,8 @@ class LeafCutter {
 
   /// What lies below the plane and above it. Pieces in the plane go where the solid is; to the
   /// lower side if it is on both sides or on none.
-  std::pair<Leaf, Leaf> cut(const Leaf& leaf, std::uint32_t plane);
+  /// @param raised  Receives the triangles of those that went above.
+  std::pair<Leaf, Leaf> cut(const Leaf& leaf, std::uint32_t plane, std::vector<TriangleId>& raised);
 
   /// The corners of a region at which the solid has a volume in it that no piece bounds.
   std::vector<std::uint32_t> solid_corners(const Region& region) const;

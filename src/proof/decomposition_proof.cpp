@@ -9,11 +9,11 @@
 #include "convexact/error.hpp"
 #include "convexact/hull.hpp"
 #include "convexact/linear_program.hpp"
-#include "convexact/reach.hpp"
 #include "decompose/near_concavity.hpp"
 #include "near/near_plane.hpp"
 #include "number/arithmetic.hpp"
 #include "proof/hull_rays.hpp"
+#include "proof/partition_proof.hpp"
 #include "proof/proof_lines.hpp"
 
 namespace convexact {
@@ -31,7 +31,6 @@ class DecompositionWriter {
   };
 
   void find_clusters();
-  void write_surface();
   void write_cluster(const Cluster& cluster);
   void write_bounds(const std::vector<TriangleId>& triangles, const ClusterHull& hull,
                     const Rational& squared);
@@ -40,7 +39,6 @@ class DecompositionWriter {
   void write_part(std::size_t number, const Cluster& cluster);
   bool write_pair(std::size_t a, std::size_t b);
   bool write_pairs();
-  void write_reach();
 
   bool at_corners() const { return request_.measure == ConcavityMeasure::Vertices; }
   bool by_bridges() const { return request_.method == DecomposeMethod::Acd; }
@@ -103,21 +101,14 @@ std::string DecompositionWriter::write() {
   out_.line("limit", request_.limit.is_share ? "share" : "length", request_.limit.value);
   const bool shows_edges = shows_pairs || (by_bridges() && request_.connect == Connect::Edge);
   out_.line("neighbours", shows_edges ? "edges" : "unclaimed");
-  write_surface();
+  write_surface(surface_, out_);
   for (const Cluster& cluster : clusters_) write_cluster(cluster);
   for (std::size_t c = 0; c < clusters_.size(); ++c) {
     if (clusters_[c].part != nullptr) write_part(c, clusters_[c]);
   }
   if (shows_pairs) out_.append(pairs);
-  if (made_.reach) write_reach();
+  if (made_.reach) write_reach(made_, request_, out_);
   return out_.finish();
-}
-
-void DecompositionWriter::write_surface() {
-  out_.points("point", surface_.points);
-  for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-    out_.line("triangle", surface_.triangles[t], surface_.face[t]);
-  }
 }
 
 // ---- Clusters
@@ -412,52 +403,10 @@ std::optional<std::pair<RaySource, HullRay>> DecompositionWriter::beyond_limit(
   return std::nullopt;
 }
 
-// ---- Reach
-
-std::string kind_text(const ReachCertificate::Cell& cell) {
-  switch (cell.kind) {
-    case ReachCertificate::Kind::Split:
-      return "split";
-    case ReachCertificate::Kind::Near:
-      return "near " + std::to_string(cell.triangle.value);
-    case ReachCertificate::Kind::Inside:
-      return cell.beside ? "inside " + std::to_string(*cell.beside) : "inside";
-    case ReachCertificate::Kind::Open:
-      break;
-  }
-  return "open";
-}
-
-// Only if cells alone prove it of every part: what takes clipping is not claimed.
-void DecompositionWriter::write_reach() {
-  const Watch watch(request_.watch.stop);
-  std::vector<ConvexPart> stored;
-  std::vector<BoundingBox> boxes;
-  for (const Part& part : made_.parts) {
-    stored.push_back(convex_part(part.mesh.points, watch));
-    boxes.push_back(stored.back().box);
-  }
-  std::optional<Winding> winding;
-  if (surface_.is_closed) winding.emplace(surface_);
-  ReachLimit limit(surface_, winding ? &*winding : nullptr, made_.reach->squared_distance, boxes);
-  std::vector<const ConvexPart*> parts;
-  for (const ConvexPart& part : stored) {
-    if (!limit.allows(part, watch)) return;
-    parts.push_back(&part);
-  }
-  const ReachCertificate certificate = limit.certificate(parts, watch);
-  const ConcavityLimit distance = request_.distance.value_or(kDefaultDistance);
-  out_.line("reach", distance.is_share ? "share" : "length", distance.value);
-  out_.line("root", certificate.center, certificate.half_width);
-  for (const ReachCertificate::Cell& cell : certificate.cells) out_.line("cell", kind_text(cell));
-  for (const auto& [cell, part, direction] : certificate.apart) {
-    out_.line("beyond", cell, part, direction);
-  }
-}
-
 }  // namespace
 
 std::string write_decomposition_proof(const Decomposition& made, const DecomposeRequest& request) {
+  if (std::holds_alternative<Partition>(made.origin)) return write_partition_proof(made, request);
   return DecompositionWriter(made, request).write();
 }
 
