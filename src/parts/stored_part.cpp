@@ -173,6 +173,11 @@ ConvexPart finish(Making& making, Precision precision, const Watch& watch) {
   return stored;
 }
 
+std::vector<PointId> outside_of_hull(const PointSet& corners, const std::vector<Point>& hull,
+                                     const Watch& watch) {
+  return find_outside(convex_part(PointSet(hull), watch).halfspaces, corners);
+}
+
 ConvexPart keep_flat(Part& part, Precision precision) {
   part.form = PartForm::Flat;
   part.mesh.points = PointSet(part.hull.vertices);
@@ -192,12 +197,41 @@ ConvexPart keep_flat(Part& part, Precision precision) {
 
 }  // namespace
 
+// A corner that is no number of the format is rounded to nearest. Those that are outside of the hull
+// then are rounded away from its middle as well; and those that still are, in all eight ways, which
+// have them in their middle.
 PointSet stored_corners(const ConvexPart& hull, const Rational& squared_diameter,
                         Precision precision, const Watch& watch) {
-  Part part;
-  part.hull = hull;
-  Making making = begin(part, squared_diameter, precision, watch);
-  return stored_points(making, precision);
+  if (!hull.solid) return thicken(hull, squared_diameter, precision);
+  const PointSet corners(hull.vertices);
+  if (is_representable(corners, precision)) return corners;
+  const RationalPoint middle = hull.box.middle();
+  const auto round = [&](const RationalPoint& x, const auto& rounding_of) {
+    Point y;
+    for (int k = 0; k < 3; ++k) y[k] = round_to(precision, x[k], rounding_of(k));
+    if (!y.allFinite()) {
+      throw Error(ErrorCode::Unrepresentable, "a corner of a part is beyond the format's numbers");
+    }
+    return y;
+  };
+  std::vector<Point> stored;
+  for (const RationalPoint& x : hull.vertices) {
+    stored.push_back(round(x, [](int) { return Rounding::Nearest; }));
+  }
+  std::vector<PointId> outside = outside_of_hull(corners, stored, watch);
+  for (const PointId p : outside) {
+    const RationalPoint& x = hull.vertices[p.index()];
+    stored.push_back(
+        round(x, [&](int k) { return x[k] < middle[k] ? Rounding::Down : Rounding::Up; }));
+  }
+  for (const PointId p : outside.empty() ? outside : outside_of_hull(corners, stored, watch)) {
+    for (int way = 0; way < 8; ++way) {
+      stored.push_back(round(hull.vertices[p.index()], [&](int k) {
+        return (way >> k & 1) != 0 ? Rounding::Up : Rounding::Down;
+      }));
+    }
+  }
+  return PointSet(std::move(stored));
 }
 
 std::vector<ConvexPart> store_parts(std::vector<Part>& parts, const Rational& squared_diameter,
