@@ -53,6 +53,13 @@ enum class LoosePoints {
 /// Whether parts are kept near the solid, or merged as long as they are (reach.hpp).
 enum class ReachUse { None, Reach };
 
+/// How much Cut tries to make fewer parts.
+enum class Effort {
+  Low,     ///< Leaves are merged once.
+  Normal,  ///< And again with other preferences.
+  High,    ///< And the solid is cut several times, into finer and coarser leaves.
+};
+
 /// The distance from the solid that no point of a part may exceed, if the request says none.
 inline const ConcavityLimit kDefaultDistance{Rational(3, 100), true};
 
@@ -69,6 +76,10 @@ struct DecomposeRequest {
   /// > 0. Of the solid, or of the surface if it is open. Without: kDefaultDistance.
   std::optional<ConcavityLimit> distance = {};
   Close close = Close::Auto;  ///< Of a surface for a guard, or for merging by reach.
+  Effort effort = Effort::Normal;  ///< Of Cut.
+  /// Of Cut: how much larger the parts' volumes together may be than the solid's, as a share of it;
+  /// >= 0. The excess, and what parts overlap, are within it.
+  std::optional<Rational> max_excess = {};
   /// >= 1. May lead beyond the limit; the result then says so.
   std::optional<std::size_t> max_parts = {};
   ConcavityMeasure measure = ConcavityMeasure::Surface;  ///< Of Hacd.

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <set>
 
 #include "convexact/error.hpp"
 #include "convexact/overlay.hpp"
@@ -12,6 +14,7 @@
 #include "near/frame.hpp"
 #include "number/precision.hpp"
 #include "number/text.hpp"
+#include "parts/cut_parts.hpp"
 #include "parts/flat_part.hpp"
 #include "parts/merge_by_reach.hpp"
 #include "parts/part_volumes.hpp"
@@ -26,10 +29,6 @@ namespace {
 }
 
 bool cuts(const DecomposeRequest& request) { return request.method == DecomposeMethod::Cut; }
-
-bool merges(const DecomposeRequest& request) {
-  return cuts(request) || request.merge == ReachUse::Reach;
-}
 
 bool uses_reach(const DecomposeRequest& request) {
   return cuts(request) || request.guard == ReachUse::Reach || request.merge == ReachUse::Reach;
@@ -48,6 +47,21 @@ void require_sensible(const DecomposeRequest& request) {
     }
   } else if (request.bridge != plain.bridge || request.coplanar != plain.coplanar) {
     refuse_request("bridges and the cosine of coplanar facets apply to acd only");
+  }
+  if (cuts(request)) {
+    if (request.limit.value != plain.limit.value || request.limit.is_share != plain.limit.is_share ||
+        request.connect != plain.connect || request.guard != plain.guard ||
+        request.merge != plain.merge || request.measure != plain.measure ||
+        request.flat == FlatParts::Merge) {
+      refuse_request(
+          "concavity, measure, connect, guard, merge and merging flat parts apply to hacd and acd: "
+          "cut is limited by the distance alone");
+    }
+  } else if (request.max_excess || request.effort != plain.effort) {
+    refuse_request("an effort, and an excess allowed, apply to cut only");
+  }
+  if (request.max_excess && *request.max_excess < 0) {
+    refuse_request("the excess allowed is at least 0");
   }
   if (request.faces && request.total_faces) {
     refuse_request("give the faces of each part or the faces of all parts, not both");
@@ -146,9 +160,10 @@ class Decomposer {
     }
     take_in_loose_points();
     drop_inner_hulls();
-    merge_near_parts();
+    if (!cuts(request_)) merge_near_parts();
     std::vector<ConvexPart> stored =
         store_parts(made_.parts, made_.squared_diameter(), request_, log_);
+    if (cuts(request_)) tell_new_corners();
     drop_inner_as_stored(stored);
     log_.run("coverage by owners", [&] {
       if (cuts(request_)) {
@@ -182,7 +197,7 @@ class Decomposer {
     if (made_.surface.is_closed) winding_.emplace(made_.surface);
     limit_.emplace(reach_limit(made_.reach->squared_distance, {}));
     // Finer than asked: what is merged in the end makes use of it.
-    if (merges(request_)) {
+    if (request_.merge == ReachUse::Reach) {
       half_limit_.emplace(reach_limit(made_.reach->squared_distance / 4, {}));
     }
   }
@@ -203,7 +218,7 @@ class Decomposer {
 
   void merge_near_parts() {
     constexpr const char* kStage = "merge by reach";
-    if (!merges(request_) || !limit_) return log_.skip(kStage, "not requested");
+    if (request_.merge != ReachUse::Reach || !limit_) return log_.skip(kStage, "not requested");
     log_.run(kStage, [&] {
       std::vector<std::vector<Point>> pieces;
       for (const Part& part : made_.parts) {
@@ -270,7 +285,7 @@ class Decomposer {
         PartReach reach = (*limit_)(stored[k], watch);
         if (reach.reach != Reach::Within) made_.reach->farther.push_back({k, std::move(reach)});
       }
-      made_.reach->cells = std::max(cells, limit_->cells());
+      made_.reach->cells = std::max({made_.reach->cells, cells, limit_->cells()});
       if (const auto* clustering = std::get_if<Clustering>(&made_.origin)) {
         made_.reach->refused = clustering->refused;
       } else if (const auto* tree = std::get_if<SplitTree>(&made_.origin)) {
@@ -283,26 +298,27 @@ class Decomposer {
 
   // ---- Leaves
 
-  // Each leaf becomes a part, at first: its hull as stored, so that nothing grows later.
   void cut_solid() {
-    log_.run("cuts", [&] {
-      const Watch watch = log_.watch("cuts");
-      const PartitionOptions options{.is_exact = request_.engine == Engine::Exact, .watch = watch};
-      made_.origin =
-          cut(made_.surface, winding_ ? &*winding_ : nullptr, *half_limit_, options);
-    });
-    log_.run("store leaves", [&] {
-      const Watch watch = log_.watch("store leaves");
-      const auto& leaves = std::get<Partition>(made_.origin).leaves;
-      for (std::uint32_t k = 0; k < leaves.size(); ++k) {
-        watch.at(k, leaves.size());
-        Part& part = made_.parts.emplace_back();
-        part.leaves = {k};
-        part.hull = convex_part(stored_corners(leaves[k].hull, made_.squared_diameter(),
-                                               request_.precision, watch),
-                                watch);
-      }
-    });
+    if (!made_.reach) throw Error(ErrorCode::NoInterior, "all points are the same one");
+    CutParts made = cut_into_parts(made_.surface, winding_ ? &*winding_ : nullptr,
+                                   made_.reach->squared_distance, request_, log_);
+    made_.origin = std::move(made.partition);
+    made_.parts = std::move(made.parts);
+    made_.reach->merged = made.merged;
+    made_.reach->cells = made.cells;
+  }
+
+  // Corners that no point of the input is were rounded when the leaves were stored.
+  void tell_new_corners() {
+    std::set<std::array<double, 3>> given;
+    for (const Point& x : made_.surface.points.doubles()) given.insert({x[0], x[1], x[2]});
+    for (Part& part : made_.parts) {
+      const auto corners = part.mesh.points.doubles();
+      const bool is_given = std::all_of(corners.begin(), corners.end(), [&](const Point& x) {
+        return given.contains({x[0], x[1], x[2]});
+      });
+      if (part.form == PartForm::Hull && !is_given) part.form = PartForm::Rounded;
+    }
   }
 
   // Each leaf's hull lies in its part, on the stored numbers; so the parts hold the solid, and each

@@ -202,7 +202,10 @@ ConvexPart keep_flat(Part& part, Precision precision) {
 // have them in their middle.
 PointSet stored_corners(const ConvexPart& hull, const Rational& squared_diameter,
                         Precision precision, const Watch& watch) {
-  if (!hull.solid) return thicken(hull, squared_diameter, precision);
+  if (!hull.solid) {
+    const PointSet thick = thicken(hull, squared_diameter, precision);
+    return stored_corners(convex_part(thick, watch), squared_diameter, precision, watch);
+  }
   const PointSet corners(hull.vertices);
   if (is_representable(corners, precision)) return corners;
   const RationalPoint middle = hull.box.middle();

@@ -46,6 +46,15 @@ Fields<DecomposeRequest> make_fields() {
           },
           "how far a point of a part may be from the solid, for cut, guard and merge: a share of "
           "the diameter, 3% or 0.03d, or a length, 0.05"),
+      choice_field<R>("effort", &R::effort, kEffortNames,
+                      "cut only: how much to try for fewer parts: high takes several times as long "
+                      "as low"),
+      text_field<R>("max_excess", &R::max_excess, parse_excess,
+                    [](const std::optional<Rational>& share) {
+                      return share ? to_string(Rational(*share * 100)) + "%" : std::string("none");
+                    },
+                    "cut only: how much larger the volumes of the parts together may be than the "
+                    "solid's: a share of it, 20%"),
       choice_field<R>("close", &R::close, kCloseNames,
                       "for cut, guard and merge: a surface whose borders are all at most a quarter of "
                       "the diameter wide is closed by caps, or never"),
@@ -109,6 +118,19 @@ ConcavityLimit parse_concavity(const std::string& option, const std::string& tex
               option +
                   ": expected a share of the diameter from 0 to 1, such as 3% or 0.03d, or a "
                   "length of at least 0, such as 0.05, found " +
+                  in_quotes(text));
+}
+
+Rational parse_excess(const std::string& option, const std::string& text) {
+  try {
+    if (text.ends_with('%')) {
+      Rational share = parse_rational(text.substr(0, text.size() - 1)) / 100;
+      if (share >= 0) return share;
+    }
+  } catch (const Error&) {  // told below
+  }
+  throw Error(ErrorCode::InvalidArgument,
+              option + ": expected a share of the solid's volume, at least 0%, such as 20%, found " +
                   in_quotes(text));
 }
 

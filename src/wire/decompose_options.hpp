@@ -38,6 +38,9 @@ inline constexpr auto kFlatPartsNames = name_table<FlatParts>({{FlatParts::Auto,
 inline constexpr auto kReachUseNames =
     name_table<ReachUse>({{ReachUse::None, "none"}, {ReachUse::Reach, "reach"}});
 
+inline constexpr auto kEffortNames = name_table<Effort>(
+    {{Effort::Low, "low"}, {Effort::Normal, "normal"}, {Effort::High, "high"}});
+
 inline constexpr auto kCloseNames =
     name_table<Close>({{Close::Auto, "auto"}, {Close::Never, "never"}});
 
@@ -52,6 +55,10 @@ inline constexpr auto kLoosePointsNames =
 /// @throws Error InvalidArgument for anything else, for a share that is not from 0 to 1, and for a
 ///               negative length.
 [[nodiscard]] ConcavityLimit parse_concavity(const std::string& option, const std::string& text);
+
+/// "20%" is a share; exact.
+/// @throws Error InvalidArgument for anything else, and for a negative share.
+[[nodiscard]] Rational parse_excess(const std::string& option, const std::string& text);
 
 /// The cosine of an angle, above 0 and at most 1: "0.99", exact.
 /// @throws Error InvalidArgument for anything else.

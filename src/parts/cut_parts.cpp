@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "parts/cut_parts.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+#include "convexact/measure.hpp"
+#include "near/frame.hpp"
+#include "number/arithmetic.hpp"
+#include "number/precision.hpp"
+#include "parts/merge_by_reach.hpp"
+#include "parts/stored_part.hpp"
+
+namespace convexact {
+namespace {
+
+constexpr const char* kCut = "cuts";
+constexpr const char* kStoreLeaves = "store leaves";
+constexpr const char* kMerge = "merge by reach";
+
+// How many times the leaves' distance goes into that of the parts.
+std::vector<Rational> finenesses(Effort effort) {
+  if (effort != Effort::High) return {2};
+  return {2, Rational(14, 5), Rational(8, 5), 4};
+}
+
+int rounds_of(Effort effort) {
+  return effort == Effort::Low ? 1 : effort == Effort::Normal ? 3 : 12;
+}
+
+class PartCutter {
+ public:
+  PartCutter(const Surface& surface, const Winding* winding, const Rational& squared_distance,
+             const DecomposeRequest& request, StageLog& log)
+      : surface_(surface),
+        winding_(winding),
+        squared_(squared_distance),
+        squared_diameter_(bounding_box(surface.points).squared_diameter()),
+        request_(request),
+        log_(log) {
+    if (request.max_excess && winding != nullptr) {
+      most_volume_ = log.run("solid's volume", [&] {
+        const Measured solid =
+            solid_volume(surface, kMeasureBits, false, log.watch("solid's volume"));
+        return Rational(solid.bounds.low() * (1 + *request.max_excess));
+      });
+    }
+  }
+
+  CutParts run() {
+    const std::vector<Rational> finer = finenesses(request_.effort);
+    std::optional<CutParts> best;
+    for (const Rational& share : shares()) {
+      for (const Rational& fineness : finer) {
+        CutParts made = cut_and_merge(Rational(share * share * squared_), fineness);
+        if (!best || made.parts.size() < best->parts.size()) best = std::move(made);
+      }
+      if (fits(*best)) break;
+      if (share != kShares.back()) best.reset();
+    }
+    return std::move(*best);
+  }
+
+ private:
+  inline static const std::vector<Rational> kShares{1, Rational(7, 8), Rational(3, 4),
+                                                    Rational(1, 2), Rational(1, 4)};
+
+  bool is_limited() const {
+    return request_.faces || request_.total_faces || most_volume_;
+  }
+  std::vector<Rational> shares() const {
+    return is_limited() ? kShares : std::vector{kShares.front()};
+  }
+
+  CutParts cut_and_merge(const Rational& squared, const Rational& fineness) {
+    ReachLimit fine(surface_, winding_, Rational(squared / (fineness * fineness)));
+    CutParts made;
+    made.partition = log_.run(kCut, [&] {
+      const Watch watch = log_.watch(kCut);
+      return cut(surface_, winding_, fine,
+                 {.is_exact = request_.engine == Engine::Exact, .watch = watch});
+    });
+    const std::vector<PointSet> leaves =
+        log_.run(kStoreLeaves, [&] { return stored_leaves(made.partition); });
+    log_.run(kMerge, [&] { merge(squared, leaves, made); });
+    made.cells = std::max(made.cells, fine.cells());
+    return made;
+  }
+
+  std::vector<PointSet> stored_leaves(const Partition& partition) const {
+    const Watch watch = log_.watch(kStoreLeaves);
+    std::vector<PointSet> stored;
+    for (const PartitionLeaf& leaf : partition.leaves) {
+      watch.at(stored.size(), partition.leaves.size());
+      stored.push_back(stored_corners(leaf.hull, squared_diameter_, request_.precision, watch));
+    }
+    return stored;
+  }
+
+  // On stored numbers, so that nothing grows later.
+  void merge(const Rational& squared, const std::vector<PointSet>& leaves, CutParts& made) const {
+    const Watch watch = log_.watch(kMerge);
+    ReachLimit limit(surface_, winding_, squared);
+    std::vector<std::vector<Point>> pieces;
+    for (const PointSet& leaf : leaves) {
+      std::vector<Point>& near = pieces.emplace_back();
+      for (std::size_t k = 0; k < leaf.size(); ++k) near.push_back(limit.frame()(leaf[PointId(k)]));
+    }
+    ReachMergeOptions options{.rounds = rounds_of(request_.effort), .seed = request_.seed};
+    if (request_.max_parts) options.most_parts = *request_.max_parts;
+    if (most_volume_) {
+      options.most_volume = to_double(
+          scale_by_power_of_two(*most_volume_, -3 * limit.frame().exponent), Rounding::Down);
+    }
+    for (auto& group : merge_by_reach(pieces, limit, options, watch).parts) {
+      std::vector<Point> points;
+      for (const std::uint32_t k : group) {
+          points.insert(points.end(), leaves[k].doubles().begin(), leaves[k].doubles().end());
+      }
+      Part& part = made.parts.emplace_back();
+      part.leaves = std::move(group);
+      part.hull = convex_part(PointSet(std::move(points)), watch);
+    }
+    made.merged = leaves.size() - made.parts.size();
+    made.cells = limit.cells();
+  }
+
+  // Whether the parts are still within the distance when they are stored as the request wants them,
+  // and their volume within what is allowed.
+  bool fits(const CutParts& made) {
+    if (!is_limited()) return true;
+    std::vector<Part> parts = made.parts;
+    const std::vector<ConvexPart> stored = store_parts(parts, squared_diameter_, request_, log_);
+    std::vector<BoundingBox> boxes;
+    Rational volume = 0;
+    for (const ConvexPart& part : stored) {
+      boxes.push_back(part.box);
+      if (part.solid) volume += enclose_volume(*part.solid, kMeasureBits).high();
+    }
+    if (most_volume_ && volume > *most_volume_) return false;
+    ReachLimit limit(surface_, winding_, squared_, boxes);
+    return std::all_of(stored.begin(), stored.end(), [&](const ConvexPart& part) {
+      return limit.allows(part, log_.watch(kMerge));
+    });
+  }
+
+  const Surface& surface_;
+  const Winding* winding_;
+  const Rational& squared_;
+  const Rational squared_diameter_;
+  const DecomposeRequest& request_;
+  StageLog& log_;
+  std::optional<Rational> most_volume_;
+};
+
+}  // namespace
+
+CutParts cut_into_parts(const Surface& surface, const Winding* winding,
+                        const Rational& squared_distance, const DecomposeRequest& request,
+                        StageLog& log) {
+  return PartCutter(surface, winding, squared_distance, request, log).run();
+}
+
+}  // namespace convexact
