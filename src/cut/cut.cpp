@@ -47,7 +47,7 @@ class Cutter {
       : winding_(winding),
         limit_(limit),
         options_(options),
-        points_(surface, limit.frame()),
+        points_(surface, limit.frame(), options.is_exact),
         notches_(surface, points_),
         cutter_(surface, winding, points_, planes_) {}
 
@@ -105,8 +105,7 @@ class Cutter {
     ends[1] = points_.frame().point(at[1]);
     std::array<std::uint32_t, 8> corners{};
     for (unsigned k = 0; k < 8; ++k) {
-      corners[k] =
-          points_.add({ends[k & 1][0], ends[(k >> 1) & 1][1], ends[(k >> 2) & 1][2]});
+      corners[k] = points_.add({ends[k & 1][0], ends[(k >> 1) & 1][1], ends[(k >> 2) & 1][2]});
     }
     std::vector<Region::Face> faces;
     for (int axis = 0; axis < 3; ++axis) {
@@ -210,11 +209,11 @@ class Cutter {
     std::vector<RationalPoint> corners;
     for (const std::uint32_t id : leaf.points(points_.surface())) {
       const Point& y = points_.near(id);
-      const bool is_inside = !solid.planes.empty() &&
-                             std::all_of(solid.planes.begin(), solid.planes.end(),
-                                         [&](const NearSolid::Plane& plane) {
-                                           return plane.normal.dot(y) + plane.offset < -kInside;
-                                         });
+      const bool is_inside =
+          !points_.is_exact() && !solid.planes.empty() &&
+          std::all_of(solid.planes.begin(), solid.planes.end(), [&](const NearSolid::Plane& plane) {
+            return plane.normal.dot(y) + plane.offset < -kInside;
+          });
       if (!is_inside) corners.push_back(points_.exact(id));
     }
     return convex_part(PointSet(std::move(corners)), options_.watch);

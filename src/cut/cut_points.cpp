@@ -25,8 +25,8 @@ Halfspace triangle_plane(const Surface& surface, std::uint32_t triangle) {
   return Halfspace::through(surface.points[a], surface.points[b], surface.points[c]);
 }
 
-CutPoints::CutPoints(const Surface& surface, const NearFrame& frame)
-    : surface_(surface), frame_(frame) {
+CutPoints::CutPoints(const Surface& surface, const NearFrame& frame, bool is_exact)
+    : surface_(surface), frame_(frame), is_exact_(is_exact) {
   for (std::size_t p = 0; p < surface.points.size(); ++p) {
     near_.push_back(frame(surface.points[PointId(p)]));
   }
@@ -44,6 +44,7 @@ RationalPoint CutPoints::exact(std::uint32_t id) const {
 }
 
 Sign CutPoints::side(const CutPlane& plane, std::uint32_t id) const {
+  if (is_exact_) return sign_of(plane.exact(exact(id)));
   const double value = plane(near_[id]);
   if (value > kCutError) return Sign::Positive;
   if (value < -kCutError) return Sign::Negative;

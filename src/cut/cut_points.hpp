@@ -36,21 +36,23 @@ inline constexpr double kCutError = 0x1p-46;
 /// All corners of a run; ids below surface.points.size() are the points of the surface.
 class CutPoints {
  public:
-  /// Keeps a reference.
-  CutPoints(const Surface& surface, const NearFrame& frame);
+  /// Keeps a reference. @param is_exact  Decide each side in exact numbers.
+  CutPoints(const Surface& surface, const NearFrame& frame, bool is_exact = false);
 
   std::uint32_t add(RationalPoint x);
   const Point& near(std::uint32_t id) const { return near_[id]; }
   RationalPoint exact(std::uint32_t id) const;
-  /// On which side of a plane a corner lies: by doubles where they are certain.
+  /// On which side of a plane a corner lies: by doubles where they are certain, unless `is_exact`.
   Sign side(const CutPlane& plane, std::uint32_t id) const;
 
+  bool is_exact() const { return is_exact_; }
   const NearFrame& frame() const { return frame_; }
   const Surface& surface() const { return surface_; }
 
  private:
   const Surface& surface_;
   NearFrame frame_;
+  bool is_exact_;
   std::vector<Point> near_;
   std::vector<RationalPoint> made_;  // those that are no points of the surface
 };

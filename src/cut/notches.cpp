@@ -18,9 +18,9 @@ Point area_of(const Surface& surface, const CutPoints& points, std::uint32_t tri
   return u.cross(v);
 }
 
-bool is_flat(const Surface& surface, const Point& area, std::uint32_t triangle) {
-  return !(area.lpNorm<Eigen::Infinity>() > kCutError) &&
-         has_no_area(surface.points, surface.triangles[triangle]);
+bool is_flat(const CutPoints& points, const Point& area, std::uint32_t triangle) {
+  return (points.is_exact() || !(area.lpNorm<Eigen::Infinity>() > kCutError)) &&
+         has_no_area(points.surface().points, points.surface().triangles[triangle]);
 }
 
 // On which side of a triangle's plane a point lies.
@@ -29,7 +29,8 @@ Sign side_of_triangle(const CutPoints& points, const Point& area, std::uint32_t 
   const Surface& surface = points.surface();
   const Point from = points.near(surface.triangles[triangle][0].value);
   const double height = area.dot(points.near(p.value) - from);
-  if (std::abs(height) > 8 * kCutError) return height > 0 ? Sign::Positive : Sign::Negative;
+  if (!points.is_exact() && std::abs(height) > 8 * kCutError)
+    return height > 0 ? Sign::Positive : Sign::Negative;
   return points.side(CutPlane(triangle_plane(surface, triangle), points.frame()), p.value);
 }
 
@@ -40,7 +41,6 @@ PointId opposite(const Triangle& triangle, PointId a, PointId b) {
   return triangle[0];
 }
 
-
 }  // namespace
 
 Notches::Notches(const Surface& surface, const CutPoints& points)
@@ -49,13 +49,12 @@ Notches::Notches(const Surface& surface, const CutPoints& points)
     if (uses.size() != 2) return;
     const std::uint32_t left = uses[0].triangle, right = uses[1].triangle;
     const Point m = area_of(surface, points, left), n = area_of(surface, points, right);
-    if (is_flat(surface, m, left) || is_flat(surface, n, right)) return;
+    if (is_flat(points, m, left) || is_flat(points, n, right)) return;
     const PointId tip = opposite(surface.triangles[right], uses[0].low, uses[0].high);
     const Sign above = side_of_triangle(points, m, left, tip);
     if (above == Sign::Zero || (above == Sign::Negative && surface.is_closed)) return;
     const double cosine = m.dot(n) / (m.norm() * n.norm());
-    edges_.push_back(
-        {uses[0].low, uses[0].high, left, right, 1 - cosine * std::abs(cosine)});
+    edges_.push_back({uses[0].low, uses[0].high, left, right, 1 - cosine * std::abs(cosine)});
   });
 }
 

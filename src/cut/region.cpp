@@ -67,8 +67,8 @@ class RegionCutter {
   std::uint32_t crossing(std::uint32_t a, std::uint32_t b, std::uint32_t face) {
     const auto [made, is_new] = crossings_.try_emplace(std::minmax(a, b), 0);
     if (is_new) {
-      made->second = points_.add(meet(planes_[face].exact, planes_[face_of_.at({b, a})].exact,
-                                      planes_[plane_].exact));
+      made->second = points_.add(
+          meet(planes_[face].exact, planes_[face_of_.at({b, a})].exact, planes_[plane_].exact));
     }
     return made->second;
   }
@@ -98,8 +98,9 @@ RationalPoint Region::middle(std::span<const CutPlane> planes, const CutPoints& 
   for (const std::uint32_t c : all) near += points.near(c);
   near /= static_cast<double>(all.size());
   const double certain = kCutError * 16;  // the mean is off by less than that
-  if (std::all_of(faces_.begin(), faces_.end(),
-                  [&](const Face& face) { return std::abs(planes[face.plane](near)) > certain; })) {
+  if (!points.is_exact() && std::all_of(faces_.begin(), faces_.end(), [&](const Face& face) {
+        return std::abs(planes[face.plane](near)) > certain;
+      })) {
     return points.frame().point(near);
   }
   RationalPoint sum = RationalPoint::Zero();

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+// decompose --method cut. Numbers of parts and volumes are closed forms, or were given with the
+// method; what is promised of parts is judged by the oracle.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <random>
+
+#include "cells.hpp"
+#include "convexact/decompose.hpp"
+#include "convexact/hull_tree.hpp"
+#include "convexact/io.hpp"
+#include "convexact/verify_parts.hpp"
+#include "expect_error.hpp"
+#include "proof/decomposition_proof.hpp"
+#include "sweep.hpp"
+
+using namespace convexact;
+using namespace support;
+
+namespace {
+
+Mesh shipped(const std::string& name) {
+  return read_mesh(std::string(std::getenv("CONVEXACT_TEST_DATA")) + "/" + name + ".obj");
+}
+
+DecomposeRequest cutting(const char* share = "3/100") {
+  DecomposeRequest request;
+  request.method = DecomposeMethod::Cut;
+  request.distance = ConcavityLimit{parse_rational(share), true};
+  request.measures = PartMeasures::All;
+  request.exact_volumes = true;
+  return request;
+}
+
+Decomposition cut_of(const Mesh& mesh, const DecomposeRequest& request) {
+  return std::get<Decomposition>(decompose(mesh, request));
+}
+
+std::vector<NamedPart> named(const Decomposition& made) {
+  std::vector<NamedPart> parts;
+  for (const Part& part : made.parts) parts.push_back({"part", part.mesh});
+  return parts;
+}
+
+// The guarantee: both directions, by the oracle.
+void check_guarantee(const Mesh& mesh, const Decomposition& made, const DecomposeRequest& request) {
+  PartsRequest asked;
+  asked.claims = {ClaimCode::CoversSurface, ClaimCode::CoversSolid, ClaimCode::PartsSolid};
+  asked.distance = Tolerance{request.distance->value, request.distance->is_share};
+  asked.measures = PartMeasures::None;
+  asked.close = made.caps > 0 ? Close::Auto : Close::Never;
+  const PartsVerdict verdict = verify_parts(mesh, named(made), asked);
+  CHECK(verdict[ClaimCode::PartsSolid].status == Status::Holds);
+  CHECK(verdict[ClaimCode::CoversSurface].status == Status::Holds);
+  if (made.surface.is_closed) CHECK(verdict[ClaimCode::CoversSolid].status == Status::Holds);
+  REQUIRE(made.reach);
+  CHECK(made.reach->farther.empty());
+  CHECK(made.limit_holds);
+  CHECK(verdict[ClaimCode::WithinSolid].status == Status::Holds);
+  // Each leaf has one part, and triangles with one owner lie in it.
+  std::vector<int> seen(std::get<Partition>(made.origin).leaves.size(), 0);
+  for (const Part& part : made.parts) {
+    for (const std::uint32_t leaf : part.leaves) ++seen[leaf];
+    for (const TriangleId t : part.owns) CHECK(&made.parts[made.owner[t.index()]] == &part);
+  }
+  CHECK(std::count(seen.begin(), seen.end(), 1) == static_cast<long>(seen.size()));
+}
+
+std::set<Cell> block_without(const std::set<Cell>& gone) {
+  std::set<Cell> cells;
+  for (int x = 0; x < 3; ++x) {
+    for (int y = 0; y < 3; ++y) {
+      for (int z = 0; z < 3; ++z) {
+        if (!gone.contains({x, y, z})) cells.insert({x, y, z});
+      }
+    }
+  }
+  return cells;
+}
+
+}  // namespace
+
+TEST_CASE("cut parts: solids of cells are taken apart exactly") {
+  std::set<Cell> stairs;
+  for (int x = 0; x < 4; ++x) {
+    for (int z = 0; z <= x; ++z) stairs.insert({x, 0, z});
+  }
+  const struct {
+    const char* name;
+    std::set<Cell> cells;
+    std::size_t parts;
+  } shapes[] = {
+      {"L", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 2},
+      {"U", {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}}, 3},
+      {"plus", {{1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {1, 2, 0}}, 3},
+      {"ring",
+       {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}, {0, 2, 0}, {1, 2, 0}, {2, 2, 0}},
+       4},
+      {"stairs", stairs, 4},
+      {"cavity", block_without({{1, 1, 1}}), 6},
+      {"bin", block_without({{1, 1, 1}, {1, 1, 2}}), 5},
+      {"cross", {{1, 1, 1}, {0, 1, 1}, {2, 1, 1}, {1, 0, 1}, {1, 2, 1}, {1, 1, 0}, {1, 1, 2}}, 5}};
+  for (const auto& shape : shapes) {
+    for (const char* share : {"3/100", "1/100"}) {
+      CAPTURE(shape.name);
+      CAPTURE(share);
+      const Mesh mesh = mesh_of_cells(shape.cells);
+      const DecomposeRequest request = cutting(share);
+      const Decomposition made = cut_of(mesh, request);
+      CHECK(made.parts.size() == shape.parts);
+      CHECK(*made.measures->excess_volume->exact == 0);
+      CHECK(*made.measures->uncovered_volume->exact == 0);
+      check_guarantee(mesh, made, request);
+      for (const Part& part : made.parts) CHECK(part.form == PartForm::Hull);
+    }
+  }
+}
+
+// The numbers of parts of the specification, with its slack.
+TEST_CASE("cut parts: bin, cup, tube and house") {
+  const std::pair<const char*, std::size_t> cases[] = {
+      {"bin", 5}, {"cup", 12}, {"tube", 10}, {"house", 10}};
+  for (const auto& [name, most] : cases) {
+    CAPTURE(name);
+    const Mesh mesh = shipped("cases/" + std::string(name));
+    const DecomposeRequest request = cutting();
+    const Decomposition made = cut_of(mesh, request);
+    CHECK(made.parts.size() <= most);
+    check_guarantee(mesh, made, request);
+  }
+}
+
+TEST_CASE("cut parts: spot" * sweep) {
+  const Mesh mesh = shipped("spot");
+  DecomposeRequest request = cutting();
+  request.exact_volumes = false;
+  const Decomposition made = cut_of(mesh, request);
+  CHECK(made.parts.size() <= 12);
+  check_guarantee(mesh, made, request);
+}
+
+TEST_CASE("cut parts: the exact engine makes the same parts") {
+  for (const auto& gone : {std::set<Cell>{{1, 1, 1}}, std::set<Cell>{{1, 1, 1}, {1, 1, 2}}}) {
+    DecomposeRequest request = cutting("1/20");
+    const Mesh mesh = mesh_of_cells(block_without(gone));
+    const Decomposition filtered = cut_of(mesh, request);
+    request.engine = Engine::Exact;
+    const Decomposition exact = cut_of(mesh, request);
+    REQUIRE(filtered.parts.size() == exact.parts.size());
+    for (std::size_t k = 0; k < exact.parts.size(); ++k) {
+      CHECK(filtered.parts[k].leaves == exact.parts[k].leaves);
+      CHECK(filtered.parts[k].hull.vertices == exact.parts[k].hull.vertices);
+    }
+  }
+}
+
+TEST_CASE("cut parts: a number of parts, beyond the distance and below the components") {
+  std::set<Cell> cells = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+  DecomposeRequest request = cutting();
+  const Mesh mesh = mesh_of_cells(cells);
+  CHECK(cut_of(mesh, request).parts.size() == 3);
+  for (const std::size_t most : {2, 1}) {
+    request.max_parts = most;
+    const Decomposition made = cut_of(mesh, request);
+    CHECK(made.parts.size() == most);
+    CHECK(!made.limit_holds);
+    CHECK(!made.reach->farther.empty());
+    CHECK(*made.measures->uncovered_volume->exact == 0);
+    PartsRequest asked;
+    asked.claims = {ClaimCode::CoversSolid};
+    CHECK(verify_parts(mesh, named(made), asked)[ClaimCode::CoversSolid].status == Status::Holds);
+  }
+}
+
+TEST_CASE("cut parts: an excess that is allowed is not exceeded") {
+  const Mesh mesh = shipped("cases/cup");
+  std::size_t before = 0;
+  for (const char* most : {"2/5", "1/20"}) {
+    DecomposeRequest request = cutting();
+    request.max_excess = parse_rational(most);
+    const Decomposition made = cut_of(mesh, request);
+    check_guarantee(mesh, made, request);
+    CHECK(*made.measures->excess_volume->exact <=
+          *request.max_excess * *made.measures->solid_volume->exact);
+    CHECK(made.parts.size() > before);
+    before = made.parts.size();
+  }
+}
+
+TEST_CASE("cut parts: parts that are simplified stay within the distance") {
+  const Mesh mesh = shipped("cases/tube");
+  DecomposeRequest request = cutting();
+  request.faces = 12;
+  const Decomposition made = cut_of(mesh, request);
+  check_guarantee(mesh, made, request);
+  for (const Part& part : made.parts) CHECK(part.faces <= 12);
+}
+
+TEST_CASE("cut parts: binary32 and fractions") {
+  const Mesh mesh = shipped("cases/cup");
+  DecomposeRequest request = cutting();
+  request.precision = Precision::Binary32;
+  const Decomposition narrow = cut_of(mesh, request);
+  check_guarantee(mesh, narrow, request);
+  for (const Part& part : narrow.parts) {
+    for (const Point& x : part.mesh.points.doubles()) {
+      for (const double y : x) CHECK(static_cast<double>(static_cast<float>(y)) == y);
+    }
+  }
+  std::vector<RationalPoint> thirds;
+  const Mesh cells = mesh_of_cells(block_without({{1, 1, 1}, {1, 1, 2}}));
+  for (std::size_t k = 0; k < cells.points.size(); ++k) {
+    thirds.push_back(cells.points[PointId(k)] / Rational(3));
+  }
+  Mesh exact = cells;
+  exact.points = PointSet(thirds);
+  const DecomposeRequest plain = cutting();
+  const Decomposition made = cut_of(exact, plain);
+  CHECK(made.parts.size() == 5);
+  check_guarantee(exact, made, plain);
+}
+
+TEST_CASE("cut parts: open, flat and loose") {
+  Mesh open = box_mesh({{0, 0, 0}, {4, 4, 4}});
+  open.polygons.pop_back();
+  DecomposeRequest request = cutting();
+  request.close = Close::Never;
+  const Decomposition made = cut_of(open, request);
+  CHECK(made.parts.size() == 5);
+  for (const Part& part : made.parts) CHECK(part.form != PartForm::Flat);
+  check_guarantee(open, made, request);
+
+  Mesh square = box_mesh({{0, 0, 0}, {4, 4, 4}});
+  square.polygons = {square.polygons[0]};
+  CHECK(std::holds_alternative<NotSolid>(decompose(square, cutting())));
+  request.flat = FlatParts::Thicken;
+  CHECK(cut_of(square, request).parts.size() == 1);
+
+  // A point far away widens the part that takes it, and the result says so.
+  const Mesh box = box_mesh({{0, 0, 0}, {4, 4, 4}});
+  std::vector<Point> points(box.points.doubles().begin(), box.points.doubles().end());
+  points.emplace_back(9, 9, 9);
+  Mesh loose = box;
+  loose.points = PointSet(points);
+  const Decomposition widened = cut_of(loose, cutting());
+  CHECK(widened.parts.size() == 1);
+  CHECK(widened.reach->farther.size() == 1);
+  CHECK(!widened.limit_holds);
+}
+
+TEST_CASE("cut parts: what does not apply is refused") {
+  const Mesh mesh = box_mesh({{0, 0, 0}, {1, 1, 1}});
+  const auto refuses = [&](auto&& change) {
+    DecomposeRequest request = cutting();
+    change(request);
+    CHECK(error_of([&] { return decompose(mesh, request); }).code() == ErrorCode::InvalidArgument);
+  };
+  refuses([](DecomposeRequest& r) { r.limit.value = Rational(1, 10); });
+  refuses([](DecomposeRequest& r) { r.guard = ReachUse::Reach; });
+  refuses([](DecomposeRequest& r) { r.merge = ReachUse::Reach; });
+  refuses([](DecomposeRequest& r) { r.measure = ConcavityMeasure::Vertices; });
+  refuses([](DecomposeRequest& r) { r.connect = Connect::Touching; });
+  refuses([](DecomposeRequest& r) { r.flat = FlatParts::Merge; });
+  refuses([](DecomposeRequest& r) { r.distance->value = 0; });
+  refuses([](DecomposeRequest& r) { r.max_excess = Rational(-1); });
+  refuses([](DecomposeRequest& r) {
+    r.method = DecomposeMethod::Hacd;
+    r.distance.reset();
+    r.effort = Effort::High;
+  });
+  Mesh point = mesh;
+  point.points = PointSet(std::vector<Point>(8, Point(1, 2, 3)));
+  DecomposeRequest request = cutting();
+  request.flat = FlatParts::Thicken;
+  CHECK(error_of([&] { return decompose(point, request); }).code() == ErrorCode::NoInterior);
+}
+
+TEST_CASE("cut parts: the tree of the cuts becomes a tree of hulls") {
+  const Mesh mesh = shipped("cases/house");
+  const Decomposition made = cut_of(mesh, cutting());
+  const std::vector<Join> joins = joins_of(made);
+  CHECK(joins.size() == made.parts.size() - 1);
+}
