@@ -210,10 +210,14 @@ CONVEXACT_API void convexact_solid_free(convexact_solid* result);
 
 /* ---- A mesh as few convex parts -------------------------------------------------------------- */
 
-/* How the clusters of triangles are made; the parts are the hulls of the clusters. */
+/* Where the parts come from: of the first two they are the hulls of clusters of triangles. */
 typedef enum convexact_method {
   CONVEXACT_HACD = 0, /* Neighbouring triangles are merged. */
-  CONVEXACT_ACD = 1   /* The surface is split at notches. */
+  CONVEXACT_ACD = 1,  /* The surface is split at notches. */
+  CONVEXACT_CUT = 2,  /* The solid is cut by planes: the parts hold it, and none is farther from it
+                         than `distance`, proven. Reads no `concavity`, `measure` or guard. */
+  CONVEXACT_AUTO = 3  /* CUT for closed surfaces; for open ones HACD with a guard and merging; and
+                         HACD if `concavity`, `measure`, guard_reach or merge_reach is given. */
 } convexact_method;
 
 /* Of CONVEXACT_HACD: where concavity is measured. */
@@ -251,7 +255,11 @@ typedef struct convexact_decompose_options {
   int for_tree;          /* Not 0: find the merges that would come next, for a tree of the parts. */
   int guard_reach;      /* Not 0: no part is made that is farther from the solid than `distance`. */
   int merge_reach;      /* Not 0: parts are merged in the end as long as they are not farther. */
-  const char* distance; /* For these two, spelled like `concavity`, and above 0. NULL for "3%". */
+  const char* distance; /* For these two and CUT, spelled like `concavity`, and above 0. NULL for
+                           "3%". */
+  const char* max_excess; /* Of CUT: how much larger the parts' volumes together may be than the
+                             solid's, "20%". NULL for no limit. */
+  int effort;             /* Of CUT: 0 normal, 1 low, 2 high. */
 } convexact_decompose_options;
 
 typedef struct convexact_decomposition convexact_decomposition;
@@ -271,10 +279,11 @@ CONVEXACT_API size_t convexact_decomposition_part_count(const convexact_decompos
 /* 1 if the concavity of every part is within the limit, else 0: max_parts, flat triangles that were
  * merged, and notches that cannot be split may lead beyond it. */
 CONVEXACT_API int convexact_decomposition_eps_holds(const convexact_decomposition* result);
-/* With guard_reach or merge_reach: 1 if no point of a part is farther from the solid than the
+/* With CUT, guard_reach or merge_reach: 1 if no point of a part is farther from the solid than the
  * distance, proven; else 0. */
 CONVEXACT_API int convexact_decomposition_reach_holds(const convexact_decomposition* result);
-/* For each triangle the part that owns it. */
+/* For each triangle the part that owns it; UINT32_MAX of a triangle that several parts of CUT hold
+ * together. */
 CONVEXACT_API const uint32_t* convexact_decomposition_owners(const convexact_decomposition* result);
 
 typedef enum convexact_volume {

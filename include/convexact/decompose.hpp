@@ -32,6 +32,7 @@ enum class DecomposeMethod {
   Acd,   ///< split(): the surface is split at notches.
   Cut,   ///< cut(): the solid is cut by planes. Its parts hold the solid, and are guarded and
          ///< merged by reach always.
+  Auto,  ///< What with_method() chooses.
 };
 
 /// The treatment of clusters that lie in a plane.
@@ -54,7 +55,7 @@ enum class LoosePoints {
 enum class ReachUse { None, Reach };
 
 /// How much Cut tries to make fewer parts.
-enum class Effort {
+enum class CutEffort {
   Low,     ///< Leaves are merged once.
   Normal,  ///< And again with other preferences.
   High,    ///< And the solid is cut several times, into finer and coarser leaves.
@@ -76,7 +77,7 @@ struct DecomposeRequest {
   /// > 0. Of the solid, or of the surface if it is open. Without: kDefaultDistance.
   std::optional<ConcavityLimit> distance = {};
   Close close = Close::Auto;  ///< Of a surface for a guard, or for merging by reach.
-  Effort effort = Effort::Normal;  ///< Of Cut.
+  CutEffort effort = CutEffort::Normal;  ///< Of Cut.
   /// Of Cut: how much larger the parts' volumes together may be than the solid's, as a share of it;
   /// >= 0. The excess, and what parts overlap, are within it.
   std::optional<Rational> max_excess = {};
@@ -208,6 +209,12 @@ struct Decomposition {
     return std::visit([](const auto& x) { return x.stopped_by_count; }, origin);
   }
 };
+
+/// The request with a method, if it has none: Cut for a closed surface, or one that is closed by
+/// caps; for an open one Hacd, guarded and merged by reach. Hacd as it is published if the request
+/// has an option that Cut has not: a concavity, a measure, a connection, a guard, merging.
+/// @throws Error as make_surface(), which it asks.
+[[nodiscard]] DecomposeRequest with_method(const Mesh& mesh, DecomposeRequest request);
 
 using DecomposeOutcome = std::variant<Decomposition, NotSolid>;
 

@@ -14,8 +14,9 @@ namespace convexact::capi {
 namespace {
 
 constexpr DecomposeMethod kMethods[] = {DecomposeMethod::Hacd, DecomposeMethod::Acd,
-                                        DecomposeMethod::Cut};
+                                        DecomposeMethod::Cut, DecomposeMethod::Auto};
 constexpr ConcavityMeasure kMeasures[] = {ConcavityMeasure::Surface, ConcavityMeasure::Vertices};
+constexpr CutEffort kEfforts[] = {CutEffort::Normal, CutEffort::Low, CutEffort::High};
 constexpr FlatParts kFlat[] = {FlatParts::Auto, FlatParts::Thicken, FlatParts::Keep,
                                FlatParts::Merge};
 
@@ -38,6 +39,10 @@ DecomposeRequest to_request(const convexact_decompose_options& options) {
   if (options.guard_reach != 0) request.guard = ReachUse::Reach;
   if (options.merge_reach != 0) request.merge = ReachUse::Reach;
   if (options.distance != nullptr) request.distance = parse_concavity("distance", options.distance);
+  if (options.max_excess != nullptr) {
+    request.max_excess = parse_excess("max_excess", options.max_excess);
+  }
+  request.effort = chosen(kEfforts, options.effort);
   request.seed = options.seed;
   return request;
 }

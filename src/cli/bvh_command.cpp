@@ -46,7 +46,7 @@ struct BvhArguments {
   GlobalOptions global;
   std::string input, from, output, picture;
   SceneOptions scene;
-  DecomposeRequest decomposition;
+  DecomposeRequest decomposition = default_decompose_request();
   JoinBy join = JoinBy::Method;
   TreeRequest tree;
 };
@@ -68,6 +68,7 @@ std::variant<TreeParts, NotSolid> decomposed_parts(const Mesh& mesh, const std::
   request.for_tree = options.join == JoinBy::Method;
   request.seed = options.global.seed;
   request.watch = log.watch();
+  request = with_method(mesh, std::move(request));
   DecomposeOutcome outcome = decompose(mesh, request);
   if (auto* reason = std::get_if<NotSolid>(&outcome)) return std::move(*reason);
   auto& decomposition = std::get<Decomposition>(outcome);

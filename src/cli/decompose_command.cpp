@@ -52,7 +52,7 @@ struct DecomposeArguments {
   std::string input;
   SceneOptions scene;
   DecomposeFiles files;
-  DecomposeRequest request;
+  DecomposeRequest request = default_decompose_request();
   MeasuresOptions measures;
   std::optional<Tolerance> weld;
   StdioOptions stdio;
@@ -74,9 +74,9 @@ DecomposeRequest decompose_request(const DecomposeArguments& options) {
   return request;
 }
 
-Json document_of(const std::vector<DecomposedObject>& objects, const DecomposeRequest& request,
-                 const FilesOfParts& out, const DecomposeArguments& options) {
-  Json document = decomposition_json(objects, request, DecompositionDetail::Numbers);
+Json document_of(const std::vector<DecomposedObject>& objects, const FilesOfParts& out,
+                 const DecomposeArguments& options) {
+  Json document = decomposition_json(objects, DecompositionDetail::Numbers);
   if (objects.size() == 1) document["input"] = objects[0].name;
   document["files"] = options.files.all_paths();
   document["removed"] = out.removed;
@@ -84,12 +84,11 @@ Json document_of(const std::vector<DecomposedObject>& objects, const DecomposeRe
   return document;
 }
 
-std::string summary_of(const std::vector<DecomposedObject>& objects,
-                       const DecomposeRequest& request, const FilesOfParts& out,
+std::string summary_of(const std::vector<DecomposedObject>& objects, const FilesOfParts& out,
                        const DecomposeArguments& options) {
   std::string text;
   for (const DecomposedObject& object : objects) {
-    text += object.name + "\n" + summary(object.result, request, object.part_names);
+    text += object.name + "\n" + summary(object.result, object.request, object.part_names);
   }
   text += out.tree_summary;
   for (const std::string& path : options.files.all_paths()) text += "  written     " + path + "\n";
@@ -157,10 +156,17 @@ int run_decompose(const DecomposeArguments& options) {
     auto made = mesh_of(std::move(object));
     const auto* reason = std::get_if<NotSolid>(&made);
     std::optional<DecomposeOutcome> outcome;
+    DecomposeRequest own = request;
     if (reason == nullptr) {
       const Mesh mesh =
           welded(with_hulls_of_clouds(std::get<Mesh>(std::move(made))), name, options, run);
-      outcome = decompose_object(name, mesh, request);
+      own = with_method(mesh, std::move(own));
+      if (request.method == DecomposeMethod::Auto && own.method == DecomposeMethod::Hacd) {
+        run.note(name, own.guard == ReachUse::Reach && request.guard != ReachUse::Reach
+                           ? "the surface is open: hacd, guarded and merged by reach"
+                           : "hacd, as it alone has one of these options; --method cut holds solids");
+      }
+      outcome = decompose_object(name, mesh, own);
       reason = std::get_if<NotSolid>(&*outcome);
     }
     if (reason != nullptr) return run.end_flat(name, *reason);
@@ -169,15 +175,15 @@ int run_decompose(const DecomposeArguments& options) {
                   "caps close the surface, and --proof is about the faces in the file: add --close "
                   "never");
     }
-    objects.push_back({name, std::get<Decomposition>(std::move(*outcome)), {}});
+    objects.push_back({name, std::get<Decomposition>(std::move(*outcome)), {}, std::move(own)});
     run.log().add(objects.back().result.stages);
   }
   name_parts(objects, object_names, options.files.names);
   const FilesOfParts out = run.log().run("write", StageKind::Io, [&] {
     return decomposed_files(objects, request, options.files, options.input);
   });
-  return run.end({.json = [&] { return document_of(objects, request, out, options); },
-                  .text = [&] { return summary_of(objects, request, out, options); },
+  return run.end({.json = [&] { return document_of(objects, out, options); },
+                  .text = [&] { return summary_of(objects, out, options); },
                   .files = out.files,
                   .write =
                       [&](const OutputFiles& files, const std::string& said) {

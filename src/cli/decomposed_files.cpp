@@ -137,19 +137,19 @@ void add_folder(FilesOfParts& out, const std::string& folder, Json document,
 
 // The files that show a single object.
 void add_files_of_one(FilesOfParts& out, const DecomposedObject& object,
-                      const DecomposeRequest& request, const DecomposeFiles& files) {
+                      const DecomposeFiles& files) {
   if (!files.trace.empty()) {
-    out.files.emplace_back(files.trace, write_decompose_trace(object.result, request));
+    out.files.emplace_back(files.trace, write_decompose_trace(object.result, object.request));
   }
   if (!files.proof.empty()) {
-    out.files.emplace_back(files.proof, write_decomposition_proof(object.result, request));
+    out.files.emplace_back(files.proof, write_decomposition_proof(object.result, object.request));
   }
   Picture picture;
   if (!files.picture.empty()) {
     picture = decomposition_picture(object.result, fs::path(object.name).filename().string());
   }
   if (!files.tree.empty()) {
-    TreeOfParts tree = tree_of_parts(object, request, files.tree_faces, files.tree);
+    TreeOfParts tree = tree_of_parts(object, object.request, files.tree_faces, files.tree);
     out.files.emplace_back(files.tree, std::move(tree.file));
     out.tree_summary = std::move(tree.summary);
     for (PictureLayer& layer : tree_layers(tree.built)) picture.layers.push_back(std::move(layer));
@@ -265,7 +265,7 @@ FilesOfParts decomposed_files(std::span<const DecomposedObject> objects,
     } else if (is_model(kind)) {
       out.files.emplace_back(path, model_bytes(path, files.results, parts));
     } else {
-      auto document = decomposition_json(objects, request, DecompositionDetail::All);
+      auto document = decomposition_json(objects, DecompositionDetail::All);
       if (kind == PartsOutput::Json) {
         out.files.emplace_back(path, proven_parts_json(document, parts, path));
       } else {
@@ -274,7 +274,7 @@ FilesOfParts decomposed_files(std::span<const DecomposedObject> objects,
     }
   }
   watch.ask();
-  add_files_of_one(out, objects[0], request, files);
+  add_files_of_one(out, objects[0], files);
   watch.ask();
   return out;
 }

@@ -20,13 +20,13 @@ constexpr const char* kStoreLeaves = "store leaves";
 constexpr const char* kMerge = "merge by reach";
 
 // How many times the leaves' distance goes into that of the parts.
-std::vector<Rational> finenesses(Effort effort) {
-  if (effort != Effort::High) return {2};
+std::vector<Rational> finenesses(CutEffort effort) {
+  if (effort != CutEffort::High) return {2};
   return {2, Rational(14, 5), Rational(8, 5), 4};
 }
 
-int rounds_of(Effort effort) {
-  return effort == Effort::Low ? 1 : effort == Effort::Normal ? 3 : 12;
+int rounds_of(CutEffort effort) {
+  return effort == CutEffort::Low ? 1 : effort == CutEffort::Normal ? 3 : 12;
 }
 
 class PartCutter {

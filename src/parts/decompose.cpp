@@ -34,6 +34,15 @@ bool uses_reach(const DecomposeRequest& request) {
   return cuts(request) || request.guard == ReachUse::Reach || request.merge == ReachUse::Reach;
 }
 
+// Whether it asks for something that only clusters of triangles have.
+bool has_clusters(const DecomposeRequest& request) {
+  const DecomposeRequest plain;
+  return request.limit.value != plain.limit.value || request.limit.is_share != plain.limit.is_share ||
+         request.connect != plain.connect || request.guard != plain.guard ||
+         request.merge != plain.merge || request.measure != plain.measure ||
+         request.flat == FlatParts::Merge;
+}
+
 void require_sensible(const DecomposeRequest& request) {
   if (request.max_parts && *request.max_parts == 0) refuse_request("at least one part is needed");
   const DecomposeRequest plain;
@@ -49,13 +58,13 @@ void require_sensible(const DecomposeRequest& request) {
     refuse_request("bridges and the cosine of coplanar facets apply to acd only");
   }
   if (cuts(request)) {
-    if (request.limit.value != plain.limit.value || request.limit.is_share != plain.limit.is_share ||
-        request.connect != plain.connect || request.guard != plain.guard ||
-        request.merge != plain.merge || request.measure != plain.measure ||
-        request.flat == FlatParts::Merge) {
+    if (has_clusters(request)) {
       refuse_request(
           "concavity, measure, connect, guard, merge and merging flat parts apply to hacd and acd: "
           "cut is limited by the distance alone");
+    }
+    if (request.engine == Engine::Float) {
+      refuse_request("the engine float applies to hacd only: cut prefers planes in doubles always");
     }
   } else if (request.max_excess || request.effort != plain.effort) {
     refuse_request("an effort, and an excess allowed, apply to cut only");
@@ -636,7 +645,27 @@ std::vector<std::span<const TriangleId>> Decomposition::clusters() const {
   return list;
 }
 
+DecomposeRequest with_method(const Mesh& mesh, DecomposeRequest request) {
+  if (request.method != DecomposeMethod::Auto) return request;
+  request.method = DecomposeMethod::Hacd;
+  if (has_clusters(request) || request.engine == Engine::Float || mesh.polygons.empty()) {
+    return request;
+  }
+  const SurfaceOptions options{.orient = request.orient};
+  const Watch watch(request.watch.stop);
+  const bool is_closed = request.close == Close::Auto
+                             ? make_closed_surface(mesh, options, watch).surface.is_closed
+                             : make_surface(mesh, options, watch).is_closed;
+  if (is_closed) {
+    request.method = DecomposeMethod::Cut;
+  } else {
+    request.guard = request.merge = ReachUse::Reach;
+  }
+  return request;
+}
+
 DecomposeOutcome decompose(const Mesh& mesh, const DecomposeRequest& request) {
+  if (request.method == DecomposeMethod::Auto) return decompose(mesh, with_method(mesh, request));
   require_sensible(request);
   if (mesh.polygons.empty()) {
     throw Error(ErrorCode::NoInterior, "the input has no faces, so there is no surface");

@@ -23,7 +23,8 @@ Fields<DecomposeRequest> make_fields() {
   constexpr std::uint64_t kMostFaces = std::uint64_t(1) << 32;
   Fields<R> fields = {
       choice_field<R>("method", &R::method, kDecomposeMethodNames,
-                      "cut cuts the solid by planes into few parts that hold it, none farther "
+                      "auto: cut for solids, hacd for open surfaces and if one of its options is "
+                      "given; cut cuts the solid by planes into few parts that hold it, none farther "
                       "from it than the distance; hacd merges neighbouring triangles, then "
                       "clusters, by concavity and shape; acd splits the most concave part at its "
                       "deepest notch, again and again"),

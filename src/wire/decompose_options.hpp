@@ -14,7 +14,8 @@ namespace convexact {
 inline constexpr auto kDecomposeMethodNames =
     name_table<DecomposeMethod>({{DecomposeMethod::Hacd, "hacd"},
                                  {DecomposeMethod::Acd, "acd"},
-                                 {DecomposeMethod::Cut, "cut"}});
+                                 {DecomposeMethod::Cut, "cut"},
+                                 {DecomposeMethod::Auto, "auto"}});
 
 inline constexpr auto kBridgeChoiceNames =
     name_table<BridgeChoice>({{BridgeChoice::Farther, "farther"},
@@ -38,14 +39,21 @@ inline constexpr auto kFlatPartsNames = name_table<FlatParts>({{FlatParts::Auto,
 inline constexpr auto kReachUseNames =
     name_table<ReachUse>({{ReachUse::None, "none"}, {ReachUse::Reach, "reach"}});
 
-inline constexpr auto kEffortNames = name_table<Effort>(
-    {{Effort::Low, "low"}, {Effort::Normal, "normal"}, {Effort::High, "high"}});
+inline constexpr auto kEffortNames = name_table<CutEffort>(
+    {{CutEffort::Low, "low"}, {CutEffort::Normal, "normal"}, {CutEffort::High, "high"}});
 
 inline constexpr auto kCloseNames =
     name_table<Close>({{Close::Auto, "auto"}, {Close::Never, "never"}});
 
 inline constexpr auto kLoosePointsNames =
     name_table<LoosePoints>({{LoosePoints::Part, "part"}, {LoosePoints::Refuse, "refuse"}});
+
+/// What requests start from: the method is chosen for the surface.
+[[nodiscard]] inline DecomposeRequest default_decompose_request() {
+  DecomposeRequest request;
+  request.method = DecomposeMethod::Auto;
+  return request;
+}
 
 /// All that the command line and lines of JSON have in common.
 [[nodiscard]] const Fields<DecomposeRequest>& decompose_fields();

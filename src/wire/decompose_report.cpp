@@ -374,16 +374,15 @@ Json decomposition_json(const Decomposition& decomposition, const DecomposeReque
   return json;
 }
 
-Json decomposition_json(std::span<const DecomposedObject> objects, const DecomposeRequest& request,
-                        DecompositionDetail detail) {
+Json decomposition_json(std::span<const DecomposedObject> objects, DecompositionDetail detail) {
   if (objects.size() == 1) {
-    return decomposition_json(objects[0].result, request, objects[0].part_names, detail);
+    return decomposition_json(objects[0].result, objects[0].request, objects[0].part_names, detail);
   }
   bool holds = true, is_solid = true;
   Json parts = Json::array(), list = parts;
   for (std::size_t k = 0; k < objects.size(); ++k) {
     Json entry = {{"name", objects[k].name}};
-    entry.update(decomposition_json(objects[k].result, request, objects[k].part_names, detail));
+    entry.update(decomposition_json(objects[k].result, objects[k].request, objects[k].part_names, detail));
     for (const Json& part : entry["parts"]) {
       parts.push_back({{"name", part["name"]}, {"object", k}});
       parts.back().update(part);

@@ -35,12 +35,13 @@ struct DecomposedObject {
   std::string name;
   Decomposition result;
   std::vector<std::string> part_names;
+  DecomposeRequest request = {};  ///< With the method that was used.
 };
 
 /// Of one object the same; of several their documents under "objects", and all parts together under
 /// "parts", each with the number of its object.
 [[nodiscard]] Json decomposition_json(std::span<const DecomposedObject> objects,
-                                      const DecomposeRequest& request, DecompositionDetail detail);
+                                      DecompositionDetail detail);
 
 /// The concavity allowed.
 [[nodiscard]] Json limit_json(const ConcavityLimit& limit, const Decomposition& decomposition);

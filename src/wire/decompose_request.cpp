@@ -29,7 +29,7 @@ std::uint64_t seed_in(const json& request) {
 // Each option by its name on the command line, with its meaning and default there; and those that
 // stand for options of the whole command line or of its files.
 DecomposeRequest decompose_request_of(const json& request) {
-  DecomposeRequest wanted;
+  DecomposeRequest wanted = default_decompose_request();
   const BoundFields fields = bound_fields(decompose_fields(), wanted);
   require_known_keys(request,
                      {"id", "points", "triangles", "decimal", "numbers", "time_limit", "seed",
@@ -55,12 +55,12 @@ std::string on_one_line(std::string document) {
 // With what --tree writes, if the request asks for it.
 std::string answer_of(Decomposition made, const DecomposeRequest& request,
                       std::optional<std::size_t> tree_faces) {
-  DecomposedObject object{"the request", std::move(made), {}};
+  DecomposedObject object{"the request", std::move(made), {}, request};
   for (std::size_t k = 0; k < object.result.parts.size(); ++k) {
     object.part_names.push_back(fmt::format("part_{:03}", k));
   }
   const std::span objects(&object, 1);
-  const auto document = decomposition_json(objects, request, DecompositionDetail::All);
+  const auto document = decomposition_json(objects, DecompositionDetail::All);
   std::string line = on_one_line(proven_parts_json(document, written_parts(objects), "the answer"));
   if (!request.for_tree) return line;
   line.back() = ',';
@@ -80,6 +80,7 @@ std::string decompose_answer(const json& request, std::optional<double> time_lim
   return in_time(time_limit_of(request, time_limit), "parts",
                  [&](const std::atomic<bool>* stop) -> std::string {
                    wanted.watch.stop = stop;
+                   wanted = with_method(mesh, std::move(wanted));
                    DecomposeOutcome outcome = decompose(mesh, wanted);
                    if (const auto* reason = std::get_if<NotSolid>(&outcome)) {
                      return write_json(not_solid_answer(*reason));

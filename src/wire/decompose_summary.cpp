@@ -248,14 +248,14 @@ std::string way_out_notes(const Decomposition& decomposition) {
   std::string text;
   if (exceeds(measures->excess_volume, kMuch) && !decomposition.reach) {
     text += summary_line("note",
-                         "the parts fill more than 20% beyond the solid: --guard reach opens "
-                         "cavities, and --merge reach keeps the number of parts down");
+                         "the parts fill more than 20% beyond the solid: --method cut opens "
+                         "cavities, and so does --guard reach, with --merge reach for few parts");
   }
   if (exceeds(measures->uncovered_volume, kSome)) {
     text +=
         summary_line("note",
-                     "where no triangle joins both sides of a wall, no part holds its inside: a "
-                     "larger --concavity, or --distance, joins more of them");
+                     "where no triangle joins both sides of a wall, no part holds its inside: "
+                     "--method cut holds the solid; a larger --concavity joins more of them");
   }
   return text;
 }

@@ -38,11 +38,18 @@ std::string to_json(const HullResult& result, int digits, int indent) {
 
 std::string to_json(const Decomposition& decomposition, const DecomposeRequest& request,
                     int indent) {
-  DecomposedObject object{"", decomposition, {}};
+  DecomposedObject object{"", decomposition, {}, request};
+  if (request.method == DecomposeMethod::Auto) {
+    const bool is_cut = std::holds_alternative<Partition>(decomposition.origin);
+    object.request.method = is_cut ? DecomposeMethod::Cut : DecomposeMethod::Hacd;
+    if (!is_cut && decomposition.reach) {
+      object.request.guard = object.request.merge = ReachUse::Reach;
+    }
+  }
   for (std::size_t k = 0; k < decomposition.parts.size(); ++k) {
     object.part_names.push_back(fmt::format("part_{:03}", k));
   }
-  return with_stages(decomposition_json(std::span(&object, 1), request, DecompositionDetail::All),
+  return with_stages(decomposition_json(std::span(&object, 1), DecompositionDetail::All),
                      decomposition.stages, indent);
 }
 

@@ -152,7 +152,7 @@ TEST_CASE("convexact-check: proofs of decompositions that the program wrote") {
     for (const std::string more : {"", " --precision 32", " --measure vertices", " --max-parts 1",
                                    " --connect touching", " --concavity 0.5"}) {
       INFO(engine, more);
-      const support::Ran ran = support::run_program("decompose " + input + " --engine " + engine +
+      const support::Ran ran = support::run_program("decompose --method hacd " + input + " --engine " + engine +
                                                     more + " --proof " + proof);
       REQUIRE_MESSAGE(ran.exit == 0, ran.err);
       CHECK(ran.out.find("written     " + proof) != std::string::npos);
@@ -174,7 +174,7 @@ TEST_CASE("convexact-check: proofs of decompositions that the program wrote") {
   const std::string two =
       scratch.write("two.obj", points + "o one\n" + sides + "o two\nf 7 8 9 10 11 12\nf 1 2 8 7\n");
   const support::Ran ran =
-      support::run_program("decompose " + two + " --parts --proof " + proof + "2");
+      support::run_program("decompose --method hacd " + two + " --parts --proof " + proof + "2");
   CHECK(ran.exit == 2);
   CHECK(ran.err.find("--proof: it shows one object, but there are several") != std::string::npos);
 }

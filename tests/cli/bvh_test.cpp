@@ -102,7 +102,7 @@ TEST_CASE("bvh --join volume: parts of a decomposition, joined as those of a fil
   const ScratchFolder scratch;
   const std::string mesh = scratch.write("stairs.obj", stairs_obj());
   const std::string parts = scratch.file("parts.obj"), tree = scratch.file("tree.json");
-  REQUIRE(run_program("decompose " + mesh + " --concavity 1% -o " + parts).exit == 0);
+  REQUIRE(run_program("decompose --method hacd " + mesh + " --concavity 1% -o " + parts).exit == 0);
   const json from = [&] {
     (void)printed("bvh " + mesh + " --from " + parts + " -o " + tree, "hull-tree");
     return tree_of(tree);
@@ -170,7 +170,7 @@ TEST_CASE("decompose --tree: the tree is over the parts that the same run writes
   const ScratchFolder scratch;
   const std::string mesh = scratch.write("stairs.obj", stairs_obj());
   const std::string tree = scratch.file("tree.json"), parts = scratch.file("parts.json");
-  const Ran ran = run_program("decompose " + mesh + " --concavity 1% --total-faces 40 --tree " +
+  const Ran ran = run_program("decompose --method hacd " + mesh + " --concavity 1% --total-faces 40 --tree " +
                               tree + " --tree-faces 5 -o " + parts);
   REQUIRE_MESSAGE(ran.exit == 0, ran.err);
   CHECK(ran.out.find(tree) != std::string::npos);
@@ -233,7 +233,7 @@ TEST_CASE("verify: tree-nested by name needs a tree; a broken one cannot be read
   const ScratchFolder scratch;
   const std::string mesh = scratch.write("stairs.obj", stairs_obj());
   const std::string parts = scratch.file("parts.obj"), tree = scratch.file("tree.json");
-  REQUIRE(run_program("decompose " + mesh + " -o " + parts + " --tree " + tree).exit == 0);
+  REQUIRE(run_program("decompose --method hacd " + mesh + " -o " + parts + " --tree " + tree).exit == 0);
   const json verdict =
       printed("verify " + mesh + " " + parts + " --union --claims tree-nested", "verdict", 1);
   CHECK(claim_in(verdict, "tree-nested")["status"] == "not-applicable");
@@ -323,8 +323,8 @@ TEST_CASE("bvh: wrong usage, wrong files, flat input; nothing is written") {
   refused(flat + " -o " + tree, 4, "");
   const std::string points = scratch.write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
   refused(mesh + " -o " + scratch.file("no/such/tree.json"), 5, "tree.json");
-  const Ran decompose = run_program("decompose " + mesh + " --tree-faces 8");
+  const Ran decompose = run_program("decompose --method hacd " + mesh + " --tree-faces 8");
   CHECK(decompose.exit == 2);
   CHECK(decompose.err.find("--tree") != std::string::npos);
-  CHECK(run_program("decompose " + mesh + " --tree tree.obj").exit == 2);
+  CHECK(run_program("decompose --method hacd " + mesh + " --tree tree.obj").exit == 2);
 }

@@ -86,7 +86,7 @@ TEST_CASE("decompose --stdio: an answer is the file that -o writes") {
     obj << "\n";
   }
   const std::string out = scratch.file("parts.json");
-  REQUIRE(run_program("decompose --concavity 5% --exact-volumes " +
+  REQUIRE(run_program("decompose --method hacd --concavity 5% --exact-volumes " +
                       scratch.write("cross.obj", obj.str()) + " -o " + out)
               .exit == 0);
   const auto list =

@@ -58,7 +58,7 @@ std::string point_line(const std::string& x, const std::string& y, const std::st
 }
 
 json decomposed(const std::string& arguments) {
-  return program_json("decompose " + arguments, "decompose");
+  return program_json("decompose --method hacd " + arguments, "decompose");
 }
 
 json parts_document(const std::string& path) {
@@ -291,7 +291,7 @@ TEST_CASE("decompose: a budget that leads beyond the concavity allowed is said")
   CHECK(exact(answer["union"]) == Rational(7, 2));  // a square of side 2 without a corner of 1/2
   CHECK(exact(answer["excess"]) == Rational(1, 2));
   CHECK(is_accepted(input, out));
-  const auto text = run_program("decompose " + input + " --max-parts 1");
+  const auto text = run_program("decompose --method hacd " + input + " --max-parts 1");
   CHECK(text.exit == 0);
   CHECK(text.out.find("limit       not held: 1 of 1 part is more concave than 3%") !=
         std::string::npos);
@@ -308,7 +308,7 @@ TEST_CASE("decompose: JSON measures everything, unless it is told not to") {
   const ScratchFolder scratch;
   const std::string input = scratch.write("l.obj", obj_of_cells(support::l_cells()));
   const std::string file = scratch.file("parts.json");
-  REQUIRE(run_program("decompose " + input + " -o " + file).exit == 0);
+  REQUIRE(run_program("decompose --method hacd " + input + " -o " + file).exit == 0);
   for (const json& document : std::array{decomposed(input), json::parse(bytes_of(file))}) {
     for (const char* name : {"solid", "uncovered", "excess", "union", "overlap"}) {
       CAPTURE(name);
@@ -324,7 +324,7 @@ TEST_CASE("decompose: JSON measures everything, unless it is told not to") {
 TEST_CASE("decompose: the text for people") {
   const ScratchFolder scratch;
   const std::string input = scratch.write("l.obj", obj_of_cells(support::l_cells()));
-  const auto ran = run_program("decompose " + input);
+  const auto ran = run_program("decompose --method hacd " + input);
   REQUIRE(ran.exit == 0);
   for (const char* text :
        {"28 triangles on 16 points, 1 component, closed: it bounds a solid", "parts       2, of at",
@@ -337,11 +337,11 @@ TEST_CASE("decompose: the text for people") {
     CHECK(ran.out.find(text) != std::string::npos);
   }
   CHECK(ran.out.find("contain") == std::string::npos);
-  const auto length = run_program("decompose --measures none --concavity 0.3 " + input);
+  const auto length = run_program("decompose --method hacd --measures none --concavity 0.3 " + input);
   CHECK(length.out.find("a length of 0.3, 10% of the diameter") != std::string::npos);
   CHECK(length.out.find("hollow") == std::string::npos);
   CHECK(length.out.find("left out    all volumes") != std::string::npos);
-  const auto all = run_program("decompose --measures all " + input);
+  const auto all = run_program("decompose --method hacd --measures all " + input);
   CHECK(all.out.find("of the parts is outside of the solid") != std::string::npos);
   CHECK(all.out.find("the parts overlap by") != std::string::npos);
   CHECK(all.out.find("left out") == std::string::npos);
@@ -352,7 +352,7 @@ TEST_CASE("decompose: the text for people") {
   CHECK(answer["surface"]["closed"] == false);
   CHECK(answer["solid"].is_null());
   CHECK(answer["uncovered"].is_null());
-  CHECK(run_program("decompose " + open).out.find("not closed: it bounds no solid") !=
+  CHECK(run_program("decompose --method hacd " + open).out.find("not closed: it bounds no solid") !=
         std::string::npos);
 }
 
@@ -362,7 +362,7 @@ TEST_CASE("decompose: components, and what may be joined") {
                     corner = scratch.write("corner.obj", two_cubes(1)),
                     out = scratch.file("out.obj");
   for (const std::string& input : {apart, corner}) {
-    const auto ran = run_program("decompose --max-parts 1 " + input + " -o " + out);
+    const auto ran = run_program("decompose --method hacd --max-parts 1 " + input + " -o " + out);
     CHECK(ran.exit == 2);
     CHECK(ran.err.find("2") != std::string::npos);
     CHECK(ran.err.find("; connect touching also") != std::string::npos);
@@ -391,7 +391,7 @@ TEST_CASE("decompose --parts: each object on its own, under its name") {
   for (const std::string& parts : {out, list, folder}) CHECK(is_accepted(input, parts));
   CHECK(std::filesystem::exists(folder + "right_part_000.obj"));
   CHECK(parts_document(list)["objects"][1]["tree"].size() == 23);  // 12 triangles in one part
-  CHECK(run_program("decompose --parts " + input + " --trace " + scratch.file("t.json")).exit == 2);
+  CHECK(run_program("decompose --method hacd --parts " + input + " --trace " + scratch.file("t.json")).exit == 2);
 }
 
 TEST_CASE("decompose: fewer faces, fewer bits: the parts hold what they own" * sweep) {
@@ -454,9 +454,9 @@ TEST_CASE("decompose: coordinates at the ends of the formats") {
     CHECK(decomposed(input + " -o " + out)["parts"].size() == 1);
     CHECK(parts_document(out)["parts"][0]["form"] == "hull");
     CHECK(is_accepted(input, out));
-    CHECK(run_program("decompose " + input).out.find("inf") == std::string::npos);
+    CHECK(run_program("decompose --method hacd " + input).out.find("inf") == std::string::npos);
   }
-  const auto narrow = run_program("decompose --precision 32 " + tetrahedron("1e39"));
+  const auto narrow = run_program("decompose --method hacd --precision 32 " + tetrahedron("1e39"));
   CHECK(narrow.exit == 5);
   CHECK(narrow.err.find("binary32 cannot hold the result") != std::string::npos);
   CHECK(narrow.err.find("--precision 64") != std::string::npos);
@@ -500,11 +500,11 @@ TEST_CASE("decompose -o folder/: what stays in it, and what goes") {
   const ScratchFolder scratch;
   const std::string input = scratch.write("l.obj", obj_of_cells(support::l_cells()));
   const std::string folder = scratch.file("parts");
-  REQUIRE(run_program("decompose " + input + " -o " + folder + "/").exit == 0);
+  REQUIRE(run_program("decompose --method hacd " + input + " -o " + folder + "/").exit == 0);
   scratch.write("parts/notes.txt", "mine");
   scratch.write("parts/mine.obj", "v 0 0 0\n");
   // A run with fewer parts takes the others away, and says what else looks like a part.
-  const auto fewer = run_program("decompose " + input + " --max-parts 1 -o " + folder);
+  const auto fewer = run_program("decompose --method hacd " + input + " --max-parts 1 -o " + folder);
   REQUIRE(fewer.exit == 0);
   CHECK(fewer.out.find("removed     " + folder + "/part_001.obj") != std::string::npos);
   CHECK(fewer.out.find("mine.obj is not one of these parts") != std::string::npos);
@@ -514,7 +514,7 @@ TEST_CASE("decompose -o folder/: what stays in it, and what goes") {
   CHECK(bytes_of(folder + "/mine.obj") == "v 0 0 0\n");
   // A run that fails changes nothing: neither the parts that are there, nor the folders.
   const std::string before = bytes_of(folder + "/part_000.obj");
-  const auto failed = run_program("decompose " + input + " --names 'x%d' -o " + folder + " -o " +
+  const auto failed = run_program("decompose --method hacd " + input + " --names 'x%d' -o " + folder + " -o " +
                                   scratch.file("new/") + " -o " + scratch.file("none/x.obj"));
   CHECK(failed.exit == 5);
   CHECK(bytes_of(folder + "/part_000.obj") == before);
@@ -535,7 +535,7 @@ TEST_CASE("decompose -o folder/: what stays in it, and what goes") {
 TEST_CASE("decompose: an interrupt leaves nothing behind") {
   const ScratchFolder scratch;
   const auto ran = support::run_interrupted(
-      "decompose " + support::data("bunny.obj") + " --engine exact -o " + scratch.file("parts/"),
+      "decompose --method hacd " + support::data("bunny.obj") + " --engine exact -o " + scratch.file("parts/"),
       "INT", "1");
   CHECK(ran.exit == 6);
   CHECK(scratch.count() == 0);
@@ -549,12 +549,12 @@ TEST_CASE("decompose: a picture and a proof, with the other files or not at all"
   decomposed(input + " --picture " + page + " --proof " + proof);
   CHECK(bytes_of(page).find("<html") != std::string::npos);
   CHECK(bytes_of(proof).find("decomposition") != std::string::npos);
-  CHECK(run_program("decompose " + input + " --picture l.png").exit == 2);
+  CHECK(run_program("decompose --method hacd " + input + " --picture l.png").exit == 2);
   for (const std::string& option : {"--picture " + page, "--proof " + proof, "--trace " + trace}) {
     CAPTURE(option);
-    CHECK(run_program("decompose --parts " + cubes + " " + option).exit == 2);
+    CHECK(run_program("decompose --method hacd --parts " + cubes + " " + option).exit == 2);
     CHECK(
-        run_program("decompose " + input + " " + option + " -o " + scratch.file("no/x.obj")).exit ==
+        run_program("decompose --method hacd " + input + " " + option + " -o " + scratch.file("no/x.obj")).exit ==
         5);
   }
   CHECK_FALSE(std::filesystem::exists(trace));
@@ -572,7 +572,7 @@ TEST_CASE("decompose: names of parts") {
   for (const char* pattern : {"part", "", "%", "%s", "%5d", "%00d", "%-3d", "%012d", "%d%d", "%d%%",
                               "a/%d", "a\\\\%d", ".%d", " %d", "%d ", "#%d"}) {
     CAPTURE(pattern);
-    const auto ran = run_program("decompose " + input + " --names '" + pattern + "'");
+    const auto ran = run_program("decompose --method hacd " + input + " --names '" + pattern + "'");
     CHECK(ran.exit == 2);
     CHECK(ran.err.find("--names: expected") != std::string::npos);
   }
@@ -607,7 +607,7 @@ TEST_CASE("decompose: refusals, each with a sentence") {
            {"--trace " + input, 2, "this file is an input"},
            {"--names l%d -o " + scratch.file("none") + "/x.obj", 5, "x.obj"}}) {
     CAPTURE(refusal.options);
-    const auto ran = run_program("decompose " + input + " " + refusal.options);
+    const auto ran = run_program("decompose --method hacd " + input + " " + refusal.options);
     CAPTURE(ran.err);
     CHECK(ran.exit == refusal.exit);
     CHECK(ran.err.find(refusal.says) != std::string::npos);
@@ -615,7 +615,7 @@ TEST_CASE("decompose: refusals, each with a sentence") {
   }
   // The input lies in the folder, and is called as a part of the result is.
   const std::string part = scratch.write("part_007.obj", bytes_of(input));
-  const auto same = run_program("decompose " + part + " -o " + scratch.file("."));
+  const auto same = run_program("decompose --method hacd " + part + " -o " + scratch.file("."));
   CHECK(same.exit == 2);
   CHECK(same.err.find("the input is in this folder") != std::string::npos);
   CHECK(scratch.count() == 2);
@@ -626,7 +626,7 @@ TEST_CASE("decompose: inputs that are no surface of a solid") {
   const auto exit_of = [&](const std::string& bytes, const std::string& options = "") {
     const std::string out = scratch.file("out/");
     const auto ran =
-        run_program("decompose " + scratch.write("in.obj", bytes) + " -o " + out + " " + options);
+        run_program("decompose --method hacd " + scratch.write("in.obj", bytes) + " -o " + out + " " + options);
     CAPTURE(ran.err);
     if (ran.exit != 0) {
       CHECK(ran.err.find("in.obj") != std::string::npos);
@@ -642,9 +642,9 @@ TEST_CASE("decompose: inputs that are no surface of a solid") {
   CHECK(exit_of("v 0 0 0\nf 1 2 3\n") == 3);
   CHECK(exit_of(square + "f 1 2 3 4\n", "--flat merge") == 4);
   CHECK(exit_of(square + "f 1 2 3 4\n", "--flat thicken") == 0);
-  CHECK(run_program("decompose " + scratch.file("missing.obj")).exit == 3);
+  CHECK(run_program("decompose --method hacd " + scratch.file("missing.obj")).exit == 3);
   const auto json_error =
-      run_program("decompose --json " + scratch.write("flat.obj", square + "f 1 2 3 4\n"));
+      run_program("decompose --method hacd --json " + scratch.write("flat.obj", square + "f 1 2 3 4\n"));
   CHECK(json_error.exit == 4);
   const json document = json::parse(json_error.out);
   CHECK(schema_complaint("decompose", document) == "");

@@ -111,7 +111,7 @@ TEST_CASE("part models: MJCF and URDF name every file of the folder, from where 
     CAPTURE(place);
     const std::string mjcf = scratch.file(place + "l.mjcf.xml"),
                       urdf = scratch.file(place + "l.urdf");
-    const auto ran = run_program("decompose " + input + " --precision 32 -o " + mjcf + " -o " +
+    const auto ran = run_program("decompose --method hacd " + input + " --precision 32 -o " + mjcf + " -o " +
                                  scratch.file("parts/") + " -o " + urdf);
     CAPTURE(ran.err);
     REQUIRE(ran.exit == 0);
@@ -148,7 +148,7 @@ TEST_CASE("part models: USD holds the points of the files, numbers of binary32, 
   const ScratchFolder scratch;
   const std::string input = scratch.write("cross.obj", tenth_obj(support::cross_cells()));
   const std::string usd = scratch.file("cross.usda"), parts = scratch.file("parts/");
-  const auto ran = run_program("decompose " + input + " --precision 32 -o " + parts + " -o " + usd);
+  const auto ran = run_program("decompose --method hacd " + input + " --precision 32 -o " + parts + " -o " + usd);
   REQUIRE(ran.exit == 0);
   const auto meshes = points_of_usd(bytes_of(usd));
   const json document = json::parse(bytes_of(parts + "parts.json"));
@@ -200,7 +200,7 @@ TEST_CASE("part models: what cannot be, is refused before anything is written") 
            {" --precision 32 --names '\xFF_%d'" + usd, 5, "UTF-8"},
            {" --precision 32 --names '\xEF\xBF\xBF_%d'" + usd, 5, "UTF-8"},
            {" --precision 32 -o '" + scratch.file("a\tb/") + "'" + urdf, 5, "control character"}}) {
-    const auto ran = run_program("decompose " + input + refusal.options);
+    const auto ran = run_program("decompose --method hacd " + input + refusal.options);
     CAPTURE(refusal.options);
     CAPTURE(ran.err);
     CHECK(ran.exit == refusal.exit);
@@ -215,7 +215,7 @@ TEST_CASE("part models: a file that cannot be written leaves none behind") {
   std::filesystem::create_directory(scratch.file("taken.urdf"));
   // A folder in the place of the file is taken for the folder of the parts.
   const auto ran =
-      run_program("decompose " + input + " --precision 32 -o " + scratch.file("taken.urdf") +
+      run_program("decompose --method hacd " + input + " --precision 32 -o " + scratch.file("taken.urdf") +
                   " -o " + scratch.file("missing/l.mjcf.xml"));
   CHECK(ran.exit == 5);
   CHECK_FALSE(std::filesystem::exists(scratch.file("taken.urdf/part_000.obj")));
@@ -232,7 +232,7 @@ TEST_CASE("part models: names that XML and USD cannot spell are escaped, and kep
   const std::string mjcf = scratch.file("a \"b\" & c.mjcf.xml"), urdf = scratch.file("9.urdf"),
                     usd = scratch.file("9 \"z\".usda");
   const auto ran =
-      run_program("decompose --parts " + input + " --precision 32 -o '" + mjcf + "' -o '" +
+      run_program("decompose --method hacd --parts " + input + " --precision 32 -o '" + mjcf + "' -o '" +
                   scratch.file("p & q/") + "' -o '" + urdf + "' -o '" + usd + "'");
   CAPTURE(ran.err);
   REQUIRE(ran.exit == 0);
@@ -265,7 +265,7 @@ TEST_CASE("part models: programs of others read them") {
   const ScratchFolder scratch;
   const std::string input = scratch.write("l.obj", tenth_obj(support::l_cells()));
   const std::string mjcf = scratch.file("l.mjcf.xml"), urdf = scratch.file("l.urdf");
-  REQUIRE(run_program("decompose " + input + " --precision 32 -o " + scratch.file("parts/") +
+  REQUIRE(run_program("decompose --method hacd " + input + " --precision 32 -o " + scratch.file("parts/") +
                       " -o " + mjcf + " -o " + urdf)
               .exit == 0);
   const auto robot = said_by("check_urdf", "'" + urdf + "'");
@@ -288,7 +288,7 @@ TEST_CASE("verify: models that decompose wrote are read as parts, others are ref
   for (const char* name : {"a.mjcf.xml", "a.urdf", "a.usda"}) {
     outputs += " -o " + scratch.file(name);
   }
-  REQUIRE(run_program("decompose " + input + " --precision 32 --names 'p<%d>&' " + outputs).exit ==
+  REQUIRE(run_program("decompose --method hacd " + input + " --precision 32 --names 'p<%d>&' " + outputs).exit ==
           0);
   for (const char* name : {"a.mjcf.xml", "a.urdf", "a.usda"}) {
     CAPTURE(name);

@@ -71,16 +71,21 @@ def runs():
                 'simplify notch.obj --inner --max-loss 20%', 'simplify notch.obj --inner --faces 6',
                 'simplify --implicit capsule.json --box -2,-2,-2,4 --depth 3 --faces 8',
                 'simplify --implicit capsule.json --box -2,-2,-2,4 --depth 3 --faces 8 --json']
-    yield from each(['decompose'], SOLIDS + WRONG + ['open.obj', 'inside_out.obj'], ['', '--json'])
-    yield from each(['decompose notch.obj'], [
-        '--concavity 0', '--concavity 30%', '--concavity 0.5', '--concavity -1', '--concavity 0 --max-parts 2', '--method acd',
-        '--method acd --concavity 0 --json', '--method acd --concavity 0 --bridge nearer', '--measure vertices', '--engine exact',
+    yield from each(['decompose --method hacd'], SOLIDS + WRONG + ['open.obj', 'inside_out.obj'], ['', '--json'])
+    yield from each(['decompose --method hacd notch.obj'], [
+        '--concavity 0', '--concavity 30%', '--concavity 0.5', '--concavity -1', '--concavity 0 --max-parts 2', '--measure vertices', '--engine exact',
         '--engine float', '--connect touching', '--orient keep', '--flat keep', '--flat merge', '--keep-inner', '--precision 32',
         '--concavity 0 --faces 5', '--concavity 0 --total-faces 12', '--measures all', '--measures none', '--exact-volumes --json',
         '--concavity 0 -o parts.obj', '--concavity 0 -o parts.json', '--concavity 0 -o parts/', '--concavity 0 --precision 32 -o m.mjcf.xml',
         '--concavity 0 --trace d.json', '--concavity 0 --proof d.proof', '--concavity 0 --tree tree.json',
         '--names part', '--concavity 0 --names p%d -o named.obj', '--stages', '--points used', '--decimal exact'])
-    yield from ['decompose two.obj --parts --json', 'decompose --stdio <meshes.jsonl', 'decompose']
+    yield from each(['decompose --method acd notch.obj'], ['', '--concavity 0 --json', '--concavity 0 --bridge nearer'])
+    yield from each(['decompose'], SOLIDS + ['flat.obj', 'open.obj', 'inside_out.obj'], ['', '--json'])
+    yield from each(['decompose notch.obj'], [
+        '--distance 1%', '--distance 0', '--effort high', '--effort most', '--max-excess 10%', '--max-excess 10', '--max-parts 1',
+        '--faces 8', '--engine exact', '--engine float', '--concavity 5%', '--guard reach', '--measures all', '-o c.obj', '-o c.json',
+        '--trace c.trace.json', '--proof c.proof', '--tree c.tree.json', '--stages'])
+    yield from ['decompose --method hacd two.obj --parts --json', 'decompose two.obj --parts --json', 'decompose --stdio <meshes.jsonl', 'decompose']
     yield from each(['bvh'], ['notch.obj --concavity 0', 'notch.obj --concavity 0 --json', 'notch.obj --concavity 0 -o t.json',
                               'notch.obj --concavity 0 --tree-faces 6', '--from parts.obj', '--from parts.obj -o t2.json --json', 'flat.obj'])
     candidates = ['cube.obj', 's.obj', 's.ine', 's.json', 'open.obj', 'inside_out.obj', 'flat.obj', 'nan.obj', 'none.obj']

@@ -87,14 +87,14 @@ TEST_CASE("loose: decompose and bvh put them into the nearest part, or refuse th
   const ScratchFolder scratch;
   const std::string shape = scratch.write("shape.obj", kWithLoose),
                     parts = scratch.file("parts.obj"), tree = scratch.file("tree.json");
-  const json made = answer("decompose " + shape + " --exact-volumes -o " + parts);
+  const json made = answer("decompose --method hacd " + shape + " --exact-volumes -o " + parts);
   REQUIRE(made["parts"].size() == 1);
   CHECK(made["parts"][0]["loose_points"] == 3);
   CHECK(made["union"]["exact"] == "1");
   CHECK(run_program("verify " + shape + " " + parts + " --union").exit == 0);
   REQUIRE(run_program("bvh " + shape + " -o " + tree).exit == 0);
   CHECK(run_program("verify " + shape + " " + tree).exit == 0);
-  for (const char* command : {"decompose ", "bvh "}) {
+  for (const char* command : {"decompose --method hacd ", "bvh "}) {
     CAPTURE(command);
     const Ran refused = run_program(command + shape + " --loose refuse");
     CHECK(refused.exit == 2);
@@ -105,7 +105,7 @@ TEST_CASE("loose: decompose and bvh put them into the nearest part, or refuse th
   const std::string proof = scratch.file("p.proof");
   for (const char* points : {"", " --points used"}) {
     CAPTURE(points);
-    REQUIRE(run_program("decompose " + shape + points + " --proof " + proof).exit == 0);
+    REQUIRE(run_program("decompose --method hacd " + shape + points + " --proof " + proof).exit == 0);
     CHECK(prints(bytes_of(proof), "\npart stored") == (*points == '\0'));
     const std::string check = std::getenv("CONVEXACT_CHECK");
     CHECK(std::system(("'" + check + "' " + proof + " " + shape + " >/dev/null").c_str()) == 0);
@@ -118,20 +118,20 @@ TEST_CASE("loose: an object that is only points is one part, its hull") {
       "two.obj", "o a\n" + kAxisTetrahedron + kItsSides +
                      "o cloud\nv 9 9 9\nv 10 9 9\nv 9 10 9\nv 9 9 10\nv 9.25 9.25 9.25\n");
   const std::string parts = scratch.file("parts.obj"), tree = scratch.file("tree.json");
-  const json together = answer("decompose " + two + " --exact-volumes -o " + parts);
+  const json together = answer("decompose --method hacd " + two + " --exact-volumes -o " + parts);
   CHECK(together["parts"].size() == 2);
   CHECK(together["union"]["exact"] == "1/3");
   CHECK(run_program("verify " + two + " " + parts + " --union").exit == 0);
   const std::string each = scratch.file("each.obj");
-  REQUIRE(run_program("decompose " + two + " --parts -o " + each).exit == 0);
+  REQUIRE(run_program("decompose --method hacd " + two + " --parts -o " + each).exit == 0);
   CHECK(run_program("verify " + two + " " + each + " --union").exit == 0);
   REQUIRE(run_program("bvh " + two + " -o " + tree).exit == 0);
   CHECK(run_program("verify " + two + " " + tree).exit == 0);
   // A file without faces is such an object; one that lies in a plane is no solid.
   const std::string cloud = scratch.write("cloud.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n.1 .1 .1\n"),
                     flat = scratch.write("flat.xyz", "0 0 0\n1 0 0\n0 1 0\n");
-  CHECK(answer("decompose " + cloud + " --exact-volumes")["union"]["exact"] == "1/6");
+  CHECK(answer("decompose --method hacd " + cloud + " --exact-volumes")["union"]["exact"] == "1/6");
   CHECK(run_program("bvh " + cloud).exit == 0);
-  CHECK(run_program("decompose " + flat).exit == 4);
-  CHECK(answer("decompose " + flat + " --flat keep")["parts"][0]["dimension"] == 2);
+  CHECK(run_program("decompose --method hacd " + flat).exit == 4);
+  CHECK(answer("decompose --method hacd " + flat + " --flat keep")["parts"][0]["dimension"] == 2);
 }

@@ -268,7 +268,7 @@ TEST_CASE("cut parts: what does not apply is refused") {
   refuses([](DecomposeRequest& r) {
     r.method = DecomposeMethod::Hacd;
     r.distance.reset();
-    r.effort = Effort::High;
+    r.effort = CutEffort::High;
   });
   Mesh point = mesh;
   point.points = PointSet(std::vector<Point>(8, Point(1, 2, 3)));

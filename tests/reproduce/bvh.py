@@ -171,7 +171,7 @@ def examine(mesh, method, faces, count, questions, options, scratch):
     source = ['--method', method, *parts]
     if method == 'volume':
         source = ['--from', scratch / 'parts.json']
-        run(program, 'decompose', mesh, *parts, '--measures', 'none', '-o', source[1], '--json')
+        run(program, 'decompose', '--method', 'hacd', mesh, *parts, '--measures', 'none', '-o', source[1], '--json')
     began = time.monotonic()
     run(program, 'bvh', mesh, *source, *(['--faces', faces] if faces else []), '-o', path, '--json')
     row = {'shape': pathlib.Path(mesh).stem, 'method': method, 'faces': faces, 'max_parts': count, 'build_seconds': round(time.monotonic() - began, 2)}

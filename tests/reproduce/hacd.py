@@ -45,7 +45,7 @@ def spheres(rings=8, sectors=12):
 
 
 def decompose(program, mesh, concavity, measure):
-    ran = subprocess.run([program, 'decompose', mesh, '--concavity', concavity, '--measure', measure,
+    ran = subprocess.run([program, 'decompose', '--method', 'hacd', mesh, '--concavity', concavity, '--measure', measure,
                           '--measures', 'none', '--keep-inner', '--json'], capture_output=True, text=True, check=True)
     return json.loads(ran.stdout)
 

@@ -93,9 +93,9 @@ TEST_CASE("written parts: an owner of too much, and parts that a reader would ta
 
 TEST_CASE("written parts: of several objects, their documents and all parts together") {
   const TwoParts l;
-  const std::vector<DecomposedObject> objects = {{"left", l.made, {"a", "b"}},
-                                                 {"right", l.made, {"c", "d"}}};
-  const auto document = decomposition_json(objects, l.request, DecompositionDetail::All);
+  const std::vector<DecomposedObject> objects = {{"left", l.made, {"a", "b"}, l.request},
+                                                 {"right", l.made, {"c", "d"}, l.request}};
+  const auto document = decomposition_json(objects, DecompositionDetail::All);
   REQUIRE(document["objects"].size() == 2);
   CHECK(document["objects"][1]["name"] == "right");
   CHECK_FALSE(document["objects"][1].contains("parts"));
@@ -105,6 +105,6 @@ TEST_CASE("written parts: of several objects, their documents and all parts toge
   CHECK(document["parts"][2]["object"] == 1);
   const auto bytes = proven_parts_json(document, written_parts(objects), "x.json");
   CHECK(std::get<std::vector<NamedPart>>(read_parts_bytes(bytes, "x.json")).size() == 4);
-  CHECK(decomposition_json(std::span(objects).first(1), l.request, DecompositionDetail::All) ==
+  CHECK(decomposition_json(std::span(objects).first(1), DecompositionDetail::All) ==
         decomposition_json(l.made, l.request, objects[0].part_names, DecompositionDetail::All));
 }
