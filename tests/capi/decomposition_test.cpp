@@ -375,7 +375,7 @@ TEST_CASE("C interface: options of a decomposition out of their range are refuse
       [](Options& o) { o.size = 0; },
       [](Options& o) { o.size = sizeof o - 1; },
       [](Options& o) { o.size = SIZE_MAX; },
-      [](Options& o) { o.method = 2; },
+      [](Options& o) { o.method = 4; },
       [](Options& o) { o.method = -1; },
       [](Options& o) { o.concavity = ""; },
       [](Options& o) { o.concavity = "-1"; },

@@ -57,8 +57,14 @@ std::string point_line(const std::string& x, const std::string& y, const std::st
   return "v " + x + " " + y + " " + z + "\n";
 }
 
+// Most of these tests are about clusters of triangles.
+std::string by_clusters(const std::string& arguments) {
+  const bool is_named = arguments.find("--method") != std::string::npos;
+  return (is_named ? "" : "--method hacd ") + arguments;
+}
+
 json decomposed(const std::string& arguments) {
-  return program_json("decompose --method hacd " + arguments, "decompose");
+  return program_json("decompose " + by_clusters(arguments), "decompose");
 }
 
 json parts_document(const std::string& path) {
@@ -337,7 +343,8 @@ TEST_CASE("decompose: the text for people") {
     CHECK(ran.out.find(text) != std::string::npos);
   }
   CHECK(ran.out.find("contain") == std::string::npos);
-  const auto length = run_program("decompose --method hacd --measures none --concavity 0.3 " + input);
+  const auto length =
+      run_program("decompose --method hacd --measures none --concavity 0.3 " + input);
   CHECK(length.out.find("a length of 0.3, 10% of the diameter") != std::string::npos);
   CHECK(length.out.find("hollow") == std::string::npos);
   CHECK(length.out.find("left out    all volumes") != std::string::npos);
@@ -391,7 +398,9 @@ TEST_CASE("decompose --parts: each object on its own, under its name") {
   for (const std::string& parts : {out, list, folder}) CHECK(is_accepted(input, parts));
   CHECK(std::filesystem::exists(folder + "right_part_000.obj"));
   CHECK(parts_document(list)["objects"][1]["tree"].size() == 23);  // 12 triangles in one part
-  CHECK(run_program("decompose --method hacd --parts " + input + " --trace " + scratch.file("t.json")).exit == 2);
+  CHECK(
+      run_program("decompose --method hacd --parts " + input + " --trace " + scratch.file("t.json"))
+          .exit == 2);
 }
 
 TEST_CASE("decompose: fewer faces, fewer bits: the parts hold what they own" * sweep) {
@@ -504,7 +513,8 @@ TEST_CASE("decompose -o folder/: what stays in it, and what goes") {
   scratch.write("parts/notes.txt", "mine");
   scratch.write("parts/mine.obj", "v 0 0 0\n");
   // A run with fewer parts takes the others away, and says what else looks like a part.
-  const auto fewer = run_program("decompose --method hacd " + input + " --max-parts 1 -o " + folder);
+  const auto fewer =
+      run_program("decompose --method hacd " + input + " --max-parts 1 -o " + folder);
   REQUIRE(fewer.exit == 0);
   CHECK(fewer.out.find("removed     " + folder + "/part_001.obj") != std::string::npos);
   CHECK(fewer.out.find("mine.obj is not one of these parts") != std::string::npos);
@@ -514,8 +524,9 @@ TEST_CASE("decompose -o folder/: what stays in it, and what goes") {
   CHECK(bytes_of(folder + "/mine.obj") == "v 0 0 0\n");
   // A run that fails changes nothing: neither the parts that are there, nor the folders.
   const std::string before = bytes_of(folder + "/part_000.obj");
-  const auto failed = run_program("decompose --method hacd " + input + " --names 'x%d' -o " + folder + " -o " +
-                                  scratch.file("new/") + " -o " + scratch.file("none/x.obj"));
+  const auto failed =
+      run_program("decompose --method hacd " + input + " --names 'x%d' -o " + folder + " -o " +
+                  scratch.file("new/") + " -o " + scratch.file("none/x.obj"));
   CHECK(failed.exit == 5);
   CHECK(bytes_of(folder + "/part_000.obj") == before);
   CHECK_FALSE(std::filesystem::exists(folder + "/x0.obj"));
@@ -534,9 +545,10 @@ TEST_CASE("decompose -o folder/: what stays in it, and what goes") {
 
 TEST_CASE("decompose: an interrupt leaves nothing behind") {
   const ScratchFolder scratch;
-  const auto ran = support::run_interrupted(
-      "decompose --method hacd " + support::data("bunny.obj") + " --engine exact -o " + scratch.file("parts/"),
-      "INT", "1");
+  const auto ran =
+      support::run_interrupted("decompose --method hacd " + support::data("bunny.obj") +
+                                   " --engine exact -o " + scratch.file("parts/"),
+                               "INT", "1");
   CHECK(ran.exit == 6);
   CHECK(scratch.count() == 0);
 }
@@ -553,9 +565,9 @@ TEST_CASE("decompose: a picture and a proof, with the other files or not at all"
   for (const std::string& option : {"--picture " + page, "--proof " + proof, "--trace " + trace}) {
     CAPTURE(option);
     CHECK(run_program("decompose --method hacd --parts " + cubes + " " + option).exit == 2);
-    CHECK(
-        run_program("decompose --method hacd " + input + " " + option + " -o " + scratch.file("no/x.obj")).exit ==
-        5);
+    CHECK(run_program("decompose --method hacd " + input + " " + option + " -o " +
+                      scratch.file("no/x.obj"))
+              .exit == 5);
   }
   CHECK_FALSE(std::filesystem::exists(trace));
 }
@@ -590,7 +602,13 @@ TEST_CASE("decompose: refusals, each with a sentence") {
            {"--concavity nan", 2, share},
            {"--concavity 3%%", 2, share},
            {"--concavity ''", 2, "found an empty text"},
-           {"--method cut", 2, "--method"},
+           {"--method best", 2, "--method"},
+           {"--method cut --concavity 5%", 2, "apply to hacd and acd"},
+           {"--method cut --engine float", 2, "applies to hacd only"},
+           {"--max-excess 20", 2, "--max-excess: expected a share"},
+           {"--max-excess 20%", 2, "apply to cut only"},
+           {"--effort best", 2, "--effort"},
+           {"--effort high", 2, "apply to cut only"},
            {"--method acd --engine float", 2, "the engine applies to hacd only"},
            {"--method acd --measure vertices", 2, "the measure applies to hacd only"},
            {"--method acd --coplanar 1.5", 2, "--coplanar: expected the cosine"},
@@ -607,7 +625,7 @@ TEST_CASE("decompose: refusals, each with a sentence") {
            {"--trace " + input, 2, "this file is an input"},
            {"--names l%d -o " + scratch.file("none") + "/x.obj", 5, "x.obj"}}) {
     CAPTURE(refusal.options);
-    const auto ran = run_program("decompose --method hacd " + input + " " + refusal.options);
+    const auto ran = run_program("decompose " + input + " " + by_clusters(refusal.options));
     CAPTURE(ran.err);
     CHECK(ran.exit == refusal.exit);
     CHECK(ran.err.find(refusal.says) != std::string::npos);
@@ -625,8 +643,8 @@ TEST_CASE("decompose: inputs that are no surface of a solid") {
   const ScratchFolder scratch;
   const auto exit_of = [&](const std::string& bytes, const std::string& options = "") {
     const std::string out = scratch.file("out/");
-    const auto ran =
-        run_program("decompose --method hacd " + scratch.write("in.obj", bytes) + " -o " + out + " " + options);
+    const auto ran = run_program("decompose --method hacd " + scratch.write("in.obj", bytes) +
+                                 " -o " + out + " " + options);
     CAPTURE(ran.err);
     if (ran.exit != 0) {
       CHECK(ran.err.find("in.obj") != std::string::npos);
@@ -643,8 +661,8 @@ TEST_CASE("decompose: inputs that are no surface of a solid") {
   CHECK(exit_of(square + "f 1 2 3 4\n", "--flat merge") == 4);
   CHECK(exit_of(square + "f 1 2 3 4\n", "--flat thicken") == 0);
   CHECK(run_program("decompose --method hacd " + scratch.file("missing.obj")).exit == 3);
-  const auto json_error =
-      run_program("decompose --method hacd --json " + scratch.write("flat.obj", square + "f 1 2 3 4\n"));
+  const auto json_error = run_program("decompose --method hacd --json " +
+                                      scratch.write("flat.obj", square + "f 1 2 3 4\n"));
   CHECK(json_error.exit == 4);
   const json document = json::parse(json_error.out);
   CHECK(schema_complaint("decompose", document) == "");

@@ -35,6 +35,7 @@ OPTIONS = ['-Dassertions=true', '-Dbuildtype=plain', '-Db_ndebug=false', '-Dopti
 CLAIMS, REFUSALS, ANSWERS, SKIPS = 'claims', 'refusals', 'answers', 'skips'
 _CHECK = [('check', 'wrong_proof_test,metric_proof_test,same_points_test,stored_reach_test'), ('check_mutated', ''), ('check', '')]
 _DECOMPOSITION = [('check', 'wrong_decomposition_test,decomposition_proof_test'), ('check_mutated', ''), ('check', '')]
+_PARTITION = [('check', 'partition_proof_test'), ('check', '')]
 _SIMPLIFY = [('simplify', 'step_verification_test,whole_dual_test'), ('simplify', '')]
 _LP = [('lp', 'certificates_test,chebyshev_center_test,feasibility_test'), ('lp', '')]
 FILES = {
@@ -42,6 +43,8 @@ FILES = {
     'src/check/text.hpp': ((CLAIMS,), _CHECK),
     'src/check/mesh_file.hpp': ((CLAIMS, REFUSALS), _CHECK),
     'src/check/decomposition.hpp': ((CLAIMS, REFUSALS, SKIPS), _DECOMPOSITION),
+    'src/check/surface.hpp': ((CLAIMS, REFUSALS, SKIPS), _DECOMPOSITION),
+    'src/check/partition.hpp': ((CLAIMS, REFUSALS), _PARTITION),
     'src/fast/checks.cpp': ((CLAIMS, REFUSALS, ANSWERS), [('fast', 'step_check_test,check_surface_test'), ('fast', '')]),
     'src/simplify/step_verification.cpp': ((CLAIMS,), _SIMPLIFY),
     'src/simplify/plain_surface.cpp': ((REFUSALS,), _SIMPLIFY),

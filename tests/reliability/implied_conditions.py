@@ -7,6 +7,6 @@ IMPLIED = {
         'prove_by_kind() hands over only proofs that begin with this word: it is read again, to get past it.',
     ('src/check/decomposition.hpp', 'words_.take_if("4")'):
         'prove_by_kind() hands over only proofs of this version: it is read again, to get past it.',
-    ('src/check/decomposition.hpp', '!file.is_mesh'):
+    ('src/check/surface.hpp', '!file.is_mesh'):
         'A file without faces has fewer than the proof, which has a triangle: kept for what it says.',
 }

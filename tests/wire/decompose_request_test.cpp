@@ -76,7 +76,7 @@ TEST_CASE("decompose request: an L in two parts, with the request's id") {
 // the walls of the notch are 1 deep in it, and the diameter is 3.
 TEST_CASE("decompose request: options are those of the command line") {
   json request = l_request();
-  request.update({{"max_parts", 1}, {"exact_volumes", true}});
+  request.update({{"method", "hacd"}, {"max_parts", 1}, {"exact_volumes", true}});
   json answer = ask(request);
   CHECK(answer["parts"].size() == 1);
   CHECK(answer["eps_holds"] == false);

@@ -58,8 +58,7 @@ void check_property(const FieldInfo& field, const std::string& present, const js
 }
 
 template <class Request>
-void check_properties(const Fields<Request>& fields, const json& properties) {
-  Request request;
+void check_properties(const Fields<Request>& fields, const json& properties, Request request = {}) {
   for (const BoundField& field : bound_fields(fields, request)) {
     REQUIRE_MESSAGE(properties.contains(field.info->name), field.info->name);
     check_property(*field.info, field.present, properties[field.info->name]);
@@ -73,7 +72,8 @@ json properties_of_request(const std::string& name) {
 }  // namespace
 
 TEST_CASE("fields: decompose_request.schema.json says the same") {
-  check_properties(decompose_fields(), properties_of_request("decompose_request"));
+  check_properties(decompose_fields(), properties_of_request("decompose_request"),
+                   default_decompose_request());
 }
 
 TEST_CASE("fields: stdio_request.schema.json says the same") {
@@ -97,8 +97,8 @@ TEST_CASE("fields: a value of another type is refused with what was expected") {
   const auto message = [&](const char* object) -> std::string {
     return error_of([&] { read_fields(json::parse(object), fields); }).what();
   };
-  CHECK(message(R"({"method": 5})") == "expected method as acd or hacd");
-  CHECK(message(R"({"method": "HACD"})") == "expected method as acd or hacd");
+  CHECK(message(R"({"method": 5})") == "expected method as acd or auto or cut or hacd");
+  CHECK(message(R"({"method": "HACD"})") == "expected method as acd or auto or cut or hacd");
   CHECK(message(R"({"precision": "64"})") == "expected precision as 32 or 64");
   CHECK(message(R"({"precision": 16})") == "expected precision as 32 or 64");
   CHECK(message(R"({"keep_inner": 1})") == "expected keep_inner as true or false");
@@ -123,7 +123,8 @@ TEST_CASE("fields: what is read is written again") {
     written += field.name + "=" + field.write(request) + " ";
   }
   CHECK(written ==
-        "method=acd concavity=1/8 max_parts=7 guard=none merge=none distance=3% close=auto "
+        "method=acd concavity=1/8 max_parts=7 guard=none merge=none distance=3% effort=normal "
+        "max_excess=none close=auto "
         "measure=surface "
         "bridge=farther coplanar=0.99 faces= "
         "total_faces= flat=auto keep_inner= connect=edge orient=auto loose=part engine=filtered "

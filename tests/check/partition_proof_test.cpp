@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// Proofs that parts hold a solid: what is written is accepted; where a part is made smaller, a
+// piece is sent elsewhere or a plane is another one, nothing is proven that is not true.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "cells.hpp"
+#include "checker.hpp"
+#include "decompositions.hpp"
+#include "proof_text.hpp"
+
+using namespace convexact;
+using support::Cell;
+using support::mesh_of_cells;
+
+namespace {
+
+std::string proof_of_cuts(const Mesh& mesh, const char* share = "1/50") {
+  DecomposeRequest request;
+  request.method = DecomposeMethod::Cut;
+  request.distance = ConcavityLimit{parse_rational(share), true};
+  request.close = Close::Never;
+  return proof_of_parts(mesh, request);
+}
+
+const std::set<Cell> kBin = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 1}, {2, 0, 1}};
+
+// A cavity, whose walls' hulls need no corner of a region, and a cube cut into octants, which do.
+std::set<Cell> hollow() {
+  std::set<Cell> cells;
+  for (int k = 0; k < 27; ++k) {
+    if (k != 13) cells.insert({k % 3, k / 3 % 3, k / 9});
+  }
+  return cells;
+}
+
+bool says(const CheckerVerdict& verdict, const std::string& text) {
+  return verdict.said.find(text) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("partition proof: what cut writes is accepted") {
+  std::mt19937_64 random(6);
+  for (int k = 0; k < 24; ++k) {
+    CAPTURE(k);
+    std::set<Cell> cells;
+    const std::size_t count = 1 + random() % 9;
+    for (std::size_t c = 0; c < count; ++c) {
+      cells.insert({static_cast<int>(random() % 3), static_cast<int>(random() % 3),
+                    static_cast<int>(random() % 2)});
+    }
+    Mesh mesh = mesh_of_cells(k == 0 ? hollow() : k == 1 ? kBin : cells);
+    const bool is_open = k % 4 == 3;
+    if (is_open) mesh.polygons.pop_back();
+    const std::string text = proof_of_cuts(mesh);
+    CHECK(text.starts_with("convexact-proof 6 partition\n"));
+    const CheckerVerdict verdict = check_proof(text);
+    CHECK(verdict.exit_code == 0);
+    CHECK(says(verdict, is_open ? "convex parts hold the surface" : "convex parts hold the solid"));
+    CHECK(says(verdict, "proven: no point of a part is farther than 1/50"));
+  }
+}
+
+TEST_CASE("partition proof: no line can be left out, and no corner moved inward") {
+  for (const auto& cells : {kBin, hollow()}) {
+    const ProofText original(proof_of_cuts(mesh_of_cells(cells)));
+    const std::size_t nodes = original.all("node").back();
+    for (std::size_t l = 0; l <= nodes; ++l) {
+      const std::string& keyword = original.lines[l][0];
+      if (keyword == "point" || keyword == "triangle") continue;  // another surface
+      CAPTURE(l);
+      ProofText proof = original;
+      proof.lines.erase(proof.lines.begin() + static_cast<long>(l));
+      CHECK(check_proof(proof.text(true)).exit_code != 0);
+      if (keyword != "corner") continue;
+      // All parts lie around the point (3/2, 3/2, 3/2), or close to it.
+      proof = original;
+      for (std::size_t k = 1; k < 4; ++k) proof.lines[l][k] = "7/5";
+      CHECK(check_proof(proof.text()).exit_code != 0);
+    }
+  }
+}
+
+TEST_CASE("partition proof: other planes, and other parts for a region") {
+  const ProofText original(proof_of_cuts(mesh_of_cells(kBin)));
+  const std::size_t parts = original.all("part").size();
+  REQUIRE(parts == 3);
+  std::size_t refused = 0;
+  for (const std::size_t l : original.all("node")) {
+    ProofText proof = original;
+    if (original.lines[l][1] == "part") {
+      for (std::size_t other = 0; other < parts; ++other) {
+        if (original.lines[l][2] == std::to_string(other)) continue;
+        proof.lines[l][2] = std::to_string(other);
+        CHECK(check_proof(proof.text()).exit_code == 1);
+      }
+      proof.lines[l] = {"node", "empty"};
+      CHECK(check_proof(proof.text()).exit_code == 1);
+      continue;
+    }
+    for (std::size_t w = 2; w < 6; ++w) {
+      for (const char* word : {"-5", "3", "1/2"}) {
+        proof = original;
+        proof.lines[l][w] = word;
+        const CheckerVerdict verdict = check_proof(proof.text());
+        // The parts are as they were, so what is proven by other planes is true.
+        if (verdict.exit_code == 0) CHECK(says(verdict, "3 convex parts hold the solid"));
+        refused += verdict.exit_code != 0 ? 1 : 0;
+      }
+    }
+  }
+  CHECK(refused > 0);
+}
+
+// A cube of 2, cut into octants by hand; one part for each, but none has the middle of the cube.
+TEST_CASE("partition proof: a corner of a region inside of the solid must be held") {
+  std::string text = "convexact-proof 6 partition\n";
+  std::size_t lines = 1;
+  const auto line = [&](const std::string& words) {
+    text += words + "\n";
+    ++lines;
+  };
+  const Mesh mesh = mesh_of_cells({{0, 0, 0}});
+  const Surface surface = make_surface(mesh);
+  for (const Point& p : surface.points.doubles()) {
+    line("point " + std::to_string(int(2 * p[0])) + " " + std::to_string(int(2 * p[1])) + " " +
+         std::to_string(int(2 * p[2])));
+  }
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& [a, b, c] = surface.triangles[t];
+    line("triangle " + std::to_string(a.value) + " " + std::to_string(b.value) + " " +
+         std::to_string(c.value) + " " + std::to_string(surface.face[t]));
+  }
+  const auto write = [&](const std::string& middle) {
+    const std::string before = text;
+    const std::size_t count = lines;
+    for (int octant = 0; octant < 8; ++octant) {
+      line("part");
+      for (int k = 0; k < 8; ++k) {
+        std::string words = "corner";
+        for (int axis = 0; axis < 3; ++axis) {
+          const bool is_outer = (k >> axis & 1) != 0;
+          const bool is_high = (octant >> axis & 1) != 0;
+          words += is_outer ? (is_high ? " 2" : " 0") : k == 0 ? " " + middle : std::string(" 1");
+        }
+        line(words);
+      }
+      const bool is_turned = (octant & 1) ^ (octant >> 1 & 1) ^ (octant >> 2 & 1);
+      for (const auto& [a, b, c] : std::vector<std::array<int, 3>>{{0, 1, 2},
+                                                                   {1, 3, 2},
+                                                                   {4, 6, 5},
+                                                                   {5, 6, 7},
+                                                                   {0, 4, 1},
+                                                                   {1, 4, 5},
+                                                                   {2, 3, 6},
+                                                                   {3, 7, 6},
+                                                                   {0, 2, 4},
+                                                                   {2, 6, 4},
+                                                                   {1, 5, 3},
+                                                                   {3, 5, 7}}) {
+        // Outward along x when the octant is the lowest.
+        line("facet " + std::to_string(a) + " " + std::to_string(is_turned ? c : b) + " " +
+             std::to_string(is_turned ? b : c));
+      }
+    }
+    line("node cut 1 0 0 -1");
+    for (int x = 0; x < 2; ++x) {
+      line("node cut 0 1 0 -1");
+      for (int y = 0; y < 2; ++y) {
+        line("node cut 0 0 1 -1");
+        for (int z = 0; z < 2; ++z) line("node part " + std::to_string(x + 2 * y + 4 * z));
+      }
+    }
+    line("end " + std::to_string(lines + 1));
+    const CheckerVerdict verdict = check_proof(text);
+    text = before;
+    lines = count;
+    return verdict;
+  };
+  const CheckerVerdict whole = write("1");
+  CHECK_MESSAGE(whole.exit_code == 0, whole.said);
+  const CheckerVerdict hollowed = write("9/10");
+  CHECK(hollowed.exit_code == 1);
+}
